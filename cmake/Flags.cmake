@@ -1,0 +1,20 @@
+# One INTERFACE target carries the flags of every library, program and test.
+add_library(autocuts_flags INTERFACE)
+add_library(Autocuts::Flags ALIAS autocuts_flags)
+
+target_compile_options(autocuts_flags INTERFACE
+  -Wall -Wextra -Wshadow -Wpedantic
+  # No contraction into fused multiply-adds: the same sum gives the same bits on every machine,
+  # and the overlap tests rely on exact zeros for shared edges.
+  -ffp-contract=off)
+if(AUTOCUTS_WERROR)
+  target_compile_options(autocuts_flags INTERFACE -Werror)
+endif()
+target_compile_definitions(autocuts_flags INTERFACE
+  QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII QT_NO_URL_CAST_FROM_STRING
+  QT_NO_CAST_FROM_BYTEARRAY QT_NO_FOREACH QT_NO_KEYWORDS
+  QT_DISABLE_DEPRECATED_BEFORE=0x060400)
+if(AUTOCUTS_SANITIZE)
+  target_compile_options(autocuts_flags INTERFACE -fsanitize=${AUTOCUTS_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(autocuts_flags INTERFACE -fsanitize=${AUTOCUTS_SANITIZE})
+endif()

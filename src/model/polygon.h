@@ -1,0 +1,22 @@
+// Splitting one polygon into triangles. Plain: no Qt.
+#pragma once
+
+#include "model/types.h"
+
+#include <array>
+#include <vector>
+
+namespace autocuts {
+
+//! Area vector of a closed 3D polygon: normal direction, length twice the area.
+Vec3 polygonNormal(const std::vector<Vec3> &points);
+
+//! First point from which a fan turns no triangle against the polygon's normal; -1 when there is none.
+int fanApex(const std::vector<Vec3> &points);
+
+//! Triangles (indices into points, in the polygon's winding) that cover the polygon: a fan from fanApex()
+//! when there is one, ear clipping in the plane of the polygon otherwise. Always n - 2 triangles, each side of
+//! the polygon in exactly one of them. \pre points.size() >= 3
+std::vector<std::array<int, 3>> triangulatePolygon(const std::vector<Vec3> &points);
+
+} // namespace autocuts

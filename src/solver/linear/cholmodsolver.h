@@ -1,0 +1,28 @@
+// CHOLMOD behind the LinearSolver interface.
+#pragma once
+
+#include "solver/linear/linearsolver.h"
+
+#include <memory>
+
+namespace autocuts {
+
+//! Supernodal or simplicial Cholesky by CHOLMOD, which chooses by the fill.
+class CholmodSolver final : public LinearSolver
+{
+public:
+    CholmodSolver();
+    ~CholmodSolver() override;
+    CholmodSolver(const CholmodSolver &) = delete;
+    CholmodSolver &operator=(const CholmodSolver &) = delete;
+
+    void analyze(const Matrix &lower) override;
+    bool factorize(const Matrix &lower) override;
+    void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
+
+private:
+    struct Internals;
+    std::unique_ptr<Internals> mInternals;
+};
+
+} // namespace autocuts

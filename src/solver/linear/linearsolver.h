@@ -1,0 +1,27 @@
+// Interface of the sparse symmetric positive definite solvers.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+namespace autocuts {
+
+//! Solves A x = b for a sparse symmetric positive definite A of which the lower triangle is given. analyze()
+//! once for a pattern, then factorize() for each set of values, then solve().
+class LinearSolver
+{
+public:
+    using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+
+    virtual ~LinearSolver() = default;
+
+    //! Fill-reducing order and symbolic factorisation of the pattern of `lower`.
+    //! \throws std::runtime_error when the library fails (out of memory)
+    virtual void analyze(const Matrix &lower) = 0;
+    //! Numeric factorisation; false when the matrix is not positive definite. \pre the pattern of analyze()
+    virtual bool factorize(const Matrix &lower) = 0;
+    //! \pre factorize() returned true
+    virtual void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) = 0;
+};
+
+} // namespace autocuts

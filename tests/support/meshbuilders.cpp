@@ -1,0 +1,131 @@
+#include "support/meshbuilders.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <numbers>
+
+namespace autocuts::test {
+
+MeshPtr polygonMesh(const std::vector<Vec3> &points, const std::vector<std::vector<int>> &faces)
+{
+    PositionMatrix positions(static_cast<Eigen::Index>(points.size()), 3);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        positions.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
+    std::vector<int> start{0}, corners;
+    for (const auto &face : faces) {
+        corners.insert(corners.end(), face.begin(), face.end());
+        start.push_back(static_cast<int>(corners.size()));
+    }
+    return MeshData::build(std::move(positions), std::move(start), std::move(corners),
+                           std::vector<int>(faces.size(), 0));
+}
+
+MeshPtr triangle()
+{
+    return polygonMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+}
+
+namespace {
+
+std::vector<Vec3> cubePoints()
+{
+    return {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+}
+
+const std::vector<std::vector<int>> cubeQuads{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                              {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+
+} // namespace
+
+MeshPtr cube()
+{
+    std::vector<std::vector<int>> faces;
+    for (const auto &q : cubeQuads) {
+        faces.push_back({q[0], q[1], q[2]});
+        faces.push_back({q[0], q[2], q[3]});
+    }
+    return polygonMesh(cubePoints(), faces);
+}
+
+MeshPtr quadCube()
+{
+    return polygonMesh(cubePoints(), cubeQuads);
+}
+
+MeshPtr grid(int n, double height)
+{
+    std::vector<Vec3> points;
+    std::vector<std::vector<int>> faces;
+    for (int y = 0; y <= n; ++y) {
+        for (int x = 0; x <= n; ++x) {
+            const double u = double(x) / n;
+            const double v = double(y) / n;
+            points.emplace_back(u, v, height * std::sin(std::numbers::pi * u) * std::sin(std::numbers::pi * v));
+        }
+    }
+    for (int y = 0; y < n; ++y) {
+        for (int x = 0; x < n; ++x) {
+            const int a = y * (n + 1) + x;
+            faces.push_back({a, a + 1, a + n + 2, a + n + 1});
+        }
+    }
+    return polygonMesh(points, faces);
+}
+
+MeshPtr sphere(int rings, int segments)
+{
+    std::vector<Vec3> points{{0, 0, 1}};
+    std::vector<std::vector<int>> faces;
+    for (int r = 1; r < rings; ++r) {
+        for (int s = 0; s < segments; ++s) {
+            const double theta = std::numbers::pi * r / rings;
+            const double phi = 2 * std::numbers::pi * s / segments;
+            points.emplace_back(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                                std::cos(theta));
+        }
+    }
+    points.emplace_back(0, 0, -1);
+    const int last = static_cast<int>(points.size()) - 1;
+    const auto at = [&](int r, int s) { return 1 + (r - 1) * segments + s % segments; };
+    for (int s = 0; s < segments; ++s) {
+        faces.push_back({0, at(1, s), at(1, s + 1)});
+        for (int r = 1; r + 1 < rings; ++r) {
+            faces.push_back({at(r, s), at(r + 1, s), at(r + 1, s + 1)});
+            faces.push_back({at(r, s), at(r + 1, s + 1), at(r, s + 1)});
+        }
+        faces.push_back({last, at(rings - 1, s + 1), at(rings - 1, s)});
+    }
+    return polygonMesh(points, faces);
+}
+
+MeshPtr torus(int major, int minor)
+{
+    std::vector<Vec3> points;
+    std::vector<std::vector<int>> faces;
+    for (int i = 0; i < major; ++i) {
+        for (int j = 0; j < minor; ++j) {
+            const double a = 2 * std::numbers::pi * i / major;
+            const double b = 2 * std::numbers::pi * j / minor;
+            const double r = 1 + 0.4 * std::cos(b);
+            points.emplace_back(r * std::cos(a), r * std::sin(a), 0.4 * std::sin(b));
+        }
+    }
+    const auto at = [&](int i, int j) { return (i % major) * minor + j % minor; };
+    for (int i = 0; i < major; ++i) {
+        for (int j = 0; j < minor; ++j)
+            faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+    return polygonMesh(points, faces);
+}
+
+std::string meshFolder()
+{
+    namespace fs = std::filesystem;
+    if (const char *folder = std::getenv("AUTOCUTS_MESHES"))
+        return fs::is_directory(folder) ? folder : "";
+    const fs::path beside = fs::path(AUTOCUTS_SOURCE_DIR) / ".." / "shared" / "meshes";
+    return fs::is_directory(beside) ? beside.lexically_normal().string() : "";
+}
+
+} // namespace autocuts::test

@@ -1,0 +1,32 @@
+// Small meshes built in code, for tests.
+#pragma once
+
+#include "model/meshdata.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace autocuts::test {
+
+using MeshPtr = std::shared_ptr<const MeshData>;
+
+//! A mesh from points and polygons, all in one object.
+MeshPtr polygonMesh(const std::vector<Vec3> &points, const std::vector<std::vector<int>> &faces);
+//! One triangle in the plane.
+MeshPtr triangle();
+//! Unit cube of 12 triangles.
+MeshPtr cube();
+//! Unit cube of 6 quads.
+MeshPtr quadCube();
+//! n x n quads over the unit square, bulged by `height` in z.
+MeshPtr grid(int n, double height = 0);
+//! Closed sphere of triangles, `rings` x `segments`.
+MeshPtr sphere(int rings, int segments);
+//! Torus of quads.
+MeshPtr torus(int major, int minor);
+
+//! Where the real meshes are: $AUTOCUTS_MESHES or ../shared/meshes beside the checkout; empty when absent.
+std::string meshFolder();
+
+} // namespace autocuts::test
