@@ -1,6 +1,7 @@
 #include "solver/linear/cholmodsolver.h"
 
 #include <cholmod.h>
+#include <omp.h>
 
 #include <stdexcept>
 
@@ -16,9 +17,7 @@ struct CholmodSolver::Internals
     {
         cholmod_start(&common);
         common.print = 0;
-        // One order, found fast; nested dissection only pays on large problems, where CHOLMOD tries it too.
         common.nmethods = 1;
-        common.method[0].ordering = CHOLMOD_AMD;
         common.postorder = 1;
         common.quick_return_if_not_posdef = 1;
     }
@@ -37,6 +36,20 @@ struct CholmodSolver::Internals
 };
 
 namespace {
+
+//! Keeps CHOLMOD on the calling thread: it asks OpenMP for four threads in loops far too small for them, and
+//! results must not depend on the number of cores.
+class SerialRegion
+{
+public:
+    SerialRegion() : mLevels(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
+    ~SerialRegion() { omp_set_max_active_levels(mLevels); }
+    SerialRegion(const SerialRegion &) = delete;
+    SerialRegion &operator=(const SerialRegion &) = delete;
+
+private:
+    int mLevels;
+};
 
 cholmod_sparse viewOf(const LinearSolver::Matrix &lower)
 {
@@ -62,10 +75,12 @@ CholmodSolver::CholmodSolver() : mInternals(std::make_unique<Internals>()) {}
 
 CholmodSolver::~CholmodSolver() = default;
 
-void CholmodSolver::analyze(const Matrix &lower)
+void CholmodSolver::analyze(const Matrix &lower, Order order)
 {
+    const SerialRegion serial;
     Internals &in = *mInternals;
     in.clear();
+    in.common.method[0].ordering = order == Order::Natural ? CHOLMOD_NATURAL : CHOLMOD_AMD;
     cholmod_sparse view = viewOf(lower);
     in.factor = cholmod_analyze(&view, &in.common);
     if (!in.factor)
@@ -74,6 +89,7 @@ void CholmodSolver::analyze(const Matrix &lower)
 
 bool CholmodSolver::factorize(const Matrix &lower)
 {
+    const SerialRegion serial;
     Internals &in = *mInternals;
     cholmod_sparse view = viewOf(lower);
     cholmod_factorize(&view, in.factor, &in.common);
@@ -84,6 +100,7 @@ bool CholmodSolver::factorize(const Matrix &lower)
 
 void CholmodSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
 {
+    const SerialRegion serial;
     Internals &in = *mInternals;
     cholmod_dense view{};
     view.nrow = view.d = view.nzmax = static_cast<std::size_t>(b.size());

@@ -16,7 +16,7 @@ public:
     CholmodSolver(const CholmodSolver &) = delete;
     CholmodSolver &operator=(const CholmodSolver &) = delete;
 
-    void analyze(const Matrix &lower) override;
+    void analyze(const Matrix &lower, Order order) override;
     bool factorize(const Matrix &lower) override;
     void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
 

@@ -15,9 +15,11 @@ public:
 
     virtual ~LinearSolver() = default;
 
-    //! Fill-reducing order and symbolic factorisation of the pattern of `lower`.
+    enum class Order { FillReducing, Natural };    //!< Natural: the caller has ordered the unknowns
+
+    //! Order and symbolic factorisation of the pattern of `lower`.
     //! \throws std::runtime_error when the library fails (out of memory)
-    virtual void analyze(const Matrix &lower) = 0;
+    virtual void analyze(const Matrix &lower, Order order) = 0;
     //! Numeric factorisation; false when the matrix is not positive definite. \pre the pattern of analyze()
     virtual bool factorize(const Matrix &lower) = 0;
     //! \pre factorize() returned true

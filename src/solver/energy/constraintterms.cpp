@@ -1,0 +1,71 @@
+#include "solver/energy/constraintterms.h"
+
+namespace autocuts {
+
+double PinTerm::value(std::span<const double> x) const
+{
+    double sum = 0;
+    for (const Pin &pin : mPins) {
+        const std::size_t at = 2 * static_cast<std::size_t>(pin.soupCorner);
+        const double du = x[at] - pin.target.x();
+        const double dv = x[at + 1] - pin.target.y();
+        sum += 0.5 * pin.weight * (du * du + dv * dv);
+    }
+    return sum;
+}
+
+void PinTerm::addDerivatives(std::span<const double> x, std::span<double> gradient,
+                             HessianBlocks &blocks) const
+{
+    for (const Pin &pin : mPins) {
+        for (int i = 0; i < 2; ++i) {
+            const std::size_t at = 2 * static_cast<std::size_t>(pin.soupCorner) + i;
+            gradient[at] += pin.weight * (x[at] - pin.target[i]);
+            blocks.ground[at] += pin.weight;
+        }
+    }
+}
+
+namespace {
+
+//! Signed distance outside [lower, upper]: negative below, positive above, 0 inside.
+inline double outside(double value, double lower, double upper)
+{
+    return value < lower ? value - lower : value > upper ? value - upper : 0;
+}
+
+} // namespace
+
+double BoxTerm::value(std::span<const double> x) const
+{
+    double sum = 0;
+    for (const UvRectangle &box : mRectangles) {
+        for (const int corner : box.soupCorners) {
+            for (int i = 0; i < 2; ++i) {
+                const double d =
+                    outside(x[2 * static_cast<std::size_t>(corner) + i], box.lower[i], box.upper[i]);
+                sum += d * d;
+            }
+        }
+    }
+    return mWeight * sum;
+}
+
+void BoxTerm::addDerivatives(std::span<const double> x, std::span<double> gradient,
+                             HessianBlocks &blocks) const
+{
+    for (const UvRectangle &box : mRectangles) {
+        for (const int corner : box.soupCorners) {
+            for (int i = 0; i < 2; ++i) {
+                const std::size_t at = 2 * static_cast<std::size_t>(corner) + i;
+                const double d = outside(x[at], box.lower[i], box.upper[i]);
+                if (d == 0)
+                    continue;
+                gradient[at] += 2 * mWeight * d;
+                blocks.ground[at] += 2 * mWeight;
+            }
+        }
+    }
+}
+
+} // namespace autocuts

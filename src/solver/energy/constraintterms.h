@@ -1,0 +1,44 @@
+// Pins and rectangles as terms of the energy.
+#pragma once
+
+#include "model/snapshot.h"
+#include "solver/energy/energyterm.h"
+
+#include <vector>
+
+namespace autocuts {
+
+//! Springs that pull soup corners to their targets: weight / 2 * |x - target|^2 for each pin.
+class PinTerm final : public EnergyTerm
+{
+public:
+    explicit PinTerm(std::vector<Pin> pins) : mPins(std::move(pins)) {}
+
+    double value(std::span<const double> x) const override;
+    void addDerivatives(std::span<const double> x, std::span<double> gradient,
+                        HessianBlocks &blocks) const override;
+
+private:
+    std::vector<Pin> mPins;
+};
+
+//! Box energy B (paper, Eq. 10 and 11): weight * squared distance outside the rectangle, per coordinate, over
+//! the corners that the rectangle acts on. C1; its second derivative jumps at the sides.
+class BoxTerm final : public EnergyTerm
+{
+public:
+    BoxTerm(std::vector<UvRectangle> rectangles, double weight)
+        : mRectangles(std::move(rectangles)), mWeight(weight)
+    {
+    }
+
+    double value(std::span<const double> x) const override;
+    void addDerivatives(std::span<const double> x, std::span<double> gradient,
+                        HessianBlocks &blocks) const override;
+
+private:
+    std::vector<UvRectangle> mRectangles;
+    double mWeight;
+};
+
+} // namespace autocuts

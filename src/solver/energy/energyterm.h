@@ -1,0 +1,44 @@
+// The interface of every term of the energy.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace autocuts {
+
+//! A positive semidefinite Hessian in the only shape that the terms need: a 6 x 6 block per triangle, a spring
+//! per corner pair, and a diagonal.
+struct HessianBlocks
+{
+    //! Lower triangle of the 6 x 6 block of each triangle, row by row: (0,0) (1,0) (1,1) (2,0) ...
+    std::vector<std::array<double, 21>> triangle;
+    std::vector<double> pair;      //!< spring constant w of each corner pair: w / 2 * |x_a - x_b|^2
+    std::vector<std::uint8_t> pairClosed;    //!< 1 where the pair is all but joined (a hint for preconditioners)
+    std::vector<double> ground;    //!< per coordinate, on the diagonal
+
+    void resize(int triangles, int pairs)
+    {
+        triangle.assign(triangles, {});
+        pair.assign(pairs, 0.0);
+        pairClosed.assign(pairs, 0);
+        ground.assign(6 * static_cast<std::size_t>(triangles), 0.0);
+    }
+};
+
+//! One term of the energy over the coordinates x of a Soup (see soup.h). Immutable between two calls.
+class EnergyTerm
+{
+public:
+    virtual ~EnergyTerm() = default;
+
+    //! Infinite where a triangle is flipped or has no area, if the term forbids that.
+    virtual double value(std::span<const double> x) const = 0;
+    //! Adds the gradient to `gradient` and a positive semidefinite model of the Hessian to `blocks`.
+    //! \pre value(x) is finite; blocks has been sized and zeroed
+    virtual void addDerivatives(std::span<const double> x, std::span<double> gradient,
+                                HessianBlocks &blocks) const = 0;
+};
+
+} // namespace autocuts

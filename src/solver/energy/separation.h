@@ -1,0 +1,45 @@
+// The separation S of the corner pairs (paper, Eq. 3, 4 and 6, appendix A).
+#pragma once
+
+#include "solver/energy/energyterm.h"
+#include "solver/soup.h"
+
+#include <memory>
+
+namespace autocuts {
+
+//! factor / 2 * sum over corner pairs of weight * s_delta, s_delta = t / (t + delta) with t the squared
+//! distance of the pair; a fully cut edge therefore counts its weight once. The Hessian is the majoriser: a
+//! spring of constant factor * weight * delta / (t + delta)^2, always positive (appendix A).
+class SeparationTerm final : public EnergyTerm
+{
+public:
+    explicit SeparationTerm(std::shared_ptr<const Soup> soup) : mSoup(std::move(soup)) {}
+
+    void setFactor(double factor) { mFactor = factor; }
+    void setDelta(double delta) { mDelta = delta; }
+    //! \pre one weight >= 0 per corner pair
+    void setWeights(std::vector<double> weights) { mWeights = std::move(weights); }
+    const std::vector<double> &weights() const { return mWeights; }
+    double delta() const { return mDelta; }
+
+    double value(std::span<const double> x) const override;
+    void addDerivatives(std::span<const double> x, std::span<double> gradient,
+                        HessianBlocks &blocks) const override;
+
+    //! s_delta of one corner pair, in [0, 1).
+    double separation(std::span<const double> x, int pair) const;
+
+private:
+    std::shared_ptr<const Soup> mSoup;
+    std::vector<double> mWeights;
+    double mFactor = 0;
+    double mDelta = 1;
+};
+
+//! The weights of the corner pairs as a snapshot asks: by length or by count (then every pair weighs the mean
+//! edge length, so that lambda keeps its meaning), times the painted weight, x100 when joined or on a diagonal,
+//! 0 when cut.
+std::vector<double> pairWeights(const Soup &soup, const Snapshot &snapshot);
+
+} // namespace autocuts

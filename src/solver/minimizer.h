@@ -1,0 +1,42 @@
+// One Newton step on a sum of energy terms, with a line search that never flips a triangle.
+#pragma once
+
+#include "solver/energy/energyterm.h"
+#include "solver/linear/newtondirection.h"
+#include "solver/soup.h"
+
+#include <memory>
+#include <vector>
+
+namespace autocuts {
+
+//! Minimises the sum of its terms over the coordinates of a soup (paper, section 3.2).
+class Minimizer
+{
+public:
+    struct Step
+    {
+        double before = 0, after = 0;    //!< energy
+        double length = 0;               //!< step length taken; 0 when no descent was found
+    };
+
+    Minimizer(std::shared_ptr<const Soup> soup, std::unique_ptr<NewtonDirection> direction);
+
+    //! The terms are not owned and must outlive the next step.
+    void setTerms(std::vector<const EnergyTerm *> terms);
+    //! To be called when a term has changed its parameters.
+    void invalidate();
+
+    double energy(std::span<const double> x) const;
+    //! Moves x one step downhill. \pre every triangle is positively oriented at x
+    Step step(std::vector<double> &x);
+
+private:
+    std::shared_ptr<const Soup> mSoup;
+    std::unique_ptr<NewtonDirection> mDirection;
+    std::vector<const EnergyTerm *> mTerms;
+    HessianBlocks mBlocks;
+    std::vector<double> mGradient, mMove, mTrial;
+};
+
+} // namespace autocuts

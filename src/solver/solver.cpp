@@ -1,0 +1,152 @@
+#include "solver/solver.h"
+
+#include "solver/initialuv.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace autocuts {
+
+namespace {
+
+std::unique_ptr<NewtonDirection> makeDirection(const std::shared_ptr<const Soup> &soup, SolverKind kind,
+                                               const std::vector<Pin> &hardPins)
+{
+    const int corners = soup->mesh->soupCornerCount();
+    if (kind == SolverKind::Exact) {
+        UnknownMap map = UnknownMap::identity(corners);
+        for (const Pin &pin : hardPins)
+            map.unknown[pin.soupCorner] = -1;
+        int count = 0;
+        for (int &u : map.unknown) {
+            if (u >= 0)
+                u = count++;
+        }
+        map.count = count;
+        return makeExactDirection(soup, std::move(map));
+    }
+    std::vector<bool> held;
+    if (!hardPins.empty()) {
+        held.assign(corners, false);
+        for (const Pin &pin : hardPins)
+            held[pin.soupCorner] = true;
+    }
+    return makeHubDirection(soup, std::move(held));
+}
+
+std::vector<Pin> hardPinsOf(const Snapshot &snapshot)
+{
+    std::vector<Pin> hard;
+    std::copy_if(snapshot.pins.begin(), snapshot.pins.end(), std::back_inserter(hard),
+                 [](const Pin &pin) { return pin.hard; });
+    return hard;
+}
+
+bool sameCorners(const std::vector<Pin> &a, const std::vector<Pin> &b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const Pin &p, const Pin &q) { return p.soupCorner == q.soupCorner; });
+}
+
+} // namespace
+
+Solver::Solver() = default;
+Solver::~Solver() = default;
+
+void Solver::load(const Snapshot &snapshot)
+{
+    mSnapshot = snapshot;
+    mSoup = Soup::build(snapshot.mesh);
+    mX = initialUv(*mSoup, snapshot);
+    mIteration = 0;
+    mHardPins = hardPinsOf(snapshot);
+    mMinimizer = std::make_unique<Minimizer>(mSoup, makeDirection(mSoup, snapshot.settings.solver, mHardPins));
+    rebuildTerms();
+}
+
+void Solver::update(const Snapshot &snapshot)
+{
+    if (!mSoup || snapshot.mesh != mSoup->mesh)
+        throw std::invalid_argument("Solver::update: another mesh than the one loaded");
+    std::vector<Pin> hard = hardPinsOf(snapshot);
+    const bool newUnknowns =
+        snapshot.settings.solver != mSnapshot.settings.solver || !sameCorners(hard, mHardPins);
+    mSnapshot = snapshot;
+    mHardPins = std::move(hard);
+    if (newUnknowns)
+        mMinimizer =
+            std::make_unique<Minimizer>(mSoup, makeDirection(mSoup, snapshot.settings.solver, mHardPins));
+    rebuildTerms();
+}
+
+void Solver::rebuildTerms()
+{
+    const SolveSettings &settings = mSnapshot.settings;
+    mDistortion = makeDistortionTerm(mSoup, settings.energy);
+    mDistortion->setFactor(1 - settings.lambda);
+    mSeparation = std::make_unique<SeparationTerm>(mSoup);
+    mSeparation->setFactor(settings.lambda);
+    mSeparation->setDelta(settings.delta);
+    mSeparation->setWeights(pairWeights(*mSoup, mSnapshot));
+    std::vector<Pin> soft;
+    std::copy_if(mSnapshot.pins.begin(), mSnapshot.pins.end(), std::back_inserter(soft),
+                 [](const Pin &pin) { return !pin.hard; });
+    mPins = std::make_unique<PinTerm>(std::move(soft));
+    mBoxes = std::make_unique<BoxTerm>(mSnapshot.rectangles, settings.boxWeight);
+    std::vector<const EnergyTerm *> terms{mDistortion.get(), mSeparation.get()};
+    if (!mSnapshot.pins.empty())
+        terms.push_back(mPins.get());
+    if (!mSnapshot.rectangles.empty())
+        terms.push_back(mBoxes.get());
+    mMinimizer->setTerms(std::move(terms));
+}
+
+//! Moves each hard-pinned corner towards its target as far as its own triangle allows.
+void Solver::pullHardPins()
+{
+    for (const Pin &pin : mHardPins) {
+        double *triangle = &mX[6 * static_cast<std::size_t>(pin.soupCorner / 3)];
+        const int k = pin.soupCorner % 3;
+        const Vec2 p(triangle[2 * k], triangle[2 * k + 1]);
+        const Vec2 a(triangle[2 * ((k + 1) % 3)], triangle[2 * ((k + 1) % 3) + 1]);
+        const Vec2 b(triangle[2 * ((k + 2) % 3)], triangle[2 * ((k + 2) % 3) + 1]);
+        const double before = cross2(p, a, b);
+        const double after = cross2(pin.target, a, b);
+        // The area changes linearly along the way; at most nine tenths of it may go in one step.
+        const double share = after >= 0.1 * before ? 1 : 0.9 * before / (before - after);
+        const Vec2 moved = share == 1 ? pin.target : Vec2(p + share * (pin.target - p));
+        triangle[2 * k] = moved.x();
+        triangle[2 * k + 1] = moved.y();
+    }
+}
+
+StepResult Solver::step()
+{
+    pullHardPins();
+    const Minimizer::Step step = mMinimizer->step(mX);
+    StepResult result;
+    result.iteration = ++mIteration;
+    result.energy = step.after;
+    result.stepLength = step.length;
+    const double lambda = mSnapshot.settings.lambda;
+    mDistortion->setFactor(1);
+    mSeparation->setFactor(1);
+    result.distortion = mDistortion->value(mX);
+    result.separation = mSeparation->value(mX);
+    mDistortion->setFactor(1 - lambda);
+    mSeparation->setFactor(lambda);
+    return result;
+}
+
+void Solver::setCoordinates(std::vector<double> x)
+{
+    mX = std::move(x);
+    mMinimizer->invalidate();
+}
+
+double finalDelta(const Soup &soup)
+{
+    return 0.09 * soup.meanEdgeLength * soup.meanEdgeLength;
+}
+
+} // namespace autocuts
