@@ -146,7 +146,12 @@ void Solver::setCoordinates(std::vector<double> x)
 
 double finalDelta(const Soup &soup)
 {
-    return 0.09 * soup.meanEdgeLength * soup.meanEdgeLength;
+    std::vector<double> lengths = soup.pairLength;
+    if (lengths.empty())
+        return 0.09 * soup.meanEdgeLength * soup.meanEdgeLength;
+    const auto fifth = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 20);
+    std::nth_element(lengths.begin(), fifth, lengths.end());
+    return std::min(0.09 * soup.meanEdgeLength * soup.meanEdgeLength, 0.25 * *fifth * *fifth);
 }
 
 } // namespace autocuts

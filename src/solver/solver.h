@@ -63,8 +63,9 @@ private:
     int mIteration = 0;
 };
 
-//! Smallest delta that the homotopy needs: 0.09 times the squared mean edge length. Below it nothing merges
-//! any more; above it, joining pairs would fold triangles.
+//! Smallest delta that the homotopy needs: the square of 0.3 mean edge lengths, or of half a short edge (the
+//! fifth percentile) where the mesh is graded. Below it nothing merges any more; above it, joining pairs would
+//! fold triangles.
 double finalDelta(const Soup &soup);
 
 } // namespace autocuts

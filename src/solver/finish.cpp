@@ -1,0 +1,265 @@
+#include "solver/finish.h"
+
+#include "solver/energy/constraintterms.h"
+#include "solver/energy/distortion.h"
+#include "solver/energy/separation.h"
+#include "solver/minimizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace autocuts {
+
+namespace {
+
+//! Pairs closer than this are merged (paper: 0.5).
+constexpr double mergeSeparation = 0.5;
+//! A merged triangle must keep this share of its area at rest.
+constexpr double smallestDeterminant = 1e-6;
+//! A spring is a separation with a delta far beyond any distance.
+constexpr double springDelta = 1e6;
+constexpr double firstSpring = 0.3;
+constexpr int springLevels = 5;    // 0.3, 3, ... 3000
+constexpr int stepsPerSpring = 4;
+constexpr double stall = 1e-7;
+
+bool cancelled(const std::atomic<bool> *cancel)
+{
+    return cancel && cancel->load(std::memory_order_relaxed);
+}
+
+//! Puts the corners of each UV vertex at their average.
+std::vector<double> snapped(const CutMesh &state, const std::vector<double> &x)
+{
+    std::vector<Vec2> sum(state.uvVertexCount, Vec2::Zero());
+    std::vector<int> count(state.uvVertexCount, 0);
+    for (std::size_t c = 0; c < state.uvVertex.size(); ++c) {
+        sum[state.uvVertex[c]] += Vec2(x[2 * c], x[2 * c + 1]);
+        ++count[state.uvVertex[c]];
+    }
+    std::vector<double> result(x.size());
+    for (std::size_t c = 0; c < state.uvVertex.size(); ++c) {
+        const int v = state.uvVertex[c];
+        result[2 * c] = sum[v].x() / count[v];
+        result[2 * c + 1] = sum[v].y() / count[v];
+    }
+    return result;
+}
+
+std::vector<int> badTriangles(const Soup &soup, const std::vector<double> &x)
+{
+    std::vector<int> bad;
+    for (int t = 0; t < soup.triangleCount(); ++t) {
+        if (!(jacobianDeterminant(soup, x.data(), t) > smallestDeterminant))
+            bad.push_back(t);
+    }
+    return bad;
+}
+
+bool isJoined(const Snapshot &snapshot, std::size_t pair)
+{
+    return !snapshot.pairState.empty() && snapshot.pairState[pair] == PairState::Joined;
+}
+
+bool isCut(const Snapshot &snapshot, std::size_t pair)
+{
+    return !snapshot.pairState.empty() && snapshot.pairState[pair] == PairState::Cut;
+}
+
+//! Terms that hold in every stage: distortion, soft and hard pins (as stiff springs), rectangles.
+struct ShapeTerms
+{
+    std::unique_ptr<DistortionTerm> distortion;
+    PinTerm pins;
+    BoxTerm boxes;
+
+    ShapeTerms(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot)
+        : distortion(makeDistortionTerm(soup, snapshot.settings.energy)), pins(stiffened(snapshot.pins)),
+          boxes(snapshot.rectangles, snapshot.settings.boxWeight)
+    {
+    }
+
+    std::vector<const EnergyTerm *> all() const { return {distortion.get(), &pins, &boxes}; }
+
+private:
+    static std::vector<Pin> stiffened(std::vector<Pin> pins)
+    {
+        for (Pin &pin : pins) {
+            if (pin.hard)
+                pin.weight = 1e4;
+        }
+        return pins;
+    }
+};
+
+//! Pulls the merged corners together until snapping flips nothing. Returns false when it still would.
+bool pullTogether(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const CutMesh &state,
+                  std::vector<double> &x, std::vector<double> &snap, const std::atomic<bool> *cancel)
+{
+    ShapeTerms shape(soup, snapshot);
+    SeparationTerm springs(soup);
+    springs.setDelta(springDelta);
+    std::vector<double> weights(soup->pairCorners.size(), 0.0);
+    for (std::size_t p = 0; p < weights.size(); ++p) {
+        if (state.uvVertex[soup->pairCorners[p][0]] == state.uvVertex[soup->pairCorners[p][1]])
+            weights[p] = springDelta;
+    }
+    springs.setWeights(std::move(weights));
+    Minimizer minimizer(soup, makeHubDirection(soup, {}));
+    std::vector<const EnergyTerm *> terms = shape.all();
+    terms.push_back(&springs);
+    double stiffness = firstSpring;
+    for (int level = 0; level < springLevels; ++level, stiffness *= 10) {
+        springs.setFactor(stiffness);
+        minimizer.setTerms(terms);
+        for (int i = 0; i < stepsPerSpring && !cancelled(cancel); ++i)
+            minimizer.step(x);
+        snap = snapped(state, x);
+        if (badTriangles(*soup, snap).empty())
+            return true;
+    }
+    return false;
+}
+
+//! Cuts the edges of the bad triangles' faces; joined ones only when `force`. Returns true when that cut any.
+bool release(const MeshData &mesh, const Snapshot &snapshot, const std::vector<int> &bad, bool force,
+             CutFlags &cut)
+{
+    std::vector<bool> face(mesh.faceCount(), false);
+    for (const int t : bad)
+        face[mesh.triangleFace[t]] = true;
+    bool changed = false;
+    for (std::size_t e = 0; e < cut.size(); ++e) {
+        const EdgePair &pair = mesh.edgePairs[e];
+        if (cut[e] || pair.diagonal || (!force && (isJoined(snapshot, 2 * e) || isJoined(snapshot, 2 * e + 1))))
+            continue;
+        if (face[mesh.triangleFace[pair.triangle[0]]] || face[mesh.triangleFace[pair.triangle[1]]]) {
+            cut[e] = true;
+            changed = true;
+        }
+    }
+    return changed;
+}
+
+} // namespace
+
+double SeamedMap::distortion(const Soup &soup) const
+{
+    // At scale s the mean is s^2 P + Q / s^2; the best scale gives 2 sqrt(P Q).
+    double p = 0, q = 0, w = 0;
+    for (int t = 0; t < soup.triangleCount(); ++t) {
+        if (soup.mesh->triangleDegenerate[t])
+            continue;
+        const double *c = &x[6 * static_cast<std::size_t>(t)];
+        const Soup::Basis &b = soup.basis[t];
+        const double j00 = c[0] * b[0] + c[2] * b[2] + c[4] * b[4];
+        const double j01 = c[0] * b[1] + c[2] * b[3] + c[4] * b[5];
+        const double j10 = c[1] * b[0] + c[3] * b[2] + c[5] * b[4];
+        const double j11 = c[1] * b[1] + c[3] * b[3] + c[5] * b[5];
+        const double squares = j00 * j00 + j01 * j01 + j10 * j10 + j11 * j11;
+        const double det = j00 * j11 - j01 * j10;
+        p += soup.weight[t] * squares;
+        q += soup.weight[t] * squares / (det * det);
+        w += soup.weight[t];
+    }
+    return 2 * std::sqrt(p * q) / w;
+}
+
+double SeamedMap::seamLength(const Soup &soup) const
+{
+    double sum = 0;
+    for (std::size_t e = 0; e < cut.size(); ++e) {
+        if (cut[e])
+            sum += soup.pairLength[2 * e];
+    }
+    return sum;
+}
+
+std::string SeamedMap::validate(const Soup &soup) const
+{
+    const MeshData &mesh = *soup.mesh;
+    if (cut.size() != mesh.edgePairs.size() || static_cast<int>(x.size()) != soup.coordinateCount())
+        return "the map does not fit the mesh";
+    for (std::size_t e = 0; e < cut.size(); ++e) {
+        if (cut[e] && mesh.edgePairs[e].diagonal)
+            return "a polygon is split";
+    }
+    const CutMesh state(mesh, cut);
+    std::vector<int> first(state.uvVertexCount, -1);
+    for (std::size_t c = 0; c < state.uvVertex.size(); ++c) {
+        int &f = first[state.uvVertex[c]];
+        if (f < 0)
+            f = static_cast<int>(c);
+        if (x[2 * c] != x[2 * static_cast<std::size_t>(f)] || x[2 * c + 1] != x[2 * static_cast<std::size_t>(f) + 1])
+            return "two corners of one UV vertex are apart";
+    }
+    for (int t = 0; t < soup.triangleCount(); ++t) {
+        if (!(jacobianDeterminant(soup, x.data(), t) > 0))
+            return "a triangle is flipped or has no area";
+    }
+    return {};
+}
+
+SeamedMap closeTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, CutFlags cut,
+                  const std::vector<double> &start, const std::atomic<bool> *cancel)
+{
+    const MeshData &mesh = *soup->mesh;
+    std::vector<double> x = start;
+    for (int round = 0;; ++round) {
+        const CutMesh state(mesh, cut);
+        std::vector<double> snap = snapped(state, x);
+        std::vector<int> bad = badTriangles(*soup, snap);
+        if (bad.empty() || pullTogether(soup, snapshot, state, x, snap, cancel)) {
+            SeamedMap map{std::move(cut), std::move(snap)};
+            return map;
+        }
+        bad = badTriangles(*soup, snap);
+        // Each round cuts more; in the end every polygon is on its own and lies there undistorted.
+        if (!release(mesh, snapshot, bad, false, cut) && !release(mesh, snapshot, bad, true, cut)) {
+            for (const int t : bad) {
+                for (int i = 0; i < 6; ++i)
+                    x[6 * static_cast<std::size_t>(t) + i] = soup->restShape[t][i];
+            }
+            if (round > 50)
+                throw std::runtime_error("closeTo: a polygon cannot be laid out without a fold");
+        }
+    }
+}
+
+SeamedMap finishMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                    const std::vector<double> &x, const std::atomic<bool> *cancel)
+{
+    const MeshData &mesh = *soup->mesh;
+    SeparationTerm separation(soup);
+    separation.setDelta(snapshot.settings.delta);
+    const auto merges = [&](std::size_t pair) {
+        return !isCut(snapshot, pair)
+               && (isJoined(snapshot, pair)
+                   || separation.separation(x, static_cast<int>(pair)) < mergeSeparation);
+    };
+    CutFlags cut(mesh.edgePairs.size());
+    for (std::size_t e = 0; e < cut.size(); ++e)
+        cut[e] = !mesh.edgePairs[e].diagonal && !(merges(2 * e) && merges(2 * e + 1));
+    dropClosedCuts(mesh, cut);
+    return closeTo(soup, snapshot, std::move(cut), x, cancel);
+}
+
+int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map, int steps,
+             const std::atomic<bool> *cancel)
+{
+    const CutMesh state(*soup->mesh, map.cut);
+    const ShapeTerms shape(soup, snapshot);
+    Minimizer minimizer(soup, makeExactDirection(soup, {state.uvVertex, state.uvVertexCount}));
+    minimizer.setTerms(shape.all());
+    int done = 0;
+    while (done < steps && !cancelled(cancel)) {
+        const Minimizer::Step step = minimizer.step(map.x);
+        ++done;
+        if (step.before - step.after <= stall * std::abs(step.before))
+            break;
+    }
+    return done;
+}
+
+} // namespace autocuts
