@@ -1,0 +1,52 @@
+#include "solver/anneal.h"
+
+#include <cmath>
+#include <vector>
+
+namespace autocuts {
+
+namespace {
+
+std::vector<double> deltaLevels(const Soup &soup, double start)
+{
+    const double last = finalDelta(soup);
+    std::vector<double> levels;
+    for (double delta = start; delta > last; delta *= delta > smoothDelta ? 0.25 : 0.5)
+        levels.push_back(delta);
+    levels.push_back(last);
+    return levels;
+}
+
+} // namespace
+
+int annealSteps(const Soup &soup, const AnnealOptions &options)
+{
+    return static_cast<int>(deltaLevels(soup, options.startDelta).size()) * options.stepsPerLevel;
+}
+
+StepResult annealSoup(Solver &solver, const AnnealOptions &options, const std::atomic<bool> *cancel,
+                      const std::function<void(const StepResult &)> &onStep)
+{
+    constexpr double stall = 1e-9;
+    StepResult last;
+    for (const double delta : deltaLevels(solver.soup(), options.startDelta)) {
+        Snapshot snapshot = solver.snapshot();
+        snapshot.settings.lambda = options.lambda;
+        snapshot.settings.delta = delta;
+        solver.update(snapshot);
+        double energy = 0;
+        for (int i = 0; i < options.stepsPerLevel; ++i) {
+            if (cancel && cancel->load(std::memory_order_relaxed))
+                return last;
+            last = solver.step();
+            if (onStep)
+                onStep(last);
+            if (last.stepLength == 0 || (i > 0 && std::abs(energy - last.energy) < stall * energy))
+                break;
+            energy = last.energy;
+        }
+    }
+    return last;
+}
+
+} // namespace autocuts
