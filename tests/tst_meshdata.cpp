@@ -336,7 +336,7 @@ private Q_SLOTS:
         QCOMPARE(report.duplicateFaces, 1);
         QCOMPARE(report.degenerateTriangles, 2);
         QCOMPARE(report.windingEdges, 3);    // one of the flipped face, two of the duplicated one
-        QCOMPARE(report.nonManifoldEdges, 2);
+        QCOMPARE(report.nonManifoldEdges, 3);
         QVERIFY(report.distanceFromOrigin > 80000);
     }
 
