@@ -57,11 +57,11 @@ ChartMap findCharts(const MeshData &mesh, const UvMatrix &uv)
                 sides.push_back({b, a, d, c, f});
         }
     }
-    const double tolerance = sides.empty() ? 0 : 1e-6 * (high - low).norm();
+    const double tolerance = sides.empty() ? 0 : 1e-6 * (high - low).stableNorm();
     std::sort(sides.begin(), sides.end(), [](const Side &a, const Side &b) {
         return std::tie(a.low, a.high, a.cornerLow) < std::tie(b.low, b.high, b.cornerLow);
     });
-    const auto agree = [&](int a, int b) { return (uv.row(a) - uv.row(b)).norm() <= tolerance; };
+    const auto agree = [&](int a, int b) { return (uv.row(a) - uv.row(b)).stableNorm() <= tolerance; };
 
     UnionFind sets(faceCount);
     std::vector<const Side *> clusters;

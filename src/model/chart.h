@@ -20,6 +20,7 @@ struct ChartMap
 //! Charts by the rule of the file format: two faces on one welded 3D edge belong to one chart when their
 //! UVs agree at both ends, to within 1e-6 of the diagonal of the UV box.
 //! \param uv one row per corner; a non-finite row means that the corner has no UV
+//! \pre uv.rows() == mesh.cornerCount()
 ChartMap findCharts(const MeshData &mesh, const UvMatrix &uv);
 
 } // namespace autocuts

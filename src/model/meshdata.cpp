@@ -6,10 +6,13 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
+#include <compare>
 #include <cstring>
+#include <limits>
+#include <numeric>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 #include <unordered_map>
 
 namespace autocuts {
@@ -19,22 +22,32 @@ namespace {
 //! One side of a triangle that is also a side of its polygon.
 struct Side
 {
-    int object, low, high;    //!< welded vertices, low < high
+    int object, low, high; //!< welded vertices, low < high
     int triangle, side;
-    bool forward;             //!< runs from low to high
+    bool forward; //!< runs from low to high
 
     bool sameEdge(const Side &o) const { return object == o.object && low == o.low && high == o.high; }
 };
+
+//! Soup corners are numbered by int, and there are less than three times as many.
+constexpr std::size_t maxCorners = std::numeric_limits<int>::max() / 3;
 
 void checkInput(const MeshData &mesh)
 {
     if (!mesh.positions.allFinite())
         throw std::invalid_argument("MeshData::build: a position is not finite");
-    if (mesh.faceObject.size() + 1 != mesh.faceStart.size() || mesh.faceStart.front() != 0
-        || mesh.faceStart.back() != mesh.cornerCount())
+    // Areas are squares of lengths; their sums must stay finite.
+    if (mesh.positions.size() > 0 && mesh.positions.cwiseAbs().maxCoeff() > 1e150)
+        throw std::invalid_argument("MeshData::build: a position is larger than 1e150");
+    if (mesh.cornerVertex.size() > maxCorners)
+        throw std::invalid_argument("MeshData::build: too many face corners");
+    if (mesh.faceObject.size() + 1 != mesh.faceStart.size() || mesh.faceStart.front() != 0 ||
+        mesh.faceStart.back() != mesh.cornerCount())
         throw std::invalid_argument("MeshData::build: face arrays do not fit together");
     for (int f = 0; f < mesh.faceCount(); ++f) {
-        if (mesh.faceStart[f + 1] - mesh.faceStart[f] < 3)
+        if (mesh.faceStart[f + 1] > mesh.cornerCount())
+            throw std::invalid_argument("MeshData::build: face arrays do not fit together");
+        if (mesh.faceStart[f + 1] < mesh.faceStart[f] + 3)
             throw std::invalid_argument("MeshData::build: a face has fewer than three corners");
     }
     for (int v : mesh.cornerVertex) {
@@ -71,26 +84,15 @@ void weld(MeshData &mesh)
     }
 }
 
-//! Splits the polygons and pairs the sides along the diagonals.
-void triangulate(MeshData &mesh)
+//! Length of a vector whose square may leave the range of doubles.
+double safeNorm(const Vec3 &v)
 {
-    std::vector<Vec3> points;
-    for (int f = 0; f < mesh.faceCount(); ++f) {
-        const int start = mesh.faceStart[f];
-        const int n = mesh.faceStart[f + 1] - start;
-        points.clear();
-        for (int i = 0; i < n; ++i)
-            points.push_back(mesh.cornerPosition(start + i));
-        if (n > 3) {
-            ++mesh.report.polygons;
-            if (fanApex(points) != 0)
-                ++mesh.report.concavePolygons;
-        }
-        for (const auto &t : triangulatePolygon(points)) {
-            mesh.triangles.push_back({start + t[0], start + t[1], start + t[2]});
-            mesh.triangleFace.push_back(f);
-        }
-    }
+    const double norm = v.norm();
+    return norm > 1e-140 && norm < 1e140 ? norm : v.stableNorm();
+}
+
+void measureTriangles(MeshData &mesh)
+{
     const int count = mesh.triangleCount();
     mesh.triangleArea.resize(count);
     mesh.triangleDegenerate.resize(count);
@@ -98,7 +100,7 @@ void triangulate(MeshData &mesh)
         const Vec3 a = mesh.cornerPosition(mesh.triangles[t][0]);
         const Vec3 b = mesh.cornerPosition(mesh.triangles[t][1]);
         const Vec3 c = mesh.cornerPosition(mesh.triangles[t][2]);
-        mesh.triangleArea[t] = 0.5 * (b - a).cross(c - a).norm();
+        mesh.triangleArea[t] = 0.5 * safeNorm((b - a).cross(c - a));
         const double longest =
             std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm()});
         mesh.triangleDegenerate[t] = !(mesh.triangleArea[t] > 1e-10 * longest);
@@ -107,22 +109,73 @@ void triangulate(MeshData &mesh)
     }
 }
 
-EdgePair makePair(const MeshData &mesh, int t0, int k0, int t1, int k1, bool diagonal)
+void triangulate(MeshData &mesh)
+{
+    mesh.triangles.reserve(mesh.cornerCount() - 2 * mesh.faceCount());
+    mesh.triangleFace.reserve(mesh.triangles.capacity());
+    std::vector<Vec3> points;
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        const int start = mesh.faceStart[f];
+        const int n = mesh.faceStart[f + 1] - start;
+        if (n == 3) {
+            mesh.triangles.push_back({start, start + 1, start + 2});
+            mesh.triangleFace.push_back(f);
+            continue;
+        }
+        points.clear();
+        for (int i = 0; i < n; ++i)
+            points.push_back(mesh.cornerPosition(start + i));
+        const int apex = fanApex(points);
+        ++mesh.report.polygons;
+        mesh.report.concavePolygons += apex != 0;
+        for (const auto &t : triangulatePolygon(points, apex)) {
+            mesh.triangles.push_back({start + t[0], start + t[1], start + t[2]});
+            mesh.triangleFace.push_back(f);
+        }
+    }
+}
+
+//! Joins side k0 of triangle t0 and side k1 of triangle t1. \pre t0 < t1
+EdgePair makePair(const MeshData &mesh, int t0, int k0, int t1, int k1)
 {
     EdgePair pair;
     pair.triangle = {t0, t1};
     pair.corner[0] = {3 * t0 + k0, 3 * t1 + (k1 + 1) % 3};
     pair.corner[1] = {3 * t0 + (k0 + 1) % 3, 3 * t1 + k1};
-    pair.length = (mesh.cornerPosition(mesh.triangles[t0][k0])
-                   - mesh.cornerPosition(mesh.triangles[t0][(k0 + 1) % 3])).norm();
-    pair.diagonal = diagonal;
+    pair.length =
+        (mesh.cornerPosition(mesh.triangles[t0][k0]) - mesh.cornerPosition(mesh.triangles[t0][(k0 + 1) % 3]))
+            .norm();
+    // A polygon may also meet itself along its own sides: a bridge to a hole.
+    pair.diagonal = mesh.triangleFace[t0] == mesh.triangleFace[t1];
     return pair;
+}
+
+//! A side of a triangle inside a polygon, by the corners at its ends.
+struct DiagonalSide
+{
+    int low, high, triangle, side;
+};
+
+//! Pairs the two sides along every diagonal of one polygon.
+void pairDiagonals(MeshData &mesh, std::vector<DiagonalSide> &sides)
+{
+    std::sort(sides.begin(), sides.end(), [](const DiagonalSide &a, const DiagonalSide &b) {
+        return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+    });
+    for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
+        const DiagonalSide &a = sides[i];
+        const DiagonalSide &b = sides[i + 1];
+        mesh.edgePairs.push_back(makePair(mesh, a.triangle, a.side, b.triangle, b.side));
+    }
+    sides.clear();
 }
 
 //! Sides along polygon edges; the sides along diagonals are paired at once.
 std::vector<Side> collectSides(MeshData &mesh)
 {
     std::vector<Side> sides;
+    sides.reserve(mesh.cornerCount());
+    std::vector<DiagonalSide> diagonals;
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         const int face = mesh.triangleFace[t];
         const int start = mesh.faceStart[face];
@@ -131,13 +184,7 @@ std::vector<Side> collectSides(MeshData &mesh)
             const int c = mesh.triangles[t][k];
             const int d = mesh.triangles[t][(k + 1) % 3];
             if ((c - start + 1) % n != d - start) {
-                for (int other = t + 1; other < mesh.triangleCount() && mesh.triangleFace[other] == face;
-                     ++other) {
-                    for (int j = 0; j < 3; ++j) {
-                        if (mesh.triangles[other][j] == d && mesh.triangles[other][(j + 1) % 3] == c)
-                            mesh.edgePairs.push_back(makePair(mesh, t, k, other, j, true));
-                    }
-                }
+                diagonals.push_back({std::min(c, d), std::max(c, d), t, k});
                 continue;
             }
             const int a = mesh.vertexWeld[mesh.cornerVertex[c]];
@@ -148,53 +195,72 @@ std::vector<Side> collectSides(MeshData &mesh)
             }
             sides.push_back({mesh.faceObject[face], std::min(a, b), std::max(a, b), t, k, a < b});
         }
+        if (t + 1 == mesh.triangleCount() || mesh.triangleFace[t + 1] != face)
+            pairDiagonals(mesh, diagonals);
     }
     return sides;
+}
+
+//! Two sides of one 3D edge that could be joined.
+struct Candidate
+{
+    double smoothness;
+    const Side *forward, *backward;
+};
+
+//! Every two sides that run in opposite directions, the smoothest continuation first.
+std::vector<Candidate> findCandidates(const MeshData &mesh, const std::vector<Vec3> &normals,
+                                      const Side *first, const Side *last)
+{
+    std::vector<const Side *> forward, backward;
+    for (const Side *s = first; s != last; ++s)
+        (s->forward ? forward : backward).push_back(s);
+    // An edge with hundreds of faces has no meaningful partners; all of its candidates would fill the memory.
+    const bool crowded = forward.size() * backward.size() > 65536;
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < forward.size(); ++i) {
+        const std::size_t end = crowded ? std::min(i + 1, backward.size()) : backward.size();
+        for (std::size_t j = crowded ? i : 0; j < end; ++j) {
+            const int a = forward[i]->triangle;
+            const int b = backward[j]->triangle;
+            if (a == b)
+                continue;
+            // A triangle without area takes any neighbour gladly: it is only a bridge.
+            const bool bridge = mesh.triangleDegenerate[a] || mesh.triangleDegenerate[b];
+            candidates.push_back({bridge ? 2.0 : normals[a].dot(normals[b]), forward[i], backward[j]});
+        }
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate &a, const Candidate &b) { return a.smoothness > b.smoothness; });
+    return candidates;
 }
 
 //! Pairs the sides of one 3D edge: opposite directions only, smoothest continuation first.
 void pairEdge(MeshData &mesh, const std::vector<Vec3> &normals, const Side *first, const Side *last)
 {
-    struct Candidate
-    {
-        double smoothness;
-        const Side *forward, *backward;
-    };
-    std::vector<Candidate> candidates;
-    for (const Side *a = first; a != last; ++a) {
-        for (const Side *b = first; b != last; ++b) {
-            if (!a->forward || b->forward || a->triangle == b->triangle)
-                continue;
-            // A triangle without area takes any neighbour gladly: it is only a bridge.
-            const bool bridge = mesh.triangleDegenerate[a->triangle] || mesh.triangleDegenerate[b->triangle];
-            candidates.push_back(
-                {bridge ? 2.0 : normals[a->triangle].dot(normals[b->triangle]), a, b});
-        }
-    }
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate &a, const Candidate &b) { return a.smoothness > b.smoothness; });
-    std::vector<bool> used(last - first, false);
-    for (const Candidate &c : candidates) {
+    const auto count = last - first;
+    std::vector<bool> used(count, false);
+    for (const Candidate &c : findCandidates(mesh, normals, first, last)) {
         if (used[c.forward - first] || used[c.backward - first])
             continue;
         used[c.forward - first] = used[c.backward - first] = true;
         const bool inOrder = c.forward->triangle < c.backward->triangle;
         const Side *a = inOrder ? c.forward : c.backward;
         const Side *b = inOrder ? c.backward : c.forward;
-        mesh.edgePairs.push_back(makePair(mesh, a->triangle, a->side, b->triangle, b->side, false));
+        mesh.edgePairs.push_back(makePair(mesh, a->triangle, a->side, b->triangle, b->side));
     }
-    const auto sideCount = last - first;
+    // Two sides of one triangle cannot be joined, yet nothing is wrong with their winding.
+    const bool windingDisagrees = count == 2 && first[0].forward == first[1].forward;
+    const OpenSide reason = count > 2          ? OpenSide::NonManifold
+                            : windingDisagrees ? OpenSide::Winding
+                                               : OpenSide::Boundary;
     for (const Side *s = first; s != last; ++s) {
-        if (used[s - first])
-            continue;
-        const OpenSide reason = sideCount == 1   ? OpenSide::Boundary
-                                : sideCount == 2 ? OpenSide::Winding
-                                                 : OpenSide::NonManifold;
-        mesh.boundarySides.push_back({s->triangle, s->side, reason});
+        if (!used[s - first])
+            mesh.boundarySides.push_back({s->triangle, s->side, reason});
     }
-    mesh.report.boundaryEdges += sideCount == 1;
-    mesh.report.nonManifoldEdges += sideCount > 2;
-    mesh.report.windingEdges += sideCount == 2 && !used[0];
+    mesh.report.boundaryEdges += count <= 2 && !used[0] && reason == OpenSide::Boundary;
+    mesh.report.nonManifoldEdges += count > 2;
+    mesh.report.windingEdges += windingDisagrees;
 }
 
 void pairSides(MeshData &mesh)
@@ -208,8 +274,8 @@ void pairSides(MeshData &mesh)
     }
     std::vector<Side> sides = collectSides(mesh);
     std::sort(sides.begin(), sides.end(), [](const Side &a, const Side &b) {
-        return std::tie(a.object, a.low, a.high, a.triangle, a.side)
-               < std::tie(b.object, b.low, b.high, b.triangle, b.side);
+        return std::tie(a.object, a.low, a.high, a.triangle, a.side) <
+               std::tie(b.object, b.low, b.high, b.triangle, b.side);
     });
     for (std::size_t i = 0; i < sides.size();) {
         std::size_t j = i;
@@ -236,18 +302,29 @@ void findComponents(MeshData &mesh)
     std::tie(mesh.component, mesh.componentCount) = sets.labels();
 }
 
+//! Faces with the same object and the same welded vertices as an earlier one, in any order.
 int countDuplicateFaces(const MeshData &mesh)
 {
-    std::set<std::vector<int>> seen;
-    int duplicates = 0;
-    std::vector<int> key;
+    std::vector<int> vertices(mesh.cornerCount());
     for (int f = 0; f < mesh.faceCount(); ++f) {
-        key.assign(1, mesh.faceObject[f]);
         for (int c = mesh.faceStart[f]; c < mesh.faceStart[f + 1]; ++c)
-            key.push_back(mesh.vertexWeld[mesh.cornerVertex[c]]);
-        std::sort(key.begin() + 1, key.end());
-        duplicates += !seen.insert(key).second;
+            vertices[c] = mesh.vertexWeld[mesh.cornerVertex[c]];
+        std::sort(vertices.begin() + mesh.faceStart[f], vertices.begin() + mesh.faceStart[f + 1]);
     }
+    const auto compare = [&](int f, int g) {
+        if (mesh.faceObject[f] != mesh.faceObject[g])
+            return mesh.faceObject[f] <=> mesh.faceObject[g];
+        const auto begin = vertices.begin();
+        return std::lexicographical_compare_three_way(
+            begin + mesh.faceStart[f], begin + mesh.faceStart[f + 1], begin + mesh.faceStart[g],
+            begin + mesh.faceStart[g + 1]);
+    };
+    std::vector<int> order(mesh.faceCount());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int f, int g) { return compare(f, g) < 0; });
+    int duplicates = 0;
+    for (std::size_t i = 1; i < order.size(); ++i)
+        duplicates += compare(order[i - 1], order[i]) == 0;
     return duplicates;
 }
 
@@ -289,46 +366,11 @@ std::shared_ptr<const MeshData> MeshData::build(PositionMatrix positions, std::v
     checkInput(*mesh);
     weld(*mesh);
     triangulate(*mesh);
+    measureTriangles(*mesh);
     pairSides(*mesh);
     findComponents(*mesh);
     fillReport(*mesh);
     return mesh;
-}
-
-std::string MeshData::validate() const
-{
-    if (static_cast<int>(vertexWeld.size()) != vertexCount())
-        return "vertexWeld has the wrong size";
-    if (triangleCount() != cornerCount() - 2 * faceCount())
-        return "the number of triangles does not fit the polygons";
-    std::vector<int> uses(soupCornerCount(), 0);    // of the side that starts at this soup corner
-    for (const EdgePair &pair : edgePairs) {
-        if (pair.triangle[0] >= pair.triangle[1])
-            return "an edge pair's triangles are not in order";
-        for (int end = 0; end < 2; ++end) {
-            for (int which = 0; which < 2; ++which) {
-                if (pair.corner[end][which] / 3 != pair.triangle[which])
-                    return "an edge pair's corner is not in its triangle";
-            }
-            if (vertexOfSoup(pair.corner[end][0]) != vertexOfSoup(pair.corner[end][1]))
-                return "a corner pair joins two different vertices";
-        }
-        for (int which = 0; which < 2; ++which) {
-            const int face = triangleFace[pair.triangle[which]];
-            if (faceObject[face] != faceObject[triangleFace[pair.triangle[0]]])
-                return "an edge pair joins two objects";
-            ++uses[3 * pair.triangle[which] + pair.side(which)];
-        }
-        if (pair.diagonal != (triangleFace[pair.triangle[0]] == triangleFace[pair.triangle[1]]))
-            return "a diagonal joins two faces, or an edge pair joins a face to itself";
-        if (component[pair.triangle[0]] != component[pair.triangle[1]])
-            return "an edge pair joins two components";
-    }
-    for (const BoundarySide &side : boundarySides)
-        ++uses[3 * side.triangle + side.side];
-    if (std::any_of(uses.begin(), uses.end(), [](int n) { return n != 1; }))
-        return "a triangle side is not in exactly one edge pair or boundary side";
-    return {};
 }
 
 } // namespace autocuts

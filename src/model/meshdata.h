@@ -21,7 +21,7 @@ struct EdgePair
     std::array<int, 2> triangle;                 //!< the two triangles
     std::array<std::array<int, 2>, 2> corner;    //!< soup corner at [end][which triangle]
     double length = 0;                           //!< 3D length, in the units of the mesh
-    bool diagonal = false;                       //!< inside one polygon: never a seam
+    bool diagonal = false;                       //!< both in one polygon: never a seam
 
     //! Side of triangle which (0 or 1): k means the side from its corner k to its corner k + 1.
     int side(int which) const
@@ -98,7 +98,7 @@ struct MeshData
     //! Builds the triangle soup. Accepts anything: n-gons, non-manifold edges, duplicated and degenerate
     //! faces, isolated vertices. Sides pair only within one object and only where the windings agree; on an
     //! edge with more than two faces each face gets the partner that continues it most smoothly.
-    //! \pre all indices are in range, every face has at least three corners, positions are finite
+    //! \pre all indices are in range, every face has at least three corners, positions are finite and at most 1e150
     //! \throws std::invalid_argument when the precondition does not hold
     static std::shared_ptr<const MeshData> build(PositionMatrix positions, std::vector<int> faceStart,
                                                  std::vector<int> cornerVertex, std::vector<int> faceObject);

@@ -23,7 +23,7 @@ MeshPtr polygonMesh(const std::vector<Vec3> &points, const std::vector<std::vect
 
 MeshPtr triangle()
 {
-    return polygonMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+    return polygonMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{2, 1, 0}});
 }
 
 namespace {
@@ -61,7 +61,8 @@ MeshPtr grid(int n, double height)
         for (int x = 0; x <= n; ++x) {
             const double u = double(x) / n;
             const double v = double(y) / n;
-            points.emplace_back(u, v, height * std::sin(std::numbers::pi * u) * std::sin(std::numbers::pi * v));
+            points.emplace_back(u, v,
+                                height * std::sin(std::numbers::pi * u) * std::sin(std::numbers::pi * v));
         }
     }
     for (int y = 0; y < n; ++y) {
@@ -117,6 +118,23 @@ MeshPtr torus(int major, int minor)
             faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
     }
     return polygonMesh(points, faces);
+}
+
+MeshPtr dirty()
+{
+    std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0},  {2, 0, 0},  {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {1, 0, 1},
+                             {1, 1, 1}, {1, 0, -1}, {1, 1, -1}, {0, 2, 0}, {1, 2, 0}, {9, 9, 9}, {1, 1, 0}};
+    for (Vec3 &p : points)
+        p += Vec3(40000, -70000, 10000);
+    return polygonMesh(points, {{0, 1, 4, 3}, // a strip of two quads ...
+                                {1, 2, 5, 4},
+                                {1, 6, 7, 4}, // ... and two more on the edge between them
+                                {4, 9, 8, 1},
+                                {2, 5, 4, 1}, // the second quad once more
+                                {3, 13, 10},  // joined through the double of vertex 4
+                                {13, 10, 11}, // wound the wrong way
+                                {0, 3, 3},    // a side of no length
+                                {2, 1, 0}});  // no height
 }
 
 std::string meshFolder()

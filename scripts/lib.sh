@@ -1,0 +1,68 @@
+# Functions shared by the scripts in this folder. To be sourced.
+# shellcheck shell=bash
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+jobs=${AUTOCUTS_JOBS:-$(nproc)}
+
+fail() {
+    printf '%s: %s\n' "$(basename "$0")" "$*" >&2
+    exit 1
+}
+
+# Names of the packages of scripts/packages that are not installed.
+missing_packages() {
+    local package
+    while read -r package; do
+        case $package in '' | '#'*) continue ;; esac
+        if [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
+            printf '%s\n' "$package"
+        fi
+    done <"$root/scripts/packages"
+}
+
+# Installs what is missing, as root or through sudo; without either says what to install.
+install_packages() {
+    command -v dpkg-query >/dev/null ||
+        fail "this is not a Debian system: install the equivalents of the packages in scripts/packages, then build with cmake"
+    local missing
+    mapfile -t missing < <(missing_packages)
+    [ ${#missing[@]} -gt 0 ] || return 0
+    local as_root=()
+    if [ "$(id -u)" -ne 0 ]; then
+        if command -v sudo >/dev/null && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then
+            as_root=(sudo)
+        else
+            fail "packages are missing; as root, run: apt-get install ${missing[*]}"
+        fi
+    fi
+    printf 'Installing %s\n' "${missing[*]}"
+    "${as_root[@]}" apt-get update -q || fail "apt-get update failed: is the network reachable?"
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -y -q --no-install-recommends "${missing[@]}" ||
+        fail "apt-get could not install: ${missing[*]}"
+}
+
+# configure PRESET: warnings are errors when CI is set.
+configure() {
+    local werror=OFF
+    [ -z "${CI:-}" ] || werror=ON
+    (cd "$root" && cmake --preset "$1" -DAUTOCUTS_WERROR=$werror) || fail "configuring the $1 build failed"
+}
+
+# build PRESET [cmake --build options]
+build() {
+    local preset=$1
+    shift
+    (cd "$root" && cmake --build --preset "$preset" --parallel "$jobs" "$@") || fail "the $preset build failed"
+}
+
+# run_tests PRESET [ctest options]: on a virtual screen where there is none.
+run_tests() {
+    local preset=$1 screen=()
+    shift
+    if [ -z "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
+        screen=(xvfb-run -a)
+    fi
+    (cd "$root" && "${screen[@]}" ctest --preset "$preset" --no-tests=error --output-on-failure \
+        --parallel "$jobs" "$@") || fail "tests failed in the $preset build"
+}
