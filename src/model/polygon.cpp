@@ -23,7 +23,10 @@ int fanApex(const std::vector<Vec3> &points)
         for (int i = 1; i + 1 < n && good; ++i) {
             const Vec3 a = points[(apex + i) % n] - points[apex];
             const Vec3 b = points[(apex + i + 1) % n] - points[apex];
-            good = a.cross(b).dot(normal) >= 0;
+            const Vec3 turn = a.cross(b);
+            // Summed from x to z: for points in one line only rounding decides, and it has to decide
+            // the same everywhere.
+            good = turn.x() * normal.x() + turn.y() * normal.y() + turn.z() * normal.z() >= 0;
         }
         if (good)
             return apex;
