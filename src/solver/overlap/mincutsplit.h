@@ -44,10 +44,4 @@ private:
     std::int64_t mVisited = 0;                     //!< units that took part in all cuts so far
 };
 
-//! Joins parts again where that makes no overlap, the longest common seam first, so that few pieces remain.
-//! Only parts that are linked are joined.
-//! \param part label of each unit
-void mergeCleanParts(const UnitGraph &graph, const std::vector<std::int64_t> &capacity,
-                     std::vector<int> &part);
-
 } // namespace autocuts

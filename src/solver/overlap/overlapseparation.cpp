@@ -3,6 +3,7 @@
 #include "solver/overlap/cleanregion.h"
 #include "solver/overlap/mincutsplit.h"
 #include "solver/overlap/overlapfinder.h"
+#include "solver/overlap/partmerge.h"
 #include "solver/overlap/unitgraph.h"
 
 #include <algorithm>
