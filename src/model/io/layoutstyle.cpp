@@ -1,0 +1,62 @@
+#include "model/io/layoutstyle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+double meanEdgePixels(const LayoutPaths &paths, int size)
+{
+    double sum = 0;
+    for (const auto &[a, b] : paths.innerEdges)
+        sum += (b - a).norm();
+    return paths.innerEdges.empty() ? size : sum * size / static_cast<double>(paths.innerEdges.size());
+}
+
+} // namespace
+
+LayoutStyle::LayoutStyle(const LayoutPaths &paths, const LayoutOptions &options)
+    : seam(0xDB, 0x25, 0x12), mBackground(options.background)
+{
+    const double unit = options.size / 1024.0;
+    const bool light = mBackground == LayoutBackground::Light;
+    background = options.background == LayoutBackground::Transparent ? QColor(0, 0, 0, 0)
+                 : light                                             ? QColor(0xF3, 0xF3, 0xF0)
+                                                                     : QColor(0x22, 0x25, 0x2A);
+    frame = light ? QColor(0xB4, 0xB4, 0xAE) : QColor(0x6A, 0x70, 0x7A);
+    const double density = std::clamp(meanEdgePixels(paths, options.size) / 14, 0.18, 1.0);
+    edge = QColor(0x14, 0x1A, 0x22, static_cast<int>(std::lround(150 * density)));
+    overlap = QColor(0xFF, 0x10, 0x3C);
+    overlapTint = QColor(0xFF, 0x10, 0x3C, 70);
+    edgeWidth = std::max(0.6, 0.75 * unit * std::sqrt(density));
+    seamWidth = std::max(1.2, 1.7 * unit);
+    frameWidth = std::max(1.0, std::round(unit));
+    hatchSpacing = std::max(6.0, std::round(9 * unit));
+    hatchWidth = std::max(1.2, 1.6 * unit);
+}
+
+QColor LayoutStyle::islandColor(int chart) const
+{
+    // Steps of the golden ratio around the colour circle, leaving out the reds that belong to the seams.
+    const double turn = std::fmod(0.30 + chart * 0.6180339887498949, 1.0);
+    const double hue = 0.08 + 0.82 * turn;
+    const double step = 0.03 * (chart % 3);
+    QColor color = mBackground == LayoutBackground::Light
+                       ? QColor::fromHslF(static_cast<float>(hue), 0.50F, static_cast<float>(0.76 + step))
+                       : QColor::fromHslF(static_cast<float>(hue), 0.34F, static_cast<float>(0.58 + step));
+    // What lies below a picture without a background stays visible.
+    if (mBackground == LayoutBackground::Transparent)
+        color.setAlpha(120);
+    return color;
+}
+
+QString layoutOptionsProblem(const LayoutOptions &options)
+{
+    if (options.size < 16 || options.size > 16384)
+        return QStringLiteral("a layout picture of %1 pixels cannot be drawn").arg(options.size);
+    return {};
+}
+
+} // namespace autocuts

@@ -1,0 +1,13 @@
+// What was unusual about a mesh, in sentences.
+#pragma once
+
+#include "model/meshdata.h"
+
+#include <QStringList>
+
+namespace autocuts {
+
+//! One sentence per finding: what was found and how it is handled. Empty for a mesh without peculiarities.
+QStringList meshDoctorNotes(const MeshReport &report);
+
+} // namespace autocuts

@@ -1,0 +1,160 @@
+#include "model/io/report.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+QByteArray jsonText(const QString &text)
+{
+    QByteArray result = "\"";
+    const QByteArray utf8 = text.toUtf8();
+    for (const char c : utf8) {
+        if (c == '"' || c == '\\') {
+            result += '\\';
+            result += c;
+        } else if (c == '\n') {
+            result += "\\n";
+        } else if (static_cast<unsigned char>(c) < 0x20) {
+            result += "\\u00" + QByteArray(1, c).toHex();
+        } else {
+            result += c;
+        }
+    }
+    return result + '"';
+}
+
+QByteArray jsonNumber(double value)
+{
+    if (!std::isfinite(value))
+        return "null";
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return {text.data(), static_cast<qsizetype>(end - text.data())};
+}
+
+QByteArray jsonCount(const MapReport::Count &count)
+{
+    return count ? QByteArray::number(*count) : QByteArray("null");
+}
+
+//! A JSON object that is written key by key.
+class ObjectWriter
+{
+public:
+    explicit ObjectWriter(int depth) : mIndent(2 * (depth + 1), ' ') {}
+
+    void add(const char *key, double value) { addRaw(key, jsonNumber(value)); }
+    void add(const char *key, const MapReport::Count &value) { addRaw(key, jsonCount(value)); }
+    void add(const char *key, int value) { addRaw(key, QByteArray::number(value)); }
+    //! An empty text counts as missing.
+    void add(const char *key, const QString &value)
+    {
+        addRaw(key, value.isEmpty() ? "null" : jsonText(value));
+    }
+    void addRaw(const char *key, const QByteArray &value)
+    {
+        mText += mText.isEmpty() ? "{\n" : ",\n";
+        mText += mIndent + '"' + key + "\": " + value;
+    }
+    QByteArray finish() const { return mText + '\n' + mIndent.chopped(2) + '}'; }
+
+private:
+    QByteArray mIndent;
+    QByteArray mText;
+};
+
+QByteArray meshJson(const std::optional<MeshReport> &mesh)
+{
+    if (!mesh)
+        return "null";
+    ObjectWriter writer(1);
+    writer.add("vertices", mesh->vertices);
+    writer.add("welded_vertices", mesh->weldedVertices);
+    writer.add("isolated_vertices", mesh->isolatedVertices);
+    writer.add("faces", mesh->faces);
+    writer.add("polygons", mesh->polygons);
+    writer.add("concave_polygons", mesh->concavePolygons);
+    writer.add("objects", mesh->objects);
+    writer.add("components", mesh->components);
+    writer.add("degenerate_triangles", mesh->degenerateTriangles);
+    writer.add("duplicate_faces", mesh->duplicateFaces);
+    writer.add("boundary_edges", mesh->boundaryEdges);
+    writer.add("nonmanifold_edges", mesh->nonManifoldEdges);
+    writer.add("winding_edges", mesh->windingEdges);
+    writer.add("area", mesh->area);
+    writer.add("box_diagonal", mesh->boxDiagonal);
+    writer.add("distance_from_origin", mesh->distanceFromOrigin);
+    return writer.finish();
+}
+
+QByteArray listJson(const QStringList &list)
+{
+    QByteArray text = "[";
+    for (const QString &item : list)
+        text += (text.size() > 1 ? ",\n    " : "\n    ") + jsonText(item);
+    return list.isEmpty() ? QByteArray("[]") : text + "\n  ]";
+}
+
+void addStableKeys(ObjectWriter &writer, const MapReport &report)
+{
+    writer.add("triangles", report.triangles);
+    writer.add("charts", report.charts);
+    writer.add("seam_length", report.seamLength);
+    writer.add("seam_norm", report.seamNorm);
+    writer.add("sym_dirichlet", report.symDirichlet);
+    writer.add("sym_dirichlet_max", report.symDirichletMax);
+    writer.add("flipped", report.flipped);
+    writer.add("overlap_pairs", report.overlapPairs);
+    writer.add("overlap_area_ratio", report.overlapAreaRatio);
+    writer.add("packing_efficiency", report.packingEfficiency);
+    writer.add("min_gutter_texels", report.minGutterTexels);
+    writer.add("seconds", report.seconds);
+    writer.add("iterations", report.iterations);
+    writer.add("lambda", report.lambda);
+    writer.add("delta", report.delta);
+    writer.add("status", report.status);
+}
+
+void addFurtherKeys(ObjectWriter &writer, const MapReport &report)
+{
+    writer.add("input", report.input);
+    writer.add("output", report.output);
+    writer.add("layout", report.layout);
+    writer.add("texture_size", report.textureSize);
+    writer.add("faces", report.faces);
+    writer.add("faces_without_uv", report.facesWithoutUv);
+    writer.add("zero_area_triangles", report.zeroAreaTriangles);
+    writer.add("non_disk_charts", report.nonDiskCharts);
+    writer.add("mirrored_charts", report.mirroredCharts);
+    writer.add("seam_edges", report.seamEdges);
+    writer.add("uv_degenerate", report.uvDegenerate);
+    writer.add("sym_dirichlet_p99", report.symDirichletP99);
+    writer.add("sym_dirichlet_infinite", report.symDirichletInfinite);
+    writer.add("sym_dirichlet_scale", report.symDirichletScale);
+    writer.add("l2_stretch", report.l2Stretch);
+    writer.add("angle_distortion", report.angleDistortion);
+    writer.add("area_distortion", report.areaDistortion);
+    writer.add("texel_density_spread", report.texelDensitySpread);
+    writer.add("packing_bbox", report.packingBox);
+    writer.add("min_gutter", report.minGutter);
+    writer.add("border_gutter_texels", report.borderGutterTexels);
+    writer.addRaw("in_unit_square", report.inUnitSquare ? (*report.inUnitSquare ? "true" : "false") : "null");
+}
+
+} // namespace
+
+QByteArray reportJson(const MapReport &report)
+{
+    ObjectWriter writer(0);
+    addStableKeys(writer, report);
+    addFurtherKeys(writer, report);
+    writer.addRaw("mesh", meshJson(report.mesh));
+    writer.addRaw("notes", listJson(report.notes));
+    return writer.finish() + '\n';
+}
+
+} // namespace autocuts

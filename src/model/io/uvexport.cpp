@@ -1,0 +1,289 @@
+#include "model/io/uvexport.h"
+
+#include "model/io/layoutpaths.h"
+#include "model/io/layoutstyle.h"
+
+#include <QBuffer>
+#include <QImage>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace autocuts {
+
+namespace {
+
+Error layoutError(const QString &message)
+{
+    return {message, {}, 0, QStringLiteral("Choose a size from 16 to 16384")};
+}
+
+//! Draws the paths with a painter; pixels, v up.
+class LayoutPainter
+{
+public:
+    LayoutPainter(QImage &image, const LayoutPaths &paths, const LayoutStyle &style)
+        : mPainter(&image), mPaths(paths), mStyle(style), mSize(image.width())
+    {
+        mPainter.setRenderHint(QPainter::Antialiasing);
+    }
+
+    void paint(bool edges)
+    {
+        paintFrame();
+        paintIslands();
+        if (edges)
+            paintEdges();
+        paintOverlaps();
+        paintSeams();
+    }
+
+private:
+    QPointF pixel(const Vec2 &uv) const { return {uv.x() * mSize, (1 - uv.y()) * mSize}; }
+
+    QPainterPath path(const std::vector<LayoutPaths::Loop> &loops) const
+    {
+        QPainterPath result;
+        result.setFillRule(Qt::WindingFill);
+        for (const auto &loop : loops) {
+            result.moveTo(pixel(loop.front()));
+            for (std::size_t i = 1; i < loop.size(); ++i)
+                result.lineTo(pixel(loop[i]));
+            result.closeSubpath();
+        }
+        return result;
+    }
+
+    void paintFrame()
+    {
+        const double inset = mStyle.frameWidth / 2;
+        mPainter.setPen(QPen(mStyle.frame, mStyle.frameWidth, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+        mPainter.setBrush(Qt::NoBrush);
+        mPainter.drawRect(QRectF(inset, inset, mSize - 2 * inset, mSize - 2 * inset));
+    }
+
+    void paintIslands()
+    {
+        for (std::size_t i = 0; i < mPaths.islands.size(); ++i)
+            mPainter.fillPath(path(mPaths.islands[i]), mStyle.islandColor(static_cast<int>(i)));
+    }
+
+    void paintEdges()
+    {
+        mPainter.setPen(QPen(mStyle.edge, mStyle.edgeWidth, Qt::SolidLine, Qt::RoundCap));
+        for (const auto &[a, b] : mPaths.innerEdges)
+            mPainter.drawLine(pixel(a), pixel(b));
+    }
+
+    //! One tile of the diagonal hatching.
+    QImage hatchTile() const
+    {
+        const int side = static_cast<int>(mStyle.hatchSpacing);
+        QImage tile(side, side, QImage::Format_ARGB32_Premultiplied);
+        tile.fill(mStyle.overlapTint);
+        QPainter painter(&tile);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(mStyle.overlap, mStyle.hatchWidth, Qt::SolidLine, Qt::FlatCap));
+        for (int shift : {-side, 0, side})
+            painter.drawLine(QPointF(shift - side, 2 * side), QPointF(shift + 2 * side, -side));
+        return tile;
+    }
+
+    void paintOverlaps()
+    {
+        if (!mPaths.overlaps.empty())
+            mPainter.fillPath(path(mPaths.overlaps), QBrush(hatchTile()));
+    }
+
+    void paintSeams()
+    {
+        mPainter.setPen(QPen(mStyle.seam, mStyle.seamWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        for (const auto &line : mPaths.borders) {
+            QPolygonF polygon;
+            for (const Vec2 &point : line.points)
+                polygon << pixel(point);
+            if (line.closed)
+                polygon << polygon.first();
+            mPainter.drawPolyline(polygon);
+        }
+    }
+
+    QPainter mPainter;
+    const LayoutPaths &mPaths;
+    const LayoutStyle &mStyle;
+    double mSize;
+};
+
+//! Writes SVG by hand: smaller than a recorded drawing, with named groups, and always the same bytes.
+class SvgWriter
+{
+public:
+    SvgWriter(const LayoutPaths &paths, const LayoutStyle &style, int size)
+        : mPaths(paths), mStyle(style), mSize(size)
+    {}
+
+    QByteArray write(bool edges)
+    {
+        const QByteArray side = QByteArray::number(mSize);
+        mText =
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
+            side + "\" height=\"" + side + "\" viewBox=\"0 0 " + side + ' ' + side + "\">\n";
+        writeHatch();
+        if (mStyle.background.alpha() > 0)
+            mText += "<rect width=\"100%\" height=\"100%\" fill=\"" + color(mStyle.background) + "\"/>\n";
+        writeFrame();
+        writeIslands();
+        if (edges)
+            writeEdges();
+        writeOverlaps();
+        writeSeams();
+        mText += "</svg>\n";
+        return mText;
+    }
+
+private:
+    static QByteArray color(const QColor &c) { return c.name(QColor::HexRgb).toLatin1(); }
+
+    static QByteArray number(double value)
+    {
+        QByteArray text = QByteArray::number(value, 'f', 2);
+        while (text.endsWith('0'))
+            text.chop(1);
+        if (text.endsWith('.'))
+            text.chop(1);
+        return text == "-0" ? QByteArray("0") : text;
+    }
+
+    QByteArray point(const Vec2 &uv) const
+    {
+        return number(uv.x() * mSize) + ' ' + number((1 - uv.y()) * mSize);
+    }
+
+    void appendLine(const std::vector<Vec2> &points, bool closed)
+    {
+        mText += 'M' + point(points.front());
+        for (std::size_t i = 1; i < points.size(); ++i)
+            mText += 'L' + point(points[i]);
+        if (closed)
+            mText += 'Z';
+    }
+
+    void appendLoops(const std::vector<LayoutPaths::Loop> &loops)
+    {
+        for (const auto &loop : loops)
+            appendLine(loop, true);
+    }
+
+    static QByteArray filling(const QColor &c)
+    {
+        QByteArray text = " fill=\"" + color(c) + '"';
+        if (c.alpha() < 255)
+            text += " fill-opacity=\"" + number(c.alphaF()) + '"';
+        return text;
+    }
+
+    static QByteArray stroke(const QColor &c, double width)
+    {
+        QByteArray text = " fill=\"none\" stroke=\"" + color(c) + "\" stroke-width=\"" + number(width) + '"';
+        if (c.alpha() < 255)
+            text += " stroke-opacity=\"" + number(c.alphaF()) + '"';
+        return text;
+    }
+
+    void writeHatch()
+    {
+        if (mPaths.overlaps.empty())
+            return;
+        const QByteArray side = number(mStyle.hatchSpacing);
+        const QByteArray tile = "\" width=\"" + side + "\" height=\"" + side + '"';
+        mText += "<defs><pattern id=\"hatch\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)" +
+                 tile + "><rect" + tile.mid(1) + filling(mStyle.overlapTint) + "/><path d=\"M0 0V" + side +
+                 '"' + stroke(mStyle.overlap, 2 * mStyle.hatchWidth) + "/></pattern></defs>\n";
+    }
+
+    void writeFrame()
+    {
+        const QByteArray inset = number(mStyle.frameWidth / 2);
+        const QByteArray side = number(mSize - mStyle.frameWidth);
+        mText += "<rect id=\"frame\" x=\"" + inset + "\" y=\"" + inset + "\" width=\"" + side +
+                 "\" height=\"" + side + '"' + stroke(mStyle.frame, mStyle.frameWidth) + "/>\n";
+    }
+
+    void writeIslands()
+    {
+        mText += "<g id=\"islands\" fill-rule=\"nonzero\">\n";
+        for (std::size_t i = 0; i < mPaths.islands.size(); ++i) {
+            if (mPaths.islands[i].empty())
+                continue;
+            const QColor fill = mStyle.islandColor(static_cast<int>(i));
+            mText += "<path" + filling(fill) + " d=\"";
+            appendLoops(mPaths.islands[i]);
+            mText += "\"/>\n";
+        }
+        mText += "</g>\n";
+    }
+
+    void writeEdges()
+    {
+        mText += "<g id=\"edges\"" + stroke(mStyle.edge, mStyle.edgeWidth) +
+                 " stroke-linecap=\"round\"><path d=\"";
+        for (const auto &[a, b] : mPaths.innerEdges)
+            mText += 'M' + point(a) + 'L' + point(b);
+        mText += "\"/></g>\n";
+    }
+
+    void writeOverlaps()
+    {
+        if (mPaths.overlaps.empty())
+            return;
+        mText += "<g id=\"overlaps\" fill=\"url(#hatch)\" fill-rule=\"nonzero\"><path d=\"";
+        appendLoops(mPaths.overlaps);
+        mText += "\"/></g>\n";
+    }
+
+    void writeSeams()
+    {
+        mText += "<g id=\"seams\"" + stroke(mStyle.seam, mStyle.seamWidth) +
+                 " stroke-linecap=\"round\" stroke-linejoin=\"round\"><path d=\"";
+        for (const auto &line : mPaths.borders)
+            appendLine(line.points, line.closed);
+        mText += "\"/></g>\n";
+    }
+
+    const LayoutPaths &mPaths;
+    const LayoutStyle &mStyle;
+    int mSize;
+    QByteArray mText;
+};
+
+} // namespace
+
+Result<QByteArray> layoutPng(const MeshData &mesh, const UvMatrix &uv, const LayoutOptions &options)
+{
+    const QString problem = layoutOptionsProblem(options);
+    if (!problem.isNull())
+        return layoutError(problem);
+    QImage image(options.size, options.size, QImage::Format_ARGB32_Premultiplied);
+    if (image.isNull())
+        return layoutError(QStringLiteral("there is not enough memory for a layout picture"));
+    const LayoutPaths paths = layoutPaths(mesh, uv, options.overlapping);
+    const LayoutStyle style(paths, options);
+    image.fill(style.background);
+    LayoutPainter(image, paths, style).paint(options.edges);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (!image.save(&buffer, "PNG"))
+        return layoutError(QStringLiteral("the layout picture could not be encoded"));
+    return bytes;
+}
+
+Result<QByteArray> layoutSvg(const MeshData &mesh, const UvMatrix &uv, const LayoutOptions &options)
+{
+    const QString problem = layoutOptionsProblem(options);
+    if (!problem.isNull())
+        return layoutError(problem);
+    const LayoutPaths paths = layoutPaths(mesh, uv, options.overlapping);
+    return SvgWriter(paths, LayoutStyle(paths, options), options.size).write(options.edges);
+}
+
+} // namespace autocuts

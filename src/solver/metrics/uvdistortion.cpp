@@ -1,0 +1,155 @@
+#include "solver/metrics/uvdistortion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+//! The map from a 3D triangle to its UV triangle, by what the figures need of it.
+struct TriangleMap
+{
+    double frobenius = 0;    //!< squared Frobenius norm, a^2 + b^2 of the singular values
+    double inverse = 0;      //!< of the inverse map, a^-2 + b^-2
+    double aspect = 0;       //!< larger / smaller singular value
+};
+
+TriangleMap triangleMap(const MeshData &mesh, const UvMatrix &uv, const std::array<int, 3> &corners,
+                        double area3d, double uvArea)
+{
+    // A frame on the longest side keeps the height of slivers accurate.
+    int longest = 0;
+    double length = -1;
+    for (int k = 0; k < 3; ++k) {
+        const double l = (mesh.cornerPosition(corners[(k + 1) % 3]) - mesh.cornerPosition(corners[k])).norm();
+        if (l > length) {
+            length = l;
+            longest = k;
+        }
+    }
+    const int origin = corners[longest];
+    const int along = corners[(longest + 1) % 3];
+    const int apex = corners[(longest + 2) % 3];
+    const Vec3 base = mesh.cornerPosition(along) - mesh.cornerPosition(origin);
+    const double foot = base.dot(mesh.cornerPosition(apex) - mesh.cornerPosition(origin)) / length;
+    const double height = 2 * area3d / length;
+    const Vec2 x = (uv.row(along) - uv.row(origin)).transpose() / length;
+    const Vec2 y = ((uv.row(apex) - uv.row(origin)).transpose() - foot * x) / height;
+
+    TriangleMap map;
+    const double determinant = uvArea / area3d;
+    map.frobenius = x.squaredNorm() + y.squaredNorm();
+    map.inverse = map.frobenius / (determinant * determinant);
+    const double larger = 0.5
+                          * (std::sqrt(map.frobenius + 2 * determinant)
+                             + std::sqrt(std::max(0.0, map.frobenius - 2 * determinant)));
+    map.aspect = larger * larger / determinant;
+    return map;
+}
+
+//! Area totals over the triangles that have both a UV and a 3D shape.
+struct Totals
+{
+    double area3d = 0, uvArea = 0;
+};
+
+Totals validTotals(const UvTriangles &triangles)
+{
+    Totals totals;
+    for (int t = 0; t < triangles.count(); ++t) {
+        if (!triangles.hasUv(t) || triangles.zeroArea[t])
+            continue;
+        totals.area3d += triangles.area3d[t];
+        totals.uvArea += std::abs(triangles.signedArea[t]);
+    }
+    return totals;
+}
+
+void countFlips(const UvTriangles &triangles, UvMetrics &metrics)
+{
+    double flippedArea = 0;
+    metrics.triangleFlipped.assign(triangles.count(), false);
+    for (int t = 0; t < triangles.count(); ++t) {
+        if (!triangles.hasUv(t))
+            continue;
+        const bool degenerate = triangles.uvDegenerate(t);
+        metrics.uvDegenerate += degenerate && !triangles.zeroArea[t];
+        const bool mirrored = triangles.charts[triangles.chart[t]].signedArea < 0;
+        if (degenerate || (triangles.signedArea[t] < 0) == mirrored)
+            continue;
+        ++metrics.flipped;
+        metrics.triangleFlipped[t] = true;
+        flippedArea += std::abs(triangles.signedArea[t]);
+    }
+    metrics.flippedUvAreaRatio = triangles.totalUvArea > 0 ? flippedArea / triangles.totalUvArea : 0;
+}
+
+//! The value at rank ceil(0.99 n).
+double nearestRank99(std::vector<double> values)
+{
+    const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.99 * static_cast<double>(values.size())));
+    const auto place = std::clamp<std::ptrdiff_t>(rank - 1, 0, static_cast<std::ptrdiff_t>(values.size()) - 1);
+    std::nth_element(values.begin(), values.begin() + place, values.end());
+    return values[place];
+}
+
+} // namespace
+
+void measureDistortion(const MeshData &mesh, const UvMatrix &uv, const UvTriangles &triangles,
+                       UvMetrics &metrics)
+{
+    countFlips(triangles, metrics);
+    const Totals totals = validTotals(triangles);
+    const int count = triangles.count();
+    metrics.triangleSymDirichlet.assign(count, missingFigure);
+    metrics.triangleAreaStretch.assign(count, missingFigure);
+
+    std::vector<TriangleMap> maps;
+    std::vector<int> used;
+    double forward = 0, backward = 0, area = 0, uvArea = 0, aspect = 0, areaRatio = 0, infiniteArea = 0;
+    for (int t = 0; t < count; ++t) {
+        if (!triangles.hasUv(t) || triangles.zeroArea[t])
+            continue;
+        const double area3d = triangles.area3d[t];
+        const double absolute = std::abs(triangles.signedArea[t]);
+        const double ratio = (absolute / totals.uvArea) / (area3d / totals.area3d);
+        const TriangleMap map = triangleMap(mesh, uv, triangles.corners[t], area3d, absolute);
+        metrics.triangleAreaStretch[t] = std::log(ratio);
+        if (!(ratio >= 1e-12) || !std::isfinite(map.frobenius) || !std::isfinite(map.inverse)
+            || !std::isfinite(map.aspect)) {
+            ++metrics.symDirichletInfinite;
+            infiniteArea += area3d;
+            metrics.triangleSymDirichlet[t] = std::numeric_limits<double>::infinity();
+            continue;
+        }
+        maps.push_back(map);
+        used.push_back(t);
+        forward += area3d * map.frobenius;
+        backward += area3d * map.inverse;
+        area += area3d;
+        uvArea += absolute;
+        aspect += area3d * map.aspect;
+        areaRatio += area3d * std::max(ratio, 1 / ratio);
+    }
+    metrics.symDirichletInfiniteAreaRatio = totals.area3d > 0 ? infiniteArea / totals.area3d : 0;
+    if (!(area > 0))
+        return;
+
+    // The mean f s^2 + b / s^2 is least where s^2 = sqrt(b / f).
+    const double squaredScale = std::sqrt(backward / forward);
+    metrics.symDirichletScale = std::sqrt(squaredScale);
+    metrics.symDirichlet = 2 * std::sqrt(forward * backward) / area;
+    std::vector<double> values(maps.size());
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        values[i] = maps[i].frobenius * squaredScale + maps[i].inverse / squaredScale;
+        metrics.triangleSymDirichlet[used[i]] = values[i];
+    }
+    metrics.symDirichletMax = *std::max_element(values.begin(), values.end());
+    metrics.symDirichletP99 = nearestRank99(std::move(values));
+    metrics.l2Stretch = std::sqrt(backward / 2 / area) * std::sqrt(uvArea / area);
+    metrics.angleDistortion = aspect / area;
+    metrics.areaDistortion = areaRatio / area;
+}
+
+} // namespace autocuts

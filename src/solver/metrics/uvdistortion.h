@@ -1,0 +1,13 @@
+// Distortion figures of a UV map. Internal to the metrics.
+#pragma once
+
+#include "solver/metrics/uvmetrics.h"
+#include "solver/metrics/uvtriangles.h"
+
+namespace autocuts {
+
+//! Fills flips, symmetric Dirichlet, stretch, angle and area distortion, and the figures per triangle.
+void measureDistortion(const MeshData &mesh, const UvMatrix &uv, const UvTriangles &triangles,
+                       UvMetrics &metrics);
+
+} // namespace autocuts

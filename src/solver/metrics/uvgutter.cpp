@@ -1,0 +1,116 @@
+#include "solver/metrics/uvgutter.h"
+
+#include "solver/overlap/boxtree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace autocuts {
+
+namespace {
+
+struct Segment
+{
+    Vec2 from, to;
+    int chart;
+};
+
+double squaredDistance(const Vec2 &point, const Segment &segment)
+{
+    const Vec2 along = segment.to - segment.from;
+    const double length = along.squaredNorm();
+    const double place =
+        length > 0 ? std::clamp((point - segment.from).dot(along) / length, 0.0, 1.0) : 0.0;
+    return (point - segment.from - place * along).squaredNorm();
+}
+
+bool oppositeSigns(double a, double b)
+{
+    return (a > 0 && b < 0) || (a < 0 && b > 0);
+}
+
+double squaredDistance(const Segment &a, const Segment &b)
+{
+    if (oppositeSigns(cross2(a.from, a.to, b.from), cross2(a.from, a.to, b.to))
+        && oppositeSigns(cross2(b.from, b.to, a.from), cross2(b.from, b.to, a.to)))
+        return 0;
+    return std::min({squaredDistance(a.from, b), squaredDistance(a.to, b), squaredDistance(b.from, a),
+                     squaredDistance(b.to, a)});
+}
+
+//! Chart of all segments below each node, -1 when there are several.
+std::vector<int> nodeCharts(const BoxTree &tree, const std::vector<Segment> &segments)
+{
+    const auto &nodes = tree.nodes();
+    std::vector<int> chart(nodes.size());
+    for (int i = static_cast<int>(nodes.size()) - 1; i >= 0; --i) {
+        const BoxTree::Node &node = nodes[i];
+        if (node.count == 0) {
+            chart[i] = chart[i + 1] == chart[node.right] ? chart[i + 1] : -1;
+            continue;
+        }
+        chart[i] = segments[tree.order()[node.first]].chart;
+        for (int k = node.first; k < node.first + node.count; ++k) {
+            if (segments[tree.order()[k]].chart != chart[i])
+                chart[i] = -1;
+        }
+    }
+    return chart;
+}
+
+//! Lowers `best` to the squared distance from segment `i` to its nearest segment of another chart.
+void searchNearest(const BoxTree &tree, const std::vector<Segment> &segments,
+                   const std::vector<int> &nodeChart, int i, double &best)
+{
+    std::vector<std::pair<double, int>> stack{{tree.nodes()[0].box.squaredDistance(tree.box(i)), 0}};
+    while (!stack.empty()) {
+        const auto [distance, id] = stack.back();
+        stack.pop_back();
+        if (distance >= best || nodeChart[id] == segments[i].chart)
+            continue;
+        const BoxTree::Node &node = tree.nodes()[id];
+        for (int k = node.first; k < node.first + node.count; ++k) {
+            const int other = tree.order()[k];
+            if (segments[other].chart != segments[i].chart)
+                best = std::min(best, squaredDistance(segments[i], segments[other]));
+        }
+        if (node.count > 0)
+            continue;
+        std::pair<double, int> near{tree.nodes()[id + 1].box.squaredDistance(tree.box(i)), id + 1};
+        std::pair<double, int> far{tree.nodes()[node.right].box.squaredDistance(tree.box(i)), node.right};
+        if (far.first < near.first)
+            std::swap(near, far);
+        stack.push_back(far);
+        stack.push_back(near);
+    }
+}
+
+} // namespace
+
+double smallestGutter(const UvMatrix &uv, const UvTopology &topology)
+{
+    double best = std::numeric_limits<double>::infinity();
+    if (topology.charts.count < 2)
+        return best;
+    std::vector<Segment> segments;
+    std::vector<Box2> boxes;
+    for (const UvEdge &edge : topology.uvEdges) {
+        if (!edge.open)
+            continue;
+        segments.push_back({uv.row(edge.corner[0]), uv.row(edge.corner[1]), edge.chart});
+        Box2 box;
+        box.add(segments.back().from);
+        box.add(segments.back().to);
+        boxes.push_back(box);
+    }
+    if (segments.empty())
+        return best;
+    const BoxTree tree(std::move(boxes));
+    const std::vector<int> nodeChart = nodeCharts(tree, segments);
+    for (int i = 0; i < static_cast<int>(segments.size()) && best > 0; ++i)
+        searchNearest(tree, segments, nodeChart, i, best);
+    return std::sqrt(best);
+}
+
+} // namespace autocuts

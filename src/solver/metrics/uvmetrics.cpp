@@ -1,0 +1,171 @@
+#include "solver/metrics/uvmetrics.h"
+
+#include "model/chart.h"
+#include "solver/metrics/uvdistortion.h"
+#include "solver/metrics/uvgutter.h"
+#include "solver/metrics/uvtriangles.h"
+#include "solver/overlap/overlapfinder.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace autocuts {
+
+namespace {
+
+void countElements(const MeshData &mesh, const UvTopology &topology, const UvTriangles &triangles,
+                   UvMetrics &metrics)
+{
+    metrics.faces = mesh.faceCount();
+    metrics.triangles = triangles.count();
+    metrics.vertices = mesh.vertexCount();
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+        metrics.weldedVertices += mesh.vertexWeld[v] == v;
+    for (bool hasUv : topology.faceHasUv)
+        metrics.facesWithoutUv += !hasUv;
+    for (bool zero : triangles.zeroArea)
+        metrics.zeroAreaTriangles += zero;
+    metrics.area3d = triangles.totalArea3d;
+    metrics.uvArea = triangles.totalUvArea;
+}
+
+void measureEdges(const MeshData &mesh, const UvTopology &topology, UvMetrics &metrics)
+{
+    for (const WeldedEdge &edge : topology.weldedEdges) {
+        const double length =
+            (mesh.cornerPosition(edge.corner[0]) - mesh.cornerPosition(edge.corner[1])).norm();
+        if (edge.sides == 1) {
+            ++metrics.boundaryEdges;
+            metrics.boundaryLength += length;
+        } else if (edge.sides == 2) {
+            ++metrics.interiorEdges;
+            metrics.missingUvEdges += edge.sidesWithUv == 1;
+            if (edge.copies == 2) {
+                ++metrics.seamEdges;
+                metrics.seamLength += length;
+            }
+        } else {
+            ++metrics.nonManifoldEdges;
+            if (edge.copies > 1)
+                metrics.nonManifoldSeamLength += length;
+        }
+    }
+    if (metrics.area3d > 0)
+        metrics.seamNorm = metrics.seamLength / std::sqrt(metrics.area3d / std::numbers::pi);
+}
+
+void measureCharts(const UvTriangles &triangles, UvMetrics &metrics)
+{
+    metrics.charts = static_cast<int>(triangles.charts.size());
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0;
+    for (const ChartSums &chart : triangles.charts) {
+        metrics.mirroredCharts += chart.signedArea < 0;
+        metrics.nonDiskCharts += chart.euler() != 1;
+        if (!(chart.area3d > 0))
+            continue;
+        if (!(chart.uvArea > 1e-14 * triangles.totalUvArea)) {
+            ++metrics.zeroUvCharts;
+            continue;
+        }
+        const double density = std::sqrt(chart.uvArea / chart.area3d);
+        least = std::min(least, density);
+        most = std::max(most, density);
+    }
+    if (most > 0)
+        metrics.texelDensitySpread = most / least;
+}
+
+void measureOverlaps(const UvMatrix &uv, const UvTopology &topology, const UvTriangles &triangles,
+                     const std::atomic<bool> *cancel, UvMetrics &metrics)
+{
+    // Corners of one UV vertex may differ by the tolerance of the charts: bring them together, so that
+    // neighbours only touch.
+    std::vector<int> source;
+    for (int t = 0; t < triangles.count(); ++t) {
+        if (!triangles.hasUv(t))
+            continue;
+        const auto &c = triangles.corners[t];
+        const double area = 0.5
+                            * cross2(uv.row(topology.cornerRoot[c[0]]), uv.row(topology.cornerRoot[c[1]]),
+                                     uv.row(topology.cornerRoot[c[2]]));
+        if (std::abs(area) >= 1e-14 * triangles.totalUvArea && area != 0)
+            source.push_back(t);
+    }
+    UvMatrix snapped(3 * static_cast<Eigen::Index>(source.size()), 2);
+    for (std::size_t i = 0; i < source.size(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+            const int corner = triangles.corners[source[i]][k];
+            snapped.row(3 * static_cast<Eigen::Index>(i) + k) = uv.row(topology.cornerRoot[corner]);
+        }
+    }
+    OverlapOptions options;
+    options.minAreaRatio = 0;
+    options.cancel = cancel;
+    const double threshold = 1e-9 * triangles.totalUvArea;
+    double sum = 0;
+    std::int64_t pairs = 0, sameChart = 0;
+    const bool complete = visitOverlaps(snapped, options, [&](int a, int b, double area) {
+        sum += area;
+        if (area > threshold) {
+            ++pairs;
+            sameChart += triangles.chart[source[a]] == triangles.chart[source[b]];
+        }
+        return true;
+    });
+    if (!complete)
+        return;
+    metrics.overlapPairs = pairs;
+    metrics.overlapPairsSameChart = sameChart;
+    metrics.overlapAreaRatio = triangles.totalUvArea > 0 ? sum / triangles.totalUvArea : 0;
+}
+
+void measurePacking(const UvTopology &topology, int textureSize, UvMetrics &metrics)
+{
+    constexpr double tolerance = 1e-6;
+    if (!(topology.boxDiagonal() > 0))
+        return;
+    const Vec2 &low = topology.boxLow;
+    const Vec2 &high = topology.boxHigh;
+    const Vec2 size = high - low;
+    metrics.uvMin = low;
+    metrics.uvMax = high;
+    if (size.minCoeff() > 0)
+        metrics.packingBox = metrics.uvArea / (size.x() * size.y());
+    metrics.packingSquare = metrics.uvArea / (size.maxCoeff() * size.maxCoeff());
+    metrics.inUnitSquare = low.minCoeff() >= -tolerance && high.maxCoeff() <= 1 + tolerance;
+    if (metrics.inUnitSquare) {
+        metrics.packingUnit = metrics.uvArea;
+        metrics.borderGutter = std::min(low.minCoeff(), 1 - high.maxCoeff());
+        metrics.borderGutterTexels = metrics.borderGutter * textureSize;
+    }
+}
+
+} // namespace
+
+UvMetrics measureUv(const MeshData &mesh, const UvMatrix &uv, const UvMetricsOptions &options)
+{
+    if (uv.rows() != mesh.cornerCount())
+        throw std::invalid_argument("measureUv: the UVs do not have one row per corner");
+    const UvTopology topology = findUvTopology(mesh, uv);
+    const UvTriangles triangles = collectUvTriangles(mesh, uv, topology);
+    UvMetrics metrics;
+    countElements(mesh, topology, triangles, metrics);
+    measureEdges(mesh, topology, metrics);
+    measureCharts(triangles, metrics);
+    measureDistortion(mesh, uv, triangles, metrics);
+    measurePacking(topology, options.textureSize, metrics);
+    if (options.overlaps)
+        measureOverlaps(uv, topology, triangles, options.cancel, metrics);
+    if (options.gutter) {
+        const double gutter = smallestGutter(uv, topology);
+        if (std::isfinite(gutter)) {
+            metrics.minGutter = gutter;
+            metrics.minGutterTexels = gutter * options.textureSize;
+        }
+    }
+    return metrics;
+}
+
+} // namespace autocuts

@@ -1,0 +1,42 @@
+// The triangles that UV figures are measured on, and sums over them. Internal to the metrics.
+#pragma once
+
+#include "model/chart.h"
+#include "model/meshdata.h"
+
+#include <vector>
+
+namespace autocuts {
+
+//! Measurements of one chart.
+struct ChartSums
+{
+    int faces = 0, vertices = 0, edges = 0;
+    double area3d = 0;       //!< without zero-area triangles
+    double uvArea = 0;       //!< sum of absolute areas
+    double signedArea = 0;
+
+    int euler() const { return vertices - edges + faces; }
+};
+
+//! Triangles of all faces by the fan rule of the figures, with their areas.
+struct UvTriangles
+{
+    std::vector<std::array<int, 3>> corners;
+    std::vector<int> face;
+    std::vector<int> chart;           //!< -1 without UVs
+    std::vector<double> area3d;
+    std::vector<double> signedArea;   //!< in UV; 0 without UVs
+    std::vector<bool> zeroArea;       //!< no area in 3D
+    double totalArea3d = 0, totalUvArea = 0;
+    std::vector<ChartSums> charts;
+
+    int count() const { return static_cast<int>(corners.size()); }
+    bool hasUv(int t) const { return chart[t] >= 0; }
+    //! No area in UV, measured against the whole map.
+    bool uvDegenerate(int t) const;
+};
+
+UvTriangles collectUvTriangles(const MeshData &mesh, const UvMatrix &uv, const UvTopology &topology);
+
+} // namespace autocuts

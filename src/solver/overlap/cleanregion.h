@@ -1,0 +1,26 @@
+// Largest regions without overlaps (paper, figure 9 and "Removing self-overlaps").
+#pragma once
+
+#include "model/meshdata.h"
+#include "solver/overlap/overlapfinder.h"
+
+#include <vector>
+
+namespace autocuts {
+
+struct UnitGraph;
+
+//! A maximal region around a triangle that nowhere covers itself in UV: grown breadth first over uncut edge
+//! pairs, leaving out every polygon that overlaps what is in it already. Polygons stay whole.
+//! \param soupUv one row per soup corner
+//! \param cut per edge pair
+//! \return triangles in rising order; the polygon of the seed is always among them
+//! \throws std::invalid_argument when a size does not fit the mesh
+std::vector<int> cleanRegion(const MeshData &mesh, const UvMatrix &soupUv, const std::vector<bool> &cut,
+                             int seedTriangle, const OverlapOptions &options = {});
+
+//! Splits a set of units into such regions, the units with the fewest overlaps as seeds first.
+//! \param part label of each unit; the units labelled `from` get labels from `nextPart` on
+void splitIntoCleanRegions(const UnitGraph &graph, int from, std::vector<int> &part, int &nextPart);
+
+} // namespace autocuts

@@ -1,0 +1,47 @@
+// Splits charts between overlapping layers along short seams.
+#pragma once
+
+#include "solver/overlap/maxflow.h"
+#include "solver/overlap/sheets.h"
+#include "solver/overlap/unitgraph.h"
+
+#include <atomic>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace autocuts {
+
+//! Splits the units of one label until no two overlapping units share a label, each time along the smallest
+//! cut between two layers of an overlap.
+class MinCutSplitter
+{
+public:
+    //! \param capacity per link of the graph, cost of cutting it, at least 1
+    //! \param part label of each unit, changed by split()
+    //! \param nextPart the first unused label
+    MinCutSplitter(const UnitGraph &graph, const std::vector<std::int64_t> &capacity, std::vector<int> &part,
+                   int &nextPart, const std::atomic<bool> *cancel);
+
+    //! \return labels that still hold overlaps: none, unless cancelled or the chart has so many separate
+    //! overlaps that cutting them one by one would take too long
+    std::vector<int> split(int label);
+
+private:
+    std::int64_t perimeterBound(const Sheets &sheets) const;
+    void cutBetween(const Sheets &sheets, std::vector<int> &touched);
+    void cutLabel(int label, const Sheets &sheets, std::vector<int> &touched);
+    bool exhausted() const;
+
+    const UnitGraph &mGraph;
+    const std::vector<std::int64_t> &mCapacity;
+    std::vector<int> &mPart;
+    int &mNextPart;
+    const std::atomic<bool> *mCancel;
+    SheetFinder mFinder;
+    std::vector<int> mLocal;                       //!< number of each unit inside the graph being cut
+    std::map<int, std::vector<int>> mMembers;      //!< units of each label being split
+    std::int64_t mVisited = 0;                     //!< units that took part in all cuts so far
+};
+
+} // namespace autocuts

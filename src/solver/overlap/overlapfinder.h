@@ -1,0 +1,59 @@
+// Finds the pairs of UV triangles whose interiors intersect.
+#pragma once
+
+#include "model/types.h"
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace autocuts {
+
+//! What counts as an overlap, and when to stop.
+struct OverlapOptions
+{
+    double minAreaRatio = 1e-10;    //!< a pair counts when its intersection exceeds this part of totalArea
+    double totalArea = 0;           //!< UV area to compare with; 0: the sum over the given triangles
+    std::size_t maxPairs = 50'000'000;               //!< findOverlaps() stops there
+    const std::atomic<bool> *cancel = nullptr;       //!< set to true from any thread to stop
+};
+
+//! Two triangles, first < second, and the UV area of their intersection.
+struct OverlapPair
+{
+    int first = 0, second = 0;
+    double area = 0;
+    bool operator==(const OverlapPair &) const = default;
+};
+
+//! Overlapping pairs in rising order.
+struct OverlapList
+{
+    std::vector<OverlapPair> pairs;
+    bool complete = true;    //!< false when cancelled or stopped at maxPairs
+};
+
+//! Area of the intersection of two triangles; exactly 0 when their interiors do not meet, decided without
+//! rounding. \pre both are counter-clockwise
+double intersectionArea(const std::array<Vec2, 3> &a, const std::array<Vec2, 3> &b);
+
+//! Sum of the absolute areas of all finite triangles. \param uv three rows per triangle
+double totalUvArea(const UvMatrix &uv);
+
+//! Calls visit(a, b, area) for every two overlapping triangles, a < b, in an order that depends on the UVs
+//! only, until it returns false. Triangles may wind either way; those with a non-finite corner or exactly
+//! without area overlap nothing.
+//! \param uv three rows per triangle
+//! \return false when visit did or when cancelled
+bool visitOverlaps(const UvMatrix &uv, const OverlapOptions &options,
+                   const std::function<bool(int, int, double)> &visit);
+
+//! All overlapping pairs. \param uv three rows per triangle
+OverlapList findOverlaps(const UvMatrix &uv, const OverlapOptions &options = {});
+
+//! The overlapping pairs among some triangles. \param triangles indices of triangles of uv, each once
+OverlapList findOverlapsAmong(const UvMatrix &uv, const std::vector<int> &triangles,
+                              const OverlapOptions &options = {});
+
+} // namespace autocuts

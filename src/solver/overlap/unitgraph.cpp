@@ -1,0 +1,99 @@
+#include "solver/overlap/unitgraph.h"
+
+#include "model/unionfind.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace autocuts {
+
+namespace {
+
+//! Both directions of every pair of units, sorted, each once.
+IntLists symmetricLists(int count, std::vector<std::pair<int, int>> pairs)
+{
+    const std::size_t size = pairs.size();
+    pairs.reserve(2 * size);
+    for (std::size_t i = 0; i < size; ++i)
+        pairs.emplace_back(pairs[i].second, pairs[i].first);
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return {count, pairs};
+}
+
+} // namespace
+
+IntLists::IntLists(int count, const std::vector<std::pair<int, int>> &entries)
+    : mFirst(count + 1, 0), mValue(entries.size())
+{
+    for (const auto &entry : entries)
+        ++mFirst[entry.first + 1];
+    for (int i = 0; i < count; ++i)
+        mFirst[i + 1] += mFirst[i];
+    std::vector<int> place(mFirst.begin(), mFirst.end() - 1);
+    for (const auto &entry : entries)
+        mValue[place[entry.first]++] = entry.second;
+}
+
+int IntLists::find(int index, int value) const
+{
+    const auto begin = mValue.begin() + mFirst[index];
+    const auto end = mValue.begin() + mFirst[index + 1];
+    const auto place = std::lower_bound(begin, end, value);
+    return place != end && *place == value ? static_cast<int>(place - mValue.begin()) : -1;
+}
+
+UnitGraph makeUnitGraph(const MeshData &mesh, const std::vector<bool> &cut,
+                        const std::vector<bool> &protectedPair, const std::vector<OverlapPair> &overlaps)
+{
+    UnitGraph graph;
+    const int pairCount = static_cast<int>(mesh.edgePairs.size());
+    UnionFind sets(mesh.triangleCount());
+    for (int p = 0; p < pairCount; ++p) {
+        const EdgePair &pair = mesh.edgePairs[p];
+        if (pair.diagonal || (!cut[p] && !protectedPair.empty() && protectedPair[p]))
+            sets.unite(pair.triangle[0], pair.triangle[1]);
+    }
+    std::tie(graph.unitOfTriangle, graph.unitCount) = sets.labels();
+
+    std::vector<std::pair<int, int>> members, ends, pairs;
+    for (int t = 0; t < mesh.triangleCount(); ++t)
+        members.emplace_back(graph.unitOfTriangle[t], t);
+    graph.triangles = {graph.unitCount, members};
+    for (int p = 0; p < pairCount; ++p) {
+        const int a = graph.unitOfTriangle[mesh.edgePairs[p].triangle[0]];
+        const int b = graph.unitOfTriangle[mesh.edgePairs[p].triangle[1]];
+        if (cut[p] || a == b)
+            continue;
+        ends.emplace_back(a, static_cast<int>(graph.links.size()));
+        ends.emplace_back(b, static_cast<int>(graph.links.size()));
+        pairs.emplace_back(a, b);
+        graph.links.push_back({p, a, b});
+    }
+    graph.linksOfUnit = {graph.unitCount, ends};
+    graph.neighbours = symmetricLists(graph.unitCount, std::move(pairs));
+
+    pairs.clear();
+    for (const OverlapPair &overlap : overlaps) {
+        const int a = graph.unitOfTriangle[overlap.first];
+        const int b = graph.unitOfTriangle[overlap.second];
+        if (a == b)
+            ++graph.innerOverlaps;
+        else
+            pairs.emplace_back(a, b);
+    }
+    graph.conflicts = symmetricLists(graph.unitCount, std::move(pairs));
+    return graph;
+}
+
+std::vector<int> chartsOfCut(const MeshData &mesh, const std::vector<bool> &cut)
+{
+    UnionFind sets(mesh.triangleCount());
+    for (std::size_t p = 0; p < mesh.edgePairs.size(); ++p) {
+        if (!cut[p] || mesh.edgePairs[p].diagonal)
+            sets.unite(mesh.edgePairs[p].triangle[0], mesh.edgePairs[p].triangle[1]);
+    }
+    return sets.labels().first;
+}
+
+} // namespace autocuts
