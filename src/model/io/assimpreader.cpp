@@ -52,6 +52,12 @@ private:
     bool addVertices(const aiNode &node, const aiMesh &mesh, const Eigen::Matrix4d &transform);
     bool addFaces(const aiNode &node, const aiMesh &mesh, int firstVertex, bool mirrored);
     void fillUvSets(Scene &scene) const;
+    //! Of the node; where it has none, of its first mesh.
+    QString objectName(const aiNode &node) const
+    {
+        const bool borrow = node.mName.length == 0 && node.mNumMeshes > 0 && node.mMeshes[0] < mAi.mNumMeshes;
+        return toName(borrow ? mAi.mMeshes[node.mMeshes[0]]->mName : node.mName);
+    }
     bool fail(const QString &message)
     {
         mError =
@@ -83,7 +89,7 @@ bool SoupBuilder::addVertices(const aiNode &node, const aiMesh &mesh, const Eige
         if (!(position.cwiseAbs().maxCoeff() <= maxCoordinate))
             return fail(
                 QStringLiteral("a vertex of \"%1\" has a coordinate that is not finite or is too large")
-                    .arg(toName(node.mName)));
+                    .arg(objectName(node)));
         mPositions.insert(mPositions.end(), position.data(), position.data() + 3);
     }
     return true;
@@ -103,11 +109,11 @@ bool SoupBuilder::addFaces(const aiNode &node, const aiMesh &mesh, int firstVert
             const unsigned v = face.mIndices[mirrored ? face.mNumIndices - 1 - k : k];
             if (v >= mesh.mNumVertices)
                 return fail(
-                    QStringLiteral("a face of \"%1\" has a wrong vertex index").arg(toName(node.mName)));
+                    QStringLiteral("a face of \"%1\" has a wrong vertex index").arg(objectName(node)));
             mCornerVertex.push_back(firstVertex + static_cast<int>(v));
         }
         mFaceStart.push_back(static_cast<int>(mCornerVertex.size()));
-        mFaceObject.push_back(static_cast<int>(mObjectNames.size()) - 1);
+        mFaceObject.push_back(static_cast<int>(mObjectNames.size()));
         mFaceMaterial.push_back(
             mesh.mMaterialIndex < mAi.mNumMaterials ? static_cast<int>(mesh.mMaterialIndex) : -1);
     }
@@ -118,7 +124,7 @@ bool SoupBuilder::addMesh(const aiNode &node, unsigned meshIndex, const Eigen::M
 {
     if (meshIndex >= mAi.mNumMeshes || !mAi.mMeshes[meshIndex])
         return fail(
-            QStringLiteral("the node \"%1\" refers to a mesh that is not there").arg(toName(node.mName)));
+            QStringLiteral("the node \"%1\" refers to a mesh that is not there").arg(objectName(node)));
     const aiMesh &mesh = *mAi.mMeshes[meshIndex];
     if ((mesh.mNumVertices > 0 && !mesh.mVertices) || (mesh.mNumFaces > 0 && !mesh.mFaces))
         return fail(QStringLiteral("the mesh \"%1\" has no data").arg(toName(mesh.mName)));
@@ -141,16 +147,13 @@ bool SoupBuilder::addNode(const aiNode &node, const Eigen::Matrix4d &parent, int
         return fail(QStringLiteral("the nodes are nested too deeply"));
     ++mNodes;
     const Eigen::Matrix4d transform = parent * toMatrix(node.mTransformation);
-    if (node.mNumMeshes > 0) {
-        const aiString &name = node.mName.length > 0 || node.mMeshes[0] >= mAi.mNumMeshes
-                                   ? node.mName
-                                   : mAi.mMeshes[node.mMeshes[0]]->mName;
-        mObjectNames.push_back(toName(name));
-    }
+    const std::size_t firstFace = mFaceObject.size();
     for (unsigned m = 0; m < node.mNumMeshes; ++m) {
         if (!addMesh(node, node.mMeshes[m], transform))
             return false;
     }
+    if (mFaceObject.size() > firstFace)
+        mObjectNames.push_back(objectName(node));
     for (unsigned c = 0; c < node.mNumChildren; ++c) {
         if (!addNode(*node.mChildren[c], transform, depth + 1))
             return false;

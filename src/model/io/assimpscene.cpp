@@ -85,30 +85,69 @@ bool isInstanced(const AssimpSource &source)
     return std::adjacent_find(meshes.begin(), meshes.end()) != meshes.end();
 }
 
+//! True when a node has several meshes.
+bool hasSplitNodes(const AssimpSource &source)
+{
+    return std::adjacent_find(source.pieces.begin(), source.pieces.end(),
+                              [](const AssimpPiece &a, const AssimpPiece &b) { return a.node == b.node; }) !=
+           source.pieces.end();
+}
+
+//! Puts the root below a new one without transform.
+void wrapRoot(aiScene &scene)
+{
+    auto *root = new aiNode("Root");
+    root->mNumChildren = 1;
+    root->mChildren = new aiNode *[1] { scene.mRootNode };
+    scene.mRootNode->mParent = root;
+    scene.mRootNode = root;
+}
+
 } // namespace
 
-QStringList assimpLosses(const AssimpSource &source, bool bareMesh)
+ExportOptions exportOptions(const QString &format)
 {
-    QStringList losses;
+    ExportOptions options;
+    options.triangulate = format == QLatin1String("glb") || format == QLatin1String("gltf");
+    // Collada files with animations cannot be read back, and embedded textures crash the FBX exporter.
+    options.animations = format != QLatin1String("dae");
+    options.embeddedTextures = options.rootTransform = format != QLatin1String("fbx");
+    return options;
+}
+
+QStringList assimpLosses(const AssimpSource &source, const QString &format)
+{
     const aiScene &from = *source.scene;
+    const ExportOptions options = exportOptions(format);
+    const bool bareMesh = format == QLatin1String("obj") || format == QLatin1String("ply");
+    QStringList losses;
     if (hasMorphTargets(from))
         losses << QStringLiteral("shape keys (morph targets) are lost");
-    if (!bareMesh && isInstanced(source))
-        losses << QStringLiteral(
-            "meshes that several nodes share become one copy per node, each with its own UVs");
-    if (!bareMesh)
+    if (bareMesh) {
+        if (from.mNumAnimations > 0 || hasBones(from))
+            losses << QStringLiteral("bones and animations are lost");
+        if (from.mRootNode->mNumChildren > 0)
+            losses << QStringLiteral("the node hierarchy is lost; positions are written in world space");
+        if (from.mNumLights > 0 || from.mNumCameras > 0)
+            losses << QStringLiteral("lights and cameras are lost");
         return losses;
-    if (from.mNumAnimations > 0 || hasBones(from))
-        losses << QStringLiteral("bones and animations are lost");
-    if (from.mRootNode->mNumChildren > 0)
-        losses << QStringLiteral("the node hierarchy is lost; positions are written in world space");
-    if (from.mNumLights > 0 || from.mNumCameras > 0)
-        losses << QStringLiteral("lights and cameras are lost");
+    }
+    if (isInstanced(source))
+        losses << QStringLiteral(
+            "meshes that several nodes share become one copy per node, with its own UVs");
+    if (from.mNumAnimations > 0)
+        losses << (options.animations
+                       ? QStringLiteral("animations are left out where the format cannot hold them")
+                       : QStringLiteral("animations are lost"));
+    if (from.mNumTextures > 0 && !options.embeddedTextures)
+        losses << QStringLiteral("embedded textures are lost");
+    if (format == QLatin1String("fbx") && hasSplitNodes(source))
+        losses << QStringLiteral("an object of several materials becomes one object for each of them");
     return losses;
 }
 
-ExportScene::ExportScene(const Scene &scene, bool triangulate)
-    : mScene(new aiScene), mTriangulate(triangulate)
+ExportScene::ExportScene(const Scene &scene, const ExportOptions &options)
+    : mScene(new aiScene), mOptions(options)
 {
     const auto *source = dynamic_cast<const AssimpSource *>(scene.source.get());
     const bool fits =
@@ -126,10 +165,14 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
     mBorrowed = true;
     mScene->mNumMaterials = from.mNumMaterials;
     mScene->mMaterials = from.mMaterials;
-    mScene->mNumTextures = from.mNumTextures;
-    mScene->mTextures = from.mTextures;
-    mScene->mNumAnimations = from.mNumAnimations;
-    mScene->mAnimations = from.mAnimations;
+    if (mOptions.embeddedTextures) {
+        mScene->mNumTextures = from.mNumTextures;
+        mScene->mTextures = from.mTextures;
+    }
+    if (mOptions.animations) {
+        mScene->mNumAnimations = from.mNumAnimations;
+        mScene->mAnimations = from.mAnimations;
+    }
     mScene->mNumLights = from.mNumLights;
     mScene->mLights = from.mLights;
     mScene->mNumCameras = from.mNumCameras;
@@ -148,7 +191,7 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
         for (int i = 0; i < piece.faceCount; ++i)
             faces[i] = piece.firstFace + i;
         nodeMeshes[piece.node].push_back(static_cast<unsigned>(meshes.size()));
-        const MeshOptions options{nullptr, from.mMeshes[piece.mesh], piece, mTriangulate};
+        const MeshOptions options{nullptr, from.mMeshes[piece.mesh], piece, mOptions.triangulate};
         meshes.push_back(makeExportMesh(scene, faces, options));
     }
     setMeshes(*mScene, meshes);
@@ -156,6 +199,8 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
         if (!nodeMeshes[n].empty())
             setMeshes(*nodes[n], nodeMeshes[n]);
     }
+    if (!mOptions.rootTransform && !mScene->mRootNode->mTransformation.IsIdentity())
+        wrapRoot(*mScene);
 }
 
 void ExportScene::makePlain(const Scene &scene)
@@ -174,7 +219,7 @@ void ExportScene::makePlain(const Scene &scene)
 
     std::vector<aiMesh *> meshes;
     std::map<int, std::vector<unsigned>> objectMeshes;
-    const MeshOptions options{hasNormals ? &normals : nullptr, nullptr, {}, mTriangulate};
+    const MeshOptions options{hasNormals ? &normals : nullptr, nullptr, {}, mOptions.triangulate};
     for (const auto &[key, faces] : facesByMaterial(scene)) {
         const auto [object, material] = key;
         aiMesh *mesh = makeExportMesh(scene, faces, options);

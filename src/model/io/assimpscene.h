@@ -31,9 +31,20 @@ struct AssimpSource final : SceneSource
         pieces; //!< by node and place in the node, so their faces and vertices are in order
 };
 
-//! What is lost of the scene when it is exported, one line each.
-//! \param bareMesh the format holds one mesh and nothing else
-QStringList assimpLosses(const AssimpSource &source, bool bareMesh);
+//! What of the source is handed to an exporter. Assimp's exporters differ in what they get right.
+struct ExportOptions
+{
+    bool triangulate = false; //!< as MeshData does, since Assimp's own split of concave polygons is poor
+    bool animations = true;
+    bool embeddedTextures = true;
+    bool rootTransform = true; //!< false: the exporter ignores it, so it goes to a node below the root
+};
+
+//! The options for a format, a lower-case suffix.
+ExportOptions exportOptions(const QString &format);
+
+//! What is lost of the source when it is exported, one line each.
+QStringList assimpLosses(const AssimpSource &source, const QString &format);
 
 //! What Scene::uvSets looks like to Assimp: only so many sets.
 inline constexpr int maxAssimpUvSets = 8;
@@ -43,8 +54,7 @@ inline constexpr int maxAssimpUvSets = 8;
 class ExportScene
 {
 public:
-    //! \param triangulate split polygons as MeshData does, since Assimp's own split of concave ones is poor
-    ExportScene(const Scene &scene, bool triangulate);
+    ExportScene(const Scene &scene, const ExportOptions &options);
     ~ExportScene();
     ExportScene(const ExportScene &) = delete;
     ExportScene &operator=(const ExportScene &) = delete;
@@ -57,7 +67,7 @@ private:
 
     aiScene *mScene;
     bool mBorrowed = false; //!< materials, textures, animations, cameras and lights are the source's
-    bool mTriangulate;
+    ExportOptions mOptions;
 };
 
 } // namespace autocuts

@@ -15,7 +15,8 @@ namespace autocuts {
 
 namespace {
 
-//! Assimp's name of the exporter. Its binary FBX cannot be read back, and ASCII PLY rounds.
+//! Assimp's name of the exporter. Its binary FBX cannot be read back, and its binary PLY
+//! writes colours as what its header does not say.
 const char *exporterId(const QString &suffix)
 {
     if (suffix == QLatin1String("glb"))
@@ -23,7 +24,7 @@ const char *exporterId(const QString &suffix)
     if (suffix == QLatin1String("gltf"))
         return "gltf2";
     if (suffix == QLatin1String("ply"))
-        return "plyb";
+        return "ply";
     if (suffix == QLatin1String("dae"))
         return "collada";
     return "fbxa";
@@ -47,6 +48,16 @@ QByteArray withEmbeddedBuffer(const aiExportDataBlob &main)
     return text;
 }
 
+//! The blob belongs to the exporter; nullptr on failure.
+const aiExportDataBlob *exportBlob(Assimp::Exporter &exporter, const Scene &scene, const QString &suffix,
+                                   const ExportOptions &options)
+{
+    const ExportScene exported(scene, options);
+    Assimp::ExportProperties properties;
+    properties.SetPropertyString(AI_CONFIG_EXPORT_BLOB_NAME, companionBase);
+    return exporter.ExportToBlob(exported.get(), exporterId(suffix), 0, &properties);
+}
+
 Error notWritten(const QString &path, const QString &reason)
 {
     return {QStringLiteral("the model cannot be written in this format: %1").arg(reason.simplified()), path,
@@ -57,15 +68,16 @@ Error notWritten(const QString &path, const QString &reason)
 
 Result<Done> writeWithAssimp(const Scene &scene, const QString &path)
 {
-    const QFileInfo info(path);
-    const QString suffix = info.suffix().toLower();
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    ExportOptions options = exportOptions(suffix);
     try {
-        const ExportScene exported(scene, suffix == QLatin1String("glb") || suffix == QLatin1String("gltf"));
         Assimp::Exporter exporter;
-        Assimp::ExportProperties properties;
-        properties.SetPropertyString(AI_CONFIG_EXPORT_BLOB_NAME, companionBase);
-        const aiExportDataBlob *blob =
-            exporter.ExportToBlob(exported.get(), exporterId(suffix), 0, &properties);
+        const aiExportDataBlob *blob = exportBlob(exporter, scene, suffix, options);
+        if (!blob && options.animations) {
+            // Some animations are more than an exporter can express; they must not cost the user the UVs.
+            options.animations = false;
+            blob = exportBlob(exporter, scene, suffix, options);
+        }
         if (!blob)
             return notWritten(path, QString::fromUtf8(exporter.GetErrorString()));
         if (blob->next)

@@ -53,7 +53,7 @@ QStringList exportLosses(const Scene &scene, const QString &format)
         return losses;
     }
     if (assimp)
-        losses << assimpLosses(*assimp, isObj || isPly);
+        losses << assimpLosses(*assimp, format);
     if (isObj) {
         addObjLosses(losses, scene);
         return losses;
