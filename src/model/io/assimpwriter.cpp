@@ -60,8 +60,11 @@ const aiExportDataBlob *exportBlob(Assimp::Exporter &exporter, const Scene &scen
 
 Error notWritten(const QString &path, const QString &reason)
 {
-    return {QStringLiteral("the model cannot be written in this format: %1").arg(reason.simplified()), path,
-            0, QStringLiteral("Save it in another format, for example as OBJ")};
+    const QString why = reason.isEmpty()
+                            ? QStringLiteral("a name with a quotation mark, or data it has no room for")
+                            : reason.simplified();
+    return {QStringLiteral("the model cannot be written in this format: %1").arg(why), path, 0,
+            QStringLiteral("Save it in another format, for example as OBJ")};
 }
 
 } // namespace

@@ -71,7 +71,9 @@ QStringList exportLosses(const Scene &scene, const QString &format)
         losses << QStringLiteral("UV sets after the eighth are lost");
     if (hasPartialUv(scene))
         losses << QStringLiteral("corners without UV get the UV 0 0");
-    losses << QStringLiteral("positions and UVs are rounded to single precision");
+    losses << (format == QLatin1String("fbx")
+                   ? QStringLiteral("positions and UVs are rounded to six decimals")
+                   : QStringLiteral("positions and UVs are rounded to single precision"));
     return losses;
 }
 
