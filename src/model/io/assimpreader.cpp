@@ -1,0 +1,270 @@
+#include "model/io/assimpreader.h"
+
+#include "model/io/assimpscene.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+#include <Eigen/Dense>
+
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace autocuts {
+
+namespace {
+
+constexpr qint64 maxFileSize = qint64(4) << 30;
+constexpr std::size_t maxElements = std::numeric_limits<int>::max() / 8;
+constexpr double maxCoordinate = 1e100;
+constexpr int maxDepth = 2000;
+
+Eigen::Matrix4d toMatrix(const aiMatrix4x4 &m)
+{
+    Eigen::Matrix4d result;
+    result << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4;
+    return result;
+}
+
+QString toName(const aiString &name)
+{
+    return QString::fromUtf8(name.C_Str());
+}
+
+//! Collects the meshes of all nodes into one soup.
+class SoupBuilder
+{
+public:
+    SoupBuilder(const aiScene &scene, const QString &path) : mAi(scene), mPath(path) {}
+
+    //! False on an error, see error().
+    bool build(Scene &scene, AssimpSource &source);
+    const Error &error() const { return *mError; }
+
+private:
+    bool addNode(const aiNode &node, const Eigen::Matrix4d &parent, int depth);
+    bool addMesh(const aiNode &node, unsigned meshIndex, const Eigen::Matrix4d &transform);
+    bool addVertices(const aiNode &node, const aiMesh &mesh, const Eigen::Matrix4d &transform);
+    bool addFaces(const aiNode &node, const aiMesh &mesh, int firstVertex, bool mirrored);
+    void fillUvSets(Scene &scene) const;
+    //! Of the node; where it has none, of its first mesh.
+    QString objectName(const aiNode &node) const
+    {
+        const bool borrow = node.mName.length == 0 && node.mNumMeshes > 0 && node.mMeshes[0] < mAi.mNumMeshes;
+        return toName(borrow ? mAi.mMeshes[node.mMeshes[0]]->mName : node.mName);
+    }
+    bool fail(const QString &message)
+    {
+        mError =
+            Error{message, mPath, 0, QStringLiteral("Export the model again from the program that made it")};
+        return false;
+    }
+
+    const aiScene &mAi;
+    QString mPath;
+    std::optional<Error> mError;
+    int mNodes = 0;
+    std::vector<double> mPositions;
+    std::vector<int> mFaceStart{0}, mCornerVertex, mFaceObject, mFaceMaterial;
+    std::vector<QString> mObjectNames;
+    std::vector<AssimpPiece> mPieces;
+    int mSkippedFaces = 0;
+};
+
+bool SoupBuilder::addVertices(const aiNode &node, const aiMesh &mesh, const Eigen::Matrix4d &transform)
+{
+    if (mPositions.size() / 3 + mesh.mNumVertices > maxElements)
+        return fail(QStringLiteral("the model has too many vertices"));
+    const bool identity = transform.isIdentity(0);
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+        const aiVector3D &p = mesh.mVertices[v];
+        Vec3 position(p.x, p.y, p.z);
+        if (!identity)
+            position = (transform * position.homogeneous()).head<3>();
+        if (!(position.cwiseAbs().maxCoeff() <= maxCoordinate))
+            return fail(
+                QStringLiteral("a vertex of \"%1\" has a coordinate that is not finite or is too large")
+                    .arg(objectName(node)));
+        mPositions.insert(mPositions.end(), position.data(), position.data() + 3);
+    }
+    return true;
+}
+
+bool SoupBuilder::addFaces(const aiNode &node, const aiMesh &mesh, int firstVertex, bool mirrored)
+{
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+        const aiFace &face = mesh.mFaces[f];
+        if (face.mNumIndices < 3) {
+            ++mSkippedFaces;
+            continue;
+        }
+        if (mCornerVertex.size() + face.mNumIndices > maxElements)
+            return fail(QStringLiteral("the model has too many face corners"));
+        for (unsigned k = 0; k < face.mNumIndices; ++k) {
+            const unsigned v = face.mIndices[mirrored ? face.mNumIndices - 1 - k : k];
+            if (v >= mesh.mNumVertices)
+                return fail(
+                    QStringLiteral("a face of \"%1\" has a wrong vertex index").arg(objectName(node)));
+            mCornerVertex.push_back(firstVertex + static_cast<int>(v));
+        }
+        mFaceStart.push_back(static_cast<int>(mCornerVertex.size()));
+        mFaceObject.push_back(static_cast<int>(mObjectNames.size()));
+        mFaceMaterial.push_back(
+            mesh.mMaterialIndex < mAi.mNumMaterials ? static_cast<int>(mesh.mMaterialIndex) : -1);
+    }
+    return true;
+}
+
+bool SoupBuilder::addMesh(const aiNode &node, unsigned meshIndex, const Eigen::Matrix4d &transform)
+{
+    if (meshIndex >= mAi.mNumMeshes || !mAi.mMeshes[meshIndex])
+        return fail(
+            QStringLiteral("the node \"%1\" refers to a mesh that is not there").arg(objectName(node)));
+    const aiMesh &mesh = *mAi.mMeshes[meshIndex];
+    if ((mesh.mNumVertices > 0 && !mesh.mVertices) || (mesh.mNumFaces > 0 && !mesh.mFaces))
+        return fail(QStringLiteral("the mesh \"%1\" has no data").arg(toName(mesh.mName)));
+    AssimpPiece piece;
+    piece.node = mNodes - 1;
+    piece.mesh = meshIndex;
+    piece.firstVertex = static_cast<int>(mPositions.size() / 3);
+    piece.firstFace = static_cast<int>(mFaceObject.size());
+    piece.mirrored = transform.topLeftCorner<3, 3>().determinant() < 0;
+    if (!addVertices(node, mesh, transform) || !addFaces(node, mesh, piece.firstVertex, piece.mirrored))
+        return false;
+    piece.faceCount = static_cast<int>(mFaceObject.size()) - piece.firstFace;
+    mPieces.push_back(piece);
+    return true;
+}
+
+bool SoupBuilder::addNode(const aiNode &node, const Eigen::Matrix4d &parent, int depth)
+{
+    if (depth > maxDepth)
+        return fail(QStringLiteral("the nodes are nested too deeply"));
+    ++mNodes;
+    const Eigen::Matrix4d transform = parent * toMatrix(node.mTransformation);
+    const std::size_t firstFace = mFaceObject.size();
+    for (unsigned m = 0; m < node.mNumMeshes; ++m) {
+        if (!addMesh(node, node.mMeshes[m], transform))
+            return false;
+    }
+    if (mFaceObject.size() > firstFace)
+        mObjectNames.push_back(objectName(node));
+    for (unsigned c = 0; c < node.mNumChildren; ++c) {
+        if (!addNode(*node.mChildren[c], transform, depth + 1))
+            return false;
+    }
+    return true;
+}
+
+void SoupBuilder::fillUvSets(Scene &scene) const
+{
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (int set = 0; set < maxAssimpUvSets; ++set) {
+        UvSet result;
+        for (const AssimpPiece &piece : mPieces) {
+            const aiMesh &mesh = *mAi.mMeshes[piece.mesh];
+            if (!mesh.HasTextureCoords(static_cast<unsigned>(set)))
+                continue;
+            if (result.uv.rows() == 0)
+                result.uv = UvMatrix::Constant(static_cast<Eigen::Index>(mCornerVertex.size()), 2, nan);
+            if (const aiString *name = mesh.GetTextureCoordsName(static_cast<unsigned>(set));
+                name && result.name.isEmpty())
+                result.name = toName(*name);
+            for (int c = mFaceStart[piece.firstFace]; c < mFaceStart[piece.firstFace + piece.faceCount];
+                 ++c) {
+                const aiVector3D &uv = mesh.mTextureCoords[set][mCornerVertex[c] - piece.firstVertex];
+                result.uv.row(c) << uv.x, uv.y;
+            }
+        }
+        // A set that no mesh has ends the list: files number their sets without gaps.
+        if (result.uv.rows() == 0)
+            return;
+        if (result.name.isEmpty())
+            result.name = set == 0 ? QStringLiteral("UVMap") : QStringLiteral("UVMap%1").arg(set + 1);
+        scene.uvSets.push_back(std::move(result));
+    }
+}
+
+bool SoupBuilder::build(Scene &scene, AssimpSource &source)
+{
+    if (!addNode(*mAi.mRootNode, Eigen::Matrix4d::Identity(), 0))
+        return false;
+    if (mFaceObject.empty())
+        return fail(QStringLiteral("the file has no faces"));
+    if (mSkippedFaces > 0)
+        scene.notes.push_back(
+            QStringLiteral("%1 point(s) and line(s) left out: they cannot be unwrapped").arg(mSkippedFaces));
+    fillUvSets(scene);
+    for (unsigned m = 0; m < mAi.mNumMaterials; ++m)
+        scene.materialNames.push_back(toName(mAi.mMaterials[m]->GetName()));
+    scene.objectNames = std::move(mObjectNames);
+    scene.faceMaterial = std::move(mFaceMaterial);
+    PositionMatrix positions = Eigen::Map<const PositionMatrix>(
+        mPositions.data(), static_cast<Eigen::Index>(mPositions.size() / 3), 3);
+    scene.mesh = MeshData::build(std::move(positions), std::move(mFaceStart), std::move(mCornerVertex),
+                                 std::move(mFaceObject));
+    source.pieces = std::move(mPieces);
+    return true;
+}
+
+//! What can be said without Assimp, whose messages about missing and empty files help nobody.
+std::optional<Error> checkFile(const QString &path)
+{
+    const QFileInfo info(path);
+    if (!info.exists())
+        return Error{QStringLiteral("there is no such file"), path, 0, QStringLiteral("Check the path")};
+    if (!info.isFile())
+        return Error{QStringLiteral("this is a folder or a device, not a file"), path, 0,
+                     QStringLiteral("Name a mesh file")};
+    if (info.size() == 0)
+        return Error{QStringLiteral("the file is empty"), path, 0, QStringLiteral("Export the model again")};
+    if (info.size() > maxFileSize)
+        return Error{
+            QStringLiteral("the file has %1 bytes, the limit is %2").arg(info.size()).arg(maxFileSize), path,
+            0, QStringLiteral("Split the model into several files")};
+    if (QFile file(path); !file.open(QIODevice::ReadOnly))
+        return Error{QStringLiteral("the file cannot be read (%1)").arg(file.errorString()), path, 0,
+                     QStringLiteral("Check its permissions")};
+    return {};
+}
+
+Error unreadable(const QString &path, const QString &reason)
+{
+    return {QStringLiteral("the file cannot be read: %1").arg(reason.simplified()), path, 0,
+            QStringLiteral("It may be damaged or of a newer version: export the model again, or as OBJ")};
+}
+
+} // namespace
+
+Result<Scene> readWithAssimp(const QString &path)
+{
+    if (const std::optional<Error> error = checkFile(path))
+        return *error;
+    try {
+        Assimp::Importer importer;
+        // Without this an FBX node becomes a chain of helper nodes, one for each part of its transform.
+        importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+        const aiScene *read = importer.ReadFile(QFile::encodeName(path).toStdString(), 0);
+        if (!read || !read->mRootNode)
+            return unreadable(path, QString::fromUtf8(importer.GetErrorString()));
+        auto source = std::make_shared<AssimpSource>();
+        source->scene.reset(importer.GetOrphanedScene());
+        Scene scene;
+        scene.path = path;
+        scene.format = QFileInfo(path).suffix().toLower();
+        SoupBuilder builder(*source->scene, path);
+        if (!builder.build(scene, *source))
+            return builder.error();
+        scene.source = std::move(source);
+        return scene;
+    } catch (const std::exception &e) {
+        return unreadable(path, QString::fromUtf8(e.what()));
+    }
+}
+
+} // namespace autocuts

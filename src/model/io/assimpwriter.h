@@ -1,0 +1,14 @@
+// Writes glb, gltf, ply, dae and ASCII fbx files through Assimp.
+#pragma once
+
+#include "model/result.h"
+#include "model/scene.h"
+
+namespace autocuts {
+
+//! Writes the scene with all its UV sets, the active one first, atomically. What the format cannot hold is
+//! lost: exportLosses() tells before. A gltf file holds its buffer itself, as base64.
+//! \pre the suffix of path is glb, gltf, ply, dae or fbx
+Result<Done> writeWithAssimp(const Scene &scene, const QString &path);
+
+} // namespace autocuts

@@ -1,0 +1,134 @@
+#include "model/io/objwriter.h"
+
+#include "model/io/objrewriter.h"
+#include "model/io/savefile.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <set>
+
+namespace autocuts {
+
+namespace {
+
+//! The active UV set, or no UVs at all.
+UvMatrix activeUv(const Scene &scene)
+{
+    if (!scene.uvSets.empty())
+        return scene.uvSets.front().uv;
+    UvMatrix none(scene.mesh->cornerCount(), 2);
+    none.fill(std::numeric_limits<double>::quiet_NaN());
+    return none;
+}
+
+//! True when no corner's UV differs, bit for bit; two missing UVs are equal.
+bool sameUv(const ObjSource &source, const UvMatrix &uv)
+{
+    for (Eigen::Index c = 0; c < uv.rows(); ++c) {
+        const int vt = source.cornerTextureVertex[static_cast<std::size_t>(c)];
+        const double *now = uv.data() + 2 * c;
+        const double *then = vt < 0 ? nullptr : &source.textureVertices[2 * static_cast<std::size_t>(vt)];
+        const bool hasNow = std::isfinite(now[0]) && std::isfinite(now[1]);
+        const bool hadThen = then && std::isfinite(then[0]) && std::isfinite(then[1]);
+        if (hasNow != hadThen || (hasNow && std::memcmp(now, then, 2 * sizeof *now) != 0))
+            return false;
+    }
+    return true;
+}
+
+//! A name that stays one word list on one line.
+QByteArray cleanName(const QString &name, const char *fallback)
+{
+    const QByteArray clean = name.simplified().toUtf8();
+    return clean.isEmpty() ? QByteArray(fallback) : clean;
+}
+
+//! Names of the objects; objects that share a name would be joined on reading, so they get numbers.
+std::vector<QByteArray> objectNames(const Scene &scene)
+{
+    std::set<QByteArray> used;
+    std::vector<QByteArray> names;
+    for (const QString &name : scene.objectNames) {
+        const QByteArray wanted = cleanName(name, "object");
+        QByteArray unique = wanted;
+        for (int i = 2; !used.insert(unique).second; ++i)
+            unique = wanted + '.' + QByteArray::number(i);
+        names.push_back(unique);
+    }
+    return names;
+}
+
+void appendPositions(QByteArray &out, const MeshData &mesh)
+{
+    char text[40];
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        out.append('v');
+        for (int k = 0; k < 3; ++k) {
+            out.append(' ');
+            out.append(text, std::to_chars(text, text + sizeof text, mesh.positions(v, k)).ptr - text);
+        }
+        out.append('\n');
+    }
+}
+
+QByteArray plainObj(const Scene &scene)
+{
+    const MeshData &mesh = *scene.mesh;
+    const UvMatrix uv = activeUv(scene);
+    const std::vector<int> shared = sharedUvCorners(mesh, uv);
+    QByteArray out;
+    appendPositions(out, mesh);
+    std::vector<int> index(shared.size(), 0);
+    int next = 1;
+    for (int c = 0; c < mesh.cornerCount(); ++c) {
+        if (shared[c] != c)
+            continue;
+        index[c] = next++;
+        appendTextureVertex(out, uv(c, 0), uv(c, 1));
+        out.append('\n');
+    }
+    const std::vector<QByteArray> names = objectNames(scene);
+    int object = -1;
+    int material = -1;
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        if (mesh.faceObject[f] != object) {
+            object = mesh.faceObject[f];
+            if (object >= 0 && object < std::ssize(names))
+                out.append("o ").append(names[object]).append('\n');
+        }
+        if (f < std::ssize(scene.faceMaterial) && scene.faceMaterial[f] != material) {
+            material = scene.faceMaterial[f];
+            out.append("usemtl ");
+            out.append(material >= 0 ? cleanName(scene.materialNames[material], "material") : QByteArray());
+            out.append('\n');
+        }
+        out.append('f');
+        for (int c = mesh.faceStart[f]; c < mesh.faceStart[f + 1]; ++c) {
+            out.append(' ').append(QByteArray::number(mesh.cornerVertex[c] + 1));
+            if (shared[c] >= 0)
+                out.append('/').append(QByteArray::number(index[shared[c]]));
+        }
+        out.append('\n');
+    }
+    return out;
+}
+
+} // namespace
+
+QByteArray objBytes(const Scene &scene)
+{
+    const auto *source = dynamic_cast<const ObjSource *>(scene.source.get());
+    if (!source || std::ssize(source->cornerTextureVertex) != scene.mesh->cornerCount())
+        return plainObj(scene);
+    const UvMatrix uv = activeUv(scene);
+    return sameUv(*source, uv) ? source->bytes : rewriteObj(*source, *scene.mesh, uv);
+}
+
+Result<Done> writeObj(const Scene &scene, const QString &path)
+{
+    return saveAtomically(path, objBytes(scene));
+}
+
+} // namespace autocuts

@@ -1,0 +1,89 @@
+#include "model/io/savefile.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#ifdef Q_OS_UNIX
+#include <cerrno>
+#include <unistd.h>
+#endif
+
+namespace autocuts {
+
+namespace {
+
+//! Makes a late "disk full" of a delayed write visible. QSaveFile syncs as well but ignores the outcome.
+bool reachesDisk([[maybe_unused]] int handle)
+{
+#ifdef Q_OS_UNIX
+    // Some file systems cannot sync (EINVAL, EROFS); only a lost write is an error.
+    return fsync(handle) == 0 || (errno != EIO && errno != ENOSPC && errno != EDQUOT);
+#else
+    return true;
+#endif
+}
+
+Error writeError(const QString &path, const QSaveFile &file)
+{
+    return {QStringLiteral("the file cannot be written (%1)").arg(file.errorString()), path, 0,
+            QStringLiteral("Check the permissions and the free space of the folder, or choose another one")};
+}
+
+} // namespace
+
+Result<Done> saveAtomically(const QString &path, QByteArrayView bytes)
+{
+    const QFileInfo target(path);
+    if (path.isEmpty() || target.isDir())
+        return Error{QStringLiteral("this is a folder, not a file"), path, 0,
+                     QStringLiteral("Add a file name to the path")};
+    if (target.exists() && !target.isFile())
+        return Error{QStringLiteral("this is not a regular file and cannot be replaced"), path, 0,
+                     QStringLiteral("Choose another file name")};
+    if (!target.absoluteDir().exists())
+        return Error{QStringLiteral("the folder %1 does not exist").arg(target.absolutePath()), path, 0,
+                     QStringLiteral("Create the folder or choose another one")};
+
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return writeError(path, file);
+    // The buffer must be flushed here: commit() does not notice when its own flush fails.
+    const bool written = file.write(bytes.data(), bytes.size()) == bytes.size() && file.flush();
+    if (!written || !reachesDisk(file.handle())) {
+        const Error error = writeError(path, file);
+        file.cancelWriting();
+        file.commit();
+        return error;
+    }
+    if (!file.commit())
+        return writeError(path, file);
+    return Done{};
+}
+
+Result<QByteArray> loadFile(const QString &path, qint64 limit)
+{
+    const QFileInfo info(path);
+    if (!info.exists())
+        return Error{QStringLiteral("there is no such file"), path, 0, QStringLiteral("Check the path")};
+    if (info.isDir())
+        return Error{QStringLiteral("this is a folder, not a file"), path, 0,
+                     QStringLiteral("Name a file in it")};
+    if (!info.isFile())
+        return Error{QStringLiteral("this is not a regular file"), path, 0,
+                     QStringLiteral("Copy its content to a file first")};
+    if (info.size() > limit)
+        return Error{QStringLiteral("the file has %1 bytes, the limit is %2").arg(info.size()).arg(limit),
+                     path, 0, QStringLiteral("Split the model into several files")};
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return Error{QStringLiteral("the file cannot be read (%1)").arg(file.errorString()), path, 0,
+                     QStringLiteral("Check its permissions")};
+    QByteArray bytes = file.readAll();
+    if (file.error() != QFileDevice::NoError || bytes.size() < info.size())
+        return Error{QStringLiteral("reading the file failed (%1)").arg(file.errorString()), path, 0,
+                     QStringLiteral("Check the disk and try again")};
+    return bytes;
+}
+
+} // namespace autocuts
