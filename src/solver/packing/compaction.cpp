@@ -5,7 +5,7 @@
 namespace autocuts {
 
 Compaction::Compaction(const PackProblem &problem, Layout layout)
-    : mProblem(&problem), mLayout(std::move(layout)), mBodies(problem.count()), mMoved(problem.count(), 0)
+    : mProblem(&problem), mLayout(std::move(layout)), mBodies(problem.count())
 {
     const double side = std::sqrt(problem.size().x() * problem.size().y());
     mTarget = 1.002 * problem.gutter + 1e-6 * side;
@@ -34,10 +34,8 @@ void Compaction::refresh(int body)
 void Compaction::grow(double factor)
 {
     mLayout.scale *= factor;
-    for (int i = 0; i < mProblem->count(); ++i) {
+    for (int i = 0; i < mProblem->count(); ++i)
         refresh(i);
-        mMoved[i] += mBodies[i].reach * (factor - 1);
-    }
 }
 
 void Compaction::collectContacts(WorkMeter &work)
@@ -69,8 +67,7 @@ void Compaction::collectContacts(WorkMeter &work)
         }
         refresh(i);
     }
-    std::fill(mMoved.begin(), mMoved.end(), 0);
-    mStale = false;
+    mCollected = mLayout;
     work.add(60 * static_cast<double>(edges.size()) + 15.0 * grid.entryCount() + 8 * tests + grid.cellCount());
 }
 
@@ -78,9 +75,7 @@ void Compaction::move(int body, const Vec2 &arm, const Vec2 &impulse)
 {
     Body &b = mBodies[body];
     Pose &pose = mLayout.poses[body];
-    const Vec2 shift = b.inverseMass * impulse;
-    pose.position += shift;
-    double moved = std::abs(shift.x()) + std::abs(shift.y());
+    pose.position += b.inverseMass * impulse;
     const double turn = std::clamp(b.inverseInertia * (arm.x() * impulse.y() - arm.y() * impulse.x()), -0.1, 0.1);
     if (turn != 0) {
         const double inverse = 1 / std::sqrt(1 + turn * turn);
@@ -88,10 +83,23 @@ void Compaction::move(int body, const Vec2 &arm, const Vec2 &impulse)
         b.s = (b.s + turn * b.c) * inverse;
         b.c = c;
         pose.angle += std::atan(turn);
-        moved += b.reach * std::abs(turn);
     }
-    mMoved[body] += moved;
-    mStale = mStale || 2 * mMoved[body] > mReach - mTarget;
+}
+
+bool Compaction::contactsAreStale() const
+{
+    if (mCollected.poses.empty())
+        return true;
+    const double growth = std::abs(mLayout.scale - mCollected.scale);
+    for (int i = 0; i < mProblem->count(); ++i) {
+        const Pose &now = mLayout.poses[i], &then = mCollected.poses[i];
+        const double moved = (now.position - then.position).norm() +
+                             mBodies[i].reach * std::abs(now.angle - then.angle) +
+                             growth * mProblem->outlines[i].radius;
+        if (2 * moved > mReach - mTarget)
+            return true;
+    }
+    return false;
 }
 
 bool Compaction::push(const Contact &contact)
@@ -136,7 +144,9 @@ bool Compaction::pushFromWalls(int body)
             if (sign * (position[axis] - wall) >= reach)
                 continue;
             const Body &b = mBodies[body];
-            double deepest = 0;
+            // Pushed a little beyond the wall, for the same reason as mTarget.
+            const double inset = 0.5 * (mTarget - mProblem->gutter);
+            double deepest = -inset;
             Vec2 arm = Vec2::Zero();
             for (const Vec2 &p : mProblem->outlines[body].hull) {
                 const Vec2 q(b.c * p.x() - b.s * p.y(), b.s * p.x() + b.c * p.y());
@@ -146,15 +156,14 @@ bool Compaction::pushFromWalls(int body)
                     arm = q;
                 }
             }
-            if (deepest <= 0)
+            if (deepest <= -inset)
                 continue;
             Vec2 n = Vec2::Zero();
             n[axis] = sign;
             const double turn = arm.x() * n.y() - arm.y() * n.x();
             const double give = b.inverseMass + b.inverseInertia * turn * turn;
-            // Beyond the wall by a little, for the same reason as mTarget.
-            move(body, arm, n * ((deepest + 0.25 * (mTarget - mProblem->gutter)) / give));
-            pushed = true;
+            move(body, arm, n * ((deepest + inset) / give));
+            pushed = pushed || deepest > 0;
         }
     }
     return pushed;
@@ -170,14 +179,14 @@ bool Compaction::resolve(int sweeps, WorkMeter &work)
             if (mProblem->movable(i))
                 pushed = pushFromWalls(i) || pushed;
         }
-        if (mStale)
+        if (contactsAreStale())
             collectContacts(work);
         // There and back, so that pushes travel both ways.
         const std::size_t count = mContacts.size();
         for (std::size_t k = 0; k < count; ++k)
             pushed = push(mContacts[sweep % 2 == 0 ? k : count - 1 - k]) || pushed;
         work.add(9 * static_cast<double>(count) + 6.0 * mProblem->count());
-        if (!pushed && !mStale)
+        if (!pushed && !contactsAreStale())
             return true;
     }
     return false;

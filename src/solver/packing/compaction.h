@@ -35,6 +35,7 @@ private:
 
     void refresh(int body);
     void collectContacts(WorkMeter &work);
+    bool contactsAreStale() const;
     bool push(const Contact &contact);
     bool pushFromWalls(int body);
     void move(int body, const Vec2 &arm, const Vec2 &impulse);
@@ -42,11 +43,10 @@ private:
     const PackProblem *mProblem;
     Layout mLayout;
     std::vector<Body> mBodies;
-    std::vector<double> mMoved;    //!< since the contacts were collected
+    Layout mCollected;      //!< where everything was when the contacts were collected; no poses before
     std::vector<Contact> mContacts;
-    double mTarget;                //!< a little more than the gutter, so that pushing comes to an end
-    double mReach;                 //!< how far away a contact is collected
-    bool mStale = true;
+    double mTarget;    //!< a little more than the gutter, so that pushing comes to an end
+    double mReach;     //!< how far away a contact is collected
 };
 
 //! Grows the scale in small steps as long as the pushes succeed and the layout passes the exact test.

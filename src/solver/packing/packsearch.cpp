@@ -1,6 +1,7 @@
 #include "solver/packing/packsearch.h"
 
 #include "solver/packing/compaction.h"
+#include "solver/packing/separation.h"
 
 #include <algorithm>
 #include <numbers>
@@ -126,6 +127,7 @@ void PackSearch::climbLadder(BottomLeft &packer, double guess, double budget, Wo
     bool first = true;
     while (!work.cancelled() && (work.spentSeconds() < stopAt || highestSuccess < -(1 << 19))) {
         const std::optional<Layout> layout = construct(packer, scaleAt(rung), first, work);
+        fprintf(stderr,"rung %d ok %d reached %.3f spent %.3f\n",rung,(bool)layout,packer.reached(),work.spentSeconds());
         if (layout) {
             accept(*layout);
             highestSuccess = rung;
@@ -152,9 +154,52 @@ void PackSearch::maximizeScale(WorkMeter &work, double effort)
     const RasterChoice raster = chooseRaster(static_cast<int>(mMovable.size()), effort);
     BottomLeft packer(mProblem, raster.resolution, raster.angles);
     const double guess = std::max(scaleForCover(mProblem, 0.8), mBest.scale * ladderStep);
-    climbLadder(packer, guess, 0.5 * effort, work);
+    climbLadder(packer, guess, 0.3 * effort, work);
+    fprintf(stderr,"before %g %g R %d K %d\n",mBest.scale,work.spentSeconds(),raster.resolution,raster.angles);
     if (!work.cancelled() && mBest.scale > 0)
         mBest = compactLayout(mProblem, mBest, 0.003, work);
+    fprintf(stderr,"after %g %g\n",mBest.scale,work.spentSeconds());
+    if (mProblem.count() <= 450 && !work.stop() && mBest.scale > 0)
+        separateAndGrow(work);
+}
+
+std::optional<Layout> PackSearch::separate(Separation &separation, const Layout &layout, int passes,
+                                           WorkMeter &work)
+{
+    separation.start(layout);
+    double tried = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < passes && !work.stop(); ++k) {
+        separation.pass(mRandom, work);
+        if (separation.deepest() > 0.8 * mProblem.gutter || separation.overlap() > 0.9 * tried)
+            continue;
+        // What is left is shallow enough for pushes to see which way is out.
+        tried = separation.overlap();
+        Compaction bodies(mProblem, separation.layout());
+        if (bodies.resolve(60, work) && isValidLayout(mProblem, bodies.layout(), work)) {
+            fprintf(stderr, "  separated after %d passes\n", k + 1);
+            return bodies.layout();
+        }
+    }
+    fprintf(stderr, "  failed, overlap %g deepest %g\n", separation.overlap()*1024, separation.deepest()*1024);
+    return std::nullopt;
+}
+
+void PackSearch::separateAndGrow(WorkMeter &work)
+{
+    Separation separation(mProblem, mBest.scale, work);
+    fprintf(stderr,"built %g\n",work.spentSeconds());
+    double growth = 0.015;
+    while (!work.stop()) {
+        Layout larger = mBest;
+        larger.scale *= 1 + growth;
+        const std::optional<Layout> found = separate(separation, larger, 60, work);
+        if (found) {
+            accept(compactLayout(mProblem, *found, 0.003, work));
+        } else {
+            growth = std::max(0.6 * growth, 0.003);
+        }
+        fprintf(stderr, "scale %g spent %g growth %g\n",mBest.scale,work.spentSeconds(),growth);
+    }
 }
 
 void PackSearch::fitScale(double scale, WorkMeter &work, double effort)

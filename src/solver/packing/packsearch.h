@@ -9,6 +9,8 @@
 
 namespace autocuts {
 
+class Separation;
+
 //! One start of the search. Keeps the best layout that has passed the exact test.
 class PackSearch
 {
@@ -28,6 +30,9 @@ private:
     //! A valid layout at this scale by the constructive step, or nothing.
     std::optional<Layout> construct(BottomLeft &packer, double scale, bool first, WorkMeter &work);
     void climbLadder(BottomLeft &packer, double guess, double budget, WorkMeter &work);
+    //! Looks for a valid layout near this one, which may overlap.
+    std::optional<Layout> separate(Separation &separation, const Layout &layout, int passes, WorkMeter &work);
+    void separateAndGrow(WorkMeter &work);
     bool accept(const Layout &layout);
 
     const PackProblem &mProblem;

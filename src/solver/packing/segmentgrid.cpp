@@ -42,9 +42,9 @@ template <class Visit> void SegmentGrid::visitCells(const PlacedEdge &edge, doub
             if (r + 1 < mRows)
                 t1 = std::clamp((mLower.y() + (r + 1) / mInverse + reach - a.y()) / rise + 1e-9, 0.0, 1.0);
         }
-        const auto [x0, x1] = std::minmax(a.x() + t0 * (b.x() - a.x()), a.x() + t1 * (b.x() - a.x()));
-        const int lastColumn = column(x1 + reach);
-        for (int c = column(x0 - reach); c <= lastColumn; ++c)
+        const double x0 = a.x() + t0 * (b.x() - a.x()), x1 = a.x() + t1 * (b.x() - a.x());
+        const int lastColumn = column(std::max(x0, x1) + reach);
+        for (int c = column(std::min(x0, x1) - reach); c <= lastColumn; ++c)
             visit(r * mColumns + c);
     }
 }
