@@ -1,0 +1,138 @@
+#include "solver/packing/bottomleft.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace autocuts {
+
+namespace {
+
+double pixelSize(const PackProblem &problem, int resolution)
+{
+    // The gutter's part of the bin counts, else a bin that is all margin would have no pixel.
+    const Vec2 size = problem.size() + Vec2::Constant(problem.gutter);
+    constexpr double longestSide = 4000;
+    return std::max(std::sqrt(size.x() * size.y()) / resolution, std::max(size.x(), size.y()) / longestSide);
+}
+
+BinRaster makeBin(const PackProblem &problem, double pixel)
+{
+    const Vec2 size = (problem.size() + Vec2::Constant(problem.gutter)) / pixel;
+    return BinRaster(static_cast<int>(std::ceil(size.x())), static_cast<int>(std::ceil(size.y())));
+}
+
+//! Above this many islands a search from the first row for each of them costs too much.
+constexpr int manyIslands = 1500;
+
+} // namespace
+
+BottomLeft::BottomLeft(const PackProblem &problem, int resolution, int angles)
+    : mProblem(problem), mAngles(angles), mPixel(pixelSize(problem, resolution)),
+      mHalfGutter(0.5 * problem.gutter / mPixel), mBin(makeBin(problem, mPixel)), mRasters(problem.count())
+{
+}
+
+const std::vector<ItemRaster> &BottomLeft::rasters(int island, WorkMeter &work)
+{
+    std::vector<ItemRaster> &items = mRasters[island];
+    if (!items.empty())
+        return items;
+    const Outline &outline = mProblem.outlines[island];
+    const bool isFree = mProblem.rotation == PackRotation::Free;
+    const int count = isFree ? mAngles : mProblem.rotation == PackRotation::Quarter ? 4 : 1;
+    const double base = isFree ? outline.boxAngle : 0;
+    for (int k = 0; k < count; ++k) {
+        const double angle = base + 2 * std::numbers::pi * k / count;
+        const Vec2 box = rotatedBox(outline.hull, angle) * mScale;
+        if (box.x() <= mProblem.size().x() && box.y() <= mProblem.size().y())
+            items.push_back(
+                rasterizeOutline(outline, angle, mScale / mPixel, mHalfGutter, mSafety, work));
+    }
+    return items;
+}
+
+std::optional<BottomLeft::Place> BottomLeft::findPlace(const std::vector<ItemRaster> &items, int firstRow,
+                                                       double blend, WorkMeter &work) const
+{
+    const Vec2 size = mProblem.size() / mPixel;
+    const auto offset = [&](const ItemRaster &item) {
+        return (1 - blend) * item.size.y() + blend * item.centroidRow;
+    };
+    std::optional<Place> best;
+    for (const ItemRaster &item : items) {
+        const int lastX = static_cast<int>(size.x() - item.size.x() + 1e-9);
+        const int lastY = static_cast<int>(size.y() - item.size.y() + 1e-9);
+        const double own = offset(item);
+        for (int y = firstRow; y <= lastY; ++y) {
+            if (best && y + own >= best->score)
+                break;
+            const int x = mBin.firstFree(item, y, lastX, work);
+            if (x >= 0) {
+                best = Place{&item, x, y, y + own + 1e-3 * x / size.x()};
+                break;
+            }
+        }
+    }
+    return best;
+}
+
+void BottomLeft::occupyLocked(WorkMeter &work)
+{
+    for (int i = 0; i < mProblem.count(); ++i) {
+        const Outline &outline = mProblem.outlines[i];
+        if (!mProblem.locked[i] || outline.points.empty())
+            continue;
+        const Box2 bin{mProblem.lower, mProblem.upper};
+        const double reach = mProblem.unit * outline.radius;
+        const Vec2 centre = mProblem.given[i].position;
+        if (!bin.near({centre - Vec2::Constant(reach), centre + Vec2::Constant(reach)}, mProblem.gutter))
+            continue;
+        // A locked island does not sit on the pixels' raster: its own half pixel comes on top.
+        const ItemRaster item = rasterizeOutline(outline, 0, std::min(mProblem.unit / mPixel, 1e4 / outline.radius),
+                                                 mHalfGutter, mSafety + 0.71, work);
+        const Vec2 corner = (centre - mProblem.lower) / mPixel + item.low;
+        mBin.occupyClipped(item, static_cast<int>(std::floor(corner.x() + 0.5)),
+                           static_cast<int>(std::floor(corner.y() + 0.5)));
+    }
+}
+
+std::optional<Layout> BottomLeft::pack(double scale, const std::vector<int> &order, double blend, double safety,
+                                       WorkMeter &work)
+{
+    mReached = 0;
+    if (scale != mScale || safety != mSafety) {
+        mScale = scale;
+        mSafety = safety;
+        for (auto &items : mRasters)
+            items.clear();
+    }
+    mBin.clear();
+    occupyLocked(work);
+    Layout layout{scale, mProblem.given};
+    // Rows below which nothing of a size was found lately; used only when there are many islands.
+    int firstRow = 0;
+    double lastRadius = 0;
+    int placed = 0;
+    for (const int island : order) {
+        if (work.cancelled())
+            return std::nullopt;
+        const std::vector<ItemRaster> &items = rasters(island, work);
+        const double radius = mProblem.outlines[island].radius;
+        if (static_cast<int>(order.size()) < manyIslands || radius < 0.9 * lastRadius || radius > 1.1 * lastRadius) {
+            firstRow = 0;
+            lastRadius = radius;
+        }
+        const std::optional<Place> place = findPlace(items, firstRow, blend, work);
+        if (!place)
+            return std::nullopt;
+        firstRow = std::max(firstRow, place->y - 2);
+        mBin.occupy(*place->item, place->x, place->y);
+        work.add(100 + 15.0 * place->item->rows * (mBin.width() / 64 + 1));
+        layout.poses[island] = {place->item->angle,
+                                mProblem.lower + (Vec2(place->x, place->y) - place->item->low) * mPixel};
+        mReached = static_cast<double>(++placed) / static_cast<double>(order.size());
+    }
+    return layout;
+}
+
+} // namespace autocuts

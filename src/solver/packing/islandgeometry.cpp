@@ -1,0 +1,160 @@
+#include "solver/packing/islandgeometry.h"
+
+#include "solver/packing/layout.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace autocuts {
+
+namespace {
+
+bool isLocked(const std::vector<bool> &locked, int chart)
+{
+    return !locked.empty() && locked[chart];
+}
+
+//! Numbers the distinct (vertex, UV) pairs of every chart; the number of each corner, -1 without a chart.
+std::vector<int> collectPoints(const MeshData &mesh, const UvMatrix &uv, const std::vector<int> &cornerChart,
+                               std::vector<PackIsland> &islands)
+{
+    std::vector<int> order;
+    for (int c = 0; c < mesh.cornerCount(); ++c) {
+        if (cornerChart[c] >= 0)
+            order.push_back(c);
+    }
+    const auto key = [&](int c) {
+        return std::tuple(cornerChart[c], mesh.vertexWeld[mesh.cornerVertex[c]], uv(c, 0), uv(c, 1));
+    };
+    std::sort(order.begin(), order.end(), [&](int a, int b) {
+        const auto ka = key(a), kb = key(b);
+        return ka < kb || (ka == kb && a < b);
+    });
+    std::vector<int> point(mesh.cornerCount(), -1);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        auto &points = islands[cornerChart[order[i]]].points;
+        if (i == 0 || key(order[i]) != key(order[i - 1]))
+            points.push_back(uv.row(order[i]).transpose());
+        point[order[i]] = static_cast<int>(points.size()) - 1;
+    }
+    return point;
+}
+
+//! Sides of faces that no other face of the chart shares.
+void collectBoundary(const MeshData &mesh, const std::vector<int> &faceChart, const std::vector<int> &point,
+                     std::vector<PackIsland> &islands)
+{
+    std::vector<std::array<int, 3>> sides;    // chart, lower point, higher point
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        if (faceChart[f] < 0)
+            continue;
+        const int start = mesh.faceStart[f], end = mesh.faceStart[f + 1];
+        for (int c = start; c < end; ++c) {
+            const auto [low, high] = std::minmax(point[c], point[c + 1 < end ? c + 1 : start]);
+            sides.push_back({faceChart[f], low, high});
+        }
+    }
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
+        while (j < sides.size() && sides[j] == sides[i])
+            ++j;
+        if (j == i + 1)
+            islands[sides[i][0]].boundary.push_back({sides[i][1], sides[i][2]});
+    }
+}
+
+struct ChartSize
+{
+    double uvArea = 0, area = 0;
+    Box2 box;
+};
+
+std::vector<ChartSize> measureCharts(const MeshData &mesh, const ChartMap &charts, const UvMatrix &uv)
+{
+    std::vector<ChartSize> sizes(charts.count);
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const int chart = charts.faceChart[mesh.triangleFace[t]];
+        if (chart < 0)
+            continue;
+        std::array<Vec2, 3> p;
+        for (int k = 0; k < 3; ++k) {
+            p[k] = uv.row(mesh.triangles[t][k]).transpose();
+            sizes[chart].box.add(p[k]);
+        }
+        sizes[chart].uvArea += 0.5 * std::abs(cross2(p[0], p[1], p[2]));
+        sizes[chart].area += mesh.triangleArea[t];
+    }
+    return sizes;
+}
+
+} // namespace
+
+std::vector<PackIsland> makePackIslands(const MeshData &mesh, const UvMatrix &uv, const ChartMap &charts,
+                                        const std::vector<bool> &locked)
+{
+    std::vector<PackIsland> islands(charts.count);
+    std::vector<int> cornerChart(mesh.cornerCount(), -1);
+    for (int f = 0; f < mesh.faceCount(); ++f)
+        std::fill(cornerChart.begin() + mesh.faceStart[f], cornerChart.begin() + mesh.faceStart[f + 1],
+                  charts.faceChart[f]);
+    const std::vector<int> point = collectPoints(mesh, uv, cornerChart, islands);
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const int chart = charts.faceChart[mesh.triangleFace[t]];
+        const auto &c = mesh.triangles[t];
+        if (chart >= 0)
+            islands[chart].triangles.push_back({point[c[0]], point[c[1]], point[c[2]]});
+    }
+    collectBoundary(mesh, charts.faceChart, point, islands);
+    for (int i = 0; i < charts.count; ++i)
+        islands[i].locked = isLocked(locked, i);
+    return islands;
+}
+
+void applyPlacements(const PackResult &result, const MeshData &mesh, const ChartMap &charts, UvMatrix &uv,
+                     const std::vector<bool> &locked)
+{
+    if (!result.complete)
+        return;
+    std::vector<Turn> turns;
+    for (const PackPlacement &placement : result.placements)
+        turns.emplace_back(placement.angle, result.scale);
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        const int chart = charts.faceChart[f];
+        if (chart < 0 || isLocked(locked, chart))
+            continue;
+        for (int c = mesh.faceStart[f]; c < mesh.faceStart[f + 1]; ++c) {
+            const Vec2 p = uv.row(c).transpose();
+            uv.row(c) = (turns[chart](p) + result.placements[chart].translation).transpose();
+        }
+    }
+}
+
+void equalizeTexelDensity(const MeshData &mesh, const ChartMap &charts, UvMatrix &uv,
+                          const std::vector<bool> &locked)
+{
+    const std::vector<ChartSize> sizes = measureCharts(mesh, charts, uv);
+    const auto usable = [&](int i) { return sizes[i].uvArea > 0 && sizes[i].area > 0; };
+    double uvArea = 0, area = 0;
+    bool anyLocked = false;
+    for (int i = 0; i < charts.count; ++i)
+        anyLocked = anyLocked || (isLocked(locked, i) && usable(i));
+    for (int i = 0; i < charts.count; ++i) {
+        if (usable(i) && (!anyLocked || isLocked(locked, i))) {
+            uvArea += sizes[i].uvArea;
+            area += sizes[i].area;
+        }
+    }
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        const int chart = charts.faceChart[f];
+        if (chart < 0 || !usable(chart) || isLocked(locked, chart))
+            continue;
+        const double factor = std::sqrt(uvArea / area * sizes[chart].area / sizes[chart].uvArea);
+        const Vec2 middle = 0.5 * (sizes[chart].box.lower + sizes[chart].box.upper);
+        for (int c = mesh.faceStart[f]; c < mesh.faceStart[f + 1]; ++c) {
+            const Vec2 p = uv.row(c).transpose();
+            uv.row(c) = (middle + factor * (p - middle)).transpose();
+        }
+    }
+}
+
+} // namespace autocuts

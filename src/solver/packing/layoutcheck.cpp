@@ -1,0 +1,144 @@
+#include "solver/packing/layoutcheck.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace autocuts {
+
+namespace {
+
+bool insideBin(const PackProblem &problem, const Layout &layout)
+{
+    // Rounding only: the problem's bin is a little smaller than the user's.
+    const Vec2 slack = 1e-12 * (problem.lower.cwiseAbs() + problem.upper.cwiseAbs());
+    const Vec2 lower = problem.lower - slack, upper = problem.upper + slack;
+    for (int i = 0; i < problem.count(); ++i) {
+        if (!problem.movable(i))
+            continue;
+        const Pose &pose = layout.poses[i];
+        const Turn turn(pose.angle, layout.scale);
+        for (const Vec2 &p : problem.outlines[i].hull) {
+            const Vec2 q = turn(p) + pose.position;
+            // Written so that NaN fails.
+            if (!(q.x() >= lower.x() && q.y() >= lower.y() && q.x() <= upper.x() && q.y() <= upper.y()))
+                return false;
+        }
+    }
+    return true;
+}
+
+bool edgesKeepDistance(const PlacedEdge &p, const PlacedEdge &q, double gutter)
+{
+    if (std::max(p.a.x(), p.b.x()) + gutter <= std::min(q.a.x(), q.b.x()) ||
+        std::max(q.a.x(), q.b.x()) + gutter <= std::min(p.a.x(), p.b.x()) ||
+        std::max(p.a.y(), p.b.y()) + gutter <= std::min(q.a.y(), q.b.y()) ||
+        std::max(q.a.y(), q.b.y()) + gutter <= std::min(p.a.y(), p.b.y()))
+        return true;
+    const double limit = gutter * gutter;
+    return pointSegmentSquared(p.a, q.a, q.b) >= limit && pointSegmentSquared(p.b, q.a, q.b) >= limit &&
+           pointSegmentSquared(q.a, p.a, p.b) >= limit && pointSegmentSquared(q.b, p.a, p.b) >= limit &&
+           !segmentsCross(p.a, p.b, q.a, q.b);
+}
+
+bool cellKeepsDistance(const PackProblem &problem, const std::vector<PlacedEdge> &edges, const int *begin,
+                       const int *end, double &tests)
+{
+    if (begin == end || edges[*begin].island == edges[end[-1]].island)
+        return true;
+    const int *group = begin;
+    for (const int *i = begin; i != end; ++i) {
+        if (edges[*i].island != edges[*group].island)
+            group = i;
+        const bool isLocked = problem.locked[edges[*i].island];
+        for (const int *j = begin; j != group; ++j) {
+            if (isLocked && problem.locked[edges[*j].island])
+                continue;
+            if (!edgesKeepDistance(edges[*i], edges[*j], problem.gutter))
+                return false;
+        }
+        tests += static_cast<double>(group - begin);
+    }
+    return true;
+}
+
+//! \pre the edges of different islands keep their distance: then a component is inside or outside as a whole
+bool nothingContained(const PackProblem &problem, const Layout &layout, const std::vector<Box2> &boxes,
+                      double &tests)
+{
+    const auto contains = [&](int outer, int inner) {
+        const Turn turn(layout.poses[inner].angle, problem.scaleOf(inner, layout.scale));
+        const double outerScale = problem.scaleOf(outer, layout.scale);
+        const Turn back(layout.poses[outer].angle, 1 / outerScale);
+        for (const int point : problem.outlines[inner].componentPoints) {
+            const Vec2 p = turn(problem.outlines[inner].points[point]) + layout.poses[inner].position;
+            tests += 4;
+            if (problem.outlines[outer].windingAt(back.transposed(p - layout.poses[outer].position)) != 0)
+                return true;
+        }
+        return false;
+    };
+    std::vector<int> order;
+    for (int i = 0; i < problem.count(); ++i) {
+        if (!problem.outlines[i].points.empty())
+            order.push_back(i);
+    }
+    std::sort(order.begin(), order.end(), [&](int i, int j) {
+        const double a = boxes[i].lower.x(), b = boxes[j].lower.x();
+        return a < b || (a == b && i < j);
+    });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        for (std::size_t j = i + 1; j < order.size(); ++j) {
+            const int a = order[i], b = order[j];
+            if (boxes[b].lower.x() > boxes[a].upper.x())
+                break;
+            tests += 0.2;
+            if ((problem.locked[a] && problem.locked[b]) || !boxes[a].near(boxes[b], 0))
+                continue;
+            if (contains(a, b) || contains(b, a))
+                return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+std::vector<PlacedEdge> placedEdges(const PackProblem &problem, const Layout &layout)
+{
+    std::vector<PlacedEdge> edges;
+    std::size_t count = 0;
+    for (const Outline &outline : problem.outlines)
+        count += outline.edges.size();
+    edges.reserve(count);
+    std::vector<Vec2> points;
+    for (int i = 0; i < problem.count(); ++i) {
+        placePoints(problem.outlines[i], layout.poses[i], problem.scaleOf(i, layout.scale), points);
+        for (const Outline::Edge &e : problem.outlines[i].edges)
+            edges.push_back({points[e.a], points[e.b], i});
+    }
+    return edges;
+}
+
+bool isValidLayout(const PackProblem &problem, const Layout &layout, WorkMeter &work)
+{
+    if (!(layout.scale > 0) || !insideBin(problem, layout))
+        return false;
+    const std::vector<PlacedEdge> edges = placedEdges(problem, layout);
+    const SegmentGrid grid(edges, problem.lower, problem.upper, 0.5 * problem.gutter);
+    double tests = 0;
+    bool valid = true;
+    for (int c = 0; c < grid.cellCount() && valid; ++c)
+        valid = cellKeepsDistance(problem, edges, grid.begin(c), grid.end(c), tests);
+    if (valid) {
+        std::vector<Box2> boxes(problem.count());
+        for (const PlacedEdge &e : edges) {
+            boxes[e.island].add(e.a);
+            boxes[e.island].add(e.b);
+        }
+        valid = nothingContained(problem, layout, boxes, tests);
+    }
+    work.add(12 * tests + 40 * static_cast<double>(edges.size()) + 10.0 * grid.entryCount() + grid.cellCount());
+    return valid;
+}
+
+} // namespace autocuts

@@ -1,0 +1,175 @@
+#include "solver/packing/packing.h"
+
+#include "solver/packing/packsearch.h"
+#include "solver/packing/shelves.h"
+#include "solver/packing/singleisland.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace autocuts {
+
+namespace {
+
+void checkSettings(const PackSettings &settings)
+{
+    const Vec2 size = settings.upper - settings.lower;
+    if (!isUsablePoint(settings.lower) || !isUsablePoint(settings.upper) || !(size.minCoeff() > 0))
+        throw std::invalid_argument("packing: the bin is empty or not finite");
+    if (settings.textureSize <= 0 || !(settings.margin >= 0) || !(settings.margin < 1e100) ||
+        !(std::abs(settings.border) < 1e100) || !(settings.effort >= 0))
+        throw std::invalid_argument("packing: margin, border, texture size and effort must be finite and not negative");
+}
+
+//! The unit in which outlines are of the order of the bin: the root of the whole area.
+double chooseUnit(const std::vector<PackIsland> &islands)
+{
+    double area = 0, extent = 0;
+    for (const PackIsland &island : islands) {
+        area += islandArea(island);
+        Box2 box;
+        for (const Vec2 &p : island.points) {
+            if (isUsablePoint(p))
+                box.add(p);
+        }
+        if (box.lower.x() <= box.upper.x())
+            extent = std::max(extent, (box.upper - box.lower).maxCoeff());
+    }
+    const double unit = std::max(std::sqrt(area), 1e-3 * extent);
+    return unit > 1e-150 ? unit : 1;
+}
+
+PackProblem makeProblem(const std::vector<PackIsland> &islands, const PackSettings &settings)
+{
+    PackProblem problem;
+    problem.unit = chooseUnit(islands);
+    problem.rotation = settings.rotation;
+    const double texel = 1.0 / settings.textureSize;
+    const Vec2 size = settings.upper - settings.lower;
+    // What single precision and text files round away.
+    const double rounding =
+        1e-7 * std::max(size.maxCoeff(), settings.lower.cwiseAbs().cwiseMax(settings.upper.cwiseAbs()).maxCoeff());
+    problem.gutter = settings.margin * texel + 2 * rounding;
+    const double border = (settings.border >= 0 ? settings.border : 0.5 * settings.margin) * texel + rounding;
+    problem.lower = settings.lower + Vec2::Constant(border);
+    problem.upper = settings.upper - Vec2::Constant(border);
+    for (const PackIsland &island : islands) {
+        problem.outlines.push_back(makeOutline(island, problem.unit));
+        problem.locked.push_back(island.locked);
+        problem.given.push_back({0, problem.outlines.back().centre});
+    }
+    return problem;
+}
+
+//! Shelves at the largest scale that a bisection finds. Scale 0 when there is none.
+Layout largestShelves(const PackProblem &problem, WorkMeter &work)
+{
+    double largest = 0;
+    for (int i = 0; i < problem.count(); ++i) {
+        if (problem.movable(i))
+            largest = std::max(largest, problem.outlines[i].radius);
+    }
+    Layout best{0, problem.given};
+    // Islands that are all points look the same at any scale: keep them.
+    double high = largest > 0 ? problem.size().norm() / largest : problem.unit;
+    double low = 0;
+    for (int k = 0; k < 64 && low == 0 && !work.cancelled(); ++k) {
+        const double scale = std::ldexp(high, -k);
+        const std::optional<Layout> layout = packShelves(problem, scale, work);
+        if (layout && isValidLayout(problem, *layout, work)) {
+            best = *layout;
+            low = scale;
+            high = k == 0 ? scale : 2 * scale;
+        }
+    }
+    for (int k = 0; k < 10 && low > 0 && low < high && !work.cancelled(); ++k) {
+        const double middle = std::sqrt(low * high);
+        const std::optional<Layout> layout = packShelves(problem, middle, work);
+        if (layout && isValidLayout(problem, *layout, work)) {
+            best = *layout;
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return best;
+}
+
+Layout solve(const PackProblem &problem, const PackSettings &settings, WorkMeter &work)
+{
+    Layout none{0, problem.given};
+    if (settings.keepScale) {
+        if (const std::optional<Layout> shelves = packShelves(problem, problem.unit, work);
+            shelves && isValidLayout(problem, *shelves, work))
+            return *shelves;
+        PackSearch search(problem, none, settings.seed);
+        search.fitScale(problem.unit, work, settings.effort);
+        return search.best();
+    }
+    if (const std::optional<Layout> single = fitSingleIsland(problem, work))
+        return *single;
+    const Layout shelves = largestShelves(problem, work);
+    bool anyExtent = false;
+    for (int i = 0; i < problem.count(); ++i)
+        anyExtent = anyExtent || (problem.movable(i) && problem.outlines[i].radius > 0);
+    if (!anyExtent && shelves.scale > 0)
+        return shelves;
+    PackSearch search(problem, shelves, settings.seed);
+    search.maximizeScale(work, settings.effort);
+    return search.best();
+}
+
+double efficiency(const PackProblem &problem, const PackSettings &settings, double scale)
+{
+    double area = 0;
+    const Box2 bin{settings.lower, settings.upper};
+    for (int i = 0; i < problem.count(); ++i) {
+        const double reach = problem.unit * problem.outlines[i].radius;
+        const Vec2 &centre = problem.given[i].position;
+        // Locked islands outside the bin cover nothing of it.
+        if (!problem.locked[i] ||
+            bin.near({centre - Vec2::Constant(reach), centre + Vec2::Constant(reach)}, 0))
+            area += problem.outlines[i].area * std::pow(problem.scaleOf(i, scale), 2);
+    }
+    return area / (settings.upper - settings.lower).prod();
+}
+
+} // namespace
+
+PackResult packIslands(const std::vector<PackIsland> &islands, const PackSettings &settings,
+                       const std::atomic<bool> *cancel, const std::function<void(double)> &progress)
+{
+    checkSettings(settings);
+    const PackProblem problem = makeProblem(islands, settings);
+    PackResult result;
+    result.placements.resize(islands.size());
+    bool anyMovable = false;
+    for (int i = 0; i < problem.count(); ++i)
+        anyMovable = anyMovable || problem.movable(i);
+    if (!anyMovable) {
+        result.complete = true;
+        result.efficiency = efficiency(problem, settings, problem.unit);
+        return result;
+    }
+    WorkMeter work(settings.effort, cancel, progress);
+    const Layout layout = (problem.size().array() > 0).all() ? solve(problem, settings, work)
+                                                             : Layout{0, problem.given};
+    result.complete = layout.scale > 0;
+    const double scale = result.complete ? layout.scale : problem.unit;
+    result.scale = result.complete && !settings.keepScale ? scale / problem.unit : 1;
+    result.efficiency = efficiency(problem, settings, scale);
+    for (int i = 0; i < problem.count() && result.complete; ++i) {
+        if (!problem.movable(i))
+            continue;
+        const Pose &pose = layout.poses[i];
+        result.placements[i].angle = pose.angle;
+        result.placements[i].translation =
+            pose.position - Turn(pose.angle, result.scale)(problem.outlines[i].centre);
+    }
+    if (progress)
+        progress(1);
+    return result;
+}
+
+} // namespace autocuts

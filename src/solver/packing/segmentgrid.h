@@ -1,0 +1,60 @@
+// Uniform grid over the edges of a layout.
+#pragma once
+
+#include "solver/packing/layout.h"
+
+namespace autocuts {
+
+//! An edge of an island where the layout puts it.
+struct PlacedEdge
+{
+    Vec2 a, b;
+    int island;
+};
+
+//! Cells that list the edges that come within `reach` of them. Edges and points outside the grid belong to
+//! the cells of its border.
+class SegmentGrid
+{
+public:
+    //! \pre edges are sorted by island, so that the entries of a cell are too
+    SegmentGrid(const std::vector<PlacedEdge> &edges, const Vec2 &lower, const Vec2 &upper, double reach);
+
+    int cellCount() const { return mColumns * mRows; }
+    int cellOf(const Vec2 &p) const { return row(p.y()) * mColumns + column(p.x()); }
+    //! Indices of edges.
+    const int *begin(int cell) const { return mEntries.data() + mStart[cell]; }
+    const int *end(int cell) const { return mEntries.data() + mStart[cell + 1]; }
+    int entryCount() const { return static_cast<int>(mEntries.size()); }
+
+private:
+    int column(double x) const { return clampedCell((x - mLower.x()) * mInverse, mColumns); }
+    int row(double y) const { return clampedCell((y - mLower.y()) * mInverse, mRows); }
+    static int clampedCell(double cell, int count)
+    {
+        return cell < 1 ? 0 : cell < count ? static_cast<int>(cell) : count - 1;
+    }
+    template <class Visit> void visitCells(const PlacedEdge &edge, double reach, Visit visit) const;
+
+    Vec2 mLower;
+    double mInverse = 1;
+    int mColumns = 1, mRows = 1;
+    std::vector<int> mStart, mEntries;
+};
+
+//! Squared distance of p to the segment a, b.
+inline double pointSegmentSquared(const Vec2 &p, const Vec2 &a, const Vec2 &b)
+{
+    const Vec2 d = b - a, q = p - a;
+    const double length = d.squaredNorm();
+    const double t = length > 0 ? std::min(1.0, std::max(0.0, q.dot(d) / length)) : 0;
+    return (q - t * d).squaredNorm();
+}
+
+//! True when the open segments cross properly.
+inline bool segmentsCross(const Vec2 &a, const Vec2 &b, const Vec2 &c, const Vec2 &d)
+{
+    return (cross2(a, b, c) > 0) != (cross2(a, b, d) > 0) && (cross2(c, d, a) > 0) != (cross2(c, d, b) > 0);
+}
+
+} // namespace autocuts

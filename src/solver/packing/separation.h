@@ -1,0 +1,73 @@
+// Guided local search: islands may overlap for a while and are moved to where they overlap least.
+#pragma once
+
+#include "solver/packing/distancefield.h"
+#include "solver/packing/splitmix.h"
+
+namespace autocuts {
+
+//! Overlap of two islands = sum, over sample points of either, of how deep they are inside the other one grown
+//! by the gutter. Every pair has a weight that grows while the pair overlaps, so that the search leaves
+//! local minima (Umetani et al. 2009; Gardeyn and Wauters 2025).
+class Separation
+{
+public:
+    //! \param scale near which the search will work
+    Separation(const PackProblem &problem, double scale, WorkMeter &work);
+
+    //! Takes this layout as the state of the search and forgets the weights.
+    void start(const Layout &layout);
+    //! Moves every overlapping island once, then raises the weights of the pairs that still overlap.
+    void pass(SplitMix &random, WorkMeter &work);
+
+    const Layout &layout() const { return mLayout; }
+    double overlap() const { return mTotal; }        //!< sum over all pairs, UV units
+    double deepest() const { return mDeepest; }      //!< largest depth of a sample point, UV units
+
+private:
+    //! Sample points that lie near each other.
+    struct Cluster
+    {
+        Vec2 centre;
+        double radius;
+        int begin, end;
+    };
+    struct Body
+    {
+        DistanceField field;
+        std::vector<Vec2> samples;
+        std::vector<Cluster> clusters;
+    };
+    //! Cost of a pose with its derivatives.
+    struct Evaluation
+    {
+        double cost = 0;
+        Vec2 byPosition = Vec2::Zero();
+        double byAngle = 0;
+    };
+    struct Depth
+    {
+        double sum = 0, deepest = 0;
+    };
+
+    Depth pairDepth(int i, const Pose &pose, int j, double *operations) const;
+    Depth oneWay(int points, const Pose &pointsPose, int field, const Pose &fieldPose, double *operations,
+                 Evaluation *evaluation, double weight, bool fieldMoves) const;
+    double cost(int body, const Pose &pose, double limit, WorkMeter &work) const;
+    Evaluation evaluate(int body, const Pose &pose, WorkMeter &work) const;
+    double descend(int body, Pose &pose, double cost, int steps, WorkMeter &work) const;
+    bool confine(int body, Pose &pose) const;
+    Pose randomPose(int body, SplitMix &random) const;
+    void moveBody(int body, SplitMix &random, WorkMeter &work);
+    void updateRow(int body, WorkMeter &work);
+    void updateTotals();
+    std::size_t index(int i, int j) const { return static_cast<std::size_t>(i) * mProblem.count() + j; }
+
+    const PackProblem &mProblem;
+    Layout mLayout;
+    std::vector<Body> mBodies;
+    std::vector<float> mWeights, mOverlap, mDepth;    //!< symmetric, one entry per pair of islands
+    double mTotal = 0, mDeepest = 0;
+};
+
+} // namespace autocuts

@@ -1,0 +1,15 @@
+// Shelves of boxes: the layout that always works.
+#pragma once
+
+#include "solver/packing/layout.h"
+#include "solver/packing/workmeter.h"
+
+#include <optional>
+
+namespace autocuts {
+
+//! Boxes in rows, tallest first, around the boxes of locked islands. Distances hold by construction.
+//! \return nothing when they do not fit at this scale
+std::optional<Layout> packShelves(const PackProblem &problem, double scale, WorkMeter &work);
+
+} // namespace autocuts
