@@ -5,9 +5,20 @@
 
 namespace autocuts {
 
-double Snapshot::scale() const
+UvMatrix startUvFromCorners(const MeshData &mesh, const UvMatrix &uv)
 {
-    return std::sqrt(std::numbers::pi / mesh->area);
+    UvMatrix soup(mesh.soupCornerCount(), 2);
+    for (int c = 0; c < mesh.soupCornerCount(); ++c)
+        soup.row(c) = uv.row(mesh.cornerOfSoup(c));
+    double area = 0;
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const double twice = cross2(soup.row(3 * t), soup.row(3 * t + 1), soup.row(3 * t + 2));
+        if (std::isfinite(twice))
+            area += 0.5 * std::abs(twice);
+    }
+    if (area > 0 && std::isfinite(area))
+        soup *= std::sqrt(std::numbers::pi / area);
+    return soup;
 }
 
 } // namespace autocuts

@@ -33,8 +33,7 @@ struct UvRectangle
     bool operator==(const UvRectangle &) const = default;
 };
 
-//! Everything a solve depends on. Const once built. Units: the solver scales the mesh so that its area is pi
-//! (scale() below); pins, rectangles and start UVs are in those units.
+//! Everything a solve depends on. Const once built. Units: the solver scales the mesh so that its area is pi; pins, rectangles and start UVs are in those units.
 struct Snapshot
 {
     std::shared_ptr<const MeshData> mesh;
@@ -47,8 +46,11 @@ struct Snapshot
     std::uint64_t topologyRevision = 0;  //!< changes with the mesh and with what is cut
     std::uint64_t settingsRevision = 0;  //!< changes with everything else
 
-    //! Factor from the mesh's units to the solver's, where the area of the mesh is pi.
-    double scale() const;
 };
+
+//! Start UVs for StartMode::ExistingUv: the corners' UVs, scaled so that their area is pi like the mesh's.
+//! \param uv one row per corner, any scale; rows that are not finite stay so
+//! \returns one row per soup corner
+UvMatrix startUvFromCorners(const MeshData &mesh, const UvMatrix &uv);
 
 } // namespace autocuts

@@ -1,0 +1,37 @@
+// The options of the command line program.
+#pragma once
+
+#include "model/result.h"
+#include "model/solvesettings.h"
+#include "solver/pipeline.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace autocuts {
+
+//! What `autocuts-cli` was asked to do.
+struct CliOptions
+{
+    enum class Command { Help, Version, Unwrap, Pack, Separate, Check, Convert, Sample };
+
+    Command command = Command::Help;
+    QString input;         //!< file; for Sample its name
+    QString output;        //!< -o
+    SolveSettings settings;
+    UnwrapOptions unwrap;
+    bool keepScale = false;
+    QString layout;        //!< .png or .svg, empty for none
+    QString report;        //!< .json, empty for none
+    bool json = false;     //!< check: figures as JSON
+    double timeLimit = 0;  //!< wall seconds, 0 for none
+    bool quiet = false;
+};
+
+//! Reads the arguments after the program's name. An Error is a mistake in the usage (exit code 2).
+Result<CliOptions> parseCommandLine(const QStringList &arguments);
+
+//! The text of --help.
+QString usageText();
+
+} // namespace autocuts
