@@ -61,7 +61,7 @@ QByteArray withoutUvs(const QByteArray &bytes)
             for (char c : line) {
                 if (c == '/')
                     ++slashes;
-                else if (c == ' ' || c == '\t')
+                else if (c == ' ' || c == '\t' || c == '\r')
                     slashes = 0;
                 if (slashes != 1)
                     stripped += c == '/' ? '|' : c;
@@ -252,7 +252,6 @@ void TestObjIo::changedUvsChangeOnlyUvLines()
         // What is written between the lines that may differ is the same.
         scene.uvSets.clear();
         QVERIFY(!objBytes(scene).contains("vt"));
-        again.mesh->validate();
         Scene stripped = again;
         stripped.uvSets.clear();
         QCOMPARE(objBytes(stripped), objBytes(scene));
@@ -604,6 +603,7 @@ void TestObjIo::mutatedFilesNeverCrash()
         if (!scene)
             continue;
         ++valid;
+        QCOMPARE(QString::fromStdString(scene->mesh->validate()), QString());
         QVERIFY(objBytes(scene.value()) == bytes);
         setNewUvs(scene.value());
         const Result<Scene> again = parseObj(objBytes(scene.value()), QString());

@@ -159,9 +159,8 @@ ExportScene::ExportScene(const Scene &scene, const ExportOptions &options)
         makePlain(scene);
 }
 
-void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
+void ExportScene::borrow(const aiScene &from)
 {
-    const aiScene &from = *source.scene;
     mBorrowed = true;
     mScene->mNumMaterials = from.mNumMaterials;
     mScene->mMaterials = from.mMaterials;
@@ -177,6 +176,12 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
     mScene->mLights = from.mLights;
     mScene->mNumCameras = from.mNumCameras;
     mScene->mCameras = from.mCameras;
+}
+
+void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
+{
+    const aiScene &from = *source.scene;
+    borrow(from);
     if (from.mMetaData)
         mScene->mMetaData = new aiMetadata(*from.mMetaData);
 

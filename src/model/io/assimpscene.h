@@ -62,6 +62,7 @@ public:
     const aiScene *get() const { return mScene; }
 
 private:
+    void borrow(const aiScene &from);
     void takeFromSource(const Scene &scene, const AssimpSource &source);
     void makePlain(const Scene &scene);
 

@@ -20,6 +20,17 @@ bool isContinuation(std::string_view text, std::size_t at)
     return text[at] == '\\' && at + 1 < text.size() && (text[at + 1] == '\n' || text[at + 1] == '\r');
 }
 
+std::string_view firstWord(std::string_view line)
+{
+    std::size_t first = 0;
+    while (first < line.size() && isBlank(line[first]))
+        ++first;
+    std::size_t last = first;
+    while (last < line.size() && !isBlank(line[last]) && line[last] != '\\')
+        ++last;
+    return line.substr(first, last - first);
+}
+
 ObjStatement statementOf(std::string_view keyword)
 {
     if (keyword == "v")
@@ -85,15 +96,8 @@ bool ObjScanner::next()
         }
         ++mPhysicalLines;
         const std::string_view physical = mBytes.substr(physicalBegin, contentEnd - physicalBegin);
-        if (physicalBegin == begin) {
-            std::size_t first = 0;
-            while (first < physical.size() && isBlank(physical[first]))
-                ++first;
-            std::size_t last = first;
-            while (last < physical.size() && !isBlank(physical[last]) && physical[last] != '\\')
-                ++last;
-            keyword = physical.substr(first, last - first);
-        }
+        if (physicalBegin == begin)
+            keyword = firstWord(physical);
         std::size_t tail = physical.size();
         if (tail > 0 && physical[tail - 1] == '\r')
             --tail;
