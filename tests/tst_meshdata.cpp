@@ -335,7 +335,7 @@ private Q_SLOTS:
         QCOMPARE(report.polygons, 5);
         QCOMPARE(report.duplicateFaces, 1);
         QCOMPARE(report.degenerateTriangles, 2);
-        QCOMPARE(report.windingEdges, 3);    // one of the flipped face, two of the duplicated one
+        QCOMPARE(report.windingEdges, 3); // one of the flipped face, two of the duplicated one
         QCOMPARE(report.nonManifoldEdges, 3);
         QVERIFY(report.distanceFromOrigin > 80000);
     }

@@ -69,7 +69,7 @@ std::vector<std::pair<const Side *, int>> joinAgreeing(const Side *first, const 
                                                        double tolerance, UnionFind &faces, UnionFind &corners,
                                                        const std::vector<bool> &faceHasUv)
 {
-    const auto agree = [&](int a, int b) { return (uv.row(a) - uv.row(b)).norm() <= tolerance; };
+    const auto agree = [&](int a, int b) { return (uv.row(a) - uv.row(b)).stableNorm() <= tolerance; };
     std::vector<std::pair<const Side *, int>> groups;
     for (const Side *side = first; side != last; ++side) {
         if (!faceHasUv[side->face])

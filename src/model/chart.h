@@ -44,7 +44,7 @@ struct UvTopology
     std::vector<WeldedEdge> weldedEdges;
     Vec2 boxLow, boxHigh;                    //!< box of all UVs in use; low > high when there are none
 
-    double boxDiagonal() const { return boxHigh.x() >= boxLow.x() ? (boxHigh - boxLow).norm() : 0; }
+    double boxDiagonal() const { return boxHigh.x() >= boxLow.x() ? (boxHigh - boxLow).stableNorm() : 0; }
 };
 
 //! \param uv one row per corner; a non-finite row means that the corner has no UV

@@ -26,8 +26,8 @@ MeshPtr sphere(int rings, int segments);
 //! Torus of quads.
 MeshPtr torus(int major, int minor);
 
-//! Triangles and quads with everything wrong at once, far from the origin: a non-manifold edge of four faces, a
-//! duplicated and a flipped face, two degenerate triangles, an isolated vertex and a double of a vertex.
+//! Triangles and quads with everything wrong at once, far from the origin: a non-manifold edge of four faces,
+//! a duplicated and a flipped face, two degenerate triangles, an isolated vertex and a double of a vertex.
 MeshPtr dirty();
 
 //! Where the real meshes are: $AUTOCUTS_MESHES or ../shared/meshes beside the checkout; empty when absent.
