@@ -68,7 +68,8 @@ std::vector<OverlapPair> bruteForce(const UvMatrix &uv, double minArea)
 bool samePairs(const std::vector<OverlapPair> &a, const std::vector<OverlapPair> &b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const OverlapPair &p, const OverlapPair &q) {
-        return p.first == q.first && p.second == q.second && std::abs(p.area - q.area) <= 1e-13 + 1e-12 * q.area;
+        return p.first == q.first && p.second == q.second &&
+               std::abs(p.area - q.area) <= 1e-13 + 1e-12 * q.area;
     });
 }
 
@@ -136,20 +137,30 @@ struct Map
 std::vector<Map> overlappingMaps()
 {
     const double pi = std::numbers::pi;
-    const auto polar = [](double radius, double angle) { return Vec2(radius * std::cos(angle), radius * std::sin(angle)); };
+    const auto polar = [](double radius, double angle) {
+        return Vec2(radius * std::cos(angle), radius * std::sin(angle));
+    };
     std::vector<Map> maps;
-    const auto add = [&](const char *name, const test::MeshPtr &mesh, const std::function<Vec2(const Vec3 &)> &map,
-                         int mostCharts) { maps.push_back({name, mesh, mapped(*mesh, map), mostCharts}); };
-    add("spiral", strip(120, 3, false), along([=](double s) { return polar(1 + 0.6 * s, 6 * pi * s); }, 0.3), 6);
-    add("spiral of quads", strip(120, 3, true), along([=](double s) { return polar(1 + 0.6 * s, 6 * pi * s); }, 0.3),
+    const auto add = [&](const char *name, const test::MeshPtr &mesh,
+                         const std::function<Vec2(const Vec3 &)> &map, int mostCharts) {
+        maps.push_back({name, mesh, mapped(*mesh, map), mostCharts});
+    };
+    add("spiral", strip(120, 3, false), along([=](double s) { return polar(1 + 0.6 * s, 6 * pi * s); }, 0.3),
         6);
+    add("spiral of quads", strip(120, 3, true),
+        along([=](double s) { return polar(1 + 0.6 * s, 6 * pi * s); }, 0.3), 6);
     add("crossing loop", strip(80, 2, false),
-        along([=](double s) { return Vec2(std::sin(1.9 * pi * s + 0.3), std::sin(3.8 * pi * s + 0.6)); }, 0.08), 3);
-    add("folded back", strip(40, 2, true), along([=](double s) { return polar(1 + 0.1 * s, 2.4 * pi * s); }, 0.2), 3);
+        along([=](double s) { return Vec2(std::sin(1.9 * pi * s + 0.3), std::sin(3.8 * pi * s + 0.6)); },
+              0.08),
+        3);
+    add("folded back", strip(40, 2, true),
+        along([=](double s) { return polar(1 + 0.1 * s, 2.4 * pi * s); }, 0.2), 3);
     add("stacked layers", strip(96, 2, true), along([=](double s) { return polar(1, 8 * pi * s); }, 0.3), 5);
-    add("lid over itself", strip(30, 6, false), along([=](double s) { return polar(1, 1.97 * pi * s); }, 0.999), 1);
+    add("lid over itself", strip(30, 6, false),
+        along([=](double s) { return polar(1, 1.97 * pi * s); }, 0.999), 1);
     // The end of the strip lies inside its beginning, chart-in-chart.
-    add("tail in the head", strip(60, 4, false),
+    add(
+        "tail in the head", strip(60, 4, false),
         [=](const Vec3 &p) {
             const double width = p.x() < 0.3 ? 0.5 : 0.1;
             return Vec2(along([=](double s) { return polar(1, 2.2 * pi * s); }, width)(p));
@@ -253,10 +264,17 @@ private Q_SLOTS:
                     std::swap(t[0], t[1]);
                 }
                 break;
-            case 2: t[2] = t[0]; break;
-            case 3: t[2] = 0.5 * (t[0] + t[1]); break;
-            case 4: t[1] = Vec2(std::numeric_limits<double>::quiet_NaN(), 0); break;
-            default: break;
+            case 2:
+                t[2] = t[0];
+                break;
+            case 3:
+                t[2] = 0.5 * (t[0] + t[1]);
+                break;
+            case 4:
+                t[1] = Vec2(std::numeric_limits<double>::quiet_NaN(), 0);
+                break;
+            default:
+                break;
             }
             list.push_back(t);
         }
@@ -296,7 +314,8 @@ private Q_SLOTS:
         UvMatrix corner(mesh->cornerCount(), 2);
         std::vector<Vec2> place(mesh->vertexCount());
         for (int v = 0; v < mesh->vertexCount(); ++v)
-            place[v] = mesh->positions.row(v).head<2>().transpose() * 0.7 + Vec2(random.unit(), random.unit()) * 0.005;
+            place[v] = mesh->positions.row(v).head<2>().transpose() * 0.7 +
+                       Vec2(random.unit(), random.unit()) * 0.005;
         for (int c = 0; c < mesh->cornerCount(); ++c)
             corner.row(c) = place[mesh->cornerVertex[c]].transpose();
         OverlapOptions options;
@@ -308,7 +327,9 @@ private Q_SLOTS:
     {
         // Many exactly and nearly collinear points.
         const auto mesh = test::grid(30);
-        const UvMatrix corner = mapped(*mesh, [](const Vec3 &p) { return Vec2(0.6 * p.x() - 0.3 * p.y() + 0.1, 0.3 * p.x() + 0.6 * p.y()); });
+        const UvMatrix corner = mapped(*mesh, [](const Vec3 &p) {
+            return Vec2(0.6 * p.x() - 0.3 * p.y() + 0.1, 0.3 * p.x() + 0.6 * p.y());
+        });
         QCOMPARE(findOverlaps(test::soupUv(*mesh, corner)).pairs.size(), std::size_t(0));
     }
 
@@ -328,7 +349,8 @@ private Q_SLOTS:
     {
         QFETCH(double, depth);
         QFETCH(int, pairs);
-        const UvMatrix uv = triangles({{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}, {Vec2(1, depth), Vec2(0, depth), Vec2(0.5, -1)}});
+        const UvMatrix uv = triangles(
+            {{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}, {Vec2(1, depth), Vec2(0, depth), Vec2(0.5, -1)}});
         QCOMPARE(findOverlaps(uv).pairs.size(), std::size_t(pairs));
     }
 
@@ -336,11 +358,11 @@ private Q_SLOTS:
     {
         const std::array<Vec2, 3> t{Vec2(0, 0), Vec2(3, 0), Vec2(0, 3)};
         const UvMatrix uv = triangles({t,
-                                       t,                                              // the same again
-                                       {t[1], t[2], t[0]},                             // turned
-                                       {t[0], t[2], t[1]},                             // mirrored
-                                       {Vec2(0.5, 0.5), Vec2(1, 0.5), Vec2(0.5, 1)},   // inside
-                                       {Vec2(10, 10), Vec2(11, 10), Vec2(10, 11)}});   // elsewhere
+                                       t,                                            // the same again
+                                       {t[1], t[2], t[0]},                           // turned
+                                       {t[0], t[2], t[1]},                           // mirrored
+                                       {Vec2(0.5, 0.5), Vec2(1, 0.5), Vec2(0.5, 1)}, // inside
+                                       {Vec2(10, 10), Vec2(11, 10), Vec2(10, 11)}}); // elsewhere
         const OverlapList list = findOverlaps(uv);
         QCOMPARE(list.pairs.size(), std::size_t(10));
         for (const OverlapPair &pair : list.pairs)
@@ -351,7 +373,8 @@ private Q_SLOTS:
 
     void stopsWhenAsked()
     {
-        const UvMatrix uv = triangles(std::vector<std::array<Vec2, 3>>(100, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}));
+        const UvMatrix uv =
+            triangles(std::vector<std::array<Vec2, 3>>(100, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}));
         OverlapOptions options;
         options.maxPairs = 10;
         QCOMPARE(findOverlaps(uv, options).complete, false);
@@ -395,7 +418,8 @@ private Q_SLOTS:
             for (const auto &[a, b, capacity] : edges)
                 cost += flow.sourceSide()[a] != flow.sourceSide()[b] ? capacity : 0;
             QCOMPARE(cost, best);
-            QVERIFY(flow.sourceSide()[0] && flow.sourceSide()[1] && !flow.sourceSide()[7] && !flow.sourceSide()[8]);
+            QVERIFY(flow.sourceSide()[0] && flow.sourceSide()[1] && !flow.sourceSide()[7] &&
+                    !flow.sourceSide()[8]);
         }
     }
 
@@ -421,7 +445,8 @@ private Q_SLOTS:
             if (inside(pair.triangle[0]) == inside(pair.triangle[1]))
                 continue;
             std::vector<int> larger = region;
-            const int face = mesh.triangleFace[inside(pair.triangle[0]) ? pair.triangle[1] : pair.triangle[0]];
+            const int face =
+                mesh.triangleFace[inside(pair.triangle[0]) ? pair.triangle[1] : pair.triangle[0]];
             for (int t = 0; t < mesh.triangleCount(); ++t) {
                 if (mesh.triangleFace[t] == face)
                     larger.push_back(t);
@@ -451,7 +476,8 @@ private Q_SLOTS:
             const SeparationResult result = separateOverlaps(mesh, soup, before, {}, options);
             QVERIFY(result.complete);
             QCOMPARE(result.unresolvedPairs, 0);
-            QCOMPARE(result.overlapPairs, std::int64_t(overlapsInCharts(mesh, soup, before, options.minAreaRatio)));
+            QCOMPARE(result.overlapPairs,
+                     std::int64_t(overlapsInCharts(mesh, soup, before, options.minAreaRatio)));
             QCOMPARE(overlapsInCharts(mesh, soup, result.cut, options.minAreaRatio), 0);
             double length = 0;
             for (std::size_t p = 0; p < result.cut.size(); ++p) {
@@ -471,11 +497,14 @@ private Q_SLOTS:
     {
         // Two and a half turns over a band two quads wide: one straight cut per turn is enough.
         const auto mesh = strip(60, 2, true);
-        const UvMatrix uv = mapped(*mesh, along([](double s) {
-            return Vec2(std::cos(5 * std::numbers::pi * s), std::sin(5 * std::numbers::pi * s));
-        }, 0.3));
-        const SeparationResult result =
-            separateOverlaps(*mesh, test::soupUv(*mesh, uv), std::vector<bool>(mesh->edgePairs.size(), false), {});
+        const UvMatrix uv = mapped(*mesh, along(
+                                              [](double s) {
+                                                  return Vec2(std::cos(5 * std::numbers::pi * s),
+                                                              std::sin(5 * std::numbers::pi * s));
+                                              },
+                                              0.3));
+        const SeparationResult result = separateOverlaps(
+            *mesh, test::soupUv(*mesh, uv), std::vector<bool>(mesh->edgePairs.size(), false), {});
         QCOMPARE(chartCount(*mesh, result.cut), 3);
         QCOMPARE(result.newSeams, 4);
         QVERIFY(std::abs(result.newSeamLength - 4) < 1e-12);
@@ -485,9 +514,12 @@ private Q_SLOTS:
     {
         // Two turns: a straight cut anywhere near the middle will do; only one place is cheap.
         const auto mesh = strip(48, 2, true);
-        const UvMatrix uv = mapped(*mesh, along([](double s) {
-            return Vec2(std::cos(3 * std::numbers::pi * s), std::sin(3 * std::numbers::pi * s));
-        }, 0.3));
+        const UvMatrix uv = mapped(*mesh, along(
+                                              [](double s) {
+                                                  return Vec2(std::cos(3 * std::numbers::pi * s),
+                                                              std::sin(3 * std::numbers::pi * s));
+                                              },
+                                              0.3));
         SeparationOptions options;
         options.pairWeight.assign(mesh->edgePairs.size(), 1.0);
         const double place = 22.0 / 48;
@@ -538,10 +570,11 @@ private Q_SLOTS:
     void cleanMapsAndStackedIslandsStay()
     {
         // Two separate squares with the same UVs overlap, but they are different charts already.
-        const auto two = test::polygonMesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                                            {3, 0, 0}, {4, 0, 0}, {4, 1, 0}, {3, 1, 0}},
-                                           {{0, 1, 2, 3}, {4, 5, 6, 7}});
-        const UvMatrix uv = mapped(*two, [](const Vec3 &p) { return Vec2(p.x() > 2 ? p.x() - 3 : p.x(), p.y()); });
+        const auto two = test::polygonMesh(
+            {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {3, 0, 0}, {4, 0, 0}, {4, 1, 0}, {3, 1, 0}},
+            {{0, 1, 2, 3}, {4, 5, 6, 7}});
+        const UvMatrix uv =
+            mapped(*two, [](const Vec3 &p) { return Vec2(p.x() > 2 ? p.x() - 3 : p.x(), p.y()); });
         const UvMatrix soup = test::soupUv(*two, uv);
         QCOMPARE(findOverlaps(soup).pairs.size(), std::size_t(2));
         const std::vector<bool> cut(two->edgePairs.size(), false);
@@ -580,7 +613,8 @@ private Q_SLOTS:
             QSKIP("no meshes: set AUTOCUTS_MESHES");
         const test::ObjUv obj = test::readObjUv(folder + "/" + file.toStdString());
         const MeshData &mesh = *obj.mesh;
-        const UvMatrix uv = mapped(mesh, [](const Vec3 &p) { return Vec2(p.x() + 0.1 * p.z(), p.y() - 0.07 * p.z()); });
+        const UvMatrix uv =
+            mapped(mesh, [](const Vec3 &p) { return Vec2(p.x() + 0.1 * p.z(), p.y() - 0.07 * p.z()); });
         const UvMatrix soup = test::soupUv(mesh, uv);
         for (const auto method : {SeparationMethod::MinCut, SeparationMethod::Greedy}) {
             SeparationOptions options;

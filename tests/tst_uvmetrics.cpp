@@ -28,8 +28,7 @@ bool same(double actual, double expected, double tolerance = 1e-9)
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 const std::string squareUv = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
-const std::string cubePoints =
-    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
+const std::string cubePoints = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
 
 UvMetrics measure(const std::string &text, int textureSize = 1024)
 {
@@ -70,95 +69,156 @@ std::vector<Case> cases()
     const double root2 = std::sqrt(2.0);
     const double pi = std::numbers::pi;
     std::vector<Case> list;
-    list.push_back({"square", square + squareUv + "f 1/1 2/2 3/3 4/4\n",
-                    {{FIGURE(triangles), 2}, {FIGURE(charts), 1}, {FIGURE(flipped), 0}, {FIGURE(seamEdges), 0},
-                     {FIGURE(boundaryEdges), 4}, {FIGURE(nonDiskCharts), 0}},
-                    {{FIGURE(symDirichlet), 4}, {FIGURE(symDirichletMax), 4}, {FIGURE(l2Stretch), 1},
-                     {FIGURE(packingUnit), 1}, {FIGURE(packingBox), 1}, {FIGURE(overlapAreaRatio), 0},
-                     {FIGURE(minGutter), missing}, {FIGURE(borderGutter), 0}, {FIGURE(boundaryLength), 4}}});
+    list.push_back({"square",
+                    square + squareUv + "f 1/1 2/2 3/3 4/4\n",
+                    {{FIGURE(triangles), 2},
+                     {FIGURE(charts), 1},
+                     {FIGURE(flipped), 0},
+                     {FIGURE(seamEdges), 0},
+                     {FIGURE(boundaryEdges), 4},
+                     {FIGURE(nonDiskCharts), 0}},
+                    {{FIGURE(symDirichlet), 4},
+                     {FIGURE(symDirichletMax), 4},
+                     {FIGURE(l2Stretch), 1},
+                     {FIGURE(packingUnit), 1},
+                     {FIGURE(packingBox), 1},
+                     {FIGURE(overlapAreaRatio), 0},
+                     {FIGURE(minGutter), missing},
+                     {FIGURE(borderGutter), 0},
+                     {FIGURE(boundaryLength), 4}}});
     list.push_back({"seam along the diagonal",
                     square + squareUv + "vt 2 0\nvt 3 1\nvt 2 1\nf 1/1 2/2 3/3\nf 1/5 3/6 4/7\n",
                     {{FIGURE(charts), 2}, {FIGURE(seamEdges), 1}, {FIGURE(mirroredCharts), 0}},
-                    {{FIGURE(seamLength), root2}, {FIGURE(seamNorm), root2 / std::sqrt(1 / pi)},
-                     {FIGURE(symDirichlet), 4}, {FIGURE(packingUnit), missing}, {FIGURE(minGutter), 1}}});
-    list.push_back({"half-cut edge", square + squareUv + "vt 0.9 1.1\nf 1/1 2/2 3/3\nf 1/1 3/5 4/4\n",
-                    {{FIGURE(charts), 2}}, {{FIGURE(seamLength), root2}}});
+                    {{FIGURE(seamLength), root2},
+                     {FIGURE(seamNorm), root2 / std::sqrt(1 / pi)},
+                     {FIGURE(symDirichlet), 4},
+                     {FIGURE(packingUnit), missing},
+                     {FIGURE(minGutter), 1}}});
+    list.push_back({"half-cut edge",
+                    square + squareUv + "vt 0.9 1.1\nf 1/1 2/2 3/3\nf 1/1 3/5 4/4\n",
+                    {{FIGURE(charts), 2}},
+                    {{FIGURE(seamLength), root2}}});
     const std::string fan = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\n"
                             "vt 0 0\nvt 1 0.1\nvt 0 1\nvt -1 0\nvt 0 -1\nvt 1 -0.1\n"
                             "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\nf 1/1 4/4 5/5\nf 1/1 5/5 2/";
-    list.push_back({"slit", fan + "6\n", {{FIGURE(charts), 1}, {FIGURE(nonDiskCharts), 0}},
+    list.push_back({"slit",
+                    fan + "6\n",
+                    {{FIGURE(charts), 1}, {FIGURE(nonDiskCharts), 0}},
                     {{FIGURE(seamLength), 1}, {FIGURE(overlapAreaRatio), 0}}});
     list.push_back({"fold: one triangle flipped over the other",
                     square + "vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/2\n",
                     {{FIGURE(charts), 1}, {FIGURE(flipped), 1}, {FIGURE(mirroredCharts), 0}},
-                    {{FIGURE(flippedUvAreaRatio), 0.5}, {FIGURE(overlapAreaRatio), 0.5}}, 1});
-    list.push_back({"mirrored chart", square + "vt 0 0\nvt -1 0\nvt -1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n",
-                    {{FIGURE(mirroredCharts), 1}, {FIGURE(flipped), 0}}, {{FIGURE(symDirichlet), 4}}});
+                    {{FIGURE(flippedUvAreaRatio), 0.5}, {FIGURE(overlapAreaRatio), 0.5}},
+                    1});
+    list.push_back({"mirrored chart",
+                    square + "vt 0 0\nvt -1 0\nvt -1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n",
+                    {{FIGURE(mirroredCharts), 1}, {FIGURE(flipped), 0}},
+                    {{FIGURE(symDirichlet), 4}}});
     const std::string twoSquares = square + "v 3 0 0\nv 4 0 0\nv 4 1 0\nv 3 1 0\n" + squareUv;
     list.push_back({"shifted squares",
                     twoSquares + "vt 0.5 0.5\nvt 1.5 0.5\nvt 1.5 1.5\nvt 0.5 1.5\n"
                                  "f 1/1 2/2 3/3 4/4\nf 5/5 6/6 7/7 8/8\n",
-                    {{FIGURE(charts), 2}}, {{FIGURE(overlapAreaRatio), 0.125}, {FIGURE(minGutter), 0}}, 2});
-    list.push_back({"stacked squares", twoSquares + "f 1/1 2/2 3/3 4/4\nf 5/1 6/2 7/3 8/4\n",
-                    {{FIGURE(charts), 2}}, {{FIGURE(overlapAreaRatio), 0.5}, {FIGURE(packingUnit), 2}}, 2});
+                    {{FIGURE(charts), 2}},
+                    {{FIGURE(overlapAreaRatio), 0.125}, {FIGURE(minGutter), 0}},
+                    2});
+    list.push_back({"stacked squares",
+                    twoSquares + "f 1/1 2/2 3/3 4/4\nf 5/1 6/2 7/3 8/4\n",
+                    {{FIGURE(charts), 2}},
+                    {{FIGURE(overlapAreaRatio), 0.5}, {FIGURE(packingUnit), 2}},
+                    2});
     list.push_back({"squares apart",
                     twoSquares + "vt 1.125 0.5\nvt 2.125 0.5\nvt 2.125 1.5\nvt 1.125 1.5\n"
                                  "f 1/1 2/2 3/3 4/4\nf 5/5 6/6 7/7 8/8\n",
-                    {}, {{FIGURE(minGutter), 0.125}, {FIGURE(minGutterTexels), 128}}});
+                    {},
+                    {{FIGURE(minGutter), 0.125}, {FIGURE(minGutterTexels), 128}}});
     list.push_back({"two densities",
                     twoSquares + "vt 2 0\nvt 2.5 0\nvt 2.5 0.5\nvt 2 0.5\n"
                                  "f 1/1 2/2 3/3 4/4\nf 5/5 6/6 7/7 8/8\n",
-                    {}, {{FIGURE(texelDensitySpread), 2}, {FIGURE(symDirichlet), 5},
-                         {FIGURE(l2Stretch), std::sqrt(2.5 * 0.625)}, {FIGURE(angleDistortion), 1},
-                         {FIGURE(areaDistortion), 2.05}}});
-    list.push_back({"stretched by two", square + "vt 0 0\nvt 2 0\nvt 2 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n",
-                    {}, {{FIGURE(symDirichlet), 5}, {FIGURE(symDirichletP99), 5},
-                         {FIGURE(symDirichletScale), std::pow(0.25, 0.25)}, {FIGURE(l2Stretch), std::sqrt(1.25)},
-                         {FIGURE(angleDistortion), 2}, {FIGURE(areaDistortion), 1}}});
-    list.push_back({"sheared", square + "vt 0 0\nvt 1 0\nvt 2 1\nvt 1 1\nf 1/1 2/2 3/3 4/4\n",
-                    {}, {{FIGURE(symDirichlet), 6}, {FIGURE(angleDistortion), (3 + std::sqrt(5.0)) / 2},
-                         {FIGURE(l2Stretch), std::sqrt(1.5)}}});
-    list.push_back({"collapsed triangle", square + squareUv + "f 1/1 2/2 3/3\nf 1/4 3/4 4/4\n",
-                    {{FIGURE(symDirichletInfinite), 1}, {FIGURE(uvDegenerate), 1}, {FIGURE(zeroUvCharts), 1},
+                    {},
+                    {{FIGURE(texelDensitySpread), 2},
+                     {FIGURE(symDirichlet), 5},
+                     {FIGURE(l2Stretch), std::sqrt(2.5 * 0.625)},
+                     {FIGURE(angleDistortion), 1},
+                     {FIGURE(areaDistortion), 2.05}}});
+    list.push_back({"stretched by two",
+                    square + "vt 0 0\nvt 2 0\nvt 2 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n",
+                    {},
+                    {{FIGURE(symDirichlet), 5},
+                     {FIGURE(symDirichletP99), 5},
+                     {FIGURE(symDirichletScale), std::pow(0.25, 0.25)},
+                     {FIGURE(l2Stretch), std::sqrt(1.25)},
+                     {FIGURE(angleDistortion), 2},
+                     {FIGURE(areaDistortion), 1}}});
+    list.push_back({"sheared",
+                    square + "vt 0 0\nvt 1 0\nvt 2 1\nvt 1 1\nf 1/1 2/2 3/3 4/4\n",
+                    {},
+                    {{FIGURE(symDirichlet), 6},
+                     {FIGURE(angleDistortion), (3 + std::sqrt(5.0)) / 2},
+                     {FIGURE(l2Stretch), std::sqrt(1.5)}}});
+    list.push_back({"collapsed triangle",
+                    square + squareUv + "f 1/1 2/2 3/3\nf 1/4 3/4 4/4\n",
+                    {{FIGURE(symDirichletInfinite), 1},
+                     {FIGURE(uvDegenerate), 1},
+                     {FIGURE(zeroUvCharts), 1},
                      {FIGURE(flipped), 0}},
                     {{FIGURE(symDirichletInfiniteAreaRatio), 0.5}, {FIGURE(symDirichlet), 4}}});
-    list.push_back({"missing UVs", square + "vt 0 0\nvt 1 0\nvt nan 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/2 4/4\n",
-                    {{FIGURE(facesWithoutUv), 1}, {FIGURE(charts), 1}, {FIGURE(missingUvEdges), 1},
+    list.push_back({"missing UVs",
+                    square + "vt 0 0\nvt 1 0\nvt nan 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/2 4/4\n",
+                    {{FIGURE(facesWithoutUv), 1},
+                     {FIGURE(charts), 1},
+                     {FIGURE(missingUvEdges), 1},
                      {FIGURE(seamEdges), 0}},
                     {{FIGURE(area3d), 1}, {FIGURE(uvArea), 0.5}}});
-    list.push_back({"no UVs at all", square + "f 1 2 3 4\n", {{FIGURE(facesWithoutUv), 1}, {FIGURE(charts), 0}},
-                    {{FIGURE(symDirichlet), missing}, {FIGURE(packingBox), missing}, {FIGURE(seamLength), 0}}});
-    list.push_back({"empty", "", {{FIGURE(faces), 0}, {FIGURE(triangles), 0}},
-                    {{FIGURE(symDirichlet), missing}, {FIGURE(seamNorm), missing}, {FIGURE(overlapAreaRatio), 0}}});
-    list.push_back({"zero-area triangle",
-                    square + "v 2 0 0\nv 3 0 0\n" + squareUv + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\nf 2/2 5/2 6/2\n",
-                    {{FIGURE(zeroAreaTriangles), 1}, {FIGURE(symDirichletInfinite), 0}},
-                    {{FIGURE(symDirichlet), 4}}});
+    list.push_back(
+        {"no UVs at all",
+         square + "f 1 2 3 4\n",
+         {{FIGURE(facesWithoutUv), 1}, {FIGURE(charts), 0}},
+         {{FIGURE(symDirichlet), missing}, {FIGURE(packingBox), missing}, {FIGURE(seamLength), 0}}});
+    list.push_back(
+        {"empty",
+         "",
+         {{FIGURE(faces), 0}, {FIGURE(triangles), 0}},
+         {{FIGURE(symDirichlet), missing}, {FIGURE(seamNorm), missing}, {FIGURE(overlapAreaRatio), 0}}});
+    list.push_back(
+        {"zero-area triangle",
+         square + "v 2 0 0\nv 3 0 0\n" + squareUv + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\nf 2/2 5/2 6/2\n",
+         {{FIGURE(zeroAreaTriangles), 1}, {FIGURE(symDirichletInfinite), 0}},
+         {{FIGURE(symDirichlet), 4}}});
     list.push_back({"welded by position",
-                    square + "v 0 0 0\nv 1 1 0\nv 0 1 -0\n" + squareUv
-                        + "vt 0 0.000001\nvt 1 1.000001\nvt 0 1\nf 1/1 2/2 3/3\nf 5/5 6/6 7/7\n",
-                    {{FIGURE(weldedVertices), 4}, {FIGURE(charts), 1}}, {{FIGURE(seamLength), 0}}});
+                    square + "v 0 0 0\nv 1 1 0\nv 0 1 -0\n" + squareUv +
+                        "vt 0 0.000001\nvt 1 1.000001\nvt 0 1\nf 1/1 2/2 3/3\nf 5/5 6/6 7/7\n",
+                    {{FIGURE(weldedVertices), 4}, {FIGURE(charts), 1}},
+                    {{FIGURE(seamLength), 0}}});
     list.push_back({"further apart than the tolerance",
                     square + squareUv + "vt 0 0.000003\nvt 1 1.000003\nf 1/1 2/2 3/3\nf 1/5 3/6 4/4\n",
-                    {{FIGURE(charts), 2}}, {{FIGURE(seamLength), root2}}});
-    list.push_back({"three triangles on one edge",
-                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\nvt 0 -1\nvt 2 0\nvt 3 0\n"
-                    "vt 2 1\nf 1/1 2/2 3/3\nf 2/2 1/1 4/4\nf 1/5 2/6 5/7\n",
-                    {{FIGURE(nonManifoldEdges), 1}, {FIGURE(charts), 2}},
-                    {{FIGURE(seamLength), 0}, {FIGURE(nonManifoldSeamLength), 1}}});
-    list.push_back({"concave quad, negative indices",
-                    "v 0 0 0\nv 2 1 0\nv 4 0 0\nv 2 4 0\nvt 0 0\nvt 2 1\nvt 4 0\nvt 2 4\nf -4/-4 -3/-3 -2/-2 -1/-1\n",
-                    {{FIGURE(flipped), 0}}, {{FIGURE(area3d), 6}, {FIGURE(symDirichlet), 4}}});
+                    {{FIGURE(charts), 2}},
+                    {{FIGURE(seamLength), root2}}});
+    list.push_back(
+        {"three triangles on one edge",
+         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\nvt 0 -1\nvt 2 0\nvt 3 0\n"
+         "vt 2 1\nf 1/1 2/2 3/3\nf 2/2 1/1 4/4\nf 1/5 2/6 5/7\n",
+         {{FIGURE(nonManifoldEdges), 1}, {FIGURE(charts), 2}},
+         {{FIGURE(seamLength), 0}, {FIGURE(nonManifoldSeamLength), 1}}});
+    list.push_back(
+        {"concave quad, negative indices",
+         "v 0 0 0\nv 2 1 0\nv 4 0 0\nv 2 4 0\nvt 0 0\nvt 2 1\nvt 4 0\nvt 2 4\nf -4/-4 -3/-3 -2/-2 -1/-1\n",
+         {{FIGURE(flipped), 0}},
+         {{FIGURE(area3d), 6}, {FIGURE(symDirichlet), 4}}});
     list.push_back({"net of a cube",
-                    cubePoints
-                        + "vt 0 1\nvt 1 1\nvt 2 1\nvt 3 1\nvt 4 1\nvt 0 2\nvt 1 2\nvt 2 2\nvt 3 2\nvt 4 2\n"
-                          "vt 0 0\nvt 1 0\nvt 0 3\nvt 1 3\n"
-                          "f 1/1 2/2 6/7 5/6\nf 2/2 3/3 7/8 6/7\nf 3/3 4/4 8/9 7/8\nf 4/4 1/5 5/10 8/9\n"
-                          "f 1/1 4/11 3/12 2/2\nf 5/6 6/7 7/14 8/13\n",
-                    {{FIGURE(charts), 1}, {FIGURE(nonDiskCharts), 0}, {FIGURE(interiorEdges), 12},
+                    cubePoints +
+                        "vt 0 1\nvt 1 1\nvt 2 1\nvt 3 1\nvt 4 1\nvt 0 2\nvt 1 2\nvt 2 2\nvt 3 2\nvt 4 2\n"
+                        "vt 0 0\nvt 1 0\nvt 0 3\nvt 1 3\n"
+                        "f 1/1 2/2 6/7 5/6\nf 2/2 3/3 7/8 6/7\nf 3/3 4/4 8/9 7/8\nf 4/4 1/5 5/10 8/9\n"
+                        "f 1/1 4/11 3/12 2/2\nf 5/6 6/7 7/14 8/13\n",
+                    {{FIGURE(charts), 1},
+                     {FIGURE(nonDiskCharts), 0},
+                     {FIGURE(interiorEdges), 12},
                      {FIGURE(seamEdges), 7}},
-                    {{FIGURE(seamLength), 7}, {FIGURE(seamNorm), 7 / std::sqrt(6 / pi)}, {FIGURE(symDirichlet), 4},
-                     {FIGURE(packingBox), 0.5}, {FIGURE(packingSquare), 0.375}}});
+                    {{FIGURE(seamLength), 7},
+                     {FIGURE(seamNorm), 7 / std::sqrt(6 / pi)},
+                     {FIGURE(symDirichlet), 4},
+                     {FIGURE(packingBox), 0.5},
+                     {FIGURE(packingSquare), 0.375}}});
     std::string annulus;
     const int x[] = {1, 0, -1, 0}, y[] = {0, 1, 0, -1};
     for (int i = 0; i < 4; ++i) {
@@ -173,7 +233,9 @@ std::vector<Case> cases()
             annulus.append(" ").append(std::to_string(c)).append("/").append(std::to_string(c));
         annulus += "\n";
     }
-    list.push_back({"annulus", annulus, {{FIGURE(charts), 1}, {FIGURE(nonDiskCharts), 1}},
+    list.push_back({"annulus",
+                    annulus,
+                    {{FIGURE(charts), 1}, {FIGURE(nonDiskCharts), 1}},
                     {{FIGURE(symDirichlet), 4}, {FIGURE(overlapAreaRatio), 0}}});
     return list;
 }
@@ -211,17 +273,17 @@ private Q_SLOTS:
                                     .arg(metrics.*figure.figure, 0, 'g', 12)
                                     .arg(figure.value, 0, 'g', 12)));
         QCOMPARE(metrics.overlapPairs, item.overlapPairs);
-        QCOMPARE(metrics.overlapPairsSameChart, item.name == std::string("fold: one triangle flipped over the other")
-                                                    ? item.overlapPairs
-                                                    : 0);
+        QCOMPARE(metrics.overlapPairsSameChart,
+                 item.name == std::string("fold: one triangle flipped over the other") ? item.overlapPairs
+                                                                                       : 0);
     }
 
     void trianglesHaveTheirOwnFigures()
     {
         // The second square is half as large in UV: too small there, and the other too large.
-        const UvMetrics metrics =
-            measure(square + "v 3 0 0\nv 4 0 0\nv 4 1 0\nv 3 1 0\n" + squareUv
-                    + "vt 2 0\nvt 2.5 0\nvt 2.5 0.5\nvt 2 0.5\nf 1/1 2/2 3/3 4/4\nf 5/5 6/6 7/7\nf 5/5 7/7 8/7\nf 5 6 8\n");
+        const UvMetrics metrics = measure(square + "v 3 0 0\nv 4 0 0\nv 4 1 0\nv 3 1 0\n" + squareUv +
+                                          "vt 2 0\nvt 2.5 0\nvt 2.5 0.5\nvt 2 0.5\nf 1/1 2/2 3/3 4/4\nf 5/5 "
+                                          "6/6 7/7\nf 5/5 7/7 8/7\nf 5 6 8\n");
         QCOMPARE(metrics.triangleSymDirichlet.size(), std::size_t(5));
         QVERIFY(metrics.triangleAreaStretch[0] > 0);
         QVERIFY(metrics.triangleAreaStretch[2] < 0);
@@ -232,7 +294,8 @@ private Q_SLOTS:
 
     void flippedTrianglesAreMarked()
     {
-        const UvMetrics metrics = measure(square + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0.9 0.5\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+        const UvMetrics metrics =
+            measure(square + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0.9 0.5\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
         QCOMPARE(metrics.flipped, 1);
         QCOMPARE(metrics.triangleFlipped, (std::vector<bool>{false, true}));
     }
@@ -297,27 +360,51 @@ QString difference(const QJsonObject &judged, const char *name, double figure)
 QString differences(const QJsonObject &judged, const UvMetrics &m)
 {
     const std::pair<const char *, double> figures[] = {
-        {"faces", m.faces}, {"triangles", m.triangles}, {"vertices", m.vertices},
-        {"welded_vertices", m.weldedVertices}, {"zero_area_triangles", m.zeroAreaTriangles},
-        {"faces_without_uv", m.facesWithoutUv}, {"area_3d", m.area3d}, {"charts", m.charts},
-        {"non_disk_charts", m.nonDiskCharts}, {"interior_edges", m.interiorEdges},
-        {"boundary_edges", m.boundaryEdges}, {"nonmanifold_edges", m.nonManifoldEdges},
-        {"missing_uv_edges", m.missingUvEdges}, {"seam_edges", m.seamEdges}, {"seam_length", m.seamLength},
-        {"seam_norm", m.seamNorm}, {"boundary_length", m.boundaryLength},
-        {"nonmanifold_seam_length", m.nonManifoldSeamLength}, {"flipped", m.flipped},
-        {"flipped_uv_area_ratio", m.flippedUvAreaRatio}, {"uv_degenerate", m.uvDegenerate},
-        {"mirrored_charts", m.mirroredCharts}, {"sym_dirichlet", m.symDirichlet},
-        {"sym_dirichlet_p99", m.symDirichletP99}, {"sym_dirichlet_max", m.symDirichletMax},
+        {"faces", m.faces},
+        {"triangles", m.triangles},
+        {"vertices", m.vertices},
+        {"welded_vertices", m.weldedVertices},
+        {"zero_area_triangles", m.zeroAreaTriangles},
+        {"faces_without_uv", m.facesWithoutUv},
+        {"area_3d", m.area3d},
+        {"charts", m.charts},
+        {"non_disk_charts", m.nonDiskCharts},
+        {"interior_edges", m.interiorEdges},
+        {"boundary_edges", m.boundaryEdges},
+        {"nonmanifold_edges", m.nonManifoldEdges},
+        {"missing_uv_edges", m.missingUvEdges},
+        {"seam_edges", m.seamEdges},
+        {"seam_length", m.seamLength},
+        {"seam_norm", m.seamNorm},
+        {"boundary_length", m.boundaryLength},
+        {"nonmanifold_seam_length", m.nonManifoldSeamLength},
+        {"flipped", m.flipped},
+        {"flipped_uv_area_ratio", m.flippedUvAreaRatio},
+        {"uv_degenerate", m.uvDegenerate},
+        {"mirrored_charts", m.mirroredCharts},
+        {"sym_dirichlet", m.symDirichlet},
+        {"sym_dirichlet_p99", m.symDirichletP99},
+        {"sym_dirichlet_max", m.symDirichletMax},
         {"sym_dirichlet_infinite", m.symDirichletInfinite},
         {"sym_dirichlet_infinite_area_ratio", m.symDirichletInfiniteAreaRatio},
-        {"sym_dirichlet_scale", m.symDirichletScale}, {"l2_stretch", m.l2Stretch},
-        {"angle_distortion", m.angleDistortion}, {"area_distortion", m.areaDistortion},
-        {"texel_density_spread", m.texelDensitySpread}, {"zero_uv_charts", m.zeroUvCharts},
-        {"overlap_area_ratio", m.overlapAreaRatio}, {"overlap_pairs", double(m.overlapPairs)},
-        {"overlap_pairs_same_chart", double(m.overlapPairsSameChart)}, {"uv_area", m.uvArea},
-        {"uv_min_u", m.uvMin.x()}, {"uv_max_v", m.uvMax.y()}, {"packing_bbox", m.packingBox},
-        {"packing_square", m.packingSquare}, {"packing_unit", m.packingUnit}, {"min_gutter", m.minGutter},
-        {"min_gutter_texels_1024", m.minGutterTexels}, {"border_gutter", m.borderGutter}};
+        {"sym_dirichlet_scale", m.symDirichletScale},
+        {"l2_stretch", m.l2Stretch},
+        {"angle_distortion", m.angleDistortion},
+        {"area_distortion", m.areaDistortion},
+        {"texel_density_spread", m.texelDensitySpread},
+        {"zero_uv_charts", m.zeroUvCharts},
+        {"overlap_area_ratio", m.overlapAreaRatio},
+        {"overlap_pairs", double(m.overlapPairs)},
+        {"overlap_pairs_same_chart", double(m.overlapPairsSameChart)},
+        {"uv_area", m.uvArea},
+        {"uv_min_u", m.uvMin.x()},
+        {"uv_max_v", m.uvMax.y()},
+        {"packing_bbox", m.packingBox},
+        {"packing_square", m.packingSquare},
+        {"packing_unit", m.packingUnit},
+        {"min_gutter", m.minGutter},
+        {"min_gutter_texels_1024", m.minGutterTexels},
+        {"border_gutter", m.borderGutter}};
     QString all;
     for (const auto &[name, figure] : figures)
         all += difference(judged, name, figure);

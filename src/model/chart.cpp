@@ -14,7 +14,7 @@ namespace {
 //! One side of a polygon, from its lower to its higher welded vertex.
 struct Side
 {
-    int low, high;              //!< welded vertices
+    int low, high; //!< welded vertices
     int cornerLow, cornerHigh;
     int face;
 
@@ -39,8 +39,8 @@ std::vector<Side> sortedSides(const MeshData &mesh)
         }
     }
     std::sort(sides.begin(), sides.end(), [](const Side &a, const Side &b) {
-        return std::tie(a.low, a.high, a.cornerLow, a.cornerHigh)
-               < std::tie(b.low, b.high, b.cornerLow, b.cornerHigh);
+        return std::tie(a.low, a.high, a.cornerLow, a.cornerHigh) <
+               std::tie(b.low, b.high, b.cornerLow, b.cornerHigh);
     });
     return sides;
 }
@@ -65,9 +65,9 @@ void findUvBox(const MeshData &mesh, const UvMatrix &uv, UvTopology &topology)
 }
 
 //! Joins the sides of one 3D edge that agree in UV space; returns one side of each group and its size.
-std::vector<std::pair<const Side *, int>> joinAgreeing(const Side *first, const Side *last, const UvMatrix &uv,
-                                                       double tolerance, UnionFind &faces, UnionFind &corners,
-                                                       const std::vector<bool> &faceHasUv)
+std::vector<std::pair<const Side *, int>> joinAgreeing(const Side *first, const Side *last,
+                                                       const UvMatrix &uv, double tolerance, UnionFind &faces,
+                                                       UnionFind &corners, const std::vector<bool> &faceHasUv)
 {
     const auto agree = [&](int a, int b) { return (uv.row(a) - uv.row(b)).stableNorm() <= tolerance; };
     std::vector<std::pair<const Side *, int>> groups;
@@ -75,8 +75,8 @@ std::vector<std::pair<const Side *, int>> joinAgreeing(const Side *first, const 
         if (!faceHasUv[side->face])
             continue;
         const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto &group) {
-            return agree(group.first->cornerLow, side->cornerLow)
-                   && agree(group.first->cornerHigh, side->cornerHigh);
+            return agree(group.first->cornerLow, side->cornerLow) &&
+                   agree(group.first->cornerHigh, side->cornerHigh);
         });
         if (same == groups.end()) {
             groups.emplace_back(side, 1);
@@ -111,7 +111,7 @@ UvTopology findUvTopology(const MeshData &mesh, const UvMatrix &uv)
 
     UnionFind faces(mesh.faceCount());
     UnionFind corners(mesh.cornerCount());
-    std::vector<int> edgeFace;    // of each UV edge
+    std::vector<int> edgeFace; // of each UV edge
     for (std::size_t i = 0; i < sides.size();) {
         std::size_t j = i;
         WeldedEdge edge{{sides[i].cornerLow, sides[i].cornerHigh}};

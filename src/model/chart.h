@@ -20,29 +20,29 @@ struct ChartMap
 //! Polygon sides on one welded 3D edge whose UVs agree at both ends: one edge of the UV map.
 struct UvEdge
 {
-    std::array<int, 2> corner;    //!< corners at its ends, of one of its sides; the lower welded vertex first
+    std::array<int, 2> corner; //!< corners at its ends, of one of its sides; the lower welded vertex first
     int chart = 0;
-    bool open = false;            //!< one side only: a border of its chart
+    bool open = false; //!< one side only: a border of its chart
 };
 
 //! A welded 3D edge and how its sides are joined in UV space.
 struct WeldedEdge
 {
-    std::array<int, 2> corner;    //!< corners at its ends, the lower welded vertex first
-    int sides = 0;                //!< polygon sides on it
-    int sidesWithUv = 0;          //!< of these, sides of faces with UVs
-    int copies = 0;               //!< edges that it has in the UV map
+    std::array<int, 2> corner; //!< corners at its ends, the lower welded vertex first
+    int sides = 0;             //!< polygon sides on it
+    int sidesWithUv = 0;       //!< of these, sides of faces with UVs
+    int copies = 0;            //!< edges that it has in the UV map
 };
 
 //! How a UV map hangs together, by the rule of findCharts().
 struct UvTopology
 {
     ChartMap charts;
-    std::vector<bool> faceHasUv;             //!< all corners finite
-    std::vector<int> cornerRoot;             //!< first corner of the UV vertex that each corner belongs to
+    std::vector<bool> faceHasUv; //!< all corners finite
+    std::vector<int> cornerRoot; //!< first corner of the UV vertex that each corner belongs to
     std::vector<UvEdge> uvEdges;
     std::vector<WeldedEdge> weldedEdges;
-    Vec2 boxLow, boxHigh;                    //!< box of all UVs in use; low > high when there are none
+    Vec2 boxLow, boxHigh; //!< box of all UVs in use; low > high when there are none
 
     double boxDiagonal() const { return boxHigh.x() >= boxLow.x() ? (boxHigh - boxLow).stableNorm() : 0; }
 };

@@ -55,8 +55,8 @@ ObjUv parseObjUv(const std::string &text)
             for (std::string word; words >> word && word[0] != '#';) {
                 face.emplace_back();
                 good = parseCorner(word, static_cast<int>(points.size()), static_cast<int>(uvs.size()),
-                                   face.back())
-                       && good;
+                                   face.back()) &&
+                       good;
             }
             if (good && face.size() >= 3)
                 faces.push_back(std::move(face));
@@ -68,8 +68,8 @@ ObjUv parseObjUv(const std::string &text)
     for (const auto &face : faces) {
         bool inRange = true;
         for (const Corner &c : face) {
-            inRange = inRange && c.vertex < static_cast<int>(points.size())
-                      && c.uv < static_cast<int>(uvs.size());
+            inRange =
+                inRange && c.vertex < static_cast<int>(points.size()) && c.uv < static_cast<int>(uvs.size());
         }
         if (!inRange)
             continue;

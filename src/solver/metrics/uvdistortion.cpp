@@ -10,9 +10,9 @@ namespace {
 //! The map from a 3D triangle to its UV triangle, by what the figures need of it.
 struct TriangleMap
 {
-    double frobenius = 0;    //!< squared Frobenius norm, a^2 + b^2 of the singular values
-    double inverse = 0;      //!< of the inverse map, a^-2 + b^-2
-    double aspect = 0;       //!< larger / smaller singular value
+    double frobenius = 0; //!< squared Frobenius norm, a^2 + b^2 of the singular values
+    double inverse = 0;   //!< of the inverse map, a^-2 + b^-2
+    double aspect = 0;    //!< larger / smaller singular value
 };
 
 TriangleMap triangleMap(const MeshData &mesh, const UvMatrix &uv, const std::array<int, 3> &corners,
@@ -41,9 +41,8 @@ TriangleMap triangleMap(const MeshData &mesh, const UvMatrix &uv, const std::arr
     const double determinant = uvArea / area3d;
     map.frobenius = x.squaredNorm() + y.squaredNorm();
     map.inverse = map.frobenius / (determinant * determinant);
-    const double larger = 0.5
-                          * (std::sqrt(map.frobenius + 2 * determinant)
-                             + std::sqrt(std::max(0.0, map.frobenius - 2 * determinant)));
+    const double larger = 0.5 * (std::sqrt(map.frobenius + 2 * determinant) +
+                                 std::sqrt(std::max(0.0, map.frobenius - 2 * determinant)));
     map.aspect = larger * larger / determinant;
     return map;
 }
@@ -89,7 +88,8 @@ void countFlips(const UvTriangles &triangles, UvMetrics &metrics)
 double nearestRank99(std::vector<double> values)
 {
     const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.99 * static_cast<double>(values.size())));
-    const auto place = std::clamp<std::ptrdiff_t>(rank - 1, 0, static_cast<std::ptrdiff_t>(values.size()) - 1);
+    const auto place =
+        std::clamp<std::ptrdiff_t>(rank - 1, 0, static_cast<std::ptrdiff_t>(values.size()) - 1);
     std::nth_element(values.begin(), values.begin() + place, values.end());
     return values[place];
 }
@@ -116,8 +116,8 @@ void measureDistortion(const MeshData &mesh, const UvMatrix &uv, const UvTriangl
         const double ratio = (absolute / totals.uvArea) / (area3d / totals.area3d);
         const TriangleMap map = triangleMap(mesh, uv, triangles.corners[t], area3d, absolute);
         metrics.triangleAreaStretch[t] = std::log(ratio);
-        if (!(ratio >= 1e-12) || !std::isfinite(map.frobenius) || !std::isfinite(map.inverse)
-            || !std::isfinite(map.aspect)) {
+        if (!(ratio >= 1e-12) || !std::isfinite(map.frobenius) || !std::isfinite(map.inverse) ||
+            !std::isfinite(map.aspect)) {
             ++metrics.symDirichletInfinite;
             infiniteArea += area3d;
             metrics.triangleSymDirichlet[t] = std::numeric_limits<double>::infinity();

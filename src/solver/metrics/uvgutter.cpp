@@ -20,8 +20,7 @@ double squaredDistance(const Vec2 &point, const Segment &segment)
 {
     const Vec2 along = segment.to - segment.from;
     const double length = along.squaredNorm();
-    const double place =
-        length > 0 ? std::clamp((point - segment.from).dot(along) / length, 0.0, 1.0) : 0.0;
+    const double place = length > 0 ? std::clamp((point - segment.from).dot(along) / length, 0.0, 1.0) : 0.0;
     return (point - segment.from - place * along).squaredNorm();
 }
 
@@ -32,8 +31,8 @@ bool oppositeSigns(double a, double b)
 
 double squaredDistance(const Segment &a, const Segment &b)
 {
-    if (oppositeSigns(cross2(a.from, a.to, b.from), cross2(a.from, a.to, b.to))
-        && oppositeSigns(cross2(b.from, b.to, a.from), cross2(b.from, b.to, a.to)))
+    if (oppositeSigns(cross2(a.from, a.to, b.from), cross2(a.from, a.to, b.to)) &&
+        oppositeSigns(cross2(b.from, b.to, a.from), cross2(b.from, b.to, a.to)))
         return 0;
     return std::min({squaredDistance(a.from, b), squaredDistance(a.to, b), squaredDistance(b.from, a),
                      squaredDistance(b.to, a)});

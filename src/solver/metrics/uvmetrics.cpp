@@ -87,9 +87,8 @@ void measureOverlaps(const UvMatrix &uv, const UvTopology &topology, const UvTri
         if (!triangles.hasUv(t))
             continue;
         const auto &c = triangles.corners[t];
-        const double area = 0.5
-                            * cross2(uv.row(topology.cornerRoot[c[0]]), uv.row(topology.cornerRoot[c[1]]),
-                                     uv.row(topology.cornerRoot[c[2]]));
+        const double area = 0.5 * cross2(uv.row(topology.cornerRoot[c[0]]), uv.row(topology.cornerRoot[c[1]]),
+                                         uv.row(topology.cornerRoot[c[2]]));
         if (std::abs(area) >= 1e-14 * triangles.totalUvArea && area != 0)
             source.push_back(t);
     }

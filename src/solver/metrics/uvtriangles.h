@@ -12,8 +12,8 @@ namespace autocuts {
 struct ChartSums
 {
     int faces = 0, vertices = 0, edges = 0;
-    double area3d = 0;       //!< without zero-area triangles
-    double uvArea = 0;       //!< sum of absolute areas
+    double area3d = 0; //!< without zero-area triangles
+    double uvArea = 0; //!< sum of absolute areas
     double signedArea = 0;
 
     int euler() const { return vertices - edges + faces; }
@@ -24,10 +24,10 @@ struct UvTriangles
 {
     std::vector<std::array<int, 3>> corners;
     std::vector<int> face;
-    std::vector<int> chart;           //!< -1 without UVs
+    std::vector<int> chart; //!< -1 without UVs
     std::vector<double> area3d;
-    std::vector<double> signedArea;   //!< in UV; 0 without UVs
-    std::vector<bool> zeroArea;       //!< no area in 3D
+    std::vector<double> signedArea; //!< in UV; 0 without UVs
+    std::vector<bool> zeroArea;     //!< no area in 3D
     double totalArea3d = 0, totalUvArea = 0;
     std::vector<ChartSums> charts;
 

@@ -34,8 +34,8 @@ public:
     struct Node
     {
         Box2 box;
-        int first = 0, count = 0;    //!< range in order(); count > 0 in leaves only
-        int right = 0;               //!< second child; the first one follows its parent directly
+        int first = 0, count = 0; //!< range in order(); count > 0 in leaves only
+        int right = 0;            //!< second child; the first one follows its parent directly
     };
 
     //! \param boxes one box per item

@@ -32,8 +32,8 @@ void growRegion(const UnitGraph &graph, int seed, int from, int to, std::vector<
 std::vector<int> cleanRegion(const MeshData &mesh, const UvMatrix &soupUv, const std::vector<bool> &cut,
                              int seedTriangle, const OverlapOptions &options)
 {
-    if (soupUv.rows() != mesh.soupCornerCount() || cut.size() != mesh.edgePairs.size() || seedTriangle < 0
-        || seedTriangle >= mesh.triangleCount())
+    if (soupUv.rows() != mesh.soupCornerCount() || cut.size() != mesh.edgePairs.size() || seedTriangle < 0 ||
+        seedTriangle >= mesh.triangleCount())
         throw std::invalid_argument("cleanRegion: a size does not fit the mesh");
     const std::vector<int> chart = chartsOfCut(mesh, cut);
     std::vector<int> triangles;
@@ -64,9 +64,8 @@ void splitIntoCleanRegions(const UnitGraph &graph, int from, std::vector<int> &p
         if (part[u] == from)
             seeds.push_back(u);
     }
-    std::stable_sort(seeds.begin(), seeds.end(), [&](int a, int b) {
-        return graph.conflicts[a].size() < graph.conflicts[b].size();
-    });
+    std::stable_sort(seeds.begin(), seeds.end(),
+                     [&](int a, int b) { return graph.conflicts[a].size() < graph.conflicts[b].size(); });
     for (int seed : seeds) {
         if (part[seed] == from)
             growRegion(graph, seed, from, nextPart++, part);

@@ -62,7 +62,7 @@ bool MaxFlow::findLevels()
 std::int64_t MaxFlow::augmentFrom(int source)
 {
     std::int64_t total = 0;
-    std::vector<int> path;    // arcs from the source
+    std::vector<int> path; // arcs from the source
     int node = source;
     for (;;) {
         if (mSide[node] == Sink) {
@@ -83,8 +83,8 @@ std::int64_t MaxFlow::augmentFrom(int source)
             continue;
         }
         int &next = mNext[node];
-        while (next < mFirst[node + 1]
-               && (mArcs[next].capacity == 0 || mLevel[mArcs[next].to] != mLevel[node] + 1))
+        while (next < mFirst[node + 1] &&
+               (mArcs[next].capacity == 0 || mLevel[mArcs[next].to] != mLevel[node] + 1))
             ++next;
         if (next < mFirst[node + 1]) {
             path.push_back(next);

@@ -27,7 +27,7 @@ private:
     struct Arc
     {
         int to;
-        int reverse;    //!< index of the opposite arc
+        int reverse; //!< index of the opposite arc
         std::int64_t capacity;
     };
     struct Edge
@@ -42,9 +42,9 @@ private:
 
     std::vector<Edge> mEdges;
     std::vector<Terminal> mSide;
-    std::vector<int> mFirst;      //!< first arc of each node
+    std::vector<int> mFirst; //!< first arc of each node
     std::vector<Arc> mArcs;
-    std::vector<int> mNext;       //!< arc to try next, per node
+    std::vector<int> mNext; //!< arc to try next, per node
     std::vector<int> mLevel;
     std::vector<bool> mReached;
 };

@@ -8,8 +8,7 @@ MinCutSplitter::MinCutSplitter(const UnitGraph &graph, const std::vector<std::in
                                std::vector<int> &part, int &nextPart, const std::atomic<bool> *cancel)
     : mGraph(graph), mCapacity(capacity), mPart(part), mNextPart(nextPart), mCancel(cancel), mFinder(graph),
       mLocal(graph.unitCount, -1)
-{
-}
+{}
 
 bool MinCutSplitter::exhausted() const
 {

@@ -39,9 +39,9 @@ private:
     int &mNextPart;
     const std::atomic<bool> *mCancel;
     SheetFinder mFinder;
-    std::vector<int> mLocal;                       //!< number of each unit inside the graph being cut
-    std::map<int, std::vector<int>> mMembers;      //!< units of each label being split
-    std::int64_t mVisited = 0;                     //!< units that took part in all cuts so far
+    std::vector<int> mLocal;                  //!< number of each unit inside the graph being cut
+    std::map<int, std::vector<int>> mMembers; //!< units of each label being split
+    std::int64_t mVisited = 0;                //!< units that took part in all cuts so far
 };
 
 } // namespace autocuts

@@ -33,8 +33,8 @@ bool separatedBySide(const Triangle &a, const Triangle &b)
     for (int i = 0; i < 3; ++i) {
         const Vec2 &from = a[i];
         const Vec2 &to = a[(i + 1) % 3];
-        if (orientation(from, to, b[0]) <= 0 && orientation(from, to, b[1]) <= 0
-            && orientation(from, to, b[2]) <= 0)
+        if (orientation(from, to, b[0]) <= 0 && orientation(from, to, b[1]) <= 0 &&
+            orientation(from, to, b[2]) <= 0)
             return true;
     }
     return false;
@@ -104,8 +104,7 @@ bool visitAmong(const UvMatrix &uv, const std::vector<int> &which, const Overlap
                 const std::function<bool(int, int, double)> &visit)
 {
     Prepared prepared = prepare(uv, which);
-    const double minArea =
-        options.minAreaRatio * (options.totalArea > 0 ? options.totalArea : prepared.area);
+    const double minArea = options.minAreaRatio * (options.totalArea > 0 ? options.totalArea : prepared.area);
     const BoxTree tree(std::move(prepared.boxes));
     unsigned untilPoll = 0;
     return tree.visitOverlappingPairs([&](int a, int b) {

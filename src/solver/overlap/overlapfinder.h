@@ -13,10 +13,10 @@ namespace autocuts {
 //! What counts as an overlap, and when to stop.
 struct OverlapOptions
 {
-    double minAreaRatio = 1e-10;    //!< a pair counts when its intersection exceeds this part of totalArea
-    double totalArea = 0;           //!< UV area to compare with; 0: the sum over the given triangles
-    std::size_t maxPairs = 50'000'000;               //!< findOverlaps() stops there
-    const std::atomic<bool> *cancel = nullptr;       //!< set to true from any thread to stop
+    double minAreaRatio = 1e-10;       //!< a pair counts when its intersection exceeds this part of totalArea
+    double totalArea = 0;              //!< UV area to compare with; 0: the sum over the given triangles
+    std::size_t maxPairs = 50'000'000; //!< findOverlaps() stops there
+    const std::atomic<bool> *cancel = nullptr; //!< set to true from any thread to stop
 };
 
 //! Two triangles, first < second, and the UV area of their intersection.
@@ -31,7 +31,7 @@ struct OverlapPair
 struct OverlapList
 {
     std::vector<OverlapPair> pairs;
-    bool complete = true;    //!< false when cancelled or stopped at maxPairs
+    bool complete = true; //!< false when cancelled or stopped at maxPairs
 };
 
 //! Area of the intersection of two triangles; exactly 0 when their interiors do not meet, decided without

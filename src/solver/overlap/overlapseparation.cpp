@@ -19,8 +19,8 @@ void checkSizes(const MeshData &mesh, const UvMatrix &soupUv, const std::vector<
 {
     const std::size_t pairs = mesh.edgePairs.size();
     const auto fits = [&](std::size_t size) { return size == 0 || size == pairs; };
-    if (soupUv.rows() != mesh.soupCornerCount() || cut.size() != pairs || !fits(protectedPair.size())
-        || !fits(options.pairWeight.size()))
+    if (soupUv.rows() != mesh.soupCornerCount() || cut.size() != pairs || !fits(protectedPair.size()) ||
+        !fits(options.pairWeight.size()))
         throw std::invalid_argument("separateOverlaps: a size does not fit the mesh");
 }
 
@@ -56,8 +56,7 @@ class OverlapCollector
 public:
     OverlapCollector(const UnitGraph &graph, const UvMatrix &soupUv, OverlapOptions options)
         : mGraph(graph), mUv(soupUv), mOptions(options)
-    {
-    }
+    {}
 
     //! \param part label of each unit, refined where charts are halved
     //! \return false when cancelled

@@ -11,26 +11,26 @@ namespace autocuts {
 
 //! How charts that cover themselves are cut.
 enum class SeparationMethod {
-    MinCut,    //!< between the two sheets of each overlap, along the shortest seam
-    Greedy     //!< into breadth-first regions (paper, figure 11 right)
+    MinCut, //!< between the two sheets of each overlap, along the shortest seam
+    Greedy  //!< into breadth-first regions (paper, figure 11 right)
 };
 
 struct SeparationOptions
 {
     SeparationMethod method = SeparationMethod::MinCut;
-    std::vector<double> pairWeight;    //!< per edge pair, factor >= 0 on the cost of cutting it; empty: all 1
-    double minAreaRatio = 1e-10;       //!< an overlap counts above this part of the total UV area
+    std::vector<double> pairWeight; //!< per edge pair, factor >= 0 on the cost of cutting it; empty: all 1
+    double minAreaRatio = 1e-10;    //!< an overlap counts above this part of the total UV area
     const std::atomic<bool> *cancel = nullptr;
 };
 
 struct SeparationResult
 {
-    std::vector<bool> cut;           //!< per edge pair: what was cut before, and the new seams
-    std::int64_t overlapPairs = 0;   //!< overlapping triangle pairs inside one chart, before
-    int unresolvedPairs = 0;         //!< of these, inside one polygon or one protected group: still there
-    int newSeams = 0;                //!< edge pairs cut
-    double newSeamLength = 0;        //!< 3D length
-    bool complete = true;            //!< false when cancelled: then nothing was cut
+    std::vector<bool> cut;         //!< per edge pair: what was cut before, and the new seams
+    std::int64_t overlapPairs = 0; //!< overlapping triangle pairs inside one chart, before
+    int unresolvedPairs = 0;       //!< of these, inside one polygon or one protected group: still there
+    int newSeams = 0;              //!< edge pairs cut
+    double newSeamLength = 0;      //!< 3D length
+    bool complete = true;          //!< false when cancelled: then nothing was cut
 };
 
 //! Cuts charts that cover themselves until every chart (component of triangles over uncut pairs) is free of

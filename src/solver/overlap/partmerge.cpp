@@ -23,10 +23,10 @@ private:
     int find(int part);
 
     std::vector<int> &mPart;
-    std::vector<int> mMerged;                             //!< part that each part went into, or itself
-    std::vector<std::map<int, std::int64_t>> mShared;     //!< cost of the seams with each neighbour
+    std::vector<int> mMerged;                         //!< part that each part went into, or itself
+    std::vector<std::map<int, std::int64_t>> mShared; //!< cost of the seams with each neighbour
     std::vector<std::set<int>> mConflicts;
-    std::set<std::tuple<std::int64_t, int, int>> mQueue;  //!< (-cost, a, b), a < b
+    std::set<std::tuple<std::int64_t, int, int>> mQueue; //!< (-cost, a, b), a < b
 };
 
 PartMerger::PartMerger(const UnitGraph &graph, const std::vector<std::int64_t> &capacity,
@@ -107,8 +107,8 @@ int PartMerger::find(int part)
     return part;
 }
 
-//! Numbers the connected pieces of all labels: a label may have fallen apart, and each piece can be treated on
-//! its own.
+//! Numbers the connected pieces of all labels: a label may have fallen apart, and each piece can be treated
+//! on its own.
 void relabelPieces(const UnitGraph &graph, std::vector<int> &part)
 {
     UnionFind pieces(graph.unitCount);
@@ -123,15 +123,15 @@ void relabelPieces(const UnitGraph &graph, std::vector<int> &part)
 int cheaperPart(const UnitGraph &graph, const std::vector<std::int64_t> &capacity,
                 const std::vector<int> &part, int unit)
 {
-    std::map<int, std::int64_t> joined;    // cost of the links to each part around
+    std::map<int, std::int64_t> joined; // cost of the links to each part around
     for (int link : graph.linksOfUnit[unit])
         joined[part[graph.across(link, unit)]] += capacity[link];
     const auto conflicts = graph.conflicts[unit];
     int best = part[unit];
     std::int64_t bestCost = joined.count(best) > 0 ? joined[best] : 0;
     for (const auto &[other, cost] : joined) {
-        if (cost > bestCost
-            && std::none_of(conflicts.begin(), conflicts.end(), [&](int c) { return part[c] == other; })) {
+        if (cost > bestCost &&
+            std::none_of(conflicts.begin(), conflicts.end(), [&](int c) { return part[c] == other; })) {
             best = other;
             bestCost = cost;
         }
@@ -139,8 +139,8 @@ int cheaperPart(const UnitGraph &graph, const std::vector<std::int64_t> &capacit
     return best;
 }
 
-//! Moves single units over to neighbouring parts while that makes the seams cheaper and no overlap. Every move
-//! lowers the total cost, a whole number, so this ends.
+//! Moves single units over to neighbouring parts while that makes the seams cheaper and no overlap. Every
+//! move lowers the total cost, a whole number, so this ends.
 void smoothParts(const UnitGraph &graph, const std::vector<std::int64_t> &capacity, std::vector<int> &part)
 {
     std::vector<int> queue;

@@ -5,8 +5,7 @@ namespace autocuts {
 SheetFinder::SheetFinder(const UnitGraph &graph)
     : mGraph(graph), mTaken(graph.conflicts.totalSize(), false), mFirstLayer(graph.unitCount, 0),
       mSecondLayer(graph.unitCount, 0)
-{
-}
+{}
 
 std::vector<Sheets> SheetFinder::find(const std::vector<int> &part, const std::vector<int> &members)
 {

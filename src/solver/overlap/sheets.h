@@ -28,8 +28,8 @@ private:
     bool take(int first, int second);
 
     const UnitGraph &mGraph;
-    std::vector<bool> mTaken;         //!< per entry of the conflict lists
-    std::vector<int> mFirstLayer;     //!< last sheets that each unit was in, as a first or as a second unit
+    std::vector<bool> mTaken;     //!< per entry of the conflict lists
+    std::vector<int> mFirstLayer; //!< last sheets that each unit was in, as a first or as a second unit
     std::vector<int> mSecondLayer;
     int mCurrent = 0;
 };

@@ -38,18 +38,18 @@ struct UnitGraph
 {
     struct Link
     {
-        int pair;    //!< edge pair of the mesh
-        int a, b;    //!< the units
+        int pair; //!< edge pair of the mesh
+        int a, b; //!< the units
     };
 
     int unitCount = 0;
     std::vector<int> unitOfTriangle;
-    IntLists triangles;            //!< of each unit, rising
-    std::vector<Link> links;       //!< in the order of the edge pairs
+    IntLists triangles;      //!< of each unit, rising
+    std::vector<Link> links; //!< in the order of the edge pairs
     IntLists linksOfUnit;
-    IntLists neighbours;           //!< of each unit, rising, each once
-    IntLists conflicts;            //!< units that overlap each unit, rising, each once
-    int innerOverlaps = 0;         //!< overlapping pairs inside one unit: no cut can help
+    IntLists neighbours;   //!< of each unit, rising, each once
+    IntLists conflicts;    //!< units that overlap each unit, rising, each once
+    int innerOverlaps = 0; //!< overlapping pairs inside one unit: no cut can help
 
     int across(int link, int unit) const { return links[link].a == unit ? links[link].b : links[link].a; }
 };
