@@ -104,12 +104,29 @@ Eigen::Matrix<double, 6, 6> differenceHessian(const EnergyTerm &term, const Soup
     return m;
 }
 
-//! The nearest positive semidefinite matrix, by eigenvalues: what the closed form must equal.
-Eigen::Matrix<double, 6, 6> projected(const Eigen::Matrix<double, 6, 6> &m)
+//! Coordinates of a triangle to its Jacobian, row by row.
+Eigen::Matrix<double, 4, 6> jacobianMap(const Soup::Basis &b)
 {
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(0.5 * (m + m.transpose()));
-    return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal()
-           * eigen.eigenvectors().transpose();
+    Eigen::Matrix<double, 4, 6> map = Eigen::Matrix<double, 4, 6>::Zero();
+    for (int k = 0; k < 3; ++k) {
+        for (int row = 0; row < 2; ++row) {
+            for (int column = 0; column < 2; ++column)
+                map(2 * row + column, 2 * k + row) = b[2 * k + column];
+        }
+    }
+    return map;
+}
+
+//! The Hessian with the part in the Jacobian's four coordinates replaced by the nearest positive semidefinite
+//! matrix, found by eigenvalues: what the closed form must equal.
+Eigen::Matrix<double, 6, 6> projected(const Eigen::Matrix<double, 6, 6> &hessian, const Soup::Basis &basis)
+{
+    const Eigen::Matrix<double, 4, 6> map = jacobianMap(basis);
+    const Eigen::Matrix4d inverse = (map * map.transpose()).inverse();
+    const Eigen::Matrix4d inner = inverse * map * hessian * map.transpose() * inverse;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(0.5 * (inner + inner.transpose()));
+    return map.transpose() * eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal()
+           * eigen.eigenvectors().transpose() * map;
 }
 
 } // namespace
@@ -164,7 +181,7 @@ private Q_SLOTS:
         int indefinite = 0;
         for (int t = 0; t < c.soup->triangleCount(); ++t) {
             const Eigen::Matrix<double, 6, 6> exact = differenceHessian(*term, *c.soup, c.x, t, 1e-5);
-            const Eigen::Matrix<double, 6, 6> expected = projected(exact);
+            const Eigen::Matrix<double, 6, 6> expected = projected(exact, c.soup->basis[t]);
             const Eigen::Matrix<double, 6, 6> closed = unpacked(blocks.triangle[t]);
             QVERIFY2((closed - expected).norm() <= 1e-5 * expected.norm(),
                      qPrintable(QStringLiteral("triangle %1: %2 of %3")

@@ -114,4 +114,22 @@ void CholmodSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
     x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double *>(in.solution->x), b.size());
 }
 
+std::vector<int> eliminationRanks(const LinearSolver::Matrix &lower)
+{
+    const SerialRegion serial;
+    cholmod_common common;
+    cholmod_start(&common);
+    common.print = 0;
+    cholmod_sparse view = viewOf(lower);
+    std::vector<int> order(lower.rows());
+    const int ok = cholmod_amd(&view, nullptr, 0, order.data(), &common);
+    cholmod_finish(&common);
+    if (!ok)
+        throw std::runtime_error("eliminationRanks: out of memory");
+    std::vector<int> rank(order.size());
+    for (std::size_t place = 0; place < order.size(); ++place)
+        rank[order[place]] = static_cast<int>(place);
+    return rank;
+}
+
 } // namespace autocuts

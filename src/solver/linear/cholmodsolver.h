@@ -4,6 +4,7 @@
 #include "solver/linear/linearsolver.h"
 
 #include <memory>
+#include <vector>
 
 namespace autocuts {
 
@@ -24,5 +25,10 @@ private:
     struct Internals;
     std::unique_ptr<Internals> mInternals;
 };
+
+//! Order of elimination that keeps the fill of a Cholesky factor low (approximate minimum degree).
+//! \param lower lower triangle of a symmetric pattern
+//! \returns for each row its place in the order
+std::vector<int> eliminationRanks(const LinearSolver::Matrix &lower);
 
 } // namespace autocuts

@@ -14,8 +14,6 @@
 #include "solver/linear/cholmodsolver.h"
 #include "solver/linear/newtondirection.h"
 
-#include <Eigen/OrderingMethods>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -32,28 +30,23 @@ constexpr int excessBeforeRefresh = 18;
 constexpr int excessBeforeRefreshLarge = 12;
 constexpr int largeTriangleCount = 40000;
 
-//! Order of the welded mesh vertices that keeps the fill of the hub matrix low: rank of each vertex.
+//! Place of each welded mesh vertex in an order that keeps the fill of the hub matrix low.
 std::vector<int> vertexRanks(const MeshData &mesh)
 {
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(6 * static_cast<std::size_t>(mesh.triangleCount()));
+    entries.reserve(3 * static_cast<std::size_t>(mesh.triangleCount()) + mesh.vertexCount());
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         for (int k = 0; k < 3; ++k) {
             const int a = mesh.vertexOfSoup(3 * t + k);
             const int b = mesh.vertexOfSoup(3 * t + (k + 1) % 3);
-            entries.emplace_back(a, b, 1.0);
-            entries.emplace_back(b, a, 1.0);
+            entries.emplace_back(std::max(a, b), std::min(a, b), 1.0);
         }
     }
-    Eigen::SparseMatrix<double> graph(mesh.vertexCount(), mesh.vertexCount());
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+        entries.emplace_back(v, v, 1.0);
+    LinearSolver::Matrix graph(mesh.vertexCount(), mesh.vertexCount());
     graph.setFromTriplets(entries.begin(), entries.end());
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-    Eigen::AMDOrdering<int>()(graph, order);
-    std::vector<int> rank(mesh.vertexCount());
-    // AMDOrdering gives the elimination order: position i eliminates vertex indices()[i].
-    for (int i = 0; i < mesh.vertexCount(); ++i)
-        rank[order.indices()[i]] = i;
-    return rank;
+    return eliminationRanks(graph);
 }
 
 //! Inverse of a symmetric positive definite 6 x 6 matrix, both as packed lower triangles.
