@@ -250,8 +250,18 @@ int fanApex(const std::vector<Vec3> &points)
 
 std::vector<std::array<int, 3>> triangulatePolygon(const std::vector<Vec3> &points, int apex)
 {
-    if (apex < 0)
-        return EarClipper(projected(rescaled(points))).clip();
+    if (apex < 0) {
+        const std::vector<Vec3> unit = rescaled(points);
+        const Vec3 normal = polygonNormal(unit);
+        std::vector<std::array<int, 3>> ears = EarClipper(projected(unit)).clip();
+        const bool covers = std::all_of(ears.begin(), ears.end(), [&](const std::array<int, 3> &t) {
+            return (unit[t[1]] - unit[t[0]]).cross(unit[t[2]] - unit[t[0]]).dot(normal) >= -1e-12;
+        });
+        if (covers)
+            return ears;
+        // A twisted polygon: ears fold it too. The fan is as good as any and it is what measuring tools use.
+        apex = 0;
+    }
     const int n = static_cast<int>(points.size());
     std::vector<std::array<int, 3>> triangles;
     triangles.reserve(n - 2);
