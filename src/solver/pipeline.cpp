@@ -19,6 +19,7 @@ namespace {
 constexpr int relaxSteps = 60;
 constexpr double optimizingShare = 0.9;    // of the progress bar
 constexpr double hurriedPackEffort = 0.1;
+constexpr int hurriedSteps = 4;
 
 //! One chain of annealing runs, each reheated from the end of the one before.
 struct ChainPlan
@@ -222,6 +223,14 @@ ChainResult runChain(const Snapshot &start, const ChainPlan &plan, const Quality
             ++result.iterations;
             ranking.stepDone(1);
         });
+        if (stopped()) {
+            if (result.best)
+                break;
+            // Whatever is still half open has to be decided: the rest of the homotopy in a few steps.
+            anneal.startDelta = solver.snapshot().settings.delta;
+            anneal.stepsPerLevel = hurriedSteps;
+            annealSoup(solver, anneal, nullptr);
+        }
         Candidate candidate = evaluate(solver, options, stop);
         budget.report(candidate.distortion);
         ranking.found(candidate);
