@@ -31,9 +31,9 @@ void Compaction::refresh(int body)
     }
 }
 
-void Compaction::grow(double factor)
+void Compaction::setScale(double scale)
 {
-    mLayout.scale *= factor;
+    mLayout.scale = scale;
     for (int i = 0; i < mProblem->count(); ++i)
         refresh(i);
 }
@@ -192,14 +192,14 @@ bool Compaction::resolve(int sweeps, WorkMeter &work)
     return false;
 }
 
-Layout compactLayout(const PackProblem &problem, const Layout &layout, double firstStep, WorkMeter &work)
+Layout compactLayout(const PackProblem &problem, const Layout &layout, double ceiling, WorkMeter &work)
 {
-    constexpr double smallestStep = 2e-4;
+    constexpr double firstStep = 3e-3, smallestStep = 2e-4;
     constexpr int sweeps = 60;
     Layout best = layout;
     Compaction bodies(problem, best);
-    for (double step = firstStep; step > smallestStep && !work.stop();) {
-        bodies.grow(1 + step);
+    for (double step = firstStep; step > smallestStep && best.scale < ceiling && !work.stop();) {
+        bodies.setScale(std::min(ceiling, (1 + step) * best.scale));
         if (bodies.resolve(sweeps, work) && isValidLayout(problem, bodies.layout(), work)) {
             best = bodies.layout();
         } else {

@@ -14,8 +14,8 @@ public:
     Compaction(const PackProblem &problem, Layout layout);
 
     const Layout &layout() const { return mLayout; }
-    //! Makes all movable islands larger in place.
-    void grow(double factor);
+    //! Makes all movable islands larger or smaller in place.
+    void setScale(double scale);
     //! Pushes until a whole sweep found nothing to push.
     //! \return false when that did not happen within the given number of sweeps
     bool resolve(int sweeps, WorkMeter &work);
@@ -49,8 +49,8 @@ private:
     double mReach;     //!< how far away a contact is collected
 };
 
-//! Grows the scale in small steps as long as the pushes succeed and the layout passes the exact test.
-//! \pre layout is valid \return the largest valid layout found
-Layout compactLayout(const PackProblem &problem, const Layout &layout, double firstStep, WorkMeter &work);
+//! Grows the scale in small steps, up to the ceiling, as long as the pushes succeed and the layout passes the
+//! exact test. \pre layout is valid \return the largest valid layout found
+Layout compactLayout(const PackProblem &problem, const Layout &layout, double ceiling, WorkMeter &work);
 
 } // namespace autocuts

@@ -138,12 +138,4 @@ Vec2 DistanceField::gradientAt(const Vec2 &p) const
            mInverse;
 }
 
-double DistanceField::lowerBoundAt(const Vec2 &p) const
-{
-    const double d = at(p);
-    if (d < far)
-        return d - mCell;
-    return (p - p.cwiseMax(mBoxLower).cwiseMin(mBoxUpper)).norm();
-}
-
 } // namespace autocuts

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <thread>
 
 namespace autocuts {
 
@@ -96,16 +98,52 @@ Layout largestShelves(const PackProblem &problem, WorkMeter &work)
     return best;
 }
 
-Layout solve(const PackProblem &problem, const PackSettings &settings, WorkMeter &work)
+//! Independent starts, each with its share of the effort. Their number depends on the settings alone, and
+//! each has its own seed, so that the number of threads does not change the result.
+Layout searchFrom(const PackProblem &problem, const Layout &start, double ceiling, const PackSettings &settings,
+                  const std::atomic<bool> *cancel, const std::function<void(double)> &progress)
 {
-    Layout none{0, problem.given};
+    constexpr double secondsPerStart = 2.5;
+    constexpr int mostStarts = 16;
+    const double wanted = settings.starts > 0 ? settings.starts : settings.effort / secondsPerStart;
+    const int starts = static_cast<int>(std::clamp(wanted, 1.0, 1.0 * mostStarts));
+    const int threads = std::clamp(settings.threads, 1, starts);
+    const double share = settings.effort / starts;
+    std::vector<Layout> found(starts, start);
+    const auto work = [&](int thread) {
+        for (int i = thread; i < starts; i += threads) {
+            const auto report = [&, i](double part) { progress((i + part) / starts); };
+            const bool reports = progress && thread == 0;
+            WorkMeter meter(share, cancel, reports ? std::function<void(double)>(report) : nullptr);
+            PackSearch search(problem, start, ceiling, settings.seed + 0x100000000ULL * i);
+            search.run(meter, share);
+            found[i] = search.best();
+        }
+    };
+    std::vector<std::thread> helpers;
+    for (int t = 1; t < threads; ++t)
+        helpers.emplace_back(work, t);
+    work(0);
+    for (std::thread &helper : helpers)
+        helper.join();
+    return *std::max_element(found.begin(), found.end(),
+                             [](const Layout &a, const Layout &b) { return a.scale < b.scale; });
+}
+
+Layout solve(const PackProblem &problem, const PackSettings &settings, const std::atomic<bool> *cancel,
+             const std::function<void(double)> &progress)
+{
+    WorkMeter work(0, cancel);
+    const auto search = [&](const Layout &start, double ceiling) {
+        return searchFrom(problem, start, ceiling, settings, cancel, progress);
+    };
+    const Layout none{0, problem.given};
     if (settings.keepScale) {
-        if (const std::optional<Layout> shelves = packShelves(problem, problem.unit, work);
-            shelves && isValidLayout(problem, *shelves, work))
+        const std::optional<Layout> shelves = packShelves(problem, problem.unit, work);
+        if (shelves && isValidLayout(problem, *shelves, work))
             return *shelves;
-        PackSearch search(problem, none, settings.seed);
-        search.fitScale(problem.unit, work, settings.effort);
-        return search.best();
+        const Layout found = search(none, problem.unit);
+        return found.scale >= problem.unit ? found : none;
     }
     if (const std::optional<Layout> single = fitSingleIsland(problem, work))
         return *single;
@@ -115,9 +153,7 @@ Layout solve(const PackProblem &problem, const PackSettings &settings, WorkMeter
         anyExtent = anyExtent || (problem.movable(i) && problem.outlines[i].radius > 0);
     if (!anyExtent && shelves.scale > 0)
         return shelves;
-    PackSearch search(problem, shelves, settings.seed);
-    search.maximizeScale(work, settings.effort);
-    return search.best();
+    return search(shelves, std::numeric_limits<double>::infinity());
 }
 
 double efficiency(const PackProblem &problem, const PackSettings &settings, double scale)
@@ -152,9 +188,8 @@ PackResult packIslands(const std::vector<PackIsland> &islands, const PackSetting
         result.efficiency = efficiency(problem, settings, problem.unit);
         return result;
     }
-    WorkMeter work(settings.effort, cancel, progress);
-    const Layout layout = (problem.size().array() > 0).all() ? solve(problem, settings, work)
-                                                             : Layout{0, problem.given};
+    const bool anyRoom = (problem.size().array() >= 0).all();
+    const Layout layout = anyRoom ? solve(problem, settings, cancel, progress) : Layout{0, problem.given};
     result.complete = layout.scale > 0;
     const double scale = result.complete ? layout.scale : problem.unit;
     result.scale = result.complete && !settings.keepScale ? scale / problem.unit : 1;

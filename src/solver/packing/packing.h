@@ -33,7 +33,8 @@ struct PackSettings
     bool keepScale = false;
     double effort = 0.5;        //!< CPU seconds asked for; turned into counted work, never into clock readings
     unsigned seed = 1;
-    int threads = 1;            //!< does not change the result
+    int starts = 0;             //!< independent searches that share the effort; 0: chosen by the effort
+    int threads = 1;            //!< over the starts; does not change the result
 };
 
 //! Where an island goes: p' = scale * R(angle) * p + translation. Never mirrored.

@@ -13,6 +13,9 @@ namespace {
 //! Ratio of two neighbouring scales of the ladder.
 constexpr double ladderStep = 1.008;
 
+//! Most islands for guided local search: its cost per pass grows with the square.
+constexpr int mostForSeparation = 600;
+
 struct RasterChoice
 {
     int resolution;
@@ -64,8 +67,8 @@ double scaleForCover(const PackProblem &problem, double cover)
     return 2 * room / (b + std::sqrt(b * b + 4 * area * room));
 }
 
-PackSearch::PackSearch(const PackProblem &problem, Layout start, std::uint64_t seed)
-    : mProblem(problem), mBest(std::move(start)), mRandom(seed)
+PackSearch::PackSearch(const PackProblem &problem, Layout start, double ceiling, std::uint64_t seed)
+    : mProblem(problem), mBest(std::move(start)), mCeiling(ceiling), mRandom(seed)
 {
     for (int i = 0; i < problem.count(); ++i) {
         if (problem.movable(i))
@@ -73,12 +76,10 @@ PackSearch::PackSearch(const PackProblem &problem, Layout start, std::uint64_t s
     }
 }
 
-bool PackSearch::accept(const Layout &layout)
+void PackSearch::accept(const Layout &layout)
 {
-    if (!(layout.scale > mBest.scale))
-        return false;
-    mBest = layout;
-    return true;
+    if (layout.scale > mBest.scale)
+        mBest = layout;
 }
 
 std::vector<int> PackSearch::randomOrder(double noise)
@@ -121,95 +122,101 @@ std::optional<Layout> PackSearch::construct(BottomLeft &packer, double scale, bo
 
 void PackSearch::climbLadder(BottomLeft &packer, double guess, double budget, WorkMeter &work)
 {
-    const double stopAt = std::min(work.spentSeconds() + budget, 1e9);
-    const auto scaleAt = [&](int rung) { return guess * std::pow(ladderStep, rung); };
-    int rung = 0, step = 4, lowestFailure = 1 << 20, highestSuccess = -(1 << 20);
+    const double stopAt = work.spentSeconds() + budget;
+    const auto scaleAt = [&](int rung) { return std::min(mCeiling, guess * std::pow(ladderStep, rung)); };
+    constexpr int never = 1 << 20;
+    int rung = 0, step = 6, failure = never, success = -never;
     bool first = true;
-    while (!work.cancelled() && (work.spentSeconds() < stopAt || highestSuccess < -(1 << 19))) {
-        const std::optional<Layout> layout = construct(packer, scaleAt(rung), first, work);
-        fprintf(stderr,"rung %d ok %d reached %.3f spent %.3f\n",rung,(bool)layout,packer.reached(),work.spentSeconds());
-        if (layout) {
+    while (!work.cancelled() && !atCeiling() && (work.spentSeconds() < stopAt || success == -never)) {
+        if (const std::optional<Layout> layout = construct(packer, scaleAt(rung), first, work)) {
             accept(*layout);
-            highestSuccess = rung;
-            rung = lowestFailure - rung > 2 * step ? rung + step : std::max(rung + 1, (rung + lowestFailure) / 2);
+            success = rung;
         } else {
-            lowestFailure = std::min(lowestFailure, rung);
-            // Far from success: go down faster.
-            const int fall = step + static_cast<int>(30 * (1 - packer.reached()));
-            rung = highestSuccess > -(1 << 19) ? (highestSuccess + rung) / 2 : rung - fall;
-            if (scaleAt(rung) <= mBest.scale && highestSuccess < -(1 << 19))
+            failure = std::min(failure, rung);
+        }
+        if (success == -never) {
+            // Nothing better than the layout at hand is left below.
+            if (scaleAt(rung) <= std::max(mBest.scale, 1e-6 * guess))
                 return;
-            if (rung <= highestSuccess) {
-                // The bracket is closed: from now on random orders try the next rung.
-                rung = highestSuccess + 1;
-                lowestFailure = rung + 1;
-                first = false;
-            }
+            rung -= step;
+            step *= 2;
+        } else if (failure == never) {
+            rung += step;
+        } else if (failure > success + 1) {
+            rung = (success + failure) / 2;
+        } else {
+            // The bracket is closed: from now on random orders try the next rung.
+            rung = success + 1;
+            failure = rung + 1;
+            first = false;
         }
     }
 }
 
-void PackSearch::maximizeScale(WorkMeter &work, double effort)
+std::optional<Layout> PackSearch::pushApart(const Layout &layout, WorkMeter &work) const
 {
-    const RasterChoice raster = chooseRaster(static_cast<int>(mMovable.size()), effort);
-    BottomLeft packer(mProblem, raster.resolution, raster.angles);
-    const double guess = std::max(scaleForCover(mProblem, 0.8), mBest.scale * ladderStep);
-    climbLadder(packer, guess, 0.3 * effort, work);
-    fprintf(stderr,"before %g %g R %d K %d\n",mBest.scale,work.spentSeconds(),raster.resolution,raster.angles);
-    if (!work.cancelled() && mBest.scale > 0)
-        mBest = compactLayout(mProblem, mBest, 0.003, work);
-    fprintf(stderr,"after %g %g\n",mBest.scale,work.spentSeconds());
-    if (mProblem.count() <= 450 && !work.stop() && mBest.scale > 0)
-        separateAndGrow(work);
+    constexpr int sweeps = 30;
+    Compaction bodies(mProblem, layout);
+    for (const double part : {1.0, 0.5, 0.1}) {
+        bodies.setScale(mBest.scale + part * (layout.scale - mBest.scale));
+        if (bodies.resolve(sweeps, work) && isValidLayout(mProblem, bodies.layout(), work))
+            return bodies.layout();
+    }
+    return std::nullopt;
 }
 
-std::optional<Layout> PackSearch::separate(Separation &separation, const Layout &layout, int passes,
-                                           WorkMeter &work)
+std::optional<Layout> PackSearch::separate(Separation &separation, const Layout &layout, WorkMeter &work)
 {
-    separation.start(layout);
-    double tried = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < passes && !work.stop(); ++k) {
+    constexpr int patience = 30;    // passes without progress
+    if (!separation.start(layout))
+        return std::nullopt;
+    double least = std::numeric_limits<double>::infinity(), tried = least;
+    for (int idle = 0; idle < patience && !work.stop(); ++idle) {
         separation.pass(mRandom, work);
-        if (separation.deepest() > 0.8 * mProblem.gutter || separation.overlap() > 0.9 * tried)
+        if (separation.overlap() < 0.98 * least) {
+            least = separation.overlap();
+            idle = -1;
+        }
+        if (separation.deepest() > 0.8 * mProblem.gutter || separation.overlap() > 0.8 * tried)
             continue;
         // What is left is shallow enough for pushes to see which way is out.
         tried = separation.overlap();
-        Compaction bodies(mProblem, separation.layout());
-        if (bodies.resolve(60, work) && isValidLayout(mProblem, bodies.layout(), work)) {
-            fprintf(stderr, "  separated after %d passes\n", k + 1);
-            return bodies.layout();
-        }
+        if (std::optional<Layout> found = pushApart(separation.layout(), work))
+            return found;
+        if (tried == 0)
+            return std::nullopt;
     }
-    fprintf(stderr, "  failed, overlap %g deepest %g\n", separation.overlap()*1024, separation.deepest()*1024);
     return std::nullopt;
 }
 
 void PackSearch::separateAndGrow(WorkMeter &work)
 {
+    constexpr double firstGrowth = 0.015, leastGrowth = 0.003;
     Separation separation(mProblem, mBest.scale, work);
-    fprintf(stderr,"built %g\n",work.spentSeconds());
-    double growth = 0.015;
-    while (!work.stop()) {
+    double growth = firstGrowth;
+    while (!work.stop() && !atCeiling()) {
         Layout larger = mBest;
-        larger.scale *= 1 + growth;
-        const std::optional<Layout> found = separate(separation, larger, 60, work);
-        if (found) {
-            accept(compactLayout(mProblem, *found, 0.003, work));
-        } else {
-            growth = std::max(0.6 * growth, 0.003);
-        }
-        fprintf(stderr, "scale %g spent %g growth %g\n",mBest.scale,work.spentSeconds(),growth);
+        larger.scale = std::min(mCeiling, (1 + growth) * larger.scale);
+        if (const std::optional<Layout> found = separate(separation, larger, work))
+            accept(compactLayout(mProblem, *found, mCeiling, work));
+        else
+            growth = std::max(0.6 * growth, leastGrowth);
     }
 }
 
-void PackSearch::fitScale(double scale, WorkMeter &work, double effort)
+void PackSearch::run(WorkMeter &work, double effort)
 {
-    const RasterChoice raster = chooseRaster(static_cast<int>(mMovable.size()), effort);
+    const int islands = static_cast<int>(mMovable.size());
+    const bool canSeparate = mProblem.count() <= mostForSeparation;
+    const RasterChoice raster = chooseRaster(islands, effort);
     BottomLeft packer(mProblem, raster.resolution, raster.angles);
-    for (bool first = true; mBest.scale == 0 && (first || !work.stop()); first = false) {
-        if (const std::optional<Layout> layout = construct(packer, scale, first, work))
-            accept(*layout);
-    }
+    const double guess = std::max(scaleForCover(mProblem, 0.66), mBest.scale * ladderStep);
+    climbLadder(packer, guess, (canSeparate ? 0.3 : 0.7) * effort, work);
+    if (work.cancelled() || mBest.scale == 0)
+        return;
+    mBest = compactLayout(mProblem, mBest, mCeiling, work);
+    if (canSeparate && !work.stop() && !atCeiling())
+        separateAndGrow(work);
 }
 
 } // namespace autocuts
