@@ -23,14 +23,14 @@ public:
 private:
     struct Body
     {
-        double c, s;    //!< cosine and sine of the angle, times the scale
+        double c, s; //!< cosine and sine of the angle, times the scale
         double inverseMass, inverseInertia;
-        double reach;    //!< world radius
+        double reach; //!< world radius
     };
     struct Contact
     {
         int pointBody, edgeBody;
-        Vec2 point, a, b;    //!< in the bodies' own coordinates
+        Vec2 point, a, b; //!< in the bodies' own coordinates
     };
 
     void refresh(int body);
@@ -43,10 +43,10 @@ private:
     const PackProblem *mProblem;
     Layout mLayout;
     std::vector<Body> mBodies;
-    Layout mCollected;      //!< where everything was when the contacts were collected; no poses before
+    Layout mCollected; //!< where everything was when the contacts were collected; no poses before
     std::vector<Contact> mContacts;
-    double mTarget;    //!< a little more than the gutter, so that pushing comes to an end
-    double mReach;     //!< how far away a contact is collected
+    double mTarget; //!< a little more than the gutter, so that pushing comes to an end
+    double mReach;  //!< how far away a contact is collected
 };
 
 //! Grows the scale in small steps, up to the ceiling, as long as the pushes succeed and the layout passes the

@@ -36,8 +36,8 @@ void DistanceField::findNearestEdges(const Outline &outline, WorkMeter &work)
             return;
         ++tests;
         const Outline::Edge &edge = outline.edges[e];
-        const auto d = static_cast<float>(pointSegmentSquared(
-            mLower + mCell * Vec2(i, j), outline.points[edge.a], outline.points[edge.b]));
+        const auto d = static_cast<float>(
+            pointSegmentSquared(mLower + mCell * Vec2(i, j), outline.points[edge.a], outline.points[edge.b]));
         if (d < mDistance[node]) {
             mDistance[node] = d;
             nearest[node] = e;

@@ -21,7 +21,8 @@ void checkSettings(const PackSettings &settings)
         throw std::invalid_argument("packing: the bin is empty or not finite");
     if (settings.textureSize <= 0 || !(settings.margin >= 0) || !(settings.margin < 1e100) ||
         !(std::abs(settings.border) < 1e100) || !(settings.effort >= 0))
-        throw std::invalid_argument("packing: margin, border, texture size and effort must be finite and not negative");
+        throw std::invalid_argument(
+            "packing: margin, border, texture size and effort must be finite and not negative");
 }
 
 //! The unit in which outlines are of the order of the bin: the root of the whole area.
@@ -51,7 +52,8 @@ PackProblem makeProblem(const std::vector<PackIsland> &islands, const PackSettin
     const Vec2 size = settings.upper - settings.lower;
     // What single precision and text files round away.
     const double rounding =
-        1e-7 * std::max(size.maxCoeff(), settings.lower.cwiseAbs().cwiseMax(settings.upper.cwiseAbs()).maxCoeff());
+        1e-7 *
+        std::max(size.maxCoeff(), settings.lower.cwiseAbs().cwiseMax(settings.upper.cwiseAbs()).maxCoeff());
     problem.gutter = settings.margin * texel + 2 * rounding;
     const double border = (settings.border >= 0 ? settings.border : 0.5 * settings.margin) * texel + rounding;
     problem.lower = settings.lower + Vec2::Constant(border);
@@ -100,8 +102,9 @@ Layout largestShelves(const PackProblem &problem, WorkMeter &work)
 
 //! Independent starts, each with its share of the effort. Their number depends on the settings alone, and
 //! each has its own seed, so that the number of threads does not change the result.
-Layout searchFrom(const PackProblem &problem, const Layout &start, double ceiling, const PackSettings &settings,
-                  const std::atomic<bool> *cancel, const std::function<void(double)> &progress)
+Layout searchFrom(const PackProblem &problem, const Layout &start, double ceiling,
+                  const PackSettings &settings, const std::atomic<bool> *cancel,
+                  const std::function<void(double)> &progress)
 {
     constexpr double secondsPerStart = 2.5;
     constexpr int mostStarts = 16;

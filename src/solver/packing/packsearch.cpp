@@ -91,12 +91,13 @@ std::vector<int> PackSearch::randomOrder(double noise)
         const Outline &o = mProblem.outlines[i];
         const Vec2 box = rotatedBox(o.hull, o.boxAngle);
         const double longest = std::max(box.x(), box.y());
-        const double key = kind == 0   ? std::sqrt(box.x() * box.y() * (1 - share) + longest * longest * share)
+        const double key = kind == 0 ? std::sqrt(box.x() * box.y() * (1 - share) + longest * longest * share)
                            : kind == 1 ? std::sqrt(o.area)
                                        : o.perimeter;
         keys.push_back({-key * std::exp(noise * mRandom.symmetric()), i});
     }
-    std::stable_sort(keys.begin(), keys.end(), [](const auto &a, const auto &b) { return a.first < b.first; });
+    std::stable_sort(keys.begin(), keys.end(),
+                     [](const auto &a, const auto &b) { return a.first < b.first; });
     std::vector<int> order;
     for (const auto &key : keys)
         order.push_back(key.second);
@@ -124,15 +125,19 @@ void PackSearch::climbLadder(BottomLeft &packer, double guess, double budget, Wo
 {
     const double stopAt = work.spentSeconds() + budget;
     const auto scaleAt = [&](int rung) { return std::min(mCeiling, guess * std::pow(ladderStep, rung)); };
-    constexpr int never = 1 << 20;
+    constexpr int never = 1 << 20, patience = 300;
     int rung = 0, step = 6, failure = never, success = -never;
     bool first = true;
-    while (!work.cancelled() && !atCeiling() && (work.spentSeconds() < stopAt || success == -never)) {
+    int idle = 0;
+    while (!work.cancelled() && !atCeiling() && idle < patience &&
+           (work.spentSeconds() < stopAt || success == -never)) {
         if (const std::optional<Layout> layout = construct(packer, scaleAt(rung), first, work)) {
             accept(*layout);
             success = rung;
+            idle = 0;
         } else {
             failure = std::min(failure, rung);
+            ++idle;
         }
         if (success == -never) {
             // Nothing better than the layout at hand is left below.
@@ -167,8 +172,8 @@ std::optional<Layout> PackSearch::pushApart(const Layout &layout, WorkMeter &wor
 
 std::optional<Layout> PackSearch::separate(Separation &separation, const Layout &layout, WorkMeter &work)
 {
-    constexpr int patience = 30;    // passes without progress
-    if (!separation.start(layout))
+    constexpr int patience = 30; // passes without progress
+    if (!separation.start(layout, work))
         return std::nullopt;
     double least = std::numeric_limits<double>::infinity(), tried = least;
     for (int idle = 0; idle < patience && !work.stop(); ++idle) {
@@ -191,16 +196,19 @@ std::optional<Layout> PackSearch::separate(Separation &separation, const Layout 
 
 void PackSearch::separateAndGrow(WorkMeter &work)
 {
+    constexpr int patience = 100;
     constexpr double firstGrowth = 0.015, leastGrowth = 0.003;
     Separation separation(mProblem, mBest.scale, work);
     double growth = firstGrowth;
-    while (!work.stop() && !atCeiling()) {
+    for (int failures = 0; failures < patience && !work.stop() && !atCeiling(); ++failures) {
         Layout larger = mBest;
         larger.scale = std::min(mCeiling, (1 + growth) * larger.scale);
-        if (const std::optional<Layout> found = separate(separation, larger, work))
+        if (const std::optional<Layout> found = separate(separation, larger, work)) {
             accept(compactLayout(mProblem, *found, mCeiling, work));
-        else
+            failures = -1;
+        } else {
             growth = std::max(0.6 * growth, leastGrowth);
+        }
     }
 }
 

@@ -82,15 +82,19 @@ Separation::Separation(const PackProblem &problem, double scale, WorkMeter &work
 
 Separation::Frame Separation::frameOf(int body, const Pose &pose) const
 {
-    return {std::cos(pose.angle), std::sin(pose.angle),  pose.position.x(),
-            pose.position.y(),    mProblem.scaleOf(body, mLayout.scale), pose.angle};
+    return {std::cos(pose.angle),
+            std::sin(pose.angle),
+            pose.position.x(),
+            pose.position.y(),
+            mProblem.scaleOf(body, mLayout.scale),
+            pose.angle};
 }
 
 //! Calls visit(x, y, depth) for every sample of `points` that is inside the grown `field`; x and y are in the
 //! field's own coordinates, the depth in UV units.
 template <class Visit>
-void Separation::visitDeepPoints(int points, const Frame &from, int field, const Frame &to, double &operations,
-                                 Visit visit) const
+void Separation::visitDeepPoints(int points, const Frame &from, int field, const Frame &to,
+                                 double &operations, Visit visit) const
 {
     const double inverse = 1 / to.scale, ratio = from.scale * inverse;
     const double c = ratio * (from.c * to.c + from.s * to.s), s = ratio * (from.s * to.c - from.c * to.s);
@@ -133,7 +137,8 @@ Separation::Depth Separation::pairDepth(int i, const Frame &frame, int j, double
 }
 
 //! Calls visit(j) for the islands that may touch the body; stops when it returns false.
-template <class Visit> void Separation::visitNeighbours(int body, const Frame &frame, Visit visit) const
+template <class Visit>
+void Separation::visitNeighbours(int body, const Frame &frame, Visit visit) const
 {
     const double own = mRadius[body] + mProblem.gutter;
     for (int j = 0; j < mProblem.count(); ++j) {
@@ -165,8 +170,8 @@ Separation::Evaluation Separation::evaluate(int body, const Pose &pose, WorkMete
         const double weight = mWeights[index(body, j)];
         // A depth falls when the point moves along the gradient of the distance; the sign tells whether the
         // point or the field belongs to the body that moves.
-        const auto add = [&](const Frame &field, const DistanceField &distance, double sign, double x, double y,
-                             double depth) {
+        const auto add = [&](const Frame &field, const DistanceField &distance, double sign, double x,
+                             double y, double depth) {
             const Vec2 g = distance.gradientAt({x, y});
             const double nx = sign * weight * (field.c * g.x() - field.s * g.y());
             const double ny = sign * weight * (field.s * g.x() + field.c * g.y());
@@ -264,13 +269,13 @@ void Separation::moveBody(int body, SplitMix &random, WorkMeter &work)
     double least = cost(body, best, 1e300, work);
     const double before = least;
     least = descend(body, best, least, 8, work);
-    std::array<std::pair<double, Pose>, 2> found{std::pair{least * 4 + 1e-9, best}, std::pair{least * 4 + 1e-9, best}};
+    std::array<std::pair<double, Pose>, 2> found{std::pair{least * 4 + 1e-9, best},
+                                                 std::pair{least * 4 + 1e-9, best}};
     for (int k = 0; k < samples && least > 0; ++k) {
         Pose pose = randomPose(body, random);
         if (k % 3 == 0)
-            pose.position = mLayout.poses[body].position +
-                            Vec2(random.symmetric(), random.symmetric()) * mLayout.scale *
-                                mProblem.outlines[body].radius;
+            pose.position = mLayout.poses[body].position + Vec2(random.symmetric(), random.symmetric()) *
+                                                               mLayout.scale * mProblem.outlines[body].radius;
         if (!confine(body, pose))
             continue;
         const double value = cost(body, pose, found[1].first, work);
@@ -324,9 +329,10 @@ void Separation::updateTotals()
         mDeepest = std::max(mDeepest, static_cast<double>(d));
 }
 
-bool Separation::start(const Layout &layout)
+bool Separation::start(const Layout &layout, WorkMeter &work)
 {
     mLayout = layout;
+    work.add(2000 + 500.0 * mProblem.count());
     for (int i = 0; i < mProblem.count(); ++i) {
         if (mProblem.movable(i) && !confineByTurning(i, mLayout.poses[i], std::numbers::pi))
             return false;
@@ -341,9 +347,8 @@ bool Separation::start(const Layout &layout)
     mWeights.assign(pairs, 1);
     mOverlap.assign(pairs, 0);
     mDepth.assign(pairs, 0);
-    WorkMeter unmetered(0, nullptr);
     for (int i = 0; i < mProblem.count(); ++i)
-        updateRow(i, unmetered);
+        updateRow(i, work);
     updateTotals();
     return true;
 }
@@ -375,7 +380,7 @@ void Separation::pass(SplitMix &random, WorkMeter &work)
         const float o = mOverlap[k];
         mWeights[k] = o > 0 ? mWeights[k] * (1.2F + 0.8F * o / largest) : std::max(1.0F, 0.95F * mWeights[k]);
     }
-    work.add(3.0 * n * n);
+    work.add(500 + 3.0 * n * n);
 }
 
 } // namespace autocuts
