@@ -30,9 +30,9 @@ RasterChoice chooseRaster(int islands, double effort)
     };
     constexpr double layouts = 8;
     RasterChoice choice{islands > 450 ? 1024 : 512, 8};
-    while (choice.angles > 2 && layouts * seconds(choice) > 0.5 * effort)
+    while (choice.angles > 2 && layouts * seconds(choice) > effort)
         choice.angles /= 2;
-    while (choice.resolution > 256 && layouts * seconds(choice) > 0.5 * effort)
+    while (choice.resolution > 256 && layouts * seconds(choice) > effort)
         choice.resolution = choice.resolution * 3 / 4;
     // A mean island of fewer pixels than this would be all rounding.
     const int least = static_cast<int>(std::min(2048.0, 8 * std::sqrt(1.0 * islands)));
@@ -108,7 +108,7 @@ std::optional<Layout> PackSearch::construct(BottomLeft &packer, double scale, bo
 {
     const std::vector<int> order = randomOrder(first ? 0 : 0.3);
     const double blend = first ? 0.5 : mRandom.uniform();
-    for (const double safety : {0.3, 0.72}) {
+    for (const double safety : {0.6, 0.72}) {
         std::optional<Layout> layout = packer.pack(scale, order, blend, safety, work);
         if (!layout)
             return std::nullopt;

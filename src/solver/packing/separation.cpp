@@ -62,7 +62,7 @@ Separation::Separation(const PackProblem &problem, double scale, WorkMeter &work
         const double cell = side / 400 / own;
         // Room for the gutter at scales down to half of this one.
         Body body{DistanceField(outline, cell, 1.5 * problem.gutter / own + 2 * cell, work), {}, {}};
-        body.samples = samplePoints(outline, std::max(1.5 * problem.gutter, side / 250) / own);
+        body.samples = samplePoints(outline, std::max(2.5 * problem.gutter, side / 250) / own);
         sortInPlane(body.samples.data(), body.samples.data() + body.samples.size(), clusterSize);
         const int count = static_cast<int>(body.samples.size());
         for (int begin = 0; begin < count; begin += clusterSize) {
@@ -157,7 +157,7 @@ double Separation::cost(int body, const Pose &pose, double limit, WorkMeter &wor
         sum += mWeights[index(body, j)] * pairDepth(body, frame, j, operations).sum;
         return sum < limit;
     });
-    work.add(4.2 * operations + 1.5 * mProblem.count());
+    work.add(4.9 * operations + 1.5 * mProblem.count());
     return sum;
 }
 
@@ -190,7 +190,7 @@ Separation::Evaluation Separation::evaluate(int body, const Pose &pose, WorkMete
         });
         return true;
     });
-    work.add(4.2 * operations + 1.5 * mProblem.count());
+    work.add(4.9 * operations + 1.5 * mProblem.count());
     return result;
 }
 
@@ -317,7 +317,7 @@ void Separation::updateRow(int body, WorkMeter &work)
             setPair(body, j, pairDepth(body, mFrames[body], j, operations));
         return true;
     });
-    work.add(4.2 * operations + 4.0 * mProblem.count());
+    work.add(4.9 * operations + 4.0 * mProblem.count());
 }
 
 void Separation::updateTotals()
