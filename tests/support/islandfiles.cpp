@@ -58,7 +58,8 @@ bool writeUvMesh(const std::string &path, const UvMesh &data)
     out.precision(17);
     const MeshData &mesh = *data.mesh;
     for (int i = 0; i < mesh.vertexCount(); ++i)
-        out << "v " << mesh.positions(i, 0) << ' ' << mesh.positions(i, 1) << ' ' << mesh.positions(i, 2) << '\n';
+        out << "v " << mesh.positions(i, 0) << ' ' << mesh.positions(i, 1) << ' ' << mesh.positions(i, 2)
+            << '\n';
     for (int c = 0; c < data.uv.rows(); ++c)
         out << "vt " << data.uv(c, 0) << ' ' << data.uv(c, 1) << '\n';
     for (int f = 0; f < mesh.faceCount(); ++f) {

@@ -13,7 +13,7 @@ namespace autocuts::test {
 struct UvMesh
 {
     std::shared_ptr<const MeshData> mesh;
-    UvMatrix uv;    //!< one row per corner
+    UvMatrix uv; //!< one row per corner
 };
 
 //! An empty pointer in mesh when the file cannot be read.

@@ -29,8 +29,7 @@ constexpr int manyIslands = 1500;
 BottomLeft::BottomLeft(const PackProblem &problem, int resolution, int angles)
     : mProblem(problem), mAngles(angles), mPixel(pixelSize(problem, resolution)),
       mHalfGutter(0.5 * problem.gutter / mPixel), mBin(makeBin(problem, mPixel)), mRasters(problem.count())
-{
-}
+{}
 
 const std::vector<ItemRaster> &BottomLeft::rasters(int island, WorkMeter &work)
 {
@@ -45,8 +44,7 @@ const std::vector<ItemRaster> &BottomLeft::rasters(int island, WorkMeter &work)
         const double angle = base + 2 * std::numbers::pi * k / count;
         const Vec2 box = rotatedBox(outline.hull, angle) * mScale;
         if (box.x() <= mProblem.size().x() && box.y() <= mProblem.size().y())
-            items.push_back(
-                rasterizeOutline(outline, angle, mScale / mPixel, mHalfGutter, mSafety, work));
+            items.push_back(rasterizeOutline(outline, angle, mScale / mPixel, mHalfGutter, mSafety, work));
     }
     return items;
 }
@@ -88,16 +86,17 @@ void BottomLeft::occupyLocked(WorkMeter &work)
         if (!bin.near({centre - Vec2::Constant(reach), centre + Vec2::Constant(reach)}, mProblem.gutter))
             continue;
         // A locked island does not sit on the pixels' raster: its own half pixel comes on top.
-        const ItemRaster item = rasterizeOutline(outline, 0, std::min(mProblem.unit / mPixel, 1e4 / outline.radius),
-                                                 mHalfGutter, mSafety + 0.71, work);
+        const ItemRaster item =
+            rasterizeOutline(outline, 0, std::min(mProblem.unit / mPixel, 1e4 / outline.radius), mHalfGutter,
+                             mSafety + 0.71, work);
         const Vec2 corner = (centre - mProblem.lower) / mPixel + item.low;
         mBin.occupyClipped(item, static_cast<int>(std::floor(corner.x() + 0.5)),
                            static_cast<int>(std::floor(corner.y() + 0.5)));
     }
 }
 
-std::optional<Layout> BottomLeft::pack(double scale, const std::vector<int> &order, double blend, double safety,
-                                       WorkMeter &work)
+std::optional<Layout> BottomLeft::pack(double scale, const std::vector<int> &order, double blend,
+                                       double safety, WorkMeter &work)
 {
     mReached = 0;
     if (scale != mScale || safety != mSafety) {
@@ -107,6 +106,7 @@ std::optional<Layout> BottomLeft::pack(double scale, const std::vector<int> &ord
             items.clear();
     }
     mBin.clear();
+    work.add(2000 + 0.1 * static_cast<double>(mBin.byteCount()));
     occupyLocked(work);
     Layout layout{scale, mProblem.given};
     // Rows below which nothing of a size was found lately; used only when there are many islands.
@@ -118,7 +118,8 @@ std::optional<Layout> BottomLeft::pack(double scale, const std::vector<int> &ord
             return std::nullopt;
         const std::vector<ItemRaster> &items = rasters(island, work);
         const double radius = mProblem.outlines[island].radius;
-        if (static_cast<int>(order.size()) < manyIslands || radius < 0.9 * lastRadius || radius > 1.1 * lastRadius) {
+        if (static_cast<int>(order.size()) < manyIslands || radius < 0.9 * lastRadius ||
+            radius > 1.1 * lastRadius) {
             firstRow = 0;
             lastRadius = radius;
         }

@@ -41,7 +41,7 @@ private:
 
     const PackProblem &mProblem;
     int mAngles;
-    double mPixel;    //!< UV units
+    double mPixel; //!< UV units
     double mHalfGutter;
     double mScale = 0, mSafety = -1;
     double mReached = 0;

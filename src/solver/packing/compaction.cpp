@@ -31,9 +31,9 @@ void Compaction::refresh(int body)
     }
 }
 
-void Compaction::grow(double factor)
+void Compaction::setScale(double scale)
 {
-    mLayout.scale *= factor;
+    mLayout.scale = scale;
     for (int i = 0; i < mProblem->count(); ++i)
         refresh(i);
 }
@@ -68,7 +68,8 @@ void Compaction::collectContacts(WorkMeter &work)
         refresh(i);
     }
     mCollected = mLayout;
-    work.add(60 * static_cast<double>(edges.size()) + 15.0 * grid.entryCount() + 8 * tests + grid.cellCount());
+    work.add(60 * static_cast<double>(edges.size()) + 15.0 * grid.entryCount() + 8 * tests +
+             grid.cellCount());
 }
 
 void Compaction::move(int body, const Vec2 &arm, const Vec2 &impulse)
@@ -76,7 +77,8 @@ void Compaction::move(int body, const Vec2 &arm, const Vec2 &impulse)
     Body &b = mBodies[body];
     Pose &pose = mLayout.poses[body];
     pose.position += b.inverseMass * impulse;
-    const double turn = std::clamp(b.inverseInertia * (arm.x() * impulse.y() - arm.y() * impulse.x()), -0.1, 0.1);
+    const double turn =
+        std::clamp(b.inverseInertia * (arm.x() * impulse.y() - arm.y() * impulse.x()), -0.1, 0.1);
     if (turn != 0) {
         const double inverse = 1 / std::sqrt(1 + turn * turn);
         const double c = (b.c - turn * b.s) * inverse;
@@ -122,8 +124,8 @@ bool Compaction::push(const Contact &contact)
     const Vec2 n = gap / distance;
     const Vec2 armQ = a + t * d;
     const double turnP = armP.x() * n.y() - armP.y() * n.x(), turnQ = armQ.x() * n.y() - armQ.y() * n.x();
-    const double give = p.inverseMass + q.inverseMass + p.inverseInertia * turnP * turnP +
-                        q.inverseInertia * turnQ * turnQ;
+    const double give =
+        p.inverseMass + q.inverseMass + p.inverseInertia * turnP * turnP + q.inverseInertia * turnQ * turnQ;
     if (!(give > 0))
         return false;
     const Vec2 impulse = n * ((mTarget - distance) / give);
@@ -192,14 +194,14 @@ bool Compaction::resolve(int sweeps, WorkMeter &work)
     return false;
 }
 
-Layout compactLayout(const PackProblem &problem, const Layout &layout, double firstStep, WorkMeter &work)
+Layout compactLayout(const PackProblem &problem, const Layout &layout, double ceiling, WorkMeter &work)
 {
-    constexpr double smallestStep = 2e-4;
+    constexpr double firstStep = 3e-3, smallestStep = 2e-4;
     constexpr int sweeps = 60;
     Layout best = layout;
     Compaction bodies(problem, best);
-    for (double step = firstStep; step > smallestStep && !work.stop();) {
-        bodies.grow(1 + step);
+    for (double step = firstStep; step > smallestStep && best.scale < ceiling && !work.stop();) {
+        bodies.setScale(std::min(ceiling, (1 + step) * best.scale));
         if (bodies.resolve(sweeps, work) && isValidLayout(problem, bodies.layout(), work)) {
             best = bodies.layout();
         } else {

@@ -14,8 +14,8 @@ public:
     Compaction(const PackProblem &problem, Layout layout);
 
     const Layout &layout() const { return mLayout; }
-    //! Makes all movable islands larger in place.
-    void grow(double factor);
+    //! Makes all movable islands larger or smaller in place.
+    void setScale(double scale);
     //! Pushes until a whole sweep found nothing to push.
     //! \return false when that did not happen within the given number of sweeps
     bool resolve(int sweeps, WorkMeter &work);
@@ -23,14 +23,14 @@ public:
 private:
     struct Body
     {
-        double c, s;    //!< cosine and sine of the angle, times the scale
+        double c, s; //!< cosine and sine of the angle, times the scale
         double inverseMass, inverseInertia;
-        double reach;    //!< world radius
+        double reach; //!< world radius
     };
     struct Contact
     {
         int pointBody, edgeBody;
-        Vec2 point, a, b;    //!< in the bodies' own coordinates
+        Vec2 point, a, b; //!< in the bodies' own coordinates
     };
 
     void refresh(int body);
@@ -43,14 +43,14 @@ private:
     const PackProblem *mProblem;
     Layout mLayout;
     std::vector<Body> mBodies;
-    Layout mCollected;      //!< where everything was when the contacts were collected; no poses before
+    Layout mCollected; //!< where everything was when the contacts were collected; no poses before
     std::vector<Contact> mContacts;
-    double mTarget;    //!< a little more than the gutter, so that pushing comes to an end
-    double mReach;     //!< how far away a contact is collected
+    double mTarget; //!< a little more than the gutter, so that pushing comes to an end
+    double mReach;  //!< how far away a contact is collected
 };
 
-//! Grows the scale in small steps as long as the pushes succeed and the layout passes the exact test.
-//! \pre layout is valid \return the largest valid layout found
-Layout compactLayout(const PackProblem &problem, const Layout &layout, double firstStep, WorkMeter &work);
+//! Grows the scale in small steps, up to the ceiling, as long as the pushes succeed and the layout passes the
+//! exact test. \pre layout is valid \return the largest valid layout found
+Layout compactLayout(const PackProblem &problem, const Layout &layout, double ceiling, WorkMeter &work);
 
 } // namespace autocuts

@@ -36,8 +36,8 @@ void DistanceField::findNearestEdges(const Outline &outline, WorkMeter &work)
             return;
         ++tests;
         const Outline::Edge &edge = outline.edges[e];
-        const auto d = static_cast<float>(pointSegmentSquared(
-            mLower + mCell * Vec2(i, j), outline.points[edge.a], outline.points[edge.b]));
+        const auto d = static_cast<float>(
+            pointSegmentSquared(mLower + mCell * Vec2(i, j), outline.points[edge.a], outline.points[edge.b]));
         if (d < mDistance[node]) {
             mDistance[node] = d;
             nearest[node] = e;
@@ -136,14 +136,6 @@ Vec2 DistanceField::gradientAt(const Vec2 &p) const
     return Vec2((1 - v) * (d[1] - d[0]) + v * (above[1] - above[0]),
                 (1 - u) * (above[0] - d[0]) + u * (above[1] - d[1])) *
            mInverse;
-}
-
-double DistanceField::lowerBoundAt(const Vec2 &p) const
-{
-    const double d = at(p);
-    if (d < far)
-        return d - mCell;
-    return (p - p.cwiseMax(mBoxLower).cwiseMin(mBoxUpper)).norm();
 }
 
 } // namespace autocuts

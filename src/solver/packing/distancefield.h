@@ -4,6 +4,8 @@
 #include "solver/packing/layout.h"
 #include "solver/packing/workmeter.h"
 
+#include <algorithm>
+
 namespace autocuts {
 
 //! Distance to the outline, negative inside (winding number not zero); bilinear between the nodes.
@@ -14,21 +16,31 @@ public:
     //! \param reach how far the grid goes beyond the outline's box
     DistanceField(const Outline &outline, double cell, double reach, WorkMeter &work);
 
-    //! Distance at p; a large number off the grid.
-    double at(const Vec2 &p) const
+    //! Distance at (px, py); a large number off the grid. Scalars, because this is called millions of times.
+    double at(double px, double py) const
     {
-        const double x = (p.x() - mLower.x()) * mInverse, y = (p.y() - mLower.y()) * mInverse;
+        const double x = (px - mLower.x()) * mInverse, y = (py - mLower.y()) * mInverse;
         if (!(x >= 0 && y >= 0 && x < mColumns - 1 && y < mRows - 1))
             return far;
         const int i = static_cast<int>(x), j = static_cast<int>(y);
-        const double u = x - i, v = y - j;
+        const float u = static_cast<float>(x - i), v = static_cast<float>(y - j);
         const float *d = mDistance.data() + static_cast<std::size_t>(j) * mColumns + i;
-        return (1 - v) * ((1 - u) * d[0] + u * d[1]) + v * ((1 - u) * d[mColumns] + u * d[mColumns + 1]);
+        const float below = d[0] + u * (d[1] - d[0]);
+        const float above = d[mColumns] + u * (d[mColumns + 1] - d[mColumns]);
+        return below + v * (above - below);
     }
     //! Gradient of at(); zero off the grid.
     Vec2 gradientAt(const Vec2 &p) const;
-    //! A lower bound of the distance that also holds off the grid.
-    double lowerBoundAt(const Vec2 &p) const;
+    //! True when (px, py) is surely at least `limit` away from the outline.
+    bool isFartherThan(double px, double py, double limit) const
+    {
+        const double dx = std::max(0.0, std::max(mBoxLower.x() - px, px - mBoxUpper.x()));
+        const double dy = std::max(0.0, std::max(mBoxLower.y() - py, py - mBoxUpper.y()));
+        if (dx * dx + dy * dy >= limit * limit)
+            return true;
+        const double d = at(px, py);
+        return d < far && d - mCell >= limit;
+    }
 
     static constexpr double far = 1e30;
 

@@ -44,7 +44,7 @@ std::vector<int> collectPoints(const MeshData &mesh, const UvMatrix &uv, const s
 void collectBoundary(const MeshData &mesh, const std::vector<int> &faceChart, const std::vector<int> &point,
                      std::vector<PackIsland> &islands)
 {
-    std::vector<std::array<int, 3>> sides;    // chart, lower point, higher point
+    std::vector<std::array<int, 3>> sides; // chart, lower point, higher point
     for (int f = 0; f < mesh.faceCount(); ++f) {
         if (faceChart[f] < 0)
             continue;

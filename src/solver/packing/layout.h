@@ -11,7 +11,7 @@ namespace autocuts {
 struct Pose
 {
     double angle = 0;
-    Vec2 position = Vec2::Zero();    //!< of the outline's centre, UV units
+    Vec2 position = Vec2::Zero(); //!< of the outline's centre, UV units
 };
 
 //! A rotation with its scale, applied many times.
@@ -26,7 +26,7 @@ struct Turn
 
 struct Layout
 {
-    double scale = 0;    //!< UV units per unit of the outlines
+    double scale = 0; //!< UV units per unit of the outlines
     std::vector<Pose> poses;
 };
 
@@ -35,10 +35,10 @@ struct PackProblem
 {
     std::vector<Outline> outlines;
     std::vector<char> locked;
-    std::vector<Pose> given;                            //!< where the islands were
-    double unit = 1;                                    //!< UV units per unit of the outlines, as given
-    Vec2 lower = Vec2::Zero(), upper = Vec2::Ones();    //!< where points may be: the bin less its border
-    double gutter = 0;                                  //!< least distance between two islands, UV units
+    std::vector<Pose> given;                         //!< where the islands were
+    double unit = 1;                                 //!< UV units per unit of the outlines, as given
+    Vec2 lower = Vec2::Zero(), upper = Vec2::Ones(); //!< where points may be: the bin less its border
+    double gutter = 0;                               //!< least distance between two islands, UV units
     PackRotation rotation = PackRotation::Free;
 
     int count() const { return static_cast<int>(outlines.size()); }

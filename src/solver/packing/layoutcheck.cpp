@@ -137,7 +137,8 @@ bool isValidLayout(const PackProblem &problem, const Layout &layout, WorkMeter &
         }
         valid = nothingContained(problem, layout, boxes, tests);
     }
-    work.add(12 * tests + 40 * static_cast<double>(edges.size()) + 10.0 * grid.entryCount() + grid.cellCount());
+    work.add(12 * tests + 40 * static_cast<double>(edges.size()) + 10.0 * grid.entryCount() +
+             grid.cellCount());
     return valid;
 }
 

@@ -160,7 +160,8 @@ void buildStrips(Outline &outline)
     }
     const double count = static_cast<double>(outline.edges.size());
     // As many strips as give every edge about four entries.
-    const int strips = rise > 0 ? static_cast<int>(std::clamp(4 * count * ((high - low) / rise), 1.0, count)) : 1;
+    const int strips =
+        rise > 0 ? static_cast<int>(std::clamp(4 * count * ((high - low) / rise), 1.0, count)) : 1;
     outline.stripLower = low;
     outline.stripHeight = (high - low) / strips;
     const auto stripOf = [&](double y) {

@@ -17,19 +17,19 @@ struct Outline
 {
     struct Edge
     {
-        int a, b;       //!< into points
-        int winding;    //!< how much larger the winding number is on the left of a -> b; 0: only an open edge
+        int a, b;    //!< into points
+        int winding; //!< how much larger the winding number is on the left of a -> b; 0: only an open edge
     };
 
-    std::vector<Vec2> points;             //!< those of the edges; (UV - centre) / unit
-    std::vector<Edge> edges;              //!< may have zero length; never empty when points is not
-    std::vector<int> componentPoints;     //!< one point of each connected set of edges
-    std::vector<Vec2> hull;               //!< convex hull, counter-clockwise; one or two points when degenerate
-    Vec2 centre = Vec2::Zero();           //!< UV units
-    double area = 0;                      //!< of the triangles, units squared
-    double perimeter = 0;                 //!< length of all edges
-    double radius = 0;                    //!< largest distance of a point from the centre
-    double boxAngle = 0;                  //!< the turn that makes the box of least area upright
+    std::vector<Vec2> points;         //!< those of the edges; (UV - centre) / unit
+    std::vector<Edge> edges;          //!< may have zero length; never empty when points is not
+    std::vector<int> componentPoints; //!< one point of each connected set of edges
+    std::vector<Vec2> hull;           //!< convex hull, counter-clockwise; one or two points when degenerate
+    Vec2 centre = Vec2::Zero();       //!< UV units
+    double area = 0;                  //!< of the triangles, units squared
+    double perimeter = 0;             //!< length of all edges
+    double radius = 0;                //!< largest distance of a point from the centre
+    double boxAngle = 0;              //!< the turn that makes the box of least area upright
 
     //! Winding number at p (same coordinates as points); undefined on an edge itself.
     int windingAt(const Vec2 &p) const;

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <thread>
 
 namespace autocuts {
 
@@ -19,7 +21,8 @@ void checkSettings(const PackSettings &settings)
         throw std::invalid_argument("packing: the bin is empty or not finite");
     if (settings.textureSize <= 0 || !(settings.margin >= 0) || !(settings.margin < 1e100) ||
         !(std::abs(settings.border) < 1e100) || !(settings.effort >= 0))
-        throw std::invalid_argument("packing: margin, border, texture size and effort must be finite and not negative");
+        throw std::invalid_argument(
+            "packing: margin, border, texture size and effort must be finite and not negative");
 }
 
 //! The unit in which outlines are of the order of the bin: the root of the whole area.
@@ -49,7 +52,8 @@ PackProblem makeProblem(const std::vector<PackIsland> &islands, const PackSettin
     const Vec2 size = settings.upper - settings.lower;
     // What single precision and text files round away.
     const double rounding =
-        1e-7 * std::max(size.maxCoeff(), settings.lower.cwiseAbs().cwiseMax(settings.upper.cwiseAbs()).maxCoeff());
+        1e-7 *
+        std::max(size.maxCoeff(), settings.lower.cwiseAbs().cwiseMax(settings.upper.cwiseAbs()).maxCoeff());
     problem.gutter = settings.margin * texel + 2 * rounding;
     const double border = (settings.border >= 0 ? settings.border : 0.5 * settings.margin) * texel + rounding;
     problem.lower = settings.lower + Vec2::Constant(border);
@@ -96,16 +100,53 @@ Layout largestShelves(const PackProblem &problem, WorkMeter &work)
     return best;
 }
 
-Layout solve(const PackProblem &problem, const PackSettings &settings, WorkMeter &work)
+//! Independent starts, each with its share of the effort. Their number depends on the settings alone, and
+//! each has its own seed, so that the number of threads does not change the result.
+Layout searchFrom(const PackProblem &problem, const Layout &start, double ceiling,
+                  const PackSettings &settings, const std::atomic<bool> *cancel,
+                  const std::function<void(double)> &progress)
 {
-    Layout none{0, problem.given};
+    constexpr double secondsPerStart = 2.5;
+    constexpr int mostStarts = 16;
+    const double wanted = settings.starts > 0 ? settings.starts : settings.effort / secondsPerStart;
+    const int starts = static_cast<int>(std::clamp(wanted, 1.0, 1.0 * mostStarts));
+    const int threads = std::clamp(settings.threads, 1, starts);
+    const double share = settings.effort / starts;
+    std::vector<Layout> found(starts, start);
+    const auto work = [&](int thread) {
+        for (int i = thread; i < starts; i += threads) {
+            const auto report = [&, i](double part) { progress((i + part) / starts); };
+            const bool reports = progress && thread == 0;
+            WorkMeter meter(share, cancel, reports ? std::function<void(double)>(report) : nullptr);
+            PackSearch search(problem, start, ceiling, settings.seed + 0x100000000ULL * i);
+            search.run(meter, share);
+            found[i] = search.best();
+        }
+    };
+    std::vector<std::thread> helpers;
+    for (int t = 1; t < threads; ++t)
+        helpers.emplace_back(work, t);
+    work(0);
+    for (std::thread &helper : helpers)
+        helper.join();
+    return *std::max_element(found.begin(), found.end(),
+                             [](const Layout &a, const Layout &b) { return a.scale < b.scale; });
+}
+
+Layout solve(const PackProblem &problem, const PackSettings &settings, const std::atomic<bool> *cancel,
+             const std::function<void(double)> &progress)
+{
+    WorkMeter work(0, cancel);
+    const auto search = [&](const Layout &start, double ceiling) {
+        return searchFrom(problem, start, ceiling, settings, cancel, progress);
+    };
+    const Layout none{0, problem.given};
     if (settings.keepScale) {
-        if (const std::optional<Layout> shelves = packShelves(problem, problem.unit, work);
-            shelves && isValidLayout(problem, *shelves, work))
+        const std::optional<Layout> shelves = packShelves(problem, problem.unit, work);
+        if (shelves && isValidLayout(problem, *shelves, work))
             return *shelves;
-        PackSearch search(problem, none, settings.seed);
-        search.fitScale(problem.unit, work, settings.effort);
-        return search.best();
+        const Layout found = search(none, problem.unit);
+        return found.scale >= problem.unit ? found : none;
     }
     if (const std::optional<Layout> single = fitSingleIsland(problem, work))
         return *single;
@@ -115,9 +156,7 @@ Layout solve(const PackProblem &problem, const PackSettings &settings, WorkMeter
         anyExtent = anyExtent || (problem.movable(i) && problem.outlines[i].radius > 0);
     if (!anyExtent && shelves.scale > 0)
         return shelves;
-    PackSearch search(problem, shelves, settings.seed);
-    search.maximizeScale(work, settings.effort);
-    return search.best();
+    return search(shelves, std::numeric_limits<double>::infinity());
 }
 
 double efficiency(const PackProblem &problem, const PackSettings &settings, double scale)
@@ -152,9 +191,8 @@ PackResult packIslands(const std::vector<PackIsland> &islands, const PackSetting
         result.efficiency = efficiency(problem, settings, problem.unit);
         return result;
     }
-    WorkMeter work(settings.effort, cancel, progress);
-    const Layout layout = (problem.size().array() > 0).all() ? solve(problem, settings, work)
-                                                             : Layout{0, problem.given};
+    const bool anyRoom = (problem.size().array() >= 0).all();
+    const Layout layout = anyRoom ? solve(problem, settings, cancel, progress) : Layout{0, problem.given};
     result.complete = layout.scale > 0;
     const double scale = result.complete ? layout.scale : problem.unit;
     result.scale = result.complete && !settings.keepScale ? scale / problem.unit : 1;

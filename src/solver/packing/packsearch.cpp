@@ -13,6 +13,9 @@ namespace {
 //! Ratio of two neighbouring scales of the ladder.
 constexpr double ladderStep = 1.008;
 
+//! Most islands for guided local search: its cost per pass grows with the square.
+constexpr int mostForSeparation = 600;
+
 struct RasterChoice
 {
     int resolution;
@@ -27,9 +30,9 @@ RasterChoice chooseRaster(int islands, double effort)
     };
     constexpr double layouts = 8;
     RasterChoice choice{islands > 450 ? 1024 : 512, 8};
-    while (choice.angles > 2 && layouts * seconds(choice) > 0.5 * effort)
+    while (choice.angles > 2 && layouts * seconds(choice) > effort)
         choice.angles /= 2;
-    while (choice.resolution > 256 && layouts * seconds(choice) > 0.5 * effort)
+    while (choice.resolution > 256 && layouts * seconds(choice) > effort)
         choice.resolution = choice.resolution * 3 / 4;
     // A mean island of fewer pixels than this would be all rounding.
     const int least = static_cast<int>(std::min(2048.0, 8 * std::sqrt(1.0 * islands)));
@@ -64,8 +67,8 @@ double scaleForCover(const PackProblem &problem, double cover)
     return 2 * room / (b + std::sqrt(b * b + 4 * area * room));
 }
 
-PackSearch::PackSearch(const PackProblem &problem, Layout start, std::uint64_t seed)
-    : mProblem(problem), mBest(std::move(start)), mRandom(seed)
+PackSearch::PackSearch(const PackProblem &problem, Layout start, double ceiling, std::uint64_t seed)
+    : mProblem(problem), mBest(std::move(start)), mCeiling(ceiling), mRandom(seed)
 {
     for (int i = 0; i < problem.count(); ++i) {
         if (problem.movable(i))
@@ -73,12 +76,10 @@ PackSearch::PackSearch(const PackProblem &problem, Layout start, std::uint64_t s
     }
 }
 
-bool PackSearch::accept(const Layout &layout)
+void PackSearch::accept(const Layout &layout)
 {
-    if (!(layout.scale > mBest.scale))
-        return false;
-    mBest = layout;
-    return true;
+    if (layout.scale > mBest.scale)
+        mBest = layout;
 }
 
 std::vector<int> PackSearch::randomOrder(double noise)
@@ -90,12 +91,13 @@ std::vector<int> PackSearch::randomOrder(double noise)
         const Outline &o = mProblem.outlines[i];
         const Vec2 box = rotatedBox(o.hull, o.boxAngle);
         const double longest = std::max(box.x(), box.y());
-        const double key = kind == 0   ? std::sqrt(box.x() * box.y() * (1 - share) + longest * longest * share)
+        const double key = kind == 0 ? std::sqrt(box.x() * box.y() * (1 - share) + longest * longest * share)
                            : kind == 1 ? std::sqrt(o.area)
                                        : o.perimeter;
         keys.push_back({-key * std::exp(noise * mRandom.symmetric()), i});
     }
-    std::stable_sort(keys.begin(), keys.end(), [](const auto &a, const auto &b) { return a.first < b.first; });
+    std::stable_sort(keys.begin(), keys.end(),
+                     [](const auto &a, const auto &b) { return a.first < b.first; });
     std::vector<int> order;
     for (const auto &key : keys)
         order.push_back(key.second);
@@ -106,7 +108,7 @@ std::optional<Layout> PackSearch::construct(BottomLeft &packer, double scale, bo
 {
     const std::vector<int> order = randomOrder(first ? 0 : 0.3);
     const double blend = first ? 0.5 : mRandom.uniform();
-    for (const double safety : {0.3, 0.72}) {
+    for (const double safety : {0.6, 0.72}) {
         std::optional<Layout> layout = packer.pack(scale, order, blend, safety, work);
         if (!layout)
             return std::nullopt;
@@ -121,95 +123,108 @@ std::optional<Layout> PackSearch::construct(BottomLeft &packer, double scale, bo
 
 void PackSearch::climbLadder(BottomLeft &packer, double guess, double budget, WorkMeter &work)
 {
-    const double stopAt = std::min(work.spentSeconds() + budget, 1e9);
-    const auto scaleAt = [&](int rung) { return guess * std::pow(ladderStep, rung); };
-    int rung = 0, step = 4, lowestFailure = 1 << 20, highestSuccess = -(1 << 20);
+    const double stopAt = work.spentSeconds() + budget;
+    const auto scaleAt = [&](int rung) { return std::min(mCeiling, guess * std::pow(ladderStep, rung)); };
+    constexpr int never = 1 << 20, patience = 300;
+    int rung = 0, step = 6, failure = never, success = -never;
     bool first = true;
-    while (!work.cancelled() && (work.spentSeconds() < stopAt || highestSuccess < -(1 << 19))) {
-        const std::optional<Layout> layout = construct(packer, scaleAt(rung), first, work);
-        fprintf(stderr,"rung %d ok %d reached %.3f spent %.3f\n",rung,(bool)layout,packer.reached(),work.spentSeconds());
-        if (layout) {
+    int idle = 0;
+    while (!work.cancelled() && !atCeiling() && idle < patience &&
+           (work.spentSeconds() < stopAt || success == -never)) {
+        if (const std::optional<Layout> layout = construct(packer, scaleAt(rung), first, work)) {
             accept(*layout);
-            highestSuccess = rung;
-            rung = lowestFailure - rung > 2 * step ? rung + step : std::max(rung + 1, (rung + lowestFailure) / 2);
+            success = rung;
+            idle = 0;
         } else {
-            lowestFailure = std::min(lowestFailure, rung);
-            // Far from success: go down faster.
-            const int fall = step + static_cast<int>(30 * (1 - packer.reached()));
-            rung = highestSuccess > -(1 << 19) ? (highestSuccess + rung) / 2 : rung - fall;
-            if (scaleAt(rung) <= mBest.scale && highestSuccess < -(1 << 19))
+            failure = std::min(failure, rung);
+            ++idle;
+        }
+        if (success == -never) {
+            // Nothing better than the layout at hand is left below.
+            if (scaleAt(rung) <= std::max(mBest.scale, 1e-6 * guess))
                 return;
-            if (rung <= highestSuccess) {
-                // The bracket is closed: from now on random orders try the next rung.
-                rung = highestSuccess + 1;
-                lowestFailure = rung + 1;
-                first = false;
-            }
+            rung -= step;
+            step *= 2;
+        } else if (failure == never) {
+            rung += step;
+        } else if (failure > success + 1) {
+            rung = (success + failure) / 2;
+        } else {
+            // The bracket is closed: from now on random orders try the next rung.
+            rung = success + 1;
+            failure = rung + 1;
+            first = false;
         }
     }
 }
 
-void PackSearch::maximizeScale(WorkMeter &work, double effort)
+std::optional<Layout> PackSearch::pushApart(const Layout &layout, WorkMeter &work) const
 {
-    const RasterChoice raster = chooseRaster(static_cast<int>(mMovable.size()), effort);
-    BottomLeft packer(mProblem, raster.resolution, raster.angles);
-    const double guess = std::max(scaleForCover(mProblem, 0.8), mBest.scale * ladderStep);
-    climbLadder(packer, guess, 0.3 * effort, work);
-    fprintf(stderr,"before %g %g R %d K %d\n",mBest.scale,work.spentSeconds(),raster.resolution,raster.angles);
-    if (!work.cancelled() && mBest.scale > 0)
-        mBest = compactLayout(mProblem, mBest, 0.003, work);
-    fprintf(stderr,"after %g %g\n",mBest.scale,work.spentSeconds());
-    if (mProblem.count() <= 450 && !work.stop() && mBest.scale > 0)
-        separateAndGrow(work);
+    constexpr int sweeps = 30;
+    Compaction bodies(mProblem, layout);
+    for (const double part : {1.0, 0.5, 0.1}) {
+        bodies.setScale(mBest.scale + part * (layout.scale - mBest.scale));
+        if (bodies.resolve(sweeps, work) && isValidLayout(mProblem, bodies.layout(), work))
+            return bodies.layout();
+    }
+    return std::nullopt;
 }
 
-std::optional<Layout> PackSearch::separate(Separation &separation, const Layout &layout, int passes,
-                                           WorkMeter &work)
+std::optional<Layout> PackSearch::separate(Separation &separation, const Layout &layout, WorkMeter &work)
 {
-    separation.start(layout);
-    double tried = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < passes && !work.stop(); ++k) {
+    constexpr int patience = 30; // passes without progress
+    if (!separation.start(layout, work))
+        return std::nullopt;
+    double least = std::numeric_limits<double>::infinity(), tried = least;
+    for (int idle = 0; idle < patience && !work.stop(); ++idle) {
         separation.pass(mRandom, work);
-        if (separation.deepest() > 0.8 * mProblem.gutter || separation.overlap() > 0.9 * tried)
+        if (separation.overlap() < 0.98 * least) {
+            least = separation.overlap();
+            idle = -1;
+        }
+        if (separation.deepest() > 0.8 * mProblem.gutter || separation.overlap() > 0.8 * tried)
             continue;
         // What is left is shallow enough for pushes to see which way is out.
         tried = separation.overlap();
-        Compaction bodies(mProblem, separation.layout());
-        if (bodies.resolve(60, work) && isValidLayout(mProblem, bodies.layout(), work)) {
-            fprintf(stderr, "  separated after %d passes\n", k + 1);
-            return bodies.layout();
-        }
+        if (std::optional<Layout> found = pushApart(separation.layout(), work))
+            return found;
+        if (tried == 0)
+            return std::nullopt;
     }
-    fprintf(stderr, "  failed, overlap %g deepest %g\n", separation.overlap()*1024, separation.deepest()*1024);
     return std::nullopt;
 }
 
 void PackSearch::separateAndGrow(WorkMeter &work)
 {
+    constexpr int patience = 100;
+    constexpr double firstGrowth = 0.015, leastGrowth = 0.003;
     Separation separation(mProblem, mBest.scale, work);
-    fprintf(stderr,"built %g\n",work.spentSeconds());
-    double growth = 0.015;
-    while (!work.stop()) {
+    double growth = firstGrowth;
+    for (int failures = 0; failures < patience && !work.stop() && !atCeiling(); ++failures) {
         Layout larger = mBest;
-        larger.scale *= 1 + growth;
-        const std::optional<Layout> found = separate(separation, larger, 60, work);
-        if (found) {
-            accept(compactLayout(mProblem, *found, 0.003, work));
+        larger.scale = std::min(mCeiling, (1 + growth) * larger.scale);
+        if (const std::optional<Layout> found = separate(separation, larger, work)) {
+            accept(compactLayout(mProblem, *found, mCeiling, work));
+            failures = -1;
         } else {
-            growth = std::max(0.6 * growth, 0.003);
+            growth = std::max(0.6 * growth, leastGrowth);
         }
-        fprintf(stderr, "scale %g spent %g growth %g\n",mBest.scale,work.spentSeconds(),growth);
     }
 }
 
-void PackSearch::fitScale(double scale, WorkMeter &work, double effort)
+void PackSearch::run(WorkMeter &work, double effort)
 {
-    const RasterChoice raster = chooseRaster(static_cast<int>(mMovable.size()), effort);
+    const int islands = static_cast<int>(mMovable.size());
+    const bool canSeparate = mProblem.count() <= mostForSeparation;
+    const RasterChoice raster = chooseRaster(islands, effort);
     BottomLeft packer(mProblem, raster.resolution, raster.angles);
-    for (bool first = true; mBest.scale == 0 && (first || !work.stop()); first = false) {
-        if (const std::optional<Layout> layout = construct(packer, scale, first, work))
-            accept(*layout);
-    }
+    const double guess = std::max(scaleForCover(mProblem, 0.66), mBest.scale * ladderStep);
+    climbLadder(packer, guess, (canSeparate ? 0.3 : 0.7) * effort, work);
+    if (work.cancelled() || mBest.scale == 0)
+        return;
+    mBest = compactLayout(mProblem, mBest, mCeiling, work);
+    if (canSeparate && !work.stop() && !atCeiling())
+        separateAndGrow(work);
 }
 
 } // namespace autocuts

@@ -16,12 +16,11 @@ class PackSearch
 {
 public:
     //! \param start a valid layout, or one of scale 0 when there is none
-    PackSearch(const PackProblem &problem, Layout start, std::uint64_t seed);
+    //! \param ceiling no larger scale is tried; infinite when there is no limit
+    PackSearch(const PackProblem &problem, Layout start, double ceiling, std::uint64_t seed);
 
-    //! Looks for larger layouts until the work is used up.
-    void maximizeScale(WorkMeter &work, double effort);
-    //! Looks for one valid layout at this scale.
-    void fitScale(double scale, WorkMeter &work, double effort);
+    //! Looks for larger layouts until the effort (CPU seconds) is used up or the ceiling is reached.
+    void run(WorkMeter &work, double effort);
 
     const Layout &best() const { return mBest; }
 
@@ -30,13 +29,17 @@ private:
     //! A valid layout at this scale by the constructive step, or nothing.
     std::optional<Layout> construct(BottomLeft &packer, double scale, bool first, WorkMeter &work);
     void climbLadder(BottomLeft &packer, double guess, double budget, WorkMeter &work);
+    //! Repairs a layout with shallow overlaps; it may give way down to the best scale so far.
+    std::optional<Layout> pushApart(const Layout &layout, WorkMeter &work) const;
     //! Looks for a valid layout near this one, which may overlap.
-    std::optional<Layout> separate(Separation &separation, const Layout &layout, int passes, WorkMeter &work);
+    std::optional<Layout> separate(Separation &separation, const Layout &layout, WorkMeter &work);
     void separateAndGrow(WorkMeter &work);
-    bool accept(const Layout &layout);
+    void accept(const Layout &layout);
+    bool atCeiling() const { return mBest.scale >= mCeiling; }
 
     const PackProblem &mProblem;
     Layout mBest;
+    double mCeiling;
     std::vector<int> mMovable;
     SplitMix mRandom;
 };

@@ -126,8 +126,9 @@ void fillInside(Canvas &canvas, const Outline &outline, const std::vector<Vec2> 
         for (int row = std::max(0, static_cast<int>(std::ceil(low.y() - 0.5))); row <= last; ++row)
             crossings.push_back({row, low.x() + (row + 0.5 - low.y()) * slope, up ? -e.winding : e.winding});
     }
-    std::sort(crossings.begin(), crossings.end(),
-              [](const Crossing &a, const Crossing &b) { return a.row < b.row || (a.row == b.row && a.x < b.x); });
+    std::sort(crossings.begin(), crossings.end(), [](const Crossing &a, const Crossing &b) {
+        return a.row < b.row || (a.row == b.row && a.x < b.x);
+    });
     int winding = 0;
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         if (i > 0 && crossings[i].row != crossings[i - 1].row)
@@ -157,7 +158,8 @@ void bitReverse(std::vector<PixelRun> &runs)
 }
 
 //! blocked |= row shifted down by `shift` bits.
-inline void orShifted(std::uint64_t *__restrict blocked, const std::uint64_t *__restrict row, int shift, int count)
+inline void orShifted(std::uint64_t *__restrict blocked, const std::uint64_t *__restrict row, int shift,
+                      int count)
 {
     const std::uint64_t *source = row + (shift >> 6);
     const int low = shift & 63;
@@ -255,7 +257,8 @@ void BinRaster::occupy(const ItemRaster &item, int x, int y)
 void BinRaster::occupyClipped(const ItemRaster &item, int x, int y)
 {
     for (const PixelRun &run : item.runs) {
-        const int begin = std::max(0, run.begin + x), end = std::min(mWidth + 2 * frame, run.begin + x + run.length);
+        const int begin = std::max(0, run.begin + x),
+                  end = std::min(mWidth + 2 * frame, run.begin + x + run.length);
         if (run.row + y >= 0 && run.row + y < mRows && begin < end)
             setRun(run.row + y, begin, end);
     }

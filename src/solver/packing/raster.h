@@ -19,11 +19,11 @@ struct PixelRun
 struct ItemRaster
 {
     double angle = 0;
-    std::vector<PixelRun> runs;    //!< in bit-reversed order: far apart ones first
-    int rows = 0;                  //!< rows that have a run, from 0
-    Vec2 size = Vec2::Zero();      //!< box of the outline itself, pixels
-    Vec2 low = Vec2::Zero();       //!< lower corner of that box relative to the outline's centre, pixels
-    double centroidRow = 0;        //!< mean row of its pixels
+    std::vector<PixelRun> runs; //!< in bit-reversed order: far apart ones first
+    int rows = 0;               //!< rows that have a run, from 0
+    Vec2 size = Vec2::Zero();   //!< box of the outline itself, pixels
+    Vec2 low = Vec2::Zero();    //!< lower corner of that box relative to the outline's centre, pixels
+    double centroidRow = 0;     //!< mean row of its pixels
 };
 
 //! \param pixelsPerUnit size of a pixel: outline units times this are pixels
@@ -36,7 +36,7 @@ ItemRaster rasterizeOutline(const Outline &outline, double angle, double pixelsP
 class BinRaster
 {
 public:
-    static constexpr int frame = 2;    //!< free pixels around the bin, so that grown islands may stick out
+    static constexpr int frame = 2; //!< free pixels around the bin, so that grown islands may stick out
 
     //! \param width,height in pixels, without the frame
     BinRaster(int width, int height);
@@ -50,9 +50,13 @@ public:
 
     int width() const { return mWidth; }
     int height() const { return mHeight; }
+    std::size_t byteCount() const { return mBits.size() * sizeof(std::uint64_t); }
 
 private:
-    std::uint64_t *words(int row, int level) { return mBits.data() + (std::size_t(row) * mLevels + level) * mStride; }
+    std::uint64_t *words(int row, int level)
+    {
+        return mBits.data() + (std::size_t(row) * mLevels + level) * mStride;
+    }
     const std::uint64_t *words(int row, int level) const
     {
         return mBits.data() + (std::size_t(row) * mLevels + level) * mStride;

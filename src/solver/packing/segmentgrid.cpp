@@ -4,14 +4,15 @@
 
 namespace autocuts {
 
-SegmentGrid::SegmentGrid(const std::vector<PlacedEdge> &edges, const Vec2 &lower, const Vec2 &upper, double reach)
+SegmentGrid::SegmentGrid(const std::vector<PlacedEdge> &edges, const Vec2 &lower, const Vec2 &upper,
+                         double reach)
     : mLower(lower)
 {
     const Vec2 size = (upper - lower).cwiseMax(Vec2::Constant(1e-300));
     const double cells = std::clamp(static_cast<double>(edges.size()), 16.0, 1048576.0);
     // Cells smaller than the reach would only multiply the entries.
-    const double wanted = std::max({std::sqrt(size.x() * size.y() / cells), 1.5 * reach,
-                                    std::max(size.x(), size.y()) / 4096});
+    const double wanted =
+        std::max({std::sqrt(size.x() * size.y() / cells), 1.5 * reach, std::max(size.x(), size.y()) / 4096});
     mInverse = 1 / wanted;
     mColumns = std::clamp(static_cast<int>(std::min(size.x() * mInverse, 4096.0)) + 1, 1, 4096);
     mRows = std::clamp(static_cast<int>(std::min(size.y() * mInverse, 4096.0)) + 1, 1, 4096);
@@ -27,7 +28,8 @@ SegmentGrid::SegmentGrid(const std::vector<PlacedEdge> &edges, const Vec2 &lower
         visitCells(edges[i], reach, [&](int cell) { mEntries[next[cell]++] = i; });
 }
 
-template <class Visit> void SegmentGrid::visitCells(const PlacedEdge &edge, double reach, Visit visit) const
+template <class Visit>
+void SegmentGrid::visitCells(const PlacedEdge &edge, double reach, Visit visit) const
 {
     const Vec2 &a = edge.a.y() <= edge.b.y() ? edge.a : edge.b;
     const Vec2 &b = edge.a.y() <= edge.b.y() ? edge.b : edge.a;

@@ -34,7 +34,8 @@ private:
     {
         return cell < 1 ? 0 : cell < count ? static_cast<int>(cell) : count - 1;
     }
-    template <class Visit> void visitCells(const PlacedEdge &edge, double reach, Visit visit) const;
+    template <class Visit>
+    void visitCells(const PlacedEdge &edge, double reach, Visit visit) const;
 
     Vec2 mLower;
     double mInverse = 1;

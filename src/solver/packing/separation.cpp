@@ -62,7 +62,7 @@ Separation::Separation(const PackProblem &problem, double scale, WorkMeter &work
         const double cell = side / 400 / own;
         // Room for the gutter at scales down to half of this one.
         Body body{DistanceField(outline, cell, 1.5 * problem.gutter / own + 2 * cell, work), {}, {}};
-        body.samples = samplePoints(outline, side / 100 / own);
+        body.samples = samplePoints(outline, std::max(2.5 * problem.gutter, side / 250) / own);
         sortInPlane(body.samples.data(), body.samples.data() + body.samples.size(), clusterSize);
         const int count = static_cast<int>(body.samples.size());
         for (int begin = 0; begin < count; begin += clusterSize) {
@@ -80,71 +80,84 @@ Separation::Separation(const PackProblem &problem, double scale, WorkMeter &work
     }
 }
 
-Separation::Depth Separation::oneWay(int points, const Pose &pointsPose, int field, const Pose &fieldPose,
-                                     double *operations, Evaluation *evaluation, double weight,
-                                     bool fieldMoves) const
+Separation::Frame Separation::frameOf(int body, const Pose &pose) const
 {
-    const double pointScale = mProblem.scaleOf(points, mLayout.scale);
-    const double fieldScale = mProblem.scaleOf(field, mLayout.scale);
-    const double ratio = pointScale / fieldScale;
-    const Turn relative(pointsPose.angle - fieldPose.angle, ratio);
-    const Turn back(fieldPose.angle, 1 / fieldScale);
-    const Vec2 shift = back.transposed(pointsPose.position - fieldPose.position);
-    const double gutter = mProblem.gutter / fieldScale;
-    const Body &p = mBodies[points];
+    return {std::cos(pose.angle),
+            std::sin(pose.angle),
+            pose.position.x(),
+            pose.position.y(),
+            mProblem.scaleOf(body, mLayout.scale),
+            pose.angle};
+}
+
+//! Calls visit(x, y, depth) for every sample of `points` that is inside the grown `field`; x and y are in the
+//! field's own coordinates, the depth in UV units.
+template <class Visit>
+void Separation::visitDeepPoints(int points, const Frame &from, int field, const Frame &to,
+                                 double &operations, Visit visit) const
+{
+    const double inverse = 1 / to.scale, ratio = from.scale * inverse;
+    const double c = ratio * (from.c * to.c + from.s * to.s), s = ratio * (from.s * to.c - from.c * to.s);
+    const double dx = (from.x - to.x) * inverse, dy = (from.y - to.y) * inverse;
+    const double shiftX = to.c * dx + to.s * dy, shiftY = to.c * dy - to.s * dx;
+    const double gutter = mProblem.gutter * inverse;
     const DistanceField &distance = mBodies[field].field;
-    Depth depth;
-    const double reach = ratio * mProblem.outlines[points].radius + gutter;
-    if (distance.lowerBoundAt(shift) >= reach) {
-        *operations += 1;
-        return depth;
-    }
+    operations += 2;
+    if (distance.isFartherThan(shiftX, shiftY, ratio * mProblem.outlines[points].radius + gutter))
+        return;
+    const Body &p = mBodies[points];
+    const bool several = p.clusters.size() > 1;
     for (const Cluster &cluster : p.clusters) {
-        const Vec2 centre = relative(cluster.centre) + shift;
-        *operations += 1;
-        if (distance.lowerBoundAt(centre) >= ratio * cluster.radius + gutter)
+        operations += several;
+        if (several && distance.isFartherThan(c * cluster.centre.x() - s * cluster.centre.y() + shiftX,
+                                              s * cluster.centre.x() + c * cluster.centre.y() + shiftY,
+                                              ratio * cluster.radius + gutter))
             continue;
-        *operations += cluster.end - cluster.begin;
+        operations += cluster.end - cluster.begin;
         for (int k = cluster.begin; k < cluster.end; ++k) {
-            const Vec2 q = relative(p.samples[k]) + shift;
-            const double pen = (gutter - distance.at(q)) * fieldScale;
-            if (pen <= 0)
-                continue;
-            depth.sum += pen;
-            depth.deepest = std::max(depth.deepest, pen);
-            if (evaluation) {
-                const Turn turn(fieldPose.angle, 1);
-                const Vec2 n = turn(distance.gradientAt(q)) * (fieldMoves ? -weight : weight);
-                // The point's place relative to the centre of the body that moves.
-                const Vec2 arm = fieldMoves ? turn(q) * fieldScale
-                                            : turn(q - shift) * fieldScale;
-                evaluation->byPosition -= n;
-                evaluation->byAngle -= arm.x() * n.y() - arm.y() * n.x();
-            }
+            const double x = c * p.samples[k].x() - s * p.samples[k].y() + shiftX;
+            const double y = s * p.samples[k].x() + c * p.samples[k].y() + shiftY;
+            const double depth = gutter - distance.at(x, y);
+            if (depth > 0)
+                visit(x, y, depth * to.scale);
         }
     }
+}
+
+Separation::Depth Separation::pairDepth(int i, const Frame &frame, int j, double &operations) const
+{
+    Depth depth;
+    const auto add = [&](double, double, double d) {
+        depth.sum += d;
+        depth.deepest = std::max(depth.deepest, d);
+    };
+    visitDeepPoints(i, frame, j, mFrames[j], operations, add);
+    visitDeepPoints(j, mFrames[j], i, frame, operations, add);
     return depth;
 }
 
-Separation::Depth Separation::pairDepth(int i, const Pose &pose, int j, double *operations) const
+//! Calls visit(j) for the islands that may touch the body; stops when it returns false.
+template <class Visit>
+void Separation::visitNeighbours(int body, const Frame &frame, Visit visit) const
 {
-    const Depth a = oneWay(i, pose, j, mLayout.poses[j], operations, nullptr, 1, false);
-    const Depth b = oneWay(j, mLayout.poses[j], i, pose, operations, nullptr, 1, true);
-    return {a.sum + b.sum, std::max(a.deepest, b.deepest)};
+    const double own = mRadius[body] + mProblem.gutter;
+    for (int j = 0; j < mProblem.count(); ++j) {
+        const double reach = own + mRadius[j];
+        const double dx = mFrames[j].x - frame.x, dy = mFrames[j].y - frame.y;
+        if (dx * dx + dy * dy < reach * reach && j != body && !visit(j))
+            return;
+    }
 }
 
 double Separation::cost(int body, const Pose &pose, double limit, WorkMeter &work) const
 {
     double operations = 0, sum = 0;
-    const double own = mProblem.scaleOf(body, mLayout.scale) * mProblem.outlines[body].radius + mProblem.gutter;
-    for (int j = 0; j < mProblem.count() && sum < limit; ++j) {
-        const double reach = own + mProblem.scaleOf(j, mLayout.scale) * mProblem.outlines[j].radius;
-        if (j == body || (mLayout.poses[j].position - pose.position).squaredNorm() >= reach * reach)
-            continue;
-        operations += 8;
-        sum += mWeights[index(body, j)] * pairDepth(body, pose, j, &operations).sum;
-    }
-    work.add(3 * operations + 1.2 * mProblem.count());
+    const Frame frame = frameOf(body, pose);
+    visitNeighbours(body, frame, [&](int j) {
+        sum += mWeights[index(body, j)] * pairDepth(body, frame, j, operations).sum;
+        return sum < limit;
+    });
+    work.add(4.9 * operations + 1.5 * mProblem.count());
     return sum;
 }
 
@@ -152,18 +165,32 @@ Separation::Evaluation Separation::evaluate(int body, const Pose &pose, WorkMete
 {
     double operations = 0;
     Evaluation result;
-    const double own = mProblem.scaleOf(body, mLayout.scale) * mProblem.outlines[body].radius + mProblem.gutter;
-    for (int j = 0; j < mProblem.count(); ++j) {
-        const double reach = own + mProblem.scaleOf(j, mLayout.scale) * mProblem.outlines[j].radius;
-        if (j == body || (mLayout.poses[j].position - pose.position).squaredNorm() >= reach * reach)
-            continue;
-        operations += 8;
+    const Frame frame = frameOf(body, pose);
+    visitNeighbours(body, frame, [&](int j) {
         const double weight = mWeights[index(body, j)];
-        const Depth a = oneWay(body, pose, j, mLayout.poses[j], &operations, &result, weight, false);
-        const Depth b = oneWay(j, mLayout.poses[j], body, pose, &operations, &result, weight, true);
-        result.cost += weight * (a.sum + b.sum);
-    }
-    work.add(4 * operations + 1.2 * mProblem.count());
+        // A depth falls when the point moves along the gradient of the distance; the sign tells whether the
+        // point or the field belongs to the body that moves.
+        const auto add = [&](const Frame &field, const DistanceField &distance, double sign, double x,
+                             double y, double depth) {
+            const Vec2 g = distance.gradientAt({x, y});
+            const double nx = sign * weight * (field.c * g.x() - field.s * g.y());
+            const double ny = sign * weight * (field.s * g.x() + field.c * g.y());
+            const double armX = field.scale * (field.c * x - field.s * y) + field.x - frame.x;
+            const double armY = field.scale * (field.s * x + field.c * y) + field.y - frame.y;
+            result.cost += weight * depth;
+            result.byPosition -= Vec2(nx, ny);
+            result.byAngle -= armX * ny - armY * nx;
+            operations += 2;
+        };
+        visitDeepPoints(body, frame, j, mFrames[j], operations, [&](double x, double y, double depth) {
+            add(mFrames[j], mBodies[j].field, 1, x, y, depth);
+        });
+        visitDeepPoints(j, mFrames[j], body, frame, operations, [&](double x, double y, double depth) {
+            add(frame, mBodies[body].field, -1, x, y, depth);
+        });
+        return true;
+    });
+    work.add(4.9 * operations + 1.5 * mProblem.count());
     return result;
 }
 
@@ -178,6 +205,25 @@ bool Separation::confine(int body, Pose &pose) const
         return false;
     pose.position = pose.position.cwiseMax(low).cwiseMin(high);
     return true;
+}
+
+bool Separation::confineByTurning(int body, Pose &pose, double largestTurn) const
+{
+    if (confine(body, pose))
+        return true;
+    if (mProblem.rotation != PackRotation::Free)
+        return false;
+    constexpr double step = std::numbers::pi / 360;
+    for (double turn = step; turn <= largestTurn; turn += step) {
+        for (const double sign : {1.0, -1.0}) {
+            Pose turned{pose.angle + sign * turn, pose.position};
+            if (confine(body, turned)) {
+                pose = turned;
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 Pose Separation::randomPose(int body, SplitMix &random) const
@@ -210,7 +256,7 @@ double Separation::descend(int body, Pose &pose, double cost, int steps, WorkMet
         const double step = 1.1 * e.cost / slope;
         now.position -= step * e.byPosition;
         now.angle -= std::clamp(step * turning / arm, -0.3, 0.3);
-        if (!confine(body, now))
+        if (!confineByTurning(body, now, 0.1))
             break;
     }
     return cost;
@@ -220,17 +266,16 @@ void Separation::moveBody(int body, SplitMix &random, WorkMeter &work)
 {
     constexpr int samples = 24;
     Pose best = mLayout.poses[body];
-    confine(body, best);
     double least = cost(body, best, 1e300, work);
     const double before = least;
     least = descend(body, best, least, 8, work);
-    std::array<std::pair<double, Pose>, 2> found{std::pair{least * 4 + 1e-9, best}, std::pair{least * 4 + 1e-9, best}};
+    std::array<std::pair<double, Pose>, 2> found{std::pair{least * 4 + 1e-9, best},
+                                                 std::pair{least * 4 + 1e-9, best}};
     for (int k = 0; k < samples && least > 0; ++k) {
         Pose pose = randomPose(body, random);
         if (k % 3 == 0)
-            pose.position = mLayout.poses[body].position +
-                            Vec2(random.symmetric(), random.symmetric()) * mLayout.scale *
-                                mProblem.outlines[body].radius;
+            pose.position = mLayout.poses[body].position + Vec2(random.symmetric(), random.symmetric()) *
+                                                               mLayout.scale * mProblem.outlines[body].radius;
         if (!confine(body, pose))
             continue;
         const double value = cost(body, pose, found[1].first, work);
@@ -251,26 +296,28 @@ void Separation::moveBody(int body, SplitMix &random, WorkMeter &work)
     }
     if (least < before) {
         mLayout.poses[body] = best;
+        mFrames[body] = frameOf(body, best);
         updateRow(body, work);
     }
+}
+
+void Separation::setPair(int i, int j, const Depth &depth)
+{
+    mOverlap[index(i, j)] = mOverlap[index(j, i)] = static_cast<float>(depth.sum);
+    mDepth[index(i, j)] = mDepth[index(j, i)] = static_cast<float>(depth.deepest);
 }
 
 void Separation::updateRow(int body, WorkMeter &work)
 {
     double operations = 0;
-    for (int j = 0; j < mProblem.count(); ++j) {
-        if (j == body)
-            continue;
-        Depth depth;
-        const double reach = mProblem.gutter + mProblem.scaleOf(body, mLayout.scale) * mProblem.outlines[body].radius +
-                             mProblem.scaleOf(j, mLayout.scale) * mProblem.outlines[j].radius;
-        if ((mLayout.poses[j].position - mLayout.poses[body].position).squaredNorm() < reach * reach &&
-            !(mProblem.locked[body] && mProblem.locked[j]))
-            depth = pairDepth(body, mLayout.poses[body], j, &operations);
-        mOverlap[index(body, j)] = mOverlap[index(j, body)] = static_cast<float>(depth.sum);
-        mDepth[index(body, j)] = mDepth[index(j, body)] = static_cast<float>(depth.deepest);
-    }
-    work.add(3 * operations + 4.0 * mProblem.count());
+    for (int j = 0; j < mProblem.count(); ++j)
+        setPair(body, j, {});
+    visitNeighbours(body, mFrames[body], [&](int j) {
+        if (!(mProblem.locked[body] && mProblem.locked[j]))
+            setPair(body, j, pairDepth(body, mFrames[body], j, operations));
+        return true;
+    });
+    work.add(4.9 * operations + 4.0 * mProblem.count());
 }
 
 void Separation::updateTotals()
@@ -282,17 +329,28 @@ void Separation::updateTotals()
         mDeepest = std::max(mDeepest, static_cast<double>(d));
 }
 
-void Separation::start(const Layout &layout)
+bool Separation::start(const Layout &layout, WorkMeter &work)
 {
     mLayout = layout;
+    work.add(2000 + 500.0 * mProblem.count());
+    for (int i = 0; i < mProblem.count(); ++i) {
+        if (mProblem.movable(i) && !confineByTurning(i, mLayout.poses[i], std::numbers::pi))
+            return false;
+    }
+    mFrames.clear();
+    mRadius.clear();
+    for (int i = 0; i < mProblem.count(); ++i) {
+        mFrames.push_back(frameOf(i, mLayout.poses[i]));
+        mRadius.push_back(mFrames[i].scale * mProblem.outlines[i].radius);
+    }
     const std::size_t pairs = static_cast<std::size_t>(mProblem.count()) * mProblem.count();
     mWeights.assign(pairs, 1);
     mOverlap.assign(pairs, 0);
     mDepth.assign(pairs, 0);
-    WorkMeter free(0, nullptr);
     for (int i = 0; i < mProblem.count(); ++i)
-        updateRow(i, free);
+        updateRow(i, work);
     updateTotals();
+    return true;
 }
 
 void Separation::pass(SplitMix &random, WorkMeter &work)
@@ -322,7 +380,7 @@ void Separation::pass(SplitMix &random, WorkMeter &work)
         const float o = mOverlap[k];
         mWeights[k] = o > 0 ? mWeights[k] * (1.2F + 0.8F * o / largest) : std::max(1.0F, 0.95F * mWeights[k]);
     }
-    work.add(3.0 * n * n);
+    work.add(500 + 3.0 * n * n);
 }
 
 } // namespace autocuts

@@ -11,7 +11,7 @@ struct Block
 {
     int island;
     double angle;
-    Vec2 low, size;    //!< box around the turned outline, relative to its centre
+    Vec2 low, size; //!< box around the turned outline, relative to its centre
 };
 
 Block makeBlock(const PackProblem &problem, int island, double scale)

@@ -13,8 +13,7 @@ class WorkMeter
 public:
     WorkMeter(double limitSeconds, const std::atomic<bool> *cancel, std::function<void(double)> progress = {})
         : mLimit(limitSeconds * 1e9), mCancel(cancel), mProgress(std::move(progress))
-    {
-    }
+    {}
 
     void add(double nanoseconds)
     {
