@@ -10,13 +10,11 @@ namespace autocuts {
 
 //! Above this delta (mesh area pi) the separation is so smooth that lowering delta changes little.
 inline constexpr double smoothDelta = 0.0625;
-//! Where a reheated run starts: short, nearly shut cuts close again, wide open ones stay.
-inline constexpr double reheatDelta = 1e-2;
 
 //! How long a run of the homotopy takes.
 struct AnnealOptions
 {
-    double startDelta = 1;
+    double startDelta = 1;    //!< about 0.01 to reheat: short, nearly shut cuts close again, wide open ones stay
     double lambda = 0.05;
     int stepsPerLevel = 40;
 };

@@ -73,50 +73,31 @@ void dropClosedCuts(const MeshData &mesh, CutFlags &cut)
 
 namespace {
 
-//! Mesh vertices by fans, not by position: corners tied by any edge pair. Keeps bow-ties apart.
-std::vector<int> fanVertices(const MeshData &mesh)
+//! A tree over the triangles that keeps polygons whole and crosses no cut; the edges off the tree are cut.
+CutFlags cutOffTree(const MeshData &mesh, const CutFlags &given)
 {
-    UnionFind sets(mesh.soupCornerCount());
-    for (const EdgePair &pair : mesh.edgePairs) {
-        sets.unite(pair.corner[0][0], pair.corner[0][1]);
-        sets.unite(pair.corner[1][0], pair.corner[1][1]);
-    }
-    return sets.labels().first;
-}
-
-} // namespace
-
-CutFlags cutToDisks(const MeshData &mesh)
-{
-    const int edges = static_cast<int>(mesh.edgePairs.size());
     std::vector<std::vector<std::pair<int, int>>> around(mesh.triangleCount());    // (edge, other triangle)
-    for (int e = 0; e < edges; ++e) {
-        const auto [a, b] = mesh.edgePairs[e].triangle;
-        around[a].emplace_back(e, b);
-        around[b].emplace_back(e, a);
-    }
-    // Diagonals first, so that polygons stay whole.
-    for (auto &list : around) {
-        std::stable_sort(list.begin(), list.end(), [&](const auto &a, const auto &b) {
-            return mesh.edgePairs[a.first].diagonal > mesh.edgePairs[b.first].diagonal;
-        });
-    }
-    CutFlags cut(edges, true);
-    for (int e = 0; e < edges; ++e)
-        cut[e] = !mesh.edgePairs[e].diagonal;
-    // The diagonals are in the tree from the start: their faces are its first pieces.
     UnionFind tree(mesh.triangleCount());
-    for (const EdgePair &pair : mesh.edgePairs) {
-        if (pair.diagonal)
-            tree.unite(pair.triangle[0], pair.triangle[1]);
+    CutFlags cut(mesh.edgePairs.size(), true);
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        if (given[e])
+            continue;
+        const auto [a, b] = mesh.edgePairs[e].triangle;
+        around[a].emplace_back(static_cast<int>(e), b);
+        around[b].emplace_back(static_cast<int>(e), a);
+        // The diagonals are in the tree from the start: their faces are its first pieces.
+        if (mesh.edgePairs[e].diagonal) {
+            tree.unite(a, b);
+            cut[e] = false;
+        }
     }
     std::vector<bool> seen(mesh.triangleCount(), false);
+    std::queue<int> queue;
     for (int start = 0; start < mesh.triangleCount(); ++start) {
         if (seen[start])
             continue;
-        std::queue<int> queue;
-        queue.push(start);
         seen[start] = true;
+        queue.push(start);
         while (!queue.empty()) {
             const int t = queue.front();
             queue.pop();
@@ -130,34 +111,42 @@ CutFlags cutToDisks(const MeshData &mesh)
             }
         }
     }
+    return cut;
+}
+
+} // namespace
+
+CutFlags cutToDisks(const MeshData &mesh, const CutFlags &given)
+{
+    const CutFlags before = given.empty() ? CutFlags(mesh.edgePairs.size(), false) : given;
+    CutFlags cut = cutOffTree(mesh, before);
 
     // Prune loose ends: vertices off the border with a single cut edge.
-    const std::vector<int> vertex = fanVertices(mesh);
-    const int vertices = vertex.empty() ? 0 : *std::max_element(vertex.begin(), vertex.end()) + 1;
-    std::vector<bool> border(vertices, false);
-    for (const BoundarySide &side : mesh.boundarySides) {
-        border[vertex[3 * side.triangle + side.side]] = true;
-        border[vertex[3 * side.triangle + (side.side + 1) % 3]] = true;
-    }
-    std::vector<std::vector<int>> cutsAt(vertices);
-    std::vector<int> cutsLeft(mesh.componentCount, 0);
-    std::vector<bool> open(mesh.componentCount, false);
-    for (const BoundarySide &side : mesh.boundarySides)
-        open[mesh.component[side.triangle]] = true;
-    const auto ends = [&](int e) {
-        return std::array<int, 2>{vertex[mesh.edgePairs[e].corner[0][0]],
-                                  vertex[mesh.edgePairs[e].corner[1][0]]};
-    };
-    for (int e = 0; e < edges; ++e) {
-        if (!cut[e])
+    const CutMesh state(mesh, before);
+    std::vector<bool> border(state.uvVertexCount, false);
+    std::vector<bool> open(state.chartCount, false);
+    for (int side = 0; side < mesh.soupCornerCount(); ++side) {
+        if (state.neighbour[side] >= 0)
             continue;
-        for (const int v : ends(e))
-            cutsAt[v].push_back(e);
-        ++cutsLeft[mesh.component[mesh.edgePairs[e].triangle[0]]];
+        border[state.uvVertex[side]] = border[state.uvVertex[side / 3 * 3 + (side + 1) % 3]] = true;
+        open[state.chart[side / 3]] = true;
     }
-    std::vector<int> degree(vertices);
+    const auto ends = [&](int e) {
+        return std::array<int, 2>{state.uvVertex[mesh.edgePairs[e].corner[0][0]],
+                                  state.uvVertex[mesh.edgePairs[e].corner[1][0]]};
+    };
+    std::vector<std::vector<int>> cutsAt(state.uvVertexCount);
+    std::vector<int> cutsLeft(state.chartCount, 0);
+    for (std::size_t e = 0; e < cut.size(); ++e) {
+        if (!cut[e] || before[e])
+            continue;
+        for (const int v : ends(static_cast<int>(e)))
+            cutsAt[v].push_back(static_cast<int>(e));
+        ++cutsLeft[state.chart[mesh.edgePairs[e].triangle[0]]];
+    }
+    std::vector<int> degree(state.uvVertexCount);
     std::queue<int> loose;
-    for (int v = 0; v < vertices; ++v) {
+    for (int v = 0; v < state.uvVertexCount; ++v) {
         degree[v] = static_cast<int>(cutsAt[v].size());
         if (degree[v] == 1 && !border[v])
             loose.push(v);
@@ -166,12 +155,12 @@ CutFlags cutToDisks(const MeshData &mesh)
         const int v = loose.front();
         loose.pop();
         for (const int e : cutsAt[v]) {
-            const int component = mesh.component[mesh.edgePairs[e].triangle[0]];
+            const int chart = state.chart[mesh.edgePairs[e].triangle[0]];
             // A sphere keeps two edges: with fewer there is no border to map to a circle.
-            if (!cut[e] || (!open[component] && cutsLeft[component] <= 2))
+            if (!cut[e] || (!open[chart] && cutsLeft[chart] <= 2))
                 continue;
             cut[e] = false;
-            --cutsLeft[component];
+            --cutsLeft[chart];
             for (const int w : ends(e)) {
                 if (--degree[w] == 1 && !border[w])
                     loose.push(w);

@@ -33,6 +33,7 @@ void dropClosedCuts(const MeshData &mesh, CutFlags &cut);
 //! Cuts that open every component to a topological disk (none where it is one already): the edges off a
 //! breadth-first tree of the triangles, with loose ends pruned. A closed sphere gets a cut of two edges or more.
 //! Works for any genus and any number of borders.
-CutFlags cutToDisks(const MeshData &mesh);
+//! \param cut what is cut already; it stays cut
+CutFlags cutToDisks(const MeshData &mesh, const CutFlags &cut = {});
 
 } // namespace autocuts

@@ -2,13 +2,16 @@
 
 #include "solver/anneal.h"
 #include "solver/budget.h"
-#include "solver/overlap/overlapfinder.h"
+#include "solver/chartmerge.h"
 #include "solver/overlap/overlapseparation.h"
+#include "solver/overlapfree.h"
 #include "solver/packing/islandgeometry.h"
 #include "solver/parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <stdexcept>
 
@@ -17,33 +20,53 @@ namespace autocuts {
 namespace {
 
 constexpr int relaxSteps = 60;
-constexpr double optimizingShare = 0.9;    // of the progress bar
+constexpr double optimizingShare = 0.9; // of the progress bar
 constexpr double hurriedPackEffort = 0.1;
 constexpr int hurriedSteps = 4;
+constexpr int mergeRounds = 4;
+constexpr int mergeWork = 500'000; // tries times triangles
 
-//! One chain of annealing runs, each reheated from the end of the one before.
+//! One chain of annealing runs, each reheated from the end of the one before. Where it ends depends on luck
+//! as much as on the parameters, so several different ones are run and the best map is kept.
 struct ChainPlan
 {
     double firstLambda;
-    unsigned seed;
+    double reheat; //!< delta where the second and further runs start
 };
+
+constexpr std::array<ChainPlan, 12> chainPlans{{{0.05, 0.01},
+                                                {0.3, 0.05},
+                                                {0.3, 0.01},
+                                                {0.05, 0.05},
+                                                {0.1, 0.02},
+                                                {0.02, 0.01},
+                                                {0.2, 0.03},
+                                                {0.02, 0.05},
+                                                {0.15, 0.005},
+                                                {0.03, 0.03},
+                                                {0.4, 0.02},
+                                                {0.08, 0.005}}};
 
 struct QualityPlan
 {
-    std::vector<ChainPlan> chains;
-    int runs;             //!< per chain
+    int chains;
+    int runs; //!< per chain
     int stepsPerLevel;
 };
 
-QualityPlan planFor(UnwrapQuality quality)
+//! Small meshes get more chains: they cost little and their result depends more on luck.
+QualityPlan planFor(UnwrapQuality quality, int triangles)
 {
+    const auto chains = [triangles](int work, int fewest) {
+        return std::clamp(work / std::max(triangles, 1), fewest, static_cast<int>(chainPlans.size()));
+    };
     switch (quality) {
     case UnwrapQuality::Draft:
-        return {{{0.03, 0}}, 2, 20};
+        return {chains(4000, 1), 2, 20};
     case UnwrapQuality::Standard:
-        return {{{0.05, 0}, {0.02, 1}}, 4, 40};
+        return {chains(20000, 2), 4, 40};
     case UnwrapQuality::Best:
-        return {{{0.05, 0}, {0.02, 1}, {0.1, 2}, {0.03, 3}}, 7, 60};
+        return {chains(80000, 4), 6, 60};
     }
     throw std::invalid_argument("unwrap: unknown quality");
 }
@@ -52,6 +75,7 @@ struct Candidate
 {
     SeamedMap map;
     double distortion = 0, seamLength = 0, lambda = 0, delta = 0;
+    double seedDistortion = 0; //!< before seams were closed: what the lambda led to
 };
 
 //! Corner pairs that must not be cut: those that the user joined.
@@ -80,20 +104,6 @@ ChartMap chartsOf(const MeshData &mesh, const CutMesh &state)
     return charts;
 }
 
-//! True when some chart covers itself.
-bool coversItself(const Soup &soup, const SeamedMap &map, const std::atomic<bool> *cancel)
-{
-    const CutMesh state(*soup.mesh, map.cut);
-    OverlapOptions options;
-    options.cancel = cancel;
-    bool found = false;
-    visitOverlaps(soupUv(map.x), options, [&](int a, int b, double) {
-        found = state.chart[a] == state.chart[b];
-        return !found;
-    });
-    return found;
-}
-
 //! Gives every chart the texel density of the whole.
 void equalizeDensity(const Soup &soup, SeamedMap &map)
 {
@@ -103,6 +113,42 @@ void equalizeDensity(const Soup &soup, SeamedMap &map)
     for (int c = 0; c < mesh.soupCornerCount(); ++c) {
         map.x[2 * static_cast<std::size_t>(c)] = uv(mesh.cornerOfSoup(c), 0);
         map.x[2 * static_cast<std::size_t>(c) + 1] = uv(mesh.cornerOfSoup(c), 1);
+    }
+}
+
+//! Relaxes a map as far as it may: without covering itself, unless that is allowed.
+void relaxAsAllowed(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, bool allowOverlaps,
+                    SeamedMap &map, const std::atomic<bool> *stop)
+{
+    SeamedMap relaxed = map;
+    relaxMap(soup, snapshot, relaxed, relaxSteps, stop);
+    if (!allowOverlaps && coversItself(*soup, relaxed)) {
+        // The free way led over itself; the guarded one is slower.
+        relaxed = map;
+        relaxWithoutOverlaps(soup, snapshot, relaxed, relaxSteps, stop);
+        if (coversItself(*soup, relaxed))
+            return;
+    }
+    map = std::move(relaxed);
+}
+
+//! Joins charts and closes seams as long as the bound leaves room for it.
+void shortenSeams(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                  const UnwrapOptions &options, SeamedMap &map, const std::atomic<bool> *stop)
+{
+    MergeOptions merge;
+    merge.maxDistortion = options.lambda ? std::numeric_limits<double>::infinity() : options.maxDistortion;
+    if (options.lambda)
+        merge.costPerLength = *options.lambda / std::max(1 - *options.lambda, 1e-9);
+    merge.allowOverlaps = options.allowOverlaps;
+    // A try costs time in proportion to the mesh.
+    merge.tries = std::clamp(mergeWork / soup->triangleCount(), 10, 300);
+    merge.cancel = stop;
+    for (int round = 0; round < mergeRounds && !(stop && stop->load()); ++round) {
+        const int closed = mergeCharts(soup, snapshot, map, merge) + zipSeams(soup, snapshot, map, merge);
+        if (closed == 0)
+            break;
+        relaxAsAllowed(soup, snapshot, options.allowOverlaps, map, stop);
     }
 }
 
@@ -118,12 +164,10 @@ Candidate evaluate(const Solver &solver, const UnwrapOptions &options, const std
     relaxMap(soup, snapshot, result.map, relaxSteps, stop);
     if (!options.allowOverlaps) {
         removeOverlaps(*soup, snapshot, result.map);
-        // The new seams let the charts relax a little more, unless that folds one over itself again.
-        SeamedMap relaxed = result.map;
-        relaxMap(soup, snapshot, relaxed, relaxSteps, stop);
-        if (!coversItself(*soup, relaxed, nullptr))
-            result.map = std::move(relaxed);
+        relaxAsAllowed(soup, snapshot, false, result.map, stop);
     }
+    result.seedDistortion = result.map.distortion(*soup);
+    shortenSeams(soup, snapshot, options, result.map, stop);
     equalizeDensity(*soup, result.map);
     result.distortion = result.map.distortion(*soup);
     result.seamLength = result.map.seamLength(*soup);
@@ -137,8 +181,7 @@ public:
     Ranking(const UnwrapOptions &options, int totalSteps,
             const std::function<void(const UnwrapProgress &)> &report)
         : mOptions(options), mTotalSteps(totalSteps), mReport(report)
-    {
-    }
+    {}
 
     //! Shorter seams win among those within the bound, lower distortion outside of it.
     bool better(const Candidate &a, const Candidate &b) const
@@ -203,7 +246,6 @@ ChainResult runChain(const Snapshot &start, const ChainPlan &plan, const Quality
 {
     const auto stopped = [&] { return stop && stop->load(std::memory_order_relaxed); };
     Snapshot snapshot = start;
-    snapshot.settings.seed += plan.seed;
     snapshot.settings.delta = 1;
     Solver solver;
     solver.load(snapshot);
@@ -216,7 +258,7 @@ ChainResult runChain(const Snapshot &start, const ChainPlan &plan, const Quality
         if (run >= quality.runs && (fits || options.lambda))
             break;
         AnnealOptions anneal;
-        anneal.startDelta = run == 0 ? 1 : reheatDelta;
+        anneal.startDelta = run == 0 ? 1 : plan.reheat;
         anneal.lambda = options.lambda.value_or(budget.lambda());
         anneal.stepsPerLevel = quality.stepsPerLevel;
         annealSoup(solver, anneal, stop, [&](const StepResult &) {
@@ -232,7 +274,7 @@ ChainResult runChain(const Snapshot &start, const ChainPlan &plan, const Quality
             annealSoup(solver, anneal, nullptr);
         }
         Candidate candidate = evaluate(solver, options, stop);
-        budget.report(candidate.distortion);
+        budget.report(candidate.seedDistortion);
         ranking.found(candidate);
         if (!result.best || ranking.better(candidate, *result.best))
             result.best = std::move(candidate);
@@ -317,20 +359,16 @@ UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options, cons
 {
     checkOptions(options);
     const std::shared_ptr<const Soup> soup = Soup::build(snapshot.mesh);
-    const QualityPlan plan = planFor(options.quality);
-    const int chains = static_cast<int>(plan.chains.size());
-    AnnealOptions first;
-    first.stepsPerLevel = plan.stepsPerLevel;
-    AnnealOptions again = first;
-    again.startDelta = reheatDelta;
-    Ranking ranking(options,
-                    chains * (annealSteps(*soup, first) + (plan.runs - 1) * annealSteps(*soup, again)),
-                    progress);
+    const QualityPlan plan = planFor(options.quality, soup->triangleCount());
+    int steps = 0;
+    for (int i = 0; i < plan.chains; ++i)
+        steps += annealSteps(*soup, {1, 0, plan.stepsPerLevel}) +
+                 (plan.runs - 1) * annealSteps(*soup, {chainPlans[i].reheat, 0, plan.stepsPerLevel});
+    Ranking ranking(options, steps, progress);
 
-    std::vector<ChainResult> results(chains);
-    parallelFor(chains, options.threads, [&](int i) {
-        results[i] = runChain(snapshot, plan.chains[i], plan, options, ranking, stop);
-    });
+    std::vector<ChainResult> results(plan.chains);
+    parallelFor(plan.chains, options.threads,
+                [&](int i) { results[i] = runChain(snapshot, chainPlans[i], plan, options, ranking, stop); });
 
     UnwrapResult result;
     const Candidate *best = nullptr;
