@@ -23,6 +23,7 @@ constexpr int relaxSteps = 60;
 constexpr double optimizingShare = 0.9; // of the progress bar
 constexpr double hurriedPackEffort = 0.1;
 constexpr int hurriedSteps = 4;
+constexpr int extraRuns = 5;          // when none of the planned ones met the bound
 constexpr int mergeRounds = 4;
 constexpr int mergeWork = 500'000; // tries times triangles
 
@@ -64,7 +65,7 @@ QualityPlan planFor(UnwrapQuality quality, int triangles)
     case UnwrapQuality::Draft:
         return {chains(4000, 1), 2, 20};
     case UnwrapQuality::Standard:
-        return {chains(20000, 2), 4, 40};
+        return {chains(10000, 1), 4, 40};
     case UnwrapQuality::Best:
         return {chains(80000, 4), 6, 60};
     }
@@ -252,7 +253,7 @@ ChainResult runChain(const Snapshot &start, const ChainPlan &plan, const Quality
     DistortionBudget budget(options.maxDistortion, plan.firstLambda);
     ChainResult result;
     // A run that misses the bound may be followed by some more than planned.
-    const int mostRuns = quality.runs + (options.lambda ? 0 : 6);
+    const int mostRuns = quality.runs + (options.lambda ? 0 : extraRuns);
     for (int run = 0; run < mostRuns && (!stopped() || !result.best); ++run) {
         const bool fits = result.best && result.best->distortion <= options.maxDistortion;
         if (run >= quality.runs && (fits || options.lambda))

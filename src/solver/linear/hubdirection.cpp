@@ -12,6 +12,7 @@
 // positive definite A gives a valid preconditioner.
 #include "model/unionfind.h"
 #include "solver/linear/cholmodsolver.h"
+#include "solver/linear/lanes.h"
 #include "solver/linear/newtondirection.h"
 
 #include <algorithm>
@@ -49,57 +50,6 @@ std::vector<int> vertexRanks(const MeshData &mesh)
     return eliminationRanks(graph);
 }
 
-//! Inverse of a symmetric positive definite 6 x 6 matrix, both as packed lower triangles.
-void invert6(const std::array<double, 21> &a, std::array<double, 21> &inverse)
-{
-    double l[6][6];
-    double r[6];    // 1 / diagonal of l
-    int at = 0;
-    for (int i = 0; i < 6; ++i) {
-        for (int j = 0; j <= i; ++j) {
-            double sum = a[at++];
-            for (int k = 0; k < j; ++k)
-                sum -= l[i][k] * l[j][k];
-            if (i == j) {
-                l[i][i] = std::sqrt(std::max(sum, 1e-30));
-                r[i] = 1 / l[i][i];
-            } else {
-                l[i][j] = sum * r[j];
-            }
-        }
-    }
-    double w[6][6];    // inverse of l
-    for (int j = 0; j < 6; ++j) {
-        w[j][j] = r[j];
-        for (int i = j + 1; i < 6; ++i) {
-            double sum = 0;
-            for (int k = j; k < i; ++k)
-                sum += l[i][k] * w[k][j];
-            w[i][j] = -sum * r[i];
-        }
-    }
-    at = 0;
-    for (int i = 0; i < 6; ++i) {
-        for (int j = 0; j <= i; ++j) {
-            double sum = 0;
-            for (int k = i; k < 6; ++k)
-                sum += w[k][i] * w[k][j];
-            inverse[at++] = sum;
-        }
-    }
-}
-
-//! y = A x for a packed lower triangle.
-inline void multiply6(const float *a, const float *x, float *y)
-{
-    y[0] = a[0] * x[0] + a[1] * x[1] + a[3] * x[2] + a[6] * x[3] + a[10] * x[4] + a[15] * x[5];
-    y[1] = a[1] * x[0] + a[2] * x[1] + a[4] * x[2] + a[7] * x[3] + a[11] * x[4] + a[16] * x[5];
-    y[2] = a[3] * x[0] + a[4] * x[1] + a[5] * x[2] + a[8] * x[3] + a[12] * x[4] + a[17] * x[5];
-    y[3] = a[6] * x[0] + a[7] * x[1] + a[8] * x[2] + a[9] * x[3] + a[13] * x[4] + a[18] * x[5];
-    y[4] = a[10] * x[0] + a[11] * x[1] + a[12] * x[2] + a[13] * x[3] + a[14] * x[4] + a[19] * x[5];
-    y[5] = a[15] * x[0] + a[16] * x[1] + a[17] * x[2] + a[18] * x[3] + a[19] * x[4] + a[20] * x[5];
-}
-
 constexpr std::array<int, 6> diagonalEntry{0, 2, 5, 9, 14, 20};
 
 class HubDirection final : public NewtonDirection
@@ -111,6 +61,16 @@ public:
     {
         mExcessLimit =
             mSoup->triangleCount() > largeTriangleCount ? excessBeforeRefreshLarge : excessBeforeRefresh;
+        mBlocks = (static_cast<std::size_t>(mSoup->triangleCount()) + laneCount - 1) / laneCount;
+        mSlot.resize(mCorners);
+        for (int c = 0; c < mCorners; ++c) {
+            const int t = c / 3;
+            mSlot[c] = (t / laneCount * 6 + 2 * (c % 3)) * laneCount + t % laneCount;
+        }
+        mHessian.resize(mBlocks);
+        mInverse.resize(mBlocks);
+        for (auto *vector : {&mGround, &mResidual, &mPreconditioned, &mSearch, &mProduct, &mSum, &mPull})
+            vector->assign(6 * mBlocks, Lanes{});
     }
 
     void invalidate() override { mFresh = false; }
@@ -122,10 +82,10 @@ public:
             refresh(blocks);
         else
             prepareTriangles(blocks);
-        int iterations = conjugateGradients(blocks, gradient, direction);
+        int iterations = conjugateGradients(gradient, direction);
         if (iterations >= maxIterations && mExcess > 0) {
             refresh(blocks);
-            iterations = conjugateGradients(blocks, gradient, direction);
+            iterations = conjugateGradients(gradient, direction);
         }
         if (mBaseline < 0)
             mBaseline = iterations;
@@ -143,7 +103,8 @@ private:
         mBaseline = -1;
     }
 
-    //! Groups of two or more corners that closed pairs tie together become hubs, numbered in elimination order.
+    //! Groups of two or more corners that closed pairs tie together become hubs, numbered in elimination
+    //! order.
     void groupCorners(const HessianBlocks &blocks)
     {
         UnionFind sets(mCorners);
@@ -174,53 +135,64 @@ private:
             mHub[c] = number[sets.find(c)];
     }
 
-    //! Springs of the corners, the matrices S^-1 in single precision, and the Hessian for the products.
+    //! Springs of the corners, the matrices S^-1, and the Hessian for the products.
     void prepareTriangles(const HessianBlocks &blocks)
     {
         mStar.assign(mCorners, 0.0f);
-        mGround.assign(2 * static_cast<std::size_t>(mCorners), 0.0);
-        std::copy(blocks.ground.begin(), blocks.ground.end(), mGround.begin());
         mPair.assign(blocks.pair.begin(), blocks.pair.end());
+        // What holds a corner beside its triangle and its hub.
+        mHold.assign(blocks.ground.begin(), blocks.ground.end());
         for (std::size_t p = 0; p < mPair.size(); ++p) {
             const auto [a, b] = mSoup->pairCorners[p];
-            const double w = blocks.pair[p];
             if (mHub[a] >= 0 && mHub[a] == mHub[b]) {
-                mStar[a] += static_cast<float>(w);
-                mStar[b] += static_cast<float>(w);
+                mStar[a] += mPair[p];
+                mStar[b] += mPair[p];
             } else if (mHub[a] < 0 || mHub[b] < 0) {
                 for (int axis = 0; axis < 2; ++axis) {
-                    mGround[2 * static_cast<std::size_t>(a) + axis] += w;
-                    mGround[2 * static_cast<std::size_t>(b) + axis] += w;
+                    mHold[2 * static_cast<std::size_t>(a) + axis] += mPair[p];
+                    mHold[2 * static_cast<std::size_t>(b) + axis] += mPair[p];
                 }
             }
         }
-        const int count = mSoup->triangleCount();
-        mBlock.resize(21 * static_cast<std::size_t>(count));
-        mInverse.resize(21 * static_cast<std::size_t>(count));
-        std::array<double, 21> s, inverse;
-        for (int t = 0; t < count; ++t) {
-            s = blocks.triangle[t];
-            double trace = 0;
+        std::fill(mGround.begin(), mGround.end(), Lanes{});
+        float *ground = flat(mGround);
+        for (int c = 0; c < mCorners; ++c) {
+            for (int axis = 0; axis < 2; ++axis)
+                ground[mSlot[c] + axis * laneCount] =
+                    static_cast<float>(blocks.ground[2 * static_cast<std::size_t>(c) + axis]);
+        }
+        for (std::size_t block = 0; block < mBlocks; ++block)
+            prepareBlock(blocks, block);
+    }
+
+    void prepareBlock(const HessianBlocks &blocks, std::size_t block)
+    {
+        LaneMatrix &hessian = mHessian[block];
+        LaneMatrix s{};
+        for (int lane = 0; lane < laneCount; ++lane) {
+            const int t = static_cast<int>(block) * laneCount + lane;
+            if (t >= mSoup->triangleCount()) {
+                for (int e = 0; e < 21; ++e)
+                    hessian[e][lane] = 0;
+                for (const int d : diagonalEntry)
+                    s[d][lane] = 1;
+                continue;
+            }
+            const std::array<double, 21> &source = blocks.triangle[t];
+            float trace = 0;
+            for (int e = 0; e < 21; ++e)
+                hessian[e][lane] = s[e][lane] = static_cast<float>(source[e]);
             for (const int d : diagonalEntry)
-                trace += s[d];
-            const double shift = 1e-4 * trace;
+                trace += hessian[d][lane];
             for (int i = 0; i < 6; ++i) {
                 const int corner = 3 * t + i / 2;
-                double &d = s[diagonalEntry[i]];
-                d += shift + mStar[corner] + mGround[6 * static_cast<std::size_t>(t) + i];
+                float add = 1e-4f * trace + mStar[corner] + mHold[6 * static_cast<std::size_t>(t) + i];
                 if (!mHeld.empty() && mHeld[corner])
-                    d += 1e6 * (trace + 1);
-            }
-            invert6(s, inverse);
-            float *block = &mBlock[21 * static_cast<std::size_t>(t)];
-            float *inv = &mInverse[21 * static_cast<std::size_t>(t)];
-            for (int e = 0; e < 21; ++e) {
-                block[e] = static_cast<float>(blocks.triangle[t][e]);
-                inv[e] = static_cast<float>(inverse[e]);
+                    add += 1e6f * (trace + 1);
+                s[diagonalEntry[i]][lane] += add;
             }
         }
-        for (std::size_t i = 0; i < blocks.ground.size(); ++i)
-            mGround[i] = blocks.ground[i];
+        invertLanes(s, mInverse[block]);
     }
 
     void buildHubMatrix(const HessianBlocks &blocks)
@@ -258,7 +230,8 @@ private:
 
     void addTriangleToHubs(int t, std::vector<Eigen::Triplet<double>> &entries) const
     {
-        const float *inverse = &mInverse[21 * static_cast<std::size_t>(t)];
+        const LaneMatrix &inverse = mInverse[t / laneCount];
+        const int lane = t % laneCount;
         int at = 0;
         for (int i = 0; i < 6; ++i) {
             const int ci = 3 * t + i / 2;
@@ -268,7 +241,7 @@ private:
                     continue;
                 const int row = 2 * mHub[ci] + i % 2;
                 const int column = 2 * mHub[cj] + j % 2;
-                double value = -double(mStar[ci]) * inverse[at] * mStar[cj];
+                double value = -double(mStar[ci]) * inverse[at][lane] * mStar[cj];
                 if (i == j)
                     value += mStar[ci];
                 else if (row == column)
@@ -278,85 +251,95 @@ private:
         }
     }
 
+    static float *flat(std::vector<Lanes> &v) { return reinterpret_cast<float *>(v.data()); }
+
     //! z = M^-1 r.
-    void precondition(const std::vector<float> &r, std::vector<float> &z)
+    void precondition(std::vector<Lanes> &r, std::vector<Lanes> &z)
     {
-        mRightHand.setZero(2 * mHubCount);
-        for (int t = 0; t < mSoup->triangleCount(); ++t) {
-            const std::size_t at = 6 * static_cast<std::size_t>(t);
-            multiply6(&mInverse[21 * static_cast<std::size_t>(t)], &r[at], &z[at]);
-            for (int k = 0; k < 3; ++k) {
-                const int hub = mHub[3 * t + k];
-                if (hub < 0)
-                    continue;
-                mRightHand[2 * hub] += mStar[3 * t + k] * z[at + 2 * k];
-                mRightHand[2 * hub + 1] += mStar[3 * t + k] * z[at + 2 * k + 1];
-            }
-        }
-        if (mHubCount == 0)
+        for (std::size_t block = 0; block < mBlocks; ++block)
+            multiplyLanes(mInverse[block], &r[6 * block], &z[6 * block]);
+        if (mHubCount == 0) {
+            clearHeld(z);
             return;
-        mSolver.solve(mRightHand, mHubSolution);
-        for (int t = 0; t < mSoup->triangleCount(); ++t) {
-            const std::size_t at = 6 * static_cast<std::size_t>(t);
-            float pull[6], moved[6];
-            for (int k = 0; k < 3; ++k) {
-                const int hub = mHub[3 * t + k];
-                const float star = mStar[3 * t + k];
-                pull[2 * k] = hub < 0 ? 0 : star * static_cast<float>(mHubSolution[2 * hub]);
-                pull[2 * k + 1] = hub < 0 ? 0 : star * static_cast<float>(mHubSolution[2 * hub + 1]);
-            }
-            multiply6(&mInverse[21 * static_cast<std::size_t>(t)], pull, moved);
-            for (int i = 0; i < 6; ++i)
-                z[at + i] += moved[i];
         }
+        mRightHand.setZero(2 * mHubCount);
+        const float *zFlat = flat(z);
+        for (int c = 0; c < mCorners; ++c) {
+            const int hub = mHub[c];
+            if (hub < 0)
+                continue;
+            mRightHand[2 * hub] += mStar[c] * zFlat[mSlot[c]];
+            mRightHand[2 * hub + 1] += mStar[c] * zFlat[mSlot[c] + laneCount];
+        }
+        mSolver.solve(mRightHand, mHubSolution);
+        float *pull = flat(mPull);
+        for (int c = 0; c < mCorners; ++c) {
+            const int hub = mHub[c];
+            pull[mSlot[c]] = hub < 0 ? 0 : mStar[c] * static_cast<float>(mHubSolution[2 * hub]);
+            pull[mSlot[c] + laneCount] =
+                hub < 0 ? 0 : mStar[c] * static_cast<float>(mHubSolution[2 * hub + 1]);
+        }
+        for (std::size_t block = 0; block < mBlocks; ++block) {
+            Lanes moved[6];
+            multiplyLanes(mInverse[block], &mPull[6 * block], moved);
+            for (int i = 0; i < 6; ++i)
+                z[6 * block + i] += moved[i];
+        }
+        clearHeld(z);
     }
 
     //! q = H p.
-    void multiply(const std::vector<float> &p, std::vector<float> &q) const
+    void multiply(std::vector<Lanes> &p, std::vector<Lanes> &q)
     {
-        for (int t = 0; t < mSoup->triangleCount(); ++t) {
-            const std::size_t at = 6 * static_cast<std::size_t>(t);
-            multiply6(&mBlock[21 * static_cast<std::size_t>(t)], &p[at], &q[at]);
+        for (std::size_t block = 0; block < mBlocks; ++block) {
+            multiplyLanes(mHessian[block], &p[6 * block], &q[6 * block]);
             for (int i = 0; i < 6; ++i)
-                q[at + i] += static_cast<float>(mGround[at + i]) * p[at + i];
+                q[6 * block + i] += mGround[6 * block + i] * p[6 * block + i];
         }
+        const float *pFlat = flat(p);
+        float *qFlat = flat(q);
         for (std::size_t i = 0; i < mPair.size(); ++i) {
-            const std::size_t a = 2 * static_cast<std::size_t>(mSoup->pairCorners[i][0]);
-            const std::size_t b = 2 * static_cast<std::size_t>(mSoup->pairCorners[i][1]);
-            const float du = mPair[i] * (p[a] - p[b]);
-            const float dv = mPair[i] * (p[a + 1] - p[b + 1]);
-            q[a] += du;
-            q[a + 1] += dv;
-            q[b] -= du;
-            q[b + 1] -= dv;
+            const int a = mSlot[mSoup->pairCorners[i][0]];
+            const int b = mSlot[mSoup->pairCorners[i][1]];
+            const float du = mPair[i] * (pFlat[a] - pFlat[b]);
+            const float dv = mPair[i] * (pFlat[a + laneCount] - pFlat[b + laneCount]);
+            qFlat[a] += du;
+            qFlat[a + laneCount] += dv;
+            qFlat[b] -= du;
+            qFlat[b + laneCount] -= dv;
         }
         clearHeld(q);
     }
 
-    void clearHeld(std::vector<float> &v) const
+    void clearHeld(std::vector<Lanes> &v) const
     {
         if (mHeld.empty())
             return;
+        float *values = flat(v);
         for (int c = 0; c < mCorners; ++c) {
             if (mHeld[c])
-                v[2 * static_cast<std::size_t>(c)] = v[2 * static_cast<std::size_t>(c) + 1] = 0;
+                values[mSlot[c]] = values[mSlot[c] + laneCount] = 0;
         }
     }
 
-    static double dot(const std::vector<float> &a, const std::vector<float> &b)
+    //! Sums within blocks in single precision, over blocks in double.
+    static double dot(const std::vector<Lanes> &a, const std::vector<Lanes> &b)
     {
         double sum = 0;
-        for (std::size_t i = 0; i < a.size(); ++i)
-            sum += double(a[i]) * b[i];
+        for (std::size_t i = 0; i < a.size(); i += 6) {
+            Lanes part = a[i] * b[i];
+            for (std::size_t k = i + 1; k < i + 6; ++k)
+                part += a[k] * b[k];
+            for (int lane = 0; lane < laneCount; ++lane)
+                sum += part[lane];
+        }
         return sum;
     }
 
     //! Returns the number of iterations.
-    int conjugateGradients(const HessianBlocks &, std::span<const double> gradient,
-                           std::span<double> direction)
+    int conjugateGradients(std::span<const double> gradient, std::span<double> direction)
     {
-        const std::size_t n = gradient.size();
-        std::vector<float> &r = mResidual, &z = mPreconditioned, &p = mSearch, &q = mProduct, &x = mSum;
+        std::vector<Lanes> &r = mResidual, &z = mPreconditioned, &p = mSearch, &q = mProduct, &x = mSum;
         // Scaled to unit length, so that single precision serves gradients of any size.
         double norm = 0;
         for (const double g : gradient)
@@ -366,16 +349,17 @@ private:
             std::fill(direction.begin(), direction.end(), 0.0);
             return 0;
         }
-        r.resize(n);
-        for (std::size_t i = 0; i < n; ++i)
-            r[i] = static_cast<float>(-gradient[i] / norm);
+        std::fill(r.begin(), r.end(), Lanes{});
+        std::fill(x.begin(), x.end(), Lanes{});
+        float *rFlat = flat(r);
+        for (int c = 0; c < mCorners; ++c) {
+            for (int axis = 0; axis < 2; ++axis)
+                rFlat[mSlot[c] + axis * laneCount] =
+                    static_cast<float>(-gradient[2 * static_cast<std::size_t>(c) + axis] / norm);
+        }
         clearHeld(r);
-        z.resize(n);
-        q.resize(n);
-        x.assign(n, 0.0f);
         const double target = residualTolerance * std::sqrt(dot(r, r));
         precondition(r, z);
-        clearHeld(z);
         p = z;
         double rz = dot(r, z);
         int iteration = 0;
@@ -385,7 +369,7 @@ private:
             if (!(curvature > 0))
                 break;
             const float alpha = static_cast<float>(rz / curvature);
-            for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t i = 0; i < x.size(); ++i) {
                 x[i] += alpha * p[i];
                 r[i] -= alpha * q[i];
             }
@@ -393,15 +377,17 @@ private:
             if (std::sqrt(dot(r, r)) < target)
                 break;
             precondition(r, z);
-            clearHeld(z);
             const double next = dot(r, z);
             const float beta = static_cast<float>(next / rz);
             rz = next;
-            for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t i = 0; i < p.size(); ++i)
                 p[i] = z[i] + beta * p[i];
         }
-        for (std::size_t i = 0; i < n; ++i)
-            direction[i] = norm * x[i];
+        const float *xFlat = flat(x);
+        for (int c = 0; c < mCorners; ++c) {
+            for (int axis = 0; axis < 2; ++axis)
+                direction[2 * static_cast<std::size_t>(c) + axis] = norm * xFlat[mSlot[c] + axis * laneCount];
+        }
         return iteration;
     }
 
@@ -413,14 +399,20 @@ private:
     bool mFresh = false;
     int mExcess = 0, mExcessLimit = 0, mBaseline = -1;
     int mHubCount = 0;
-    std::vector<int> mHub;         //!< hub of each corner, -1 for a corner on its own
-    std::vector<float> mStar;      //!< k_c: spring between a corner and its hub
-    std::vector<float> mPair;      //!< spring constants of the corner pairs
-    std::vector<double> mGround;   //!< per coordinate
-    std::vector<float> mBlock, mInverse;    //!< per triangle, packed
+    std::vector<int> mHub;    //!< hub of each corner, -1 for a corner on its own
+    std::vector<float> mStar; //!< k_c: spring between a corner and its hub
+    std::vector<float> mPair; //!< spring constants of the corner pairs
+    std::vector<float> mHold; //!< per coordinate
+
+    // Triangles lie eight to a block; coordinate i of a block's triangles is one Lanes, number 6 * block + i.
+    std::size_t mBlocks = 0;
+    std::vector<int>
+        mSlot; //!< place of a corner's u in the flat view of such a vector; v is laneCount further
+    std::vector<LaneMatrix> mHessian, mInverse;
+    std::vector<Lanes> mGround;
     CholmodSolver mSolver;
     Eigen::VectorXd mRightHand, mHubSolution;
-    std::vector<float> mResidual, mPreconditioned, mSearch, mProduct, mSum;
+    std::vector<Lanes> mResidual, mPreconditioned, mSearch, mProduct, mSum, mPull;
 };
 
 } // namespace
