@@ -122,13 +122,22 @@ bool pullTogether(const std::shared_ptr<const Soup> &soup, const Snapshot &snaps
     return false;
 }
 
-//! Cuts the edges of the bad triangles' faces; joined ones only when `force`. Returns true when that cut any.
-bool release(const MeshData &mesh, const Snapshot &snapshot, const std::vector<int> &bad, bool force,
+//! Cuts the edges of the bad triangles' faces and of some rings of faces around them; joined ones only when
+//! `force`. Returns true when that cut any.
+bool release(const MeshData &mesh, const Snapshot &snapshot, const std::vector<int> &bad, int rings, bool force,
              CutFlags &cut)
 {
     std::vector<bool> face(mesh.faceCount(), false);
     for (const int t : bad)
         face[mesh.triangleFace[t]] = true;
+    for (int i = 0; i < rings; ++i) {
+        const std::vector<bool> before = face;
+        for (const EdgePair &pair : mesh.edgePairs) {
+            const int a = mesh.triangleFace[pair.triangle[0]], b = mesh.triangleFace[pair.triangle[1]];
+            if (before[a] || before[b])
+                face[a] = face[b] = true;
+        }
+    }
     bool changed = false;
     for (std::size_t e = 0; e < cut.size(); ++e) {
         const EdgePair &pair = mesh.edgePairs[e];
@@ -215,8 +224,11 @@ SeamedMap closeTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snaps
             return map;
         }
         bad = badTriangles(*soup, snap);
-        // Each round cuts more; in the end every polygon is on its own and lies there undistorted.
-        if (!release(mesh, snapshot, bad, false, cut) && !release(mesh, snapshot, bad, true, cut)) {
+        // Each round cuts more, and wider as they go on without success; in the end every polygon is on its own
+        // and lies there undistorted.
+        const int rings = round / 4;
+        if (!release(mesh, snapshot, bad, rings, false, cut)
+            && !release(mesh, snapshot, bad, rings, true, cut)) {
             for (const int t : bad) {
                 for (int i = 0; i < 6; ++i)
                     x[6 * static_cast<std::size_t>(t) + i] = soup->restShape[t][i];
