@@ -30,6 +30,8 @@ struct UvRectangle
 {
     Vec2 lower = Vec2::Zero(), upper = Vec2::Ones();    //!< solver units (mesh area pi)
     std::vector<int> soupCorners;
+    bool hard = false;     //!< hard: no corner may leave it
+    double weight = 1;     //!< beta of this rectangle = SolveSettings::boxWeight * weight
     bool operator==(const UvRectangle &) const = default;
 };
 
