@@ -21,7 +21,13 @@ const LayoutRectangle *Constraints::rectangle(int id) const
 
 int Constraints::nextRectangleId() const
 {
-    return rectangles.empty() ? 1 : rectangles.back().id + 1;
+    int id = 1;
+    for (const LayoutRectangle &rectangle : rectangles) {
+        if (rectangle.id != id)
+            break;
+        ++id;
+    }
+    return id <= maxRectangleId ? id : 0;
 }
 
 QString Constraints::validate(const MeshData &mesh) const
@@ -49,10 +55,10 @@ bool isValid(const UvPin &pin, const MeshData &mesh)
 
 bool isValid(const LayoutRectangle &rectangle, const MeshData &mesh)
 {
-    return rectangle.id > 0 && rectangle.lower.allFinite() && rectangle.upper.allFinite()
+    return rectangle.id > 0 && rectangle.id <= maxRectangleId && rectangle.lower.allFinite() && rectangle.upper.allFinite()
            && rectangle.lower.x() <= rectangle.upper.x() && rectangle.lower.y() <= rectangle.upper.y()
            && std::isfinite(rectangle.weight) && rectangle.weight >= 0
-           && isIndexSet(rectangle.faces, mesh.faceCount());
+           && rectangle.name.size() <= maxNameLength && isIndexSet(rectangle.faces, mesh.faceCount());
 }
 
 bool isIndexSet(const QList<int> &indices, int count)

@@ -11,6 +11,11 @@
 
 namespace autocuts {
 
+//! Longest name of a rectangle, a tag or a UV set, in characters.
+inline constexpr int maxNameLength = 1000;
+//! Largest id of a rectangle.
+inline constexpr int maxRectangleId = 1000000;
+
 //! A corner held at a place of the texture.
 struct UvPin
 {
@@ -26,7 +31,7 @@ struct UvPin
 //! faces, so an assignment survives when islands are cut or joined.
 struct LayoutRectangle
 {
-    int id = 0;                      //!< positive, unique among the rectangles of a document
+    int id = 0;                      //!< 1 to maxRectangleId, unique in a document
     QString name;
     QRgb color = 0xff4080ff;
     Vec2 lower = Vec2::Zero(), upper = Vec2::Ones();    //!< texture space
@@ -47,7 +52,7 @@ struct Constraints
     const UvPin *pin(int corner) const;
     //! Null when there is none.
     const LayoutRectangle *rectangle(int id) const;
-    //! The id for the next rectangle: one more than the highest in use.
+    //! The lowest id that is free; 0 when there is none.
     int nextRectangleId() const;
 
     //! Empty when all invariants hold, else the first broken one.

@@ -49,7 +49,7 @@ QString validateUvSets(const DocumentState &state)
         if (!std::isfinite(state.uvScales[i]) || state.uvScales[i] <= 0)
             return QStringLiteral("The scale of UV set %1 is not positive").arg(i);
         const auto sameName = [&](const UvSet &other) { return other.name == sets[i].name; };
-        if (sets[i].name.isEmpty() || std::any_of(sets.begin(), sets.begin() + i, sameName))
+        if (sets[i].name.isEmpty() || sets[i].name.size() > maxNameLength || std::any_of(sets.begin(), sets.begin() + i, sameName))
             return QStringLiteral("UV set %1 has no name of its own").arg(i);
     }
     return {};
@@ -104,12 +104,13 @@ bool operator==(const DocumentState &a, const DocumentState &b)
 
 QString uniqueUvSetName(const std::vector<UvSet> &sets, const QString &wanted)
 {
+    const QString base = wanted.left(maxNameLength - 20);    // room for the number
     const auto taken = [&](const QString &name) {
         return std::any_of(sets.begin(), sets.end(), [&](const UvSet &set) { return set.name == name; });
     };
-    QString name = wanted;
+    QString name = base;
     for (int number = 2; taken(name); ++number)
-        name = QStringLiteral("%1.%2").arg(wanted).arg(number);
+        name = QStringLiteral("%1.%2").arg(base).arg(number);
     return name;
 }
 

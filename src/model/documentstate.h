@@ -46,7 +46,8 @@ struct DocumentState
 //! belongs to the format that wrote it.
 bool operator==(const DocumentState &a, const DocumentState &b);
 
-//! The name itself, or with a number behind it when another UV set has it already.
+//! The name itself, or with a number behind it when another UV set has it already; shortened when it is longer than
+//! names may be.
 QString uniqueUvSetName(const std::vector<UvSet> &sets, const QString &wanted);
 
 } // namespace autocuts

@@ -40,6 +40,8 @@ public:
     int count() const { return mCount; }
     const std::vector<IndexRange> &ranges() const { return mRanges; }
     bool contains(int index) const;
+    //! Gives back memory reserved for further ranges.
+    void squeeze() { mRanges.shrink_to_fit(); }
 
     //! Calls visit(index) for each index in rising order.
     template <typename Visit>

@@ -26,6 +26,11 @@ std::int32_t mostFrequent(const std::map<std::int32_t, int> &faceCount)
 
 } // namespace
 
+bool isValid(const IslandFlags &flags)
+{
+    return (flags.locked & ~1) == 0 && flags.stack >= 0 && flags.group >= 0;
+}
+
 IslandMarks IslandMarks::none(const MeshData &mesh)
 {
     IslandMarks marks;
@@ -72,11 +77,11 @@ QString IslandMarks::validate(const MeshData &mesh) const
     if (static_cast<int>(faceFlags.size()) != mesh.faceCount())
         return QStringLiteral("The island flags do not fit the mesh");
     for (const IslandFlags &flags : faceFlags) {
-        if ((flags.locked & ~1) != 0 || flags.stack < 0 || flags.group < 0)
+        if (!isValid(flags))
             return QStringLiteral("An island flag is out of range");
     }
     for (std::size_t i = 0; i < tags.size(); ++i) {
-        if (tags[i].name.isEmpty() || tags[i].faces.isEmpty() || !isIndexSet(tags[i].faces, mesh.faceCount()))
+        if (tags[i].name.isEmpty() || tags[i].name.size() > maxNameLength || tags[i].faces.isEmpty() || !isIndexSet(tags[i].faces, mesh.faceCount()))
             return QStringLiteral("Tag %1 is not valid").arg(i);
         if (i > 0 && !(tags[i - 1].name < tags[i].name))
             return QStringLiteral("The tags are not in order");

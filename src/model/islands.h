@@ -30,6 +30,9 @@ struct IslandFlags
     bool operator==(const IslandFlags &) const = default;
 };
 
+//! True when every field is in its range.
+bool isValid(const IslandFlags &flags);
+
 //! A named set of faces.
 struct IslandTag
 {
