@@ -67,8 +67,9 @@ bool EditRectangles::absorb(const DocumentCommand &newer)
 {
     const auto &other = static_cast<const EditRectangles &>(newer);
     // Drawing a new rectangle is one gesture: it is added, then resized.
-    const bool drawing = mEdit == Edit::Add && other.mEdit == Edit::Resize;
-    if (other.mEdit != mEdit && !drawing)
+    const bool drawing = mEdit == Edit::Add && other.mEdit == Edit::Resize && other.mChanges.count() == 1
+                         && other.mChanges.changes().front().key == mChanges.changes().front().key;
+    if (mEdit == Edit::Add ? !drawing : other.mEdit != mEdit)
         return false;
     mChanges.combine(other.mChanges);
     return true;
@@ -79,8 +80,7 @@ QString EditRectangles::label() const
     const int count = mChanges.count();
     switch (mEdit) {
     case Edit::Add:
-        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Add rectangle"),
-                           QT_TRANSLATE_NOOP("Undo Commands", "Add %n rectangles"), count);
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Add rectangle"));
     case Edit::Remove:
         return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Remove rectangle"),
                            QT_TRANSLATE_NOOP("Undo Commands", "Remove %n rectangles"), count);
