@@ -1,6 +1,7 @@
 // Property test: long random sequences of commands, undo and redo on several meshes.
 #include "commands/commandfactory.h"
 #include "support/editsupport.h"
+#include "support/randomedits.h"
 
 #include <QTest>
 
@@ -76,7 +77,7 @@ void TestCommandProperty::undoAllAndRedoAll()
             QCOMPARE(document->validate(), QString());
         }
         if (random.oneIn(3))
-            continue;    // the next command drops what was undone
+            continue; // the next command drops what was undone
         stack.setIndex(index);
         QVERIFY(test::withoutSelection(document->state()) == here);
     }

@@ -36,7 +36,7 @@ protected:
 private:
     SolveSettings mSolveBefore, mSolveAfter;
     PackingSettings mPackingBefore, mPackingAfter;
-    int mSolveProperties, mPackingProperties;    //!< that this is about; stay when a drag returns to its start
+    int mSolveProperties, mPackingProperties; //!< that this is about; stay when a drag returns to its start
 };
 
 } // namespace autocuts

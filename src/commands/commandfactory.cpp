@@ -54,10 +54,11 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
 
 Error damagedCommand()
 {
-    return {QCoreApplication::translate("Journal", "A recorded command is damaged or does not fit the document"),
-            {},
-            0,
-            QCoreApplication::translate("Journal", "Open the session without replaying it")};
+    return {
+        QCoreApplication::translate("Journal", "A recorded command is damaged or does not fit the document"),
+        {},
+        0,
+        QCoreApplication::translate("Journal", "Open the session without replaying it")};
 }
 
 } // namespace autocuts

@@ -22,9 +22,9 @@ DocumentCommand::DocumentCommand(Document &document) : mDocument(document), mSel
     const UndoStack &stack = document.undoStack();
     const QUndoCommand *below = stack.index() > 0 ? stack.command(stack.index() - 1) : nullptr;
     const Selection before = below ? static_cast<const DocumentCommand *>(below)->mSelection : Selection();
-    mSelectionBytes = unsharedBytes(mSelection.faces, before.faces)
-                      + unsharedBytes(mSelection.edges, before.edges)
-                      + unsharedBytes(mSelection.corners, before.corners);
+    mSelectionBytes = unsharedBytes(mSelection.faces, before.faces) +
+                      unsharedBytes(mSelection.edges, before.edges) +
+                      unsharedBytes(mSelection.corners, before.corners);
 }
 
 void DocumentCommand::undo()
@@ -93,7 +93,8 @@ bool cancelGesture(Document &document, quint64 gesture)
     if (gesture == 0 || !stack.canUndoFurther())
         return false;
     // The stack hands its entries out const; only pushCommand() puts them there.
-    auto *newest = static_cast<DocumentCommand *>(const_cast<QUndoCommand *>(stack.command(stack.index() - 1)));
+    auto *newest =
+        static_cast<DocumentCommand *>(const_cast<QUndoCommand *>(stack.command(stack.index() - 1)));
     if (newest->mGesture != gesture)
         return false;
     newest->mVanishes = true;

@@ -10,12 +10,12 @@
 
 namespace autocuts {
 
-//! One edit. It is built against the document's present state, takes what it needs from it, and is then given to
-//! pushCommand() at once.
+//! One edit. It is built against the document's present state, takes what it needs from it, and is then given
+//! to pushCommand() at once.
 //!
 //! Merging: commands of one gesture (a drag, a brush stroke, a solver run) get one number of
-//! UndoStack::newGesture() and become one entry; without a number a command never merges. A gesture that returns
-//! to where it began leaves no entry.
+//! UndoStack::newGesture() and become one entry; without a number a command never merges. A gesture that
+//! returns to where it began leaves no entry.
 //!
 //! Selection: undo and redo bring back the selection with which the command was made.
 class DocumentCommand : public UndoEntry
@@ -85,14 +85,14 @@ private:
 
     Document &mDocument;
     Selection mSelection;
-    qint64 mSelectionBytes = 0;    //!< not shared with the entry below
+    qint64 mSelectionBytes = 0; //!< not shared with the entry below
     quint64 mGesture = 0;
     bool mWasApplied = false;
-    bool mVanishes = false;        //!< leaves the stack when undone
+    bool mVanishes = false; //!< leaves the stack when undone
 };
 
-//! Executes the command and puts it on its document's undo stack; returns false, and leaves the history as it is,
-//! when it would change nothing.
+//! Executes the command and puts it on its document's undo stack; returns false, and leaves the history as it
+//! is, when it would change nothing.
 bool pushCommand(std::unique_ptr<DocumentCommand> command);
 
 //! Takes back the newest entry without a trace when it belongs to the gesture: Escape during a drag.

@@ -67,8 +67,8 @@ bool EditRectangles::absorb(const DocumentCommand &newer)
 {
     const auto &other = static_cast<const EditRectangles &>(newer);
     // Drawing a new rectangle is one gesture: it is added, then resized.
-    const bool drawing = mEdit == Edit::Add && other.mEdit == Edit::Resize && other.mChanges.count() == 1
-                         && other.mChanges.changes().front().key == mChanges.changes().front().key;
+    const bool drawing = mEdit == Edit::Add && other.mEdit == Edit::Resize && other.mChanges.count() == 1 &&
+                         other.mChanges.changes().front().key == mChanges.changes().front().key;
     if (mEdit == Edit::Add ? !drawing : other.mEdit != mEdit)
         return false;
     mChanges.combine(other.mChanges);

@@ -14,9 +14,9 @@ class EditRectangles final : public DocumentCommand
 public:
     enum class Edit { Add, Remove, Move, Resize, Assign, Rename, Recolor, Change };
 
-    //! Puts these rectangles in the place of those with their ids. Corners that are the wrong way round are swapped;
-    //! rectangles that do not exist or are not valid are left out.
-    //! \param edit what the history calls it: Move, Resize, Assign, Rename, Recolor, or Change for the rest
+    //! Puts these rectangles in the place of those with their ids. Corners that are the wrong way round are
+    //! swapped; rectangles that do not exist or are not valid are left out. \param edit what the history
+    //! calls it: Move, Resize, Assign, Rename, Recolor, or Change for the rest
     EditRectangles(Document &document, Edit edit, const std::vector<LayoutRectangle> &rectangles);
     //! Adds a rectangle; its id is chosen: see Constraints::nextRectangleId().
     static std::unique_ptr<EditRectangles> add(Document &document, LayoutRectangle rectangle);

@@ -155,7 +155,7 @@ void DeleteUvSet::clearPayload()
 
 void DeleteUvSet::compact()
 {
-    mContent.pack(document().adjacency().cornersByVertex());
+    mContent.pack(document().undoStack().pool(), document().adjacency().cornersByVertex());
 }
 
 void DeleteUvSet::writePayload(QCborMap &map) const

@@ -104,7 +104,7 @@ private:
     int mActiveBefore;
     QString mName;
     double mScale;
-    XorDelta mContent;    //!< from a layout without UVs to the deleted one
+    XorDelta mContent; //!< from a layout without UVs to the deleted one
 };
 
 } // namespace autocuts

@@ -5,9 +5,9 @@
 
 namespace autocuts {
 
-//! Remembers the islands as they are when the gesture begins, so that each step is computed from there: no rounding
-//! adds up, and a gesture that returns to its start leaves no entry. Locked islands stay where they are; pins on the
-//! others travel along.
+//! Remembers the islands as they are when the gesture begins, so that each step is computed from there: no
+//! rounding adds up, and a gesture that returns to its start leaves no entry. Locked islands stay where they
+//! are; pins on the others travel along.
 class IslandTransform
 {
 public:
@@ -27,8 +27,8 @@ private:
     quint64 mGesture;
     int mIslandCount = 0;
     std::vector<int> mCorners;
-    UvMatrix mStart;               //!< one row per item of mCorners
-    std::vector<UvPin> mPins;      //!< at the beginning
+    UvMatrix mStart;          //!< one row per item of mCorners
+    std::vector<UvPin> mPins; //!< at the beginning
 };
 
 } // namespace autocuts

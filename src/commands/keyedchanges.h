@@ -7,8 +7,8 @@
 
 namespace autocuts {
 
-//! Before and after of each changed thing, rising by key; nothing stands for "not there". Things that end as they
-//! began are left out, so an edit that returns to its start becomes empty.
+//! Before and after of each changed thing, rising by key; nothing stands for "not there". Things that end as
+//! they began are left out, so an edit that returns to its start becomes empty.
 template <typename Key, typename Value>
 class KeyedChanges
 {

@@ -19,9 +19,9 @@ public:
         SeamWeights = 2,
         Pins = 4,
         Rectangles = 8,
-        Marks = 16,       //!< flags and tags of islands
-        Settings = 32,    //!< of solving and packing, to their defaults
-        Uvs = 64,         //!< of the active set: no corner has any
+        Marks = 16,    //!< flags and tags of islands
+        Settings = 32, //!< of solving and packing, to their defaults
+        Uvs = 64,      //!< of the active set: no corner has any
         Steering = SeamStates | SeamWeights | Pins | Rectangles,
         Everything = Steering | Marks | Settings | Uvs
     };
@@ -46,7 +46,7 @@ private:
     void add(std::unique_ptr<DocumentCommand> command);
 
     int mParts;
-    std::vector<std::unique_ptr<DocumentCommand>> mCommands;    //!< independent of each other, all with changes
+    std::vector<std::unique_ptr<DocumentCommand>> mCommands; //!< independent of each other, all with changes
 };
 
 } // namespace autocuts

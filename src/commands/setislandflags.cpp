@@ -127,7 +127,8 @@ Result<std::unique_ptr<DocumentCommand>> SetIslandFlags::fromCbor(Document &docu
     const int count = static_cast<int>(reader.integer("count"_L1, 0, std::numeric_limits<int>::max()));
     XorDelta delta = XorDelta::read(reader, sizeof(IslandFlags), document.mesh().faceCount());
     const std::vector<IslandFlags> flags = delta.applied(document.marks().faceFlags.data());
-    if (reader.failed() || !std::all_of(flags.begin(), flags.end(), [](const IslandFlags &f) { return isValid(f); }))
+    if (reader.failed() ||
+        !std::all_of(flags.begin(), flags.end(), [](const IslandFlags &f) { return isValid(f); }))
         return damagedCommand();
     auto command = std::make_unique<SetIslandFlags>(document, edit, std::vector<int>());
     command->mCount = count;

@@ -30,12 +30,12 @@ protected:
     QString label() const override;
     qint64 payloadBytes() const override { return mDelta.byteCount(); }
     void clearPayload() override { mDelta = XorDelta(sizeof(IslandFlags)); }
-    void compact() override { mDelta.pack(); }
+    void compact() override { mDelta.pack(document().undoStack().pool()); }
 
 private:
     Edit mEdit;
     int mCount;
-    XorDelta mDelta;    //!< over IslandMarks::faceFlags
+    XorDelta mDelta; //!< over IslandMarks::faceFlags
 };
 
 } // namespace autocuts

@@ -27,7 +27,8 @@ SetIslandTag::SetIslandTag(Document &document, const QString &name, const std::v
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     if (on)
-        std::set_union(mBefore.cbegin(), mBefore.cend(), faces.cbegin(), faces.cend(), std::back_inserter(mAfter));
+        std::set_union(mBefore.cbegin(), mBefore.cend(), faces.cbegin(), faces.cend(),
+                       std::back_inserter(mAfter));
     else
         std::set_difference(mBefore.cbegin(), mBefore.cend(), faces.cbegin(), faces.cend(),
                             std::back_inserter(mAfter));

@@ -76,8 +76,8 @@ Result<std::unique_ptr<DocumentCommand>> SetSeamState::fromCbor(Document &docume
     XorDelta delta = XorDelta::read(reader, sizeof(PairState), document.mesh().cornerPairCount());
     const std::vector<PairState> states = delta.applied(document.seams().states.data());
     const bool valid =
-        withoutDiagonals(document.mesh(), delta.indices()) == delta.indices()
-        && std::all_of(states.begin(), states.end(), [](PairState s) { return s <= PairState::Joined; });
+        withoutDiagonals(document.mesh(), delta.indices()) == delta.indices() &&
+        std::all_of(states.begin(), states.end(), [](PairState s) { return s <= PairState::Joined; });
     if (reader.failed() || !valid)
         return damagedCommand();
     auto command = std::make_unique<SetSeamState>(document, edit, IndexRanges());

@@ -7,8 +7,8 @@
 
 namespace autocuts {
 
-//! Sets the state of corner pairs. Pairs along the diagonals inside polygons are left out, so that polygons are cut
-//! along whole sides only.
+//! Sets the state of corner pairs. Pairs along the diagonals inside polygons are left out, so that polygons
+//! are cut along whole sides only.
 class SetSeamState final : public DocumentCommand
 {
 public:
@@ -29,15 +29,15 @@ protected:
     QString label() const override;
     qint64 payloadBytes() const override { return mDelta.byteCount(); }
     void clearPayload() override { mDelta = XorDelta(sizeof(PairState)); }
-    void compact() override { mDelta.pack(); }
+    void compact() override { mDelta.pack(document().undoStack().pool()); }
 
 private:
     Edit mEdit;
-    XorDelta mDelta;    //!< over Seams::states
+    XorDelta mDelta; //!< over Seams::states
 };
 
-//! Both corner pairs of each edge. Edge numbers are those of MeshAdjacency; boundary sides and diagonals are left
-//! out. \param edges in any order
+//! Both corner pairs of each edge. Edge numbers are those of MeshAdjacency; boundary sides and diagonals are
+//! left out. \param edges in any order
 IndexRanges cornerPairsOfEdges(const MeshData &mesh, std::span<const int> edges);
 //! The indices that are not along diagonals.
 IndexRanges withoutDiagonals(const MeshData &mesh, const IndexRanges &cornerPairs);

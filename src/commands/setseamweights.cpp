@@ -53,8 +53,8 @@ Result<std::unique_ptr<DocumentCommand>> SetSeamWeights::fromCbor(Document &docu
     XorDelta delta = XorDelta::read(reader, sizeof(double), document.mesh().cornerPairCount());
     const std::vector<double> weights = delta.applied(document.seams().weights.data());
     const auto inRange = [](double w) { return w >= 0 && w <= maxPaintedWeight; };
-    const bool valid = withoutDiagonals(document.mesh(), delta.indices()) == delta.indices()
-                       && std::all_of(weights.begin(), weights.end(), inRange);
+    const bool valid = withoutDiagonals(document.mesh(), delta.indices()) == delta.indices() &&
+                       std::all_of(weights.begin(), weights.end(), inRange);
     if (reader.failed() || !valid)
         return damagedCommand();
     auto command = std::make_unique<SetSeamWeights>(document, IndexRanges(), std::span<const double>());

@@ -7,8 +7,8 @@
 
 namespace autocuts {
 
-//! Sets the painted weights of corner pairs; the commands of one brush stroke merge. Diagonals are left out, weights
-//! are limited to [0, maxPaintedWeight].
+//! Sets the painted weights of corner pairs; the commands of one brush stroke merge. Diagonals are left out,
+//! weights are limited to [0, maxPaintedWeight].
 class SetSeamWeights final : public DocumentCommand
 {
 public:
@@ -27,10 +27,10 @@ protected:
     QString label() const override;
     qint64 payloadBytes() const override { return mDelta.byteCount(); }
     void clearPayload() override { mDelta = XorDelta(sizeof(double)); }
-    void compact() override { mDelta.pack(); }
+    void compact() override { mDelta.pack(document().undoStack().pool()); }
 
 private:
-    XorDelta mDelta;    //!< over Seams::weights
+    XorDelta mDelta; //!< over Seams::weights
 };
 
 } // namespace autocuts

@@ -103,7 +103,7 @@ void SetUvs::clearPayload()
 
 void SetUvs::compact()
 {
-    mDelta.pack(document().adjacency().cornersByVertex());
+    mDelta.pack(document().undoStack().pool(), document().adjacency().cornersByVertex());
 }
 
 void SetUvs::writePayload(QCborMap &map) const
@@ -126,8 +126,8 @@ Result<std::unique_ptr<DocumentCommand>> SetUvs::fromCbor(Document &document, Cb
     extras.pins = readPins(reader, "pins"_L1, document.mesh());
     XorDelta delta = readUvDelta(reader, document, document.uv());
     const auto pinned = [&](const UvPin &pin) { return document.constraints().pin(pin.corner) != nullptr; };
-    if (reader.failed() || uvSet != document.activeUvSet()
-        || !std::all_of(extras.pins.begin(), extras.pins.end(), pinned))
+    if (reader.failed() || uvSet != document.activeUvSet() ||
+        !std::all_of(extras.pins.begin(), extras.pins.end(), pinned))
         return damagedCommand();
     auto command = std::make_unique<SetUvs>(document, edit, document.uv(), extras);
     command->mDelta = std::move(delta);

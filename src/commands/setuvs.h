@@ -14,13 +14,13 @@ enum class UvEdit { Move, Rotate, Scale, Drag, Solve, Finish, Pack, Separate, Cl
 //! What an edit of UVs changes besides them.
 struct UvEditExtras
 {
-    int count = 0;                   //!< islands or vertices concerned, for the text in the history
-    std::optional<double> scale;     //!< new scale of the UV set (DocumentState::uvScales), when it changes
-    std::vector<UvPin> pins = {};    //!< new pins at corners that have one
+    int count = 0;                //!< islands or vertices concerned, for the text in the history
+    std::optional<double> scale;  //!< new scale of the UV set (DocumentState::uvScales), when it changes
+    std::vector<UvPin> pins = {}; //!< new pins at corners that have one
 };
 
-//! Sets UVs of the active UV set, and with them its scale and the pins that travel along. Commands of one drag, or
-//! of one solver run, merge; only the difference to the start is kept, once.
+//! Sets UVs of the active UV set, and with them its scale and the pins that travel along. Commands of one
+//! drag, or of one solver run, merge; only the difference to the start is kept, once.
 class SetUvs final : public DocumentCommand
 {
 public:
@@ -47,7 +47,7 @@ private:
     UvEdit mEdit;
     int mUvSet;
     int mCount;
-    XorDelta mDelta;    //!< over the rows of the UV set
+    XorDelta mDelta; //!< over the rows of the UV set
     double mScaleBefore, mScaleAfter;
     PinChanges mPins;
 };

@@ -14,8 +14,8 @@ inline constexpr double maxUvScale = 1e12;
 XorDelta uvDelta(const UvMatrix &from, const UvMatrix &to);
 //! The other version's rows, for the delta's indices only.
 UvMatrix toggledRows(const XorDelta &delta, const UvMatrix &current);
-//! Reads a delta that is written in the order of the corners by vertex; fails when it would give coordinates that
-//! no layout has, which shows that it belongs to another state.
+//! Reads a delta that is written in the order of the corners by vertex; fails when it would give coordinates
+//! that no layout has, which shows that it belongs to another state.
 XorDelta readUvDelta(CborReader &reader, const Document &document, const UvMatrix &current);
 
 } // namespace autocuts

@@ -1,5 +1,7 @@
 #include "commands/xordelta.h"
 
+#include "model/undostack.h"
+
 #include <QtEndian>
 
 #include <algorithm>
@@ -9,6 +11,19 @@
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
+
+//! Deflated bits in blocks from a pool, so that what is kept does not lie scattered among the megabytes that
+//! come and go with each edit: with plain allocations the heap grew to ten times of what it held.
+struct XorDelta::PackedBits
+{
+    PackedBits(std::shared_ptr<std::pmr::memory_resource> p, std::span<const int> o)
+        : pool(std::move(p)), blocks(pool.get()), order(o)
+    {}
+
+    std::shared_ptr<std::pmr::memory_resource> pool;
+    std::pmr::vector<std::pmr::vector<char>> blocks;
+    std::span<const int> order; //!< that the elements were packed in
+};
 
 namespace {
 
@@ -102,8 +117,11 @@ QByteArray XorDelta::bits() const
 {
     if (!mPacked)
         return mBits;
+    QByteArray deflated;
+    for (const auto &block : mPacked->blocks)
+        deflated.append(block.data(), static_cast<qsizetype>(block.size()));
     // Only pack() makes packed bits, so they always fit.
-    return *unpackedBits(qUncompress(mBits), mElementSize, packingOrder(mIndices, mOrder));
+    return *unpackedBits(qUncompress(deflated), mElementSize, packingOrder(mIndices, mPacked->order));
 }
 
 void XorDelta::apply(const char *current, char *result) const
@@ -146,25 +164,33 @@ void XorDelta::combine(const XorDelta &newer)
     *this = std::move(result);
 }
 
-void XorDelta::pack(std::span<const int> order)
+void XorDelta::pack(const std::shared_ptr<std::pmr::memory_resource> &pool, std::span<const int> order)
 {
     mIndices.squeeze();
     mBits.squeeze();
-    if (mPacked || mBits.size() < packThreshold)
+    if (mBits.size() < packThreshold)
         return;
-    QByteArray deflated =
+    const QByteArray deflated =
         qCompress(packedBits(mBits, mElementSize, packingOrder(mIndices, order)), deflateLevel);
     if (deflated.size() >= mBits.size())
         return;
-    deflated.squeeze();
-    mBits = std::move(deflated);
-    mPacked = true;
-    mOrder = order;
+    mBits = {};
+    auto packed = std::make_shared<PackedBits>(pool, order);
+    for (qsizetype at = 0; at < deflated.size(); at += UndoStack::poolBlockSize) {
+        const char *block = deflated.constData() + at;
+        packed->blocks.emplace_back(block, block + std::min(UndoStack::poolBlockSize, deflated.size() - at));
+    }
+    mPacked = std::move(packed);
 }
 
 qint64 XorDelta::byteCount() const
 {
-    return mBits.capacity() + static_cast<qint64>(mIndices.ranges().capacity() * sizeof(IndexRange));
+    qint64 bytes = mBits.capacity() + static_cast<qint64>(mIndices.ranges().capacity() * sizeof(IndexRange));
+    if (mPacked) {
+        for (const auto &block : mPacked->blocks)
+            bytes += static_cast<qint64>(block.capacity());
+    }
+    return bytes;
 }
 
 void XorDelta::write(QCborMap &map, std::span<const int> order) const
@@ -177,14 +203,13 @@ XorDelta XorDelta::read(CborReader &reader, int elementSize, int elementCount, s
 {
     XorDelta delta(elementSize);
     delta.mIndices = reader.ranges("ranges"_L1, elementCount);
-    const auto bits =
-        unpackedBits(reader.bytes("bits"_L1), elementSize, packingOrder(delta.mIndices, order));
+    const auto bits = unpackedBits(reader.bytes("bits"_L1), elementSize, packingOrder(delta.mIndices, order));
     if (!bits || reader.failed()) {
         reader.fail();
         return XorDelta(elementSize);
     }
     delta.mBits = *bits;
-    delta.combine(XorDelta(elementSize));    // drops elements that do not differ
+    delta.combine(XorDelta(elementSize)); // drops elements that do not differ
     return delta;
 }
 

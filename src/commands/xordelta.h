@@ -7,17 +7,20 @@
 #include <QByteArray>
 
 #include <cstring>
+#include <memory>
+#include <memory_resource>
 #include <span>
 #include <type_traits>
 #include <vector>
 
 namespace autocuts {
 
-//! The exclusive or of the bits of two versions, for the elements that differ. Applying it turns either version
-//! into the other one, exactly, so undo and redo are the same operation and only one of the two is stored.
+//! The exclusive or of the bits of two versions, for the elements that differ. Applying it turns either
+//! version into the other one, exactly, so undo and redo are the same operation and only one of the two is
+//! stored.
 //!
-//! Large deltas can be packed: elements are taken in a given order, a repetition of the one before costs one bit
-//! (UVs are equal at all corners of a UV vertex), the rest is split into byte planes and deflated.
+//! Large deltas can be packed: elements are taken in a given order, a repetition of the one before costs one
+//! bit (UVs are equal at all corners of a UV vertex), the rest is split into byte planes and deflated.
 class XorDelta
 {
 public:
@@ -52,18 +55,23 @@ public:
     //! Becomes the difference from this one's old version to the newer one's new version.
     void combine(const XorDelta &newer);
 
-    //! Packs the bits when that saves memory. \param order all indices of the array in the order in which equal
+    //! Packs the bits when that saves memory.
+    //! \param pool where they are kept
+    //! \param order all indices of the array in the order in which equal
     //! elements are likely to follow each other, empty: the natural one; it must stay in place until unpacked
-    void pack(std::span<const int> order = {});
+    void pack(const std::shared_ptr<std::pmr::memory_resource> &pool, std::span<const int> order = {});
     //! Bytes held.
     qint64 byteCount() const;
 
     //! "ranges" and "bits", not deflated: who writes them compresses the whole.
     void write(QCborMap &map, std::span<const int> order = {}) const;
     //! \pre order, when not empty, has elementCount items
-    static XorDelta read(CborReader &reader, int elementSize, int elementCount, std::span<const int> order = {});
+    static XorDelta read(CborReader &reader, int elementSize, int elementCount,
+                         std::span<const int> order = {});
 
 private:
+    struct PackedBits;
+
     template <typename T>
     static const char *bytesOf(const T *values)
     {
@@ -76,9 +84,8 @@ private:
 
     int mElementSize;
     IndexRanges mIndices;
-    QByteArray mBits;               //!< as they are, or deflated
-    bool mPacked = false;
-    std::span<const int> mOrder;    //!< that it was packed in
+    QByteArray mBits; //!< empty when packed
+    std::shared_ptr<const PackedBits> mPacked;
 };
 
 } // namespace autocuts

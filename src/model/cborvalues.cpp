@@ -215,7 +215,8 @@ SolveSettings readSolveSettings(CborReader &reader)
     read("lambda"_L1, settings.lambda, [&] { return reader.number("lambda"_L1, 0, 1); });
     read("delta"_L1, settings.delta, [&] { return reader.number("delta"_L1, 0, largest); });
     read("boxWeight"_L1, settings.boxWeight, [&] { return reader.number("boxWeight"_L1, 0, largest); });
-    read("energy"_L1, settings.energy, [&] { return reader.enumerator("energy"_L1, DistortionEnergy::Amips); });
+    read("energy"_L1, settings.energy,
+         [&] { return reader.enumerator("energy"_L1, DistortionEnergy::Amips); });
     read("weighting"_L1, settings.weighting,
          [&] { return reader.enumerator("weighting"_L1, SeamWeighting::Count); });
     read("start"_L1, settings.start, [&] { return reader.enumerator("start"_L1, StartMode::ExistingUv); });

@@ -14,11 +14,13 @@
 namespace autocuts {
 
 //! Reads a CBOR map that may hold anything. The first value that is missing or out of range makes it fail;
-//! from then on every call gives an empty value. Numbers are checked as they are read, so nothing out of range
-//! comes out, and no more memory is taken than the map itself has.
+//! from then on every call gives an empty value. Numbers are checked as they are read, so nothing out of
+//! range comes out, and no more memory is taken than the map itself has.
 class CborReader
 {
 public:
+    //! \pre the map was decoded without a QCborParserError: Qt 6.4 crashes on a map that broke off after a
+    //! key
     explicit CborReader(const QCborMap &map) : mMap(map) {}
 
     bool failed() const { return mFailed; }

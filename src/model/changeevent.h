@@ -30,8 +30,8 @@ struct UvEvent final : ChangeEvent
     {}
 
     int uvSet;
-    int properties;         //!< mask of Property
-    IndexRanges corners;    //!< whose UVs changed
+    int properties;      //!< mask of Property
+    IndexRanges corners; //!< whose UVs changed
 };
 
 //! The list of UV sets, or which one is active.
@@ -42,7 +42,7 @@ struct UvSetEvent final : ChangeEvent
     UvSetEvent(Change c, int i) : ChangeEvent(Type::UvSet), change(c), index(i) {}
 
     Change change;
-    int index;    //!< of the set; after removal the one it had
+    int index; //!< of the set; after removal the one it had
 };
 
 //! Seams.
@@ -54,15 +54,14 @@ struct SeamEvent final : ChangeEvent
         : ChangeEvent(Type::Seam), properties(mask), cornerPairs(std::move(pairs))
     {}
 
-    int properties;    //!< mask of Property
+    int properties; //!< mask of Property
     IndexRanges cornerPairs;
 };
 
 //! Pins, added, removed or changed.
 struct PinEvent final : ChangeEvent
 {
-    explicit PinEvent(IndexRanges changedCorners)
-        : ChangeEvent(Type::Pin), corners(std::move(changedCorners))
+    explicit PinEvent(IndexRanges changedCorners) : ChangeEvent(Type::Pin), corners(std::move(changedCorners))
     {}
 
     IndexRanges corners;
@@ -76,7 +75,7 @@ struct RectangleEvent final : ChangeEvent
     RectangleEvent(int rectangle, int mask) : ChangeEvent(Type::Rectangle), id(rectangle), properties(mask) {}
 
     int id;
-    int properties;    //!< mask of Property; Strength is hard/soft and the weight
+    int properties; //!< mask of Property; Strength is hard/soft and the weight
 };
 
 //! Flags on faces.
@@ -88,7 +87,7 @@ struct IslandFlagEvent final : ChangeEvent
         : ChangeEvent(Type::IslandFlag), properties(mask), faces(std::move(changedFaces))
     {}
 
-    int properties;    //!< mask of Property
+    int properties; //!< mask of Property
     IndexRanges faces;
 };
 
@@ -105,7 +104,7 @@ struct SolveSettingsEvent final : ChangeEvent
 {
     explicit SolveSettingsEvent(int mask) : ChangeEvent(Type::SolveSettings), properties(mask) {}
 
-    int properties;    //!< mask of SolveProperty
+    int properties; //!< mask of SolveProperty
 };
 
 //! Settings of packing.
@@ -113,7 +112,7 @@ struct PackingSettingsEvent final : ChangeEvent
 {
     explicit PackingSettingsEvent(int mask) : ChangeEvent(Type::PackingSettings), properties(mask) {}
 
-    int properties;    //!< mask of PackingProperty
+    int properties; //!< mask of PackingProperty
 };
 
 } // namespace autocuts

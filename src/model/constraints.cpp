@@ -49,24 +49,25 @@ QString Constraints::validate(const MeshData &mesh) const
 
 bool isValid(const UvPin &pin, const MeshData &mesh)
 {
-    return pin.corner >= 0 && pin.corner < mesh.cornerCount() && pin.position.allFinite()
-           && std::isfinite(pin.weight) && pin.weight >= 0;
+    return pin.corner >= 0 && pin.corner < mesh.cornerCount() && pin.position.allFinite() &&
+           std::isfinite(pin.weight) && pin.weight >= 0;
 }
 
 bool isValid(const LayoutRectangle &rectangle, const MeshData &mesh)
 {
-    return rectangle.id > 0 && rectangle.id <= maxRectangleId && rectangle.lower.allFinite() && rectangle.upper.allFinite()
-           && rectangle.lower.x() <= rectangle.upper.x() && rectangle.lower.y() <= rectangle.upper.y()
-           && std::isfinite(rectangle.weight) && rectangle.weight >= 0
-           && rectangle.name.size() <= maxNameLength && isIndexSet(rectangle.faces, mesh.faceCount());
+    return rectangle.id > 0 && rectangle.id <= maxRectangleId && rectangle.lower.allFinite() &&
+           rectangle.upper.allFinite() && rectangle.lower.x() <= rectangle.upper.x() &&
+           rectangle.lower.y() <= rectangle.upper.y() && std::isfinite(rectangle.weight) &&
+           rectangle.weight >= 0 && rectangle.name.size() <= maxNameLength &&
+           isIndexSet(rectangle.faces, mesh.faceCount());
 }
 
 bool isIndexSet(const QList<int> &indices, int count)
 {
     if (indices.isEmpty())
         return true;
-    return indices.first() >= 0 && indices.last() < count
-           && std::adjacent_find(indices.begin(), indices.end(), std::greater_equal<>()) == indices.end();
+    return indices.first() >= 0 && indices.last() < count &&
+           std::adjacent_find(indices.begin(), indices.end(), std::greater_equal<>()) == indices.end();
 }
 
 } // namespace autocuts

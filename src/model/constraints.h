@@ -19,10 +19,10 @@ inline constexpr int maxRectangleId = 1000000;
 //! A corner held at a place of the texture.
 struct UvPin
 {
-    int corner = 0;                  //!< polygon corner; all its soup corners are held
-    Vec2 position = Vec2::Zero();    //!< texture space
-    bool hard = true;                //!< hard: exactly there; soft: a spring
-    double weight = 1;               //!< spring constant of a soft pin
+    int corner = 0;               //!< polygon corner; all its soup corners are held
+    Vec2 position = Vec2::Zero(); //!< texture space
+    bool hard = true;             //!< hard: exactly there; soft: a spring
+    double weight = 1;            //!< spring constant of a soft pin
 
     bool operator==(const UvPin &) const = default;
 };
@@ -31,13 +31,13 @@ struct UvPin
 //! faces, so an assignment survives when islands are cut or joined.
 struct LayoutRectangle
 {
-    int id = 0;                      //!< 1 to maxRectangleId, unique in a document
+    int id = 0; //!< 1 to maxRectangleId, unique in a document
     QString name;
     QRgb color = 0xff4080ff;
-    Vec2 lower = Vec2::Zero(), upper = Vec2::Ones();    //!< texture space
-    bool hard = false;               //!< hard: no corner may leave; soft: leaving costs energy
-    double weight = 1;               //!< beta of this rectangle = SolveSettings::boxWeight * weight
-    QList<int> faces;                //!< strictly rising
+    Vec2 lower = Vec2::Zero(), upper = Vec2::Ones(); //!< texture space
+    bool hard = false; //!< hard: no corner may leave; soft: leaving costs energy
+    double weight = 1; //!< beta of this rectangle = SolveSettings::boxWeight * weight
+    QList<int> faces;  //!< strictly rising
 
     bool operator==(const LayoutRectangle &) const = default;
 };
@@ -45,8 +45,8 @@ struct LayoutRectangle
 //! The pins and rectangles of a document.
 struct Constraints
 {
-    std::vector<UvPin> pins;                    //!< rising by corner, at most one per corner
-    std::vector<LayoutRectangle> rectangles;    //!< rising by id
+    std::vector<UvPin> pins;                 //!< rising by corner, at most one per corner
+    std::vector<LayoutRectangle> rectangles; //!< rising by id
 
     //! Null when there is none.
     const UvPin *pin(int corner) const;

@@ -78,8 +78,7 @@ private:
 
     //! Marks the constructor that takes any valid state.
     struct FromState
-    {
-    };
+    {};
     Document(FromState, DocumentState state);
 
     // All indices must be in range and all values valid; values are given in the order of the indices.

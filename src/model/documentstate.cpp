@@ -16,10 +16,10 @@ bool sameMesh(const std::shared_ptr<const MeshData> &a, const std::shared_ptr<co
     if (a == b || !a || !b)
         return a == b;
     // Everything else in a MeshData follows from these.
-    return a->positions.rows() == b->positions.rows() && a->faceStart == b->faceStart
-           && a->cornerVertex == b->cornerVertex && a->faceObject == b->faceObject
-           && (a->positions.size() == 0
-               || std::memcmp(a->positions.data(), b->positions.data(), a->positions.size() * sizeof(double)) == 0);
+    return a->positions.rows() == b->positions.rows() && a->faceStart == b->faceStart &&
+           a->cornerVertex == b->cornerVertex && a->faceObject == b->faceObject &&
+           (a->positions.size() == 0 ||
+            std::memcmp(a->positions.data(), b->positions.data(), a->positions.size() * sizeof(double)) == 0);
 }
 
 bool sameUvSets(const std::vector<UvSet> &a, const std::vector<UvSet> &b)
@@ -31,9 +31,9 @@ bool sameUvSets(const std::vector<UvSet> &a, const std::vector<UvSet> &b)
 
 bool sameScene(const Scene &a, const Scene &b)
 {
-    return a.path == b.path && a.format == b.format && sameMesh(a.mesh, b.mesh) && a.objectNames == b.objectNames
-           && a.materialNames == b.materialNames && a.faceMaterial == b.faceMaterial
-           && sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes;
+    return a.path == b.path && a.format == b.format && sameMesh(a.mesh, b.mesh) &&
+           a.objectNames == b.objectNames && a.materialNames == b.materialNames &&
+           a.faceMaterial == b.faceMaterial && sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes;
 }
 
 QString validateUvSets(const DocumentState &state)
@@ -49,7 +49,8 @@ QString validateUvSets(const DocumentState &state)
         if (!std::isfinite(state.uvScales[i]) || state.uvScales[i] <= 0)
             return QStringLiteral("The scale of UV set %1 is not positive").arg(i);
         const auto sameName = [&](const UvSet &other) { return other.name == sets[i].name; };
-        if (sets[i].name.isEmpty() || sets[i].name.size() > maxNameLength || std::any_of(sets.begin(), sets.begin() + i, sameName))
+        if (sets[i].name.isEmpty() || sets[i].name.size() > maxNameLength ||
+            std::any_of(sets.begin(), sets.begin() + i, sameName))
             return QStringLiteral("UV set %1 has no name of its own").arg(i);
     }
     return {};
@@ -96,15 +97,15 @@ QString DocumentState::validate() const
 
 bool operator==(const DocumentState &a, const DocumentState &b)
 {
-    return sameScene(a.scene, b.scene) && a.activeUvSet == b.activeUvSet && a.uvScales == b.uvScales
-           && a.seams == b.seams && a.constraints == b.constraints && a.marks == b.marks
-           && a.solveSettings == b.solveSettings && a.packingSettings == b.packingSettings
-           && a.selection == b.selection && a.viewState == b.viewState;
+    return sameScene(a.scene, b.scene) && a.activeUvSet == b.activeUvSet && a.uvScales == b.uvScales &&
+           a.seams == b.seams && a.constraints == b.constraints && a.marks == b.marks &&
+           a.solveSettings == b.solveSettings && a.packingSettings == b.packingSettings &&
+           a.selection == b.selection && a.viewState == b.viewState;
 }
 
 QString uniqueUvSetName(const std::vector<UvSet> &sets, const QString &wanted)
 {
-    const QString base = wanted.left(maxNameLength - 20);    // room for the number
+    const QString base = wanted.left(maxNameLength - 20); // room for the number
     const auto taken = [&](const QString &name) {
         return std::any_of(sets.begin(), sets.end(), [&](const UvSet &set) { return set.name == name; });
     };

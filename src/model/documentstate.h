@@ -31,8 +31,8 @@ struct DocumentState
     IslandMarks marks;
     SolveSettings solveSettings;
     PackingSettings packingSettings;
-    Selection selection;     //!< restored by undo, but not an edit
-    QByteArray viewState;    //!< opaque, written by the views; not an edit
+    Selection selection;  //!< restored by undo, but not an edit
+    QByteArray viewState; //!< opaque, written by the views; not an edit
 
     //! A document's state right after loading: no steering, default settings, at least one UV set.
     //! \pre scene.mesh is not null
@@ -42,12 +42,12 @@ struct DocumentState
     QString validate() const;
 };
 
-//! True when all fields are equal, UVs and the mesh bit for bit. Scene::source is not compared: it is opaque, and
-//! belongs to the format that wrote it.
+//! True when all fields are equal, UVs and the mesh bit for bit. Scene::source is not compared: it is opaque,
+//! and belongs to the format that wrote it.
 bool operator==(const DocumentState &a, const DocumentState &b);
 
-//! The name itself, or with a number behind it when another UV set has it already; shortened when it is longer than
-//! names may be.
+//! The name itself, or with a number behind it when another UV set has it already; shortened when it is
+//! longer than names may be.
 QString uniqueUvSetName(const std::vector<UvSet> &sets, const QString &wanted);
 
 } // namespace autocuts

@@ -25,10 +25,10 @@ IndexRanges assign(std::vector<T> &array, const IndexRanges &indices, std::span<
 
 int differences(const LayoutRectangle &a, const LayoutRectangle &b)
 {
-    return (a.lower != b.lower || a.upper != b.upper ? RectangleEvent::Bounds : 0)
-           | (a.faces != b.faces ? RectangleEvent::Faces : 0) | (a.name != b.name ? RectangleEvent::Name : 0)
-           | (a.color != b.color ? RectangleEvent::Color : 0)
-           | (a.hard != b.hard || a.weight != b.weight ? RectangleEvent::Strength : 0);
+    return (a.lower != b.lower || a.upper != b.upper ? RectangleEvent::Bounds : 0) |
+           (a.faces != b.faces ? RectangleEvent::Faces : 0) | (a.name != b.name ? RectangleEvent::Name : 0) |
+           (a.color != b.color ? RectangleEvent::Color : 0) |
+           (a.hard != b.hard || a.weight != b.weight ? RectangleEvent::Strength : 0);
 }
 
 } // namespace
@@ -105,9 +105,9 @@ void Document::setFaceFlags(const IndexRanges &faces, std::span<const IslandFlag
     faces.forEach([&](int face) {
         const IslandFlags &before = mState.marks.faceFlags[face];
         const IslandFlags &after = values[next++];
-        properties |= (before.locked != after.locked ? IslandFlagEvent::Locked : 0)
-                      | (before.stack != after.stack ? IslandFlagEvent::Stack : 0)
-                      | (before.group != after.group ? IslandFlagEvent::Group : 0);
+        properties |= (before.locked != after.locked ? IslandFlagEvent::Locked : 0) |
+                      (before.stack != after.stack ? IslandFlagEvent::Stack : 0) |
+                      (before.group != after.group ? IslandFlagEvent::Group : 0);
     });
     IndexRanges changedFaces = assign(mState.marks.faceFlags, faces, values);
     if (!changedFaces.isEmpty())

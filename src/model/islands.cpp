@@ -81,7 +81,8 @@ QString IslandMarks::validate(const MeshData &mesh) const
             return QStringLiteral("An island flag is out of range");
     }
     for (std::size_t i = 0; i < tags.size(); ++i) {
-        if (tags[i].name.isEmpty() || tags[i].name.size() > maxNameLength || tags[i].faces.isEmpty() || !isIndexSet(tags[i].faces, mesh.faceCount()))
+        if (tags[i].name.isEmpty() || tags[i].name.size() > maxNameLength || tags[i].faces.isEmpty() ||
+            !isIndexSet(tags[i].faces, mesh.faceCount()))
             return QStringLiteral("Tag %1 is not valid").arg(i);
         if (i > 0 && !(tags[i - 1].name < tags[i].name))
             return QStringLiteral("The tags are not in order");

@@ -23,9 +23,9 @@ namespace autocuts {
 //! Marks of a face, and of an island through its faces.
 struct IslandFlags
 {
-    std::int32_t locked = 0;    //!< 0 or 1; locked islands are not moved by packing or by tools
-    std::int32_t stack = 0;     //!< islands of one stack lie on top of each other; 0 for none
-    std::int32_t group = 0;     //!< islands of one group move together; 0 for none
+    std::int32_t locked = 0; //!< 0 or 1; locked islands are not moved by packing or by tools
+    std::int32_t stack = 0;  //!< islands of one stack lie on top of each other; 0 for none
+    std::int32_t group = 0;  //!< islands of one group move together; 0 for none
 
     bool operator==(const IslandFlags &) const = default;
 };
@@ -36,8 +36,8 @@ bool isValid(const IslandFlags &flags);
 //! A named set of faces.
 struct IslandTag
 {
-    QString name;        //!< not empty, unique
-    QList<int> faces;    //!< strictly rising, not empty
+    QString name;     //!< not empty, unique
+    QList<int> faces; //!< strictly rising, not empty
 
     bool operator==(const IslandTag &) const = default;
 };
@@ -45,8 +45,8 @@ struct IslandTag
 //! All marks of a document.
 struct IslandMarks
 {
-    std::vector<IslandFlags> faceFlags;    //!< one per face
-    std::vector<IslandTag> tags;           //!< rising by name
+    std::vector<IslandFlags> faceFlags; //!< one per face
+    std::vector<IslandTag> tags;        //!< rising by name
 
     static IslandMarks none(const MeshData &mesh);
 

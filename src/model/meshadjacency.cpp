@@ -49,9 +49,10 @@ MeshAdjacency::MeshAdjacency(const MeshData &mesh)
         const int a = 3 * side.triangle + side.side;
         const int b = 3 * side.triangle + (side.side + 1) % 3;
         mCornerEdge[mesh.cornerOfSoup(a)] = edgeCount();
-        addEdge(a, b, mesh.triangleFace[side.triangle], -1,
-                (mesh.cornerPosition(mesh.cornerOfSoup(a)) - mesh.cornerPosition(mesh.cornerOfSoup(b))).norm(),
-                false);
+        addEdge(
+            a, b, mesh.triangleFace[side.triangle], -1,
+            (mesh.cornerPosition(mesh.cornerOfSoup(a)) - mesh.cornerPosition(mesh.cornerOfSoup(b))).norm(),
+            false);
     }
     mVertexEdges = grouped(mesh.vertexCount(), edgeCount(), [&](int edge, auto visit) {
         if (isDiagonal(edge))

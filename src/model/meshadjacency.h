@@ -1,9 +1,9 @@
 // Who is next to whom on a mesh, for selecting. Plain: no Qt.
 //
-// Words. A *vertex* is a welded vertex (MeshData::vertexWeld). An *edge* is a side of a polygon: first all edge
-// pairs in their order, then all boundary sides. Diagonals keep their numbers, so that an edge number below
-// edgePairs.size() is an edge pair, but no list here contains one. On a non-manifold edge the pair and the
-// sides that are left over are edges of their own between the same vertices.
+// Words. A *vertex* is a welded vertex (MeshData::vertexWeld). An *edge* is a side of a polygon: first all
+// edge pairs in their order, then all boundary sides. Diagonals keep their numbers, so that an edge number
+// below edgePairs.size() is an edge pair, but no list here contains one. On a non-manifold edge the pair and
+// the sides that are left over are edges of their own between the same vertices.
 #pragma once
 
 #include "model/meshdata.h"

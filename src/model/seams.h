@@ -19,7 +19,7 @@ inline constexpr double maxPaintedWeight = 1e6;
 struct Seams
 {
     std::vector<PairState> states;
-    std::vector<double> weights;    //!< factor on the separation energy, 0 attracts seams, > 1 repels them
+    std::vector<double> weights; //!< factor on the separation energy, 0 attracts seams, > 1 repels them
 
     //! All free and unpainted.
     static Seams allFree(const MeshData &mesh);

@@ -21,7 +21,7 @@ bool isDiagonal(const MeshData &mesh, int edge)
 void normalizeList(QList<int> &list, int count)
 {
     if (isIndexSet(list, count))
-        return;    // leaves shared storage shared
+        return; // leaves shared storage shared
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
     list.removeIf([&](int i) { return i < 0 || i >= count; });
@@ -43,8 +43,8 @@ QString Selection::validate(const MeshData &mesh) const
 {
     if (mode < SelectionMode::Vertices || mode > SelectionMode::Islands)
         return QStringLiteral("The selection mode is unknown");
-    if (!isIndexSet(faces, mesh.faceCount()) || !isIndexSet(edges, edgeCount(mesh))
-        || !isIndexSet(corners, mesh.cornerCount()))
+    if (!isIndexSet(faces, mesh.faceCount()) || !isIndexSet(edges, edgeCount(mesh)) ||
+        !isIndexSet(corners, mesh.cornerCount()))
         return QStringLiteral("The selection does not fit the mesh");
     if (std::any_of(edges.begin(), edges.end(), [&](int edge) { return isDiagonal(mesh, edge); }))
         return QStringLiteral("A diagonal is selected");

@@ -16,9 +16,9 @@ enum class SelectionMode { Vertices, Edges, Faces, Islands };
 struct Selection
 {
     SelectionMode mode = SelectionMode::Faces;
-    QList<int> faces;      //!< strictly rising
-    QList<int> edges;      //!< edge numbers of MeshAdjacency, strictly rising, no diagonals
-    QList<int> corners;    //!< polygon corners, strictly rising; a vertex is selected through its corners
+    QList<int> faces;   //!< strictly rising
+    QList<int> edges;   //!< edge numbers of MeshAdjacency, strictly rising, no diagonals
+    QList<int> corners; //!< polygon corners, strictly rising; a vertex is selected through its corners
 
     bool isEmpty() const { return faces.isEmpty() && edges.isEmpty() && corners.isEmpty(); }
     //! Sorts the lists and drops what is there twice, does not exist or is a diagonal.

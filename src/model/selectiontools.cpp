@@ -63,7 +63,7 @@ int straightestEdge(const MeshData &mesh, const MeshAdjacency &adjacency, int ed
     };
     const Vec3 ahead = direction(adjacency.otherEnd(edge, vertex), vertex);
     int next = -1;
-    double best = 0.5 - 1e-9;    // cosine of 60 degrees, with room for a regular triangulation's rounding
+    double best = 0.5 - 1e-9; // cosine of 60 degrees, with room for a regular triangulation's rounding
     for (int other : adjacency.vertexEdges(vertex)) {
         if (other == edge || adjacency.isBoundary(other))
             continue;
@@ -92,8 +92,8 @@ QList<int> toList(const Container &values)
 }
 
 //! Marks of the vertices of the selected elements, or of the elements that are not selected.
-std::vector<bool> touchedVertices(const MeshData &mesh, const MeshAdjacency &adjacency, const Selection &selection,
-                                  bool ofSelected)
+std::vector<bool> touchedVertices(const MeshData &mesh, const MeshAdjacency &adjacency,
+                                  const Selection &selection, bool ofSelected)
 {
     std::vector<bool> touched(mesh.vertexCount(), false);
     if (selection.mode == SelectionMode::Edges) {
@@ -138,9 +138,8 @@ std::vector<bool> selectedVertices(const MeshData &mesh, const Selection &select
 bool hasNeighbour(const MeshAdjacency &adjacency, const std::vector<bool> &selected, int vertex, bool wanted)
 {
     const auto edges = adjacency.vertexEdges(vertex);
-    return std::any_of(edges.begin(), edges.end(), [&](int edge) {
-        return selected[adjacency.otherEnd(edge, vertex)] == wanted;
-    });
+    return std::any_of(edges.begin(), edges.end(),
+                       [&](int edge) { return selected[adjacency.otherEnd(edge, vertex)] == wanted; });
 }
 
 } // namespace
@@ -160,7 +159,8 @@ std::vector<int> edgeLoop(const MeshData &mesh, const MeshAdjacency &adjacency, 
     return {loop.begin(), loop.end()};
 }
 
-std::vector<int> shortestPath(const MeshAdjacency &adjacency, int from, int to, std::span<const double> edgeFactor)
+std::vector<int> shortestPath(const MeshAdjacency &adjacency, int from, int to,
+                              std::span<const double> edgeFactor)
 {
     struct Reached
     {

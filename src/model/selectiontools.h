@@ -12,9 +12,9 @@ namespace autocuts {
 
 class Islands;
 
-//! The loop through an edge. Between quads (and polygons) it goes straight on at inner vertices with four edges
-//! and ends elsewhere; between triangles it takes the straightest continuation and ends where that turns by more
-//! than 60 degrees; along a boundary it follows the boundary. \pre edge is not a diagonal
+//! The loop through an edge. Between quads (and polygons) it goes straight on at inner vertices with four
+//! edges and ends elsewhere; between triangles it takes the straightest continuation and ends where that
+//! turns by more than 60 degrees; along a boundary it follows the boundary. \pre edge is not a diagonal
 std::vector<int> edgeLoop(const MeshData &mesh, const MeshAdjacency &adjacency, int edge);
 
 //! The edges of the shortest way along edges between two (welded) vertices; empty when there is none or both
@@ -22,8 +22,8 @@ std::vector<int> edgeLoop(const MeshData &mesh, const MeshAdjacency &adjacency, 
 std::vector<int> shortestPath(const MeshAdjacency &adjacency, int from, int to,
                               std::span<const double> edgeFactor = {});
 
-//! The selection and its neighbours, by the mode: faces that share a vertex, edges that share a vertex, vertices
-//! that share an edge. Islands do not grow.
+//! The selection and its neighbours, by the mode: faces that share a vertex, edges that share a vertex,
+//! vertices that share an edge. Islands do not grow.
 Selection grown(const MeshData &mesh, const MeshAdjacency &adjacency, const Selection &selection);
 //! The selection without its rim: what has no unselected neighbour in the sense of grown().
 Selection shrunk(const MeshData &mesh, const MeshAdjacency &adjacency, const Selection &selection);

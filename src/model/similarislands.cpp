@@ -23,7 +23,8 @@ std::uint64_t mixed(std::uint64_t value)
 
 //! Colours of the faces of an island, sorted: equal for islands with the same neighbourhoods.
 std::vector<std::uint64_t> topologyColours(const MeshData &mesh, const MeshAdjacency &adjacency,
-                                           const Islands &islands, int island, std::vector<std::uint64_t> &scratch)
+                                           const Islands &islands, int island,
+                                           std::vector<std::uint64_t> &scratch)
 {
     const std::vector<int> &faces = islands.faces(island);
     for (int face : faces)
@@ -51,7 +52,8 @@ std::vector<std::uint64_t> topologyColours(const MeshData &mesh, const MeshAdjac
     return next;
 }
 
-std::vector<double> sideLengths(const MeshData &mesh, const MeshAdjacency &adjacency, const std::vector<int> &faces)
+std::vector<double> sideLengths(const MeshData &mesh, const MeshAdjacency &adjacency,
+                                const std::vector<int> &faces)
 {
     std::vector<double> lengths;
     for (int face : faces) {
@@ -83,8 +85,8 @@ std::vector<int> similarIslands(const MeshData &mesh, const MeshAdjacency &adjac
             continue;
         if (topologyColours(mesh, adjacency, islands, other, scratch) != colours)
             continue;
-        if (similarity == Similarity::Shape
-            && !sameLengths(sideLengths(mesh, adjacency, islands.faces(other)), lengths))
+        if (similarity == Similarity::Shape &&
+            !sameLengths(sideLengths(mesh, adjacency, islands.faces(other)), lengths))
             continue;
         result.push_back(other);
     }

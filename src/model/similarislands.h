@@ -11,8 +11,8 @@ class Islands;
 
 //! What copies have in common.
 enum class Similarity {
-    Topology,    //!< the same polygons, neighboured in the same way
-    Shape        //!< besides, the same lengths of sides in 3D, to within 1e-4 of the longest
+    Topology, //!< the same polygons, neighboured in the same way
+    Shape     //!< besides, the same lengths of sides in 3D, to within 1e-4 of the longest
 };
 
 //! The islands similar to the given one, itself included, in rising order. Mirrored copies are similar. The

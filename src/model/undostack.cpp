@@ -2,6 +2,13 @@
 
 namespace autocuts {
 
+namespace {
+
+//! The pool asks for memory in pieces of up to this many blocks.
+constexpr std::size_t poolBlocksPerChunk = 256;
+
+} // namespace
+
 UndoEntry::~UndoEntry()
 {
     if (mTotal)
@@ -15,7 +22,10 @@ void UndoEntry::account()
     mAccounted = bytes;
 }
 
-UndoStack::UndoStack(QObject *parent) : QUndoStack(parent) {}
+UndoStack::UndoStack(QObject *parent)
+    : QUndoStack(parent), mPool(std::make_shared<std::pmr::unsynchronized_pool_resource>(
+                              std::pmr::pool_options{poolBlocksPerChunk, poolBlockSize}))
+{}
 
 UndoEntry *UndoStack::entry(int index) const
 {

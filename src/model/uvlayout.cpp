@@ -11,7 +11,8 @@ namespace {
 
 bool hasUv(const std::array<int, 3> &triangle, const UvMatrix &uv)
 {
-    return uv.row(triangle[0]).allFinite() && uv.row(triangle[1]).allFinite() && uv.row(triangle[2]).allFinite();
+    return uv.row(triangle[0]).allFinite() && uv.row(triangle[1]).allFinite() &&
+           uv.row(triangle[2]).allFinite();
 }
 
 double triangleUvArea(const std::array<int, 3> &triangle, const UvMatrix &uv)
@@ -28,8 +29,8 @@ UvMatrix emptyLayout(const MeshData &mesh)
 
 bool sameBits(const UvMatrix &a, const UvMatrix &b)
 {
-    return a.rows() == b.rows()
-           && (a.size() == 0 || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+    return a.rows() == b.rows() &&
+           (a.size() == 0 || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
 IndexRanges differingRows(const UvMatrix &a, const UvMatrix &b)
