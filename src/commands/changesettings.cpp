@@ -92,12 +92,12 @@ bool ChangeSettings::absorb(const DocumentCommand &newer)
 
 QString ChangeSettings::label() const
 {
-    const char *solve = solveText(mSolveProperties);
-    const char *packing = packingText(mPackingProperties);
-    if (solve && mPackingProperties == 0)
-        return plainText(solve);
-    if (packing && mSolveProperties == 0)
-        return plainText(packing);
+    const int solve = differences(mSolveBefore, mSolveAfter);
+    const int packing = differences(mPackingBefore, mPackingAfter);
+    if (packing == 0 && solveText(solve))
+        return plainText(solveText(solve));
+    if (solve == 0 && packingText(packing))
+        return plainText(packingText(packing));
     return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Change settings"));
 }
 

@@ -178,19 +178,25 @@ std::unique_ptr<DocumentCommand> RandomEdits::uvs(Document &document)
 
 std::unique_ptr<DocumentCommand> RandomEdits::islands(Document &document)
 {
-    const IslandTransform gesture(document, static_cast<UvEdit>(mRandom.below(3)),
-                                  someOf(document.islands().count()));
-    const Eigen::Affine2d transform = Eigen::Translation2d(point()) * Eigen::Rotation2Dd(mRandom.unit()) *
-                                      Eigen::Scaling(0.5 + mRandom.unit());
+    // One after the other: the order in which arguments are evaluated is the compiler's choice.
+    const auto edit = static_cast<UvEdit>(mRandom.below(3));
+    const IslandTransform gesture(document, edit, someOf(document.islands().count()));
+    const Vec2 shift = point();
+    const double angle = mRandom.unit();
+    const double size = 0.5 + mRandom.unit();
+    const Eigen::Affine2d transform =
+        Eigen::Translation2d(shift) * Eigen::Rotation2Dd(angle) * Eigen::Scaling(size);
     return gesture.command(transform);
 }
 
 std::unique_ptr<DocumentCommand> RandomEdits::marks(Document &document)
 {
     const std::vector<int> chosen = someOf(document.islands().count());
-    if (mRandom.oneIn(3))
-        return std::make_unique<SetIslandTag>(document, u"tag%1"_s.arg(mRandom.below(4)), chosen,
-                                              mRandom.oneIn(2));
+    if (mRandom.oneIn(3)) {
+        const QString name = u"tag%1"_s.arg(mRandom.below(4));
+        const bool on = mRandom.oneIn(2);
+        return std::make_unique<SetIslandTag>(document, name, chosen, on);
+    }
     return std::make_unique<SetIslandFlags>(document, static_cast<SetIslandFlags::Edit>(mRandom.below(7)),
                                             chosen);
 }
