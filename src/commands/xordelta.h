@@ -65,7 +65,7 @@ public:
 
     //! "ranges" and "bits", not deflated: who writes them compresses the whole.
     void write(QCborMap &map, std::span<const int> order = {}) const;
-    //! \pre order, when not empty, has elementCount items
+    //! \pre order, when not empty, is a permutation of 0, ..., elementCount - 1
     static XorDelta read(CborReader &reader, int elementSize, int elementCount,
                          std::span<const int> order = {});
 
