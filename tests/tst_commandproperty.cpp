@@ -1,6 +1,7 @@
 // Property test: long random sequences of commands, undo and redo on several meshes.
 #include "commands/commandfactory.h"
 #include "support/editsupport.h"
+#include "support/objpolygons.h"
 #include "support/randomedits.h"
 
 #include <QTest>
@@ -24,7 +25,7 @@ test::MeshPtr meshNamed(const QString &name)
         return test::torus(12, 8);
     if (test::meshFolder().empty())
         return nullptr;
-    return test::readObj(test::meshFolder() + "/polygons/suzanne.obj");
+    return test::readObjPolygons(test::meshFolder() + "/polygons/suzanne.obj");
 }
 
 void addMeshes()

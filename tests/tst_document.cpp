@@ -32,6 +32,8 @@ std::vector<std::pair<const char *, Change>> damages()
     using S = DocumentState;
     return {
         {"no mesh", [](S &s) { s.scene.mesh.reset(); }},
+        {"material missing", [](S &s) { s.scene.faceMaterial.pop_back(); }},
+        {"material unknown", [](S &s) { s.scene.faceMaterial[0] = 0; }},
         {"no UV set", [](S &s) { s.scene.uvSets.clear(), s.uvScales.clear(); }},
         {"active set too high", [](S &s) { s.activeUvSet = 2; }},
         {"active set negative", [](S &s) { s.activeUvSet = -1; }},
@@ -89,7 +91,7 @@ std::vector<std::pair<const char *, Change>> differences()
         {"mesh", [](S &s) { s.scene.mesh = test::grid(4, 0.001); }},
         {"object names", [](S &s) { s.scene.objectNames[0] += u'x'; }},
         {"material names", [](S &s) { s.scene.materialNames.push_back({}); }},
-        {"face material", [](S &s) { s.scene.faceMaterial[3] = 0; }},
+        {"face material", [](S &s) { s.scene.faceMaterial.clear(); }},
         {"UV", [](S &s) { s.scene.uvSets[0].uv(5, 1) += 1e-15; }},
         {"UV of another set", [](S &s) { s.scene.uvSets[1].uv(5, 1) = 0; }},
         {"UV set's name", [](S &s) { s.scene.uvSets[1].name = u"x"_s; }},

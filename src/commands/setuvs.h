@@ -24,7 +24,7 @@ struct UvEditExtras
 class SetUvs final : public DocumentCommand
 {
 public:
-    //! \param uv the new UVs, one row per corner, in texture space
+    //! \param uv the new UVs, in texture space \pre one row per corner
     SetUvs(Document &document, UvEdit edit, const UvMatrix &uv, const UvEditExtras &extras = {});
 
     CommandId commandId() const override { return CommandId::SetUvs; }

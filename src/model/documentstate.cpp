@@ -36,6 +36,17 @@ bool sameScene(const Scene &a, const Scene &b)
            a.faceMaterial == b.faceMaterial && sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes;
 }
 
+QString validateMaterials(const Scene &scene)
+{
+    const std::vector<int> &materials = scene.faceMaterial;
+    if (!materials.empty() && static_cast<int>(materials.size()) != scene.mesh->faceCount())
+        return QStringLiteral("The materials do not fit the mesh");
+    const auto exists = [&](int m) { return m >= -1 && m < static_cast<int>(scene.materialNames.size()); };
+    if (!std::all_of(materials.begin(), materials.end(), exists))
+        return QStringLiteral("A face has an unknown material");
+    return {};
+}
+
 QString validateUvSets(const DocumentState &state)
 {
     const std::vector<UvSet> &sets = state.scene.uvSets;
@@ -87,8 +98,9 @@ QString DocumentState::validate() const
         return QStringLiteral("A setting of the solver is out of range");
     if (!packingSettings.isValid())
         return QStringLiteral("A setting of packing is out of range");
-    for (const QString &problem : {validateUvSets(*this), seams.validate(mesh), constraints.validate(mesh),
-                                   marks.validate(mesh), selection.validate(mesh)}) {
+    for (const QString &problem :
+         {validateMaterials(scene), validateUvSets(*this), seams.validate(mesh), constraints.validate(mesh),
+          marks.validate(mesh), selection.validate(mesh)}) {
         if (!problem.isEmpty())
             return problem;
     }

@@ -35,7 +35,8 @@ struct UvRectangle
     bool operator==(const UvRectangle &) const = default;
 };
 
-//! Everything a solve depends on. Const once built. Units: the solver scales the mesh so that its area is pi; pins, rectangles and start UVs are in those units.
+//! Everything a solve depends on. Const once built. Units: the solver scales the mesh so that its area is pi;
+//! pins, rectangles and start UVs are in those units.
 struct Snapshot
 {
     std::shared_ptr<const MeshData> mesh;
@@ -47,7 +48,6 @@ struct Snapshot
     UvMatrix startUv;                   //!< per soup corner, for StartMode::ExistingUv; else empty
     std::uint64_t topologyRevision = 0; //!< changes with the mesh and with what is cut
     std::uint64_t settingsRevision = 0; //!< changes with everything else
-
 };
 
 //! Start UVs for StartMode::ExistingUv: the corners' UVs, scaled so that their area is pi like the mesh's.

@@ -2,9 +2,6 @@
 
 #include "model/uvlayout.h"
 
-#include <fstream>
-#include <sstream>
-
 namespace autocuts::test {
 
 using namespace Qt::Literals::StringLiterals;
@@ -64,29 +61,6 @@ std::unique_ptr<Document> gridDocument()
     state.selection.faces = {1, 2, 3};
     state.viewState = QByteArrayLiteral("camera");
     return std::move(*Document::create(std::move(state)).operator->());
-}
-
-MeshPtr readObj(const std::string &path)
-{
-    std::ifstream file(path);
-    std::vector<Vec3> points;
-    std::vector<std::vector<int>> faces;
-    for (std::string line; std::getline(file, line);) {
-        std::istringstream words(line);
-        std::string word;
-        words >> word;
-        if (word == "v") {
-            Vec3 p;
-            words >> p.x() >> p.y() >> p.z();
-            points.push_back(p);
-        } else if (word == "f") {
-            std::vector<int> face;
-            while (words >> word)
-                face.push_back(std::stoi(word) - 1);
-            faces.push_back(std::move(face));
-        }
-    }
-    return faces.empty() ? nullptr : polygonMesh(points, faces);
 }
 
 namespace {

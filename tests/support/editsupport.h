@@ -20,9 +20,6 @@ std::unique_ptr<Document> gridDocument();
 //! A document of any mesh with splitLayout().
 std::unique_ptr<Document> layoutDocument(const MeshPtr &mesh);
 
-//! Vertices and faces of an OBJ file; null when it cannot be read.
-MeshPtr readObj(const std::string &path);
-
 //! Writes down each event of a document as one line.
 class EventLog : public QObject
 {
