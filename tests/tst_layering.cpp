@@ -16,8 +16,9 @@ namespace {
 const fs::path sourceRoot = fs::path(AUTOCUTS_SOURCE_DIR) / "src";
 
 //! Headers of model/ that hold data only: the solver may include them, and they include nothing of Qt.
-const Names plainHeaders{"chart.h",         "meshdata.h", "polygon.h",  "snapshot.h",
-                         "solvesettings.h", "types.h",    "unionfind.h"};
+const Names plainHeaders{"chart.h",           "indexranges.h", "meshadjacency.h",      "meshdata.h",
+                         "packingsettings.h", "polygon.h",     "settingsproperties.h", "snapshot.h",
+                         "solvesettings.h",   "types.h",       "unionfind.h",          "uvlayout.h"};
 
 //! Layers that a layer may include besides itself. The empty name stands for src/ itself: the programs.
 const std::map<std::string, Names> allowedLayers{

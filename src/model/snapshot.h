@@ -18,9 +18,9 @@ enum class PairState : std::uint8_t { Free, Cut, Joined };
 struct Pin
 {
     int soupCorner = 0;
-    Vec2 target = Vec2::Zero();    //!< solver units (mesh area pi)
-    bool hard = false;             //!< hard: exactly there; soft: a spring of the given weight
-    double weight = 1;             //!< spring constant of a soft pin
+    Vec2 target = Vec2::Zero(); //!< solver units (mesh area pi)
+    bool hard = false;          //!< hard: exactly there; soft: a spring of the given weight
+    double weight = 1;          //!< spring constant of a soft pin
 
     bool operator==(const Pin &) const = default;
 };
@@ -28,24 +28,26 @@ struct Pin
 //! A rectangle that the given soup corners should stay inside (paper, Eq. 10 and 11).
 struct UvRectangle
 {
-    Vec2 lower = Vec2::Zero(), upper = Vec2::Ones();    //!< solver units (mesh area pi)
+    Vec2 lower = Vec2::Zero(), upper = Vec2::Ones(); //!< solver units (mesh area pi)
     std::vector<int> soupCorners;
+    bool hard = false; //!< hard: no corner may leave it
+    double weight = 1; //!< beta of this rectangle = SolveSettings::boxWeight * weight
     bool operator==(const UvRectangle &) const = default;
 };
 
-//! Everything a solve depends on. Const once built. Units: the solver scales the mesh so that its area is pi; pins, rectangles and start UVs are in those units.
+//! Everything a solve depends on. Const once built. Units: the solver scales the mesh so that its area is pi;
+//! pins, rectangles and start UVs are in those units.
 struct Snapshot
 {
     std::shared_ptr<const MeshData> mesh;
     SolveSettings settings;
-    std::vector<PairState> pairState;    //!< per corner pair; empty: all free
-    std::vector<double> pairWeight;      //!< per corner pair, painted factor >= 0; empty: all 1
+    std::vector<PairState> pairState; //!< per corner pair; empty: all free
+    std::vector<double> pairWeight;   //!< per corner pair, painted factor >= 0; empty: all 1
     std::vector<Pin> pins;
     std::vector<UvRectangle> rectangles;
-    UvMatrix startUv;                    //!< per soup corner, for StartMode::ExistingUv; else empty
-    std::uint64_t topologyRevision = 0;  //!< changes with the mesh and with what is cut
-    std::uint64_t settingsRevision = 0;  //!< changes with everything else
-
+    UvMatrix startUv;                   //!< per soup corner, for StartMode::ExistingUv; else empty
+    std::uint64_t topologyRevision = 0; //!< changes with the mesh and with what is cut
+    std::uint64_t settingsRevision = 0; //!< changes with everything else
 };
 
 //! Start UVs for StartMode::ExistingUv: the corners' UVs, scaled so that their area is pi like the mesh's.

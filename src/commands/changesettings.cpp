@@ -1,0 +1,121 @@
+#include "commands/changesettings.h"
+
+#include "commands/commandfactory.h"
+#include "model/settingsproperties.h"
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! Text for a change of one property; null for none or several.
+const char *solveText(int properties)
+{
+    switch (properties) {
+    case LambdaProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change lambda");
+    case DeltaProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change delta");
+    case BoxWeightProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change rectangle weight");
+    case EnergyProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change distortion energy");
+    case WeightingProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change seam weighting");
+    case StartProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change start");
+    case SolverProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change solver");
+    case SeedProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change seed");
+    default:
+        return nullptr;
+    }
+}
+
+//! As solveText().
+const char *packingText(int properties)
+{
+    switch (properties) {
+    case TextureSizeProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change texture size");
+    case MarginProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change margin");
+    case UdimTileProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change UDIM tile");
+    case RotationProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change rotation of islands");
+    case KeepScaleProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change keep scale");
+    default:
+        return nullptr;
+    }
+}
+
+} // namespace
+
+ChangeSettings::ChangeSettings(Document &document, const SolveSettings &solve, const PackingSettings &packing)
+    : DocumentCommand(document), mSolveBefore(document.solveSettings()),
+      mSolveAfter(isValid(solve) ? solve : mSolveBefore), mPackingBefore(document.packingSettings()),
+      mPackingAfter(packing.isValid() ? packing : mPackingBefore),
+      mSolveProperties(differences(mSolveBefore, mSolveAfter)),
+      mPackingProperties(differences(mPackingBefore, mPackingAfter))
+{}
+
+bool ChangeSettings::hasAnyChanges() const
+{
+    return mSolveBefore != mSolveAfter || mPackingBefore != mPackingAfter;
+}
+
+void ChangeSettings::apply()
+{
+    setSolveSettings(mSolveAfter);
+    setPackingSettings(mPackingAfter);
+}
+
+void ChangeSettings::revert()
+{
+    setSolveSettings(mSolveBefore);
+    setPackingSettings(mPackingBefore);
+}
+
+bool ChangeSettings::absorb(const DocumentCommand &newer)
+{
+    const auto &other = static_cast<const ChangeSettings &>(newer);
+    if (other.mSolveProperties != mSolveProperties || other.mPackingProperties != mPackingProperties)
+        return false;
+    mSolveAfter = other.mSolveAfter;
+    mPackingAfter = other.mPackingAfter;
+    return true;
+}
+
+QString ChangeSettings::label() const
+{
+    const int solve = differences(mSolveBefore, mSolveAfter);
+    const int packing = differences(mPackingBefore, mPackingAfter);
+    if (packing == 0 && solveText(solve))
+        return plainText(solveText(solve));
+    if (solve == 0 && packingText(packing))
+        return plainText(packingText(packing));
+    return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Change settings"));
+}
+
+void ChangeSettings::writePayload(QCborMap &map) const
+{
+    map["solve"_L1] = autocuts::toCbor(mSolveAfter);
+    map["packing"_L1] = autocuts::toCbor(mPackingAfter);
+}
+
+Result<std::unique_ptr<DocumentCommand>> ChangeSettings::fromCbor(Document &document, CborReader &reader)
+{
+    CborReader solveReader(reader.map("solve"_L1));
+    CborReader packingReader(reader.map("packing"_L1));
+    const SolveSettings solve = readSolveSettings(solveReader);
+    const PackingSettings packing = readPackingSettings(packingReader);
+    if (reader.failed() || solveReader.failed() || packingReader.failed())
+        return damagedCommand();
+    return std::unique_ptr<DocumentCommand>(std::make_unique<ChangeSettings>(document, solve, packing));
+}
+
+} // namespace autocuts

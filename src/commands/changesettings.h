@@ -1,0 +1,42 @@
+// Changing the settings of solving and packing.
+#pragma once
+
+#include "commands/documentcommand.h"
+#include "model/cborvalues.h"
+#include "model/result.h"
+
+namespace autocuts {
+
+//! Changes settings. While one slider is dragged the commands merge, but never those of different properties.
+class ChangeSettings final : public DocumentCommand
+{
+public:
+    //! Settings that are not valid are left as they are.
+    ChangeSettings(Document &document, const SolveSettings &solve, const PackingSettings &packing);
+    ChangeSettings(Document &document, const SolveSettings &solve)
+        : ChangeSettings(document, solve, document.packingSettings())
+    {}
+    ChangeSettings(Document &document, const PackingSettings &packing)
+        : ChangeSettings(document, document.solveSettings(), packing)
+    {}
+
+    CommandId commandId() const override { return CommandId::ChangeSettings; }
+    bool hasAnyChanges() const override;
+    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+
+protected:
+    void apply() override;
+    void revert() override;
+    bool absorb(const DocumentCommand &newer) override;
+    void writePayload(QCborMap &map) const override;
+    QString label() const override;
+    qint64 payloadBytes() const override { return 0; }
+    void clearPayload() override {}
+
+private:
+    SolveSettings mSolveBefore, mSolveAfter;
+    PackingSettings mPackingBefore, mPackingAfter;
+    int mSolveProperties, mPackingProperties; //!< that this is about; stay when a drag returns to its start
+};
+
+} // namespace autocuts

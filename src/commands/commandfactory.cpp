@@ -1,0 +1,64 @@
+#include "commands/commandfactory.h"
+
+#include "commands/changesettings.h"
+#include "commands/editpins.h"
+#include "commands/editrectangles.h"
+#include "commands/edituvsets.h"
+#include "commands/reset.h"
+#include "commands/setislandflags.h"
+#include "commands/setislandtag.h"
+#include "commands/setseamstate.h"
+#include "commands/setseamweights.h"
+#include "commands/setuvs.h"
+
+#include <QCoreApplication>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Document &document)
+{
+    CborReader reader(map);
+    const auto id = static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::Reset)));
+    switch (id) {
+    case CommandId::SetSeamState:
+        return SetSeamState::fromCbor(document, reader);
+    case CommandId::SetSeamWeights:
+        return SetSeamWeights::fromCbor(document, reader);
+    case CommandId::EditRectangles:
+        return EditRectangles::fromCbor(document, reader);
+    case CommandId::EditPins:
+        return EditPins::fromCbor(document, reader);
+    case CommandId::SetUvs:
+        return SetUvs::fromCbor(document, reader);
+    case CommandId::ChangeSettings:
+        return ChangeSettings::fromCbor(document, reader);
+    case CommandId::ChooseUvSet:
+        return ChooseUvSet::fromCbor(document, reader);
+    case CommandId::AddUvSet:
+        return AddUvSet::fromCbor(document, reader);
+    case CommandId::RenameUvSet:
+        return RenameUvSet::fromCbor(document, reader);
+    case CommandId::DeleteUvSet:
+        return DeleteUvSet::fromCbor(document, reader);
+    case CommandId::SetIslandFlags:
+        return SetIslandFlags::fromCbor(document, reader);
+    case CommandId::SetIslandTag:
+        return SetIslandTag::fromCbor(document, reader);
+    case CommandId::Reset:
+        return Reset::fromCbor(document, reader);
+    }
+    return damagedCommand();
+}
+
+Error damagedCommand()
+{
+    return {
+        QCoreApplication::translate("Journal", "A recorded command is damaged or does not fit the document"),
+        {},
+        0,
+        QCoreApplication::translate("Journal", "Open the session without replaying it")};
+}
+
+} // namespace autocuts

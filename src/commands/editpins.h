@@ -1,0 +1,51 @@
+// Pinning, unpinning and moving pins.
+#pragma once
+
+#include "commands/documentcommand.h"
+#include "commands/keyedchanges.h"
+#include "model/cborvalues.h"
+#include "model/result.h"
+
+namespace autocuts {
+
+//! Pins by corner, before and after.
+using PinChanges = KeyedChanges<int, UvPin>;
+
+//! Adds, removes or changes pins; the commands of one drag merge.
+class EditPins final : public DocumentCommand
+{
+public:
+    enum class Edit { Pin, Unpin, Move, Change };
+
+    //! Puts these pins in the place of those at their corners; pins that are not valid are left out.
+    //! \param edit what the history calls it, not Unpin
+    EditPins(Document &document, Edit edit, const std::vector<UvPin> &pins);
+    //! Removes the pins at these corners.
+    static std::unique_ptr<EditPins> unpin(Document &document, std::span<const int> corners);
+
+    CommandId commandId() const override { return CommandId::EditPins; }
+    bool hasAnyChanges() const override { return !mChanges.isEmpty(); }
+    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+
+protected:
+    void apply() override;
+    void revert() override;
+    bool absorb(const DocumentCommand &newer) override;
+    void writePayload(QCborMap &map) const override;
+    QString label() const override;
+    qint64 payloadBytes() const override { return mChanges.count() * qint64(sizeof(PinChanges::Change)); }
+    void clearPayload() override { mChanges.clear(); }
+
+private:
+    Edit mEdit;
+    PinChanges mChanges;
+};
+
+//! The changes that put these pins in the place of those at their corners.
+PinChanges changesToPins(const Document &document, const std::vector<UvPin> &pins);
+//! The pins after the changes as an array of maps. \pre no pin is removed
+QCborArray pinsToCbor(const PinChanges &changes);
+//! The pins of such an array.
+std::vector<UvPin> readPins(CborReader &reader, QLatin1StringView key, const MeshData &mesh);
+
+} // namespace autocuts

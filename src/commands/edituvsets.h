@@ -1,0 +1,110 @@
+// Choosing, adding, renaming and deleting UV sets.
+#pragma once
+
+#include "commands/documentcommand.h"
+#include "commands/xordelta.h"
+#include "model/result.h"
+
+namespace autocuts {
+
+//! Makes another UV set the active one.
+class ChooseUvSet final : public DocumentCommand
+{
+public:
+    ChooseUvSet(Document &document, int index);
+
+    CommandId commandId() const override { return CommandId::ChooseUvSet; }
+    bool hasAnyChanges() const override { return mBefore != mAfter; }
+    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+
+protected:
+    void apply() override { setActiveUvSet(mAfter); }
+    void revert() override { setActiveUvSet(mBefore); }
+    bool absorb(const DocumentCommand &newer) override;
+    void writePayload(QCborMap &map) const override;
+    QString label() const override;
+    qint64 payloadBytes() const override { return 0; }
+    void clearPayload() override {}
+
+private:
+    int mBefore, mAfter;
+};
+
+//! Adds a UV set behind the others and makes it the active one.
+class AddUvSet final : public DocumentCommand
+{
+public:
+    //! \param name when it is empty or taken, one that is free is made from it
+    //! \param source number of the set to copy, -1 for a set without UVs
+    AddUvSet(Document &document, const QString &name, int source = -1);
+
+    CommandId commandId() const override { return CommandId::AddUvSet; }
+    bool hasAnyChanges() const override { return true; }
+    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+
+protected:
+    void apply() override;
+    void revert() override;
+    void writePayload(QCborMap &map) const override;
+    QString label() const override;
+    qint64 payloadBytes() const override { return mName.size() * qint64(sizeof(QChar)); }
+    void clearPayload() override {}
+
+private:
+    QString mName;
+    int mSource;
+    int mActiveBefore;
+};
+
+//! Gives a UV set another name.
+class RenameUvSet final : public DocumentCommand
+{
+public:
+    //! Nothing changes when the name is empty or taken.
+    RenameUvSet(Document &document, int index, const QString &name);
+
+    CommandId commandId() const override { return CommandId::RenameUvSet; }
+    bool hasAnyChanges() const override { return mBefore != mAfter; }
+    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+
+protected:
+    void apply() override { renameUvSet(mIndex, mAfter); }
+    void revert() override { renameUvSet(mIndex, mBefore); }
+    void writePayload(QCborMap &map) const override;
+    QString label() const override;
+    qint64 payloadBytes() const override { return (mBefore.size() + mAfter.size()) * qint64(sizeof(QChar)); }
+    void clearPayload() override {}
+
+private:
+    int mIndex;
+    QString mBefore, mAfter;
+};
+
+//! Deletes a UV set; the last one stays.
+class DeleteUvSet final : public DocumentCommand
+{
+public:
+    DeleteUvSet(Document &document, int index);
+
+    CommandId commandId() const override { return CommandId::DeleteUvSet; }
+    bool hasAnyChanges() const override { return document().uvSets().size() > 1; }
+    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+
+protected:
+    void apply() override;
+    void revert() override;
+    void writePayload(QCborMap &map) const override;
+    QString label() const override;
+    qint64 payloadBytes() const override;
+    void clearPayload() override;
+    void compact() override;
+
+private:
+    int mIndex;
+    int mActiveBefore;
+    QString mName;
+    double mScale;
+    XorDelta mContent; //!< from a layout without UVs to the deleted one
+};
+
+} // namespace autocuts

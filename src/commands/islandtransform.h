@@ -1,0 +1,34 @@
+// Moving, rotating and scaling islands by one gesture.
+#pragma once
+
+#include "commands/setuvs.h"
+
+namespace autocuts {
+
+//! Remembers the islands as they are when the gesture begins, so that each step is computed from there: no
+//! rounding adds up, and a gesture that returns to its start leaves no entry. Locked islands stay where they
+//! are; pins on the others travel along.
+class IslandTransform
+{
+public:
+    //! \param edit Move, Rotate or Scale
+    //! \param islands numbers of Document::islands(), in any order
+    IslandTransform(Document &document, UvEdit edit, const std::vector<int> &islands);
+
+    //! False when every island is locked.
+    bool canMove() const { return !mCorners.empty(); }
+    //! The command that brings the islands from where they are now to where the whole gesture has them.
+    //! \param transform from the UVs at the beginning, in texture space
+    std::unique_ptr<SetUvs> command(const Eigen::Affine2d &transform) const;
+
+private:
+    Document &mDocument;
+    UvEdit mEdit;
+    quint64 mGesture;
+    int mIslandCount = 0;
+    std::vector<int> mCorners;
+    UvMatrix mStart;          //!< one row per item of mCorners
+    std::vector<UvPin> mPins; //!< at the beginning
+};
+
+} // namespace autocuts

@@ -1,0 +1,134 @@
+#include "commands/reset.h"
+
+#include "commands/changesettings.h"
+#include "commands/commandfactory.h"
+#include "commands/editpins.h"
+#include "commands/editrectangles.h"
+#include "commands/setislandflags.h"
+#include "commands/setislandtag.h"
+#include "commands/setseamstate.h"
+#include "commands/setseamweights.h"
+#include "commands/setuvs.h"
+#include "model/uvlayout.h"
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+std::unique_ptr<DocumentCommand> unpinAll(Document &document)
+{
+    std::vector<int> corners;
+    for (const UvPin &pin : document.constraints().pins)
+        corners.push_back(pin.corner);
+    return EditPins::unpin(document, corners);
+}
+
+std::unique_ptr<DocumentCommand> removeRectangles(Document &document)
+{
+    std::vector<int> ids;
+    for (const LayoutRectangle &rectangle : document.constraints().rectangles)
+        ids.push_back(rectangle.id);
+    return EditRectangles::remove(document, ids);
+}
+
+} // namespace
+
+Reset::Reset(Document &document, int parts) : DocumentCommand(document), mParts(parts & Everything)
+{
+    const IndexRanges pairs = IndexRanges::all(document.mesh().cornerPairCount());
+    if ((parts & SeamStates) != 0)
+        add(std::make_unique<SetSeamState>(document, SetSeamState::Edit::Clear, pairs));
+    if ((parts & SeamWeights) != 0) {
+        const std::vector<double> weights(pairs.count(), unpaintedWeight);
+        add(std::make_unique<SetSeamWeights>(document, pairs, weights));
+    }
+    if ((parts & Pins) != 0)
+        add(unpinAll(document));
+    if ((parts & Rectangles) != 0)
+        add(removeRectangles(document));
+    if ((parts & Marks) != 0) {
+        add(SetIslandFlags::clearAll(document));
+        for (const IslandTag &tag : document.marks().tags)
+            add(SetIslandTag::remove(document, tag.name));
+    }
+    if ((parts & Settings) != 0)
+        add(std::make_unique<ChangeSettings>(document, SolveSettings(), PackingSettings()));
+    if ((parts & Uvs) != 0)
+        add(std::make_unique<SetUvs>(document, UvEdit::Clear, emptyLayout(document.mesh()),
+                                     UvEditExtras{0, defaultUvScale, {}}));
+}
+
+void Reset::add(std::unique_ptr<DocumentCommand> command)
+{
+    if (command->hasAnyChanges())
+        mCommands.push_back(std::move(command));
+}
+
+void Reset::apply()
+{
+    for (const auto &command : mCommands)
+        applyPart(*command);
+}
+
+void Reset::revert()
+{
+    for (auto it = mCommands.rbegin(); it != mCommands.rend(); ++it)
+        revertPart(**it);
+}
+
+QString Reset::label() const
+{
+    switch (mParts) {
+    case SeamStates:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset seams"));
+    case SeamWeights:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset painted weights"));
+    case Pins:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Remove all pins"));
+    case Rectangles:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Remove all rectangles"));
+    case Marks:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset island marks"));
+    case Settings:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset settings"));
+    case Uvs:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Clear UVs"));
+    case Steering:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset steering"));
+    case Everything:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset everything"));
+    default:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset"));
+    }
+}
+
+qint64 Reset::payloadBytes() const
+{
+    qint64 bytes = 0;
+    for (const auto &command : mCommands)
+        bytes += bytesOfPart(*command) + qint64(sizeof(SetUvs));
+    return bytes;
+}
+
+void Reset::compact()
+{
+    for (const auto &command : mCommands)
+        compactPart(*command);
+}
+
+void Reset::writePayload(QCborMap &map) const
+{
+    map["parts"_L1] = mParts;
+}
+
+Result<std::unique_ptr<DocumentCommand>> Reset::fromCbor(Document &document, CborReader &reader)
+{
+    const int parts = static_cast<int>(reader.integer("parts"_L1, 0, Everything));
+    if (reader.failed())
+        return damagedCommand();
+    return std::unique_ptr<DocumentCommand>(std::make_unique<Reset>(document, parts));
+}
+
+} // namespace autocuts

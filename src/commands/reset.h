@@ -1,0 +1,52 @@
+// Taking steering, settings or UVs back to what they were after loading.
+#pragma once
+
+#include "commands/documentcommand.h"
+#include "model/cborvalues.h"
+#include "model/result.h"
+
+#include <vector>
+
+namespace autocuts {
+
+//! Resets the chosen parts of the document by one entry.
+class Reset final : public DocumentCommand
+{
+public:
+    //! Bits of what is reset.
+    enum Part {
+        SeamStates = 1,
+        SeamWeights = 2,
+        Pins = 4,
+        Rectangles = 8,
+        Marks = 16,    //!< flags and tags of islands
+        Settings = 32, //!< of solving and packing, to their defaults
+        Uvs = 64,      //!< of the active set: no corner has any
+        Steering = SeamStates | SeamWeights | Pins | Rectangles,
+        Everything = Steering | Marks | Settings | Uvs
+    };
+
+    //! \param parts mask of Part
+    Reset(Document &document, int parts);
+
+    CommandId commandId() const override { return CommandId::Reset; }
+    bool hasAnyChanges() const override { return !mCommands.empty(); }
+    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+
+protected:
+    void apply() override;
+    void revert() override;
+    void writePayload(QCborMap &map) const override;
+    QString label() const override;
+    qint64 payloadBytes() const override;
+    void clearPayload() override { mCommands.clear(); }
+    void compact() override;
+
+private:
+    void add(std::unique_ptr<DocumentCommand> command);
+
+    int mParts;
+    std::vector<std::unique_ptr<DocumentCommand>> mCommands; //!< independent of each other, all with changes
+};
+
+} // namespace autocuts

@@ -1,0 +1,139 @@
+#include "commands/setislandflags.h"
+
+#include "commands/commandfactory.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! The lowest positive number that no face has.
+std::int32_t freeNumber(const std::vector<IslandFlags> &flags, std::int32_t IslandFlags::*field)
+{
+    std::vector<std::int32_t> used;
+    for (const IslandFlags &f : flags)
+        used.push_back(f.*field);
+    std::sort(used.begin(), used.end());
+    std::int32_t number = 1;
+    for (std::int32_t u : used)
+        number += u == number;
+    return number;
+}
+
+IslandFlags edited(IslandFlags flags, SetIslandFlags::Edit edit, std::int32_t number)
+{
+    switch (edit) {
+    case SetIslandFlags::Edit::Lock:
+    case SetIslandFlags::Edit::Unlock:
+        flags.locked = edit == SetIslandFlags::Edit::Lock;
+        break;
+    case SetIslandFlags::Edit::Stack:
+    case SetIslandFlags::Edit::Unstack:
+        flags.stack = number;
+        break;
+    case SetIslandFlags::Edit::Group:
+    case SetIslandFlags::Edit::Ungroup:
+        flags.group = number;
+        break;
+    case SetIslandFlags::Edit::Clear:
+        flags = {};
+        break;
+    }
+    return flags;
+}
+
+} // namespace
+
+SetIslandFlags::SetIslandFlags(Document &document, Edit edit, const std::vector<int> &islands)
+    : DocumentCommand(document), mEdit(edit), mCount(static_cast<int>(islands.size()))
+{
+    const std::vector<IslandFlags> &flags = document.marks().faceFlags;
+    std::int32_t number = 0;
+    if (edit == Edit::Stack)
+        number = freeNumber(flags, &IslandFlags::stack);
+    else if (edit == Edit::Group)
+        number = freeNumber(flags, &IslandFlags::group);
+    std::vector<int> faces;
+    for (int island : islands) {
+        const std::vector<int> &own = document.islands().faces(island);
+        faces.insert(faces.end(), own.begin(), own.end());
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    std::vector<IslandFlags> values;
+    for (int face : faces)
+        values.push_back(edited(flags[face], edit, number));
+    mDelta = XorDelta::between<IslandFlags>(flags.data(), IndexRanges::fromSorted(faces), values);
+}
+
+std::unique_ptr<SetIslandFlags> SetIslandFlags::clearAll(Document &document)
+{
+    auto command = std::make_unique<SetIslandFlags>(document, Edit::Clear, std::vector<int>());
+    const std::vector<IslandFlags> &flags = document.marks().faceFlags;
+    const IndexRanges all = IndexRanges::all(static_cast<int>(flags.size()));
+    const std::vector<IslandFlags> none(flags.size());
+    command->mDelta = XorDelta::between<IslandFlags>(flags.data(), all, none);
+    command->mCount = document.islands().count();
+    return command;
+}
+
+void SetIslandFlags::apply()
+{
+    setFaceFlags(mDelta.indices(), mDelta.applied(document().marks().faceFlags.data()));
+}
+
+QString SetIslandFlags::label() const
+{
+    switch (mEdit) {
+    case Edit::Lock:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Lock %n island"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Lock %n islands"), mCount);
+    case Edit::Unlock:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Unlock %n island"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Unlock %n islands"), mCount);
+    case Edit::Stack:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Stack %n island"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Stack %n islands"), mCount);
+    case Edit::Unstack:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Unstack %n island"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Unstack %n islands"), mCount);
+    case Edit::Group:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Group %n island"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Group %n islands"), mCount);
+    case Edit::Ungroup:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Ungroup %n island"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Ungroup %n islands"), mCount);
+    case Edit::Clear:
+        break;
+    }
+    return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Clear flags of %n island"),
+                       QT_TRANSLATE_NOOP("Undo Commands", "Clear flags of %n islands"), mCount);
+}
+
+void SetIslandFlags::writePayload(QCborMap &map) const
+{
+    map["edit"_L1] = static_cast<int>(mEdit);
+    map["count"_L1] = mCount;
+    mDelta.write(map);
+}
+
+Result<std::unique_ptr<DocumentCommand>> SetIslandFlags::fromCbor(Document &document, CborReader &reader)
+{
+    const Edit edit = reader.enumerator("edit"_L1, Edit::Clear);
+    const int count = static_cast<int>(reader.integer("count"_L1, 0, std::numeric_limits<int>::max()));
+    XorDelta delta = XorDelta::read(reader, sizeof(IslandFlags), document.mesh().faceCount());
+    const std::vector<IslandFlags> flags = delta.applied(document.marks().faceFlags.data());
+    if (reader.failed() ||
+        !std::all_of(flags.begin(), flags.end(), [](const IslandFlags &f) { return isValid(f); }))
+        return damagedCommand();
+    auto command = std::make_unique<SetIslandFlags>(document, edit, std::vector<int>());
+    command->mCount = count;
+    command->mDelta = std::move(delta);
+    return std::unique_ptr<DocumentCommand>(std::move(command));
+}
+
+} // namespace autocuts

@@ -1,0 +1,41 @@
+// Locking, stacking and grouping islands.
+#pragma once
+
+#include "commands/documentcommand.h"
+#include "commands/xordelta.h"
+#include "model/result.h"
+
+namespace autocuts {
+
+//! Sets one of the flags of islands, through their faces.
+class SetIslandFlags final : public DocumentCommand
+{
+public:
+    enum class Edit { Lock, Unlock, Stack, Unstack, Group, Ungroup, Clear };
+
+    //! Stack and Group put the islands together into a new stack or group; Clear takes all flags away.
+    //! \param islands numbers of Document::islands(), in any order
+    SetIslandFlags(Document &document, Edit edit, const std::vector<int> &islands);
+
+    CommandId commandId() const override { return CommandId::SetIslandFlags; }
+    bool hasAnyChanges() const override { return !mDelta.isEmpty(); }
+    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+    //! Clears the flags of all faces, in islands or not.
+    static std::unique_ptr<SetIslandFlags> clearAll(Document &document);
+
+protected:
+    void apply() override;
+    void revert() override { apply(); }
+    void writePayload(QCborMap &map) const override;
+    QString label() const override;
+    qint64 payloadBytes() const override { return mDelta.byteCount(); }
+    void clearPayload() override { mDelta = XorDelta(sizeof(IslandFlags)); }
+    void compact() override { mDelta.pack(document().undoStack().pool()); }
+
+private:
+    Edit mEdit;
+    int mCount;
+    XorDelta mDelta; //!< over IslandMarks::faceFlags
+};
+
+} // namespace autocuts

@@ -1,0 +1,47 @@
+// Cutting, joining and clearing seams.
+#pragma once
+
+#include "commands/documentcommand.h"
+#include "commands/xordelta.h"
+#include "model/result.h"
+
+namespace autocuts {
+
+//! Sets the state of corner pairs. Pairs along the diagonals inside polygons are left out, so that polygons
+//! are cut along whole sides only.
+class SetSeamState final : public DocumentCommand
+{
+public:
+    enum class Edit { Clear, Cut, Join };
+
+    //! \param cornerPairs a single pair of an edge makes a half-cut
+    SetSeamState(Document &document, Edit edit, const IndexRanges &cornerPairs);
+
+    CommandId commandId() const override { return CommandId::SetSeamState; }
+    bool hasAnyChanges() const override { return !mDelta.isEmpty(); }
+    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+
+protected:
+    void apply() override;
+    void revert() override { apply(); }
+    bool absorb(const DocumentCommand &newer) override;
+    void writePayload(QCborMap &map) const override;
+    QString label() const override;
+    qint64 payloadBytes() const override { return mDelta.byteCount(); }
+    void clearPayload() override { mDelta = XorDelta(sizeof(PairState)); }
+    void compact() override { mDelta.pack(document().undoStack().pool()); }
+
+private:
+    Edit mEdit;
+    XorDelta mDelta; //!< over Seams::states
+};
+
+//! Both corner pairs of each edge. Edge numbers are those of MeshAdjacency; boundary sides and diagonals are
+//! left out. \param edges in any order
+IndexRanges cornerPairsOfEdges(const MeshData &mesh, std::span<const int> edges);
+//! The indices that are not along diagonals.
+IndexRanges withoutDiagonals(const MeshData &mesh, const IndexRanges &cornerPairs);
+//! The number of edges that have one of these corner pairs.
+int edgeCountOf(const IndexRanges &cornerPairs);
+
+} // namespace autocuts

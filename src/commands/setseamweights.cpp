@@ -1,0 +1,65 @@
+#include "commands/setseamweights.h"
+
+#include "commands/commandfactory.h"
+#include "commands/setseamstate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+SetSeamWeights::SetSeamWeights(Document &document, const IndexRanges &cornerPairs,
+                               std::span<const double> weights)
+    : DocumentCommand(document)
+{
+    IndexRanges painted;
+    std::vector<double> values;
+    std::size_t next = 0;
+    cornerPairs.forEach([&](int pair) {
+        const double weight = weights[next++];
+        if (document.mesh().edgePairs[pair / 2].diagonal || std::isnan(weight))
+            return;
+        painted.append(pair);
+        // Adding zero turns -0 into +0.
+        values.push_back(std::clamp(weight, 0.0, maxPaintedWeight) + 0.0);
+    });
+    mDelta = XorDelta::between<double>(document.seams().weights.data(), painted, values);
+}
+
+void SetSeamWeights::apply()
+{
+    setSeamWeights(mDelta.indices(), mDelta.applied(document().seams().weights.data()));
+}
+
+bool SetSeamWeights::absorb(const DocumentCommand &newer)
+{
+    mDelta.combine(static_cast<const SetSeamWeights &>(newer).mDelta);
+    return true;
+}
+
+QString SetSeamWeights::label() const
+{
+    return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Paint %n edge"),
+                       QT_TRANSLATE_NOOP("Undo Commands", "Paint %n edges"), edgeCountOf(mDelta.indices()));
+}
+
+void SetSeamWeights::writePayload(QCborMap &map) const
+{
+    mDelta.write(map);
+}
+
+Result<std::unique_ptr<DocumentCommand>> SetSeamWeights::fromCbor(Document &document, CborReader &reader)
+{
+    XorDelta delta = XorDelta::read(reader, sizeof(double), document.mesh().cornerPairCount());
+    const std::vector<double> weights = delta.applied(document.seams().weights.data());
+    const auto inRange = [](double w) { return w >= 0 && w <= maxPaintedWeight; };
+    const bool valid = withoutDiagonals(document.mesh(), delta.indices()) == delta.indices() &&
+                       std::all_of(weights.begin(), weights.end(), inRange);
+    if (reader.failed() || !valid)
+        return damagedCommand();
+    auto command = std::make_unique<SetSeamWeights>(document, IndexRanges(), std::span<const double>());
+    command->mDelta = std::move(delta);
+    return std::unique_ptr<DocumentCommand>(std::move(command));
+}
+
+} // namespace autocuts

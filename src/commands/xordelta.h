@@ -1,0 +1,91 @@
+// The difference between two versions of an array, small enough to be kept a thousand times.
+#pragma once
+
+#include "model/cborvalues.h"
+#include "model/indexranges.h"
+
+#include <QByteArray>
+
+#include <cstring>
+#include <memory>
+#include <memory_resource>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace autocuts {
+
+//! The exclusive or of the bits of two versions, for the elements that differ. Applying it turns either
+//! version into the other one, exactly, so undo and redo are the same operation and only one of the two is
+//! stored.
+//!
+//! Large deltas can be packed: elements are taken in a given order, a repetition of the one before costs one
+//! bit (UVs are equal at all corners of a UV vertex), the rest is split into byte planes and deflated.
+class XorDelta
+{
+public:
+    static constexpr int maxElementSize = 16;
+
+    explicit XorDelta(int elementSize = 1) : mElementSize(elementSize) {}
+
+    //! From the current values to the given ones at the given indices; equal elements are left out.
+    //! \pre values has one element per index
+    template <typename T>
+    static XorDelta between(const T *current, const IndexRanges &indices, std::span<const T> values)
+    {
+        static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= maxElementSize);
+        XorDelta delta(sizeof(T));
+        std::size_t next = 0;
+        indices.forEach([&](int i) { delta.append(i, bytesOf(current + i), bytesOf(&values[next++])); });
+        return delta;
+    }
+
+    bool isEmpty() const { return mIndices.isEmpty(); }
+    const IndexRanges &indices() const { return mIndices; }
+
+    //! The other version's values at indices(). \param current the array, of either version
+    template <typename T>
+    std::vector<T> applied(const T *current) const
+    {
+        std::vector<T> values(mIndices.count());
+        apply(bytesOf(current), reinterpret_cast<char *>(values.data()));
+        return values;
+    }
+
+    //! Becomes the difference from this one's old version to the newer one's new version.
+    void combine(const XorDelta &newer);
+
+    //! Packs the bits when that saves memory.
+    //! \param pool where they are kept
+    //! \param order all indices of the array in the order in which equal
+    //! elements are likely to follow each other, empty: the natural one; it must stay in place until unpacked
+    void pack(const std::shared_ptr<std::pmr::memory_resource> &pool, std::span<const int> order = {});
+    //! Bytes held.
+    qint64 byteCount() const;
+
+    //! "ranges" and "bits", not deflated: who writes them compresses the whole.
+    void write(QCborMap &map, std::span<const int> order = {}) const;
+    //! \pre order, when not empty, is a permutation of 0, ..., elementCount - 1
+    static XorDelta read(CborReader &reader, int elementSize, int elementCount,
+                         std::span<const int> order = {});
+
+private:
+    struct PackedBits;
+
+    template <typename T>
+    static const char *bytesOf(const T *values)
+    {
+        return reinterpret_cast<const char *>(values);
+    }
+
+    void append(int index, const char *before, const char *after);
+    void apply(const char *current, char *result) const;
+    QByteArray bits() const;
+
+    int mElementSize;
+    IndexRanges mIndices;
+    QByteArray mBits; //!< empty when packed
+    std::shared_ptr<const PackedBits> mPacked;
+};
+
+} // namespace autocuts

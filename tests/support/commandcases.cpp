@@ -1,0 +1,420 @@
+#include "support/commandcases.h"
+
+#include "commands/edituvsets.h"
+#include "commands/islandtransform.h"
+#include "commands/reset.h"
+#include "commands/setislandtag.h"
+#include "commands/setseamweights.h"
+#include "support/editsupport.h"
+
+#include <cmath>
+
+namespace autocuts::test {
+
+using namespace Qt::Literals::StringLiterals;
+
+std::vector<int> plainEdges(const Document &document, int first, int count)
+{
+    std::vector<int> edges;
+    for (int e = first; static_cast<int>(edges.size()) < count; ++e) {
+        if (!document.mesh().edgePairs[e].diagonal)
+            edges.push_back(e);
+    }
+    return edges;
+}
+
+Make seams(SetSeamState::Edit edit, int first, int count)
+{
+    return [=](Document &d) {
+        const IndexRanges pairs = cornerPairsOfEdges(d.mesh(), plainEdges(d, first, count));
+        return std::make_unique<SetSeamState>(d, edit, pairs);
+    };
+}
+
+Make paint(int firstPair, int count, double weight)
+{
+    return [=](Document &d) {
+        IndexRanges pairs;
+        pairs.append(IndexRange{firstPair, firstPair + count});
+        return std::make_unique<SetSeamWeights>(d, pairs, std::vector<double>(count, weight));
+    };
+}
+
+Make rectangle(EditRectangles::Edit edit, int id, std::function<void(LayoutRectangle &)> change)
+{
+    return [=](Document &d) {
+        LayoutRectangle r = *d.constraints().rectangle(id);
+        change(r);
+        return std::make_unique<EditRectangles>(d, edit, std::vector<LayoutRectangle>{r});
+    };
+}
+
+LayoutRectangle named(const QString &name)
+{
+    LayoutRectangle r;
+    r.name = name;
+    return r;
+}
+
+Make pins(EditPins::Edit edit, std::vector<UvPin> values)
+{
+    return [=](Document &d) { return std::make_unique<EditPins>(d, edit, values); };
+}
+
+Make uvs(UvEdit edit, int corner, double u, UvEditExtras extras)
+{
+    return [=](Document &d) {
+        UvMatrix uv = d.uv();
+        uv(corner, 0) = u;
+        return std::make_unique<SetUvs>(d, edit, uv, extras);
+    };
+}
+
+Make transform(UvEdit edit, Eigen::Affine2d by, std::vector<int> islands)
+{
+    return [=](Document &d) { return IslandTransform(d, edit, islands).command(by); };
+}
+
+Make solve(std::function<void(SolveSettings &)> change)
+{
+    return [=](Document &d) {
+        SolveSettings s = d.solveSettings();
+        change(s);
+        return std::make_unique<ChangeSettings>(d, s);
+    };
+}
+
+Make packing(std::function<void(PackingSettings &)> change)
+{
+    return [=](Document &d) {
+        PackingSettings s = d.packingSettings();
+        change(s);
+        return std::make_unique<ChangeSettings>(d, s);
+    };
+}
+
+Make flags(SetIslandFlags::Edit edit, std::vector<int> islands)
+{
+    return [=](Document &d) { return std::make_unique<SetIslandFlags>(d, edit, islands); };
+}
+
+Make tag(QString name, std::vector<int> islands, bool on)
+{
+    return [=](Document &d) { return std::make_unique<SetIslandTag>(d, name, islands, on); };
+}
+
+Make reset(int parts)
+{
+    return [=](Document &d) { return std::make_unique<Reset>(d, parts); };
+}
+
+Eigen::Affine2d moved(double u, double v)
+{
+    return Eigen::Affine2d(Eigen::Translation2d(u, v));
+}
+
+namespace {
+
+// Of the two islands of gridDocument() the first one has a locked face; the second has the odd pairs of
+// columns. Island 1 owns the corners 8-15, 24-31, 40-47 and 56-63, with a pin at 40.
+const QString secondIsland = u"8-15,24-31,40-47,56-63"_s;
+
+std::vector<Case> seamCases()
+{
+    using Edit = SetSeamState::Edit;
+    return {
+        {"cut",
+         seams(Edit::Cut, 30, 4),
+         "Cut 4 edges",
+         {u"seam 1: 60-61,64-67,70-71"_s},
+         seams(Edit::Cut, 30, 0)},
+        {"cut one", seams(Edit::Cut, 30, 1), "Cut 1 edge", {u"seam 1: 60-61"_s}, nullptr},
+        {"join",
+         seams(Edit::Join, 30, 2),
+         "Join 2 edges",
+         {u"seam 1: 60-61,64-65"_s},
+         seams(Edit::Join, 30, 0)},
+        {"clear", seams(Edit::Clear, 0, 3), "Clear 3 edges", {}, seams(Edit::Clear, 30, 4)},
+        {"paint", paint(64, 3, 0.25), "Paint 2 edges", {u"seam 2: 64-66"_s}, paint(64, 3, 1)},
+    };
+}
+
+std::vector<Case> rectangleCases()
+{
+    using Edit = EditRectangles::Edit;
+    const auto same = [](LayoutRectangle &) {};
+    return {
+        {"add rectangle",
+         [](Document &d) { return EditRectangles::add(d, named(u"foot"_s)); },
+         "Add rectangle",
+         {u"rectangle 2: 1"_s},
+         [](Document &d) {
+             LayoutRectangle bad;
+             bad.weight = -1;
+             return EditRectangles::add(d, bad);
+         }},
+        {"remove rectangle",
+         [](Document &d) {
+             return EditRectangles::remove(d, std::vector<int>{1, 4});
+         },
+         "Remove 2 rectangles",
+         {u"rectangle 1: 2"_s, u"rectangle 4: 2"_s},
+         [](Document &d) { return EditRectangles::remove(d, std::vector<int>{3}); }},
+        {"move rectangle",
+         rectangle(Edit::Move, 1,
+                   [](LayoutRectangle &r) {
+                       r.lower = {1, 1}, r.upper = {2, 2};
+                   }),
+         "Move rectangle",
+         {u"rectangle 1: 4"_s},
+         rectangle(Edit::Move, 1, same)},
+        {"resize rectangle",
+         rectangle(Edit::Resize, 1,
+                   [](LayoutRectangle &r) {
+                       r.lower = {0.9, 0.9};
+                   }),
+         "Resize rectangle",
+         {u"rectangle 1: 4"_s},
+         rectangle(Edit::Resize, 1, same)},
+        {"assign faces",
+         rectangle(Edit::Assign, 4,
+                   [](LayoutRectangle &r) {
+                       r.faces = {2, 3};
+                   }),
+         "Assign faces to rectangle",
+         {u"rectangle 4: 8"_s},
+         rectangle(Edit::Assign, 4,
+                   [](LayoutRectangle &r) {
+                       r.faces = {3, 2};
+                   })},
+        {"rename rectangle",
+         rectangle(Edit::Rename, 4, [](LayoutRectangle &r) { r.name = u"arm"_s; }),
+         "Rename rectangle",
+         {u"rectangle 4: 16"_s},
+         rectangle(Edit::Rename, 4, same)},
+        {"recolor rectangle",
+         rectangle(Edit::Recolor, 4, [](LayoutRectangle &r) { r.color = 0xff000000; }),
+         "Recolor rectangle",
+         {u"rectangle 4: 32"_s},
+         rectangle(Edit::Recolor, 4, same)},
+        {"harden rectangle",
+         rectangle(Edit::Change, 1, [](LayoutRectangle &r) { r.hard = true; }),
+         "Change rectangle",
+         {u"rectangle 1: 64"_s},
+         rectangle(Edit::Change, 1, same)},
+    };
+}
+
+std::vector<Case> pinCases()
+{
+    using Edit = EditPins::Edit;
+    const UvPin old{3, {0.25, 0.5}, true, 1};
+    return {
+        {"pin",
+         pins(Edit::Pin, {{5, {1, 2}, true, 1}, {6, {1, 3}, true, 1}}),
+         "Pin 2 corners",
+         {u"pin 5-5"_s, u"pin 6-6"_s},
+         pins(Edit::Pin, {old, {64, {0, 0}, true, 1}})},
+        {"unpin",
+         [](Document &d) {
+             return EditPins::unpin(d, std::vector<int>{3, 9});
+         },
+         "Unpin 1 corner",
+         {u"pin 3-3"_s},
+         [](Document &d) { return EditPins::unpin(d, std::vector<int>{9}); }},
+        {"move pin",
+         pins(Edit::Move, {{3, {0.5, 0.5}, true, 1}}),
+         "Move 1 pin",
+         {u"pin 3-3"_s},
+         pins(Edit::Move, {old})},
+        {"soften pin",
+         pins(Edit::Change, {{3, {0.25, 0.5}, false, 4}}),
+         "Change 1 pin",
+         {u"pin 3-3"_s},
+         pins(Edit::Change, {{3, {std::nan(""), 0}, false, 4}})},
+    };
+}
+
+std::vector<Case> uvCases()
+{
+    const Eigen::Affine2d turned(Eigen::Rotation2Dd(1));
+    const Eigen::Affine2d doubled(Eigen::Scaling(2.0));
+    const QString second = u"uv 1 set 0: "_s + secondIsland;
+    const auto stay = [](UvEdit edit) { return transform(edit, Eigen::Affine2d::Identity(), {1}); };
+    const auto none = [](UvEdit edit) { return uvs(edit, 7, 0.25); };
+    return {
+        {"move islands",
+         transform(UvEdit::Move, moved(0.5, 0.25), {1}),
+         "Move 1 island",
+         {second, u"pin 40-40"_s},
+         transform(UvEdit::Move, moved(1, 0), {1})},
+        {"rotate islands",
+         transform(UvEdit::Rotate, turned, {0, 1}),
+         "Rotate 1 island",
+         {second, u"pin 40-40"_s},
+         stay(UvEdit::Rotate)},
+        {"scale islands", transform(UvEdit::Scale, doubled, {1}), "Scale 1 island", {}, stay(UvEdit::Scale)},
+        {"drag vertices",
+         uvs(UvEdit::Drag, 7, 3, {1, {}, {}}),
+         "Drag 1 vertex",
+         {u"uv 1 set 0: 7-7"_s},
+         none(UvEdit::Drag)},
+        {"solver result", uvs(UvEdit::Solve, 7, 3), "Solve", {u"uv 1 set 0: 7-7"_s}, none(UvEdit::Solve)},
+        {"finish",
+         uvs(UvEdit::Finish, 7, 3, {0, 0.125, {}}),
+         "Finish map",
+         {u"uv 1 set 0: 7-7"_s, u"uv 2 set 0:"_s},
+         none(UvEdit::Finish)},
+        {"pack",
+         uvs(UvEdit::Pack, 7, 3, {2, 0.25, {}}),
+         "Pack 2 islands",
+         {u"uv 1 set 0: 7-7"_s, u"uv 2 set 0:"_s},
+         none(UvEdit::Pack)},
+        {"separate",
+         uvs(UvEdit::Separate, 7, 3),
+         "Separate overlaps",
+         {u"uv 1 set 0: 7-7"_s},
+         none(UvEdit::Separate)},
+        {"clear UVs", reset(Reset::Uvs), "Clear UVs", {u"uv 1 set 0: 0-63"_s, u"uv 2 set 0:"_s}, nullptr},
+    };
+}
+
+std::vector<Case> settingsCases()
+{
+    return {
+        {"lambda",
+         solve([](SolveSettings &s) { s.lambda = 0.5; }),
+         "Change lambda",
+         {u"solve 1"_s},
+         solve([](SolveSettings &s) { s.lambda = 2; })},
+        {"delta",
+         solve([](SolveSettings &s) { s.delta = 0.5; }),
+         "Change delta",
+         {u"solve 2"_s},
+         solve([](SolveSettings &s) { s.delta = 0; })},
+        {"several",
+         solve([](SolveSettings &s) { s.seed = 2, s.energy = DistortionEnergy::Amips; }),
+         "Change settings",
+         {u"solve 136"_s},
+         solve([](SolveSettings &) {})},
+        {"margin",
+         packing([](PackingSettings &s) { s.margin = 4; }),
+         "Change margin",
+         {u"packing 2"_s},
+         packing([](PackingSettings &s) { s.margin = -1; })},
+        {"tile",
+         packing([](PackingSettings &s) { s.udimTile = 1012; }),
+         "Change UDIM tile",
+         {u"packing 4"_s},
+         packing([](PackingSettings &s) { s.udimTile = 0; })},
+    };
+}
+
+std::vector<Case> uvSetCases()
+{
+    return {
+        {"choose UV set",
+         [](Document &d) { return std::make_unique<ChooseUvSet>(d, 1); },
+         "Choose UV set",
+         {u"set 3 1"_s},
+         [](Document &d) { return std::make_unique<ChooseUvSet>(d, 0); }},
+        {"add UV set",
+         [](Document &d) { return std::make_unique<AddUvSet>(d, u"first"_s); },
+         "Add UV set",
+         {u"set 0 2"_s, u"set 3 2"_s},
+         nullptr},
+        {"copy UV set",
+         [](Document &d) { return std::make_unique<AddUvSet>(d, u"copy"_s, 0); },
+         "Add UV set",
+         {u"set 0 2"_s, u"set 3 2"_s},
+         nullptr},
+        {"rename UV set",
+         [](Document &d) { return std::make_unique<RenameUvSet>(d, 1, u"bake"_s); },
+         "Rename UV set",
+         {u"set 2 1"_s},
+         [](Document &d) { return std::make_unique<RenameUvSet>(d, 1, u"first"_s); }},
+        {"delete UV set",
+         [](Document &d) { return std::make_unique<DeleteUvSet>(d, 0); },
+         "Delete UV set",
+         {u"set 1 0"_s, u"set 3 0"_s},
+         nullptr},
+    };
+}
+
+std::vector<Case> markCases()
+{
+    using Edit = SetIslandFlags::Edit;
+    return {
+        {"lock",
+         flags(Edit::Lock, {1}),
+         "Lock 1 island",
+         {u"flag 1: 2-3,6-7,10-11,14-15"_s},
+         flags(Edit::Lock, {})},
+        {"unlock",
+         flags(Edit::Unlock, {0, 1}),
+         "Unlock 2 islands",
+         {u"flag 1: 2-2"_s},
+         flags(Edit::Unlock, {0})},
+        {"stack", flags(Edit::Stack, {0, 1}), "Stack 2 islands", {u"flag 2: 0-15"_s}, flags(Edit::Stack, {})},
+        {"unstack", flags(Edit::Unstack, {1}), "Unstack 1 island", {}, flags(Edit::Unstack, {0})},
+        {"group",
+         flags(Edit::Group, {0}),
+         "Group 1 island",
+         {u"flag 4: 0-1,4-5,8-9,12-13"_s},
+         flags(Edit::Group, {})},
+        {"ungroup", flags(Edit::Ungroup, {1}), "Ungroup 1 island", {}, flags(Edit::Ungroup, {0})},
+        {"tag", tag(u"metal"_s, {1}, true), "Tag 1 island", {u"tag metal"_s}, tag(u""_s, {1}, true)},
+        {"untag", tag(u"skin"_s, {0}, false), "Untag 1 island", {u"tag skin"_s}, tag(u"metal"_s, {0}, false)},
+    };
+}
+
+std::vector<Case> resetCases()
+{
+    return {
+        {"reset seams", reset(Reset::SeamStates), "Reset seams", {}, nullptr},
+        {"reset weights", reset(Reset::SeamWeights), "Reset painted weights", {}, nullptr},
+        {"reset pins", reset(Reset::Pins), "Remove all pins", {u"pin 3-3"_s, u"pin 40-40"_s}, nullptr},
+        {"reset rectangles",
+         reset(Reset::Rectangles),
+         "Remove all rectangles",
+         {u"rectangle 1: 2"_s, u"rectangle 4: 2"_s},
+         nullptr},
+        {"reset marks",
+         reset(Reset::Marks),
+         "Reset island marks",
+         {u"flag 1: 2-2"_s, u"tag skin"_s},
+         nullptr},
+        {"reset steering", reset(Reset::Steering), "Reset steering", {}, reset(Reset::Settings)},
+        {"reset everything", reset(Reset::Everything), "Reset everything", {}, reset(0)},
+    };
+}
+
+} // namespace
+
+const std::vector<Case> &commandCases()
+{
+    static const std::vector<Case> all = [] {
+        std::vector<Case> result;
+        for (const auto &some : {seamCases(), rectangleCases(), pinCases(), uvCases(), settingsCases(),
+                                 uvSetCases(), markCases(), resetCases()})
+            result.insert(result.end(), some.begin(), some.end());
+        return result;
+    }();
+    return all;
+}
+
+std::unique_ptr<Document> startFor(const Case &c)
+{
+    DocumentState state = gridDocument()->state();
+    const QByteArray name = c.name;
+    if (name == "unstack" || name == "ungroup") {
+        for (int face : {2, 3})
+            state.marks.faceFlags[face].stack = state.marks.faceFlags[face].group = 3;
+    }
+    if (name == "move islands" || name == "rotate islands" || name == "scale islands")
+        state.marks.faceFlags[0].locked = 1;
+    state.marks.faceFlags[2].locked = name == "unlock" || name == "reset marks";
+    return std::move(*Document::create(std::move(state)).operator->());
+}
+
+} // namespace autocuts::test
