@@ -344,7 +344,11 @@ private Q_SLOTS:
         std::vector<int> corners;
         for (int i = 0; i < c.soup->mesh->soupCornerCount(); i += 2)
             corners.push_back(i);
-        const BoxTerm term({{Vec2(-0.2, -0.3), Vec2(0.4, 0.1), corners}}, 100);
+        UvRectangle box;
+        box.lower = Vec2(-0.2, -0.3);
+        box.upper = Vec2(0.4, 0.1);
+        box.soupCorners = corners;
+        const BoxTerm term({box}, 100);
         QVERIFY(gradientError(term, *c.soup, c.x, 1e-6) < 1e-5);
         HessianBlocks blocks;
         gradientOf(term, *c.soup, c.x, &blocks);
@@ -354,8 +358,14 @@ private Q_SLOTS:
         }
         QCOMPARE(blocks.ground[2], 0.0);    // corner 1 is not in the box's list
         // Inside nothing is felt.
-        const BoxTerm wide({{Vec2(-100, -100), Vec2(100, 100), corners}}, 100);
-        QCOMPARE(wide.value(c.x), 0.0);
+        UvRectangle wide = box;
+        wide.lower = Vec2(-100, -100);
+        wide.upper = Vec2(100, 100);
+        QCOMPARE(BoxTerm({wide}, 100).value(c.x), 0.0);
+        UvRectangle hard = box;
+        hard.hard = true;
+        hard.weight = 0.5;
+        QVERIFY(std::abs(BoxTerm({hard}, 100).value(c.x) / term.value(c.x) - 50) < 1e-9);
     }
 
     void flipFreeStepStopsAtTheFlip()

@@ -23,30 +23,32 @@ constexpr int relaxSteps = 60;
 constexpr double optimizingShare = 0.9; // of the progress bar
 constexpr double hurriedPackEffort = 0.1;
 constexpr int hurriedSteps = 4;
-constexpr int extraRuns = 5;          // when none of the planned ones met the bound
+constexpr int extraRuns = 5; // when none of the planned ones met the bound
 constexpr int mergeRounds = 4;
 constexpr int mergeWork = 500'000; // tries times triangles
 
-//! One chain of annealing runs, each reheated from the end of the one before. Where it ends depends on luck
-//! as much as on the parameters, so several different ones are run and the best map is kept.
+//! One chain of annealing runs, each reheated from the end of the one before. Where it ends depends on luck as
+//! much as on the parameters, so several different ones are run and the best map is kept. The first chain starts
+//! as the user asked, the others as it says here.
 struct ChainPlan
 {
     double firstLambda;
     double reheat; //!< delta where the second and further runs start
+    StartMode start;
 };
 
-constexpr std::array<ChainPlan, 12> chainPlans{{{0.05, 0.01},
-                                                {0.3, 0.05},
-                                                {0.3, 0.01},
-                                                {0.05, 0.05},
-                                                {0.1, 0.02},
-                                                {0.02, 0.01},
-                                                {0.2, 0.03},
-                                                {0.02, 0.05},
-                                                {0.15, 0.005},
-                                                {0.03, 0.03},
-                                                {0.4, 0.02},
-                                                {0.08, 0.005}}};
+constexpr std::array<ChainPlan, 12> chainPlans{{{0.05, 0.01, StartMode::Rigid},
+                                                {0.05, 0.01, StartMode::Tutte},
+                                                {0.3, 0.05, StartMode::Rigid},
+                                                {0.3, 0.01, StartMode::Tutte},
+                                                {0.1, 0.02, StartMode::Random},
+                                                {0.02, 0.05, StartMode::Tutte},
+                                                {0.2, 0.03, StartMode::Rigid},
+                                                {0.1, 0.05, StartMode::Tutte},
+                                                {0.15, 0.005, StartMode::Random},
+                                                {0.03, 0.03, StartMode::Rigid},
+                                                {0.4, 0.02, StartMode::Tutte},
+                                                {0.02, 0.01, StartMode::Rigid}}};
 
 struct QualityPlan
 {
@@ -65,7 +67,7 @@ QualityPlan planFor(UnwrapQuality quality, int triangles)
     case UnwrapQuality::Draft:
         return {chains(4000, 1), 2, 20};
     case UnwrapQuality::Standard:
-        return {chains(10000, 1), 4, 40};
+        return {chains(10000, 2), 4, 40};
     case UnwrapQuality::Best:
         return {chains(80000, 4), 6, 60};
     }
@@ -242,12 +244,14 @@ struct ChainResult
     int iterations = 0;
 };
 
-ChainResult runChain(const Snapshot &start, const ChainPlan &plan, const QualityPlan &quality,
+ChainResult runChain(const Snapshot &start, const ChainPlan &plan, bool first, const QualityPlan &quality,
                      const UnwrapOptions &options, Ranking &ranking, const std::atomic<bool> *stop)
 {
     const auto stopped = [&] { return stop && stop->load(std::memory_order_relaxed); };
     Snapshot snapshot = start;
     snapshot.settings.delta = 1;
+    if (!first)
+        snapshot.settings.start = plan.start;
     Solver solver;
     solver.load(snapshot);
     DistortionBudget budget(options.maxDistortion, plan.firstLambda);
@@ -368,8 +372,9 @@ UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options, cons
     Ranking ranking(options, steps, progress);
 
     std::vector<ChainResult> results(plan.chains);
-    parallelFor(plan.chains, options.threads,
-                [&](int i) { results[i] = runChain(snapshot, chainPlans[i], plan, options, ranking, stop); });
+    parallelFor(plan.chains, options.threads, [&](int i) {
+        results[i] = runChain(snapshot, chainPlans[i], i == 0, plan, options, ranking, stop);
+    });
 
     UnwrapResult result;
     const Candidate *best = nullptr;

@@ -28,6 +28,9 @@ void PinTerm::addDerivatives(std::span<const double> x, std::span<double> gradie
 
 namespace {
 
+//! How much stiffer a hard rectangle is than a soft one.
+constexpr double hardBoxFactor = 100;
+
 //! Signed distance outside [lower, upper]: negative below, positive above, 0 inside.
 inline double outside(double value, double lower, double upper)
 {
@@ -36,33 +39,41 @@ inline double outside(double value, double lower, double upper)
 
 } // namespace
 
+double BoxTerm::stiffness(const UvRectangle &box) const
+{
+    return mWeight * box.weight * (box.hard ? hardBoxFactor : 1);
+}
+
 double BoxTerm::value(std::span<const double> x) const
 {
     double sum = 0;
     for (const UvRectangle &box : mRectangles) {
+        double squares = 0;
         for (const int corner : box.soupCorners) {
             for (int i = 0; i < 2; ++i) {
                 const double d =
                     outside(x[2 * static_cast<std::size_t>(corner) + i], box.lower[i], box.upper[i]);
-                sum += d * d;
+                squares += d * d;
             }
         }
+        sum += stiffness(box) * squares;
     }
-    return mWeight * sum;
+    return sum;
 }
 
 void BoxTerm::addDerivatives(std::span<const double> x, std::span<double> gradient,
                              HessianBlocks &blocks) const
 {
     for (const UvRectangle &box : mRectangles) {
+        const double weight = stiffness(box);
         for (const int corner : box.soupCorners) {
             for (int i = 0; i < 2; ++i) {
                 const std::size_t at = 2 * static_cast<std::size_t>(corner) + i;
                 const double d = outside(x[at], box.lower[i], box.upper[i]);
                 if (d == 0)
                     continue;
-                gradient[at] += 2 * mWeight * d;
-                blocks.ground[at] += 2 * mWeight;
+                gradient[at] += 2 * weight * d;
+                blocks.ground[at] += 2 * weight;
             }
         }
     }

@@ -22,8 +22,9 @@ private:
     std::vector<Pin> mPins;
 };
 
-//! Box energy B (paper, Eq. 10 and 11): weight * squared distance outside the rectangle, per coordinate, over
-//! the corners that the rectangle acts on. C1; its second derivative jumps at the sides.
+//! Box energy B (paper, Eq. 10 and 11): squared distance outside the rectangle, per coordinate, over the corners
+//! that the rectangle acts on, times beta, times the rectangle's own weight, times 100 when it is hard. C1; its
+//! second derivative jumps at the sides.
 class BoxTerm final : public EnergyTerm
 {
 public:
@@ -37,6 +38,8 @@ public:
                         HessianBlocks &blocks) const override;
 
 private:
+    double stiffness(const UvRectangle &box) const;
+
     std::vector<UvRectangle> mRectangles;
     double mWeight;
 };
