@@ -31,7 +31,8 @@ public:
     {
         if (!mInline.isNull())
             return std::exchange(mInline, QString());
-        if (atEnd())
+        // An option in place of the value was hardly meant as the name of a file.
+        if (atEnd() || mList[mNext].startsWith(QLatin1String("--")))
             return usageError(QStringLiteral("%1 needs a value").arg(option));
         return take();
     }
@@ -95,14 +96,18 @@ private:
     void declareOptions()
     {
         const std::vector<Command> unwrap{Command::Unwrap};
-        const std::vector<Command> packing{Command::Unwrap, Command::Pack};
-        const std::vector<Command> writing{Command::Unwrap, Command::Pack, Command::Separate, Command::Convert,
-                                           Command::Sample};
+        const std::vector<Command> writing{Command::Unwrap, Command::Pack, Command::Separate,
+                                           Command::Convert, Command::Sample};
         const std::vector<Command> mapping{Command::Unwrap, Command::Pack, Command::Separate};
+        const std::vector<Command> measuring{Command::Unwrap, Command::Pack, Command::Separate,
+                                             Command::Check};
         UnwrapOptions &u = mOptions.unwrap;
         add("-o", writing, text(mOptions.output));
         add("--output", writing, text(mOptions.output));
-        add("--max-distortion", unwrap, number(u.maxDistortion, 4.0001, 1e6));
+        add("--max-distortion", unwrap, [this, &u](const QString &name) {
+            mBoundGiven = true;
+            return number(u.maxDistortion, 4.0001, 1e6)(name);
+        });
         add("--lambda", unwrap, [this, &u](const QString &name) {
             double lambda = 0;
             const Problem problem = number(lambda, 0, 1)(name);
@@ -127,20 +132,20 @@ private:
                                {"standard", UnwrapQuality::Standard},
                                {"best", UnwrapQuality::Best}}));
         add("--allow-overlaps", unwrap, flag(u.allowOverlaps, true));
-        add("--no-pack", {Command::Unwrap, Command::Separate}, flag(u.pack, false));
-        add("--texture-size", mapping, integer(u.packing.textureSize, 16, 65536));
+        add("--no-pack", unwrap, flag(u.pack, false));
+        add("--texture-size", measuring, integer(u.packing.textureSize, 16, 65536));
         add("--margin", mapping, number(u.packing.margin, 0, 4096));
         add("--rotation", mapping,
-            choice(u.packing.rotation, {{"free", PackRotation::Free},
-                                        {"90", PackRotation::Quarter},
-                                        {"none", PackRotation::None}}));
+            choice(
+                u.packing.rotation,
+                {{"free", PackRotation::Free}, {"90", PackRotation::Quarter}, {"none", PackRotation::None}}));
         add("--pack-time", mapping, number(u.packing.effort, 0, 3600));
-        add("--keep-scale", {Command::Pack}, flag(mOptions.keepScale, true));
+        add("--keep-scale", {Command::Pack}, flag(u.packing.keepScale, true));
         add("--layout", mapping, text(mOptions.layout));
         add("--report", mapping, text(mOptions.report));
-        add("--threads", packing, integer(u.threads, 1, 1024));
+        add("--threads", mapping, integer(u.threads, 1, 1024));
         add("--time-limit", mapping, number(mOptions.timeLimit, 0.001, 1e9));
-        add("--seed", packing, [this](const QString &name) {
+        add("--seed", mapping, [this](const QString &name) {
             int seed = 0;
             const Problem problem = integer(seed, 0, 2'000'000'000)(name);
             mOptions.settings.seed = mOptions.unwrap.packing.seed = static_cast<unsigned>(seed);
@@ -250,7 +255,8 @@ private:
         if (option == mDeclared.end())
             return usageError(QStringLiteral("unknown option %1").arg(name));
         const auto &commands = option->second.commands;
-        if (!commands.empty() && std::find(commands.begin(), commands.end(), mOptions.command) == commands.end())
+        if (!commands.empty() &&
+            std::find(commands.begin(), commands.end(), mOptions.command) == commands.end())
             return usageError(QStringLiteral("%1 does not belong to this command").arg(name));
         if (const Problem problem = option->second.read(name))
             return problem;
@@ -268,16 +274,25 @@ private:
                                                                   : QStringLiteral("no input file given"));
         if (mOptions.command != Command::Check && mOptions.output.isEmpty())
             return usageError(QStringLiteral("no output file given (-o FILE)"));
-        if (!mOptions.layout.isEmpty() && !mOptions.layout.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)
-            && !mOptions.layout.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive))
-            return usageError(QStringLiteral("--layout takes a .png or .svg file"));
-        mOptions.unwrap.packing.keepScale = mOptions.keepScale;
+        if (!mOptions.layout.isEmpty() &&
+            !mOptions.layout.endsWith(QLatin1String(".png"), Qt::CaseInsensitive) &&
+            !mOptions.layout.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive))
+            return usageError(
+                QStringLiteral("--layout takes a .png or .svg file, not \"%1\"").arg(mOptions.layout));
+        if (mBoundGiven && mOptions.unwrap.lambda)
+            return usageError(QStringLiteral("--max-distortion and --lambda exclude each other"));
+        const PackSettings &packing = mOptions.unwrap.packing;
+        if (packing.margin >= packing.textureSize)
+            return usageError(QStringLiteral("the margin of %1 texels is as wide as the whole texture of %2")
+                                  .arg(packing.margin)
+                                  .arg(packing.textureSize));
         mOptions.unwrap.packing.threads = mOptions.unwrap.threads;
         return mOptions;
     }
 
     Arguments mArguments;
     CliOptions mOptions;
+    bool mBoundGiven = false;
     std::map<QString, Option> mDeclared;
 };
 
@@ -295,7 +310,7 @@ QString usageText()
 usage: autocuts-cli unwrap IN -o OUT [options]     make a UV map
        autocuts-cli pack IN -o OUT [options]       lay the islands out anew
        autocuts-cli separate IN -o OUT [options]   cut islands that cover themselves, then pack
-       autocuts-cli check IN [--json]              measure a UV map
+       autocuts-cli check IN [--json]              measure a UV map and say what is wrong with it
        autocuts-cli convert IN -o OUT              another file format; OBJ to OBJ changes nothing
        autocuts-cli sample NAME -o OUT             write a sample: bumpycube, character, torus, machine
 
@@ -305,12 +320,12 @@ unwrap:
   --init MODE          start from rigid, tutte, random or uv (the file's own) [rigid]
   --weights MODE       minimise the length of the seams, or their count [length]
   --energy MODE        symmetric-dirichlet or amips (conformal) [symmetric-dirichlet]
+  --no-pack            leave the islands where the solver put them, scaled to the unit square
   --allow-overlaps     do not cut islands that cover themselves
   --solver MODE        fast or exact [fast]
   --quality MODE       draft, standard or best [standard]
 unwrap, pack, separate:
-  --no-pack            leave the islands where they are (not for pack)
-  --texture-size N     texels along each side of the unit square [2048]
+  --texture-size N     texels along each side of the unit square; also for check [2048]
   --margin N           texels between islands, half of it to the border [8]
   --rotation MODE      turns that packing may make: free, 90 or none [free]
   --keep-scale         pack only: keep the size of the islands
@@ -320,7 +335,7 @@ unwrap, pack, separate:
   --threads N          threads; the result does not depend on it [all cores]
   --time-limit SECONDS stop then with the best map so far
   --seed N             for everything random
-  --quiet              no progress
+  --quiet              no progress and no figures, only warnings and errors
 
 Exit codes: 0 done, 1 failed, 2 wrong usage, 130 interrupted (the best map so far has been written).
 Progress goes to stderr, results to stdout.

@@ -15,16 +15,21 @@ struct CliOptions
 {
     enum class Command { Help, Version, Unwrap, Pack, Separate, Check, Convert, Sample };
 
+    //! True when the command makes a map: these can be stopped early.
+    bool makesMap() const
+    {
+        return command == Command::Unwrap || command == Command::Pack || command == Command::Separate;
+    }
+
     Command command = Command::Help;
-    QString input;         //!< file; for Sample its name
-    QString output;        //!< -o
+    QString input;  //!< file; for Sample its name
+    QString output; //!< -o
     SolveSettings settings;
     UnwrapOptions unwrap;
-    bool keepScale = false;
-    QString layout;        //!< .png or .svg, empty for none
-    QString report;        //!< .json, empty for none
-    bool json = false;     //!< check: figures as JSON
-    double timeLimit = 0;  //!< wall seconds, 0 for none
+    QString layout;       //!< .png or .svg, empty for none
+    QString report;       //!< .json, empty for none
+    bool json = false;    //!< check: figures as JSON
+    double timeLimit = 0; //!< wall seconds, 0 for none
     bool quiet = false;
 };
 

@@ -212,6 +212,8 @@ bool SoupBuilder::build(Scene &scene, AssimpSource &source)
     return true;
 }
 
+constexpr qint64 maxPlyHeader = 1 << 20;
+
 //! What can be said without Assimp, whose messages about missing and empty files help nobody.
 std::optional<Error> checkFile(const QString &path)
 {
@@ -227,9 +229,14 @@ std::optional<Error> checkFile(const QString &path)
         return Error{
             QStringLiteral("the file has %1 bytes, the limit is %2").arg(info.size()).arg(maxFileSize), path,
             0, QStringLiteral("Split the model into several files")};
-    if (QFile file(path); !file.open(QIODevice::ReadOnly))
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
         return Error{QStringLiteral("the file cannot be read (%1)").arg(file.errorString()), path, 0,
                      QStringLiteral("Check its permissions")};
+    // Assimp never comes back from a PLY header without an end.
+    if (info.suffix().toLower() == QLatin1String("ply") && !file.peek(maxPlyHeader).contains("end_header"))
+        return Error{QStringLiteral("the PLY header has no end"), path, 0,
+                     QStringLiteral("The file is damaged or cut off: export the model again")};
     return {};
 }
 

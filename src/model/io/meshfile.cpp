@@ -57,7 +57,7 @@ Result<Scene> readMesh(const QString &path)
     }
 }
 
-Result<Done> writeMesh(const Scene &scene, const QString &path)
+Result<Done> checkWriteFormat(const QString &path)
 {
     const QString suffix = suffixOf(path);
     if (suffix == QLatin1String("stl"))
@@ -65,6 +65,14 @@ Result<Done> writeMesh(const Scene &scene, const QString &path)
                      QStringLiteral("Save as one of %1").arg(writableFormats().join(QLatin1String(", ")))};
     if (!writableFormats().contains(suffix))
         return unknownFormat(path, writableFormats(), QStringLiteral("written"));
+    return Done{};
+}
+
+Result<Done> writeMesh(const Scene &scene, const QString &path)
+{
+    if (Result<Done> format = checkWriteFormat(path); !format)
+        return format;
+    const QString suffix = suffixOf(path);
     try {
         return suffix == QLatin1String("obj") ? writeObj(scene, path) : writeWithAssimp(scene, path);
     } catch (const std::bad_alloc &) {

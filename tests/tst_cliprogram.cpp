@@ -1,0 +1,339 @@
+// The program itself: exit codes, streams, signals, and everything that can be wrong with its files.
+#include "model/io/meshfile.h"
+#include "solver/metrics/uvmetrics.h"
+#include "support/cliruns.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+#include <sys/resource.h>
+
+using namespace autocuts;
+
+namespace {
+
+QString program()
+{
+    return QStringLiteral(AUTOCUTS_CLI);
+}
+
+//! True when the process has a handler for the signal.
+bool catchesSignal(qint64 process, int signal)
+{
+    const QByteArray status = test::readBytes(QStringLiteral("/proc/%1/status").arg(process));
+    const qsizetype at = status.indexOf("SigCgt:");
+    const quint64 mask = at < 0 ? 0 : status.mid(at + 7, 18).trimmed().toULongLong(nullptr, 16);
+    return mask >> (signal - 1) & 1;
+}
+
+QByteArray withLine(const char *line)
+{
+    return QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n") + line + '\n';
+}
+
+} // namespace
+
+class TestCliProgram : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir mFolder;
+
+    QString at(const char *name) const { return mFolder.filePath(QString::fromUtf8(name)); }
+    QString file(const char *name, const QByteArray &bytes) const
+    {
+        const QString path = at(name);
+        return test::writeBytes(path, bytes) ? path : QString();
+    }
+    static QStringList draft(const QString &in, const QString &out)
+    {
+        return {QStringLiteral("unwrap"),
+                in,
+                QStringLiteral("-o"),
+                out,
+                QStringLiteral("--quality=draft"),
+                QStringLiteral("--pack-time=0.05")};
+    }
+    //! A failure as it should be: code 1, nothing on stdout, one line on stderr with these parts.
+    static QString problemWithFailure(const test::CliRun &r, const QStringList &parts)
+    {
+        if (r.code != 1 || !r.out.isEmpty())
+            return QStringLiteral("exit %1, stdout %2, stderr %3").arg(r.code).arg(r.out, r.err);
+        if (!r.err.startsWith(QLatin1String("autocuts-cli: ")) || r.err.count(QLatin1Char('\n')) != 1 ||
+            !r.err.endsWith(QLatin1Char('\n')))
+            return QStringLiteral("not one line: %1").arg(r.err);
+        for (const QString &part : parts) {
+            if (!r.err.contains(part))
+                return QStringLiteral("no \"%1\" in: %2").arg(part, r.err);
+        }
+        return {};
+    }
+    //! True when only the given files are in the folder: no temporary file was left.
+    static QStringList filesIn(const QString &folder)
+    {
+        return QDir(folder).entryList(QDir::Files | QDir::Hidden, QDir::Name);
+    }
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(mFolder.isValid()); }
+
+    void usageErrorsGiveTwo()
+    {
+        for (const QStringList &arguments :
+             {QStringList(), QStringList{QStringLiteral("unfold")},
+              QStringList{QStringLiteral("unwrap"), QStringLiteral("a.obj")}}) {
+            const test::CliRun r = test::runProgram(program(), arguments);
+            QCOMPARE(r.code, 2);
+            QCOMPARE(r.out, QString());
+            QCOMPARE(r.err.count(QLatin1Char('\n')), 1);
+            QVERIFY(r.err.startsWith(QLatin1String("autocuts-cli: ")));
+        }
+    }
+
+    void helpAndVersionGoToStdout()
+    {
+        const test::CliRun help = test::runProgram(program(), {QStringLiteral("--help")});
+        QCOMPARE(help.code, 0);
+        QVERIFY(help.out.startsWith(QLatin1String("Autocuts")));
+        QCOMPARE(help.err, QString());
+        const test::CliRun version = test::runProgram(program(), {QStringLiteral("--version")});
+        QCOMPARE(version.code, 0);
+        QVERIFY(version.out.startsWith(QLatin1String("autocuts-cli ")) && version.out.size() > 15);
+    }
+
+    void noProgressInAPipe()
+    {
+        const QString in = file("q.obj", test::sheetObj(5));
+        const test::CliRun r = test::runProgram(program(), draft(in, at("q_uv.obj")));
+        QCOMPARE(r.code, 0);
+        QCOMPARE(r.err, QString());
+        QVERIFY(r.out.contains(QLatin1String("seam_norm")));
+        const test::CliRun quiet =
+            test::runProgram(program(), draft(in, at("q_uv.obj")) << QStringLiteral("--quiet"));
+        QCOMPARE(quiet.code, 0);
+        QCOMPARE(quiet.out + quiet.err, QString());
+    }
+
+    void progressOnATerminal()
+    {
+        // script(1) of util-linux runs a command on a terminal of its own.
+        if (!QFileInfo::exists(QStringLiteral("/usr/bin/script")))
+            QSKIP("script(1) is not installed");
+        const QString in = file("p.obj", test::sheetObj(5));
+        const QString command = QLatin1Char('"') + program() +
+                                QStringLiteral("\" unwrap --quality draft \"") + in +
+                                QStringLiteral("\" -o \"") + at("p_uv.obj") + QLatin1Char('"');
+        const test::CliRun r =
+            test::runProgram(QStringLiteral("/usr/bin/script"),
+                             {QStringLiteral("-qec"), command, QStringLiteral("/dev/null")});
+        QCOMPARE(r.code, 0);
+        QVERIFY2(r.out.contains(QLatin1String("optimising")), qPrintable(r.out));
+        QVERIFY(r.out.contains(QLatin1Char('\r')));
+    }
+
+    void signalsGiveTheBestMapSoFar_data()
+    {
+        QTest::addColumn<int>("signal");
+        QTest::newRow("SIGINT") << SIGINT;
+        QTest::newRow("SIGTERM") << SIGTERM;
+    }
+    void signalsGiveTheBestMapSoFar()
+    {
+        QFETCH(int, signal);
+        const QString in = at("s.obj"), out = at("s_uv.obj"), report = at("s.json");
+        QVERIFY(test::writeBytes(in, test::sheetObj(14)));
+        QProcess process;
+        process.start(program(), {QStringLiteral("unwrap"), in, QStringLiteral("-o"), out,
+                                  QStringLiteral("--report"), report, QStringLiteral("--quality=best")});
+        QVERIFY(process.waitForStarted());
+        QVERIFY(QTest::qWaitFor([&] { return catchesSignal(process.processId(), signal); }, 60'000));
+        ::kill(static_cast<pid_t>(process.processId()), signal);
+        QVERIFY(process.waitForFinished(120'000));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 130);
+        const QJsonObject figures = QJsonDocument::fromJson(test::readBytes(report)).object();
+        QCOMPARE(figures.value(QLatin1String("status")).toString(), QStringLiteral("interrupted"));
+        const Result<Scene> scene = readMesh(out);
+        QVERIFY(scene.ok() && scene.value().hasUv());
+        const UvMetrics m = measureUv(*scene.value().mesh, scene.value().uvSets.front().uv);
+        QCOMPARE(m.flipped + m.symDirichletInfinite + m.facesWithoutUv, 0);
+        QCOMPARE(m.overlapPairs, std::int64_t(0));
+        QVERIFY(m.inUnitSquare);
+        QVERIFY(m.charts == 1 || m.minGutterTexels >= 8 * (1 - 1e-6));
+    }
+
+    void aTimeLimitGivesTheBestMapSoFar()
+    {
+        const QString in = at("t.obj"), out = at("t_uv.obj"), report = at("t.json");
+        QVERIFY(test::writeBytes(in, test::sheetObj(14)));
+        const test::CliRun r = test::runProgram(
+            program(), {QStringLiteral("unwrap"), in, QStringLiteral("-o"), out, QStringLiteral("--report"),
+                        report, QStringLiteral("--quality=best"), QStringLiteral("--time-limit=0.05")});
+        QCOMPARE(r.code, 0);
+        const QJsonObject figures = QJsonDocument::fromJson(test::readBytes(report)).object();
+        QCOMPARE(figures.value(QLatin1String("status")).toString(), QStringLiteral("time_limit"));
+        QCOMPARE(figures.value(QLatin1String("flipped")).toInt(-1), 0);
+        QCOMPARE(figures.value(QLatin1String("overlap_pairs")).toInt(-1), 0);
+        QVERIFY(readMesh(out).ok());
+    }
+
+    void badInputIsExplained_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QStringList>("parts");
+        const auto row = [](const char *name, const QByteArray &bytes, const QStringList &parts) {
+            QTest::newRow(name) << bytes << parts;
+        };
+        const QByteArray points("v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+        row("empty.obj", "", {});
+        row("garbage.obj", QByteArray::fromHex("7f454c4602010100000000fffe00d8c3").repeated(400), {});
+        row("nan.obj", points + "v nan 0 0\nf 1 2 4\n", {QStringLiteral("nan.obj:4:")});
+        row("inf.obj", points + "v 0 inf 0\nf 1 2 4\n", {QStringLiteral("inf.obj:4:")});
+        row("toolarge.obj", withLine("f 1 2 9"), {QStringLiteral("toolarge.obj:5:")});
+        row("zero.obj", withLine("f 0 1 2"), {QStringLiteral("zero.obj:5:")});
+        row("negative.obj", withLine("f -1 -2 -9"), {QStringLiteral("negative.obj:5:")});
+        row("letters.obj", withLine("f a b c"), {QStringLiteral("letters.obj:5:")});
+        row("nofaces.obj", points, {});
+        row("flat.obj", points + "v 2 0 0\nf 1 2 4\nf 1 1 1\n", {QStringLiteral("without area")});
+        row("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2", {});
+        row("empty.glb", "", {});
+        row("garbage.glb", QByteArray("glTF\2\0\0\0\377\377\0\0garbage", 19), {});
+        row("cut.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n", {});
+        row("garbage.fbx", "Kaydara FBX Binary  \0\x1a", {});
+        row("garbage.blend", "BLENDER-v300garbage", {});
+        row("format.xyz", "1 2 3\n", {QStringLiteral("xyz")});
+    }
+    void badInputIsExplained()
+    {
+        QFETCH(QByteArray, bytes);
+        QFETCH(QStringList, parts);
+        const char *name = QTest::currentDataTag();
+        const QString in = file(name, bytes);
+        const QString out = file("kept.obj", "kept\n");
+        parts << QString::fromLatin1(name);
+        const test::CliRun r = test::runProgram(program(), draft(in, out));
+        QCOMPARE(problemWithFailure(r, parts), QString());
+        QCOMPARE(test::readBytes(out), QByteArray("kept\n"));
+    }
+
+    void missingAndUnreadableInputIsExplained()
+    {
+        QCOMPARE(problemWithFailure(test::runProgram(program(), draft(at("missing.obj"), at("x.obj"))),
+                                    {QStringLiteral("missing.obj"), QStringLiteral("no such file")}),
+                 QString());
+        QVERIFY(QDir(mFolder.path()).mkpath(QStringLiteral("folder.obj")));
+        QCOMPARE(problemWithFailure(test::runProgram(program(), draft(at("folder.obj"), at("x.obj"))),
+                                    {QStringLiteral("folder")}),
+                 QString());
+        QVERIFY(QFile::link(QStringLiteral("/proc/self/mem"), at("device.obj"))); // readable by nobody
+        QCOMPARE(problemWithFailure(test::runProgram(program(), draft(at("device.obj"), at("x.obj"))),
+                                    {QStringLiteral("device.obj")}),
+                 QString());
+        QVERIFY(!QFileInfo::exists(at("x.obj")));
+    }
+
+    void oneTriangleIsEnough()
+    {
+        const QString in = file("one.obj", withLine("# the end"));
+        const test::CliRun r = test::runProgram(program(), draft(in, at("one_uv.obj")));
+        QVERIFY2(r.code == 0, qPrintable(r.err));
+        QVERIFY(readMesh(at("one_uv.obj")).value().hasUv());
+    }
+
+    void badTargetsAreFoundBeforeTheWork()
+    {
+        const QString in = file("in.obj", test::quadCubeObj());
+        const auto fails = [&](const QStringList &more, const QStringList &parts) {
+            QStringList arguments{QStringLiteral("unwrap"), in};
+            return problemWithFailure(test::runProgram(program(), arguments + more), parts);
+        };
+        const QString o = QStringLiteral("-o");
+        QCOMPARE(
+            fails({o, at("nowhere/out.obj")}, {QStringLiteral("nowhere"), QStringLiteral("does not exist")}),
+            QString());
+        QCOMPARE(fails({o, in + QStringLiteral("/out.obj")}, {QStringLiteral("in.obj")}), QString());
+        QCOMPARE(fails({o, mFolder.path()}, {QStringLiteral("folder")}), QString());
+        QCOMPARE(fails({o, at("out.stl")}, {QStringLiteral("STL files cannot hold UVs")}), QString());
+        QCOMPARE(fails({o, at("out.xyz")}, {QStringLiteral("xyz")}), QString());
+        QCOMPARE(fails({o, at("out.obj"), QStringLiteral("--layout"), at("nowhere/l.png")},
+                       {QStringLiteral("nowhere")}),
+                 QString());
+        QCOMPARE(fails({o, at("out.obj"), QStringLiteral("--report"), at("nowhere/r.json")},
+                       {QStringLiteral("nowhere")}),
+                 QString());
+        QVERIFY(!QFileInfo::exists(at("out.obj")));
+        QCOMPARE(problemWithFailure(test::runProgram(program(), draft(in, QStringLiteral("/proc/out.obj"))),
+                                    {QStringLiteral("/proc")}),
+                 QString());
+    }
+
+    void aFullDiskLeavesTheOldFile()
+    {
+        // A limit on the size of files gives the same failed writes as a full disk.
+        QVERIFY(QDir(mFolder.path()).mkpath(QStringLiteral("full")));
+        const QString in = file("in.obj", test::sheetObj(20));
+        const QString out = file("full/out.obj", "kept\n");
+        for (const char *command : {"unwrap", "convert"}) {
+            QProcess process;
+            process.setChildProcessModifier([] {
+                const rlimit limit{4096, 4096};
+                setrlimit(RLIMIT_FSIZE, &limit);
+            });
+            QStringList arguments{QString::fromLatin1(command), in, QStringLiteral("-o"), out};
+            if (arguments.first() == QLatin1String("unwrap"))
+                arguments << QStringLiteral("--quality=draft") << QStringLiteral("--time-limit=0.001");
+            process.start(program(), arguments);
+            QVERIFY(process.waitForFinished(60'000));
+            QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+            const test::CliRun r{process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+                                 QString::fromUtf8(process.readAllStandardError())};
+            QCOMPARE(problemWithFailure(r, {QStringLiteral("out.obj"), QStringLiteral("cannot be written")}),
+                     QString());
+            QCOMPARE(test::readBytes(out), QByteArray("kept\n"));
+            QCOMPARE(filesIn(at("full")), QStringList{QStringLiteral("out.obj")});
+        }
+    }
+
+    void figuresThatGetLostAreAFailure()
+    {
+        const QString in = file("in.obj", test::quadCubeObj());
+        QProcess process;
+        process.setStandardOutputFile(QStringLiteral("/dev/full"));
+        process.start(program(), {QStringLiteral("check"), in, QStringLiteral("--json")});
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(process.exitCode(), 1);
+        QVERIFY(process.readAllStandardError().contains("standard output"));
+    }
+
+    void anyPathWorksInAnyLocale()
+    {
+        const QByteArray name = QByteArrayLiteral("модель куба è 立方体 .obj");
+        QVERIFY(QDir(mFolder.path()).mkpath(QStringLiteral("папка с пробелом")));
+        const QString in = file(("папка с пробелом/" + name).constData(), test::quadCubeObj());
+        const QString out = at("папка с пробелом/выход.obj"), layout = at("папка с пробелом/вид.png");
+        for (const char *locale : {"C.UTF-8", "C", "POSIX"}) {
+            QFile::remove(out);
+            QProcess process;
+            QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+            environment.insert(QStringLiteral("LC_ALL"), QString::fromLatin1(locale));
+            process.setProcessEnvironment(environment);
+            process.start(program(), draft(in, out) << QStringLiteral("--layout") << layout);
+            QVERIFY(process.waitForFinished(60'000));
+            QCOMPARE(process.exitCode(), 0);
+            QCOMPARE(process.readAllStandardError(), QByteArray());
+            QVERIFY(QFileInfo::exists(out) && QFileInfo::exists(layout));
+        }
+        const test::CliRun r = test::runProgram(program(), {QStringLiteral("check"), at("нет такого.obj")});
+        QCOMPARE(problemWithFailure(r, {QStringLiteral("нет такого.obj")}), QString());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCliProgram)
+#include "tst_cliprogram.moc"
