@@ -185,6 +185,8 @@ private:
         }
         const UnwrapResult result = unwrap(snapshot, mOptions.unwrap, &mStop.stop,
                                            [this](const UnwrapProgress &p) { mProgress.show(p); });
+        if (mOptions.unwrap.pack && !result.packed)
+            return noRoom();
         setUv(scene, result.uv);
         Outcome outcome;
         outcome.iterations = result.iterations;
@@ -238,6 +240,15 @@ private:
         return outcome;
     }
 
+    Error noRoom() const
+    {
+        if (mOptions.unwrap.packing.keepScale)
+            return {QStringLiteral("the islands do not fit at their size"), mOptions.input, 0,
+                    QStringLiteral("Leave --keep-scale out or use a smaller --margin")};
+        return {QStringLiteral("there is no room for the margins between the islands"), mOptions.input, 0,
+                QStringLiteral("Use a smaller --margin or a larger --texture-size")};
+    }
+
     //! When a stop was requested before there was a layout, a quick one is made all the same.
     Result<Done> packCharts(const MeshData &mesh, const ChartMap &charts, UvMatrix &uv)
     {
@@ -251,12 +262,7 @@ private:
             packed = packIslands(islands, settings);
         }
         if (!packed.complete)
-            return Error{settings.keepScale ? QStringLiteral("the islands do not fit at their size")
-                                            : QStringLiteral("there is no room for the margins"),
-                         mOptions.input, 0,
-                         settings.keepScale
-                             ? QStringLiteral("Leave --keep-scale out or use a smaller --margin")
-                             : QStringLiteral("Use a smaller --margin or a larger --texture-size")};
+            return noRoom();
         applyPlacements(packed, mesh, charts, uv);
         return Done{};
     }

@@ -2,6 +2,7 @@
 #include "solver/anneal.h"
 #include "solver/finish.h"
 #include "solver/metrics/uvmetrics.h"
+#include "solver/mapmaking.h"
 #include "solver/pipeline.h"
 #include "solver/solver.h"
 #include "support/meshbuilders.h"

@@ -2,9 +2,7 @@
 
 #include "solver/anneal.h"
 #include "solver/budget.h"
-#include "solver/chartmerge.h"
-#include "solver/overlap/overlapseparation.h"
-#include "solver/overlapfree.h"
+#include "solver/mapmaking.h"
 #include "solver/packing/islandgeometry.h"
 #include "solver/parallel.h"
 
@@ -19,17 +17,14 @@ namespace autocuts {
 
 namespace {
 
-constexpr int relaxSteps = 60;
 constexpr double optimizingShare = 0.9; // of the progress bar
 constexpr double hurriedPackEffort = 0.1;
 constexpr int hurriedSteps = 4;
 constexpr int extraRuns = 5; // when none of the planned ones met the bound
-constexpr int mergeRounds = 4;
-constexpr int mergeWork = 500'000; // tries times triangles
 
-//! One chain of annealing runs, each reheated from the end of the one before. Where it ends depends on luck as
-//! much as on the parameters, so several different ones are run and the best map is kept. The first chain starts
-//! as the user asked, the others as it says here.
+//! One chain of annealing runs, each reheated from the end of the one before. Where it ends depends on luck
+//! as much as on the parameters, so several different ones are run and the best map is kept. The first chain
+//! starts as the user asked, the others as it says here.
 struct ChainPlan
 {
     double firstLambda;
@@ -78,104 +73,7 @@ struct Candidate
 {
     SeamedMap map;
     double distortion = 0, seamLength = 0, lambda = 0, delta = 0;
-    double seedDistortion = 0; //!< before seams were closed: what the lambda led to
 };
-
-//! Corner pairs that must not be cut: those that the user joined.
-std::vector<bool> protectedEdges(const Snapshot &snapshot)
-{
-    std::vector<bool> joined(snapshot.mesh->edgePairs.size(), false);
-    for (std::size_t p = 0; p < snapshot.pairState.size(); ++p) {
-        if (snapshot.pairState[p] == PairState::Joined)
-            joined[p / 2] = true;
-    }
-    return joined;
-}
-
-UvMatrix soupUv(const std::vector<double> &x)
-{
-    return Eigen::Map<const UvMatrix>(x.data(), static_cast<Eigen::Index>(x.size() / 2), 2);
-}
-
-ChartMap chartsOf(const MeshData &mesh, const CutMesh &state)
-{
-    ChartMap charts;
-    charts.count = state.chartCount;
-    charts.faceChart.assign(mesh.faceCount(), -1);
-    for (int t = 0; t < mesh.triangleCount(); ++t)
-        charts.faceChart[mesh.triangleFace[t]] = state.chart[t];
-    return charts;
-}
-
-//! Gives every chart the texel density of the whole.
-void equalizeDensity(const Soup &soup, SeamedMap &map)
-{
-    const MeshData &mesh = *soup.mesh;
-    UvMatrix uv = cornerUv(soup, map);
-    equalizeTexelDensity(mesh, chartsOf(mesh, CutMesh(mesh, map.cut)), uv);
-    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
-        map.x[2 * static_cast<std::size_t>(c)] = uv(mesh.cornerOfSoup(c), 0);
-        map.x[2 * static_cast<std::size_t>(c) + 1] = uv(mesh.cornerOfSoup(c), 1);
-    }
-}
-
-//! Relaxes a map as far as it may: without covering itself, unless that is allowed.
-void relaxAsAllowed(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, bool allowOverlaps,
-                    SeamedMap &map, const std::atomic<bool> *stop)
-{
-    SeamedMap relaxed = map;
-    relaxMap(soup, snapshot, relaxed, relaxSteps, stop);
-    if (!allowOverlaps && coversItself(*soup, relaxed)) {
-        // The free way led over itself; the guarded one is slower.
-        relaxed = map;
-        relaxWithoutOverlaps(soup, snapshot, relaxed, relaxSteps, stop);
-        if (coversItself(*soup, relaxed))
-            return;
-    }
-    map = std::move(relaxed);
-}
-
-//! Joins charts and closes seams as long as the bound leaves room for it.
-void shortenSeams(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                  const UnwrapOptions &options, SeamedMap &map, const std::atomic<bool> *stop)
-{
-    MergeOptions merge;
-    merge.maxDistortion = options.lambda ? std::numeric_limits<double>::infinity() : options.maxDistortion;
-    if (options.lambda)
-        merge.costPerLength = *options.lambda / std::max(1 - *options.lambda, 1e-9);
-    merge.allowOverlaps = options.allowOverlaps;
-    // A try costs time in proportion to the mesh.
-    merge.tries = std::clamp(mergeWork / soup->triangleCount(), 10, 300);
-    merge.cancel = stop;
-    for (int round = 0; round < mergeRounds && !(stop && stop->load()); ++round) {
-        const int closed = mergeCharts(soup, snapshot, map, merge) + zipSeams(soup, snapshot, map, merge);
-        if (closed == 0)
-            break;
-        relaxAsAllowed(soup, snapshot, options.allowOverlaps, map, stop);
-    }
-}
-
-//! The definite map that the solver's state stands for, with its figures.
-Candidate evaluate(const Solver &solver, const UnwrapOptions &options, const std::atomic<bool> *stop)
-{
-    const std::shared_ptr<const Soup> soup = solver.sharedSoup();
-    const Snapshot &snapshot = solver.snapshot();
-    Candidate result;
-    result.lambda = snapshot.settings.lambda;
-    result.delta = snapshot.settings.delta;
-    result.map = finishMap(soup, snapshot, solver.coordinates());
-    relaxMap(soup, snapshot, result.map, relaxSteps, stop);
-    if (!options.allowOverlaps) {
-        removeOverlaps(*soup, snapshot, result.map);
-        relaxAsAllowed(soup, snapshot, false, result.map, stop);
-    }
-    result.seedDistortion = result.map.distortion(*soup);
-    shortenSeams(soup, snapshot, options, result.map, stop);
-    equalizeDensity(*soup, result.map);
-    result.distortion = result.map.distortion(*soup);
-    result.seamLength = result.map.seamLength(*soup);
-    return result;
-}
 
 //! Collects what the chains find; shared between threads.
 class Ranking
@@ -210,9 +108,13 @@ public:
         mReport(mProgress);
     }
 
+    //! True when some chain has found a map.
+    bool hasAny() const { return mHasAny; }
+
     void found(const Candidate &candidate)
     {
         const std::scoped_lock lock(mMutex);
+        mHasAny = true;
         if (mProgress.distortion == 0 || candidate.seamLength < mProgress.seamLength) {
             mProgress.distortion = candidate.distortion;
             mProgress.seamLength = candidate.seamLength;
@@ -234,6 +136,7 @@ private:
     int mTotalSteps;
     const std::function<void(const UnwrapProgress &)> &mReport;
     std::mutex mMutex;
+    std::atomic<bool> mHasAny = false;
     int mSteps = 0;
     UnwrapProgress mProgress;
 };
@@ -255,10 +158,17 @@ ChainResult runChain(const Snapshot &start, const ChainPlan &plan, bool first, c
     Solver solver;
     solver.load(snapshot);
     DistortionBudget budget(options.maxDistortion, plan.firstLambda);
+    MapMakingOptions making;
+    making.allowOverlaps = options.allowOverlaps;
+    making.maxDistortion = options.maxDistortion;
+    if (options.lambda) {
+        making.maxDistortion = std::numeric_limits<double>::infinity();
+        making.costPerLength = *options.lambda / std::max(1 - *options.lambda, 1e-9);
+    }
     ChainResult result;
     // A run that misses the bound may be followed by some more than planned.
     const int mostRuns = quality.runs + (options.lambda ? 0 : extraRuns);
-    for (int run = 0; run < mostRuns && (!stopped() || !result.best); ++run) {
+    for (int run = 0; run < mostRuns && !(stopped() && ranking.hasAny()); ++run) {
         const bool fits = result.best && result.best->distortion <= options.maxDistortion;
         if (run >= quality.runs && (fits || options.lambda))
             break;
@@ -271,15 +181,24 @@ ChainResult runChain(const Snapshot &start, const ChainPlan &plan, bool first, c
             ranking.stepDone(1);
         });
         if (stopped()) {
-            if (result.best)
+            if (ranking.hasAny())
                 break;
             // Whatever is still half open has to be decided: the rest of the homotopy in a few steps.
             anneal.startDelta = solver.snapshot().settings.delta;
             anneal.stepsPerLevel = hurriedSteps;
             annealSoup(solver, anneal, nullptr);
         }
-        Candidate candidate = evaluate(solver, options, stop);
-        budget.report(candidate.seedDistortion);
+        // The first map must come about, whatever is asked meanwhile.
+        std::optional<MadeMap> made = makeMap(solver, making, ranking.hasAny() ? stop : nullptr);
+        if (!made)
+            break;
+        budget.report(made->seedDistortion);
+        Candidate candidate;
+        candidate.map = std::move(made->map);
+        candidate.distortion = candidate.map.distortion(solver.soup());
+        candidate.seamLength = candidate.map.seamLength(solver.soup());
+        candidate.lambda = solver.snapshot().settings.lambda;
+        candidate.delta = solver.snapshot().settings.delta;
         ranking.found(candidate);
         if (!result.best || ranking.better(candidate, *result.best))
             result.best = std::move(candidate);
@@ -297,27 +216,38 @@ void fitUnitSquare(UvMatrix &uv)
         uv /= side;
 }
 
-void place(const Soup &soup, const SeamedMap &map, const UnwrapOptions &options, bool hurry,
-           const std::atomic<bool> *stop, Ranking &ranking, UvMatrix &uv)
+//! Fills result.uv and result.packed.
+void place(const Soup &soup, const SeamedMap &map, const UnwrapOptions &options,
+           const std::atomic<bool> *stop, Ranking &ranking, UnwrapResult &result)
 {
-    uv = cornerUv(soup, map);
+    result.uv = cornerUv(soup, map);
     if (!options.pack) {
-        fitUnitSquare(uv);
+        fitUnitSquare(result.uv);
         return;
     }
     const MeshData &mesh = *soup.mesh;
     const ChartMap charts = chartsOf(mesh, CutMesh(mesh, map.cut));
+    const std::vector<PackIsland> islands = makePackIslands(mesh, result.uv, charts);
     PackSettings settings = options.packing;
     settings.threads = options.threads;
-    if (hurry)
-        settings.effort = std::min(settings.effort, hurriedPackEffort);
-    const PackResult packed =
-        packIslands(makePackIslands(mesh, uv, charts), settings, hurry ? nullptr : stop, [&](double done) {
+    const auto pack = [&](const std::atomic<bool> *cancel) {
+        return packIslands(islands, settings, cancel, [&](double done) {
             ranking.stage(UnwrapStage::Packing, optimizingShare + (1 - optimizingShare) * done);
         });
-    if (!packed.complete)
-        throw std::invalid_argument("unwrap: there is no room for the margins around so many islands");
-    applyPlacements(packed, mesh, charts, uv);
+    };
+    PackResult packed;
+    if (!(stop && stop->load()))
+        packed = pack(stop);
+    if (!packed.complete) {
+        // Stopped before the first layout, or there is no room: a hurried attempt tells.
+        settings.effort = std::min(settings.effort, hurriedPackEffort);
+        packed = pack(nullptr);
+    }
+    result.packed = packed.complete;
+    if (packed.complete)
+        applyPlacements(packed, mesh, charts, result.uv);
+    else
+        fitUnitSquare(result.uv);
 }
 
 void checkOptions(const UnwrapOptions &options)
@@ -329,35 +259,6 @@ void checkOptions(const UnwrapOptions &options)
 }
 
 } // namespace
-
-UvMatrix cornerUv(const Soup &soup, const SeamedMap &map)
-{
-    const MeshData &mesh = *soup.mesh;
-    UvMatrix uv(mesh.cornerCount(), 2);
-    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
-        uv(mesh.cornerOfSoup(c), 0) = map.x[2 * static_cast<std::size_t>(c)];
-        uv(mesh.cornerOfSoup(c), 1) = map.x[2 * static_cast<std::size_t>(c) + 1];
-    }
-    return uv;
-}
-
-bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
-                    const std::atomic<bool> *cancel)
-{
-    SeparationOptions options;
-    options.cancel = cancel;
-    if (!snapshot.pairWeight.empty()) {
-        options.pairWeight.resize(map.cut.size());
-        for (std::size_t e = 0; e < map.cut.size(); ++e)
-            options.pairWeight[e] = 0.5 * (snapshot.pairWeight[2 * e] + snapshot.pairWeight[2 * e + 1]);
-    }
-    SeparationResult result =
-        separateOverlaps(*soup.mesh, soupUv(map.x), map.cut, protectedEdges(snapshot), options);
-    if (!result.complete)
-        return false;
-    map.cut = std::move(result.cut);
-    return true;
-}
 
 UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options, const std::atomic<bool> *stop,
                     const std::function<void(const UnwrapProgress &)> &progress)
@@ -380,7 +281,7 @@ UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options, cons
     const Candidate *best = nullptr;
     for (const ChainResult &chain : results) {
         result.iterations += chain.iterations;
-        if (!best || ranking.better(*chain.best, *best))
+        if (chain.best && (!best || ranking.better(*chain.best, *best)))
             best = &*chain.best;
     }
     result.stopped = stop && stop->load();
@@ -390,7 +291,7 @@ UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options, cons
     result.lambda = best->lambda;
     result.delta = best->delta;
     result.withinBound = options.lambda || best->distortion <= options.maxDistortion;
-    place(*soup, best->map, options, result.stopped, stop, ranking, result.uv);
+    place(*soup, best->map, options, stop, ranking, result);
     result.stopped = stop && stop->load();
     return result;
 }

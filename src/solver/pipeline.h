@@ -19,32 +19,33 @@ enum class UnwrapStage { Optimizing, Separating, Packing };
 struct UnwrapProgress
 {
     UnwrapStage stage = UnwrapStage::Optimizing;
-    double fraction = 0;       //!< of the whole job, 0 to 1
-    double distortion = 0;     //!< of the best map so far, 0 while there is none
-    double seamLength = 0;     //!< of the best map so far, solver units
+    double fraction = 0;   //!< of the whole job, 0 to 1
+    double distortion = 0; //!< of the best map so far, 0 while there is none
+    double seamLength = 0; //!< of the best map so far, solver units
 };
 
 struct UnwrapOptions
 {
-    double maxDistortion = 4.1;       //!< bound on the mean symmetric Dirichlet energy, > 4
-    std::optional<double> lambda;     //!< a fixed balance in place of the bound
+    double maxDistortion = 4.1;   //!< bound on the mean symmetric Dirichlet energy, > 4
+    std::optional<double> lambda; //!< a fixed balance in place of the bound
     UnwrapQuality quality = UnwrapQuality::Standard;
     bool allowOverlaps = false;
-    bool pack = true;                 //!< false: the islands stay where the solver put them
+    bool pack = true; //!< false: the islands stay where the solver put them
     PackSettings packing;
-    int threads = 1;                  //!< the result does not depend on it
+    int threads = 1; //!< the result does not depend on it
 };
 
 struct UnwrapResult
 {
-    UvMatrix uv;               //!< per corner, in the unit square
-    CutFlags cut;              //!< per edge pair
-    double distortion = 0;     //!< mean symmetric Dirichlet energy, 4 is isometric
-    double seamLength = 0;     //!< in solver units: seam_norm
-    int iterations = 0;        //!< Newton steps of the homotopy
+    UvMatrix uv;           //!< per corner, in the unit square
+    CutFlags cut;          //!< per edge pair
+    double distortion = 0; //!< mean symmetric Dirichlet energy, 4 is isometric
+    double seamLength = 0; //!< in solver units: seam_norm
+    int iterations = 0;    //!< Newton steps of the homotopy
     double lambda = 0, delta = 0;
-    bool stopped = false;      //!< cut short by `stop`: the best map until then
-    bool withinBound = true;   //!< false when the bound could not be reached
+    bool stopped = false;    //!< cut short by `stop`: the best map until then
+    bool withinBound = true; //!< false when the bound could not be reached
+    bool packed = false;     //!< false when packing was not asked for or there is no room for the margins
 };
 
 //! Makes the UV map. Deterministic unless stopped. When `stop` becomes true the job ends early with the best
@@ -54,13 +55,5 @@ struct UnwrapResult
 UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options,
                     const std::atomic<bool> *stop = nullptr,
                     const std::function<void(const UnwrapProgress &)> &progress = {});
-
-//! Per-corner UVs of a seamed map, in solver units.
-UvMatrix cornerUv(const Soup &soup, const SeamedMap &map);
-
-//! Cuts every chart that covers itself until none does. The UVs stay as they are. Returns false when
-//! cancelled: then nothing was cut.
-bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
-                    const std::atomic<bool> *cancel = nullptr);
 
 } // namespace autocuts

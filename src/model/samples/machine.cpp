@@ -26,21 +26,6 @@ std::vector<Vec2> regularPolygon(int corners, double radius)
     return profile;
 }
 
-//! Straight-sided teeth: four points each, so the caps are concave polygons of 4 * teeth corners.
-std::vector<Vec2> gearProfile(int teeth, double inner, double outer)
-{
-    std::vector<Vec2> profile;
-    for (int i = 0; i < teeth; ++i) {
-        static constexpr double place[] = {0.0, 0.18, 0.42, 0.60};
-        for (int k = 0; k < 4; ++k) {
-            const double angle = 2 * std::numbers::pi * (i + place[k]) / teeth;
-            const double radius = k == 1 || k == 2 ? outer : inner;
-            profile.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-        }
-    }
-    return profile;
-}
-
 Frame upright(double x, double y, double z)
 {
     return {{x, y, z}, Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitY()};
@@ -103,8 +88,8 @@ void addTransmission(PolygonModel &model)
     model.beginObject(QStringLiteral("transmission"));
     model.useMaterial(QStringLiteral("steel"));
     model.addPrism(frameAlong({-0.27, 0.62, 0}, Vec3::UnitX()), regularPolygon(12, 0.06), 0.62);
-    model.addPrism(frameAlong({-0.16, 0.62, 0}, Vec3::UnitX()), gearProfile(16, 0.23, 0.29), 0.10, 0.012);
-    model.addPrism(frameAlong({-0.15, 0.35, 0.27}, Vec3::UnitX()), gearProfile(8, 0.09, 0.15), 0.08);
+    model.addGear(frameAlong({-0.16, 0.62, 0}, Vec3::UnitX()), 16, 0.23, 0.29, 0.10, 0.012);
+    model.addGear(frameAlong({-0.15, 0.35, 0.27}, Vec3::UnitX()), 8, 0.09, 0.15, 0.08);
     model.addPrism(frameAlong({-0.19, 0.35, 0.27}, Vec3::UnitX()), regularPolygon(8, 0.035), 0.65);
     model.addLathe(frameAlong({0.0, 0.62, 0}, Vec3::UnitX()),
                    {{0.09, 0}, {0.16, 0.02}, {0.16, 0.10}, {0.11, 0.12}, {0.11, 0.16}}, 20);
@@ -148,7 +133,7 @@ void addPipes(PolygonModel &model)
     // A hand wheel valve: a cone of triangles and a thin wheel.
     model.addLathe(upright(0.1, 1.63, 0), {{0.1, 0}, {0.06, 0.08}, {0.03, 0.2}, {0, 0.24}}, 12);
     model.useMaterial(QStringLiteral("rubber"));
-    model.addPrism(upright(0.1, 1.78, 0), gearProfile(6, 0.15, 0.19), 0.03);
+    model.addGear(upright(0.1, 1.78, 0), 6, 0.15, 0.19, 0.03);
 }
 
 } // namespace

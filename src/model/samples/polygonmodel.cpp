@@ -214,7 +214,8 @@ void PolygonModel::addBand(const std::vector<int> &lower, const std::vector<int>
     }
 }
 
-void PolygonModel::addPrism(const Frame &frame, const std::vector<Vec2> &profile, double height, double bevel)
+std::pair<std::vector<int>, std::vector<int>>
+PolygonModel::addWalls(const Frame &frame, const std::vector<Vec2> &profile, double height, double bevel)
 {
     const int n = static_cast<int>(profile.size());
     // Moving every side inwards by the bevel keeps convex and concave profiles simple when it is small.
@@ -237,8 +238,39 @@ void PolygonModel::addPrism(const Frame &frame, const std::vector<Vec2> &profile
         rings = {ring(false, 0), ring(false, height)};
     for (std::size_t i = 0; i + 1 < rings.size(); ++i)
         addBand(rings[i], rings[i + 1]);
-    addFace({rings.front().rbegin(), rings.front().rend()});
-    addFace(rings.back());
+    return {rings.front(), rings.back()};
+}
+
+void PolygonModel::addPrism(const Frame &frame, const std::vector<Vec2> &profile, double height, double bevel)
+{
+    const auto [bottom, top] = addWalls(frame, profile, height, bevel);
+    addFace({bottom.rbegin(), bottom.rend()});
+    addFace(top);
+}
+
+void PolygonModel::addGear(const Frame &frame, int teeth, double inner, double outer, double height,
+                           double bevel)
+{
+    std::vector<Vec2> profile;
+    for (int i = 0; i < teeth; ++i) {
+        static constexpr double place[] = {0.0, 0.18, 0.42, 0.60};
+        for (int k = 0; k < 4; ++k) {
+            const double angle = 2 * std::numbers::pi * (i + place[k]) / teeth;
+            const double radius = k == 1 || k == 2 ? outer : inner;
+            profile.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+        }
+    }
+    auto [bottom, top] = addWalls(frame, profile, height, bevel);
+    std::reverse(bottom.begin(), bottom.end());
+    for (const std::vector<int> &ring : {bottom, top}) {
+        std::vector<int> disk;
+        for (std::size_t i = 0; i < ring.size(); i += 4) {
+            addFace({ring[i], ring[i + 1], ring[i + 2], ring[i + 3]});
+            disk.push_back(ring[i]);
+            disk.push_back(ring[i + 3]);
+        }
+        addFace(std::move(disk));
+    }
 }
 
 void PolygonModel::addLathe(const Frame &frame, const std::vector<Vec2> &profile, int segments)

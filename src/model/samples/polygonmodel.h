@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace autocuts::samples {
@@ -56,6 +57,10 @@ public:
     //! Each end is one polygon; with a bevel > 0 both rims are cut off by that much.
     void addPrism(const Frame &frame, const std::vector<Vec2> &profile, double height, double bevel = 0);
 
+    //! A gear from z = 0 to `height`: straight-sided teeth between two radii. Each end is a disk and a quad
+    //! per tooth.
+    void addGear(const Frame &frame, int teeth, double inner, double outer, double height, double bevel = 0);
+
     //! A solid of revolution about z. The profile gives (radius, z) from bottom to top; a radius of 0 at an
     //! end closes it in a fan of triangles, any other end gets one polygon as its cap.
     void addLathe(const Frame &frame, const std::vector<Vec2> &profile, int segments);
@@ -68,6 +73,9 @@ public:
 
 private:
     void dropUnusedPoints();
+    //! The sides of a prism; returns its bottom and top rings, counter-clockwise seen against z.
+    std::pair<std::vector<int>, std::vector<int>>
+    addWalls(const Frame &frame, const std::vector<Vec2> &profile, double height, double bevel);
     std::vector<int> addRing(int segments, const std::function<Vec3(int)> &at);
     void addBand(const std::vector<int> &lower, const std::vector<int> &upper);
 
