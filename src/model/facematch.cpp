@@ -45,7 +45,8 @@ public:
             auto it = std::lower_bound(mVertices.begin(), mVertices.end(), std::pair(cell, -1));
             for (; it != mVertices.end() && it->first == cell; ++it) {
                 const double distance = (Vec3(mMesh.positions.row(it->second)) - point).norm();
-                if (distance < bestDistance || (distance == bestDistance && (best < 0 || it->second < best))) {
+                if (distance < bestDistance ||
+                    (distance == bestDistance && (best < 0 || it->second < best))) {
                     best = it->second;
                     bestDistance = distance;
                 }
@@ -59,7 +60,8 @@ private:
     {
         if (!(mTolerance > 0))
             return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
-        return {std::floor(p.x() / mTolerance), std::floor(p.y() / mTolerance), std::floor(p.z() / mTolerance)};
+        return {std::floor(p.x() / mTolerance), std::floor(p.y() / mTolerance),
+                std::floor(p.z() / mTolerance)};
     }
 
     const MeshData &mMesh;
@@ -98,7 +100,8 @@ FaceKey faceKey(const MeshData &mesh, int face, VertexOf &&vertexOf)
 
 void matchByPosition(const MeshData &before, const MeshData &after, FaceMatch &match)
 {
-    const double tolerance = relativeTolerance * std::max(largestCoordinate(before), largestCoordinate(after));
+    const double tolerance =
+        relativeTolerance * std::max(largestCoordinate(before), largestCoordinate(after));
     const VertexGrid grid(after, tolerance);
     std::vector<int> counterpart(static_cast<std::size_t>(before.vertexCount()), -1);
     for (int v = 0; v < before.vertexCount(); ++v) {
@@ -116,9 +119,10 @@ void matchByPosition(const MeshData &before, const MeshData &after, FaceMatch &m
         if (found == faces.end() || found->second.empty())
             continue;
         auto &candidates = found->second;
-        const auto sameObject = std::find_if(candidates.begin(), candidates.end(), [&](const auto &candidate) {
-            return after.faceObject[candidate.first] == before.faceObject[f];
-        });
+        const auto sameObject =
+            std::find_if(candidates.begin(), candidates.end(), [&](const auto &candidate) {
+                return after.faceObject[candidate.first] == before.faceObject[f];
+            });
         const auto chosen = sameObject == candidates.end() ? candidates.begin() : sameObject;
         const int count = static_cast<int>(key.vertices.size());
         match.face[f] = chosen->first;

@@ -120,7 +120,8 @@ private:
             const SidePair after = sidePair(mAfter, pair);
             const std::size_t swapped = after.startCorner[0] != corners[0];
             for (std::size_t end = 0; end < 2; ++end) {
-                mTo.seams.states[after.cornerPair[end ^ swapped]] = mFrom.seams.states[before.cornerPair[end]];
+                mTo.seams.states[after.cornerPair[end ^ swapped]] =
+                    mFrom.seams.states[before.cornerPair[end]];
                 mTo.seams.weights[after.cornerPair[end ^ swapped]] =
                     mFrom.seams.weights[before.cornerPair[end]];
             }

@@ -21,7 +21,7 @@ struct RelinkReport
 {
     //! Both models have the same polygons in the same order; positions may differ.
     bool sameTopology = false;
-    Carried faces; //!< of the old model: found in the new one, or not
+    Carried faces;    //!< of the old model: found in the new one, or not
     int newFaces = 0; //!< of the new model that the old one did not have
     Carried seams;    //!< edges that are cut, joined or painted
     Carried pins, rectangleFaces, markedFaces;
@@ -37,8 +37,9 @@ struct Relinked
     RelinkReport report;
 };
 
-//! The session on the new model. Settings, view, all UV sets and the steering are kept wherever a face has its
-//! counterpart; new faces have no UVs. The UV sets of the new file are not used. Selected edges are dropped.
+//! The session on the new model. Settings, view, all UV sets and the steering are kept wherever a face has
+//! its counterpart; new faces have no UVs. The UV sets of the new file are not used. Selected edges are
+//! dropped.
 //!
 //! Faces are counterparts when both models have the same polygons of the same vertices in the same order, so
 //! that a model that was only deformed keeps everything. Else those that have the same corners in the same

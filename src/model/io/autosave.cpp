@@ -102,7 +102,8 @@ Result<std::unique_ptr<Autosave>> Autosave::start(const QString &folder, Save sa
         return Error{continued ? u"another program has this session open"_s
                                : u"the folder for recovery cannot be written"_s,
                      file, 0,
-                     continued ? u"Go on there"_s : u"Check the permissions and the free space of the folder"_s};
+                     continued ? u"Go on there"_s
+                               : u"Check the permissions and the free space of the folder"_s};
     return std::unique_ptr<Autosave>(new Autosave(file, std::move(lock), std::move(save)));
 }
 

@@ -1,8 +1,8 @@
 // Saving now and then, so that a crash costs minutes at most, and finding what a crash left behind.
 //
-// Every running session has a file ID.lock in a folder for recovery, held for as long as the program runs, and
-// after the first autosave a project file ID.acproj. Both vanish when the session ends in order. A project
-// file without a lock that a living process holds is what a crash left behind.
+// Every running session has a file ID.lock in a folder for recovery, held for as long as the program runs,
+// and after the first autosave a project file ID.acproj. Both vanish when the session ends in order. A
+// project file without a lock that a living process holds is what a crash left behind.
 #pragma once
 
 #include "model/result.h"

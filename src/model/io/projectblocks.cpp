@@ -169,10 +169,11 @@ Result<ProjectParts> readContainer(const QByteArray &bytes, int newest, const QS
         return Error{u"the beginning of the session is damaged"_s, path, 0,
                      u"Open a backup of it: the same name with .1 or .2 behind it"_s};
     if (version > newest)
-        return Error{u"the session was saved by a newer Autocuts (its format is %1, this one reads up to %2)"_s
-                         .arg(version)
-                         .arg(newest),
-                     path, 0, u"Install a newer Autocuts"_s};
+        return Error{
+            u"the session was saved by a newer Autocuts (its format is %1, this one reads up to %2)"_s
+                .arg(version)
+                .arg(newest),
+            path, 0, u"Install a newer Autocuts"_s};
     ProjectParts result;
     result.version = static_cast<int>(version);
     while (!reader.atEnd()) {

@@ -110,8 +110,9 @@ void addNotes(const ProjectParts &container, int lostSeams, LoadedProject &proje
         project.notes << u"%1 seams do not fit the model and were left out"_s.arg(lostSeams);
     const Scene &scene = project.state.scene;
     if (!scene.source && scene.format != "obj"_L1 && !scene.format.isEmpty())
-        project.notes << u"the session holds the polygons, names and UV sets of the %1 file, not its normals, "
-                         "textures, bones and animations"_s.arg(scene.format);
+        project.notes
+            << u"the session holds the polygons, names and UV sets of the %1 file, not its normals, "
+               "textures, bones and animations"_s.arg(scene.format);
 }
 
 Result<LoadedProject> parse(const QByteArray &bytes, const QString &path)
@@ -131,10 +132,10 @@ Result<LoadedProject> parse(const QByteArray &bytes, const QString &path)
     project.state.scene = std::move(scene).value();
     const LostParts lost = readStateParts(parts, StateScope::Session, project.state);
     project.lost += lost.names;
-    const bool hadJournal =
-        parts.contains("journal") || parts.contains("journalStart") || container->brokenOff ||
-        std::any_of(damaged.begin(), damaged.end(),
-                    [](const QByteArray &name) { return name.startsWith("journal"); });
+    const bool hadJournal = parts.contains("journal") || parts.contains("journalStart") ||
+                            container->brokenOff ||
+                            std::any_of(damaged.begin(), damaged.end(),
+                                        [](const QByteArray &name) { return name.startsWith("journal"); });
     readExtras(parts, hadJournal, project);
     addNotes(container.value(), lost.seams, project);
     if (const QString problem = project.state.validate(); !problem.isEmpty())
@@ -208,8 +209,7 @@ Result<LoadedProject> parseProject(const QByteArray &bytes, const QString &path)
     try {
         return parse(bytes, path);
     } catch (const std::bad_alloc &) {
-        return Error{u"there is not enough memory to open the session"_s, path, 0,
-                     u"Close other programs"_s};
+        return Error{u"there is not enough memory to open the session"_s, path, 0, u"Close other programs"_s};
     }
 }
 

@@ -16,7 +16,8 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-constexpr int maxObjects = 1000000;
+//! Names that are made up must not take more memory than the faces that they are for.
+constexpr int maxEmptyObjects = 1000;
 
 //! The file that the mesh was read from, or null.
 const ObjSource *objSourceOf(const Scene &scene)
@@ -122,7 +123,8 @@ std::vector<int> startsOf(const std::vector<int> &sizes, std::size_t cornerCount
 {
     std::vector<int> starts{0};
     for (int size : sizes) {
-        if (size < 3 || static_cast<std::size_t>(size) > cornerCount - static_cast<std::size_t>(starts.back()))
+        if (size < 3 ||
+            static_cast<std::size_t>(size) > cornerCount - static_cast<std::size_t>(starts.back()))
             return {};
         starts.push_back(starts.back() + size);
     }
@@ -144,8 +146,8 @@ Result<Scene> readPolygons(const QByteArray &part, const QString &path)
     if (reader.failed() || !positions || positions->size() % 3 != 0 || !sizes || !corners || !objects)
         return damagedModel(path);
     std::vector<int> starts = startsOf(*sizes, corners->size());
-    const auto isObject = [](int object) { return object >= 0 && object < maxObjects; };
-    if (starts.empty() || !std::all_of(objects->begin(), objects->end(), isObject))
+    const auto isNegative = [](int object) { return object < 0; };
+    if (starts.empty() || std::any_of(objects->begin(), objects->end(), isNegative))
         return damagedModel(path);
     PositionMatrix matrix = Eigen::Map<const PositionMatrix>(
         positions->data(), static_cast<Eigen::Index>(positions->size() / 3), 3);
@@ -155,14 +157,18 @@ Result<Scene> readPolygons(const QByteArray &part, const QString &path)
     return scene;
 }
 
-//! Stands in for names that are damaged.
-void makeUpNames(Scene &scene, const QString &path)
+//! Stands in for names that are damaged; false when the numbers of the objects are, too.
+bool makeUpNames(Scene &scene, const QString &path)
 {
     scene.path = path;
+    const int last = lastObject(*scene.mesh);
     if (!scene.objectNames.empty())
-        return;
-    for (int i = 0; i <= lastObject(*scene.mesh); ++i)
+        return true;
+    if (last > scene.mesh->faceCount() + maxEmptyObjects)
+        return false;
+    for (int i = 0; i <= last; ++i)
         scene.objectNames.push_back(u"object %1"_s.arg(i + 1));
+    return true;
 }
 
 } // namespace
@@ -191,12 +197,12 @@ Result<Scene> readSceneParts(const PartMap &parts, const QString &path, QStringL
             return damagedModel(path);
         scene->uvSets.clear();
         const auto names = parts.find("scene");
-        const std::optional<QCborMap> map =
-            names == parts.end() ? std::nullopt : parsedMap(names->second);
+        const std::optional<QCborMap> map = names == parts.end() ? std::nullopt : parsedMap(names->second);
         if (map && map->value("counts"_L1).toByteArray() != countsOf(*scene->mesh))
             return damagedModel(path);
         if (!map || !readNames(*map, scene.value())) {
-            makeUpNames(scene.value(), path);
+            if (!makeUpNames(scene.value(), path))
+                return damagedModel(path);
             lost << u"the names of objects and materials"_s;
         }
         return scene;
@@ -209,9 +215,10 @@ QStringList sessionLosses(const Scene &scene)
 {
     if (objSourceOf(scene) || !scene.source)
         return {};
-    return {u"the session holds the polygons, objects, materials' names and UV sets of the %1 file, but not its "
-            "normals, colours, textures, bones, animations and hierarchy: to keep those, write the UVs into "
-            "the original file before closing the session"_s.arg(scene.format)};
+    return {
+        u"the session holds the polygons, objects, materials' names and UV sets of the %1 file, but not its "
+        "normals, colours, textures, bones, animations and hierarchy: to keep those, write the UVs into "
+        "the original file before closing the session"_s.arg(scene.format)};
 }
 
 } // namespace autocuts

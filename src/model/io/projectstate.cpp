@@ -282,8 +282,8 @@ PartMap statePartsOf(const DocumentState &state, StateScope scope)
     parts["seams"] = cborBytes(seamsToCbor(state.seams, mesh));
     parts["constraints"] = cborBytes(constraintsMap(state.constraints));
     parts["marks"] = cborBytes(marksMap(state.marks));
-    parts["settings"] = cborBytes(
-        {{"solve"_L1, toCbor(state.solveSettings)}, {"packing"_L1, toCbor(state.packingSettings)}});
+    parts["settings"] =
+        cborBytes({{"solve"_L1, toCbor(state.solveSettings)}, {"packing"_L1, toCbor(state.packingSettings)}});
     if (scope == StateScope::Session) {
         parts["selection"] = cborBytes(toCbor(state.selection));
         parts["view"] = state.viewState;

@@ -29,8 +29,8 @@ struct LostParts
     int seams = 0; //!< seams that do not fit the mesh
 };
 
-//! Fills everything in the state but the scene's static part. What is missing or damaged in the parts gets its
-//! default and is listed. \pre state.scene has its mesh
+//! Fills everything in the state but the scene's static part. What is missing or damaged in the parts gets
+//! its default and is listed. \pre state.scene has its mesh
 LostParts readStateParts(const PartMap &parts, StateScope scope, DocumentState &state);
 
 //! A CBOR map from untrusted bytes; nothing when they are damaged or something else.
