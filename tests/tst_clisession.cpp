@@ -27,7 +27,8 @@ std::vector<bool> openEdges(const Scene &scene)
     std::vector<bool> result;
     for (const EdgePair &pair : mesh.edgePairs) {
         const auto differs = [&](int end) {
-            return (uv.row(mesh.cornerOfSoup(pair.corner[end][0])) - uv.row(mesh.cornerOfSoup(pair.corner[end][1])))
+            return (uv.row(mesh.cornerOfSoup(pair.corner[end][0])) -
+                    uv.row(mesh.cornerOfSoup(pair.corner[end][1])))
                        .norm() > 1e-9;
         };
         result.push_back(differs(0) || differs(1));
@@ -66,7 +67,8 @@ private:
     //! Unwraps with little effort.
     test::CliRun unwrap(const QStringList &arguments) const
     {
-        return run(QStringList{u"unwrap"_s, u"--quality"_s, u"draft"_s, u"--pack-time"_s, u"0"_s} + arguments);
+        return run(QStringList{u"unwrap"_s, u"--quality"_s, u"draft"_s, u"--pack-time"_s, u"0"_s} +
+                   arguments);
     }
 
     std::unique_ptr<QTemporaryDir> mFolder;
@@ -81,9 +83,11 @@ void TestCliSession::init()
 
 void TestCliSession::meshToSession()
 {
-    const test::CliRun made = unwrap({file(u"cube.obj"_s), u"-o"_s, file(u"a.acproj"_s), u"--margin"_s, u"12"_s});
+    const test::CliRun made =
+        unwrap({file(u"cube.obj"_s), u"-o"_s, file(u"a.acproj"_s), u"--margin"_s, u"12"_s});
     QVERIFY2(made.code == 0, qPrintable(made.err));
-    const test::CliRun mesh = unwrap({file(u"cube.obj"_s), u"-o"_s, file(u"a.obj"_s), u"--margin"_s, u"12"_s});
+    const test::CliRun mesh =
+        unwrap({file(u"cube.obj"_s), u"-o"_s, file(u"a.obj"_s), u"--margin"_s, u"12"_s});
     QCOMPARE(mesh.code, 0);
     const LoadedProject project = loaded(file(u"a.acproj"_s));
     QVERIFY(project.notes.isEmpty());
@@ -145,10 +149,11 @@ void TestCliSession::settingsOfTheSessionCount()
     project.state.packingSettings.rotation = PackingSettings::Rotation::None;
     QVERIFY(saveProject(project.state, {}, file(u"a.acproj"_s)).ok());
     QCOMPARE(unwrap({file(u"a.acproj"_s), u"-o"_s, file(u"a.obj"_s)}).code, 0);
-    QCOMPARE(unwrap({file(u"cube.obj"_s), u"-o"_s, file(u"b.obj"_s), u"--weights"_s, u"count"_s, u"--seed"_s,
-                     u"5"_s, u"--texture-size"_s, u"512"_s, u"--margin"_s, u"20"_s, u"--rotation"_s, u"none"_s})
-                 .code,
-             0);
+    QCOMPARE(
+        unwrap({file(u"cube.obj"_s), u"-o"_s, file(u"b.obj"_s), u"--weights"_s, u"count"_s, u"--seed"_s,
+                u"5"_s, u"--texture-size"_s, u"512"_s, u"--margin"_s, u"20"_s, u"--rotation"_s, u"none"_s})
+            .code,
+        0);
     QVERIFY(test::readBytes(file(u"a.obj"_s)).contains("\nvt "));
     QCOMPARE(test::readBytes(file(u"a.obj"_s)), test::readBytes(file(u"b.obj"_s)));
 }
@@ -160,7 +165,8 @@ void TestCliSession::optionsWin()
     project.state.packingSettings.margin = 20;
     project.state.solveSettings.boxWeight = 7;
     QVERIFY(saveProject(project.state, {}, file(u"a.acproj"_s)).ok());
-    QCOMPARE(unwrap({file(u"a.acproj"_s), u"-o"_s, file(u"b.acproj"_s), u"--margin=3"_s, u"--seed=9"_s}).code, 0);
+    QCOMPARE(unwrap({file(u"a.acproj"_s), u"-o"_s, file(u"b.acproj"_s), u"--margin=3"_s, u"--seed=9"_s}).code,
+             0);
     const LoadedProject made = loaded(file(u"b.acproj"_s));
     QCOMPARE(made.state.packingSettings.margin, 3);
     QCOMPARE(made.state.solveSettings.seed, 9u);
@@ -195,7 +201,8 @@ void TestCliSession::checkReadsTheActiveSet()
     QCOMPARE(first.code, 0);
     QVERIFY2(first.out.contains(u"\"charts\": 2"), qPrintable(first.out));
     const test::CliRun second = run({u"check"_s, file(u"b.acproj"_s), u"--json"_s});
-    QVERIFY2(second.out.contains(u"\"facesWithoutUv\": 16") || second.out.contains(u"\"faces_without_uv\": 16"),
+    QVERIFY2(second.out.contains(u"\"facesWithoutUv\": 16") ||
+                 second.out.contains(u"\"faces_without_uv\": 16"),
              qPrintable(second.out));
     QCOMPARE(run({u"pack"_s, file(u"b.acproj"_s), u"-o"_s, file(u"c.acproj"_s)}).code, 1);
     QCOMPARE(run({u"convert"_s, file(u"b.acproj"_s), u"-o"_s, file(u"b.obj"_s)}).code, 0);
@@ -205,7 +212,8 @@ void TestCliSession::checkReadsTheActiveSet()
 void TestCliSession::replayReproduces()
 {
     QCOMPARE(unwrap({file(u"cube.obj"_s), u"-o"_s, file(u"a.acproj"_s)}).code, 0);
-    QCOMPARE(run({u"pack"_s, file(u"a.acproj"_s), u"-o"_s, file(u"b.acproj"_s), u"--margin"_s, u"100"_s}).code, 0);
+    QCOMPARE(
+        run({u"pack"_s, file(u"a.acproj"_s), u"-o"_s, file(u"b.acproj"_s), u"--margin"_s, u"100"_s}).code, 0);
     const test::CliRun plain = run({u"replay"_s, file(u"b.acproj"_s)});
     QCOMPARE(plain.code, 0);
     QCOMPARE(plain.out, u"replayed commands: 3\nthe result is what the session holds\n"_s);
@@ -250,7 +258,8 @@ void TestCliSession::damagedSession()
     QVERIFY(test::writeBytes(file(u"bad.acproj"_s), bytes.left(100)));
     const test::CliRun failed = run({u"convert"_s, file(u"bad.acproj"_s), u"-o"_s, file(u"x.obj"_s)});
     QCOMPARE(failed.code, 1);
-    QVERIFY2(failed.err.contains(u"the model in the session is damaged. Open a backup"), qPrintable(failed.err));
+    QVERIFY2(failed.err.contains(u"the model in the session is damaged. Open a backup"),
+             qPrintable(failed.err));
 }
 
 QTEST_GUILESS_MAIN(TestCliSession)

@@ -14,6 +14,11 @@
 #include <algorithm>
 #include <functional>
 
+#ifdef Q_OS_UNIX
+#include <csignal>
+#include <sys/resource.h>
+#endif
+
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
@@ -499,21 +504,29 @@ void TestProjectFile::backupsThroughLink()
 
 void TestProjectFile::failedSaveKeepsBackups()
 {
+#ifdef Q_OS_UNIX
     QTemporaryDir folder;
     const QString path = folder.filePath(u"a.acproj"_s);
     test::Session session = test::gridSession(3, 0, 1);
     QVERIFY(saveProject(session.state, session.extras, path).ok());
     QVERIFY(saveProject(session.state, session.extras, path).ok());
     const QByteArray before = fileBytes(path + u".1"_s);
-    QFile::setPermissions(folder.path(), QFileDevice::ReadOwner | QFileDevice::ExeOwner);
-    const bool isRoot = QFile(folder.filePath(u"probe"_s)).open(QIODevice::WriteOnly);
-    if (isRoot)
-        QSKIP("Permissions do not stop this user");
-    QVERIFY(!saveProject(session.state, session.extras, path).ok());
-    QFile::setPermissions(folder.path(),
-                          QFileDevice::ReadOwner | QFileDevice::WriteOwner | QFileDevice::ExeOwner);
+    // As on a full disk: no file may grow beyond this.
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit unlimited;
+    QCOMPARE(getrlimit(RLIMIT_FSIZE, &unlimited), 0);
+    rlimit limit = unlimited;
+    limit.rlim_cur = 500;
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &limit), 0);
+    const bool saved = saveProject(session.state, session.extras, path).ok();
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &unlimited), 0);
+    QVERIFY(!saved);
+    QCOMPARE(fileBytes(path), before);
     QCOMPARE(fileBytes(path + u".1"_s), before);
-    QVERIFY(!QFile::exists(path + u".2"_s));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 2);
+#else
+    QSKIP("There is no limit on the size of files here");
+#endif
 }
 
 void TestProjectFile::summary()

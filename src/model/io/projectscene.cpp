@@ -217,8 +217,8 @@ QStringList sessionLosses(const Scene &scene)
         return {};
     return {
         u"the session holds the polygons, objects, materials' names and UV sets of the %1 file, but not its "
-        "normals, colours, textures, bones, animations and hierarchy: to keep those, write the UVs into "
-        "the original file before closing the session"_s.arg(scene.format)};
+        "normals, colours, textures, bones, animations and hierarchy: to keep those, save the map in a "
+        "model file as well"_s.arg(scene.format)};
 }
 
 } // namespace autocuts
