@@ -97,7 +97,7 @@ private:
     void declareOptions()
     {
         const std::vector<Command> unwrap{Command::Unwrap};
-        const std::vector<Command> writing{Command::Unwrap, Command::Pack, Command::Separate,
+        const std::vector<Command> writing{Command::Unwrap,  Command::Pack,   Command::Separate,
                                            Command::Convert, Command::Sample, Command::Replay};
         const std::vector<Command> mapping{Command::Unwrap, Command::Pack, Command::Separate};
         const std::vector<Command> measuring{Command::Unwrap, Command::Pack, Command::Separate,
@@ -319,8 +319,8 @@ usage: autocuts-cli unwrap IN -o OUT [options]     make a UV map
        autocuts-cli replay SESSION [-o OUT]        do again what was done in a session, and compare
        autocuts-cli sample NAME -o OUT             write a sample: bumpycube, character, torus, machine
 
-IN and OUT may be sessions (.acproj): their cuts, joins, weights, pins, rectangles and settings are used; settings
-that are given here take the place of the session's.
+IN and OUT may be sessions (.acproj). Of IN, cuts, joins, weights, pins, rectangles and settings are used;
+options that are given take the place of the session's settings.
 
 unwrap:
   --max-distortion X   bound on the mean symmetric Dirichlet energy; 4 is no distortion [4.1]

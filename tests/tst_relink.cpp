@@ -180,7 +180,7 @@ void TestRelink::sameModelKeepsEverything()
     QVERIFY(relinked.report.sameTopology);
     QCOMPARE(relinked.report.lines(), QStringList());
     QCOMPARE(relinked.report.faces, (Carried{16, 0}));
-    state.selection.edges.clear();
+    state.selection.edges = {};
     QVERIFY(relinked.state == state);
 }
 
