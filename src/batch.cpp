@@ -1,8 +1,10 @@
 #include "batch.h"
 
+#include "batchfiles.h"
+#include "commands/replay.h"
 #include "mapreporting.h"
-#include "model/io/exportlosses.h"
 #include "model/io/meshfile.h"
+#include "model/io/projectfile.h"
 #include "model/io/savefile.h"
 #include "model/samples.h"
 #include "progressline.h"
@@ -64,6 +66,8 @@ public:
             return runCheck();
         case Command::Convert:
             return runConvert();
+        case Command::Replay:
+            return runReplay();
         case Command::Unwrap:
             return runMapping([this](Scene &scene) { return unwrapScene(scene); });
         case Command::Pack:
@@ -97,7 +101,7 @@ private:
         if (!scene)
             return fail(scene.error());
         sayLosses(scene.value());
-        const Result<Done> written = writeMesh(scene.value(), mOptions.output);
+        const Result<Done> written = mFiles.write(scene.value(), mOptions);
         return written ? 0 : fail(written.error());
     }
 
@@ -105,17 +109,17 @@ private:
     {
         if (const Result<Done> writable = checkTargets(); !writable)
             return fail(writable.error());
-        const Result<Scene> scene = readMesh(mOptions.input);
+        const Result<Scene> scene = mFiles.read(mOptions.input);
         if (!scene)
             return fail(scene.error());
         sayLosses(scene.value());
-        const Result<Done> written = writeMesh(scene.value(), mOptions.output);
+        const Result<Done> written = mFiles.write(scene.value(), mOptions);
         return written ? 0 : fail(written.error());
     }
 
     int runCheck()
     {
-        const Result<Scene> scene = readMesh(mOptions.input);
+        const Result<Scene> scene = mFiles.read(mOptions.input);
         if (!scene)
             return fail(scene.error());
         MapReport report = reportOn(scene.value(), mOptions.unwrap.packing.textureSize);
@@ -131,6 +135,36 @@ private:
             return fail(
                 {QStringLiteral("the figures could not be written to the standard output"), {}, 0, {}});
         return 0;
+    }
+
+    int runReplay()
+    {
+        if (!mOptions.output.isEmpty()) {
+            if (const Result<Done> writable = checkTargets(); !writable)
+                return fail(writable.error());
+        }
+        const Result<LoadedProject> project = loadProject(mOptions.input);
+        if (!project)
+            return fail(project.error());
+        const std::optional<Journal> &journal = project->extras.journal;
+        if (!journal)
+            return fail({QStringLiteral("the session has no journal that could be replayed"), mOptions.input,
+                         0, QStringLiteral("Use convert to write its present state")});
+        Result<std::unique_ptr<Document>> document = replay(*journal);
+        if (!document)
+            return fail(document.error());
+        const bool same = sameWork(document.value()->state(), project->state);
+        mOut << "replayed commands: " << journal->commands.size() << '\n'
+             << (same ? "the result is what the session holds"
+                      : "the result differs from what the session holds")
+             << Qt::endl;
+        if (!mOptions.output.isEmpty()) {
+            const Scene scene = mFiles.take(std::move(document).value(), *journal);
+            sayLosses(scene);
+            if (const Result<Done> written = mFiles.write(scene, mOptions); !written)
+                return fail(written.error());
+        }
+        return same ? 0 : 1;
     }
 
     //! The slow part must not be for nothing: targets that cannot be written are better found before it.
@@ -150,7 +184,7 @@ private:
                 return Error{QStringLiteral("the output folder is read-only"), folder.filePath(), 0,
                              QStringLiteral("Check its permissions or choose another one")};
         }
-        return checkWriteFormat(mOptions.output);
+        return isProjectPath(mOptions.output) ? Done{} : checkWriteFormat(mOptions.output);
     }
 
     template <class Work>
@@ -158,9 +192,10 @@ private:
     {
         if (const Result<Done> writable = checkTargets(); !writable)
             return fail(writable.error());
-        Result<Scene> scene = readMesh(mOptions.input);
+        Result<Scene> scene = mFiles.read(mOptions.input);
         if (!scene)
             return fail(scene.error());
+        mFiles.mergeSettings(mOptions);
         if (!(scene->mesh->area > 0))
             return fail({QStringLiteral("all faces are without area, there is nothing to map"),
                          mOptions.input, 0, QStringLiteral("Check the scale and the vertices of the model")});
@@ -174,16 +209,10 @@ private:
 
     Result<Outcome> unwrapScene(Scene &scene)
     {
-        Snapshot snapshot;
-        snapshot.mesh = scene.mesh;
-        snapshot.settings = mOptions.settings;
-        if (snapshot.settings.start == StartMode::ExistingUv) {
-            if (!scene.hasUv())
-                return Error{QStringLiteral("the file has no UVs to start from"), mOptions.input, 0,
-                             QStringLiteral("Use --init rigid")};
-            snapshot.startUv = startUvFromCorners(*scene.mesh, scene.uvSets.front().uv);
-        }
-        const UnwrapResult result = unwrap(snapshot, mOptions.unwrap, &mStop.stop,
+        const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+        if (!snapshot)
+            return snapshot.error();
+        const UnwrapResult result = unwrap(snapshot.value(), mOptions.unwrap, &mStop.stop,
                                            [this](const UnwrapProgress &p) { mProgress.show(p); });
         if (mOptions.unwrap.pack && !result.packed)
             return noRoom();
@@ -283,7 +312,7 @@ private:
     int writeResults(const Scene &scene, const Outcome &outcome)
     {
         sayLosses(scene);
-        if (const Result<Done> written = writeMesh(scene, mOptions.output); !written)
+        if (const Result<Done> written = mFiles.write(scene, mOptions); !written)
             return fail(written.error());
         const int textureSize = mOptions.unwrap.packing.textureSize;
         MapReport report = reportOn(scene, textureSize);
@@ -329,7 +358,7 @@ private:
 
     void sayLosses(const Scene &scene)
     {
-        for (const QString &loss : exportLosses(scene, QFileInfo(mOptions.output).suffix().toLower()))
+        for (const QString &loss : BatchFiles::losses(scene, mOptions.output))
             mErr << "autocuts-cli: note: " << loss << Qt::endl;
     }
 
@@ -340,7 +369,8 @@ private:
         return measureUv(mesh, uv, options).overlapPairs > 0;
     }
 
-    const CliOptions &mOptions;
+    CliOptions mOptions;
+    BatchFiles mFiles;
     StopSource &mStop;
     QTextStream &mOut;
     QTextStream &mErr;

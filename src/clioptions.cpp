@@ -72,7 +72,8 @@ public:
         static const std::map<QString, Command> commands{
             {QStringLiteral("unwrap"), Command::Unwrap},     {QStringLiteral("pack"), Command::Pack},
             {QStringLiteral("separate"), Command::Separate}, {QStringLiteral("check"), Command::Check},
-            {QStringLiteral("convert"), Command::Convert},   {QStringLiteral("sample"), Command::Sample}};
+            {QStringLiteral("convert"), Command::Convert},   {QStringLiteral("sample"), Command::Sample},
+            {QStringLiteral("replay"), Command::Replay}};
         const auto command = commands.find(word);
         if (command == commands.end())
             return usageError(QStringLiteral("unknown command \"%1\"").arg(word));
@@ -96,8 +97,8 @@ private:
     void declareOptions()
     {
         const std::vector<Command> unwrap{Command::Unwrap};
-        const std::vector<Command> writing{Command::Unwrap, Command::Pack, Command::Separate,
-                                           Command::Convert, Command::Sample};
+        const std::vector<Command> writing{Command::Unwrap,  Command::Pack,   Command::Separate,
+                                           Command::Convert, Command::Sample, Command::Replay};
         const std::vector<Command> mapping{Command::Unwrap, Command::Pack, Command::Separate};
         const std::vector<Command> measuring{Command::Unwrap, Command::Pack, Command::Separate,
                                              Command::Check};
@@ -258,6 +259,7 @@ private:
         if (!commands.empty() &&
             std::find(commands.begin(), commands.end(), mOptions.command) == commands.end())
             return usageError(QStringLiteral("%1 does not belong to this command").arg(name));
+        mOptions.given << name;
         if (const Problem problem = option->second.read(name))
             return problem;
         if (mArguments.hasUnusedValue())
@@ -272,7 +274,9 @@ private:
         if (mOptions.input.isEmpty())
             return usageError(mOptions.command == Command::Sample ? QStringLiteral("no sample named")
                                                                   : QStringLiteral("no input file given"));
-        if (mOptions.command != Command::Check && mOptions.output.isEmpty())
+        const bool isOutputOptional =
+            mOptions.command == Command::Check || mOptions.command == Command::Replay;
+        if (!isOutputOptional && mOptions.output.isEmpty())
             return usageError(QStringLiteral("no output file given (-o FILE)"));
         if (!mOptions.layout.isEmpty() &&
             !mOptions.layout.endsWith(QLatin1String(".png"), Qt::CaseInsensitive) &&
@@ -312,7 +316,11 @@ usage: autocuts-cli unwrap IN -o OUT [options]     make a UV map
        autocuts-cli separate IN -o OUT [options]   cut islands that cover themselves, then pack
        autocuts-cli check IN [--json]              measure a UV map and say what is wrong with it
        autocuts-cli convert IN -o OUT              another file format; OBJ to OBJ changes nothing
+       autocuts-cli replay SESSION [-o OUT]        do again what was done in a session, and compare
        autocuts-cli sample NAME -o OUT             write a sample: bumpycube, character, torus, machine
+
+IN and OUT may be sessions (.acproj). Of IN, cuts, joins, weights, pins, rectangles and settings are used;
+options that are given take the place of the session's settings.
 
 unwrap:
   --max-distortion X   bound on the mean symmetric Dirichlet energy; 4 is no distortion [4.1]

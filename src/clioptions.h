@@ -13,7 +13,7 @@ namespace autocuts {
 //! What `autocuts-cli` was asked to do.
 struct CliOptions
 {
-    enum class Command { Help, Version, Unwrap, Pack, Separate, Check, Convert, Sample };
+    enum class Command { Help, Version, Unwrap, Pack, Separate, Check, Convert, Sample, Replay };
 
     //! True when the command makes a map: these can be stopped early.
     bool makesMap() const
@@ -22,8 +22,9 @@ struct CliOptions
     }
 
     Command command = Command::Help;
-    QString input;  //!< file; for Sample its name
-    QString output; //!< -o
+    QString input;     //!< file; for Sample its name
+    QStringList given; //!< names of all options as written
+    QString output;    //!< -o
     SolveSettings settings;
     UnwrapOptions unwrap;
     QString layout;       //!< .png or .svg, empty for none

@@ -32,7 +32,8 @@ Error writeError(const QString &path, const QSaveFile &file)
 
 } // namespace
 
-Result<Done> saveAtomically(const QString &path, QByteArrayView bytes)
+Result<Done> saveAtomically(const QString &path, QByteArrayView bytes,
+                            const std::function<void()> &beforeReplacing)
 {
     const QFileInfo target(path);
     if (path.isEmpty() || target.isDir())
@@ -56,6 +57,8 @@ Result<Done> saveAtomically(const QString &path, QByteArrayView bytes)
         file.commit();
         return error;
     }
+    if (beforeReplacing)
+        beforeReplacing();
     if (!file.commit())
         return writeError(path, file);
     return Done{};

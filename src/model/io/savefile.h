@@ -6,11 +6,15 @@
 #include <QByteArrayView>
 #include <QString>
 
+#include <functional>
+
 namespace autocuts {
 
 //! Writes the bytes to a temporary file beside the target and renames it over the target. On any error (no
 //! such folder, no permission, disk full) an existing file keeps its content and no temporary file is left.
-Result<Done> saveAtomically(const QString &path, QByteArrayView bytes);
+//! \param beforeReplacing called when the bytes are safe on disk and the old file is still in place
+Result<Done> saveAtomically(const QString &path, QByteArrayView bytes,
+                            const std::function<void()> &beforeReplacing = {});
 
 //! The bytes of a regular file, or an Error that says why it cannot be read: missing, a folder, a device, no
 //! permission, larger than `limit` bytes.

@@ -1,0 +1,49 @@
+// Keeps the journal of a session.
+#pragma once
+
+#include "model/document.h"
+#include "model/journal.h"
+
+#include <optional>
+
+namespace autocuts {
+
+//! Writes down the commands of a document: those on its undo stack that are done, and before them those that
+//! the stack has forgotten. What was undone is not in the journal.
+//!
+//! The journal is bounded: when it has grown too large, or when the user undoes what it does not contain any
+//! more, it begins anew with the state at that time.
+class JournalRecorder final : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr qint64 defaultByteLimit = qint64(32) * 1024 * 1024;
+
+    //! \param document must outlive the recorder; nothing was undone in it yet
+    //! \param earlier the journal that leads to the document's present state: of a session that was loaded
+    explicit JournalRecorder(Document &document, std::optional<Journal> earlier = std::nullopt);
+
+    //! \pre bytes >= 0
+    void setByteLimit(qint64 bytes) { mByteLimit = bytes; }
+
+    //! The journal up to the present state.
+    Journal journal();
+
+private:
+    void startAnew();
+    void forgetUndone(int index);
+    void takeOver(const UndoEntry &entry);
+    qint64 byteCount() const;
+
+    Document &mDocument;
+    Journal mPast; //!< with the commands that are not on the stack any more
+    int mFirst;    //!< stack entries below it are part of mPast.initial
+    //! Descriptions of the stack's entries by their place, as far as they were needed; never of the newest
+    //! entry, which can still change.
+    std::vector<QByteArray> mEncoded;
+    qint64 mByteLimit = defaultByteLimit;
+    bool mMustStartAnew = false;
+};
+
+} // namespace autocuts

@@ -1,0 +1,76 @@
+#include "commands/replay.h"
+
+#include "commands/commandfactory.h"
+#include "model/io/deflate.h"
+
+#include <QtEndian>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+constexpr qsizetype sizeBytes = sizeof(quint32);
+
+std::optional<QCborMap> commandOf(const QByteArray &entry)
+{
+    if (entry.size() < sizeBytes)
+        return std::nullopt;
+    const auto size = qFromLittleEndian<quint32>(entry.constData());
+    const std::optional<QByteArray> bytes = inflated(QByteArrayView(entry).sliced(sizeBytes), size);
+    if (!bytes)
+        return std::nullopt;
+    QCborParserError error;
+    const QCborValue value = QCborValue::fromCbor(*bytes, &error);
+    if (error.error != QCborError::NoError || !value.isMap())
+        return std::nullopt;
+    return value.toMap();
+}
+
+Error atCommand(std::size_t index, Error error)
+{
+    error.message = u"command %1 of the journal: %2"_s.arg(index + 1).arg(error.message);
+    return error;
+}
+
+} // namespace
+
+QByteArray journalEntry(const QCborMap &command)
+{
+    const QByteArray bytes = command.toCborValue().toCbor();
+    QByteArray entry(sizeBytes, Qt::Uninitialized);
+    qToLittleEndian(static_cast<quint32>(bytes.size()), entry.data());
+    return entry + deflated(bytes);
+}
+
+Result<std::unique_ptr<Document>> replay(const Journal &journal)
+{
+    Result<std::unique_ptr<Document>> document = Document::create(journal.initial);
+    if (!document)
+        return document.error();
+    // Nothing is going to be undone.
+    document.value()->undoStack().setMemoryLimit(0);
+    for (std::size_t i = 0; i < journal.commands.size(); ++i) {
+        const std::optional<QCborMap> map = commandOf(journal.commands[i]);
+        if (!map)
+            return atCommand(i, damagedCommand());
+        Result<std::unique_ptr<DocumentCommand>> command = makeCommand(*map, *document.value());
+        if (!command)
+            return atCommand(i, command.error());
+        pushCommand(std::move(command).value());
+    }
+    return document;
+}
+
+bool sameWork(const DocumentState &a, const DocumentState &b)
+{
+    const auto work = [](DocumentState state) {
+        state.selection = {};
+        state.viewState.clear();
+        return state;
+    };
+    return work(a) == work(b);
+}
+
+} // namespace autocuts

@@ -1,0 +1,21 @@
+#include "model/io/projectmigration.h"
+
+#include <algorithm>
+
+namespace autocuts {
+
+const std::vector<Migration> &projectMigrations()
+{
+    static const std::vector<Migration> migrations;
+    return migrations;
+}
+
+bool migrateParts(PartMap &parts, int version, const std::vector<Migration> &migrations)
+{
+    if (version > static_cast<int>(migrations.size()) + 1)
+        return false;
+    return std::all_of(migrations.begin() + (version - 1), migrations.end(),
+                       [&](const Migration &migrate) { return migrate(parts); });
+}
+
+} // namespace autocuts

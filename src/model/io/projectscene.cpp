@@ -1,0 +1,224 @@
+#include "model/io/projectscene.h"
+
+#include "model/cborvalues.h"
+#include "model/io/objreader.h"
+#include "model/io/objsource.h"
+#include "model/io/packedarrays.h"
+
+#include <QCborArray>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! Names that are made up must not take more memory than the faces that they are for.
+constexpr int maxEmptyObjects = 1000;
+
+//! The file that the mesh was read from, or null.
+const ObjSource *objSourceOf(const Scene &scene)
+{
+    const auto *source = dynamic_cast<const ObjSource *>(scene.source.get());
+    return source && std::ssize(source->cornerTextureVertex) == scene.mesh->cornerCount() ? source : nullptr;
+}
+
+QCborArray textArray(const std::vector<QString> &texts)
+{
+    QCborArray array;
+    for (const QString &text : texts)
+        array.append(text);
+    return array;
+}
+
+bool readTexts(const QCborMap &map, QLatin1StringView key, std::vector<QString> &texts)
+{
+    const QCborValue value = map.value(key);
+    if (!value.isArray())
+        return false;
+    for (const QCborValue &text : value.toArray()) {
+        if (!text.isString())
+            return false;
+        texts.push_back(text.toString());
+    }
+    return true;
+}
+
+//! What the model consists of, for noticing that it was read back differently.
+QByteArray countsOf(const MeshData &mesh)
+{
+    return packedArray(std::vector<int>{mesh.vertexCount(), mesh.faceCount(), mesh.cornerCount()});
+}
+
+QCborMap sceneMap(const Scene &scene)
+{
+    return {{"path"_L1, scene.path},
+            {"format"_L1, scene.format},
+            {"counts"_L1, countsOf(*scene.mesh)},
+            {"objects"_L1, textArray(scene.objectNames)},
+            {"materials"_L1, textArray(scene.materialNames)},
+            {"faceMaterial"_L1, packedArray(scene.faceMaterial)},
+            {"notes"_L1, textArray(scene.notes)}};
+}
+
+int lastObject(const MeshData &mesh)
+{
+    const auto &objects = mesh.faceObject;
+    return objects.empty() ? -1 : *std::max_element(objects.begin(), objects.end());
+}
+
+//! The names and notes of a scene that has its mesh; false, with the scene unchanged, when they are damaged.
+bool readNames(const QCborMap &map, Scene &scene)
+{
+    const MeshData &mesh = *scene.mesh;
+    Scene named;
+    const QCborValue path = map.value("path"_L1);
+    const QCborValue format = map.value("format"_L1);
+    const QByteArray materials = map.value("faceMaterial"_L1).toByteArray();
+    const auto faceMaterial = unpackedIntegers(materials, packedIntegerCount(materials));
+    if (!path.isString() || !format.isString() || !faceMaterial ||
+        !readTexts(map, "objects"_L1, named.objectNames) ||
+        !readTexts(map, "materials"_L1, named.materialNames) || !readTexts(map, "notes"_L1, named.notes))
+        return false;
+    const auto fits = [&](int material) {
+        return material >= -1 && material < static_cast<int>(named.materialNames.size());
+    };
+    if ((!faceMaterial->empty() && std::ssize(*faceMaterial) != mesh.faceCount()) ||
+        !std::all_of(faceMaterial->begin(), faceMaterial->end(), fits) ||
+        lastObject(mesh) >= static_cast<int>(named.objectNames.size()))
+        return false;
+    scene.path = path.toString();
+    scene.format = format.toString();
+    scene.objectNames = std::move(named.objectNames);
+    scene.materialNames = std::move(named.materialNames);
+    scene.faceMaterial = *faceMaterial;
+    scene.notes = std::move(named.notes);
+    return true;
+}
+
+QCborMap polygonsMap(const MeshData &mesh)
+{
+    std::vector<int> sizes;
+    for (int f = 0; f < mesh.faceCount(); ++f)
+        sizes.push_back(mesh.faceStart[f + 1] - mesh.faceStart[f]);
+    const std::span<const double> positions(mesh.positions.data(),
+                                            static_cast<std::size_t>(mesh.positions.size()));
+    return {{"positions"_L1, packedArray(positions)},
+            {"faceSizes"_L1, packedArray(sizes)},
+            {"corners"_L1, packedArray(mesh.cornerVertex)},
+            {"faceObjects"_L1, packedArray(mesh.faceObject)}};
+}
+
+Error damagedModel(const QString &path)
+{
+    return {u"the model in the session is damaged"_s, path, 0,
+            u"Open a backup of it: the same name with .1 or .2 behind it"_s};
+}
+
+//! The offsets of faces with so many corners each; empty when the sizes do not add up.
+std::vector<int> startsOf(const std::vector<int> &sizes, std::size_t cornerCount)
+{
+    std::vector<int> starts{0};
+    for (int size : sizes) {
+        if (size < 3 ||
+            static_cast<std::size_t>(size) > cornerCount - static_cast<std::size_t>(starts.back()))
+            return {};
+        starts.push_back(starts.back() + size);
+    }
+    return starts;
+}
+
+Result<Scene> readPolygons(const QByteArray &part, const QString &path)
+{
+    CborReader reader(parsedMap(part).value_or(QCborMap()));
+    const auto integers = [&](QLatin1StringView key) {
+        const QByteArray bytes = reader.bytes(key);
+        return unpackedIntegers(bytes, packedIntegerCount(bytes));
+    };
+    const QByteArray packedPositions = reader.bytes("positions"_L1);
+    const auto positions = unpackedDoubles(packedPositions, packedDoubleCount(packedPositions));
+    const auto sizes = integers("faceSizes"_L1);
+    auto corners = integers("corners"_L1);
+    auto objects = integers("faceObjects"_L1);
+    if (reader.failed() || !positions || positions->size() % 3 != 0 || !sizes || !corners || !objects)
+        return damagedModel(path);
+    std::vector<int> starts = startsOf(*sizes, corners->size());
+    const auto isNegative = [](int object) { return object < 0; };
+    if (starts.empty() || std::any_of(objects->begin(), objects->end(), isNegative))
+        return damagedModel(path);
+    PositionMatrix matrix = Eigen::Map<const PositionMatrix>(
+        positions->data(), static_cast<Eigen::Index>(positions->size() / 3), 3);
+    Scene scene;
+    scene.mesh =
+        MeshData::build(std::move(matrix), std::move(starts), std::move(*corners), std::move(*objects));
+    return scene;
+}
+
+//! Stands in for names that are damaged; false when the numbers of the objects are, too.
+bool makeUpNames(Scene &scene, const QString &path)
+{
+    scene.path = path;
+    const int last = lastObject(*scene.mesh);
+    if (!scene.objectNames.empty())
+        return true;
+    if (last > scene.mesh->faceCount() + maxEmptyObjects)
+        return false;
+    for (int i = 0; i <= last; ++i)
+        scene.objectNames.push_back(u"object %1"_s.arg(i + 1));
+    return true;
+}
+
+} // namespace
+
+PartMap scenePartsOf(const Scene &scene)
+{
+    PartMap parts;
+    parts["scene"] = sceneMap(scene).toCborValue().toCbor();
+    if (const ObjSource *obj = objSourceOf(scene))
+        parts["obj"] = obj->bytes;
+    else
+        parts["polygons"] = polygonsMap(*scene.mesh).toCborValue().toCbor();
+    return parts;
+}
+
+Result<Scene> readSceneParts(const PartMap &parts, const QString &path, QStringList &lost)
+{
+    const auto obj = parts.find("obj");
+    const auto polygons = parts.find("polygons");
+    if (obj == parts.end() && polygons == parts.end())
+        return damagedModel(path);
+    try {
+        Result<Scene> scene =
+            obj != parts.end() ? parseObj(obj->second, path) : readPolygons(polygons->second, path);
+        if (!scene)
+            return damagedModel(path);
+        scene->uvSets.clear();
+        const auto names = parts.find("scene");
+        const std::optional<QCborMap> map = names == parts.end() ? std::nullopt : parsedMap(names->second);
+        if (map && map->value("counts"_L1).toByteArray() != countsOf(*scene->mesh))
+            return damagedModel(path);
+        if (!map || !readNames(*map, scene.value())) {
+            if (!makeUpNames(scene.value(), path))
+                return damagedModel(path);
+            lost << u"the names of objects and materials"_s;
+        }
+        return scene;
+    } catch (const std::invalid_argument &) {
+        return damagedModel(path);
+    }
+}
+
+QStringList sessionLosses(const Scene &scene)
+{
+    if (objSourceOf(scene) || !scene.source)
+        return {};
+    return {
+        u"the session holds the polygons, objects, materials' names and UV sets of the %1 file, but not its "
+        "normals, colours, textures, bones, animations and hierarchy: to keep those, save the map in a "
+        "model file as well"_s.arg(scene.format)};
+}
+
+} // namespace autocuts

@@ -1,0 +1,323 @@
+#include "model/io/projectstate.h"
+
+#include "model/cborvalues.h"
+#include "model/io/packedarrays.h"
+#include "model/io/projectseams.h"
+#include "model/uvlayout.h"
+
+#include <QCborArray>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <numeric>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! Before the number of a UV set in the name of its part.
+constexpr auto uvPrefix = "uv."_L1;
+
+QByteArray uvPartName(int index)
+{
+    return QByteArray(uvPrefix.data()) + QByteArray::number(index);
+}
+
+//! All corners, those of one vertex beside each other: corners of one UV vertex then follow each other.
+std::vector<int> cornersByVertex(const MeshData &mesh)
+{
+    std::vector<int> next(static_cast<std::size_t>(mesh.vertexCount()) + 1, 0);
+    for (int vertex : mesh.cornerVertex)
+        ++next[static_cast<std::size_t>(vertex) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<int> order(static_cast<std::size_t>(mesh.cornerCount()));
+    for (int c = 0; c < mesh.cornerCount(); ++c)
+        order[static_cast<std::size_t>(next[static_cast<std::size_t>(mesh.cornerVertex[c])]++)] = c;
+    return order;
+}
+
+//! "repeats", one bit per corner in the order above: the UV is that of the corner before; "u" and "v" of all
+//! others.
+QCborMap uvSetMap(const MeshData &mesh, const UvSet &set, double scale)
+{
+    QByteArray repeats((mesh.cornerCount() + 7) / 8, '\0');
+    std::vector<double> u, v;
+    const double *before = nullptr;
+    int position = 0;
+    for (int corner : cornersByVertex(mesh)) {
+        const double *row = set.uv.data() + 2 * Eigen::Index(corner);
+        if (before && std::memcmp(before, row, 2 * sizeof(double)) == 0) {
+            repeats[position / 8] = static_cast<char>(repeats[position / 8] | 1 << position % 8);
+        } else {
+            u.push_back(row[0]);
+            v.push_back(row[1]);
+        }
+        before = row;
+        ++position;
+    }
+    return {{"name"_L1, set.name},
+            {"scale"_L1, scale},
+            {"repeats"_L1, repeats},
+            {"u"_L1, packedArray(u)},
+            {"v"_L1, packedArray(v)}};
+}
+
+bool readUvs(CborReader &reader, const MeshData &mesh, UvMatrix &uv)
+{
+    const QByteArray repeats = reader.bytes("repeats"_L1);
+    const QByteArray packedU = reader.bytes("u"_L1);
+    const auto u = unpackedDoubles(packedU, packedDoubleCount(packedU));
+    const auto v = unpackedDoubles(reader.bytes("v"_L1), packedDoubleCount(packedU));
+    if (reader.failed() || !u || !v || repeats.size() != (mesh.cornerCount() + 7) / 8)
+        return false;
+    uv.resize(mesh.cornerCount(), 2);
+    std::size_t next = 0;
+    int position = 0;
+    for (int corner : cornersByVertex(mesh)) {
+        const bool repeated = repeats[position / 8] & 1 << position % 8;
+        ++position;
+        next += !repeated;
+        if (next == 0 || next > u->size())
+            return false;
+        // Copied as bytes: some processors change the bits of a NaN that they move.
+        std::memcpy(uv.data() + 2 * Eigen::Index(corner), &(*u)[next - 1], sizeof(double));
+        std::memcpy(uv.data() + 2 * Eigen::Index(corner) + 1, &(*v)[next - 1], sizeof(double));
+    }
+    return next == u->size();
+}
+
+QByteArray cborBytes(const QCborMap &map)
+{
+    return map.toCborValue().toCbor();
+}
+
+QCborMap constraintsMap(const Constraints &constraints)
+{
+    QCborArray pins, rectangles;
+    for (const UvPin &pin : constraints.pins)
+        pins.append(toCbor(pin));
+    for (const LayoutRectangle &rectangle : constraints.rectangles)
+        rectangles.append(toCbor(rectangle));
+    return {{"pins"_L1, pins}, {"rectangles"_L1, rectangles}};
+}
+
+bool readConstraints(CborReader &reader, DocumentState &state)
+{
+    const MeshData &mesh = *state.scene.mesh;
+    Constraints constraints;
+    for (const QCborMap &map : reader.maps("pins"_L1)) {
+        CborReader pin(map);
+        constraints.pins.push_back(readPin(pin, mesh));
+        if (pin.failed())
+            return false;
+    }
+    for (const QCborMap &map : reader.maps("rectangles"_L1)) {
+        CborReader rectangle(map);
+        constraints.rectangles.push_back(readRectangle(rectangle, mesh));
+        if (rectangle.failed())
+            return false;
+    }
+    if (reader.failed() || !constraints.validate(mesh).isEmpty())
+        return false;
+    state.constraints = std::move(constraints);
+    return true;
+}
+
+//! The flags of the faces that have any: "faces", and three numbers for each in "flags".
+QCborMap marksMap(const IslandMarks &marks)
+{
+    std::vector<int> faces, flags;
+    for (std::size_t f = 0; f < marks.faceFlags.size(); ++f) {
+        const IslandFlags &face = marks.faceFlags[f];
+        if (face == IslandFlags())
+            continue;
+        faces.push_back(static_cast<int>(f));
+        flags.insert(flags.end(), {face.locked, face.stack, face.group});
+    }
+    QCborArray tags;
+    for (const IslandTag &tag : marks.tags)
+        tags.append(QCborMap{{"name"_L1, tag.name}, {"faces"_L1, packedIntegers(tag.faces)}});
+    return {{"faces"_L1, packedArray(faces)}, {"flags"_L1, packedArray(flags)}, {"tags"_L1, tags}};
+}
+
+bool readMarks(CborReader &reader, DocumentState &state)
+{
+    const MeshData &mesh = *state.scene.mesh;
+    IslandMarks marks = IslandMarks::none(mesh);
+    const QByteArray packedFaces = reader.bytes("faces"_L1);
+    const qsizetype count = packedIntegerCount(packedFaces);
+    const auto faces = unpackedIntegers(packedFaces, count);
+    const auto flags = unpackedIntegers(reader.bytes("flags"_L1), 3 * count);
+    if (reader.failed() || !faces || !flags)
+        return false;
+    for (std::size_t i = 0; i < faces->size(); ++i) {
+        if ((*faces)[i] < 0 || (*faces)[i] >= mesh.faceCount())
+            return false;
+        marks.faceFlags[static_cast<std::size_t>((*faces)[i])] = {(*flags)[3 * i], (*flags)[3 * i + 1],
+                                                                  (*flags)[3 * i + 2]};
+    }
+    for (const QCborMap &map : reader.maps("tags"_L1)) {
+        CborReader tag(map);
+        marks.tags.push_back({tag.text("name"_L1), tag.indexSet("faces"_L1, mesh.faceCount())});
+        if (tag.failed())
+            return false;
+    }
+    if (reader.failed() || !marks.validate(mesh).isEmpty())
+        return false;
+    state.marks = std::move(marks);
+    return true;
+}
+
+bool readSettings(CborReader &reader, DocumentState &state)
+{
+    CborReader solve(reader.map("solve"_L1));
+    CborReader packing(reader.map("packing"_L1));
+    const SolveSettings solveSettings = readSolveSettings(solve);
+    const PackingSettings packingSettings = readPackingSettings(packing);
+    if (reader.failed() || solve.failed() || packing.failed())
+        return false;
+    state.solveSettings = solveSettings;
+    state.packingSettings = packingSettings;
+    return true;
+}
+
+bool readSelectionPart(CborReader &reader, DocumentState &state)
+{
+    Selection selection = readSelection(reader, *state.scene.mesh);
+    if (reader.failed())
+        return false;
+    state.selection = std::move(selection);
+    return true;
+}
+
+//! Adds the set of one part; false when it is damaged.
+bool readUvSet(const QByteArray &part, DocumentState &state)
+{
+    const std::optional<QCborMap> map = parsedMap(part);
+    if (!map)
+        return false;
+    CborReader reader(*map);
+    UvSet set;
+    set.name = reader.text("name"_L1);
+    const double scale =
+        reader.number("scale"_L1, std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
+    if (!readUvs(reader, *state.scene.mesh, set.uv) || set.name.isEmpty())
+        return false;
+    set.name = uniqueUvSetName(state.scene.uvSets, set.name);
+    state.scene.uvSets.push_back(std::move(set));
+    state.uvScales.push_back(scale);
+    return true;
+}
+
+//! Numbers of the UV sets of which there is a part, rising.
+std::vector<int> uvSetsIn(const PartMap &parts)
+{
+    std::vector<int> result;
+    for (const auto &[name, content] : parts) {
+        bool ok = false;
+        const int index = name.startsWith(uvPrefix.data()) ? name.mid(uvPrefix.size()).toInt(&ok) : -1;
+        if (ok && name == uvPartName(index))
+            result.push_back(index);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+void readUvSets(const PartMap &parts, DocumentState &state, LostParts &lost)
+{
+    int count = -1;
+    int active = 0;
+    if (const auto index = parts.find("uvSets"); index != parts.end()) {
+        CborReader reader(parsedMap(index->second).value_or(QCborMap()));
+        count = static_cast<int>(reader.integer("count"_L1, 1, std::numeric_limits<int>::max()));
+        active = static_cast<int>(reader.integer("active"_L1, 0, count - 1));
+        if (reader.failed())
+            count = -1;
+    }
+    if (count < 0)
+        lost.names << u"the list of UV sets"_s;
+    state.scene.uvSets.clear();
+    state.uvScales.clear();
+    state.activeUvSet = 0;
+    int next = 0;
+    for (int index : uvSetsIn(parts)) {
+        if (!readUvSet(parts.at(uvPartName(index)), state))
+            continue;
+        if (index > next)
+            lost.names << u"the UV sets before \"%1\""_s.arg(state.scene.uvSets.back().name);
+        next = index + 1;
+        if (index == active)
+            state.activeUvSet = static_cast<int>(state.scene.uvSets.size()) - 1;
+    }
+    if (next < count || next == 0)
+        lost.names << (next == 0 ? u"the UV sets"_s : u"the last UV sets"_s);
+    if (state.scene.uvSets.empty()) {
+        state.scene.uvSets.push_back({u"UVMap"_s, emptyLayout(*state.scene.mesh)});
+        state.uvScales.push_back(defaultUvScale);
+    }
+}
+
+} // namespace
+
+std::optional<QCborMap> parsedMap(const QByteArray &bytes)
+{
+    QCborParserError error;
+    const QCborValue value = QCborValue::fromCbor(bytes, &error);
+    if (error.error != QCborError::NoError || !value.isMap())
+        return std::nullopt;
+    return value.toMap();
+}
+
+PartMap statePartsOf(const DocumentState &state, StateScope scope)
+{
+    const MeshData &mesh = *state.scene.mesh;
+    PartMap parts;
+    const int count = static_cast<int>(state.scene.uvSets.size());
+    parts["uvSets"] = cborBytes({{"count"_L1, count}, {"active"_L1, state.activeUvSet}});
+    for (int i = 0; i < count; ++i)
+        parts[uvPartName(i)] = cborBytes(uvSetMap(mesh, state.scene.uvSets[i], state.uvScales[i]));
+    parts["seams"] = cborBytes(seamsToCbor(state.seams, mesh));
+    parts["constraints"] = cborBytes(constraintsMap(state.constraints));
+    parts["marks"] = cborBytes(marksMap(state.marks));
+    parts["settings"] =
+        cborBytes({{"solve"_L1, toCbor(state.solveSettings)}, {"packing"_L1, toCbor(state.packingSettings)}});
+    if (scope == StateScope::Session) {
+        parts["selection"] = cborBytes(toCbor(state.selection));
+        parts["view"] = state.viewState;
+    }
+    return parts;
+}
+
+LostParts readStateParts(const PartMap &parts, StateScope scope, DocumentState &state)
+{
+    LostParts lost;
+    const auto read = [&](const char *name, const QString &word, auto readPart) {
+        const auto part = parts.find(name);
+        const std::optional<QCborMap> map = part == parts.end() ? std::nullopt : parsedMap(part->second);
+        CborReader reader(map.value_or(QCborMap()));
+        if (!map || !readPart(reader, state))
+            lost.names << word;
+    };
+    state.seams = Seams::allFree(*state.scene.mesh);
+    state.marks = IslandMarks::none(*state.scene.mesh);
+    readUvSets(parts, state, lost);
+    read("seams", u"the seams"_s, [&](CborReader &reader, DocumentState &s) {
+        return readSeams(reader, *s.scene.mesh, s.seams, lost.seams);
+    });
+    read("constraints", u"the pins and rectangles"_s, readConstraints);
+    read("marks", u"the marks of the islands"_s, readMarks);
+    read("settings", u"the settings"_s, readSettings);
+    if (scope == StateScope::Journal)
+        return lost;
+    read("selection", u"the selection"_s, readSelectionPart);
+    if (const auto view = parts.find("view"); view != parts.end())
+        state.viewState = view->second;
+    else
+        lost.names << u"the view"_s;
+    return lost;
+}
+
+} // namespace autocuts

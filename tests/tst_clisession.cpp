@@ -1,0 +1,266 @@
+// The command line on sessions: reading them, writing them, replaying them.
+#include "commands/editpins.h"
+#include "commands/journalrecorder.h"
+#include "commands/replay.h"
+#include "commands/setseamstate.h"
+#include "model/io/meshfile.h"
+#include "model/io/projectfile.h"
+#include "support/cliruns.h"
+#include "support/editsupport.h"
+
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! Edges of the active map along which the UVs of the two faces differ.
+std::vector<bool> openEdges(const Scene &scene)
+{
+    const MeshData &mesh = *scene.mesh;
+    const UvMatrix &uv = scene.uvSets.front().uv;
+    std::vector<bool> result;
+    for (const EdgePair &pair : mesh.edgePairs) {
+        const auto differs = [&](int end) {
+            return (uv.row(mesh.cornerOfSoup(pair.corner[end][0])) -
+                    uv.row(mesh.cornerOfSoup(pair.corner[end][1])))
+                       .norm() > 1e-9;
+        };
+        result.push_back(differs(0) || differs(1));
+    }
+    return result;
+}
+
+LoadedProject loaded(const QString &path)
+{
+    return loadProject(path).value();
+}
+
+} // namespace
+
+class TestCliSession : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void meshToSession();
+    void sessionToMeshIsLossless();
+    void unwrapUsesTheSteering();
+    void settingsOfTheSessionCount();
+    void optionsWin();
+    void packAndSeparate();
+    void checkReadsTheActiveSet();
+    void replayReproduces();
+    void replaySeesADifference();
+    void replayWithoutJournal();
+    void damagedSession();
+
+private:
+    QString file(const QString &name) const { return mFolder->filePath(name); }
+    test::CliRun run(const QStringList &arguments) const { return test::runInProcess(arguments); }
+    //! Unwraps with little effort.
+    test::CliRun unwrap(const QStringList &arguments) const
+    {
+        return run(QStringList{u"unwrap"_s, u"--quality"_s, u"draft"_s, u"--pack-time"_s, u"0"_s} +
+                   arguments);
+    }
+
+    std::unique_ptr<QTemporaryDir> mFolder;
+};
+
+void TestCliSession::init()
+{
+    mFolder = std::make_unique<QTemporaryDir>();
+    QVERIFY(test::writeBytes(file(u"cube.obj"_s), test::quadCubeObj()));
+    QVERIFY(test::writeBytes(file(u"sheet.obj"_s), test::sheetObj(4)));
+}
+
+void TestCliSession::meshToSession()
+{
+    const test::CliRun made =
+        unwrap({file(u"cube.obj"_s), u"-o"_s, file(u"a.acproj"_s), u"--margin"_s, u"12"_s});
+    QVERIFY2(made.code == 0, qPrintable(made.err));
+    const test::CliRun mesh =
+        unwrap({file(u"cube.obj"_s), u"-o"_s, file(u"a.obj"_s), u"--margin"_s, u"12"_s});
+    QCOMPARE(mesh.code, 0);
+    const LoadedProject project = loaded(file(u"a.acproj"_s));
+    QVERIFY(project.notes.isEmpty());
+    const Scene expected = readMesh(file(u"a.obj"_s)).value();
+    QVERIFY(project.state.scene.uvSets[0].uv == expected.uvSets[0].uv);
+    QCOMPARE(project.state.packingSettings.margin, 12);
+    QVERIFY(project.state.seams == Seams::allFree(*expected.mesh));
+    QCOMPARE(project.extras.journal->commands.size(), std::size_t(1));
+    QVERIFY(project.extras.journal->initial.scene.uvSets[0].uv.hasNaN());
+    const QImage picture = QImage::fromData(project.extras.thumbnail, "PNG");
+    QCOMPARE(picture.size(), QSize(256, 256));
+}
+
+void TestCliSession::sessionToMeshIsLossless()
+{
+    QCOMPARE(run({u"convert"_s, file(u"cube.obj"_s), u"-o"_s, file(u"a.acproj"_s)}).code, 0);
+    QVERIFY(QFile::rename(file(u"cube.obj"_s), file(u"gone.obj"_s)));
+    QCOMPARE(run({u"convert"_s, file(u"a.acproj"_s), u"-o"_s, file(u"b.obj"_s)}).code, 0);
+    QCOMPARE(test::readBytes(file(u"b.obj"_s)), test::quadCubeObj());
+    QCOMPARE(run({u"sample"_s, u"machine"_s, u"-o"_s, file(u"machine.acproj"_s)}).code, 0);
+    QVERIFY(loaded(file(u"machine.acproj"_s)).state.scene.mesh->faceCount() > 100);
+}
+
+void TestCliSession::unwrapUsesTheSteering()
+{
+    QCOMPARE(run({u"convert"_s, file(u"sheet.obj"_s), u"-o"_s, file(u"a.acproj"_s)}).code, 0);
+    LoadedProject project = loaded(file(u"a.acproj"_s));
+    const MeshData &mesh = *project.state.scene.mesh;
+    // Without steering the sheet stays whole. Cut off its first row of faces.
+    std::vector<bool> cut(mesh.edgePairs.size(), false);
+    for (std::size_t p = 0; p < mesh.edgePairs.size(); ++p) {
+        const EdgePair &pair = mesh.edgePairs[p];
+        const auto inFirstRow = [&](int which) { return mesh.triangleFace[pair.triangle[which]] < 4; };
+        cut[p] = inFirstRow(0) != inFirstRow(1);
+        if (cut[p])
+            project.state.seams.states[2 * p] = project.state.seams.states[2 * p + 1] = PairState::Cut;
+    }
+    QCOMPARE(std::count(cut.begin(), cut.end(), true), 4);
+    QVERIFY(saveProject(project.state, {}, file(u"cut.acproj"_s)).ok());
+    QCOMPARE(unwrap({file(u"a.acproj"_s), u"-o"_s, file(u"plain.obj"_s)}).code, 0);
+    const std::vector<bool> none(mesh.edgePairs.size(), false);
+    QCOMPARE(openEdges(readMesh(file(u"plain.obj"_s)).value()), none);
+    const test::CliRun made = unwrap({file(u"cut.acproj"_s), u"-o"_s, file(u"cut.obj"_s)});
+    QVERIFY2(made.code == 0, qPrintable(made.err));
+    QCOMPARE(openEdges(readMesh(file(u"cut.obj"_s)).value()), cut);
+    // The session keeps its steering.
+    QCOMPARE(unwrap({file(u"cut.acproj"_s), u"-o"_s, file(u"again.acproj"_s)}).code, 0);
+    QVERIFY(loaded(file(u"again.acproj"_s)).state.seams == project.state.seams);
+}
+
+void TestCliSession::settingsOfTheSessionCount()
+{
+    QCOMPARE(run({u"convert"_s, file(u"cube.obj"_s), u"-o"_s, file(u"a.acproj"_s)}).code, 0);
+    LoadedProject project = loaded(file(u"a.acproj"_s));
+    project.state.solveSettings.weighting = SeamWeighting::Count;
+    project.state.solveSettings.seed = 5;
+    project.state.packingSettings.textureSize = 512;
+    project.state.packingSettings.margin = 20;
+    project.state.packingSettings.rotation = PackingSettings::Rotation::None;
+    QVERIFY(saveProject(project.state, {}, file(u"a.acproj"_s)).ok());
+    QCOMPARE(unwrap({file(u"a.acproj"_s), u"-o"_s, file(u"a.obj"_s)}).code, 0);
+    QCOMPARE(
+        unwrap({file(u"cube.obj"_s), u"-o"_s, file(u"b.obj"_s), u"--weights"_s, u"count"_s, u"--seed"_s,
+                u"5"_s, u"--texture-size"_s, u"512"_s, u"--margin"_s, u"20"_s, u"--rotation"_s, u"none"_s})
+            .code,
+        0);
+    QVERIFY(test::readBytes(file(u"a.obj"_s)).contains("\nvt "));
+    QCOMPARE(test::readBytes(file(u"a.obj"_s)), test::readBytes(file(u"b.obj"_s)));
+}
+
+void TestCliSession::optionsWin()
+{
+    QCOMPARE(run({u"convert"_s, file(u"cube.obj"_s), u"-o"_s, file(u"a.acproj"_s)}).code, 0);
+    LoadedProject project = loaded(file(u"a.acproj"_s));
+    project.state.packingSettings.margin = 20;
+    project.state.solveSettings.boxWeight = 7;
+    QVERIFY(saveProject(project.state, {}, file(u"a.acproj"_s)).ok());
+    QCOMPARE(unwrap({file(u"a.acproj"_s), u"-o"_s, file(u"b.acproj"_s), u"--margin=3"_s, u"--seed=9"_s}).code,
+             0);
+    const LoadedProject made = loaded(file(u"b.acproj"_s));
+    QCOMPARE(made.state.packingSettings.margin, 3);
+    QCOMPARE(made.state.solveSettings.seed, 9u);
+    QCOMPARE(made.state.solveSettings.boxWeight, 7.0);
+}
+
+void TestCliSession::packAndSeparate()
+{
+    QCOMPARE(unwrap({file(u"cube.obj"_s), u"-o"_s, file(u"a.acproj"_s)}).code, 0);
+    LoadedProject project = loaded(file(u"a.acproj"_s));
+    const Vec2 corner = project.state.scene.uvSets[0].uv.row(0);
+    project.state.constraints.pins = {{0, corner, true, 1}};
+    QVERIFY(saveProject(project.state, {}, file(u"a.acproj"_s)).ok());
+    const test::CliRun packed =
+        run({u"pack"_s, file(u"a.acproj"_s), u"-o"_s, file(u"b.acproj"_s), u"--margin"_s, u"200"_s});
+    QVERIFY2(packed.code == 0, qPrintable(packed.err));
+    const LoadedProject after = loaded(file(u"b.acproj"_s));
+    QVERIFY(after.state.scene.uvSets[0].uv != project.state.scene.uvSets[0].uv);
+    // The pin went with its island.
+    QVERIFY(after.state.constraints.pins[0].position == Vec2(after.state.scene.uvSets[0].uv.row(0)));
+    QCOMPARE(run({u"separate"_s, file(u"b.acproj"_s), u"-o"_s, file(u"c.acproj"_s)}).code, 0);
+    QVERIFY(loaded(file(u"c.acproj"_s)).state == after.state);
+}
+
+void TestCliSession::checkReadsTheActiveSet()
+{
+    DocumentState state = test::layoutDocument(test::grid(4))->state();
+    QVERIFY(saveProject(state, {}, file(u"a.acproj"_s)).ok());
+    state.activeUvSet = 1; // without UVs
+    QVERIFY(saveProject(state, {}, file(u"b.acproj"_s)).ok());
+    const test::CliRun first = run({u"check"_s, file(u"a.acproj"_s), u"--json"_s});
+    QCOMPARE(first.code, 0);
+    QVERIFY2(first.out.contains(u"\"charts\": 2"), qPrintable(first.out));
+    const test::CliRun second = run({u"check"_s, file(u"b.acproj"_s), u"--json"_s});
+    QVERIFY2(second.out.contains(u"\"facesWithoutUv\": 16") ||
+                 second.out.contains(u"\"faces_without_uv\": 16"),
+             qPrintable(second.out));
+    QCOMPARE(run({u"pack"_s, file(u"b.acproj"_s), u"-o"_s, file(u"c.acproj"_s)}).code, 1);
+    QCOMPARE(run({u"convert"_s, file(u"b.acproj"_s), u"-o"_s, file(u"b.obj"_s)}).code, 0);
+    QVERIFY(!readMesh(file(u"b.obj"_s)).value().hasUv());
+}
+
+void TestCliSession::replayReproduces()
+{
+    QCOMPARE(unwrap({file(u"cube.obj"_s), u"-o"_s, file(u"a.acproj"_s)}).code, 0);
+    QCOMPARE(
+        run({u"pack"_s, file(u"a.acproj"_s), u"-o"_s, file(u"b.acproj"_s), u"--margin"_s, u"100"_s}).code, 0);
+    const test::CliRun plain = run({u"replay"_s, file(u"b.acproj"_s)});
+    QCOMPARE(plain.code, 0);
+    QCOMPARE(plain.out, u"replayed commands: 3\nthe result is what the session holds\n"_s);
+    const test::CliRun again = run({u"replay"_s, file(u"b.acproj"_s), u"-o"_s, file(u"c.acproj"_s)});
+    QCOMPARE(again.code, 0);
+    QVERIFY(loaded(file(u"c.acproj"_s)).state == loaded(file(u"b.acproj"_s)).state);
+    QCOMPARE(test::readBytes(file(u"c.acproj"_s)), test::readBytes(file(u"b.acproj"_s)));
+    QCOMPARE(run({u"replay"_s, file(u"b.acproj"_s), u"-o"_s, file(u"c.obj"_s)}).code, 0);
+    QCOMPARE(run({u"convert"_s, file(u"b.acproj"_s), u"-o"_s, file(u"d.obj"_s)}).code, 0);
+    QCOMPARE(test::readBytes(file(u"c.obj"_s)), test::readBytes(file(u"d.obj"_s)));
+}
+
+void TestCliSession::replaySeesADifference()
+{
+    QCOMPARE(unwrap({file(u"cube.obj"_s), u"-o"_s, file(u"a.acproj"_s)}).code, 0);
+    LoadedProject project = loaded(file(u"a.acproj"_s));
+    project.state.scene.uvSets[0].uv(0, 0) += 0.25;
+    QVERIFY(saveProject(project.state, project.extras, file(u"a.acproj"_s)).ok());
+    const test::CliRun replayed = run({u"replay"_s, file(u"a.acproj"_s)});
+    QCOMPARE(replayed.code, 1);
+    QVERIFY(replayed.out.contains(u"the result differs"));
+}
+
+void TestCliSession::replayWithoutJournal()
+{
+    QVERIFY(saveProject(test::gridDocument()->state(), {}, file(u"a.acproj"_s)).ok());
+    const test::CliRun replayed = run({u"replay"_s, file(u"a.acproj"_s)});
+    QCOMPARE(replayed.code, 1);
+    QVERIFY(replayed.err.contains(u"has no journal"));
+    QCOMPARE(run({u"replay"_s, file(u"cube.obj"_s)}).code, 1);
+    QCOMPARE(run({u"replay"_s}).code, 2);
+}
+
+void TestCliSession::damagedSession()
+{
+    QCOMPARE(unwrap({file(u"cube.obj"_s), u"-o"_s, file(u"a.acproj"_s)}).code, 0);
+    const QByteArray bytes = test::readBytes(file(u"a.acproj"_s));
+    QVERIFY(test::writeBytes(file(u"cut.acproj"_s), bytes.left(bytes.size() - 20)));
+    const test::CliRun checked = run({u"check"_s, file(u"cut.acproj"_s)});
+    QCOMPARE(checked.code, 0);
+    QVERIFY2(checked.out.contains(u"note: the session is cut off"), qPrintable(checked.out));
+    QVERIFY(test::writeBytes(file(u"bad.acproj"_s), bytes.left(100)));
+    const test::CliRun failed = run({u"convert"_s, file(u"bad.acproj"_s), u"-o"_s, file(u"x.obj"_s)});
+    QCOMPARE(failed.code, 1);
+    QVERIFY2(failed.err.contains(u"the model in the session is damaged. Open a backup"),
+             qPrintable(failed.err));
+}
+
+QTEST_GUILESS_MAIN(TestCliSession)
+#include "tst_clisession.moc"
