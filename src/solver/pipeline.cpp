@@ -141,20 +141,31 @@ private:
     UnwrapProgress mProgress;
 };
 
+//! Start of chain i where it is not the one that the user asked for. The second chain complements the first.
+std::optional<StartMode> startOf(int i, StartMode asked)
+{
+    if (i == 0)
+        return std::nullopt;
+    if (i == 1 && asked == chainPlans[1].start)
+        return chainPlans[0].start;
+    return chainPlans[i].start;
+}
+
 struct ChainResult
 {
     std::optional<Candidate> best;
     int iterations = 0;
 };
 
-ChainResult runChain(const Snapshot &start, const ChainPlan &plan, bool first, const QualityPlan &quality,
-                     const UnwrapOptions &options, Ranking &ranking, const std::atomic<bool> *stop)
+ChainResult runChain(const Snapshot &start, const ChainPlan &plan, std::optional<StartMode> startMode,
+                     const QualityPlan &quality, const UnwrapOptions &options, Ranking &ranking,
+                     const std::atomic<bool> *stop)
 {
     const auto stopped = [&] { return stop && stop->load(std::memory_order_relaxed); };
     Snapshot snapshot = start;
     snapshot.settings.delta = 1;
-    if (!first)
-        snapshot.settings.start = plan.start;
+    if (startMode)
+        snapshot.settings.start = *startMode;
     Solver solver;
     solver.load(snapshot);
     DistortionBudget budget(options.maxDistortion, plan.firstLambda);
@@ -274,7 +285,8 @@ UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options, cons
 
     std::vector<ChainResult> results(plan.chains);
     parallelFor(plan.chains, options.threads, [&](int i) {
-        results[i] = runChain(snapshot, chainPlans[i], i == 0, plan, options, ranking, stop);
+        results[i] = runChain(snapshot, chainPlans[i], startOf(i, snapshot.settings.start), plan, options,
+                              ranking, stop);
     });
 
     UnwrapResult result;
