@@ -1,8 +1,10 @@
 #include "solver/linear/cholmodsolver.h"
 
 #include <cholmod.h>
+#include <dlfcn.h>
 #include <omp.h>
 
+#include <mutex>
 #include <stdexcept>
 
 namespace autocuts {
@@ -37,18 +39,52 @@ struct CholmodSolver::Internals
 
 namespace {
 
+//! What has to be known about the BLAS under CHOLMOD. Any BLAS may be installed; OpenBLAS needs care.
+class Blas
+{
+public:
+    Blas()
+    {
+        if (const auto setThreads = function<void(int)>("openblas_set_num_threads"))
+            setThreads(1);
+        // OpenBLAS built without threads does not lock its buffers: two threads in it give wrong numbers.
+        if (const auto parallel = function<int()>("openblas_get_parallel"))
+            mThreadSafe = parallel() != 0;
+    }
+
+    bool isThreadSafe() const { return mThreadSafe; }
+
+private:
+    template <class F>
+    static F *function(const char *name)
+    {
+        return reinterpret_cast<F *>(dlsym(RTLD_DEFAULT, name));
+    }
+
+    bool mThreadSafe = true;
+};
+
 //! Keeps CHOLMOD on the calling thread: it asks OpenMP for four threads in loops far too small for them, and
-//! results must not depend on the number of cores.
+//! results must not depend on the number of cores. Where the BLAS is not safe, lets in one thread at a time.
 class SerialRegion
 {
 public:
-    SerialRegion() : mLevels(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
-    ~SerialRegion() { omp_set_max_active_levels(mLevels); }
-    SerialRegion(const SerialRegion &) = delete;
-    SerialRegion &operator=(const SerialRegion &) = delete;
+    SerialRegion() : mLock(mutex(), std::defer_lock)
+    {
+        static const Blas blas;
+        omp_set_max_active_levels(0);
+        if (!blas.isThreadSafe())
+            mLock.lock();
+    }
 
 private:
-    int mLevels;
+    static std::mutex &mutex()
+    {
+        static std::mutex single;
+        return single;
+    }
+
+    std::unique_lock<std::mutex> mLock;
 };
 
 cholmod_sparse viewOf(const LinearSolver::Matrix &lower)

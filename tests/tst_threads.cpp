@@ -1,0 +1,88 @@
+// Several solvers at the same time give the bits that each gives alone.
+#include "solver/anneal.h"
+#include "solver/finish.h"
+#include "solver/parallel.h"
+#include "support/meshbuilders.h"
+
+#include <QTest>
+
+#include <atomic>
+#include <stdexcept>
+
+using namespace autocuts;
+
+namespace {
+
+std::vector<double> solved(const test::MeshPtr &mesh, SolverKind kind)
+{
+    Snapshot snapshot;
+    snapshot.mesh = mesh;
+    snapshot.settings.solver = kind;
+    Solver solver;
+    solver.load(snapshot);
+    AnnealOptions options;
+    options.stepsPerLevel = kind == SolverKind::Fast ? 8 : 2;
+    annealSoup(solver, options, nullptr);
+    SeamedMap map = finishMap(solver.sharedSoup(), solver.snapshot(), solver.coordinates());
+    relaxMap(solver.sharedSoup(), solver.snapshot(), map, 20);
+    return map.x;
+}
+
+} // namespace
+
+class TestThreads : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void concurrentSolversDoNotDisturbEachOther_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::newRow("fast") << 0;
+        QTest::newRow("exact") << 1;
+    }
+    void concurrentSolversDoNotDisturbEachOther()
+    {
+        QFETCH(int, kind);
+        const auto mesh = test::torus(40, 24);
+        const std::vector<double> alone = solved(mesh, static_cast<SolverKind>(kind));
+        std::vector<std::vector<double>> together(6);
+        parallelFor(6, 3, [&](int i) { together[i] = solved(mesh, static_cast<SolverKind>(kind)); });
+        for (const auto &x : together)
+            QVERIFY(x == alone);
+    }
+
+    void parallelForRunsEveryJobOnce_data()
+    {
+        QTest::addColumn<int>("threads");
+        for (const int threads : {1, 2, 3, 16})
+            QTest::addRow("%d", threads) << threads;
+    }
+    void parallelForRunsEveryJobOnce()
+    {
+        QFETCH(int, threads);
+        std::vector<std::atomic<int>> runs(100);
+        parallelFor(100, threads, [&](int i) { ++runs[i]; });
+        for (const auto &count : runs)
+            QCOMPARE(count.load(), 1);
+    }
+
+    void parallelForPassesTheFirstExceptionOn()
+    {
+        std::atomic<int> runs = 0;
+        try {
+            parallelFor(20, 3, [&](int i) {
+                ++runs;
+                if (i % 5 == 2)
+                    throw std::runtime_error("job " + std::to_string(i));
+            });
+            QFAIL("nothing was thrown");
+        } catch (const std::runtime_error &error) {
+            QCOMPARE(error.what(), "job 2");
+        }
+        QCOMPARE(runs.load(), 20);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestThreads)
+#include "tst_threads.moc"
