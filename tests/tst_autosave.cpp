@@ -22,7 +22,7 @@ Autosave::Save saving(int &number)
     return [&number](const QString &path) {
         test::Session session = test::gridSession(2, 0, 1);
         session.state.viewState = QByteArray::number(++number);
-        session.extras.sessionPath = u"/work/a.acproj"_s;
+        session.extras.sessionPath = u"/projects/a.acproj"_s;
         return saveAtomically(path, ProjectWriter().bytes(session.state, session.extras));
     };
 }
@@ -174,7 +174,7 @@ void TestAutosave::listsWhatACrashLeft()
     const std::vector<RecoverableSession> sessions = recoverableSessions(folder.path());
     QCOMPARE(sessions.size(), std::size_t(2));
     for (const RecoverableSession &session : sessions) {
-        QCOMPARE(session.sessionPath, u"/work/a.acproj"_s);
+        QCOMPARE(session.sessionPath, u"/projects/a.acproj"_s);
         QVERIFY(std::abs(session.savedAt.secsTo(QDateTime::currentDateTime())) < 100);
         QCOMPARE(numberIn(session.file), 42);
     }
