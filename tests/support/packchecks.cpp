@@ -1,7 +1,7 @@
 #include "support/packchecks.h"
 
 #include "solver/packing/segmentgrid.h"
-#include "solver/packing/splitmix.h"
+#include "solver/random.h"
 
 #include <algorithm>
 #include <numbers>
@@ -86,7 +86,7 @@ PackIsland ring(double outer, double inner)
 
 std::vector<PackIsland> randomStars(int count, std::uint64_t seed)
 {
-    SplitMix random(seed);
+    Random random(seed);
     std::vector<PackIsland> islands;
     for (int i = 0; i < count; ++i) {
         const int corners = 5 + random.below(9);

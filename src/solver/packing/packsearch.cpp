@@ -94,7 +94,7 @@ std::vector<int> PackSearch::randomOrder(double noise)
         const double key = kind == 0 ? std::sqrt(box.x() * box.y() * (1 - share) + longest * longest * share)
                            : kind == 1 ? std::sqrt(o.area)
                                        : o.perimeter;
-        keys.push_back({-key * std::exp(noise * mRandom.symmetric()), i});
+        keys.push_back({-key * std::exp(noise * mRandom.uniform(-1, 1)), i});
     }
     std::stable_sort(keys.begin(), keys.end(),
                      [](const auto &a, const auto &b) { return a.first < b.first; });

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/packing/bottomleft.h"
-#include "solver/packing/splitmix.h"
+#include "solver/random.h"
 
 #include <cstdint>
 #include <optional>
@@ -41,7 +41,7 @@ private:
     Layout mBest;
     double mCeiling;
     std::vector<int> mMovable;
-    SplitMix mRandom;
+    Random mRandom;
 };
 
 //! The scale at which the islands, grown by half the gutter, would cover this part of the bin.

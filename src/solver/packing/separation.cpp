@@ -226,7 +226,7 @@ bool Separation::confineByTurning(int body, Pose &pose, double largestTurn) cons
     return false;
 }
 
-Pose Separation::randomPose(int body, SplitMix &random) const
+Pose Separation::randomPose(int body, Random &random) const
 {
     Pose pose = mLayout.poses[body];
     if (mProblem.rotation == PackRotation::Free)
@@ -262,7 +262,7 @@ double Separation::descend(int body, Pose &pose, double cost, int steps, WorkMet
     return cost;
 }
 
-void Separation::moveBody(int body, SplitMix &random, WorkMeter &work)
+void Separation::moveBody(int body, Random &random, WorkMeter &work)
 {
     constexpr int samples = 24;
     Pose best = mLayout.poses[body];
@@ -274,7 +274,7 @@ void Separation::moveBody(int body, SplitMix &random, WorkMeter &work)
     for (int k = 0; k < samples && least > 0; ++k) {
         Pose pose = randomPose(body, random);
         if (k % 3 == 0)
-            pose.position = mLayout.poses[body].position + Vec2(random.symmetric(), random.symmetric()) *
+            pose.position = mLayout.poses[body].position + Vec2(random.uniform(-1, 1), random.uniform(-1, 1)) *
                                                                mLayout.scale * mProblem.outlines[body].radius;
         if (!confine(body, pose))
             continue;
@@ -353,7 +353,7 @@ bool Separation::start(const Layout &layout, WorkMeter &work)
     return true;
 }
 
-void Separation::pass(SplitMix &random, WorkMeter &work)
+void Separation::pass(Random &random, WorkMeter &work)
 {
     const int n = mProblem.count();
     std::vector<int> order;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/packing/distancefield.h"
-#include "solver/packing/splitmix.h"
+#include "solver/random.h"
 
 namespace autocuts {
 
@@ -19,7 +19,7 @@ public:
     //! weights. \return false when an island is too large for the bin
     bool start(const Layout &layout, WorkMeter &work);
     //! Moves every overlapping island once, then raises the weights of the pairs that still overlap.
-    void pass(SplitMix &random, WorkMeter &work);
+    void pass(Random &random, WorkMeter &work);
 
     const Layout &layout() const { return mLayout; }
     double overlap() const { return mTotal; }   //!< sum over all pairs, UV units
@@ -69,8 +69,8 @@ private:
     double descend(int body, Pose &pose, double cost, int steps, WorkMeter &work) const;
     bool confine(int body, Pose &pose) const;
     bool confineByTurning(int body, Pose &pose, double largestTurn) const;
-    Pose randomPose(int body, SplitMix &random) const;
-    void moveBody(int body, SplitMix &random, WorkMeter &work);
+    Pose randomPose(int body, Random &random) const;
+    void moveBody(int body, Random &random, WorkMeter &work);
     void setPair(int i, int j, const Depth &depth);
     void updateRow(int body, WorkMeter &work);
     void updateTotals();
