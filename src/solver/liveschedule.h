@@ -1,0 +1,36 @@
+// Who chooses lambda and delta of a live solve.
+#pragma once
+
+#include "solver/budget.h"
+#include "solver/solver.h"
+
+#include <vector>
+
+namespace autocuts {
+
+//! Manual: the user does. Budget: the solver does, for a distortion bound.
+enum class SolveMode { Manual, Budget };
+
+//! The automatic schedule (paper, Algorithm 1) one step at a time: delta goes down level by level; then, warmed
+//! up again, with the lambda that brings the distortion nearer to the bound, until it is there.
+class LiveSchedule
+{
+public:
+    //! \param maxDistortion bound on the mean distortion, > 4
+    LiveSchedule(const Soup &soup, double maxDistortion);
+
+    //! Settings for the next step. \returns true when they differ from those before
+    bool apply(SolveSettings &settings) const;
+    //! Tells what the step gave. \returns false when the bound is reached and nothing is left to do
+    bool report(const StepResult &step);
+
+private:
+    DistortionBudget mBudget;
+    double mBound;
+    std::vector<double> mLevels, mReheatLevels;
+    std::size_t mLevel = 0;
+    int mStep = 0, mRound = 0;
+    double mEnergy = 0;
+};
+
+} // namespace autocuts

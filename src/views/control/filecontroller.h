@@ -1,0 +1,78 @@
+// Opening, saving and exporting, off the GUI thread where it can take long. Asks nothing: see actions/fileactions.
+#pragma once
+
+#include "model/io/autosave.h"
+#include "model/io/projectfile.h"
+#include "model/io/uvexport.h"
+#include "views/control/jobrunner.h"
+
+#include <QImage>
+#include <QObject>
+
+#include <functional>
+
+namespace autocuts {
+
+class Preferences;
+class SolverController;
+class Workspace;
+
+//! Files of the session. Success and failure are told by signals.
+class FileController final : public QObject
+{
+    Q_OBJECT
+
+public:
+    //! \param recoveryFolder where autosaves are kept
+    FileController(Workspace &workspace, SolverController &solver, Preferences &preferences,
+                   const QString &recoveryFolder, QObject *parent = nullptr);
+    ~FileController() override;
+
+    //! The file that is read, for progress and cancel.
+    JobRunner &jobs() { return mJobs; }
+    //! What a crash left behind.
+    std::vector<RecoverableSession> recoverable() const;
+
+    //! A picture for saved sessions; none when not set.
+    void setThumbnailSource(std::function<QImage()> source) { mThumbnail = std::move(source); }
+
+    //! Reads a mesh or a session and replaces what is open.
+    void open(const QString &path);
+    //! A model that the program makes by itself.
+    void openSample(const QString &name);
+    void recover(const RecoverableSession &session);
+    //! Puts the model, changed outside, in place of the one in the session; the steering is carried over.
+    void relink(const QString &meshPath);
+    //! Saves the session at once. \returns false when that failed, after failed()
+    bool save(const QString &path);
+    //! Writes the model with its map, off the GUI thread.
+    void exportMesh(const QString &path);
+    //! Writes a picture of the map, off the GUI thread. \param path .png or .svg
+    void exportLayout(const QString &path, const LayoutOptions &options);
+    //! Ends the session in order.
+    void close();
+
+Q_SIGNALS:
+    //! \param message translated, one line, for the status bar
+    void done(const QString &message);
+    void failed(const autocuts::Error &error);
+    //! A file was opened; what the user should know stands in Workspace::notes().
+    void opened();
+
+private:
+    void adopt(Scene scene, const QStringList &notes);
+    void adoptProject(LoadedProject project, const QString &sessionPath, const RecoverableSession *recovered);
+    void beginAutosave(const RecoverableSession *continued);
+    ProjectExtras extras(const QString &sessionPath);
+
+    Workspace &mWorkspace;
+    SolverController &mSolver;
+    Preferences &mPreferences;
+    QString mRecoveryFolder;
+    JobRunner mJobs;
+    ProjectWriter mWriter;
+    std::unique_ptr<Autosave> mAutosave;
+    std::function<QImage()> mThumbnail;
+};
+
+} // namespace autocuts

@@ -1,0 +1,83 @@
+// Work on whole maps off the GUI thread: unwrapping, finishing, packing, taking overlaps apart, measuring.
+#pragma once
+
+#include "solver/metrics/uvmetrics.h"
+#include "solver/pipeline.h"
+#include "views/control/jobrunner.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <optional>
+
+namespace autocuts {
+
+class SolverController;
+class Workspace;
+
+//! The document's map in figures.
+struct MapFigures
+{
+    UvMetrics metrics;
+    std::vector<int> overlapping; //!< triangles that overlap another one, rising
+    std::vector<std::array<int, 2>> overlapPairs; //!< of triangles, the largest area first
+};
+
+//! Which islands are packed; the others stay where they are and are obstacles.
+enum class PackScope { All, Selection };
+
+//! Starts jobs on copies of the document and pushes what they give as one command. A result is dropped, and
+//! the user told, when the map was edited meanwhile. A live solve is paused first.
+class MapController final : public QObject
+{
+    Q_OBJECT
+
+public:
+    MapController(Workspace &workspace, SolverController &solver, QObject *parent = nullptr);
+
+    //! The job that runs, for progress and cancel.
+    JobRunner &jobs() { return mJobs; }
+
+    //! Of the document's map; null before they are measured for the first time, then those of the newest map
+    //! that was measured.
+    const MapFigures *figures() const { return mFigures ? &*mFigures : nullptr; }
+    //! True while the figures are those of the document's map as it is.
+    bool figuresAreFresh() const;
+
+public Q_SLOTS:
+    //! The whole automatic way (pipeline.h), as the command line does it.
+    void unwrap(autocuts::UnwrapQuality quality, double maxDistortion);
+    //! Turns the live map, or else the document's, into a final one: definite seams, no overlaps.
+    void finish(double maxDistortion);
+    void pack(autocuts::PackScope scope);
+    //! Cuts islands that cover themselves and packs.
+    void separateOverlaps();
+    //! Every island at the same texel density. \pre nothing runs
+    void equalizeDensity();
+    void cancel() { mJobs.cancel(); }
+
+Q_SIGNALS:
+    //! figures() or whether they are fresh.
+    void figuresChanged();
+    //! A job ended well. \param message translated, one line, for the status bar
+    void done(const QString &message);
+    //! A job could not do what was asked. \param message translated
+    void failed(const QString &message);
+
+private:
+    struct Input;
+
+    Input input() const;
+    bool apply(const Input &input, const struct MapJobResult &result);
+    void measure();
+
+    Workspace &mWorkspace;
+    SolverController &mSolver;
+    JobRunner mJobs;
+    JobRunner mMeasuring;
+    QTimer mMeasureSoon;
+    std::optional<MapFigures> mFigures;
+    std::uint64_t mFiguresRevision = 0;
+};
+
+} // namespace autocuts

@@ -1,0 +1,100 @@
+// The only meeting of the document and the solver's worker: snapshots out, results in.
+#pragma once
+
+#include "model/changeevent.h"
+#include "solver/worker.h"
+
+#include <QObject>
+#include <QThread>
+
+#include <memory>
+#include <vector>
+
+namespace autocuts {
+
+class ShownMap;
+class Workspace;
+
+//! Runs the live solver (paper, section 3) beside the document.
+//!
+//! While a solve runs, ShownMap shows the solver's map and the document keeps the one before. Pausing puts the
+//! map into the document as one undo entry: at once as it is, then, from the worker, with nearly joined pairs
+//! joined (paper, "Finalizing"). Edits of the steering during a run are sent as a new snapshot and the run goes
+//! on; undo, and anything that changes the UVs, pauses it first.
+class SolverController final : public QObject
+{
+    Q_OBJECT
+
+public:
+    SolverController(Workspace &workspace, ShownMap &shownMap, QObject *parent = nullptr);
+    ~SolverController() override;
+
+    bool isRunning() const { return mRunning; }
+    //! True from pause() until the joined map is in the document.
+    bool isSettling() const { return mSettling; }
+    //! True when run() goes on where it was paused.
+    bool canContinue() const;
+
+    SolveMode mode() const { return mMode; }
+    //! Manual: lambda and delta of the document. Budget: the worker finds them for the distortion bound.
+    void setMode(SolveMode mode);
+    double maxDistortion() const { return mMaxDistortion; }
+    //! \pre bound > 4
+    void setMaxDistortion(double bound);
+
+    //! Of the newest result; iteration 0 before the first.
+    const SolveStatus &status() const { return mStatus; }
+    //! Every step of the run so far, thinned out evenly when it gets long.
+    const std::vector<TracePoint> &trace() const { return mTrace; }
+
+    //! Coordinates of the solver's map that is shown, for finishing it; null when there is none.
+    std::shared_ptr<const SolveResult> result() const { return mResult; }
+
+public Q_SLOTS:
+    void run();
+    void pause();
+    void toggle();
+    //! One Newton step.
+    void step();
+    //! Begins anew from the start mode, running when it was.
+    void restart();
+    //! Puts the map as it is into the document without pausing, before saving.
+    void commit();
+    //! Forgets the solver's map: the document's is shown and continued from.
+    void discard();
+
+Q_SIGNALS:
+    //! Running, settling, mode or bound.
+    void stateChanged();
+    //! status() and trace(), at most 30 times a second.
+    void statusChanged();
+    //! \param message translated, one line
+    void failed(const QString &message);
+
+private:
+    void documentReplaced();
+    void documentChanged(const ChangeEvent &event);
+    void historyMoved(int index);
+    void takeResult();
+    void takeSettled();
+    void begin();
+    void sendSnapshot();
+    void pushUvs(const UvMatrix &cornerUv);
+
+    Workspace &mWorkspace;
+    ShownMap &mShownMap;
+    QThread mThread;
+    SolveWorker *mWorker; //!< lives in mThread
+    std::shared_ptr<const SolveResult> mResult;
+    SolveStatus mStatus;
+    std::vector<TracePoint> mTrace;
+    int mTraceStride = 1;
+    SolveMode mMode = SolveMode::Manual;
+    double mMaxDistortion = 4.1;
+    quint64 mRun = 0;     //!< of the worker's state; 0: it has none that fits the document
+    quint64 mGesture = 0; //!< undo entry of the run
+    int mLastIndex = 0;
+    bool mRunning = false, mSettling = false, mPushing = false;
+};
+
+} // namespace autocuts
