@@ -1,14 +1,13 @@
 #include "batchfiles.h"
 
 #include "commands/changesettings.h"
-#include "commands/setuvs.h"
+#include "commands/newmap.h"
 #include "model/io/exportlosses.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "model/io/projectscene.h"
 #include "model/io/uvexport.h"
 #include "model/makesnapshot.h"
-#include "model/uvlayout.h"
 
 #include <QFileInfo>
 
@@ -77,23 +76,6 @@ PackingSettings packingSettingsOf(const CliOptions &options, PackingSettings set
     if (options.command == CliOptions::Command::Pack)
         settings.keepScale = packing.keepScale;
     return settings;
-}
-
-//! The new UVs as a command. Pins go to where their corners are now: packing moves whole islands.
-std::unique_ptr<DocumentCommand> uvCommand(Document &document, UvEdit edit, const UvMatrix &uv)
-{
-    UvEditExtras extras;
-    extras.count = Islands(document.mesh(), uv).count();
-    if (sameBits(uv, document.uv()))
-        return std::make_unique<SetUvs>(document, edit, uv, extras);
-    extras.scale = layoutScale(document.mesh(), uv);
-    for (UvPin pin : document.constraints().pins) {
-        if (!uv.row(pin.corner).allFinite())
-            continue;
-        pin.position = uv.row(pin.corner);
-        extras.pins.push_back(pin);
-    }
-    return std::make_unique<SetUvs>(document, edit, uv, extras);
 }
 
 } // namespace
@@ -188,7 +170,7 @@ Result<Done> BatchFiles::writeSession(const Scene &scene, const CliOptions &opti
         mRecorder = std::make_unique<JournalRecorder>(*mDocument);
     }
     if (!scene.uvSets.empty())
-        pushCommand(uvCommand(*mDocument, editOf(options.command), scene.uvSets.front().uv));
+        pushCommand(newMapCommand(*mDocument, editOf(options.command), scene.uvSets.front().uv));
     ProjectExtras extras;
     extras.journal = mRecorder->journal();
     LayoutOptions layout;

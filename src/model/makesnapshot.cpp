@@ -41,22 +41,30 @@ void addConstraints(Snapshot &snapshot, const Document &document)
 
 } // namespace
 
-Snapshot makeSnapshot(const Document &document)
+bool hasUvs(const Document &document)
+{
+    const UvMatrix &uv = document.uv();
+    for (Eigen::Index i = 0; i < uv.rows(); ++i) {
+        if (uv.row(i).allFinite())
+            return true;
+    }
+    return false;
+}
+
+Snapshot makeSnapshot(const Document &document, std::optional<StartMode> start)
 {
     const DocumentState &state = document.state();
     Snapshot snapshot;
     snapshot.mesh = state.scene.mesh;
     snapshot.settings = state.solveSettings;
+    snapshot.settings.start = start.value_or(snapshot.settings.start);
     snapshot.pairState = state.seams.states;
     snapshot.pairWeight = state.seams.weights;
     snapshot.topologyRevision = document.topologyRevision();
     snapshot.settingsRevision = document.settingsRevision();
     addConstraints(snapshot, document);
-    const UvMatrix &uv = document.uv();
-    bool hasUv = false;
-    for (Eigen::Index i = 0; i < uv.rows() && !hasUv; ++i)
-        hasUv = uv.row(i).allFinite();
-    if (snapshot.settings.start == StartMode::ExistingUv && hasUv) {
+    if (snapshot.settings.start == StartMode::ExistingUv && hasUvs(document)) {
+        const UvMatrix &uv = document.uv();
         snapshot.startUv.resize(snapshot.mesh->soupCornerCount(), 2);
         for (int s = 0; s < snapshot.mesh->soupCornerCount(); ++s)
             snapshot.startUv.row(s) = uv.row(snapshot.mesh->cornerOfSoup(s)) / document.uvScale();

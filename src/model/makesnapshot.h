@@ -3,6 +3,8 @@
 
 #include "model/snapshot.h"
 
+#include <optional>
+
 namespace autocuts {
 
 class Document;
@@ -18,7 +20,11 @@ class Document;
 //! Pins act on every soup corner of their corner, rectangles on all soup corners of their faces. startUv is
 //! filled for StartMode::ExistingUv only, and only when at least one corner has a UV; corners without one are
 //! not finite.
-Snapshot makeSnapshot(const Document &document);
+//! \param start in place of the start mode of the document's settings
+Snapshot makeSnapshot(const Document &document, std::optional<StartMode> start = std::nullopt);
+
+//! True when at least one corner of the active UV set has a UV.
+bool hasUvs(const Document &document);
 
 //! UVs per corner in texture space from UVs per soup corner in solver units. Where the soup corners of one
 //! corner differ (the diagonals of a polygon while a solve runs), the first one counts. \pre soupUv has a row

@@ -1,11 +1,8 @@
 #include "solver/anneal.h"
 
 #include <cmath>
-#include <vector>
 
 namespace autocuts {
-
-namespace {
 
 std::vector<double> deltaLevels(const Soup &soup, double start)
 {
@@ -17,7 +14,11 @@ std::vector<double> deltaLevels(const Soup &soup, double start)
     return levels;
 }
 
-} // namespace
+bool hasStalled(double energyBefore, const StepResult &step)
+{
+    constexpr double stall = 1e-9;
+    return step.stepLength == 0 || std::abs(energyBefore - step.energy) < stall * energyBefore;
+}
 
 int annealSteps(const Soup &soup, const AnnealOptions &options)
 {
@@ -27,7 +28,6 @@ int annealSteps(const Soup &soup, const AnnealOptions &options)
 StepResult annealSoup(Solver &solver, const AnnealOptions &options, const std::atomic<bool> *cancel,
                       const std::function<void(const StepResult &)> &onStep)
 {
-    constexpr double stall = 1e-9;
     StepResult last;
     for (const double delta : deltaLevels(solver.soup(), options.startDelta)) {
         Snapshot snapshot = solver.snapshot();
@@ -41,7 +41,7 @@ StepResult annealSoup(Solver &solver, const AnnealOptions &options, const std::a
             last = solver.step();
             if (onStep)
                 onStep(last);
-            if (last.stepLength == 0 || (i > 0 && std::abs(energy - last.energy) < stall * energy))
+            if (hasStalled(i > 0 ? energy : 0, last))
                 break;
             energy = last.energy;
         }

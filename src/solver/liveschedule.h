@@ -11,20 +11,24 @@ namespace autocuts {
 //! Manual: the user does. Budget: the solver does, for a distortion bound.
 enum class SolveMode { Manual, Budget };
 
-//! The automatic schedule (paper, Algorithm 1) one step at a time: delta goes down level by level; then, warmed
-//! up again, with the lambda that brings the distortion nearer to the bound, until it is there.
+//! The automatic schedule (paper, Algorithm 1) one step at a time: delta goes down level by level; then,
+//! warmed up again, with the lambda that brings the distortion nearer to the bound, until it is there.
 class LiveSchedule
 {
 public:
     //! \param maxDistortion bound on the mean distortion, > 4
     LiveSchedule(const Soup &soup, double maxDistortion);
 
-    //! Settings for the next step. \returns true when they differ from those before
-    bool apply(SolveSettings &settings) const;
+    //! Puts lambda and delta of the next step into the settings.
+    void apply(SolveSettings &settings) const;
+    //! The steering changed: warms up a little and looks for the balance again.
+    void reheat();
     //! Tells what the step gave. \returns false when the bound is reached and nothing is left to do
     bool report(const StepResult &step);
 
 private:
+    const std::vector<double> &levels() const { return mRound == 0 ? mLevels : mReheatLevels; }
+
     DistortionBudget mBudget;
     double mBound;
     std::vector<double> mLevels, mReheatLevels;

@@ -8,6 +8,7 @@
 #include <QObject>
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -21,10 +22,10 @@ struct SolveStatus
     int iteration = 0;
     double stepsPerSecond = 0;
     double energy = 0, distortion = 0, separation = 0; //!< as StepResult
-    double lambda = 0, delta = 0;                      //!< in effect; in budget mode not those of the snapshot
-    double seamLength = 0; //!< of the edges that are nearer to cut than to joined, solver units: seam_norm
-    int islands = 0;       //!< that joining the other edges gives
-    bool converged = false; //!< nothing left to gain, or the budget is reached: the worker waits
+    double lambda = 0, delta = 0; //!< in effect; in budget mode not those of the snapshot
+    double seamLength = 0;  //!< of the edges that are nearer to cut than to joined, solver units: seam_norm
+    int islands = 0;        //!< that joining the other edges gives
+    bool converged = false; //!< nothing left to gain, or the budget is reached: the worker waits for an edit
 };
 
 //! One step in the history of a solve.
@@ -37,12 +38,11 @@ struct TracePoint
 //! What the worker gives back.
 struct SolveResult
 {
-    quint64 run = 0;                    //!< number that start() was given
-    std::shared_ptr<const Snapshot> snapshot; //!< that was solved, with the lambda and delta in effect
-    UvMatrix soupUv;                    //!< one row per soup corner, solver units
-    std::vector<float> separation;      //!< s_delta per corner pair, in [0, 1)
+    quint64 run = 0;               //!< number that start() was given
+    UvMatrix soupUv;               //!< one row per soup corner, solver units
+    std::vector<float> separation; //!< s_delta per corner pair, in [0, 1)
     SolveStatus status;
-    std::vector<TracePoint> trace;      //!< the steps since the result before
+    std::vector<TracePoint> trace; //!< the steps since the result before
 };
 
 //! A map with definite seams, made from the solver's.
@@ -95,18 +95,31 @@ Q_SIGNALS:
     void failed(const QString &message);
 
 private:
-    struct Orders;
+    //! What was asked for and not yet begun.
+    struct Orders
+    {
+        quint64 run = 0; //!< not 0: begin with the snapshot
+        std::shared_ptr<const Snapshot> snapshot;
+        Vec2 centre = Vec2::Zero();
+        std::optional<int> steps; //!< 0: pause
+        std::optional<SolveMode> mode;
+        double maxDistortion = 4.1;
+        bool settle = false;
+    };
 
+    template <class Change>
+    void order(Change &&change);
     void work();
-    void wake();
-    bool obeyOrders();
+    void obey(Orders orders);
+    void begin(const Orders &orders);
+    void updateSolver(bool steeringChanged);
     void step();
     void giveResult();
     void makeSettledMap();
 
     // Shared between threads.
     std::mutex mMutex;
-    std::unique_ptr<Orders> mOrders;
+    Orders mOrders;
     std::shared_ptr<SolveResult> mWaitingResult;
     std::optional<SettledMap> mSettledMap;
     std::atomic<bool> mInterrupt = false; //!< there are orders: whatever takes long should end
@@ -114,11 +127,18 @@ private:
     // Of the worker's thread.
     std::unique_ptr<Solver> mSolver;
     std::shared_ptr<const Snapshot> mSnapshot;
-    std::unique_ptr<LiveSchedule> mSchedule;
+    std::optional<LiveSchedule> mSchedule; //!< in budget mode
+    SolveMode mMode = SolveMode::Manual;
+    double mMaxDistortion = 4.1;
     SolveStatus mStatus;
+    StepResult mLast;
+    std::chrono::steady_clock::time_point mLastGiven, mRateSince;
+    int mRateSteps = 0, mStalledSteps = 0;
     std::vector<TracePoint> mTrace;
     quint64 mRun = 0;
     int mStepsLeft = 0; //!< negative: until told to stop
+    bool mMustSettle = false;
+    bool mIdle = false; //!< converged while running: the next snapshot makes it run again
 };
 
 } // namespace autocuts

@@ -20,18 +20,18 @@ struct ViewOptions
     Coloring coloring = Coloring::Plain;
     Pattern pattern = Pattern::None;
     bool smoothShading = false;
-    bool wireframe = true;       //!< edges of polygons; diagonals are never drawn
-    bool seams = true;           //!< seams of the map; while solving the separation energy as a red hue (figure 4)
-    bool steering = true;        //!< forced cuts and joins, rectangles and pins
-    bool problems = true;        //!< flipped triangles, and overlaps hatched
-    bool fillIslands = true;     //!< UV view
-    bool grid = true;            //!< UV view: grid, unit square and tiles; 3D view: ground
-    bool rulers = true;          //!< UV view, in texels
-    bool orthographic = false;   //!< 3D view
-    double stretchClamp = 1;     //!< signed stretch: the log2 of the area ratio that gets the full colour
-    double magnitudeClamp = 8;   //!< magnitude: the symmetric Dirichlet energy that gets the full colour; > 4
-    double checkerSize = 16;     //!< squares along a side of the unit square
-    QString texturePath;         //!< image file, empty: none
+    bool wireframe = true; //!< edges of polygons; diagonals are never drawn
+    bool seams = true;     //!< seams of the map; while solving the separation energy as a red hue (figure 4)
+    bool steering = true;  //!< forced cuts and joins, rectangles and pins
+    bool problems = true;  //!< flipped triangles, and overlaps hatched
+    bool fillIslands = true;   //!< UV view
+    bool grid = true;          //!< UV view: grid, unit square and tiles; 3D view: ground
+    bool rulers = true;        //!< UV view, in texels
+    bool orthographic = false; //!< 3D view
+    double stretchClamp = 1;   //!< signed stretch: the log2 of the area ratio that gets the full colour
+    double magnitudeClamp = 8; //!< magnitude: the symmetric Dirichlet energy that gets the full colour; > 4
+    double checkerSize = 16;   //!< squares along a side of the unit square
+    QString texturePath;       //!< image file, empty: none
 
     bool operator==(const ViewOptions &) const = default;
     QCborMap toCbor() const;

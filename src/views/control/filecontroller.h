@@ -1,4 +1,5 @@
-// Opening, saving and exporting, off the GUI thread where it can take long. Asks nothing: see actions/fileactions.
+// Opening, saving and exporting, off the GUI thread where it can take long. Asks nothing: see
+// actions/fileactions.
 #pragma once
 
 #include "model/io/autosave.h"
@@ -60,16 +61,20 @@ Q_SIGNALS:
     void opened();
 
 private:
-    void adopt(Scene scene, const QStringList &notes);
+    void adopt(Scene scene);
     void adoptProject(LoadedProject project, const QString &sessionPath, const RecoverableSession *recovered);
     void beginAutosave(const RecoverableSession *continued);
+    void applyPreferences();
+    void tellBusy(const QString &path);
+    void tellWritten(const Result<Done> &written, const QString &path);
+    Result<Done> saveForRecovery(const QString &path);
     ProjectExtras extras(const QString &sessionPath);
 
     Workspace &mWorkspace;
     SolverController &mSolver;
     Preferences &mPreferences;
     QString mRecoveryFolder;
-    JobRunner mJobs;
+    JobRunner mJobs{JobRunner::OnCancel::LetGo};
     ProjectWriter mWriter;
     std::unique_ptr<Autosave> mAutosave;
     std::function<QImage()> mThumbnail;

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace autocuts {
 
@@ -37,7 +38,11 @@ class JobRunner final : public QObject
     Q_OBJECT
 
 public:
-    explicit JobRunner(QObject *parent = nullptr);
+    //! What cancel() does with a job: asks it to end with what it has, or lets it go at once, for work that
+    //! cannot be told to stop.
+    enum class OnCancel { EndSoon, LetGo };
+
+    explicit JobRunner(OnCancel onCancel = OnCancel::EndSoon, QObject *parent = nullptr);
     //! Cancels what runs and waits for it.
     ~JobRunner() override;
 
@@ -64,9 +69,8 @@ public:
             [value, done = std::move(done)]() mutable { done(std::move(**value)); });
     }
 
-    //! Asks the job to end soon with what it has.
     void cancel();
-    //! Asks the job to end; its result is thrown away.
+    //! The job ends whenever it can, out of sight; its result is thrown away.
     void abandon();
     //! Waits until nothing runs and results were handed over; for tests and for closing.
     void waitForDone();
@@ -83,13 +87,14 @@ private:
     class Thread;
 
     bool startJob(const QString &title, std::function<void(JobControl &)> work, std::function<void()> done);
-    void jobEnded();
+    void jobEnded(Thread *thread);
 
+    OnCancel mOnCancel;
     QString mTitle, mStage;
     std::shared_ptr<JobControl> mControl; //!< of the job that runs
     std::unique_ptr<Thread> mThread;
+    std::vector<std::unique_ptr<Thread>> mLetGo; //!< that have not ended yet
     std::function<void()> mDone;
-    bool mAbandoned = false;
 };
 
 } // namespace autocuts

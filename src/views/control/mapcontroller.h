@@ -8,18 +8,20 @@
 #include <QObject>
 #include <QTimer>
 
+#include <functional>
 #include <optional>
 
 namespace autocuts {
 
 class SolverController;
 class Workspace;
+struct MapJobResult;
 
 //! The document's map in figures.
 struct MapFigures
 {
     UvMetrics metrics;
-    std::vector<int> overlapping; //!< triangles that overlap another one, rising
+    std::vector<int> overlapping;                 //!< triangles that overlap another one, rising
     std::vector<std::array<int, 2>> overlapPairs; //!< of triangles, the largest area first
 };
 
@@ -68,7 +70,8 @@ private:
     struct Input;
 
     Input input() const;
-    bool apply(const Input &input, const struct MapJobResult &result);
+    void startJob(const QString &title, std::function<MapJobResult(const Input &, JobControl &)> work);
+    void finishJob(std::uint64_t revision, const MapJobResult &result);
     void measure();
 
     Workspace &mWorkspace;

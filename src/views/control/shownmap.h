@@ -25,8 +25,8 @@ public:
     bool isLive() const { return mLive; }
     //! One row per soup corner, texture space; not finite where a corner has no UV. Empty without a document.
     const UvMatrix &uv() const;
-    //! Per corner pair: 0 joined to 1 cut. Live: s_delta of the separation energy, else whether the UVs agree.
-    //! Diagonals are 0 unless live.
+    //! Per corner pair: 0 joined to 1 cut. Live: s_delta of the separation energy, else whether the UVs
+    //! agree. Diagonals are 0 unless live.
     const std::vector<float> &separation() const;
     //! Per edge pair: cut in the map shown, that is at least one of its ends is nearer to cut than to joined.
     bool isSeam(int edgePair) const;

@@ -6,7 +6,9 @@
 
 #include <QObject>
 #include <QThread>
+#include <QTimer>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -17,10 +19,11 @@ class Workspace;
 
 //! Runs the live solver (paper, section 3) beside the document.
 //!
-//! While a solve runs, ShownMap shows the solver's map and the document keeps the one before. Pausing puts the
-//! map into the document as one undo entry: at once as it is, then, from the worker, with nearly joined pairs
-//! joined (paper, "Finalizing"). Edits of the steering during a run are sent as a new snapshot and the run goes
-//! on; undo, and anything that changes the UVs, pauses it first.
+//! While a solve runs, ShownMap shows the solver's map and the document keeps the one before. When it pauses,
+//! the worker joins what is nearly joined (paper, "Finalizing") and the map goes into the document as one
+//! undo entry; the solver keeps its own state and can go on from there. Edits of the steering during a run
+//! are sent as a new snapshot and the run goes on. What changes the UVs, or undoes, must come after
+//! whenSettled(); when it does not, the solver's map is dropped.
 class SolverController final : public QObject
 {
     Q_OBJECT
@@ -47,8 +50,12 @@ public:
     //! Every step of the run so far, thinned out evenly when it gets long.
     const std::vector<TracePoint> &trace() const { return mTrace; }
 
-    //! Coordinates of the solver's map that is shown, for finishing it; null when there is none.
+    //! The solver's map, when it is newer than the document's or the one that it was made from; else null.
     std::shared_ptr<const SolveResult> result() const { return mResult; }
+
+    //! Pauses, and calls the function once the map is in the document: at once when nothing runs. Dropped
+    //! when the solve fails or the document is replaced.
+    void whenSettled(std::function<void()> then);
 
 public Q_SLOTS:
     void run();
@@ -58,8 +65,6 @@ public Q_SLOTS:
     void step();
     //! Begins anew from the start mode, running when it was.
     void restart();
-    //! Puts the map as it is into the document without pausing, before saving.
-    void commit();
     //! Forgets the solver's map: the document's is shown and continued from.
     void discard();
 
@@ -74,12 +79,14 @@ Q_SIGNALS:
 private:
     void documentReplaced();
     void documentChanged(const ChangeEvent &event);
-    void historyMoved(int index);
     void takeResult();
     void takeSettled();
-    void begin();
+    void workerWaits();
+    void workerFailed(const QString &message);
+    void begin(StartMode start);
+    void setRunning(bool running, bool settling);
     void sendSnapshot();
-    void pushUvs(const UvMatrix &cornerUv);
+    void addToTrace(const std::vector<TracePoint> &points);
 
     Workspace &mWorkspace;
     ShownMap &mShownMap;
@@ -91,10 +98,11 @@ private:
     int mTraceStride = 1;
     SolveMode mMode = SolveMode::Manual;
     double mMaxDistortion = 4.1;
-    quint64 mRun = 0;     //!< of the worker's state; 0: it has none that fits the document
-    quint64 mGesture = 0; //!< undo entry of the run
-    int mLastIndex = 0;
-    bool mRunning = false, mSettling = false, mPushing = false;
+    quint64 mLastRun = 0;
+    quint64 mRun = 0; //!< of the worker's state; 0: it has none that fits the document
+    std::vector<std::function<void()>> mWhenSettled;
+    QTimer mSendSoon; //!< one snapshot for all edits of one turn of the event loop
+    bool mRunning = false, mSettling = false, mStepping = false, mPushing = false;
 };
 
 } // namespace autocuts

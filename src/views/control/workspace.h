@@ -45,8 +45,8 @@ public:
     //! \pre document()
     JournalRecorder &recorder() { return *mRecorder; }
 
-    //! Counts changes of the UVs of the active set, their count and the choice of the set; a job that began at
-    //! another count was overtaken by an edit. Never goes back.
+    //! Counts changes of the UVs of the active set, their count and the choice of the set; a job that began
+    //! at another count was overtaken by an edit. Never goes back.
     std::uint64_t uvRevision() const { return mUvRevision; }
 
 Q_SIGNALS:

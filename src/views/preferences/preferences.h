@@ -22,14 +22,14 @@ struct PreferenceValues
     bool colorBlindHeatMap = false; //!< heat-maps in colours that all can tell apart
     QColor seamColor = QColor(0xDB2512);
     QColor selectionColor = QColor(0xFF9A1F);
-    QColor forcedCutColor = QColor(0x2F7BFF);  //!< cuts that the user asked for
-    QColor joinedColor = QColor(0x37B24D);     //!< edges that the user joined
-    int textureSize = 2048;         //!< of new sessions, texels
-    int margin = 8;                 //!< of new sessions, texels
-    double maxDistortion = 4.1;     //!< distortion budget offered first
-    int autosaveMinutes = 2;        //!< 0: no autosave
+    QColor forcedCutColor = QColor(0x2F7BFF); //!< cuts that the user asked for
+    QColor joinedColor = QColor(0x37B24D);    //!< edges that the user joined
+    int textureSize = 2048;                   //!< of new sessions, texels
+    int margin = 8;                           //!< of new sessions, texels
+    double maxDistortion = 4.1;               //!< distortion budget offered first
+    int autosaveMinutes = 2;                  //!< 0: no autosave
     int undoMemoryMb = 400;
-    bool solveOnOpen = false;       //!< start solving as soon as a model without UVs was opened
+    bool solveOnOpen = false; //!< start solving as soon as a model without UVs was opened
 
     bool operator==(const PreferenceValues &) const = default;
 };

@@ -1,0 +1,306 @@
+#include "views/control/filecontroller.h"
+
+#include "model/io/meshdoctor.h"
+#include "model/io/meshfile.h"
+#include "model/io/savefile.h"
+#include "model/makesnapshot.h"
+#include "model/relink.h"
+#include "model/samples.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/preferences/preferences.h"
+
+#include <QBuffer>
+#include <QFileInfo>
+
+namespace autocuts {
+
+namespace {
+
+//! What reading a file can give.
+struct Opened
+{
+    Result<LoadedProject> project = Error{};
+    Result<Scene> scene = Error{};
+    bool isProject = false;
+};
+
+Scene sceneForWriting(const Document &document)
+{
+    Scene scene = document.state().scene;
+    // In a scene without a document the active UV set is the first one.
+    std::rotate(scene.uvSets.begin(), scene.uvSets.begin() + document.activeUvSet(),
+                scene.uvSets.begin() + document.activeUvSet() + 1);
+    return scene;
+}
+
+} // namespace
+
+FileController::FileController(Workspace &workspace, SolverController &solver, Preferences &preferences,
+                               const QString &recoveryFolder, QObject *parent)
+    : QObject(parent), mWorkspace(workspace), mSolver(solver), mPreferences(preferences),
+      mRecoveryFolder(recoveryFolder)
+{
+    connect(&mJobs, &JobRunner::failed, this, [this](const QString &message) {
+        Q_EMIT failed(Error{message, {}, 0, {}});
+    });
+    connect(&workspace, &Workspace::historyChanged, this, [this] {
+        if (!mAutosave)
+            return;
+        if (mWorkspace.isModified())
+            mAutosave->sessionChanged();
+        else
+            mAutosave->sessionSaved();
+    });
+    connect(&preferences, &Preferences::changed, this, &FileController::applyPreferences);
+}
+
+FileController::~FileController() = default;
+
+void FileController::applyPreferences()
+{
+    const PreferenceValues &values = mPreferences.values();
+    if (Document *document = mWorkspace.document())
+        document->undoStack().setMemoryLimit(qint64(values.undoMemoryMb) * 1024 * 1024);
+    if (mAutosave && values.autosaveMinutes > 0)
+        mAutosave->setInterval(values.autosaveMinutes * 60 * 1000);
+}
+
+std::vector<RecoverableSession> FileController::recoverable() const
+{
+    return recoverableSessions(mRecoveryFolder);
+}
+
+void FileController::open(const QString &path)
+{
+    const QString full = QFileInfo(path).absoluteFilePath();
+    const bool started = mJobs.start(
+        tr("Opening %1").arg(QFileInfo(path).fileName()),
+        [full](JobControl &) {
+            Opened opened;
+            opened.isProject = isProjectPath(full);
+            if (opened.isProject)
+                opened.project = loadProject(full);
+            else
+                opened.scene = readMesh(full);
+            return opened;
+        },
+        [this, full](Opened opened) {
+            const bool ok = opened.isProject ? opened.project.ok() : opened.scene.ok();
+            if (!ok) {
+                Q_EMIT failed(opened.isProject ? opened.project.error() : opened.scene.error());
+                return;
+            }
+            mPreferences.addRecentFile(full);
+            if (opened.isProject)
+                adoptProject(std::move(opened.project).value(), full, nullptr);
+            else
+                adopt(std::move(opened.scene).value());
+        });
+    if (!started)
+        tellBusy(full);
+}
+
+void FileController::openSample(const QString &name)
+{
+    Result<Scene> scene = makeSample(name);
+    if (!scene)
+        Q_EMIT failed(scene.error());
+    else
+        adopt(std::move(scene).value());
+}
+
+void FileController::recover(const RecoverableSession &session)
+{
+    Result<LoadedProject> project = loadProject(session.file);
+    if (!project) {
+        Q_EMIT failed(project.error());
+        return;
+    }
+    adoptProject(std::move(project).value(), session.sessionPath, &session);
+}
+
+void FileController::adopt(Scene scene)
+{
+    QStringList notes(scene.notes.begin(), scene.notes.end());
+    notes += meshDoctorNotes(scene.mesh->report);
+    DocumentState state = DocumentState::initial(std::move(scene));
+    state.packingSettings.textureSize = mPreferences.values().textureSize;
+    state.packingSettings.margin = mPreferences.values().margin;
+    Result<std::unique_ptr<Document>> document = Document::create(std::move(state));
+    if (!document) {
+        Q_EMIT failed(document.error());
+        return;
+    }
+    mAutosave.reset();
+    mWorkspace.open(std::move(document).value(), {}, std::nullopt, notes);
+    beginAutosave(nullptr);
+    applyPreferences();
+    Q_EMIT opened();
+}
+
+void FileController::adoptProject(LoadedProject project, const QString &sessionPath,
+                                  const RecoverableSession *recovered)
+{
+    const QStringList notes = project.notes + meshDoctorNotes(project.state.scene.mesh->report);
+    Result<std::unique_ptr<Document>> document = Document::create(std::move(project.state));
+    if (!document) {
+        Q_EMIT failed(document.error());
+        return;
+    }
+    mAutosave.reset();
+    mWorkspace.open(std::move(document).value(), sessionPath, std::move(project.extras.journal), notes);
+    if (recovered)
+        mWorkspace.setRecovered(true);
+    beginAutosave(recovered);
+    applyPreferences();
+    Q_EMIT opened();
+}
+
+void FileController::beginAutosave(const RecoverableSession *continued)
+{
+    if (mPreferences.values().autosaveMinutes <= 0)
+        return;
+    Result<std::unique_ptr<Autosave>> autosave = Autosave::start(
+        mRecoveryFolder, [this](const QString &path) { return saveForRecovery(path); }, continued);
+    if (!autosave) {
+        Q_EMIT failed(autosave.error());
+        return;
+    }
+    mAutosave = std::move(autosave).value();
+    connect(mAutosave.get(), &Autosave::failed, this, &FileController::failed);
+}
+
+//! The state as it is, during a solve with the solver's map; that one is not in the journal.
+Result<Done> FileController::saveForRecovery(const QString &path)
+{
+    ProjectExtras saved = extras(mWorkspace.sessionPath());
+    const Document &document = *mWorkspace.document();
+    const std::shared_ptr<const SolveResult> live = mSolver.isRunning() ? mSolver.result() : nullptr;
+    if (!live)
+        return saveProjectBytes(mWriter.bytes(document.state(), saved), path);
+    DocumentState state = document.state();
+    state.scene.uvSets[state.activeUvSet].uv = documentUvs(document, live->soupUv);
+    saved.journal.reset();
+    return saveProjectBytes(mWriter.bytes(state, saved), path);
+}
+
+ProjectExtras FileController::extras(const QString &sessionPath)
+{
+    ProjectExtras result;
+    result.journal = mWorkspace.recorder().journal();
+    result.sessionPath = sessionPath;
+    if (mThumbnail) {
+        QBuffer buffer(&result.thumbnail);
+        buffer.open(QIODevice::WriteOnly);
+        mThumbnail().save(&buffer, "PNG");
+    }
+    return result;
+}
+
+bool FileController::save(const QString &path)
+{
+    Document *document = mWorkspace.document();
+    if (!document)
+        return false;
+    const Result<Done> saved = saveProjectBytes(mWriter.bytes(document->state(), extras(path)), path);
+    if (!saved) {
+        Q_EMIT failed(saved.error());
+        return false;
+    }
+    document->undoStack().setClean();
+    mWorkspace.setSessionPath(path);
+    mPreferences.addRecentFile(path);
+    if (mAutosave)
+        mAutosave->sessionSaved();
+    Q_EMIT done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    return true;
+}
+
+void FileController::relink(const QString &meshPath)
+{
+    const Document *document = mWorkspace.document();
+    if (!document)
+        return;
+    const bool started = mJobs.start(
+        tr("Reading %1").arg(QFileInfo(meshPath).fileName()),
+        [state = document->state(), meshPath](JobControl &) -> Result<Relinked> {
+            Result<Scene> scene = readMesh(meshPath);
+            if (!scene)
+                return scene.error();
+            return relinkDocument(state, std::move(scene).value());
+        },
+        [this](Result<Relinked> linked) {
+            if (!linked) {
+                Q_EMIT failed(linked.error());
+                return;
+            }
+            Result<std::unique_ptr<Document>> changed = Document::create(std::move(linked->state));
+            if (!changed) {
+                Q_EMIT failed(changed.error());
+                return;
+            }
+            mWorkspace.open(std::move(changed).value(), mWorkspace.sessionPath(), std::nullopt,
+                            linked->report.lines());
+            mWorkspace.setRecovered(true);
+            applyPreferences();
+            Q_EMIT opened();
+        });
+    if (!started)
+        tellBusy(meshPath);
+}
+
+void FileController::exportMesh(const QString &path)
+{
+    const Document *document = mWorkspace.document();
+    if (!document)
+        return;
+    const bool started = mJobs.start(
+        tr("Writing %1").arg(QFileInfo(path).fileName()),
+        [scene = sceneForWriting(*document), path](JobControl &) { return writeMesh(scene, path); },
+        [this, path](const Result<Done> &written) { tellWritten(written, path); });
+    if (!started)
+        tellBusy(path);
+}
+
+void FileController::exportLayout(const QString &path, const LayoutOptions &options)
+{
+    const Document *document = mWorkspace.document();
+    if (!document)
+        return;
+    const bool started = mJobs.start(
+        tr("Drawing %1").arg(QFileInfo(path).fileName()),
+        [mesh = document->state().scene.mesh, uv = document->uv(), path,
+         options](JobControl &) -> Result<Done> {
+            const bool svg = path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive);
+            const Result<QByteArray> bytes =
+                svg ? layoutSvg(*mesh, uv, options) : layoutPng(*mesh, uv, options);
+            if (!bytes)
+                return bytes.error();
+            return saveAtomically(path, bytes.value());
+        },
+        [this, path](const Result<Done> &written) { tellWritten(written, path); });
+    if (!started)
+        tellBusy(path);
+}
+
+void FileController::tellBusy(const QString &path)
+{
+    Q_EMIT failed(Error{tr("Another file is being read or written"), path, 0, tr("Wait or cancel it first")});
+}
+
+void FileController::tellWritten(const Result<Done> &written, const QString &path)
+{
+    if (written)
+        Q_EMIT done(tr("Wrote %1").arg(QFileInfo(path).fileName()));
+    else
+        Q_EMIT failed(written.error());
+}
+
+void FileController::close()
+{
+    mAutosave.reset();
+    mWorkspace.close();
+}
+
+} // namespace autocuts

@@ -1,0 +1,259 @@
+#include "views/control/solvercontroller.h"
+
+#include "commands/setuvs.h"
+#include "model/makesnapshot.h"
+#include "model/uvlayout.h"
+#include "views/control/shownmap.h"
+#include "views/control/workspace.h"
+
+namespace autocuts {
+
+namespace {
+
+//! Points kept for the graph; when there are more every other one is dropped.
+constexpr std::size_t mostTracePoints = 4000;
+
+} // namespace
+
+SolverController::SolverController(Workspace &workspace, ShownMap &shownMap, QObject *parent)
+    : QObject(parent), mWorkspace(workspace), mShownMap(shownMap), mWorker(new SolveWorker)
+{
+    mThread.setObjectName(QStringLiteral("solver"));
+    mWorker->moveToThread(&mThread);
+    connect(&mThread, &QThread::finished, mWorker, &QObject::deleteLater);
+    connect(mWorker, &SolveWorker::resultReady, this, &SolverController::takeResult);
+    connect(mWorker, &SolveWorker::settled, this, &SolverController::takeSettled);
+    connect(mWorker, &SolveWorker::waiting, this, &SolverController::workerWaits);
+    connect(mWorker, &SolveWorker::failed, this, &SolverController::workerFailed);
+    connect(&workspace, &Workspace::documentReplaced, this, &SolverController::documentReplaced);
+    connect(&workspace, &Workspace::changed, this, &SolverController::documentChanged);
+    mSendSoon.setSingleShot(true);
+    mSendSoon.setInterval(0);
+    connect(&mSendSoon, &QTimer::timeout, this, &SolverController::sendSnapshot);
+    mThread.start();
+}
+
+SolverController::~SolverController()
+{
+    mWorker->pause();
+    mThread.quit();
+    mThread.wait();
+}
+
+bool SolverController::canContinue() const
+{
+    return mRun != 0;
+}
+
+void SolverController::setMode(SolveMode mode)
+{
+    if (mode == mMode)
+        return;
+    mMode = mode;
+    mWorker->setMode(mMode, mMaxDistortion);
+    Q_EMIT stateChanged();
+}
+
+void SolverController::setMaxDistortion(double bound)
+{
+    if (bound == mMaxDistortion || !(bound > 4))
+        return;
+    mMaxDistortion = bound;
+    mWorker->setMode(mMode, mMaxDistortion);
+    Q_EMIT stateChanged();
+}
+
+void SolverController::whenSettled(std::function<void()> then)
+{
+    if (mRunning)
+        pause();
+    if (mSettling)
+        mWhenSettled.push_back(std::move(then));
+    else
+        then();
+}
+
+void SolverController::run()
+{
+    const Document *document = mWorkspace.document();
+    if (!document || mRunning)
+        return;
+    if (mRun == 0)
+        begin(hasUvs(*document) ? StartMode::ExistingUv : document->solveSettings().start);
+    mStepping = false;
+    setRunning(true, false);
+    mWorker->run();
+}
+
+void SolverController::pause()
+{
+    if (!mRunning)
+        return;
+    setRunning(false, true);
+    mWorker->settle();
+}
+
+void SolverController::toggle()
+{
+    if (mRunning)
+        pause();
+    else
+        run();
+}
+
+void SolverController::step()
+{
+    const Document *document = mWorkspace.document();
+    if (!document)
+        return;
+    if (mRun == 0)
+        begin(hasUvs(*document) ? StartMode::ExistingUv : document->solveSettings().start);
+    // The end of the step is told by waiting(), which then settles the map.
+    mStepping = true;
+    setRunning(true, false);
+    mWorker->runSteps(1);
+}
+
+void SolverController::restart()
+{
+    const Document *document = mWorkspace.document();
+    if (!document)
+        return;
+    begin(document->solveSettings().start);
+    mStepping = false;
+    setRunning(true, false);
+    mWorker->run();
+}
+
+void SolverController::discard()
+{
+    if (mRun == 0)
+        return;
+    mWorker->pause();
+    mRun = 0;
+    mResult.reset();
+    mWhenSettled.clear();
+    mStatus = {};
+    mTrace.clear();
+    mShownMap.showDocument();
+    setRunning(false, false);
+    Q_EMIT statusChanged();
+}
+
+void SolverController::begin(StartMode start)
+{
+    const Document &document = *mWorkspace.document();
+    mRun = ++mLastRun;
+    mResult.reset();
+    mStatus = {};
+    mTrace.clear();
+    mTraceStride = 1;
+    mWorker->setMode(mMode, mMaxDistortion);
+    // The map comes to lie in the middle of the unit square.
+    const Vec2 centre = Vec2::Constant(0.5 / document.uvScale());
+    mWorker->start(mRun, std::make_shared<const Snapshot>(makeSnapshot(document, start)), centre);
+    Q_EMIT statusChanged();
+}
+
+void SolverController::setRunning(bool running, bool settling)
+{
+    if (running == mRunning && settling == mSettling)
+        return;
+    mRunning = running;
+    mSettling = settling;
+    Q_EMIT stateChanged();
+}
+
+void SolverController::documentReplaced()
+{
+    mSendSoon.stop();
+    discard();
+    // Also when nothing was there to discard: panels show the new document's state.
+    Q_EMIT stateChanged();
+}
+
+void SolverController::documentChanged(const ChangeEvent &event)
+{
+    switch (event.type) {
+    case ChangeEvent::Type::Uv:
+    case ChangeEvent::Type::UvSet:
+        if (!mPushing)
+            discard();
+        break;
+    case ChangeEvent::Type::Seam:
+    case ChangeEvent::Type::Pin:
+    case ChangeEvent::Type::Rectangle:
+    case ChangeEvent::Type::SolveSettings:
+        if (mRun != 0)
+            mSendSoon.start();
+        break;
+    case ChangeEvent::Type::IslandFlag:
+    case ChangeEvent::Type::Tag:
+    case ChangeEvent::Type::PackingSettings:
+        break;
+    }
+}
+
+void SolverController::sendSnapshot()
+{
+    if (mRun != 0 && mWorkspace.document())
+        mWorker->update(std::make_shared<const Snapshot>(makeSnapshot(*mWorkspace.document())));
+}
+
+void SolverController::takeResult()
+{
+    const std::shared_ptr<const SolveResult> result = mWorker->takeResult();
+    if (!result || result->run != mRun)
+        return;
+    mResult = result;
+    mStatus = result->status;
+    addToTrace(result->trace);
+    if (mRunning || mSettling)
+        mShownMap.showLive(mWorkspace.document()->uvScale() * result->soupUv, result->separation);
+    Q_EMIT statusChanged();
+}
+
+void SolverController::addToTrace(const std::vector<TracePoint> &points)
+{
+    for (const TracePoint &point : points) {
+        if (point.iteration % mTraceStride == 0)
+            mTrace.push_back(point);
+    }
+    while (mTrace.size() > mostTracePoints) {
+        mTraceStride *= 2;
+        std::erase_if(mTrace, [this](const TracePoint &p) { return p.iteration % mTraceStride != 0; });
+    }
+}
+
+//! The solve stopped by itself: a single step is done, the budget is reached, or with the user's settings
+//! nothing moves any more. Then it stays on and waits for edits.
+void SolverController::workerWaits()
+{
+    takeResult();
+    if (mRunning && !(mStatus.converged && mMode == SolveMode::Manual && !mStepping))
+        pause();
+}
+
+void SolverController::takeSettled()
+{
+    const std::optional<SettledMap> settled = mWorker->takeSettled();
+    if (!settled || settled->run != mRun || !mSettling)
+        return;
+    takeResult();
+    Document &document = *mWorkspace.document();
+    mPushing = true;
+    pushCommand(std::make_unique<SetUvs>(document, UvEdit::Solve, document.uvScale() * settled->cornerUv));
+    mPushing = false;
+    mShownMap.showDocument();
+    setRunning(false, false);
+    for (const auto &then : std::exchange(mWhenSettled, {}))
+        then();
+}
+
+void SolverController::workerFailed(const QString &message)
+{
+    discard();
+    Q_EMIT failed(message);
+}
+
+} // namespace autocuts

@@ -1,0 +1,83 @@
+#include "views/control/workspace.h"
+
+#include <QFileInfo>
+
+namespace autocuts {
+
+Workspace::Workspace(QObject *parent) : QObject(parent) {}
+
+Workspace::~Workspace()
+{
+    // Whoever hears of it must not find a document that is being taken apart.
+    if (mDocument)
+        mDocument->disconnect(this);
+}
+
+void Workspace::open(std::unique_ptr<Document> document, const QString &sessionPath,
+                     std::optional<Journal> journal, const QStringList &notes)
+{
+    if (mDocument) {
+        mDocument->disconnect(this);
+        mDocument->undoStack().disconnect(this);
+    }
+    mRecorder.reset();
+    // The one before lives until everybody has turned to the new one.
+    const std::unique_ptr<Document> previous = std::exchange(mDocument, std::move(document));
+    mSessionPath = sessionPath;
+    mNotes = notes;
+    mRecovered = false;
+    ++mUvRevision;
+    if (mDocument) {
+        mRecorder = std::make_unique<JournalRecorder>(*mDocument, std::move(journal));
+        attach();
+    }
+    Q_EMIT documentReplaced();
+    Q_EMIT selectionChanged();
+    Q_EMIT historyChanged();
+}
+
+void Workspace::close()
+{
+    open(nullptr, {});
+}
+
+void Workspace::attach()
+{
+    connect(mDocument.get(), &Document::changed, this, [this](const ChangeEvent &event) {
+        if (event.type == ChangeEvent::Type::Uv || event.type == ChangeEvent::Type::UvSet)
+            ++mUvRevision;
+        Q_EMIT changed(event);
+    });
+    connect(mDocument.get(), &Document::selectionChanged, this, &Workspace::selectionChanged);
+    const UndoStack &stack = mDocument->undoStack();
+    connect(&stack, &QUndoStack::indexChanged, this, &Workspace::historyChanged);
+    connect(&stack, &QUndoStack::cleanChanged, this, &Workspace::historyChanged);
+}
+
+void Workspace::setSessionPath(const QString &path)
+{
+    mSessionPath = path;
+    mRecovered = false;
+    Q_EMIT historyChanged();
+}
+
+QString Workspace::name() const
+{
+    if (!mDocument)
+        return {};
+    const QString path = mSessionPath.isEmpty() ? mDocument->state().scene.path : mSessionPath;
+    return path.isEmpty() ? tr("Untitled") : QFileInfo(path).fileName();
+}
+
+bool Workspace::isModified() const
+{
+    return mDocument && (mRecovered || !mDocument->undoStack().isClean());
+}
+
+void Workspace::setRecovered(bool recovered)
+{
+    mRecovered = recovered;
+    Q_EMIT historyChanged();
+}
+
+} // namespace autocuts
