@@ -1,5 +1,6 @@
 #include "views/control/solvercontroller.h"
 
+#include "commands/changesettings.h"
 #include "commands/setuvs.h"
 #include "model/makesnapshot.h"
 #include "model/uvlayout.h"
@@ -51,6 +52,12 @@ void SolverController::setMode(SolveMode mode)
         return;
     mMode = mode;
     mWorker->setMode(mMode, mMaxDistortion);
+    if (mMode == SolveMode::Manual && mStatus.iteration > 0) {
+        SolveSettings settings = mWorkspace.document()->solveSettings();
+        settings.lambda = mStatus.lambda;
+        settings.delta = mStatus.delta;
+        pushCommand(std::make_unique<ChangeSettings>(*mWorkspace.document(), settings));
+    }
     Q_EMIT stateChanged();
 }
 

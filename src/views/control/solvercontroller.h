@@ -40,6 +40,7 @@ public:
 
     SolveMode mode() const { return mMode; }
     //! Manual: lambda and delta of the document. Budget: the worker finds them for the distortion bound.
+    //! Turning to Manual puts what the worker has found into the document, to be steered on from there.
     void setMode(SolveMode mode);
     double maxDistortion() const { return mMaxDistortion; }
     //! \pre bound > 4
@@ -96,7 +97,7 @@ private:
     SolveStatus mStatus;
     std::vector<TracePoint> mTrace;
     int mTraceStride = 1;
-    SolveMode mMode = SolveMode::Manual;
+    SolveMode mMode = SolveMode::Budget;
     double mMaxDistortion = 4.1;
     quint64 mLastRun = 0;
     quint64 mRun = 0; //!< of the worker's state; 0: it has none that fits the document

@@ -1,0 +1,167 @@
+// Long work off the GUI thread: results, progress, cancel, failure.
+#include "views/control/jobrunner.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QThread>
+
+#include <stdexcept>
+
+using namespace autocuts;
+
+namespace {
+
+constexpr int patience = 20'000; //!< milliseconds
+
+//! Counts up until it is told to stop.
+int countUntilStopped(JobControl &control)
+{
+    int count = 0;
+    while (!control.stop()) {
+        ++count;
+        QThread::msleep(1);
+    }
+    return count;
+}
+
+} // namespace
+
+class TestJobRunner : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theResultComesInTheGuiThread()
+    {
+        JobRunner runner;
+        QThread *workThread = nullptr, *doneThread = nullptr;
+        int result = 0;
+        QVERIFY(runner.start(
+            QStringLiteral("Adding"),
+            [&](JobControl &) {
+                workThread = QThread::currentThread();
+                return 2 + 3;
+            },
+            [&](int sum) {
+                doneThread = QThread::currentThread();
+                result = sum;
+            }));
+        QVERIFY(runner.isBusy());
+        QCOMPARE(runner.title(), QStringLiteral("Adding"));
+        QTRY_COMPARE_WITH_TIMEOUT(result, 5, patience);
+        QVERIFY(!runner.isBusy());
+        QCOMPARE(doneThread, QThread::currentThread());
+        QVERIFY(workThread != doneThread);
+    }
+
+    void oneJobAtATime()
+    {
+        JobRunner runner;
+        QVERIFY(runner.start(QStringLiteral("First"), countUntilStopped, [](int) {}));
+        bool second = false;
+        QVERIFY(!runner.start(
+            QStringLiteral("Second"), [](JobControl &) { return 0; }, [&](int) { second = true; }));
+        runner.cancel();
+        QTRY_VERIFY_WITH_TIMEOUT(!runner.isBusy(), patience);
+        QVERIFY(!second);
+    }
+
+    void progressAndStageAreTold()
+    {
+        JobRunner runner;
+        QSignalSpy progress(&runner, &JobRunner::progressChanged);
+        QCOMPARE(runner.progress(), -1.0);
+        runner.start(
+            QStringLiteral("Working"),
+            [](JobControl &control) {
+                control.setProgress(0.5);
+                control.setStage(QStringLiteral("half way"));
+                return countUntilStopped(control);
+            },
+            [](int) {});
+        QTRY_COMPARE_WITH_TIMEOUT(runner.progress(), 0.5, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(runner.stage(), QStringLiteral("half way"), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(progress.count() > 2, patience);
+        runner.cancel();
+        QTRY_VERIFY_WITH_TIMEOUT(!runner.isBusy(), patience);
+        QCOMPARE(runner.progress(), -1.0);
+        QVERIFY(runner.stage().isEmpty());
+    }
+
+    void aCancelledJobGivesWhatItHas()
+    {
+        JobRunner runner;
+        int result = -1;
+        runner.start(QStringLiteral("Counting"), countUntilStopped, [&](int count) { result = count; });
+        QTest::qWait(20);
+        runner.cancel();
+        QTRY_VERIFY_WITH_TIMEOUT(result > 0, patience);
+    }
+
+    void aJobThatIsLetGoIsForgotten()
+    {
+        JobRunner runner(JobRunner::OnCancel::LetGo);
+        bool called = false;
+        runner.start(QStringLiteral("Reading"), countUntilStopped, [&](int) { called = true; });
+        runner.cancel();
+        QVERIFY(!runner.isBusy());
+        int result = 0;
+        QVERIFY(runner.start(
+            QStringLiteral("Another"), [](JobControl &) { return 7; }, [&](int value) { result = value; }));
+        QTRY_COMPARE_WITH_TIMEOUT(result, 7, patience);
+        QTest::qWait(50);
+        QVERIFY(!called);
+    }
+
+    void anExceptionBecomesAMessage()
+    {
+        JobRunner runner;
+        QSignalSpy failed(&runner, &JobRunner::failed);
+        bool called = false;
+        runner.start(
+            QStringLiteral("Failing"), [](JobControl &) -> int { throw std::runtime_error("no such thing"); },
+            [&](int) { called = true; });
+        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, patience);
+        QCOMPARE(failed.first().first().toString(), QStringLiteral("no such thing"));
+        QVERIFY(!called);
+        QVERIFY(!runner.isBusy());
+    }
+
+    void theNextJobMayBeginFromTheLast()
+    {
+        JobRunner runner;
+        int steps = 0;
+        std::function<void(int)> next = [&](int value) {
+            steps = value;
+            if (value < 3)
+                runner.start(
+                    QStringLiteral("Next"), [value](JobControl &) { return value + 1; }, next);
+        };
+        next(0);
+        QTRY_COMPARE_WITH_TIMEOUT(steps, 3, patience);
+        runner.start(
+            QStringLiteral("Last"), [](JobControl &) { return 9; }, [&](int v) { steps = v; });
+        runner.waitForDone();
+        QCOMPARE(steps, 9);
+    }
+
+    void destroyingItStopsWhatRuns()
+    {
+        std::atomic<bool> ended = false;
+        {
+            JobRunner runner;
+            runner.start(
+                QStringLiteral("Long"),
+                [&](JobControl &control) {
+                    const int count = countUntilStopped(control);
+                    ended = true;
+                    return count;
+                },
+                [](int) {});
+        }
+        QVERIFY(ended);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestJobRunner)
+#include "tst_jobrunner.moc"

@@ -1,0 +1,232 @@
+// Jobs on whole maps: results come back as commands, edits meanwhile win, cancel keeps what there is.
+#include "commands/setislandflags.h"
+#include "commands/setuvs.h"
+#include "model/samples.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/shownmap.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace autocuts;
+
+namespace {
+
+constexpr int patience = 120'000; //!< milliseconds
+
+struct Studio
+{
+    Workspace workspace;
+    ShownMap shown{workspace};
+    SolverController solver{workspace, shown};
+    MapController map{workspace, solver};
+    QSignalSpy done{&map, &MapController::done}, failed{&map, &MapController::failed};
+
+    explicit Studio(const char *sample = "bumpycube")
+    {
+        workspace.open(std::make_unique<Document>(makeSample(QString::fromLatin1(sample)).value()), {});
+    }
+    Document &document() { return *workspace.document(); }
+    UndoStack &stack() { return document().undoStack(); }
+    bool ends()
+    {
+        return QTest::qWaitFor([&] { return !map.jobs().isBusy() && done.count() + failed.count() > 0; },
+                               patience);
+    }
+    bool measures()
+    {
+        return QTest::qWaitFor([&] { return map.figuresAreFresh(); }, patience);
+    }
+    //! A quick map: every face of the box on its own, side by side and on top of each other as they come.
+    void layOut(bool overlapping)
+    {
+        const MeshData &mesh = document().mesh();
+        UvMatrix uv(mesh.cornerCount(), 2);
+        for (int f = 0; f < mesh.faceCount(); ++f) {
+            const int first = mesh.faceStart[f];
+            const Vec3 o = mesh.cornerPosition(first), a = mesh.cornerPosition(first + 1) - o;
+            const Vec3 x = a.normalized();
+            const Vec3 n = a.cross(Vec3(mesh.cornerPosition(first + 2) - o)).normalized();
+            for (int c = first; c < mesh.faceStart[f + 1]; ++c) {
+                const Vec3 p = mesh.cornerPosition(c) - o;
+                uv.row(c) = 0.05 * Vec2(p.dot(x), p.dot(n.cross(x)));
+                if (!overlapping)
+                    uv.row(c) += Vec2(0.3 * (f % 40), 0.3 * (f / 40));
+            }
+        }
+        pushCommand(std::make_unique<SetUvs>(document(), UvEdit::Move, uv));
+    }
+};
+
+} // namespace
+
+class TestMapController : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void unwrappingGivesAMapFitForUse()
+    {
+        Studio studio;
+        studio.map.unwrap(UnwrapQuality::Draft, 4.2);
+        QVERIFY(studio.map.jobs().isBusy());
+        QVERIFY(studio.ends());
+        QCOMPARE(studio.failed.count(), 0);
+        QCOMPARE(studio.stack().count(), 1);
+        QVERIFY(studio.measures());
+        const UvMetrics &metrics = studio.map.figures()->metrics;
+        QCOMPARE(metrics.flipped, 0);
+        QCOMPARE(metrics.overlapPairs, 0);
+        QVERIFY(metrics.symDirichlet <= 4.2);
+        QVERIFY(metrics.inUnitSquare);
+        QVERIFY(studio.map.figures()->overlapping.empty());
+        studio.stack().undo();
+        QVERIFY(!studio.document().uv().allFinite());
+    }
+
+    void finishingMakesALiveMapFinal()
+    {
+        Studio studio;
+        studio.solver.run();
+        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > 60; }, patience));
+        studio.map.finish(4.5);
+        QVERIFY(studio.ends());
+        QCOMPARE(studio.failed.count(), 0);
+        QCOMPARE(studio.stack().count(), 2); // the run, and its finish
+        QVERIFY(!studio.solver.isRunning());
+        QVERIFY(!studio.shown.isLive());
+        QVERIFY(studio.measures());
+        QCOMPARE(studio.map.figures()->metrics.flipped, 0);
+        QCOMPARE(studio.map.figures()->metrics.overlapPairsSameChart, 0);
+    }
+
+    void overlapsAreFoundAndTakenApart()
+    {
+        Studio studio("machine");
+        studio.layOut(true);
+        QVERIFY(studio.measures());
+        QVERIFY(studio.map.figures()->metrics.overlapPairs > 0);
+        QVERIFY(!studio.map.figures()->overlapping.empty());
+        QVERIFY(!studio.map.figures()->overlapPairs.empty());
+        studio.map.separateOverlaps();
+        QVERIFY(studio.ends());
+        QCOMPARE(studio.failed.count(), 0);
+        QVERIFY(studio.measures());
+        QCOMPARE(studio.map.figures()->metrics.overlapPairs, 0);
+        QVERIFY(studio.map.figures()->metrics.inUnitSquare);
+    }
+
+    void lockedIslandsStayAndStacksStayTogether()
+    {
+        Studio studio("machine");
+        studio.layOut(false);
+        Document &document = studio.document();
+        const MeshData &mesh = document.mesh();
+        const Islands &islands = document.islands();
+        QVERIFY(islands.count() > 4);
+        // Island 0 is locked; 1 and 2 are a stack.
+        const QList<int> locked(islands.faces(0).begin(), islands.faces(0).end());
+        using Edit = SetIslandFlags::Edit;
+        QVERIFY(pushCommand(std::make_unique<SetIslandFlags>(document, Edit::Lock, std::vector<int>{0})));
+        QVERIFY(pushCommand(std::make_unique<SetIslandFlags>(document, Edit::Stack, std::vector<int>{1, 2})));
+        const UvMatrix before = document.uv();
+        const int first = mesh.faceStart[islands.faces(1).front()];
+        const int second = mesh.faceStart[islands.faces(2).front()];
+        const double distance = (before.row(first) - before.row(second)).norm();
+        const double side = (before.row(first) - before.row(first + 1)).norm();
+        studio.map.pack(PackScope::All);
+        QVERIFY(studio.ends());
+        QCOMPARE(studio.failed.count(), 0);
+        const UvMatrix &after = document.uv();
+        for (int face : locked) {
+            for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c)
+                QVERIFY(after.row(c) == before.row(c));
+        }
+        const double scale = (after.row(first) - after.row(first + 1)).norm() / side;
+        QVERIFY(std::abs((after.row(first) - after.row(second)).norm() - scale * distance) < 1e-9);
+    }
+
+    void packingASelectionLeavesTheOthers()
+    {
+        Studio studio("machine");
+        studio.layOut(false);
+        Document &document = studio.document();
+        Selection selection;
+        selection.faces = {0, 1, 2, 3};
+        document.setSelection(selection);
+        const UvMatrix before = document.uv();
+        studio.map.pack(PackScope::Selection);
+        QVERIFY(studio.ends());
+        QCOMPARE(studio.failed.count(), 0);
+        const MeshData &mesh = document.mesh();
+        int moved = 0;
+        const std::vector<int> selected = document.islands().islandsOf(selection.faces);
+        for (int f = 0; f < mesh.faceCount(); ++f) {
+            const bool isSelected =
+                std::binary_search(selected.begin(), selected.end(), document.islands().islandOfFace(f));
+            const int c = mesh.faceStart[f];
+            if (!isSelected)
+                QVERIFY(document.uv().row(c) == before.row(c));
+            else
+                moved += document.uv().row(c) != before.row(c);
+        }
+        QVERIFY(moved > 0);
+    }
+
+    void anEditMeanwhileWins()
+    {
+        Studio studio;
+        studio.map.unwrap(UnwrapQuality::Draft, 4.2);
+        studio.layOut(false);
+        const UvMatrix edited = studio.document().uv();
+        QVERIFY(studio.ends());
+        QCOMPARE(studio.failed.count(), 1);
+        QVERIFY(studio.document().uv() == edited);
+        QCOMPARE(studio.stack().count(), 1);
+    }
+
+    void cancelKeepsTheBestSoFar()
+    {
+        Studio studio("character");
+        studio.map.unwrap(UnwrapQuality::Best, 4.1);
+        QTest::qWait(50);
+        studio.map.cancel();
+        QVERIFY(studio.ends());
+        QCOMPARE(studio.stack().count(), 1);
+        QVERIFY(studio.measures());
+        QCOMPARE(studio.map.figures()->metrics.flipped, 0);
+        QCOMPARE(studio.map.figures()->metrics.facesWithoutUv, 0);
+    }
+
+    void anotherDocumentThrowsTheResultAway()
+    {
+        Studio studio;
+        studio.map.unwrap(UnwrapQuality::Draft, 4.2);
+        studio.workspace.open(std::make_unique<Document>(makeSample(QStringLiteral("torus")).value()), {});
+        QVERIFY(!studio.map.jobs().isBusy());
+        QTest::qWait(200);
+        QCOMPARE(studio.stack().count(), 0);
+        QVERIFY(!studio.document().uv().allFinite());
+    }
+
+    void densityIsMadeEqual()
+    {
+        Studio studio("machine");
+        studio.layOut(false);
+        UvMatrix uv = studio.document().uv();
+        for (int c = 0; c < 3; ++c)
+            uv.row(c) *= 0.25;
+        pushCommand(std::make_unique<SetUvs>(studio.document(), UvEdit::Scale, uv));
+        QVERIFY(studio.measures());
+        QVERIFY(studio.map.figures()->metrics.texelDensitySpread > 1.01);
+        studio.map.equalizeDensity();
+        QVERIFY(studio.ends());
+        QVERIFY(studio.measures());
+        QVERIFY(studio.map.figures()->metrics.texelDensitySpread < 1.0001);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestMapController)
+#include "tst_mapcontroller.moc"

@@ -1,0 +1,236 @@
+// The live solve beside the document: what is shown, what is put into the history, what edits do to it.
+#include "commands/changesettings.h"
+#include "commands/setseamstate.h"
+#include "commands/setuvs.h"
+#include "model/samples.h"
+#include "solver/metrics/uvmetrics.h"
+#include "views/control/shownmap.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace autocuts;
+
+namespace {
+
+constexpr int patience = 60'000; //!< milliseconds
+
+//! A workspace with a model, and the solver on it.
+struct Studio
+{
+    Workspace workspace;
+    ShownMap shown{workspace};
+    SolverController solver{workspace, shown};
+
+    explicit Studio(const char *sample = "bumpycube")
+    {
+        DocumentState state = DocumentState::initial(makeSample(QString::fromLatin1(sample)).value());
+        state.solveSettings.lambda = 0.1;
+        state.solveSettings.delta = 0.02;
+        workspace.open(Document::create(std::move(state)).value(), {});
+        solver.setMode(SolveMode::Manual);
+    }
+    Document &document() { return *workspace.document(); }
+    UndoStack &stack() { return document().undoStack(); }
+
+    bool runsTo(int iteration)
+    {
+        solver.run();
+        return QTest::qWaitFor([&] { return solver.status().iteration >= iteration; }, patience);
+    }
+    bool settles()
+    {
+        solver.pause();
+        return QTest::qWaitFor([&] { return !solver.isSettling(); }, patience);
+    }
+    bool hasNoUvs() { return !document().uv().allFinite(); }
+};
+
+} // namespace
+
+class TestSolverController : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void nothingHappensWithoutADocument()
+    {
+        Workspace workspace;
+        ShownMap shown(workspace);
+        SolverController solver(workspace, shown);
+        solver.run();
+        solver.step();
+        solver.restart();
+        solver.pause();
+        QVERIFY(!solver.isRunning());
+        bool called = false;
+        solver.whenSettled([&] { called = true; });
+        QVERIFY(called);
+    }
+
+    void aRunIsOneEntryOfTheHistory()
+    {
+        Studio studio;
+        QVERIFY(studio.runsTo(20));
+        QVERIFY(studio.solver.isRunning());
+        QVERIFY(studio.shown.isLive());
+        QVERIFY(studio.shown.uv().allFinite());
+        QCOMPARE(studio.stack().count(), 0);
+        QVERIFY(studio.hasNoUvs());
+
+        QVERIFY(studio.settles());
+        QVERIFY(!studio.solver.isRunning());
+        QVERIFY(!studio.shown.isLive());
+        QCOMPARE(studio.stack().count(), 1);
+        const UvMatrix settled = studio.document().uv();
+        const UvMetrics metrics = measureUv(studio.document().mesh(), settled);
+        QCOMPARE(metrics.flipped, 0);
+        QCOMPARE(metrics.uvDegenerate, 0);
+
+        studio.stack().undo();
+        QVERIFY(studio.hasNoUvs());
+        QVERIFY(!studio.solver.canContinue());
+        studio.stack().redo();
+        QVERIFY(studio.document().uv() == settled);
+    }
+
+    void aPausedRunGoesOnWhereItWas()
+    {
+        Studio studio;
+        QVERIFY(studio.runsTo(10));
+        QVERIFY(studio.settles());
+        const int iteration = studio.solver.status().iteration;
+        QVERIFY(studio.solver.canContinue());
+        QVERIFY(studio.runsTo(iteration + 5));
+        QVERIFY(studio.settles());
+        QCOMPARE(studio.stack().count(), 2);
+        const std::vector<TracePoint> &trace = studio.solver.trace();
+        for (std::size_t i = 1; i < trace.size(); ++i)
+            QVERIFY(trace[i].iteration > trace[i - 1].iteration);
+        QCOMPARE(trace.front().iteration, 1);
+    }
+
+    void settingsAndSteeringReachARun()
+    {
+        Studio studio;
+        QVERIFY(studio.runsTo(3));
+        const int before = studio.solver.status().iteration;
+        SolveSettings settings = studio.document().solveSettings();
+        settings.lambda = 0.25;
+        settings.delta = 0.5;
+        QVERIFY(pushCommand(std::make_unique<ChangeSettings>(studio.document(), settings)));
+        QTRY_COMPARE_WITH_TIMEOUT(studio.solver.status().lambda, 0.25, patience);
+        QCOMPARE(studio.solver.status().delta, 0.5);
+        QVERIFY(studio.solver.isRunning());
+        QVERIFY(studio.solver.status().iteration >= before);
+    }
+
+    void aSingleStepPausesByItself()
+    {
+        Studio studio;
+        studio.solver.step();
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isSettling(), patience);
+        QCOMPARE(studio.solver.status().iteration, 1);
+        studio.solver.step();
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isSettling(), patience);
+        QCOMPARE(studio.solver.status().iteration, 2);
+    }
+
+    void theBudgetEndsARun()
+    {
+        Studio studio;
+        studio.solver.setMode(SolveMode::Budget);
+        studio.solver.setMaxDistortion(4.3);
+        studio.solver.run();
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isSettling(), patience);
+        QVERIFY(studio.solver.status().converged);
+        QCOMPARE(studio.stack().count(), 1);
+        const UvMetrics metrics = measureUv(studio.document().mesh(), studio.document().uv());
+        QCOMPARE(metrics.flipped, 0);
+        QVERIFY2(metrics.symDirichlet < 4.4, qPrintable(QString::number(metrics.symDirichlet)));
+        QVERIFY2(metrics.seamNorm < 12, qPrintable(QString::number(metrics.seamNorm)));
+    }
+
+    void steeringByHandGoesOnFromTheBudget()
+    {
+        Studio studio;
+        studio.solver.setMode(SolveMode::Budget);
+        QVERIFY(studio.runsTo(60));
+        studio.solver.setMode(SolveMode::Manual);
+        QVERIFY(studio.solver.isRunning());
+        QCOMPARE(studio.stack().count(), 1);
+        const SolveSettings &settings = studio.document().solveSettings();
+        QCOMPARE(settings.lambda, studio.solver.status().lambda);
+        QCOMPARE(settings.delta, studio.solver.status().delta);
+        QVERIFY(settings.delta != 0.02);
+        QTest::qWait(50);
+        QCOMPARE(studio.solver.status().delta, settings.delta);
+    }
+
+    void restartForgetsTheMap()
+    {
+        Studio studio;
+        QVERIFY(studio.runsTo(30));
+        QVERIFY(studio.settles());
+        studio.solver.restart();
+        QTRY_VERIFY_WITH_TIMEOUT(studio.solver.status().iteration > 0, patience);
+        QVERIFY(studio.solver.status().iteration < 30 || studio.solver.trace().front().iteration == 1);
+        QVERIFY(studio.settles());
+        QCOMPARE(studio.stack().count(), 2);
+    }
+
+    void anEditOfTheMapDropsTheLiveOne()
+    {
+        Studio studio;
+        QVERIFY(studio.runsTo(5));
+        UvMatrix flat = UvMatrix::Random(studio.document().mesh().cornerCount(), 2);
+        QVERIFY(pushCommand(std::make_unique<SetUvs>(studio.document(), UvEdit::Move, flat)));
+        QVERIFY(!studio.solver.isRunning());
+        QVERIFY(!studio.shown.isLive());
+        QCOMPARE(studio.stack().count(), 1);
+        QVERIFY(studio.document().uv() == flat);
+        // Nothing comes after.
+        QTest::qWait(100);
+        QCOMPARE(studio.stack().count(), 1);
+        QVERIFY(!studio.shown.isLive());
+    }
+
+    void whatWaitsForTheMapComesAfterIt()
+    {
+        Studio studio;
+        QVERIFY(studio.runsTo(5));
+        int entries = -1;
+        studio.solver.whenSettled([&] { entries = studio.stack().count(); });
+        QCOMPARE(entries, -1);
+        QTRY_COMPARE_WITH_TIMEOUT(entries, 1, patience);
+    }
+
+    void anotherDocumentEndsTheRun()
+    {
+        Studio studio;
+        QVERIFY(studio.runsTo(5));
+        studio.workspace.open(std::make_unique<Document>(makeSample(QStringLiteral("torus")).value()), {});
+        QVERIFY(!studio.solver.isRunning());
+        QVERIFY(!studio.shown.isLive());
+        QCOMPARE(studio.shown.uv().rows(), studio.document().mesh().soupCornerCount());
+        QVERIFY(studio.runsTo(3));
+        studio.workspace.close();
+        QVERIFY(!studio.solver.isRunning());
+        QCOMPARE(studio.shown.uv().rows(), 0);
+    }
+
+    void aRunOverPolygonsKeepsThemWhole()
+    {
+        Studio studio("character");
+        QVERIFY(studio.runsTo(25));
+        QVERIFY(studio.settles());
+        const UvMetrics metrics = measureUv(studio.document().mesh(), studio.document().uv());
+        QCOMPARE(metrics.flipped, 0);
+        QCOMPARE(metrics.facesWithoutUv, 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSolverController)
+#include "tst_solvercontroller.moc"

@@ -1,0 +1,223 @@
+// The live solver on its thread: what it does is what Solver does, and it obeys at once.
+#include "solver/finish.h"
+#include "solver/worker.h"
+#include "support/meshbuilders.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QThread>
+
+using namespace autocuts;
+
+namespace {
+
+constexpr int patience = 60'000; //!< milliseconds
+
+std::shared_ptr<Snapshot> snapshotOf(const test::MeshPtr &mesh)
+{
+    auto snapshot = std::make_shared<Snapshot>();
+    snapshot->mesh = mesh;
+    snapshot->settings.lambda = 0.1;
+    snapshot->settings.delta = 0.05;
+    return snapshot;
+}
+
+//! A worker on its thread, and the results that it gave.
+struct Bench : QObject
+{
+    Bench()
+    {
+        worker = new SolveWorker;
+        worker->moveToThread(&thread);
+        QObject::connect(&thread, &QThread::finished, worker, &QObject::deleteLater);
+        QObject::connect(worker, &SolveWorker::resultReady, this, [this] {
+            if (const auto result = worker->takeResult()) {
+                results.push_back(result);
+                trace.insert(trace.end(), result->trace.begin(), result->trace.end());
+            }
+        });
+        thread.start();
+    }
+    ~Bench() override
+    {
+        worker->pause();
+        thread.quit();
+        thread.wait();
+    }
+
+    QThread thread;
+    SolveWorker *worker;
+    std::vector<std::shared_ptr<const SolveResult>> results;
+    std::vector<TracePoint> trace;
+};
+
+} // namespace
+
+class TestWorker : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void stepsGiveTheBitsOfTheSolver()
+    {
+        const auto snapshot = snapshotOf(test::sphere(12, 12));
+        Solver solver;
+        solver.load(*snapshot);
+        for (int i = 0; i < 7; ++i)
+            solver.step();
+
+        Bench bench;
+        QSignalSpy waiting(bench.worker, &SolveWorker::waiting);
+        bench.worker->start(5, snapshot, Vec2::Zero());
+        bench.worker->runSteps(7);
+        QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->status.iteration == 7,
+                                 patience);
+        const SolveResult &last = *bench.results.back();
+        QCOMPARE(last.run, quint64(5));
+        const std::vector<double> &x = solver.coordinates();
+        QVERIFY(std::equal(x.begin(), x.end(), last.soupUv.data()));
+        for (int p = 0; p < snapshot->mesh->cornerPairCount(); ++p)
+            QCOMPARE(last.separation[p], static_cast<float>(solver.separation(p)));
+        QCOMPARE(bench.trace.size(), std::size_t(7));
+        for (int i = 0; i < 7; ++i)
+            QCOMPARE(bench.trace[i].iteration, i + 1);
+    }
+
+    void theMapBeginsAroundTheCentre()
+    {
+        Bench bench;
+        bench.worker->start(1, snapshotOf(test::sphere(8, 12)), Vec2(3, 4));
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty(), patience);
+        const Eigen::RowVector2d mean = bench.results.back()->soupUv.colwise().mean();
+        QVERIFY((mean - Eigen::RowVector2d(3, 4)).norm() < 0.5);
+    }
+
+    void anEditDuringARunIsTakenUp()
+    {
+        const auto mesh = test::sphere(12, 12);
+        const auto before = snapshotOf(mesh);
+        const auto after = std::make_shared<Snapshot>(*before);
+        after->settings.lambda = 0.5;
+        Bench bench;
+        bench.worker->start(1, before, Vec2::Zero());
+        bench.worker->run();
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.trace.empty(), patience);
+        bench.worker->update(after);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.results.back()->status.lambda, 0.5, patience);
+        // No restart: the count of steps goes on.
+        const int iteration = bench.results.back()->status.iteration;
+        QVERIFY(iteration >= 1);
+    }
+
+    void aRunThatConvergedGoesOnAfterAnEdit()
+    {
+        const auto before = snapshotOf(test::sphere(8, 12));
+        Bench bench;
+        bench.worker->start(1, before, Vec2::Zero());
+        bench.worker->run();
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->status.converged, patience);
+        const int iteration = bench.results.back()->status.iteration;
+        const auto after = std::make_shared<Snapshot>(*before);
+        after->settings.delta = 0.01;
+        bench.worker->update(after);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.results.back()->status.iteration > iteration, patience);
+    }
+
+    void aPausedRunStaysPausedAfterAnEdit()
+    {
+        const auto before = snapshotOf(test::sphere(12, 12));
+        Bench bench;
+        bench.worker->start(1, before, Vec2::Zero());
+        bench.worker->runSteps(3);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->status.iteration == 3,
+                                 patience);
+        const auto after = std::make_shared<Snapshot>(*before);
+        after->settings.lambda = 0.5;
+        bench.worker->update(after);
+        QSignalSpy settled(bench.worker, &SolveWorker::settled);
+        bench.worker->settle();
+        QTRY_COMPARE_WITH_TIMEOUT(settled.count(), 1, patience);
+        QCOMPARE(bench.results.back()->status.iteration, 3);
+    }
+
+    void settlingGivesTheFinishedMap()
+    {
+        const auto snapshot = snapshotOf(test::sphere(12, 12));
+        snapshot->settings.delta = 0.005;
+        Solver solver;
+        solver.load(*snapshot);
+        for (int i = 0; i < 60; ++i)
+            solver.step();
+        const SeamedMap expected = finishMap(solver.sharedSoup(), solver.snapshot(), solver.coordinates());
+
+        Bench bench;
+        QSignalSpy settled(bench.worker, &SolveWorker::settled);
+        QSignalSpy waiting(bench.worker, &SolveWorker::waiting);
+        bench.worker->start(2, snapshot, Vec2::Zero());
+        bench.worker->runSteps(60);
+        QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, patience);
+        bench.worker->settle();
+        QTRY_COMPARE_WITH_TIMEOUT(settled.count(), 1, patience);
+        const auto map = bench.worker->takeSettled();
+        QVERIFY(map);
+        QCOMPARE(map->run, quint64(2));
+        const MeshData &mesh = *snapshot->mesh;
+        for (int s = 0; s < mesh.soupCornerCount(); ++s) {
+            QCOMPARE(map->cornerUv(mesh.cornerOfSoup(s), 0), expected.x[2 * s]);
+            QCOMPARE(map->cornerUv(mesh.cornerOfSoup(s), 1), expected.x[2 * s + 1]);
+        }
+    }
+
+    void theBudgetIsReached()
+    {
+        Bench bench;
+        QSignalSpy waiting(bench.worker, &SolveWorker::waiting);
+        bench.worker->setMode(SolveMode::Budget, 4.2);
+        bench.worker->start(1, snapshotOf(test::sphere(10, 12)), Vec2::Zero());
+        bench.worker->run();
+        QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.results.back()->status.converged, patience);
+        const SolveStatus &status = bench.results.back()->status;
+        QVERIFY2(status.distortion < 4.3, qPrintable(QString::number(status.distortion)));
+        QVERIFY(status.seamLength > 0);
+        QVERIFY(status.islands < snapshotOf(test::sphere(10, 12))->mesh->triangleCount() / 4);
+    }
+
+    void aMeshWithoutAreaFailsInWords()
+    {
+        PositionMatrix positions = PositionMatrix::Zero(3, 3);
+        Bench bench;
+        QSignalSpy failed(bench.worker, &SolveWorker::failed);
+        bench.worker->start(1, snapshotOf(MeshData::build(positions, {0, 3}, {0, 1, 2}, {0})), Vec2::Zero());
+        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, patience);
+        QVERIFY(!failed.first().first().toString().isEmpty());
+        // And the next model is solved as if nothing had been.
+        bench.worker->start(2, snapshotOf(test::sphere(8, 12)), Vec2::Zero());
+        bench.worker->runSteps(1);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->run == 2, patience);
+    }
+
+    void ordersFromAllSidesLeaveOneStateBehind()
+    {
+        Bench bench;
+        for (quint64 run = 1; run <= 40; ++run) {
+            bench.worker->start(run, snapshotOf(test::sphere(run % 3 == 0 ? 12 : 8, 12)), Vec2::Zero());
+            bench.worker->run();
+            if (run % 2)
+                bench.worker->settle();
+            if (run % 5 == 0)
+                bench.worker->setMode(run % 10 ? SolveMode::Budget : SolveMode::Manual, 4.1);
+            bench.worker->pause();
+        }
+        bench.worker->setMode(SolveMode::Manual, 4.1);
+        bench.worker->start(99, snapshotOf(test::sphere(8, 12)), Vec2::Zero());
+        bench.worker->runSteps(2);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->run == 99 &&
+                                     bench.results.back()->status.iteration == 2,
+                                 patience);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestWorker)
+#include "tst_worker.moc"
