@@ -12,6 +12,11 @@ namespace autocuts {
 
 class Preferences;
 
+//! Translated name without mnemonic and dots, for tooltips and lists.
+QString actionTitle(const ActionInfo &info);
+//! The keys that the table gives.
+QList<QKeySequence> defaultShortcuts(const ActionInfo &info);
+
 //! Makes the actions of actionTable() and keeps their shortcuts as the preferences say.
 class ActionRegistry final : public QObject
 {

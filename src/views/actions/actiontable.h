@@ -26,12 +26,12 @@ struct ActionInfo
     const char *menu; //!< "File", "File/Open sample", ...: path of the menu; empty: in no menu
     const char *text; //!< as in the menu, with its mnemonic
     const char *icon; //!< name of an icon in resources/icons; empty: none
-    const char *keys; //!< default shortcut, portable text; empty: none
+    const char *keys; //!< default shortcuts, portable text, "; " between them; empty: none
     const char *tip;  //!< what it does, one sentence
     int needs = 0;    //!< mask of ActionNeed
     bool checkable = false;
     const char *group = "";       //!< checkable actions of one group exclude each other
-    bool separatorBefore = false; //!< in its menu
+    bool separatorBefore = false; //!< in its menu; of the first action of a submenu: before the submenu
 };
 
 //! All actions, in the order of the menus.

@@ -34,6 +34,16 @@ struct PreferenceValues
     bool operator==(const PreferenceValues &) const = default;
 };
 
+//! Ranges of the numbers above.
+struct PreferenceLimits
+{
+    static constexpr int minTextureSize = 16;
+    static constexpr int maxMargin = 1024;
+    static constexpr double minDistortion = 4.001, maxDistortion = 100;
+    static constexpr int maxAutosaveMinutes = 120;
+    static constexpr int minUndoMemoryMb = 10, maxUndoMemoryMb = 100000;
+};
+
 //! Preferences, recent files, shortcuts and the window's layout, in one INI file. Everything that is changed
 //! is written at once.
 class Preferences final : public QObject

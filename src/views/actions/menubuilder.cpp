@@ -1,0 +1,107 @@
+// Submenus come where the table names them first.
+#include "views/actions/menubuilder.h"
+
+#include "views/actions/actionregistry.h"
+
+#include <QCoreApplication>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+
+#include <array>
+
+namespace autocuts {
+
+namespace {
+
+struct MenuTitle
+{
+    const char *path;
+    const char *title;
+};
+
+constexpr std::array menuTitles{
+    MenuTitle{"File", QT_TRANSLATE_NOOP("Menus", "&File")},
+    MenuTitle{"File/Open sample", QT_TRANSLATE_NOOP("Menus", "Open sa&mple")},
+    MenuTitle{"File/Open recent", QT_TRANSLATE_NOOP("Menus", "Open &recent")},
+    MenuTitle{"Edit", QT_TRANSLATE_NOOP("Menus", "&Edit")},
+    MenuTitle{"Select", QT_TRANSLATE_NOOP("Menus", "&Select")},
+    MenuTitle{"UV", QT_TRANSLATE_NOOP("Menus", "&UV")},
+    MenuTitle{"UV/Start mode", QT_TRANSLATE_NOOP("Menus", "S&tart mode")},
+    MenuTitle{"UV/Energy", QT_TRANSLATE_NOOP("Menus", "Ener&gy")},
+    MenuTitle{"UV/Seam weighting", QT_TRANSLATE_NOOP("Menus", "Seam &weighting")},
+    MenuTitle{"UV/Islands", QT_TRANSLATE_NOOP("Menus", "Islan&ds")},
+    MenuTitle{"View", QT_TRANSLATE_NOOP("Menus", "&View")},
+    MenuTitle{"View/Coloring", QT_TRANSLATE_NOOP("Menus", "&Coloring")},
+    MenuTitle{"View/Pattern", QT_TRANSLATE_NOOP("Menus", "Patter&n")},
+    MenuTitle{"View/Panels", QT_TRANSLATE_NOOP("Menus", "Panels")},
+    MenuTitle{"Help", QT_TRANSLATE_NOOP("Menus", "&Help")},
+};
+
+//! The tool bar; nullptr is a separator.
+constexpr const char *toolBarIds[] = {
+    "file.open", "file.save",       nullptr,        "edit.undo",    "edit.redo",     nullptr,   "uv.run",
+    "uv.step",   "uv.restart",      nullptr,        "uv.unwrap",    "uv.finish",     "uv.pack", "uv.separate",
+    nullptr,     "select.vertices", "select.edges", "select.faces", "select.islands"};
+
+} // namespace
+
+QString menuTitle(const QString &path)
+{
+    for (const MenuTitle &entry : menuTitles) {
+        if (path == QLatin1String(entry.path))
+            return QCoreApplication::translate("Menus", entry.title);
+    }
+    return {};
+}
+
+MenuBuilder::MenuBuilder(const ActionRegistry &actions, QMenuBar &bar) : mBar(bar)
+{
+    for (QAction *action : actions.actions()) {
+        const ActionInfo &info = actions.info(action);
+        const QString path = QLatin1String(info.menu);
+        if (path.isEmpty())
+            continue;
+        const bool first = !mMenus.contains(path);
+        QMenu *const target = find(path, info.separatorBefore);
+        if (info.separatorBefore && !first)
+            target->addSeparator();
+        target->addAction(action);
+    }
+}
+
+QMenu *MenuBuilder::menu(const QString &path) const
+{
+    const auto found = mMenus.find(path);
+    Q_ASSERT(found != mMenus.end());
+    return found->second;
+}
+
+QMenu *MenuBuilder::find(const QString &path, bool separatorBefore)
+{
+    if (const auto found = mMenus.find(path); found != mMenus.end())
+        return found->second;
+    QMenu *made = nullptr;
+    if (const qsizetype slash = path.lastIndexOf(QLatin1Char('/')); slash < 0) {
+        made = mBar.addMenu(menuTitle(path));
+    } else {
+        QMenu *const parent = find(path.left(slash), false);
+        if (separatorBefore)
+            parent->addSeparator();
+        made = parent->addMenu(menuTitle(path));
+    }
+    made->setObjectName(path);
+    return mMenus[path] = made;
+}
+
+void fillToolBar(const ActionRegistry &actions, QToolBar &bar)
+{
+    for (const char *id : toolBarIds) {
+        if (id)
+            bar.addAction(actions.action(id));
+        else
+            bar.addSeparator();
+    }
+}
+
+} // namespace autocuts

@@ -1,0 +1,13 @@
+// How the program looks: colours and the shape of widgets, dark or light.
+#pragma once
+
+#include "views/preferences/preferences.h"
+
+class QApplication;
+
+namespace autocuts {
+
+//! Gives the application a style, a palette and a style sheet; may be called again at any time.
+void applyTheme(QApplication &application, Theme theme);
+
+} // namespace autocuts
