@@ -46,8 +46,9 @@ ConvergenceGraph::ConvergenceGraph(QWidget *parent) : QWidget(parent)
     setAttribute(Qt::WA_OpaquePaintEvent);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
     setAccessibleName(tr("Convergence"));
-    setToolTip(tr("Distortion D (left axis) and separation S (right axis) of every iteration; the steps behind "
-                  "them are delta. Point at the graph, or use Left and Right, to read values."));
+    setToolTip(
+        tr("Distortion D (left axis) and separation S (right axis) of every iteration; the steps behind "
+           "them are delta. Point at the graph, or use Left and Right, to read values."));
 }
 
 void ConvergenceGraph::setTrace(const std::vector<TracePoint> &trace)
@@ -111,7 +112,8 @@ double ConvergenceGraph::xOf(int iteration, const QRectF &plot) const
     return plot.left() + plot.width() * (iteration - first) / span;
 }
 
-std::vector<ConvergenceGraph::Column> ConvergenceGraph::columns(float TracePoint::*field, const QRectF &plot) const
+std::vector<ConvergenceGraph::Column> ConvergenceGraph::columns(float TracePoint::*field,
+                                                                const QRectF &plot) const
 {
     std::vector<Column> result;
     for (const TracePoint &point : mTrace) {
@@ -163,10 +165,11 @@ void ConvergenceGraph::drawFrame(QPainter &painter, const QRectF &plot, const Co
     for (double tick : mDistortionAxis.ticks(tickCount)) {
         const double y = plot.bottom() - plot.height() * mDistortionAxis.fraction(tick);
         painter.setPen(QPen(c.grid, 1));
-        painter.drawLine(QPointF(plot.left(), std::round(y) + 0.5), QPointF(plot.right(), std::round(y) + 0.5));
+        painter.drawLine(QPointF(plot.left(), std::round(y) + 0.5),
+                         QPointF(plot.right(), std::round(y) + 0.5));
         painter.setPen(c.distortion);
-        painter.drawText(QRectF(0, y - height / 2, plot.left() - 4, height), Qt::AlignRight | Qt::AlignVCenter,
-                         GraphAxis::label(tick));
+        painter.drawText(QRectF(0, y - height / 2, plot.left() - 4, height),
+                         Qt::AlignRight | Qt::AlignVCenter, GraphAxis::label(tick));
     }
     painter.setPen(c.separation);
     for (double tick : mSeparationAxis.ticks(tickCount)) {
@@ -283,9 +286,10 @@ void ConvergenceGraph::mouseMoveEvent(QMouseEvent *event)
         return;
     const QRectF plot = plotRect();
     const double x = std::clamp(event->position().x(), plot.left(), plot.right());
-    const auto nearest = std::min_element(mTrace.begin(), mTrace.end(), [&](const TracePoint &a, const TracePoint &b) {
-        return std::abs(xOf(a.iteration, plot) - x) < std::abs(xOf(b.iteration, plot) - x);
-    });
+    const auto nearest =
+        std::min_element(mTrace.begin(), mTrace.end(), [&](const TracePoint &a, const TracePoint &b) {
+            return std::abs(xOf(a.iteration, plot) - x) < std::abs(xOf(b.iteration, plot) - x);
+        });
     setMark(static_cast<int>(nearest - mTrace.begin()));
 }
 

@@ -37,7 +37,8 @@ std::vector<double> logarithmicTicks(double minimum, double maximum, int count)
                 decades.push_back(tick);
         }
     }
-    const std::vector<double> &chosen = static_cast<int>(all.size()) <= count + 1 || decades.size() < 2 ? all : decades;
+    const std::vector<double> &chosen =
+        static_cast<int>(all.size()) <= count + 1 || decades.size() < 2 ? all : decades;
     const std::size_t stride = std::max<std::size_t>(1, (chosen.size() + count - 1) / count);
     std::vector<double> result;
     for (std::size_t i = 0; i < chosen.size(); i += stride)
@@ -73,8 +74,9 @@ GraphAxis GraphAxis::around(const std::vector<float> &values)
 
 double GraphAxis::fraction(double value) const
 {
-    const double fraction = mLogarithmic ? std::log(std::max(value, mMinimum) / mMinimum) / std::log(mMaximum / mMinimum)
-                                         : (value - mMinimum) / (mMaximum - mMinimum);
+    const double fraction =
+        mLogarithmic ? std::log(std::max(value, mMinimum) / mMinimum) / std::log(mMaximum / mMinimum)
+                     : (value - mMinimum) / (mMaximum - mMinimum);
     return std::clamp(fraction, 0.0, 1.0);
 }
 

@@ -7,8 +7,8 @@
 
 namespace autocuts {
 
-//! Maps values to [0, 1]. Logarithmic when the values span more than a factor of 20, so that what happens near
-//! the end of a solve is not crushed by its beginning.
+//! Maps values to [0, 1]. Logarithmic when the values span more than a factor of 20, so that what happens
+//! near the end of a solve is not crushed by its beginning.
 class GraphAxis
 {
 public:

@@ -18,28 +18,29 @@ constexpr int gesturePause = 500; //!< milliseconds
 
 SliderScale SliderScale::linear(double minimum, double maximum)
 {
-    SliderScale scale{minimum, maximum};
-    scale.toValue = [=](double fraction) { return minimum + (maximum - minimum) * fraction; };
-    scale.toFraction = [=](double value) { return (value - minimum) / (maximum - minimum); };
-    return scale;
+    return {.minimum = minimum,
+            .maximum = maximum,
+            .toValue = [=](double fraction) { return minimum + (maximum - minimum) * fraction; },
+            .toFraction = [=](double value) { return (value - minimum) / (maximum - minimum); }};
 }
 
 SliderScale SliderScale::fineNearMinimum(double minimum, double maximum)
 {
-    SliderScale scale{minimum, maximum};
-    scale.toValue = [=](double fraction) { return minimum + (maximum - minimum) * fraction * fraction; };
-    scale.toFraction = [=](double value) {
-        return std::sqrt(std::max(0.0, (value - minimum) / (maximum - minimum)));
-    };
-    return scale;
+    const double span = maximum - minimum;
+    return {.minimum = minimum,
+            .maximum = maximum,
+            .toValue = [=](double fraction) { return minimum + span * fraction * fraction; },
+            .toFraction = [=](double value) { return std::sqrt(std::max(0.0, (value - minimum) / span)); }};
 }
 
 SliderScale SliderScale::powersOfTwo(int first, int last)
 {
-    SliderScale scale{std::exp2(first), std::exp2(last), 4 * (last - first), 4};
-    scale.toValue = [=](double fraction) { return std::exp2(first + (last - first) * fraction); };
-    scale.toFraction = [=](double value) { return (std::log2(value) - first) / (last - first); };
-    return scale;
+    return {.minimum = std::exp2(first),
+            .maximum = std::exp2(last),
+            .steps = 4 * (last - first),
+            .pageSteps = 4,
+            .toValue = [=](double fraction) { return std::exp2(first + (last - first) * fraction); },
+            .toFraction = [=](double value) { return (std::log2(value) - first) / (last - first); }};
 }
 
 SliderSpin::SliderSpin(SliderScale scale, QDoubleSpinBox *spinBox, QWidget *parent)
@@ -81,7 +82,8 @@ void SliderSpin::setValue(double value)
     mSpinBox->setValue(value);
     // While it is dragged the handle stays under the mouse, whatever the value was rounded to.
     if (!mSlider->isSliderDown())
-        mSlider->setValue(static_cast<int>(std::lround(std::clamp(mScale.toFraction(value), 0.0, 1.0) * mScale.steps)));
+        mSlider->setValue(
+            static_cast<int>(std::lround(std::clamp(mScale.toFraction(value), 0.0, 1.0) * mScale.steps)));
 }
 
 void SliderSpin::report(double value)

@@ -96,9 +96,11 @@ void SolverPanel::addModeRows(QFormLayout *form)
     mBound->setRange(4.0001, 10);
     mBound->setSingleStep(0.01);
     mBound->setKeyboardTracking(false);
-    connect(mBound, &QDoubleSpinBox::valueChanged, this, [&solver](double bound) { solver.setMaxDistortion(bound); });
+    connect(mBound, &QDoubleSpinBox::valueChanged, this,
+            [&solver](double bound) { solver.setMaxDistortion(bound); });
     addRow(form, tr("D at most"), mBound,
-           tr("Distortion budget: bound on the mean symmetric Dirichlet energy, 4 where nothing is distorted. Also "
+           tr("Distortion budget: bound on the mean symmetric Dirichlet energy, 4 where nothing is "
+              "distorted. Also "
               "used by Finish and Unwrap."));
 }
 
@@ -121,7 +123,8 @@ void SolverPanel::addSliderRows(QFormLayout *form)
         changeSolveSettings([value](SolveSettings &settings) { settings.delta = value; }, gestureFor(first));
     });
     addRow(form, tr("Delta δ"), makeDeltaRow(),
-           tr("How sharply an edge is either cut or joined: begin with 1 and halve it as the map settles. (Up, Down)"));
+           tr("How sharply an edge is either cut or joined: begin with 1 and halve it as the map settles. "
+              "(Up, Down)"));
 }
 
 QWidget *SolverPanel::makeDeltaRow()
@@ -150,7 +153,8 @@ QWidget *SolverPanel::makeDeltaRow()
 void SolverPanel::scaleDelta(double factor)
 {
     changeSolveSettings([factor](SolveSettings &settings) {
-        settings.delta = std::clamp(settings.delta * factor, std::exp2(smallestDelta), std::exp2(largestDelta));
+        settings.delta =
+            std::clamp(settings.delta * factor, std::exp2(smallestDelta), std::exp2(largestDelta));
     });
 }
 
@@ -171,11 +175,13 @@ QWidget *SolverPanel::makeReadOut()
     add(1, 3, tr("Per second"), tr("Newton steps per second"));
     add(2, 0, tr("Energy E"), tr("(1 − λ) D + λ S, and the energy of pins and rectangles"));
     add(2, 3, tr("Islands"), tr("Islands that joining the nearly joined edges gives"));
-    add(3, 0, tr("Distortion D"), tr("Area-weighted mean of the distortion energy, 4 where nothing is distorted"));
+    add(3, 0, tr("Distortion D"),
+        tr("Area-weighted mean of the distortion energy, 4 where nothing is distorted"));
     add(3, 3, tr("Lambda λ"), tr("In effect; the distortion budget chooses it by itself"));
     add(4, 0, tr("Separation S"), tr("Smoothed length of the seams, on the mesh scaled to area π"));
     add(4, 3, tr("Delta δ"), tr("In effect; the distortion budget chooses it by itself"));
-    add(5, 0, tr("Seam length"), tr("Length of the edges nearer to cut than to joined, on the mesh scaled to area π"));
+    add(5, 0, tr("Seam length"),
+        tr("Length of the edges nearer to cut than to joined, on the mesh scaled to area π"));
     grid->setColumnMinimumWidth(2, 8);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(4, 1);
@@ -195,11 +201,13 @@ QWidget *SolverPanel::makeFinishRow()
     addRow(form, tr("Quality"), mQuality, tr("How much work Unwrap puts into short seams"));
     mFinish = makeButton(tr("Finish"), "finish"_L1);
     mUnwrap = makeButton(tr("Unwrap"), "unwrap"_L1);
-    explain(mFinish, tr("Turn the map into a final one: definite seams, no overlaps, within the distortion budget"),
+    explain(mFinish,
+            tr("Turn the map into a final one: definite seams, no overlaps, within the distortion budget"),
             "uv.finish");
     explain(mUnwrap, tr("Make a packed map automatically, within the distortion budget"), "uv.unwrap");
     MapController &map = context().map;
-    connect(mFinish, &QPushButton::clicked, this, [this, &map] { map.finish(context().solver.maxDistortion()); });
+    connect(mFinish, &QPushButton::clicked, this,
+            [this, &map] { map.finish(context().solver.maxDistortion()); });
     connect(mUnwrap, &QPushButton::clicked, this, [this, &map] {
         map.unwrap(UnwrapQuality(mQuality->currentData().toInt()), context().solver.maxDistortion());
     });
@@ -256,14 +264,10 @@ void SolverPanel::showStatus()
                                            : tr("Ready"));
     const bool none = status.iteration == 0;
     const auto text = [none](const QString &value) { return none ? missingText() : value; };
-    const QString texts[] = {text(countText(status.iteration)),
-                             text(fixedText(status.stepsPerSecond, 1)),
-                             text(fixedText(status.energy, 4)),
-                             text(countText(status.islands)),
-                             text(fixedText(status.distortion, 4)),
-                             text(fixedText(status.lambda, 4)),
-                             text(fixedText(status.separation, 3)),
-                             text(significantText(status.delta, 4)),
+    const QString texts[] = {text(countText(status.iteration)),     text(fixedText(status.stepsPerSecond, 1)),
+                             text(fixedText(status.energy, 4)),     text(countText(status.islands)),
+                             text(fixedText(status.distortion, 4)), text(fixedText(status.lambda, 4)),
+                             text(fixedText(status.separation, 3)), text(significantText(status.delta, 4)),
                              text(fixedText(status.seamLength, 3))};
     for (std::size_t i = 0; i < mFigures.size(); ++i)
         mFigures[i]->setText(texts[i]);

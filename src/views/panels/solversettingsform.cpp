@@ -29,7 +29,8 @@ SolverSettingsForm::SolverSettingsForm(QWidget *parent)
       mSolver(new QComboBox), mBoxWeight(new QDoubleSpinBox), mSeed(new QSpinBox)
 {
     auto *form = makeForm(this);
-    const auto add = [form](const QString &label, QWidget *field, QLatin1StringView name, const QString &tip) {
+    const auto add = [form](const QString &label, QWidget *field, QLatin1StringView name,
+                            const QString &tip) {
         field->setObjectName(name);
         addRow(form, label, field, tip);
     };
@@ -38,12 +39,14 @@ SolverSettingsForm::SolverSettingsForm(QWidget *parent)
     mStart->addItem(tr("Random"), int(StartMode::Random));
     mStart->addItem(tr("Existing UVs"), int(StartMode::ExistingUv));
     add(tr("Start"), mStart, "start"_L1,
-        tr("Where Restart begins. Rigid: every triangle apart and without distortion. Tutte: flattened with few "
+        tr("Where Restart begins. Rigid: every triangle apart and without distortion. Tutte: flattened with "
+           "few "
            "cuts. Random: triangles thrown anywhere. Existing UVs: the map as it is."));
     mEnergy->addItem(tr("Symmetric Dirichlet"), int(DistortionEnergy::SymmetricDirichlet));
     mEnergy->addItem(tr("Conformal (AMIPS)"), int(DistortionEnergy::Amips));
     add(tr("Distortion"), mEnergy, "energy"_L1,
-        tr("What counts as distortion. Symmetric Dirichlet keeps lengths; conformal keeps angles. Both are 4 where "
+        tr("What counts as distortion. Symmetric Dirichlet keeps lengths; conformal keeps angles. Both are 4 "
+           "where "
            "nothing is distorted."));
     mWeighting->addItem(tr("Length of seams"), int(SeamWeighting::Length));
     mWeighting->addItem(tr("Number of seam edges"), int(SeamWeighting::Count));
@@ -51,7 +54,8 @@ SolverSettingsForm::SolverSettingsForm(QWidget *parent)
     mSolver->addItem(tr("Fast"), int(SolverKind::Fast));
     mSolver->addItem(tr("Exact"), int(SolverKind::Exact));
     add(tr("Solver"), mSolver, "solverKind"_L1,
-        tr("Fast: an approximate Newton step, many times quicker. Exact: the full Newton step of the paper."));
+        tr("Fast: an approximate Newton step, many times quicker. Exact: the full Newton step of the "
+           "paper."));
     mBoxWeight->setRange(0, 1e6);
     mBoxWeight->setDecimals(1);
     mBoxWeight->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
