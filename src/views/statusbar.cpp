@@ -89,6 +89,7 @@ StatusBar::StatusBar(const StudioContext &context, QWidget *parent)
     mFigures->setObjectName("statusFigures"_L1);
     addWidget(mText, 1);
     addJob();
+    mSelection->setWidest(widestSelection);
     addPermanentWidget(mSelection);
     addPermanentWidget(mFigures);
     addFigures();
@@ -132,7 +133,7 @@ void StatusBar::addFigures()
     mFigures->addFigure(tr("S"), u"000.000"_s,
                         tr("Separation S: smoothed length of the seams, on the mesh scaled to area π"));
     mFigures->addFigure(tr("λ"), u"0.0000"_s, tr("Lambda in effect: balance of distortion and seams"));
-    mFigures->addFigure(tr("δ"), u"0.00e-00"_s, tr("Delta in effect: how sharply edges are cut or joined"));
+    mFigures->addFigure(tr("δ"), u"0.000000"_s, tr("Delta in effect: how sharply edges are cut or joined"));
     mFigures->addFigure(tr("seams"), u"000.000"_s, tr("Length of the seams, on the mesh scaled to area π"));
     mFigures->addFigure(tr("islands"), u"0000"_s, tr("Number of islands"));
     mFigures->addFigure(tr("flips"), u"000"_s, tr("Flipped triangles of the map"));
@@ -243,7 +244,6 @@ void StatusBar::refresh()
         mSelectionStale = false;
         mSelection->setText(document ? selectionSummary(*document) : QString());
         mSelection->setVisible(!mSelection->text().isEmpty());
-        mSelection->setFixedWidth(std::min(mSelection->sizeHint().width(), widestSelection));
     }
     mFigures->setVisible(document != nullptr);
     if (document && (mContext.solver.isRunning() || mContext.solver.isSettling()))

@@ -42,14 +42,16 @@ QPushButton *makeButton(const QString &text, QLatin1StringView name)
     return button;
 }
 
-QWidget *makeRow(std::initializer_list<QWidget *> widgets)
+QWidget *makeRow(std::initializer_list<QWidget *> widgets, RowWidths widths)
 {
     auto *row = new QWidget;
     auto *layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(rowSpacing);
     for (QWidget *widget : widgets)
-        layout->addWidget(widget, 1);
+        layout->addWidget(widget, widths == RowWidths::Equal ? 1 : 0);
+    if (widths == RowWidths::AsNeeded)
+        layout->addStretch(1);
     return row;
 }
 

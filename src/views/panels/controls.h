@@ -4,6 +4,8 @@
 #include <QLatin1StringView>
 #include <QString>
 
+#include <initializer_list>
+
 class QFormLayout;
 class QGridLayout;
 class QLabel;
@@ -22,8 +24,9 @@ QFormLayout *makeForm(QWidget *owner);
 QLabel *addRow(QFormLayout *form, const QString &label, QWidget *field, const QString &tip);
 //! A push button that may become as narrow as its text. \param name object name
 QPushButton *makeButton(const QString &text, QLatin1StringView name);
-//! Buttons (or other widgets) beside each other, equally wide. \param parent of the row
-QWidget *makeRow(std::initializer_list<QWidget *> widgets);
+enum class RowWidths { Equal, AsNeeded };
+//! Widgets beside each other.
+QWidget *makeRow(std::initializer_list<QWidget *> widgets, RowWidths widths = RowWidths::Equal);
 //! Title of a section, bold, with a line.
 QWidget *makeHeading(const QString &text);
 //! A caption and a value beside it in a grid, the value aligned to the right, both with the tip.

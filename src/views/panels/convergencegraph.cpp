@@ -101,7 +101,8 @@ QRectF ConvergenceGraph::plotRect() const
 {
     const QFontMetricsF metrics(font());
     const double side = metrics.horizontalAdvance(QStringLiteral("0.000")) + 6;
-    const double top = metrics.height() + 4;
+    // The values stand in a line of their own above the topmost tick.
+    const double top = 1.5 * metrics.height() + 4;
     return QRectF(rect()).adjusted(side, top, -side, -metrics.height() - 4);
 }
 

@@ -2,6 +2,8 @@
 
 #include <QPainter>
 
+#include <algorithm>
+
 namespace autocuts {
 
 ElidedLabel::ElidedLabel(QWidget *parent) : QWidget(parent)
@@ -20,9 +22,16 @@ void ElidedLabel::setText(const QString &text)
     update();
 }
 
+void ElidedLabel::setWidest(int width)
+{
+    mWidest = width;
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+}
+
 QSize ElidedLabel::sizeHint() const
 {
-    return {fontMetrics().horizontalAdvance(mText), fontMetrics().height()};
+    const int wanted = fontMetrics().horizontalAdvance(mText) + 1;
+    return {mWidest > 0 ? std::min(wanted, mWidest) : wanted, fontMetrics().height()};
 }
 
 QSize ElidedLabel::minimumSizeHint() const

@@ -16,6 +16,9 @@ public:
     const QString &text() const { return mText; }
     void setText(const QString &text);
 
+    //! Takes the width of its text up to this, instead of whatever is left over.
+    void setWidest(int width);
+
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -27,6 +30,7 @@ private:
     void updateToolTip();
 
     QString mText;
+    int mWidest = 0; //!< 0: no limit
 };
 
 } // namespace autocuts

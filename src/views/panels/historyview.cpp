@@ -39,7 +39,22 @@ QColor colorOf(int commandId)
     return QColor(0x8A8F98);
 }
 
-//! Puts the sign of its kind before each entry.
+//! \param faint for what was undone or cannot be undone any more
+QIcon dot(QColor color, bool faint)
+{
+    constexpr int size = 12, density = 4; // four times as fine as shown: sharp on every screen
+    QPixmap pixmap(size * density, size * density);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    color.setAlphaF(faint ? 0.4f : 1);
+    painter.setBrush(color);
+    painter.drawEllipse(QRectF(pixmap.rect()).adjusted(density, density, -density, -density));
+    return QIcon(pixmap);
+}
+
+//! Puts the sign of its kind before each entry, and "saved" behind the saved one.
 class HistoryDelegate final : public QStyledItemDelegate
 {
 public:
@@ -50,35 +65,38 @@ public:
     void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
     {
         QStyledItemDelegate::paint(painter, option, index);
-        if (!mStack || index.row() == 0 || index.row() > mStack->count())
+        if (!mStack || index.row() != mStack->cleanIndex())
             return;
-        QColor color = colorOf(mStack->command(index.row() - 1)->id());
-        // What was undone, and what cannot be undone any more, stands back.
-        if (index.row() > mStack->index() || index.row() <= mStack->releasedCount())
-            color.setAlphaF(0.4f);
-        painter->save();
-        painter->setRenderHint(QPainter::Antialiasing);
-        painter->setPen(Qt::NoPen);
-        painter->setBrush(color);
-        const double radius = 4;
-        painter->drawEllipse(QPointF(option.rect.left() + 10, option.rect.center().y() + 0.5), radius,
-                             radius);
-        painter->restore();
+        const bool selected = option.state & QStyle::State_Selected;
+        painter->setPen(
+            option.palette.color(selected ? QPalette::HighlightedText : QPalette::PlaceholderText));
+        painter->drawText(option.rect.adjusted(0, 0, -6, 0), Qt::AlignRight | Qt::AlignVCenter,
+                          HistoryView::tr("saved"));
+    }
+
+    QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        return QStyledItemDelegate::sizeHint(option, index).grownBy({0, 3, 0, 3});
     }
 
 protected:
     void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
     {
         QStyledItemDelegate::initStyleOption(option, index);
-        // Room for the sign; the mark of the saved state moves behind the text.
-        option->rect.setLeft(option->rect.left() + 16);
-        option->decorationPosition = QStyleOptionViewItem::Right;
+        option->features |= QStyleOptionViewItem::HasDecoration;
+        option->decorationSize = QSize(12, 12);
+        option->icon = QIcon();
         if (!mStack)
             return;
-        if (index.row() < mStack->releasedCount()) {
+        const int row = index.row();
+        const bool released = row < mStack->releasedCount();
+        const bool undone = row > mStack->index();
+        if (row > 0 && row <= mStack->count())
+            option->icon = dot(colorOf(mStack->command(row - 1)->id()), released || undone);
+        if (released) {
             option->state &= ~QStyle::State_Enabled;
             option->palette.setCurrentColorGroup(QPalette::Disabled);
-        } else if (index.row() > mStack->index()) {
+        } else if (undone) {
             option->font.setItalic(true);
             option->palette.setColor(QPalette::Text, option->palette.color(QPalette::PlaceholderText));
         }
@@ -94,6 +112,7 @@ HistoryView::HistoryView(QWidget *parent) : QUndoView(parent)
 {
     setItemDelegate(new HistoryDelegate(this));
     setUniformItemSizes(true);
+    setCleanIcon(QIcon());
 }
 
 void HistoryView::setHistory(UndoStack *stack)

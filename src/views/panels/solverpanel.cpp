@@ -10,12 +10,12 @@
 #include "views/panels/sliderspin.h"
 #include "views/panels/solversettingsform.h"
 
-#include <QButtonGroup>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QSignalBlocker>
 
 namespace autocuts {
@@ -42,6 +42,7 @@ SolverPanel::SolverPanel(const StudioContext &context, QWidget *parent)
     layout->addWidget(controls);
     mGraph = new ConvergenceGraph;
     mGraph->setObjectName("graph"_L1);
+    mGraph->setMaximumHeight(260);
     layout->addWidget(mGraph, 1);
     layout->addWidget(makeReadOut());
     layout->addWidget(makeHeading(tr("Settings")));
@@ -52,6 +53,7 @@ SolverPanel::SolverPanel(const StudioContext &context, QWidget *parent)
     layout->addWidget(settings);
     layout->addWidget(makeHeading(tr("Final map")));
     layout->addWidget(makeFinishRow());
+    layout->addStretch();
     connectSolver();
 }
 
@@ -74,17 +76,14 @@ QWidget *SolverPanel::makeRunButtons()
 
 void SolverPanel::addModeRows(QFormLayout *form)
 {
-    mManual = makeButton(tr("Manual"), "manual"_L1);
-    mBudget = makeButton(tr("Budget"), "budget"_L1);
-    auto *modes = new QButtonGroup(this);
-    for (QPushButton *button : {mManual, mBudget}) {
-        button->setCheckable(true);
-        modes->addButton(button);
-    }
+    mManual = new QRadioButton(tr("Manual"));
+    mBudget = new QRadioButton(tr("Distortion budget"));
+    mManual->setObjectName("manual"_L1);
+    mBudget->setObjectName("budget"_L1);
     SolverController &solver = context().solver;
     connect(mManual, &QPushButton::clicked, this, [&solver] { solver.setMode(SolveMode::Manual); });
     connect(mBudget, &QPushButton::clicked, this, [&solver] { solver.setMode(SolveMode::Budget); });
-    QWidget *row = makeRow({mManual, mBudget});
+    QWidget *row = makeRow({mManual, mBudget}, RowWidths::AsNeeded);
     row->setFocusProxy(mManual);
     addRow(form, tr("Mode"), row, tr("Who chooses lambda and delta"));
     mManual->setToolTip(tr("You choose lambda and delta"));
@@ -229,12 +228,20 @@ void SolverPanel::connectSolver()
 void SolverPanel::refresh()
 {
     if (const Document *open = document()) {
-        mLambda->setValue(open->solveSettings().lambda);
-        mDelta->setValue(open->solveSettings().delta);
+        showEnergyBalance(*open);
         content()->findChild<SolverSettingsForm *>()->setSettings(open->solveSettings());
     }
     showState();
     showStatus();
+}
+
+void SolverPanel::showEnergyBalance(const Document &open)
+{
+    // In budget mode the solver's own choice is what is of interest.
+    const SolverController &solver = context().solver;
+    const bool own = solver.mode() == SolveMode::Budget && solver.status().iteration > 0;
+    mLambda->setValue(own ? solver.status().lambda : open.solveSettings().lambda);
+    mDelta->setValue(own ? solver.status().delta : open.solveSettings().delta);
 }
 
 void SolverPanel::showState()
@@ -264,10 +271,14 @@ void SolverPanel::showStatus()
                                            : tr("Ready"));
     const bool none = status.iteration == 0;
     const auto text = [none](const QString &value) { return none ? missingText() : value; };
-    const QString texts[] = {text(countText(status.iteration)),     text(fixedText(status.stepsPerSecond, 1)),
-                             text(fixedText(status.energy, 4)),     text(countText(status.islands)),
-                             text(fixedText(status.distortion, 4)), text(fixedText(status.lambda, 4)),
-                             text(fixedText(status.separation, 3)), text(significantText(status.delta, 4)),
+    const QString texts[] = {text(countText(status.iteration)),
+                             solver.isRunning() ? fixedText(status.stepsPerSecond, 1) : missingText(),
+                             text(fixedText(status.energy, 4)),
+                             text(countText(status.islands)),
+                             text(fixedText(status.distortion, 4)),
+                             text(fixedText(status.lambda, 4)),
+                             text(fixedText(status.separation, 3)),
+                             text(significantText(status.delta, 4)),
                              text(fixedText(status.seamLength, 3))};
     for (std::size_t i = 0; i < mFigures.size(); ++i)
         mFigures[i]->setText(texts[i]);

@@ -5,13 +5,12 @@
 
 #include <vector>
 
-class QButtonGroup;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QPushButton;
-class QVBoxLayout;
+class QRadioButton;
 
 namespace autocuts {
 
@@ -39,11 +38,12 @@ private:
     QWidget *makeFinishRow();
     void connectSolver();
     void scaleDelta(double factor);
+    void showEnergyBalance(const Document &open);
     void showState();
     void showStatus();
 
     QPushButton *mRun = nullptr, *mStep = nullptr, *mRestart = nullptr;
-    QPushButton *mManual = nullptr, *mBudget = nullptr;
+    QRadioButton *mManual = nullptr, *mBudget = nullptr;
     QDoubleSpinBox *mBound = nullptr;
     SliderSpin *mLambda = nullptr, *mDelta = nullptr;
     QPushButton *mHalve = nullptr, *mDouble = nullptr;
