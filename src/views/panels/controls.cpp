@@ -1,0 +1,98 @@
+#include "views/panels/controls.h"
+
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace autocuts {
+
+QFormLayout *makeForm(QWidget *owner)
+{
+    auto *form = new QFormLayout(owner);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setHorizontalSpacing(8);
+    form->setVerticalSpacing(rowSpacing);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    return form;
+}
+
+QLabel *addRow(QFormLayout *form, const QString &label, QWidget *field, const QString &tip)
+{
+    auto *caption = new QLabel(label);
+    caption->setBuddy(field);
+    caption->setToolTip(tip);
+    caption->setMinimumWidth(caption->fontMetrics().horizontalAdvance(QStringLiteral("Distortion__")));
+    field->setToolTip(tip);
+    if (field->accessibleName().isEmpty())
+        field->setAccessibleName(label);
+    field->setMinimumWidth(0);
+    form->addRow(caption, field);
+    return caption;
+}
+
+QPushButton *makeButton(const QString &text, QLatin1StringView name)
+{
+    auto *button = new QPushButton(text);
+    button->setObjectName(name);
+    button->setAutoDefault(false);
+    // Fusion gives every button room for a long text; several have to fit beside each other.
+    button->setMinimumWidth(button->fontMetrics().horizontalAdvance(text) + 20);
+    return button;
+}
+
+QWidget *makeRow(std::initializer_list<QWidget *> widgets, RowWidths widths)
+{
+    auto *row = new QWidget;
+    auto *layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(rowSpacing);
+    for (QWidget *widget : widgets)
+        layout->addWidget(widget, widths == RowWidths::Equal ? 1 : 0);
+    if (widths == RowWidths::AsNeeded)
+        layout->addStretch(1);
+    return row;
+}
+
+QWidget *makeHeading(const QString &text)
+{
+    auto *heading = new QWidget;
+    auto *layout = new QHBoxLayout(heading);
+    layout->setContentsMargins(0, rowSpacing, 0, 0);
+    auto *label = new QLabel(text);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    auto *line = new QFrame;
+    line->setFrameShape(QFrame::HLine);
+    line->setForegroundRole(QPalette::Mid);
+    line->setFrameShadow(QFrame::Plain);
+    layout->addWidget(label);
+    layout->addWidget(line, 1);
+    return heading;
+}
+
+QLabel *addFigure(QGridLayout *grid, int row, int column, const QString &caption, const QString &tip)
+{
+    auto *name = new QLabel(caption);
+    auto *value = new QLabel;
+    value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    value->setAccessibleName(caption);
+    name->setToolTip(tip);
+    value->setToolTip(tip);
+    grid->addWidget(name, row, column);
+    grid->addWidget(value, row, column + 1);
+    return value;
+}
+
+QLabel *makeRemark(const QString &text)
+{
+    auto *remark = new QLabel(text);
+    remark->setWordWrap(true);
+    remark->setForegroundRole(QPalette::PlaceholderText);
+    return remark;
+}
+
+} // namespace autocuts

@@ -1,0 +1,70 @@
+// The live graph of a solve: distortion and separation against iterations.
+#pragma once
+
+#include "views/control/solvercontroller.h"
+#include "views/panels/graphaxis.h"
+
+#include <QWidget>
+
+#include <vector>
+
+namespace autocuts {
+
+//! D on the left axis, S on the right one, delta as steps in the background. Under the mouse, or at the mark
+//! that Left and Right move, the values of one iteration are shown. Of any number of points one column of
+//! pixels draws at most one vertical line per curve.
+class ConvergenceGraph final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ConvergenceGraph(QWidget *parent = nullptr);
+
+    //! \param trace rising by iteration
+    void setTrace(const std::vector<TracePoint> &trace);
+    const std::vector<TracePoint> &trace() const { return mTrace; }
+
+    //! The point whose values are shown; null when there is none.
+    const TracePoint *marked() const;
+
+    QSize sizeHint() const override { return {250, 160}; }
+    QSize minimumSizeHint() const override { return {180, 120}; }
+
+Q_SIGNALS:
+    void markChanged();
+
+protected:
+    bool event(QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
+
+private:
+    struct Colors;
+    //! Smallest and largest value of the points of one column of pixels, and the last one.
+    struct Column
+    {
+        int x = 0;
+        float low = 0, high = 0, last = 0;
+    };
+
+    Colors colors() const;
+    QRectF plotRect() const;
+    double xOf(int iteration, const QRectF &plot) const;
+    std::vector<Column> columns(float TracePoint::*field, const QRectF &plot) const;
+    void setMark(int index);
+    void drawFrame(QPainter &painter, const QRectF &plot, const Colors &colors) const;
+    void drawDelta(QPainter &painter, const QRectF &plot, const Colors &colors) const;
+    void drawCurve(QPainter &painter, const QRectF &plot, float TracePoint::*field, const GraphAxis &axis,
+                   const QColor &color) const;
+    void drawLegend(QPainter &painter, const QRectF &plot, const Colors &colors) const;
+    void drawMark(QPainter &painter, const QRectF &plot, const Colors &colors) const;
+
+    std::vector<TracePoint> mTrace;
+    GraphAxis mDistortionAxis, mSeparationAxis, mDeltaAxis;
+    int mMark = -1; //!< index into mTrace
+};
+
+} // namespace autocuts

@@ -1,0 +1,114 @@
+#include "views/panels/figurestrip.h"
+
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+
+namespace autocuts {
+
+namespace {
+
+constexpr int captionGap = 4, figureGap = 12;
+
+} // namespace
+
+FigureStrip::FigureStrip(QWidget *parent) : QWidget(parent)
+{
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+}
+
+int FigureStrip::addFigure(const QString &caption, const QString &widest, const QString &tip)
+{
+    mFigures.push_back({caption, widest, tip, {}});
+    updateGeometry();
+    return static_cast<int>(mFigures.size()) - 1;
+}
+
+void FigureStrip::setFigure(int number, const QString &text, bool alert)
+{
+    Figure &figure = mFigures[number];
+    if (figure.text == text && figure.alert == alert)
+        return;
+    figure.text = text;
+    figure.alert = alert;
+    update();
+}
+
+int FigureStrip::widthOf(const Figure &figure) const
+{
+    return fontMetrics().horizontalAdvance(figure.caption) + captionGap +
+           fontMetrics().horizontalAdvance(figure.widest) + figureGap;
+}
+
+int FigureStrip::visibleCount() const
+{
+    int used = 0, count = 0;
+    for (const Figure &figure : mFigures) {
+        used += widthOf(figure);
+        if (used > width())
+            break;
+        ++count;
+    }
+    return count;
+}
+
+QSize FigureStrip::sizeHint() const
+{
+    int width = 0;
+    for (const Figure &figure : mFigures)
+        width += widthOf(figure);
+    return {width, fontMetrics().height()};
+}
+
+QSize FigureStrip::minimumSizeHint() const
+{
+    return {mFigures.empty() ? 0 : widthOf(mFigures.front()), fontMetrics().height()};
+}
+
+int FigureStrip::figureAt(int x) const
+{
+    const int count = visibleCount();
+    for (int i = 0; i < count; ++i) {
+        x -= widthOf(mFigures[i]);
+        if (x < 0)
+            return i;
+    }
+    return -1;
+}
+
+bool FigureStrip::event(QEvent *event)
+{
+    if (event->type() == QEvent::ToolTip) {
+        const auto *help = static_cast<QHelpEvent *>(event);
+        const int number = figureAt(help->pos().x());
+        QToolTip::showText(help->globalPos(), number < 0 ? QString() : mFigures[number].tip, this);
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void FigureStrip::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    const bool dark = palette().color(QPalette::Window).lightnessF() < 0.5;
+    const QColor plain = palette().color(QPalette::WindowText);
+    QColor faint = plain;
+    faint.setAlphaF(0.6f);
+    const QColor alert = dark ? QColor(0xFF7A6B) : QColor(0xB3140A);
+    int left = 0;
+    const int count = visibleCount();
+    for (int i = 0; i < count; ++i) {
+        const Figure &figure = mFigures[i];
+        const int end = left + widthOf(figure) - figureGap;
+        painter.setPen(faint);
+        painter.drawText(QRect(left, 0, end - left, height()), Qt::AlignLeft | Qt::AlignVCenter,
+                         figure.caption);
+        painter.setPen(figure.alert ? alert : plain);
+        const int valueLeft = left + fontMetrics().horizontalAdvance(figure.caption) + captionGap;
+        painter.drawText(QRect(valueLeft, 0, end - valueLeft, height()), Qt::AlignLeft | Qt::AlignVCenter,
+                         figure.text);
+        left = end + figureGap;
+    }
+}
+
+} // namespace autocuts

@@ -1,0 +1,91 @@
+#include "views/panels/inputguard.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QChildEvent>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QScrollBar>
+
+namespace autocuts {
+
+namespace {
+
+bool takesWheel(const QObject *object)
+{
+    return qobject_cast<const QAbstractSpinBox *>(object) || qobject_cast<const QComboBox *>(object) ||
+           (qobject_cast<const QAbstractSlider *>(object) && !qobject_cast<const QScrollBar *>(object));
+}
+
+bool isOperatedBy(const QObject *object, const QKeyEvent &event)
+{
+    if (event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier))
+        return false;
+    const bool isView = qobject_cast<const QAbstractItemView *>(object);
+    switch (event.key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+    case Qt::Key_Home:
+    case Qt::Key_End:
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown:
+        return takesWheel(object) || isView;
+    case Qt::Key_Space:
+        return isView || qobject_cast<const QAbstractButton *>(object) ||
+               qobject_cast<const QComboBox *>(object);
+    default:
+        return false;
+    }
+}
+
+} // namespace
+
+InputGuard::InputGuard(QWidget *root) : QObject(root)
+{
+    guard(root);
+}
+
+bool InputGuard::eventFilter(QObject *watched, QEvent *event)
+{
+    switch (event->type()) {
+    case QEvent::ChildPolished:
+        // By now the child has the type that it will have.
+        guard(static_cast<QChildEvent *>(event)->child());
+        break;
+    case QEvent::Wheel:
+        if (takesWheel(watched) && !static_cast<QWidget *>(watched)->hasFocus()) {
+            event->ignore();
+            return true;
+        }
+        break;
+    case QEvent::ShortcutOverride:
+        if (isOperatedBy(watched, *static_cast<QKeyEvent *>(event))) {
+            event->accept();
+            return true;
+        }
+        break;
+    default:
+        break;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+void InputGuard::guard(QObject *object)
+{
+    if (!object->isWidgetType())
+        return;
+    object->installEventFilter(this);
+    auto *widget = static_cast<QWidget *>(object);
+    if (takesWheel(object))
+        widget->setFocusPolicy(Qt::StrongFocus);
+    else if (qobject_cast<QAbstractButton *>(object))
+        widget->setFocusPolicy(Qt::TabFocus);
+    for (QObject *child : object->children())
+        guard(child);
+}
+
+} // namespace autocuts

@@ -1,0 +1,40 @@
+#include "views/panels/numbertext.h"
+
+#include <QLocale>
+
+#include <cmath>
+
+namespace autocuts {
+
+QString missingText()
+{
+    return QStringLiteral("–");
+}
+
+QString fixedText(double value, int decimals)
+{
+    if (!std::isfinite(value))
+        return missingText();
+    // Far outside of what the figures are for: a row of zeros would only break the layout.
+    if (std::abs(value) >= 1e7)
+        return QLocale().toString(value, 'g', 3);
+    return QLocale().toString(value, 'f', decimals);
+}
+
+QString significantText(double value, int digits)
+{
+    return std::isfinite(value) ? QLocale().toString(value, 'g', digits) : missingText();
+}
+
+QString countText(qint64 count)
+{
+    return count < 0 ? missingText() : QLocale().toString(count);
+}
+
+QString percentText(double share)
+{
+    return std::isfinite(share) ? QStringLiteral("%1 %").arg(QLocale().toString(100 * share, 'f', 1))
+                                : missingText();
+}
+
+} // namespace autocuts

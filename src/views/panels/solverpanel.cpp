@@ -1,0 +1,287 @@
+#include "views/panels/solverpanel.h"
+
+#include "views/control/mapcontroller.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/panels/controls.h"
+#include "views/panels/convergencegraph.h"
+#include "views/panels/deltaspinbox.h"
+#include "views/panels/numbertext.h"
+#include "views/panels/sliderspin.h"
+#include "views/panels/solversettingsform.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalBlocker>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+constexpr int smallestDelta = -24, largestDelta = 2; //!< powers of two
+
+} // namespace
+
+SolverPanel::SolverPanel(const StudioContext &context, QWidget *parent)
+    : Panel(context, tr("Open a model to unfold it with the solver."), parent)
+{
+    auto *layout = new QVBoxLayout(content());
+    layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
+    layout->setSpacing(rowSpacing + 2);
+    layout->addWidget(makeRunButtons());
+    auto *controls = new QWidget;
+    auto *form = makeForm(controls);
+    addModeRows(form);
+    addSliderRows(form);
+    layout->addWidget(controls);
+    mGraph = new ConvergenceGraph;
+    mGraph->setObjectName("graph"_L1);
+    mGraph->setMaximumHeight(260);
+    layout->addWidget(mGraph, 1);
+    layout->addWidget(makeReadOut());
+    layout->addWidget(makeHeading(tr("Settings")));
+    auto *settings = new SolverSettingsForm;
+    settings->setObjectName("settings"_L1);
+    connect(settings, &SolverSettingsForm::edited, this,
+            [this](const std::function<void(SolveSettings &)> &edit) { changeSolveSettings(edit); });
+    layout->addWidget(settings);
+    layout->addWidget(makeHeading(tr("Final map")));
+    layout->addWidget(makeFinishRow());
+    layout->addStretch();
+    connectSolver();
+}
+
+QWidget *SolverPanel::makeRunButtons()
+{
+    SolverController &solver = context().solver;
+    mRun = makeButton(tr("Run"), "run"_L1);
+    mStep = makeButton(tr("Step"), "step"_L1);
+    mRestart = makeButton(tr("Restart"), "restart"_L1);
+    explain(mRun, tr("Start or pause the solver"), "uv.run");
+    explain(mStep, tr("Do one Newton step"), "uv.step");
+    explain(mRestart, tr("Begin anew from the start chosen below"), "uv.restart");
+    // The width must not follow the text.
+    mRun->setMinimumWidth(mRun->fontMetrics().horizontalAdvance(tr("Pause")) + 40);
+    connect(mRun, &QPushButton::clicked, &solver, &SolverController::toggle);
+    connect(mStep, &QPushButton::clicked, &solver, &SolverController::step);
+    connect(mRestart, &QPushButton::clicked, &solver, &SolverController::restart);
+    return makeRow({mRun, mStep, mRestart});
+}
+
+void SolverPanel::addModeRows(QFormLayout *form)
+{
+    mManual = new QRadioButton(tr("Manual"));
+    mBudget = new QRadioButton(tr("Distortion budget"));
+    mManual->setObjectName("manual"_L1);
+    mBudget->setObjectName("budget"_L1);
+    SolverController &solver = context().solver;
+    connect(mManual, &QPushButton::clicked, this, [&solver] { solver.setMode(SolveMode::Manual); });
+    connect(mBudget, &QPushButton::clicked, this, [&solver] { solver.setMode(SolveMode::Budget); });
+    QWidget *row = makeRow({mManual, mBudget}, RowWidths::AsNeeded);
+    row->setFocusProxy(mManual);
+    addRow(form, tr("Mode"), row, tr("Who chooses lambda and delta"));
+    mManual->setToolTip(tr("You choose lambda and delta"));
+    mBudget->setToolTip(tr("The solver finds the shortest seams whose map stays within a distortion bound"));
+
+    mBound = new QDoubleSpinBox;
+    mBound->setObjectName("bound"_L1);
+    mBound->setDecimals(4);
+    mBound->setRange(4.0001, 10);
+    mBound->setSingleStep(0.01);
+    mBound->setKeyboardTracking(false);
+    connect(mBound, &QDoubleSpinBox::valueChanged, this,
+            [&solver](double bound) { solver.setMaxDistortion(bound); });
+    addRow(form, tr("D at most"), mBound,
+           tr("Distortion budget: bound on the mean symmetric Dirichlet energy, 4 where nothing is "
+              "distorted. Also "
+              "used by Finish and Unwrap."));
+}
+
+void SolverPanel::addSliderRows(QFormLayout *form)
+{
+    auto *lambdaBox = new QDoubleSpinBox;
+    lambdaBox->setDecimals(4);
+    lambdaBox->setSingleStep(0.01);
+    mLambda = new SliderSpin(SliderScale::fineNearMinimum(0, 1), lambdaBox);
+    mLambda->setObjectName("lambda"_L1);
+    connect(mLambda, &SliderSpin::edited, this, [this](double value, bool first) {
+        changeSolveSettings([value](SolveSettings &settings) { settings.lambda = value; }, gestureFor(first));
+    });
+    addRow(form, tr("Lambda λ"), mLambda,
+           tr("Balance of the energy (1 − λ) D + λ S: 0 is no distortion, 1 is no seams. (Left, Right)"));
+
+    mDelta = new SliderSpin(SliderScale::powersOfTwo(smallestDelta, largestDelta), new DeltaSpinBox);
+    mDelta->setObjectName("delta"_L1);
+    connect(mDelta, &SliderSpin::edited, this, [this](double value, bool first) {
+        changeSolveSettings([value](SolveSettings &settings) { settings.delta = value; }, gestureFor(first));
+    });
+    addRow(form, tr("Delta δ"), makeDeltaRow(),
+           tr("How sharply an edge is either cut or joined: begin with 1 and halve it as the map settles. "
+              "(Up, Down)"));
+}
+
+QWidget *SolverPanel::makeDeltaRow()
+{
+    mHalve = makeButton(u"½"_s, "halve"_L1);
+    mDouble = makeButton(u"×2"_s, "double"_L1);
+    explain(mHalve, tr("Halve delta: sharper cuts"), "uv.halveDelta");
+    explain(mDouble, tr("Double delta: softer cuts"), "uv.doubleDelta");
+    for (QPushButton *button : {mHalve, mDouble}) {
+        button->setMinimumWidth(button->fontMetrics().horizontalAdvance(u"×2"_s) + 10);
+        button->setMaximumWidth(button->minimumWidth());
+    }
+    connect(mHalve, &QPushButton::clicked, this, [this] { scaleDelta(0.5); });
+    connect(mDouble, &QPushButton::clicked, this, [this] { scaleDelta(2); });
+    auto *row = new QWidget;
+    auto *layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(rowSpacing);
+    layout->addWidget(mDelta, 1);
+    layout->addWidget(mHalve);
+    layout->addWidget(mDouble);
+    row->setFocusProxy(mDelta);
+    return row;
+}
+
+void SolverPanel::scaleDelta(double factor)
+{
+    changeSolveSettings([factor](SolveSettings &settings) {
+        settings.delta =
+            std::clamp(settings.delta * factor, std::exp2(smallestDelta), std::exp2(largestDelta));
+    });
+}
+
+QWidget *SolverPanel::makeReadOut()
+{
+    auto *box = new QWidget;
+    auto *grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(2);
+    mState = new QLabel;
+    mState->setObjectName("state"_L1);
+    grid->addWidget(mState, 0, 0, 1, 5);
+    const auto add = [&](int row, int column, const QString &caption, const QString &tip) {
+        mFigures.push_back(addFigure(grid, row, column, caption, tip));
+    };
+    add(1, 0, tr("Iteration"), tr("Newton steps since the start"));
+    add(1, 3, tr("Per second"), tr("Newton steps per second"));
+    add(2, 0, tr("Energy E"), tr("(1 − λ) D + λ S, and the energy of pins and rectangles"));
+    add(2, 3, tr("Islands"), tr("Islands that joining the nearly joined edges gives"));
+    add(3, 0, tr("Distortion D"),
+        tr("Area-weighted mean of the distortion energy, 4 where nothing is distorted"));
+    add(3, 3, tr("Lambda λ"), tr("In effect; the distortion budget chooses it by itself"));
+    add(4, 0, tr("Separation S"), tr("Smoothed length of the seams, on the mesh scaled to area π"));
+    add(4, 3, tr("Delta δ"), tr("In effect; the distortion budget chooses it by itself"));
+    add(5, 0, tr("Seam length"),
+        tr("Length of the edges nearer to cut than to joined, on the mesh scaled to area π"));
+    grid->setColumnMinimumWidth(2, 8);
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(4, 1);
+    return box;
+}
+
+QWidget *SolverPanel::makeFinishRow()
+{
+    auto *box = new QWidget;
+    auto *form = makeForm(box);
+    mQuality = new QComboBox;
+    mQuality->setObjectName("quality"_L1);
+    mQuality->addItem(tr("Draft"), int(UnwrapQuality::Draft));
+    mQuality->addItem(tr("Standard"), int(UnwrapQuality::Standard));
+    mQuality->addItem(tr("Best"), int(UnwrapQuality::Best));
+    mQuality->setCurrentIndex(1);
+    addRow(form, tr("Quality"), mQuality, tr("How much work Unwrap puts into short seams"));
+    mFinish = makeButton(tr("Finish"), "finish"_L1);
+    mUnwrap = makeButton(tr("Unwrap"), "unwrap"_L1);
+    explain(mFinish,
+            tr("Turn the map into a final one: definite seams, no overlaps, within the distortion budget"),
+            "uv.finish");
+    explain(mUnwrap, tr("Make a packed map automatically, within the distortion budget"), "uv.unwrap");
+    MapController &map = context().map;
+    connect(mFinish, &QPushButton::clicked, this,
+            [this, &map] { map.finish(context().solver.maxDistortion()); });
+    connect(mUnwrap, &QPushButton::clicked, this, [this, &map] {
+        map.unwrap(UnwrapQuality(mQuality->currentData().toInt()), context().solver.maxDistortion());
+    });
+    form->addRow(makeRow({mFinish, mUnwrap}));
+    return box;
+}
+
+void SolverPanel::connectSolver()
+{
+    connect(&context().workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
+        if (event.type == ChangeEvent::Type::SolveSettings)
+            refreshSoon();
+    });
+    connect(&context().solver, &SolverController::stateChanged, this, &SolverPanel::refreshSoon);
+    connect(&context().solver, &SolverController::statusChanged, this, &SolverPanel::refreshSoon);
+    connect(&context().map.jobs(), &JobRunner::busyChanged, this, &SolverPanel::refreshSoon);
+}
+
+void SolverPanel::refresh()
+{
+    if (const Document *open = document()) {
+        showEnergyBalance(*open);
+        content()->findChild<SolverSettingsForm *>()->setSettings(open->solveSettings());
+    }
+    showState();
+    showStatus();
+}
+
+void SolverPanel::showEnergyBalance(const Document &open)
+{
+    // In budget mode the solver's own choice is what is of interest.
+    const SolverController &solver = context().solver;
+    const bool own = solver.mode() == SolveMode::Budget && solver.status().iteration > 0;
+    mLambda->setValue(own ? solver.status().lambda : open.solveSettings().lambda);
+    mDelta->setValue(own ? solver.status().delta : open.solveSettings().delta);
+}
+
+void SolverPanel::showState()
+{
+    const SolverController &solver = context().solver;
+    const bool manual = solver.mode() == SolveMode::Manual;
+    mRun->setText(solver.isRunning() ? tr("Pause") : tr("Run"));
+    (manual ? mManual : mBudget)->setChecked(true);
+    const QSignalBlocker blocker(mBound);
+    mBound->setValue(solver.maxDistortion());
+    for (QWidget *widget : std::initializer_list<QWidget *>{mLambda, mDelta, mHalve, mDouble})
+        widget->setEnabled(manual);
+    const bool idle = !context().map.jobs().isBusy();
+    mFinish->setEnabled(idle);
+    mUnwrap->setEnabled(idle);
+}
+
+void SolverPanel::showStatus()
+{
+    const SolverController &solver = context().solver;
+    mGraph->setTrace(solver.trace());
+    const SolveStatus &status = solver.status();
+    mState->setText(!document()            ? QString()
+                    : solver.isRunning()   ? (status.converged ? tr("Converged") : tr("Running"))
+                    : solver.isSettling()  ? tr("Joining what is nearly joined")
+                    : solver.canContinue() ? tr("Paused")
+                                           : tr("Ready"));
+    const bool none = status.iteration == 0;
+    const auto text = [none](const QString &value) { return none ? missingText() : value; };
+    const QString texts[] = {text(countText(status.iteration)),
+                             solver.isRunning() ? fixedText(status.stepsPerSecond, 1) : missingText(),
+                             text(fixedText(status.energy, 4)),
+                             text(countText(status.islands)),
+                             text(fixedText(status.distortion, 4)),
+                             text(fixedText(status.lambda, 4)),
+                             text(fixedText(status.separation, 3)),
+                             text(significantText(status.delta, 4)),
+                             text(fixedText(status.seamLength, 3))};
+    for (std::size_t i = 0; i < mFigures.size(); ++i)
+        mFigures[i]->setText(texts[i]);
+}
+
+} // namespace autocuts

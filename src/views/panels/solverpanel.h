@@ -1,0 +1,57 @@
+// The panel of the live solver.
+#pragma once
+
+#include "views/panels/panel.h"
+
+#include <vector>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QPushButton;
+class QRadioButton;
+
+namespace autocuts {
+
+class ConvergenceGraph;
+class SliderSpin;
+
+//! Runs the solver, sets lambda and delta or the distortion budget, shows how it converges, and makes the
+//! final map.
+class SolverPanel final : public Panel
+{
+    Q_OBJECT
+
+public:
+    explicit SolverPanel(const StudioContext &context, QWidget *parent = nullptr);
+
+protected:
+    void refresh() override;
+
+private:
+    QWidget *makeRunButtons();
+    void addModeRows(QFormLayout *form);
+    void addSliderRows(QFormLayout *form);
+    QWidget *makeDeltaRow();
+    QWidget *makeReadOut();
+    QWidget *makeFinishRow();
+    void connectSolver();
+    void scaleDelta(double factor);
+    void showEnergyBalance(const Document &open);
+    void showState();
+    void showStatus();
+
+    QPushButton *mRun = nullptr, *mStep = nullptr, *mRestart = nullptr;
+    QRadioButton *mManual = nullptr, *mBudget = nullptr;
+    QDoubleSpinBox *mBound = nullptr;
+    SliderSpin *mLambda = nullptr, *mDelta = nullptr;
+    QPushButton *mHalve = nullptr, *mDouble = nullptr;
+    ConvergenceGraph *mGraph = nullptr;
+    QLabel *mState = nullptr;
+    std::vector<QLabel *> mFigures; //!< in the order of the read-out
+    QComboBox *mQuality = nullptr;
+    QPushButton *mFinish = nullptr, *mUnwrap = nullptr;
+};
+
+} // namespace autocuts
