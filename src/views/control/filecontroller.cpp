@@ -187,6 +187,8 @@ Result<Done> FileController::saveForRecovery(const QString &path)
 
 ProjectExtras FileController::extras(const QString &sessionPath)
 {
+    if (mViewState)
+        mWorkspace.document()->setViewState(mViewState());
     ProjectExtras result;
     result.journal = mWorkspace.recorder().journal();
     result.sessionPath = sessionPath;
@@ -203,7 +205,8 @@ bool FileController::save(const QString &path)
     Document *document = mWorkspace.document();
     if (!document)
         return false;
-    const Result<Done> saved = saveProjectBytes(mWriter.bytes(document->state(), extras(path)), path);
+    const ProjectExtras saving = extras(path);
+    const Result<Done> saved = saveProjectBytes(mWriter.bytes(document->state(), saving), path);
     if (!saved) {
         Q_EMIT failed(saved.error());
         return false;

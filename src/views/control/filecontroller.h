@@ -37,6 +37,9 @@ public:
     //! A picture for saved sessions; none when not set.
     void setThumbnailSource(std::function<QImage()> source) { mThumbnail = std::move(source); }
 
+    //! The views' state, kept with saved sessions (Document::setViewState).
+    void setViewStateSource(std::function<QByteArray()> source) { mViewState = std::move(source); }
+
     //! Reads a mesh or a session and replaces what is open.
     void open(const QString &path);
     //! A model that the program makes by itself.
@@ -78,6 +81,7 @@ private:
     ProjectWriter mWriter;
     std::unique_ptr<Autosave> mAutosave;
     std::function<QImage()> mThumbnail;
+    std::function<QByteArray()> mViewState;
 };
 
 } // namespace autocuts

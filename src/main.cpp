@@ -1,0 +1,72 @@
+// autocuts: the studio.
+#include "views/actions/studioactions.h"
+#include "views/mainwindow.h"
+#include "views/preferences/preferences.h"
+#include "views/theme.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QStandardPaths>
+#include <QSurfaceFormat>
+#include <QTimer>
+
+namespace {
+
+void askForOpenGl()
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setSamples(4);
+    QSurfaceFormat::setDefaultFormat(format);
+}
+
+} // namespace
+
+int main(int argc, char *argv[])
+{
+    askForOpenGl();
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("autocuts"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Autocuts"));
+    QApplication::setApplicationVersion(QStringLiteral(AUTOCUTS_VERSION));
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QCoreApplication::translate("main", "UV maps by simultaneous distortion "
+                                                                         "and cut optimization."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    const QCommandLineOption sample(QStringLiteral("sample"),
+                                    QCoreApplication::translate("main",
+                                                                "Open a model made by the program: "
+                                                                "bumpycube, character, torus, machine."),
+                                    QStringLiteral("name"));
+    const QCommandLineOption solve(QStringLiteral("solve"),
+                                   QCoreApplication::translate("main", "Start solving at once."));
+    parser.addOptions({sample, solve});
+    parser.addPositionalArgument(QStringLiteral("file"),
+                                 QCoreApplication::translate("main", "A mesh or an .acproj session to open."),
+                                 QStringLiteral("[file]"));
+    parser.process(application);
+
+    autocuts::Preferences preferences(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) +
+                                      QStringLiteral("/autocuts.ini"));
+    autocuts::applyTheme(application, preferences.values().theme);
+    autocuts::MainWindow window(preferences,
+                                QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                                    QStringLiteral("/recovery"));
+    if (parser.isSet(solve))
+        QObject::connect(&window.context().files, &autocuts::FileController::opened, &window.context().solver,
+                         &autocuts::SolverController::run);
+    window.show();
+    QTimer::singleShot(0, &window, [&] {
+        if (parser.isSet(sample))
+            window.context().files.openSample(parser.value(sample));
+        else if (!parser.positionalArguments().isEmpty())
+            window.actions().file().openFile(parser.positionalArguments().constFirst());
+        else
+            window.actions().file().offerRecovery();
+    });
+    return QApplication::exec();
+}

@@ -1,0 +1,147 @@
+// How long the GUI's event loop is blocked while the studio works, and how quickly it cancels.
+//
+//   bench_latency MESH [SECONDS]
+//
+// Prints one line of JSON per phase: the gaps between turns of the event loop, in milliseconds. Drawing is
+// left out by switching the views' updates off, because software OpenGL says nothing about a real machine.
+#include "support/studiosession.h"
+#include "views/actions/studioactions.h"
+#include "views/canvas/meshview.h"
+#include "views/canvas/uvview.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QSurfaceFormat>
+#include <QTextStream>
+
+#include <algorithm>
+
+using namespace autocuts;
+
+namespace {
+
+//! Notes how long each turn of the event loop takes while it lives.
+class LoopWatch : public QObject
+{
+public:
+    LoopWatch()
+    {
+        mClock.start();
+        mTimer = startTimer(0);
+    }
+
+    double worst() const { return mGaps.empty() ? 0 : *std::max_element(mGaps.begin(), mGaps.end()); }
+    double quantile(double share)
+    {
+        std::sort(mGaps.begin(), mGaps.end());
+        return mGaps.empty() ? 0 : mGaps[static_cast<std::size_t>(share * double(mGaps.size() - 1))];
+    }
+    std::size_t turns() const { return mGaps.size(); }
+
+protected:
+    void timerEvent(QTimerEvent *) override
+    {
+        mGaps.push_back(double(mClock.nsecsElapsed()) * 1e-6);
+        mClock.restart();
+    }
+
+private:
+    QElapsedTimer mClock;
+    int mTimer = 0;
+    std::vector<double> mGaps;
+};
+
+QTextStream &out()
+{
+    static QTextStream stream(stdout);
+    return stream;
+}
+
+void tell(const char *phase, LoopWatch &watch)
+{
+    out() << "{\"phase\": \"" << phase << "\", \"turns\": " << watch.turns()
+          << ", \"median_ms\": " << watch.quantile(0.5) << ", \"p99_ms\": " << watch.quantile(0.99)
+          << ", \"worst_ms\": " << watch.worst() << "}" << Qt::endl;
+}
+
+template <class Until>
+void watchLoop(const char *phase, Until until)
+{
+    LoopWatch watch;
+    (void)QTest::qWaitFor(until, test::patience);
+    tell(phase, watch);
+}
+
+template <class Action, class Until>
+void timeUntil(const char *phase, Action action, Until until)
+{
+    QElapsedTimer clock;
+    clock.start();
+    action();
+    while (!until() && clock.elapsed() < test::patience)
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
+    out() << "{\"phase\": \"" << phase << "\", \"ms\": " << clock.elapsed() << "}" << Qt::endl;
+}
+
+} // namespace
+
+int main(int argc, char *argv[])
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setSamples(4);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication application(argc, argv);
+    const QStringList arguments = QApplication::arguments();
+    if (arguments.size() < 2) {
+        out() << "usage: bench_latency MESH [SECONDS]" << Qt::endl;
+        return 2;
+    }
+    const int milliseconds = 1000 * arguments.value(2, QStringLiteral("10")).toInt();
+
+    test::StudioSession studio;
+    studio.window.meshView().setUpdatesEnabled(false);
+    studio.window.uvView().setUpdatesEnabled(false);
+    const auto &solver = studio.context.solver;
+    const auto waited = [&](int time) {
+        return [clock = QElapsedTimer(), time]() mutable {
+            if (!clock.isValid())
+                clock.start();
+            return clock.elapsed() > time;
+        };
+    };
+    {
+        LoopWatch watch;
+        studio.window.actions().file().openFile(arguments[1]);
+        (void)QTest::qWaitFor([&] { return studio.document() != nullptr; }, test::patience);
+        tell("open", watch);
+    }
+    if (!studio.document()) {
+        out() << studio.answers->errors.join(QLatin1Char('\n')) << Qt::endl;
+        return 1;
+    }
+    out() << "{\"triangles\": " << studio.document()->mesh().triangleCount() << "}" << Qt::endl;
+    studio.context.solver.restart();
+    const int first = solver.status().iteration;
+    watchLoop("solve", waited(milliseconds));
+    out() << "{\"steps\": " << solver.status().iteration - first << ", \"seconds\": " << milliseconds / 1000
+          << ", \"steps_per_second\": " << solver.status().stepsPerSecond << "}" << Qt::endl;
+    watchLoop("edit while solving", [&, wait = waited(milliseconds / 2), n = 0]() mutable {
+        if (++n % 10 == 0)
+            studio.action(n % 20 ? "uv.lambdaMore" : "uv.lambdaLess")->trigger();
+        return wait();
+    });
+    timeUntil("pause", [&] { studio.context.solver.pause(); }, [&] { return !solver.isRunning(); });
+    watchLoop("settle", [&] { return !solver.isSettling(); });
+    watchLoop("measure", [&] { return studio.context.map.figuresAreFresh(); });
+    studio.context.map.unwrap(UnwrapQuality::Standard, 4.1);
+    watchLoop("unwrap", waited(milliseconds / 2));
+    timeUntil("cancel unwrap", [&] { studio.context.map.cancel(); },
+              [&] { return !studio.context.map.jobs().isBusy(); });
+    studio.context.map.pack(PackScope::All);
+    watchLoop("pack", waited(200));
+    timeUntil("cancel pack", [&] { studio.context.map.cancel(); },
+              [&] { return !studio.context.map.jobs().isBusy(); });
+    return 0;
+}

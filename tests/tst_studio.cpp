@@ -1,0 +1,234 @@
+// The studio as an artist works with it: real key and mouse events on the real window.
+#include "model/io/projectfile.h"
+#include "model/io/meshfile.h"
+#include "model/makesnapshot.h"
+#include "model/samples.h"
+#include "support/meshbuilders.h"
+#include "support/studiosession.h"
+#include "views/actions/studioactions.h"
+#include "views/canvas/meshview.h"
+#include "views/canvas/uvview.h"
+
+#include <QDropEvent>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSignalSpy>
+
+using namespace autocuts;
+using test::patience;
+using test::StudioSession;
+
+class TestStudio : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theFirstScreenSaysWhatToDo()
+    {
+        StudioSession studio;
+        QVERIFY(studio.document() == nullptr);
+        QCOMPARE(studio.window.windowTitle(), QStringLiteral("Autocuts"));
+        QVERIFY(!studio.action("file.save")->isEnabled());
+        QVERIFY(!studio.action("uv.run")->isEnabled());
+        QVERIFY(studio.action("file.open")->isEnabled());
+    }
+
+    //! Open, run, steer, pause, undo, redo, save, close, reopen, finish, pack, export.
+    void aSessionFromOpenToExport()
+    {
+        StudioSession studio;
+        const QString project = studio.folder.filePath(QStringLiteral("Würfel 1.acproj"));
+        const QString mesh = studio.folder.filePath(QStringLiteral("cube with map.obj"));
+
+        studio.action("file.sample.bumpycube")->trigger();
+        QVERIFY(studio.document());
+        QVERIFY(!studio.context.workspace.isModified());
+
+        // Steer by hand while it runs.
+        studio.action("uv.budget")->trigger();
+        QCOMPARE(studio.context.solver.mode(), SolveMode::Manual);
+        studio.press(Qt::Key_Right);
+        studio.press(Qt::Key_Right);
+        QVERIFY(studio.document()->solveSettings().lambda > 0);
+        studio.press(Qt::Key_Space);
+        QVERIFY(studio.context.solver.isRunning());
+        QVERIFY(studio.runsTo(10));
+        const double delta = studio.document()->solveSettings().delta;
+        for (int i = 0; i < 6; ++i)
+            studio.press(Qt::Key_Down);
+        QCOMPARE(studio.document()->solveSettings().delta, delta / 64);
+        studio.press(Qt::Key_Up);
+        QCOMPARE(studio.document()->solveSettings().delta, delta / 32);
+        const double lambda = studio.document()->solveSettings().lambda;
+        studio.press(Qt::Key_Left);
+        QVERIFY(studio.document()->solveSettings().lambda < lambda);
+        QVERIFY(studio.context.solver.isRunning());
+        QTRY_COMPARE_WITH_TIMEOUT(studio.context.solver.status().delta, delta / 32, patience);
+        QVERIFY(studio.runsTo(studio.context.solver.status().iteration + 30));
+        studio.press(Qt::Key_Space);
+        QVERIFY(studio.solverRests());
+        QVERIFY(hasUvs(*studio.document()));
+        const UvMatrix settled = studio.document()->uv();
+
+        // The run is one entry.
+        studio.press(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(!hasUvs(*studio.document()));
+        studio.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(studio.document()->uv() == settled);
+
+        // Save, close, reopen.
+        studio.answers->filesToSave << project;
+        studio.press(Qt::Key_S, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.context.workspace.isModified(), patience);
+        QVERIFY2(studio.answers->errors.isEmpty(), qPrintable(studio.answers->errors.join(QLatin1Char('\n'))));
+        const DocumentState saved = studio.document()->state();
+        studio.press(Qt::Key_W, Qt::ControlModifier);
+        QVERIFY(studio.document() == nullptr);
+        QCOMPARE(studio.answers->unsavedAsked, 0);
+        studio.answers->filesToOpen << project;
+        studio.press(Qt::Key_O, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(studio.document(), patience);
+        QVERIFY(studio.document()->uv() == settled);
+        QVERIFY(studio.document()->solveSettings() == saved.solveSettings);
+        QCOMPARE(studio.context.preferences.recentFiles().value(0), project);
+
+        // Finish, pack, export.
+        studio.press(Qt::Key_Return, Qt::ControlModifier);
+        QVERIFY(studio.jobsRest());
+        studio.press(Qt::Key_P);
+        QVERIFY(studio.jobsRest());
+        QVERIFY(studio.measured());
+        const UvMetrics &metrics = studio.context.map.figures()->metrics;
+        QCOMPARE(metrics.flipped, 0);
+        QCOMPARE(metrics.overlapPairs, 0);
+        QVERIFY(metrics.inUnitSquare);
+        QVERIFY(studio.context.workspace.isModified());
+        studio.context.files.exportMesh(mesh);
+        QVERIFY(studio.jobsRest());
+        const Result<Scene> written = readMesh(mesh);
+        QVERIFY(written);
+        QVERIFY((written->uvSets.front().uv - studio.document()->uv()).cwiseAbs().maxCoeff() < 1e-6);
+
+        // Leaving asks, and can be cancelled.
+        studio.answers->unsaved = Questions::Unsaved::Cancel;
+        QVERIFY(!studio.window.close());
+        QCOMPARE(studio.answers->unsavedAsked, 1);
+        studio.answers->unsaved = Questions::Unsaved::Save;
+        QVERIFY(studio.window.close());
+        const Result<LoadedProject> kept = loadProject(project);
+        QVERIFY(kept);
+        QVERIFY(kept->extras.journal.has_value());
+        QVERIFY(!kept->extras.thumbnail.isEmpty());
+    }
+
+    void undoDuringARunTakesTheRunBack()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        studio.press(Qt::Key_Space);
+        QVERIFY(studio.runsTo(10));
+        // There may be nothing to undo yet but the run itself.
+        studio.action("edit.undo")->trigger();
+        QVERIFY(studio.solverRests());
+        QTRY_VERIFY_WITH_TIMEOUT(!hasUvs(*studio.document()), patience);
+        QVERIFY(studio.document()->undoStack().canRedo());
+    }
+
+    void everyActionOnAnEmptyStudio() { triggerAll({}, false); }
+    void everyActionOnAModel() { triggerAll(QStringLiteral("bumpycube"), false); }
+    void everyActionWhileSolving() { triggerAll(QStringLiteral("bumpycube"), true); }
+
+    void filesCanBeDropped()
+    {
+        if (test::meshFolder().empty())
+            QSKIP("there are no real meshes");
+        StudioSession studio;
+        const QString path =
+            QString::fromStdString(test::meshFolder()) + QStringLiteral("/small/cathead.obj");
+        if (!QFileInfo::exists(path))
+            QSKIP("cathead.obj is missing");
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&studio.window, &drop);
+        QTRY_VERIFY_WITH_TIMEOUT(studio.document(), patience);
+        QVERIFY(studio.window.windowTitle().startsWith(QStringLiteral("cathead.obj")));
+    }
+
+    void aBrokenFileLosesNothing()
+    {
+        StudioSession studio;
+        studio.action("file.sample.torus")->trigger();
+        const Document *before = studio.document();
+        const QString broken = studio.folder.filePath(QStringLiteral("broken.obj"));
+        QFile file(broken);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("v 0 0 0\nf 1 2 3\n");
+        file.close();
+        studio.answers->filesToOpen << broken;
+        studio.action("file.open")->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(studio.answers->errors.size(), 1, patience);
+        QVERIFY2(studio.answers->errors.front().contains(QStringLiteral("broken.obj:2")),
+                 qPrintable(studio.answers->errors.front()));
+        QCOMPARE(studio.document(), before);
+    }
+
+    void theWindowsLayoutIsKept()
+    {
+        QTemporaryDir folder;
+        const QString ini = folder.filePath(QStringLiteral("autocuts.ini"));
+        {
+            Preferences preferences(ini);
+            MainWindow window(preferences, folder.path(), std::make_unique<test::Answers>());
+            window.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&window));
+            window.findChild<QDockWidget *>(QStringLiteral("history"))->hide();
+            QVERIFY(window.close());
+        }
+        Preferences preferences(ini);
+        MainWindow window(preferences, folder.path(), std::make_unique<test::Answers>());
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(window.findChild<QDockWidget *>(QStringLiteral("history"))->isHidden());
+        QVERIFY(!window.findChild<QDockWidget *>(QStringLiteral("solver"))->isHidden());
+    }
+
+private:
+    void triggerAll(const QString &sample, bool solving)
+    {
+        StudioSession studio;
+        int triggered = 0;
+        // Each on a model of its own: one action may take away what another one needs.
+        for (QAction *action : studio.context.actions.actions()) {
+            const QString id = action->objectName();
+            if (id == QStringLiteral("file.quit"))
+                continue; // tested by closing the window
+            if (!sample.isEmpty()) {
+                studio.context.files.openSample(sample);
+                Selection selection;
+                selection.faces = {0, 1, 2};
+                selection.edges = {0, 5};
+                studio.document()->setSelection(selection);
+                if (solving) {
+                    studio.context.solver.run();
+                    QVERIFY(studio.runsTo(1));
+                }
+            }
+            if (!action->isEnabled())
+                continue;
+            action->trigger();
+            ++triggered;
+            QCoreApplication::processEvents();
+            studio.context.map.cancel();
+            QVERIFY2(studio.jobsRest(), qPrintable(id));
+            QVERIFY2(studio.window.isVisible(), qPrintable(id));
+            if (studio.document())
+                QVERIFY2(studio.document()->validate().isEmpty(), qPrintable(id));
+        }
+        QVERIFY2(triggered > (sample.isEmpty() ? 20 : 60), qPrintable(QString::number(triggered)));
+        QVERIFY2(studio.answers->errors.isEmpty(), qPrintable(studio.answers->errors.join(QLatin1Char('\n'))));
+    }
+};
+
+QTEST_MAIN(TestStudio)
+#include "tst_studio.moc"
