@@ -50,7 +50,6 @@ ActionRegistry::ActionRegistry(Preferences &preferences, QObject *parent)
         action->setObjectName(id);
         action->setText(translated(info.text));
         action->setIconText(actionTitle(info));
-        action->setStatusTip(translated(info.tip));
         action->setCheckable(info.checkable);
         // No roles: other platforms would move the actions to other menus.
         action->setMenuRole(QAction::NoRole);

@@ -8,15 +8,16 @@ namespace autocuts {
 //! What must be there for an action to be possible.
 enum ActionNeed {
     NeedsDocument = 1 << 0,
-    NeedsUvs = 1 << 1, //!< the active set has UVs
+    NeedsUvs = 1 << 1, //!< the active set has UVs, or the solver a map for it
     NeedsSelection = 1 << 2,
     NeedsSelectedEdges = 1 << 3,
     NeedsSelectedFaces = 1 << 4,
     NeedsUndo = 1 << 5,
     NeedsRedo = 1 << 6,
-    NeedsIdle = 1 << 7,    //!< no job is running
-    NeedsJob = 1 << 8,     //!< a job is running
-    NeedsOverlaps = 1 << 9 //!< the map was measured and has overlaps
+    NeedsIdle = 1 << 7,         //!< no job is running
+    NeedsJob = 1 << 8,          //!< a job is running
+    NeedsOverlaps = 1 << 9,     //!< the map was measured and has overlaps
+    NeedsEdgesOrFaces = 1 << 10 //!< some are selected
 };
 
 //! One action. Texts are English sources for tr() in the context "Actions".

@@ -91,6 +91,7 @@ QMenu *MenuBuilder::find(const QString &path, bool separatorBefore)
         made = parent->addMenu(menuTitle(path));
     }
     made->setObjectName(path);
+    made->setToolTipsVisible(true);
     return mMenus[path] = made;
 }
 

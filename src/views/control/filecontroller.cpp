@@ -25,6 +25,8 @@ struct Opened
     bool isProject = false;
 };
 
+} // namespace
+
 Scene sceneForWriting(const Document &document)
 {
     Scene scene = document.state().scene;
@@ -33,8 +35,6 @@ Scene sceneForWriting(const Document &document)
                 scene.uvSets.begin() + document.activeUvSet() + 1);
     return scene;
 }
-
-} // namespace
 
 FileController::FileController(Workspace &workspace, SolverController &solver, Preferences &preferences,
                                const QString &recoveryFolder, QObject *parent)

@@ -14,9 +14,13 @@
 
 namespace autocuts {
 
+class Document;
 class Preferences;
 class SolverController;
 class Workspace;
+
+//! The model as it is written: the active UV set is the first one.
+Scene sceneForWriting(const Document &document);
 
 //! Files of the session. Success and failure are told by signals.
 class FileController final : public QObject

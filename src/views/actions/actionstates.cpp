@@ -1,0 +1,69 @@
+#include "views/actions/actionstates.h"
+
+#include "views/actions/actionregistry.h"
+#include "views/control/filecontroller.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+
+namespace autocuts {
+
+ActionStates::ActionStates(const StudioContext &context, QObject *parent) : QObject(parent), mContext(context)
+{
+    mRefreshSoon.setSingleShot(true);
+    mRefreshSoon.setInterval(0);
+    connect(&mRefreshSoon, &QTimer::timeout, this, &ActionStates::refresh);
+    const auto soon = [this] { mRefreshSoon.start(); };
+    // At once: keys that follow must find the actions of the new document.
+    connect(&context.workspace, &Workspace::documentReplaced, this, &ActionStates::refresh);
+    connect(&context.workspace, &Workspace::selectionChanged, this, soon);
+    connect(&context.workspace, &Workspace::historyChanged, this, soon);
+    connect(&context.solver, &SolverController::stateChanged, this, soon);
+    connect(&context.map, &MapController::figuresChanged, this, soon);
+    connect(&context.map.jobs(), &JobRunner::busyChanged, this, soon);
+    connect(&context.files.jobs(), &JobRunner::busyChanged, this, soon);
+    refresh();
+}
+
+//! The search for the first UV is repeated only when UVs changed.
+bool ActionStates::hasUvs() const
+{
+    if (mContext.workspace.uvRevision() == mUvRevision)
+        return mHasUvs;
+    const UvMatrix &uv = mContext.workspace.document()->uv();
+    mUvRevision = mContext.workspace.uvRevision();
+    mHasUvs = false;
+    for (Eigen::Index row = 0; row < uv.rows() && !mHasUvs; ++row)
+        mHasUvs = uv.row(row).allFinite();
+    return mHasUvs;
+}
+
+int ActionStates::met() const
+{
+    int met = mContext.map.jobs().isBusy() || mContext.files.jobs().isBusy() ? NeedsJob : NeedsIdle;
+    const Document *document = mContext.workspace.document();
+    if (!document)
+        return met;
+    const auto add = [&met](bool holds, ActionNeed need) { met |= holds ? need : 0; };
+    const SolverController &solver = mContext.solver;
+    const Selection &selection = document->selection();
+    add(true, NeedsDocument);
+    add(hasUvs() || solver.isRunning() || solver.isSettling(), NeedsUvs);
+    add(!selection.isEmpty(), NeedsSelection);
+    add(!selection.edges.isEmpty(), NeedsSelectedEdges);
+    add(!selection.faces.isEmpty(), NeedsSelectedFaces);
+    add(!selection.edges.isEmpty() || !selection.faces.isEmpty(), NeedsEdgesOrFaces);
+    // A run in progress can be undone: it becomes an entry first.
+    add(document->undoStack().canUndoFurther() || solver.isRunning() || solver.isSettling(), NeedsUndo);
+    add(document->undoStack().canRedo(), NeedsRedo);
+    const MapFigures *figures = mContext.map.figures();
+    add(figures && mContext.map.figuresAreFresh() && !figures->overlapping.empty(), NeedsOverlaps);
+    return met;
+}
+
+void ActionStates::refresh()
+{
+    mContext.actions.setMet(met());
+}
+
+} // namespace autocuts

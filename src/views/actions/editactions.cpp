@@ -1,0 +1,59 @@
+#include "views/actions/editactions.h"
+
+#include "views/actions/actionregistry.h"
+#include "views/actions/questions.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/preferences/preferencesdialog.h"
+
+namespace autocuts {
+
+EditActions::EditActions(const StudioContext &context, Questions &questions, QObject *parent)
+    : QObject(parent), mContext(context), mQuestions(questions)
+{
+    ActionRegistry &actions = context.actions;
+    connect(actions.action("edit.undo"), &QAction::triggered, this, &EditActions::undo);
+    connect(actions.action("edit.redo"), &QAction::triggered, this, &EditActions::redo);
+    connect(actions.action("edit.shortcuts"), &QAction::triggered, this, [this] { showPreferences(true); });
+    connect(actions.action("edit.preferences"), &QAction::triggered, this,
+            [this] { showPreferences(false); });
+    connect(&context.workspace, &Workspace::historyChanged, this, &EditActions::showTexts);
+}
+
+//! A run in progress becomes an entry first, and is what is undone.
+void EditActions::undo()
+{
+    mContext.solver.whenSettled([this] {
+        Document *document = mContext.workspace.document();
+        if (document && document->undoStack().canUndoFurther())
+            document->undoStack().undo();
+    });
+}
+
+void EditActions::redo()
+{
+    mContext.solver.whenSettled([this] {
+        if (Document *document = mContext.workspace.document())
+            document->undoStack().redo();
+    });
+}
+
+void EditActions::showTexts()
+{
+    const Document *document = mContext.workspace.document();
+    const QString undone = document ? document->undoStack().undoText() : QString();
+    const QString redone = document ? document->undoStack().redoText() : QString();
+    mContext.actions.action("edit.undo")
+        ->setText(undone.isEmpty() ? tr("&Undo") : tr("&Undo %1").arg(undone));
+    mContext.actions.action("edit.redo")
+        ->setText(redone.isEmpty() ? tr("&Redo") : tr("&Redo %1").arg(redone));
+}
+
+void EditActions::showPreferences(bool shortcuts)
+{
+    PreferencesDialog dialog(mContext.preferences, mContext.actions, mQuestions.window());
+    dialog.showPage(shortcuts ? PreferencesDialog::Page::Shortcuts : PreferencesDialog::Page::General);
+    mQuestions.run(dialog);
+}
+
+} // namespace autocuts

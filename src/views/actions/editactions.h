@@ -1,0 +1,30 @@
+// The Edit menu.
+#pragma once
+
+#include "views/studiocontext.h"
+
+#include <QObject>
+
+namespace autocuts {
+
+class Questions;
+
+//! Undo, redo, preferences and keys.
+class EditActions final : public QObject
+{
+    Q_OBJECT
+
+public:
+    EditActions(const StudioContext &context, Questions &questions, QObject *parent = nullptr);
+
+private:
+    void undo();
+    void redo();
+    void showTexts();
+    void showPreferences(bool shortcuts);
+
+    StudioContext mContext;
+    Questions &mQuestions;
+};
+
+} // namespace autocuts

@@ -1,0 +1,250 @@
+#include "views/actions/fileactions.h"
+
+#include "model/io/meshfile.h"
+#include "views/actions/actionregistry.h"
+#include "views/actions/menubuilder.h"
+#include "views/actions/questions.h"
+#include "views/control/filecontroller.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/dialogs/exportlayoutdialog.h"
+#include "views/dialogs/exportmeshdialog.h"
+#include "views/dialogs/recoverydialog.h"
+#include "views/preferences/preferences.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QMenu>
+
+namespace autocuts {
+
+namespace {
+
+constexpr const char *samplePrefix = "file.sample.";
+
+QString globs(const QStringList &suffixes)
+{
+    return QStringLiteral("*.") + suffixes.join(QStringLiteral(" *."));
+}
+
+QStringList openFilters()
+{
+    const QString session = QLatin1String(projectSuffix);
+    return {FileActions::tr("Meshes and sessions (%1)").arg(globs(QStringList(session) + readableFormats())),
+            FileActions::tr("Autocuts sessions (%1)").arg(globs({session})),
+            FileActions::tr("All files (*)")};
+}
+
+QStringList saveFilters()
+{
+    return {FileActions::tr("Autocuts sessions (%1)").arg(globs({QLatin1String(projectSuffix)}))};
+}
+
+} // namespace
+
+FileActions::FileActions(const StudioContext &context, Questions &questions, QObject *parent)
+    : QObject(parent), mContext(context), mQuestions(questions)
+{
+    connectActions();
+    connect(&context.files, &FileController::failed, this,
+            [this](const Error &error) { mQuestions.showError(error); });
+}
+
+void FileActions::connectActions()
+{
+    const auto onTriggered = [this](const char *id, auto function) {
+        connect(mContext.actions.action(id), &QAction::triggered, this, function);
+    };
+    onTriggered("file.open", [this] { askOpen(); });
+    for (const ActionInfo &info : actionTable()) {
+        const QString id = QLatin1String(info.id);
+        if (!id.startsWith(QLatin1String(samplePrefix)))
+            continue;
+        const QString name = id.mid(qsizetype(qstrlen(samplePrefix)));
+        onTriggered(info.id,
+                    [this, name] { leaveSession([this, name] { mContext.files.openSample(name); }); });
+    }
+    onTriggered("file.clearRecent", [this] { mContext.preferences.clearRecentFiles(); });
+    onTriggered("file.close", [this] { leaveSession([this] { mContext.files.close(); }); });
+    onTriggered("file.save", [this] { mContext.solver.whenSettled([this] { save(); }); });
+    onTriggered("file.saveAs", [this] { mContext.solver.whenSettled([this] { saveAs(); }); });
+    onTriggered("file.relink", [this] { askRelink(); });
+    onTriggered("file.exportMesh", [this] { mContext.solver.whenSettled([this] { askExportMesh(); }); });
+    onTriggered("file.exportLayout", [this] { mContext.solver.whenSettled([this] { askExportLayout(); }); });
+    onTriggered("file.quit", [this] {
+        if (QWidget *window = mQuestions.window())
+            window->close();
+    });
+}
+
+void FileActions::fillRecentMenu(MenuBuilder &menus)
+{
+    mRecentMenu = menus.menu(QStringLiteral("File/Open recent"));
+    connect(&mContext.preferences, &Preferences::recentFilesChanged, this, &FileActions::showRecent);
+    showRecent();
+}
+
+void FileActions::showRecent()
+{
+    QAction *const clear = mContext.actions.action("file.clearRecent");
+    mRecentMenu->removeAction(clear);
+    mRecentMenu->clear();
+    const QStringList files = mContext.preferences.recentFiles();
+    int number = 1;
+    for (const QString &path : files) {
+        QString name = QFileInfo(path).fileName();
+        name.replace(QLatin1Char('&'), QStringLiteral("&&"));
+        // The first nine have their number as mnemonic.
+        const QString text = number < 10 ? QStringLiteral("&%1  %2").arg(number).arg(name)
+                                         : QStringLiteral("%1  %2").arg(number).arg(name);
+        QAction *const action = mRecentMenu->addAction(text, this, [this, path] { openFile(path); });
+        action->setToolTip(QDir::toNativeSeparators(path));
+        ++number;
+    }
+    mRecentMenu->addSeparator();
+    mRecentMenu->addAction(clear);
+    mRecentMenu->menuAction()->setEnabled(!files.isEmpty());
+}
+
+void FileActions::leaveSession(const std::function<void()> &then)
+{
+    mContext.solver.whenSettled([this, then] {
+        if (!mayLeave())
+            return;
+        // What a job makes of the old session is not wanted any more.
+        mContext.map.jobs().abandon();
+        then();
+    });
+}
+
+bool FileActions::mayLeave()
+{
+    if (!mContext.workspace.isModified())
+        return true;
+    switch (mQuestions.askUnsaved(mContext.workspace.name())) {
+    case Questions::Unsaved::Save:
+        return save();
+    case Questions::Unsaved::Discard:
+        return true;
+    case Questions::Unsaved::Cancel:
+        break;
+    }
+    return false;
+}
+
+bool FileActions::mayClose()
+{
+    const SolverController &solver = mContext.solver;
+    if (!solver.isRunning() && !solver.isSettling())
+        return mayLeave();
+    mContext.solver.whenSettled([this] {
+        if (QWidget *window = mQuestions.window())
+            window->close();
+    });
+    return false;
+}
+
+void FileActions::openFile(const QString &path)
+{
+    leaveSession([this, path] {
+        rememberFolder(path);
+        mContext.files.open(path);
+    });
+}
+
+void FileActions::askOpen()
+{
+    const QString path = mQuestions.fileToOpen(tr("Open"), mContext.preferences.lastFolder(), openFilters());
+    if (!path.isEmpty())
+        openFile(path);
+}
+
+bool FileActions::save()
+{
+    const QString path = mContext.workspace.sessionPath();
+    return path.isEmpty() ? saveAs() : mContext.files.save(path);
+}
+
+bool FileActions::saveAs()
+{
+    if (!mContext.workspace.document())
+        return false;
+    const QString path =
+        mQuestions.fileToSave(tr("Save session"), proposedPath(QLatin1String(projectSuffix)), saveFilters());
+    if (path.isEmpty())
+        return false;
+    rememberFolder(path);
+    return mContext.files.save(path);
+}
+
+void FileActions::askRelink()
+{
+    const Document *document = mContext.workspace.document();
+    if (!document)
+        return;
+    const QString old = document->state().scene.path;
+    const QString folder = old.isEmpty() ? mContext.preferences.lastFolder() : QFileInfo(old).path();
+    const QStringList filters{tr("Meshes (%1)").arg(globs(readableFormats())), tr("All files (*)")};
+    const QString path = mQuestions.fileToOpen(tr("Re-link model"), folder, filters);
+    if (!path.isEmpty())
+        mContext.solver.whenSettled([this, path] { mContext.files.relink(path); });
+}
+
+void FileActions::askExportMesh()
+{
+    const Document *document = mContext.workspace.document();
+    if (!document)
+        return;
+    ExportMeshDialog dialog(sceneForWriting(*document), proposedPath({}), mQuestions);
+    if (mQuestions.run(dialog) != QDialog::Accepted)
+        return;
+    rememberFolder(dialog.path());
+    mContext.files.exportMesh(dialog.path());
+}
+
+void FileActions::askExportLayout()
+{
+    const Document *document = mContext.workspace.document();
+    if (!document)
+        return;
+    const MapFigures *figures = mContext.map.figures();
+    const bool known = figures && mContext.map.figuresAreFresh();
+    ExportLayoutDialog dialog(document->packingSettings().textureSize, proposedPath(QStringLiteral("png")),
+                              known ? figures->overlapping : std::vector<int>(), mQuestions);
+    if (mQuestions.run(dialog) != QDialog::Accepted)
+        return;
+    rememberFolder(dialog.path());
+    mContext.files.exportLayout(dialog.path(), dialog.options());
+}
+
+void FileActions::offerRecovery()
+{
+    const std::vector<RecoverableSession> sessions = mContext.files.recoverable();
+    if (sessions.empty())
+        return;
+    RecoveryDialog dialog(sessions, mQuestions);
+    if (mQuestions.run(dialog) == QDialog::Accepted)
+        leaveSession([this, session = dialog.chosen()] { mContext.files.recover(session); });
+}
+
+//! Beside the session or the model, with another suffix; without one for an empty suffix.
+QString FileActions::proposedPath(const QString &suffix) const
+{
+    QString base = mContext.workspace.sessionPath();
+    if (base.isEmpty())
+        base = mContext.workspace.document()->state().scene.path;
+    const QFileInfo info(base);
+    const QString name = info.completeBaseName().isEmpty() ? tr("untitled") : info.completeBaseName();
+    // Samples have a name but no folder.
+    const bool hasFolder = info.isAbsolute() && info.dir().exists();
+    const QDir folder(hasFolder ? info.path() : mContext.preferences.lastFolder());
+    return folder.filePath(suffix.isEmpty() ? name : name + QLatin1Char('.') + suffix);
+}
+
+void FileActions::rememberFolder(const QString &path)
+{
+    mContext.preferences.setLastFolder(QFileInfo(path).absolutePath());
+}
+
+} // namespace autocuts

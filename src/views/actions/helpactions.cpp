@@ -1,0 +1,32 @@
+#include "views/actions/helpactions.h"
+
+#include "views/actions/actionregistry.h"
+#include "views/actions/questions.h"
+#include "views/dialogs/aboutdialog.h"
+#include "views/dialogs/shortcutlistdialog.h"
+
+#include <QDir>
+
+namespace autocuts {
+
+HelpActions::HelpActions(const StudioContext &context, Questions &questions, const QString &recoveryFolder,
+                         QObject *parent)
+    : QObject(parent)
+{
+    ActionRegistry &actions = context.actions;
+    connect(actions.action("help.shortcuts"), &QAction::triggered, this, [&actions, &questions] {
+        ShortcutListDialog dialog(actions, questions.window());
+        questions.run(dialog);
+    });
+    connect(actions.action("help.about"), &QAction::triggered, this, [&questions] {
+        AboutDialog dialog(questions.window());
+        questions.run(dialog);
+    });
+    connect(actions.action("help.recovery"), &QAction::triggered, this, [&questions, recoveryFolder] {
+        // It is not there before the first session.
+        QDir().mkpath(recoveryFolder);
+        questions.showFolder(recoveryFolder);
+    });
+}
+
+} // namespace autocuts

@@ -1,0 +1,38 @@
+// All menus at work: what the main window needs to make of the actions.
+#pragma once
+
+#include "views/actions/actionstates.h"
+#include "views/actions/editactions.h"
+#include "views/actions/fileactions.h"
+#include "views/actions/helpactions.h"
+#include "views/actions/selectactions.h"
+#include "views/actions/uvactions.h"
+#include "views/actions/viewactions.h"
+
+namespace autocuts {
+
+//! Connects every action of the table. One per window.
+class StudioActions final
+{
+public:
+    //! \param questions asked over the window; outlives this
+    StudioActions(const StudioContext &context, Questions &questions, const QString &recoveryFolder)
+        : mFile(context, questions), mEdit(context, questions), mSelect(context), mUv(context),
+          mView(context, questions), mHelp(context, questions, recoveryFolder), mStates(context)
+    {}
+
+    FileActions &file() { return mFile; }
+    ViewActions &view() { return mView; }
+    ActionStates &states() { return mStates; }
+
+private:
+    FileActions mFile;
+    EditActions mEdit;
+    SelectActions mSelect;
+    UvActions mUv;
+    ViewActions mView;
+    HelpActions mHelp;
+    ActionStates mStates;
+};
+
+} // namespace autocuts

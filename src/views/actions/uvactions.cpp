@@ -1,0 +1,250 @@
+#include "views/actions/uvactions.h"
+
+#include "commands/changesettings.h"
+#include "commands/editpins.h"
+#include "views/actions/actionregistry.h"
+#include "views/actions/selecting.h"
+#include "views/control/filecontroller.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/shownmap.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/icons.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+//! A setting with a few values, and the action that chooses each.
+template <typename Value>
+struct Choice
+{
+    const char *id;
+    Value value;
+};
+
+constexpr Choice<StartMode> startChoices[] = {{"uv.start.rigid", StartMode::Rigid},
+                                              {"uv.start.tutte", StartMode::Tutte},
+                                              {"uv.start.random", StartMode::Random},
+                                              {"uv.start.existing", StartMode::ExistingUv}};
+constexpr Choice<DistortionEnergy> energyChoices[] = {
+    {"uv.energy.symmetricDirichlet", DistortionEnergy::SymmetricDirichlet},
+    {"uv.energy.amips", DistortionEnergy::Amips}};
+constexpr Choice<SeamWeighting> weightingChoices[] = {{"uv.weighting.length", SeamWeighting::Length},
+                                                      {"uv.weighting.count", SeamWeighting::Count}};
+
+//! The place of each corner in the map that is shown; the first soup corner counts.
+std::vector<UvPin> pinsAt(const MeshData &mesh, const UvMatrix &soupUv, const QList<int> &corners)
+{
+    std::vector<int> soupOfCorner(mesh.cornerCount(), -1);
+    for (int soup = mesh.soupCornerCount() - 1; soup >= 0; --soup)
+        soupOfCorner[mesh.cornerOfSoup(soup)] = soup;
+    std::vector<UvPin> pins;
+    for (int corner : corners) {
+        const int soup = soupOfCorner[corner];
+        if (soup < 0 || soup >= soupUv.rows() || !soupUv.row(soup).allFinite())
+            continue;
+        UvPin pin;
+        pin.corner = corner;
+        pin.position = soupUv.row(soup);
+        pins.push_back(pin);
+    }
+    return pins;
+}
+
+} // namespace
+
+UvActions::UvActions(const StudioContext &context, QObject *parent) : QObject(parent), mContext(context)
+{
+    mTyping.setSingleShot(true);
+    mTyping.setInterval(1000);
+    connectSolver();
+    connectJobs();
+    connectSteering();
+    connect(&context.solver, &SolverController::stateChanged, this, &UvActions::showState);
+    connect(&context.workspace, &Workspace::documentReplaced, this, &UvActions::showState);
+    connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
+        if (event.type == ChangeEvent::Type::SolveSettings)
+            showState();
+    });
+    showState();
+}
+
+//! Does nothing without a document.
+template <typename Function>
+void UvActions::onTriggered(const char *id, Function function)
+{
+    connect(mContext.actions.action(id), &QAction::triggered, this, [this, function] {
+        if (mContext.workspace.document())
+            function();
+    });
+}
+
+template <typename Value>
+void UvActions::connectSetting(const char *id, Value SolveSettings::*field, Value value)
+{
+    onTriggered(id, [this, field, value] {
+        Document &document = *mContext.workspace.document();
+        SolveSettings settings = document.solveSettings();
+        settings.*field = value;
+        pushCommand(std::make_unique<ChangeSettings>(document, settings));
+    });
+}
+
+void UvActions::connectSolver()
+{
+    SolverController &solver = mContext.solver;
+    onTriggered("uv.run", [&solver] { solver.toggle(); });
+    onTriggered("uv.step", [&solver] { solver.step(); });
+    onTriggered("uv.restart", [&solver] { solver.restart(); });
+    onTriggered("uv.lambdaLess", [this] { changeLambda(-lambdaStep); });
+    onTriggered("uv.lambdaMore", [this] { changeLambda(lambdaStep); });
+    onTriggered("uv.deltaDouble", [this] { changeDelta(2); });
+    onTriggered("uv.deltaHalve", [this] { changeDelta(0.5); });
+    connect(mContext.actions.action("uv.budget"), &QAction::triggered, this,
+            [&solver](bool checked) { solver.setMode(checked ? SolveMode::Budget : SolveMode::Manual); });
+    for (const auto &[id, value] : startChoices)
+        connectSetting(id, &SolveSettings::start, value);
+    for (const auto &[id, value] : energyChoices)
+        connectSetting(id, &SolveSettings::energy, value);
+    for (const auto &[id, value] : weightingChoices)
+        connectSetting(id, &SolveSettings::weighting, value);
+}
+
+void UvActions::connectJobs()
+{
+    MapController &map = mContext.map;
+    SolverController &solver = mContext.solver;
+    onTriggered("uv.unwrap",
+                [&map, &solver] { map.unwrap(UnwrapQuality::Standard, solver.maxDistortion()); });
+    onTriggered("uv.finish", [&map, &solver] { map.finish(solver.maxDistortion()); });
+    onTriggered("uv.pack", [&map] { map.pack(PackScope::All); });
+    onTriggered("uv.packSelection", [&map] { map.pack(PackScope::Selection); });
+    onTriggered("uv.separate", [&map] { map.separateOverlaps(); });
+    onTriggered("uv.density", [&map] { map.equalizeDensity(); });
+    connect(mContext.actions.action("uv.cancel"), &QAction::triggered, this, [this] {
+        mContext.map.cancel();
+        mContext.files.jobs().cancel();
+    });
+}
+
+void UvActions::connectSteering()
+{
+    const auto connectSeams = [this](const char *id, SetSeamState::Edit edit, auto edges) {
+        onTriggered(id, [this, edit, edges] {
+            const Document &document = *mContext.workspace.document();
+            setSeams(edit, edges(document, document.selection()));
+        });
+    };
+    connectSeams("uv.cut", SetSeamState::Edit::Cut, edgesToCut);
+    connectSeams("uv.join", SetSeamState::Edit::Join, edgesToJoin);
+    connectSeams("uv.clearSteering", SetSeamState::Edit::Clear, edgesToClear);
+    onTriggered("uv.pin", [this] { pinSelected(); });
+    onTriggered("uv.unpin", [this] { unpinSelected(); });
+    const auto connectFlags = [this](const char *id, SetIslandFlags::Edit edit) {
+        onTriggered(id, [this, edit] { setFlags(edit); });
+    };
+    connectFlags("uv.lock", SetIslandFlags::Edit::Lock);
+    connectFlags("uv.unlock", SetIslandFlags::Edit::Unlock);
+    connectFlags("uv.stack", SetIslandFlags::Edit::Stack);
+    connectFlags("uv.unstack", SetIslandFlags::Edit::Unstack);
+    connectFlags("uv.group", SetIslandFlags::Edit::Group);
+    connectFlags("uv.ungroup", SetIslandFlags::Edit::Ungroup);
+}
+
+//! The user takes over where the solver is when it chose lambda and delta itself.
+SolveSettings UvActions::settingsInEffect()
+{
+    SolveSettings settings = mContext.workspace.document()->solveSettings();
+    SolverController &solver = mContext.solver;
+    if (solver.mode() == SolveMode::Budget) {
+        if (solver.status().iteration > 0) {
+            settings.lambda = solver.status().lambda;
+            settings.delta = solver.status().delta;
+        }
+        solver.setMode(SolveMode::Manual);
+    }
+    return settings;
+}
+
+void UvActions::changeLambda(double change)
+{
+    SolveSettings settings = settingsInEffect();
+    // Rounded, so that as many steps back end where they began.
+    settings.lambda = std::clamp(std::round((settings.lambda + change) * 1e9) / 1e9, 0.0, 1.0);
+    pushTyped(settings);
+}
+
+void UvActions::changeDelta(double factor)
+{
+    SolveSettings settings = settingsInEffect();
+    settings.delta = std::clamp(settings.delta * factor, minDelta, maxDelta);
+    pushTyped(settings);
+}
+
+//! Presses in quick succession are one entry.
+void UvActions::pushTyped(const SolveSettings &settings)
+{
+    Document &document = *mContext.workspace.document();
+    if (!mTyping.isActive() || document.undoStack().index() != mTypedIndex)
+        mTypedGesture = document.undoStack().newGesture();
+    auto command = std::make_unique<ChangeSettings>(document, settings);
+    command->setGesture(mTypedGesture);
+    pushCommand(std::move(command));
+    mTypedIndex = document.undoStack().index();
+    mTyping.start();
+}
+
+void UvActions::setSeams(SetSeamState::Edit edit, const QList<int> &edges)
+{
+    Document &document = *mContext.workspace.document();
+    const IndexRanges pairs = cornerPairsOfEdges(document.mesh(), {edges.data(), std::size_t(edges.size())});
+    pushCommand(std::make_unique<SetSeamState>(document, edit, pairs));
+}
+
+void UvActions::setFlags(SetIslandFlags::Edit edit)
+{
+    Document &document = *mContext.workspace.document();
+    const std::vector<int> islands = document.islands().islandsOf(facesOf(document, document.selection()));
+    if (!islands.empty())
+        pushCommand(std::make_unique<SetIslandFlags>(document, edit, islands));
+}
+
+void UvActions::pinSelected()
+{
+    Document &document = *mContext.workspace.document();
+    const QList<int> corners = cornersOf(document, document.selection());
+    const std::vector<UvPin> pins = pinsAt(document.mesh(), mContext.shownMap.uv(), corners);
+    pushCommand(std::make_unique<EditPins>(document, EditPins::Edit::Pin, pins));
+}
+
+void UvActions::unpinSelected()
+{
+    Document &document = *mContext.workspace.document();
+    const QList<int> corners = cornersOf(document, document.selection());
+    pushCommand(EditPins::unpin(document, {corners.data(), std::size_t(corners.size())}));
+}
+
+void UvActions::showState()
+{
+    const bool running = mContext.solver.isRunning();
+    QAction *const run = mContext.actions.action("uv.run");
+    run->setText(running ? tr("&Pause") : tr("&Run"));
+    run->setIconText(running ? tr("Pause") : tr("Run"));
+    run->setIcon(icon(running ? QStringLiteral("pause") : QStringLiteral("run")));
+    mContext.actions.action("uv.budget")->setChecked(mContext.solver.mode() == SolveMode::Budget);
+    const Document *document = mContext.workspace.document();
+    const SolveSettings settings = document ? document->solveSettings() : SolveSettings();
+    const auto show = [this](const auto &choices, auto current) {
+        for (const auto &[id, value] : choices)
+            mContext.actions.action(id)->setChecked(value == current);
+    };
+    show(startChoices, settings.start);
+    show(energyChoices, settings.energy);
+    show(weightingChoices, settings.weighting);
+}
+
+} // namespace autocuts

@@ -1,0 +1,51 @@
+// The UV menu.
+#pragma once
+
+#include "commands/setislandflags.h"
+#include "commands/setseamstate.h"
+#include "model/solvesettings.h"
+#include "views/studiocontext.h"
+
+#include <QObject>
+#include <QTimer>
+
+namespace autocuts {
+
+//! Connects the UV menu to the live solver, the jobs on whole maps, and the commands of steering.
+class UvActions final : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr double lambdaStep = 0.05;
+    static constexpr double minDelta = 1e-6, maxDelta = 1e6;
+
+    explicit UvActions(const StudioContext &context, QObject *parent = nullptr);
+
+private:
+    void connectSolver();
+    void connectJobs();
+    void connectSteering();
+    template <typename Function>
+    void onTriggered(const char *id, Function function);
+    //! Makes a checkable action set one field of the settings.
+    template <typename Value>
+    void connectSetting(const char *id, Value SolveSettings::*field, Value value);
+
+    void changeLambda(double change);
+    void changeDelta(double factor);
+    SolveSettings settingsInEffect();
+    void pushTyped(const SolveSettings &settings);
+    void setSeams(SetSeamState::Edit edit, const QList<int> &edges);
+    void setFlags(SetIslandFlags::Edit edit);
+    void pinSelected();
+    void unpinSelected();
+    void showState();
+
+    StudioContext mContext;
+    QTimer mTyping; //!< runs while presses of one key belong together
+    quint64 mTypedGesture = 0;
+    int mTypedIndex = -1; //!< of the undo stack after the last press
+};
+
+} // namespace autocuts

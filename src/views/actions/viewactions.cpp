@@ -1,0 +1,193 @@
+#include "views/actions/viewactions.h"
+
+#include "views/actions/actionregistry.h"
+#include "views/actions/questions.h"
+#include "views/preferences/preferences.h"
+
+#include <QFileInfo>
+#include <QImageReader>
+
+namespace autocuts {
+
+namespace {
+
+struct Toggle
+{
+    const char *id;
+    bool ViewOptions::*field;
+};
+
+constexpr Toggle toggles[] = {{"view.smoothShading", &ViewOptions::smoothShading},
+                              {"view.wireframe", &ViewOptions::wireframe},
+                              {"view.seams", &ViewOptions::seams},
+                              {"view.steering", &ViewOptions::steering},
+                              {"view.problems", &ViewOptions::problems},
+                              {"view.fillIslands", &ViewOptions::fillIslands},
+                              {"view.grid", &ViewOptions::grid},
+                              {"view.rulers", &ViewOptions::rulers},
+                              {"view.orthographic", &ViewOptions::orthographic}};
+
+template <typename Value>
+struct Choice
+{
+    const char *id;
+    Value value;
+};
+
+constexpr Choice<Coloring> colorings[] = {{"view.coloring.plain", Coloring::Plain},
+                                          {"view.coloring.islands", Coloring::Islands},
+                                          {"view.coloring.signedStretch", Coloring::SignedStretch},
+                                          {"view.coloring.magnitude", Coloring::StretchMagnitude},
+                                          {"view.coloring.paint", Coloring::PaintWeights}};
+constexpr Choice<Pattern> patterns[] = {{"view.pattern.none", Pattern::None},
+                                        {"view.pattern.checker", Pattern::Checker},
+                                        {"view.pattern.texture", Pattern::Texture}};
+constexpr Choice<ViewLayout> layouts[] = {{"view.both", ViewLayout::Both},
+                                          {"view.maximize3d", ViewLayout::Only3d},
+                                          {"view.maximizeUv", ViewLayout::OnlyUv}};
+
+QStringList imageFilters()
+{
+    QStringList globs;
+    for (const QByteArray &format : QImageReader::supportedImageFormats())
+        globs << QStringLiteral("*.") + QString::fromLatin1(format);
+    return {ViewActions::tr("Pictures (%1)").arg(globs.join(QLatin1Char(' '))),
+            ViewActions::tr("All files (*)")};
+}
+
+} // namespace
+
+ViewActions::ViewActions(const StudioContext &context, Questions &questions, QObject *parent)
+    : QObject(parent), mContext(context), mQuestions(questions)
+{
+    connectChoices();
+    connectWindow();
+    connect(&context.view, &ViewState::optionsChanged, this, &ViewActions::showOptions);
+    showOptions();
+}
+
+template <typename Change>
+void ViewActions::connectChange(const char *id, Change change)
+{
+    connect(mContext.actions.action(id), &QAction::triggered, this, [this, change] {
+        ViewOptions options = mContext.view.options();
+        change(options);
+        mContext.view.setOptions(options);
+    });
+}
+
+void ViewActions::connectChoices()
+{
+    for (const auto &[id, field] : toggles)
+        connectChange(id, [field](ViewOptions &options) { options.*field = !(options.*field); });
+    for (const auto &[id, value] : colorings)
+        connectChange(id, [value](ViewOptions &options) { options.coloring = value; });
+    connectChange("view.pattern.none", [](ViewOptions &options) { options.pattern = Pattern::None; });
+    connectChange("view.pattern.checker", [](ViewOptions &options) { options.pattern = Pattern::Checker; });
+    const auto onTriggered = [this](const char *id, auto function) {
+        connect(mContext.actions.action(id), &QAction::triggered, this, function);
+    };
+    onTriggered("view.pattern.texture", [this] {
+        const QString path = mContext.view.options().texturePath;
+        if (path.isEmpty())
+            askTexture();
+        else
+            loadTexture(path);
+    });
+    onTriggered("view.heatMap", [this] { nextHeatMap(); });
+    onTriggered("view.texture", [this] { nextPattern(); });
+    onTriggered("view.loadTexture", [this] { askTexture(); });
+}
+
+void ViewActions::connectWindow()
+{
+    ActionRegistry &actions = mContext.actions;
+    connect(actions.action("view.frameAll"), &QAction::triggered, this, &ViewActions::frameAll);
+    connect(actions.action("view.frameSelected"), &QAction::triggered, this, &ViewActions::frameSelected);
+    connect(actions.action("view.resetPanels"), &QAction::triggered, this, &ViewActions::resetPanels);
+    for (const auto &[id, value] : layouts)
+        connect(actions.action(id), &QAction::triggered, this, [this, layout = value] { setLayout(layout); });
+    actions.action("view.both")->setChecked(true);
+    connect(actions.action("view.fullScreen"), &QAction::triggered, this, [this](bool checked) {
+        QWidget *const window = mQuestions.window();
+        if (!window)
+            return;
+        const Qt::WindowStates others = window->windowState() & ~Qt::WindowFullScreen;
+        window->setWindowState(checked ? others | Qt::WindowFullScreen : others);
+    });
+}
+
+void ViewActions::setLayout(ViewLayout layout)
+{
+    for (const auto &[id, value] : layouts)
+        mContext.actions.action(id)->setChecked(value == layout);
+    if (layout == mLayout)
+        return;
+    mLayout = layout;
+    Q_EMIT layoutChosen(layout);
+}
+
+void ViewActions::askTexture()
+{
+    const QString old = mContext.view.options().texturePath;
+    const QString folder = old.isEmpty() ? mContext.preferences.lastFolder() : QFileInfo(old).path();
+    const QString path = mQuestions.fileToOpen(tr("Load texture"), folder, imageFilters());
+    if (!path.isEmpty())
+        loadTexture(path);
+    // The group has checked an action that may not have come true.
+    showOptions();
+}
+
+void ViewActions::loadTexture(const QString &path)
+{
+    QImageReader reader(path);
+    if (!reader.canRead()) {
+        mQuestions.showError({tr("The texture cannot be read: %1").arg(reader.errorString()), path, 0,
+                              tr("Choose a PNG, JPEG or TIFF file")});
+        showOptions();
+        return;
+    }
+    ViewOptions options = mContext.view.options();
+    options.texturePath = path;
+    options.pattern = Pattern::Texture;
+    mContext.view.setOptions(options);
+    showOptions();
+}
+
+void ViewActions::nextHeatMap()
+{
+    ViewOptions options = mContext.view.options();
+    if (options.coloring == Coloring::SignedStretch)
+        options.coloring = Coloring::StretchMagnitude;
+    else if (options.coloring == Coloring::StretchMagnitude)
+        options.coloring = Coloring::Plain;
+    else
+        options.coloring = Coloring::SignedStretch;
+    mContext.view.setOptions(options);
+}
+
+//! The texture is left out while none was chosen.
+void ViewActions::nextPattern()
+{
+    ViewOptions options = mContext.view.options();
+    if (options.pattern == Pattern::None)
+        options.pattern = Pattern::Checker;
+    else if (options.pattern == Pattern::Checker && !options.texturePath.isEmpty())
+        options.pattern = Pattern::Texture;
+    else
+        options.pattern = Pattern::None;
+    mContext.view.setOptions(options);
+}
+
+void ViewActions::showOptions()
+{
+    const ViewOptions &options = mContext.view.options();
+    for (const auto &[id, field] : toggles)
+        mContext.actions.action(id)->setChecked(options.*field);
+    for (const auto &[id, value] : colorings)
+        mContext.actions.action(id)->setChecked(value == options.coloring);
+    for (const auto &[id, value] : patterns)
+        mContext.actions.action(id)->setChecked(value == options.pattern);
+}
+
+} // namespace autocuts

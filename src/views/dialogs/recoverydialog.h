@@ -1,0 +1,41 @@
+// What a crash left behind.
+#pragma once
+
+#include "model/io/autosave.h"
+
+#include <QDialog>
+
+#include <vector>
+
+class QPushButton;
+class QTreeWidget;
+
+namespace autocuts {
+
+class Questions;
+
+//! Lists sessions that ended without order: one can be recovered now, others discarded or left for later.
+class RecoveryDialog final : public QDialog
+{
+    Q_OBJECT
+
+public:
+    //! \pre sessions is not empty
+    RecoveryDialog(std::vector<RecoverableSession> sessions, Questions &questions);
+
+    //! The session to recover. \pre the dialog was accepted
+    const RecoverableSession &chosen() const { return mSessions[currentRow()]; }
+    int count() const { return static_cast<int>(mSessions.size()); }
+
+private:
+    void fill();
+    void discard();
+    int currentRow() const;
+
+    std::vector<RecoverableSession> mSessions;
+    Questions &mQuestions;
+    QTreeWidget *mList;
+    QPushButton *mRecover, *mDiscard;
+};
+
+} // namespace autocuts

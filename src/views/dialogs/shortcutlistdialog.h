@@ -1,0 +1,26 @@
+// All keys on one page.
+#pragma once
+
+#include <QDialog>
+
+class QTreeWidget;
+
+namespace autocuts {
+
+class ActionRegistry;
+
+//! The actions that have a key, by menu, with what they do.
+class ShortcutListDialog final : public QDialog
+{
+    Q_OBJECT
+
+public:
+    explicit ShortcutListDialog(const ActionRegistry &actions, QWidget *parent = nullptr);
+
+private:
+    void fill(const ActionRegistry &actions);
+
+    QTreeWidget *mList;
+};
+
+} // namespace autocuts

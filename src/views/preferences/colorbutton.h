@@ -1,0 +1,31 @@
+// A colour to choose.
+#pragma once
+
+#include <QColor>
+#include <QPushButton>
+
+namespace autocuts {
+
+//! A button that shows a colour and opens a dialog to choose another one.
+class ColorButton final : public QPushButton
+{
+    Q_OBJECT
+
+public:
+    //! \param title of the colour dialog
+    explicit ColorButton(const QString &title, QWidget *parent = nullptr);
+
+    const QColor &color() const { return mColor; }
+    void setColor(const QColor &color);
+
+Q_SIGNALS:
+    void colorChanged();
+
+private:
+    void choose();
+
+    QString mTitle;
+    QColor mColor;
+};
+
+} // namespace autocuts
