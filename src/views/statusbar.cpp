@@ -137,7 +137,7 @@ void StatusBar::addFigures()
     mFigures->addFigure(tr("seams"), u"000.000"_s, tr("Length of the seams, on the mesh scaled to area π"));
     mFigures->addFigure(tr("islands"), u"0000"_s, tr("Number of islands"));
     mFigures->addFigure(tr("flips"), u"000"_s, tr("Flipped triangles of the map"));
-    mFigures->addFigure(tr("overlaps"), u"00000"_s, tr("Pairs of triangles of the map that overlap"));
+    mFigures->addFigure(tr("overlaps"), u"000,000"_s, tr("Pairs of triangles of the map that overlap"));
 }
 
 void StatusBar::connectAll()

@@ -8,7 +8,7 @@ namespace autocuts {
 
 namespace {
 
-constexpr int captionGap = 4, figureGap = 12;
+constexpr int captionGap = 4, figureGap = 12, leftMargin = 8;
 
 } // namespace
 
@@ -42,7 +42,7 @@ int FigureStrip::widthOf(const Figure &figure) const
 
 int FigureStrip::visibleCount() const
 {
-    int used = 0, count = 0;
+    int used = leftMargin, count = 0;
     for (const Figure &figure : mFigures) {
         used += widthOf(figure);
         if (used > width())
@@ -54,7 +54,7 @@ int FigureStrip::visibleCount() const
 
 QSize FigureStrip::sizeHint() const
 {
-    int width = 0;
+    int width = leftMargin;
     for (const Figure &figure : mFigures)
         width += widthOf(figure);
     return {width, fontMetrics().height()};
@@ -68,6 +68,7 @@ QSize FigureStrip::minimumSizeHint() const
 int FigureStrip::figureAt(int x) const
 {
     const int count = visibleCount();
+    x -= leftMargin;
     for (int i = 0; i < count; ++i) {
         x -= widthOf(mFigures[i]);
         if (x < 0)
@@ -95,7 +96,7 @@ void FigureStrip::paintEvent(QPaintEvent *)
     QColor faint = plain;
     faint.setAlphaF(0.6f);
     const QColor alert = dark ? QColor(0xFF7A6B) : QColor(0xB3140A);
-    int left = 0;
+    int left = leftMargin;
     const int count = visibleCount();
     for (int i = 0; i < count; ++i) {
         const Figure &figure = mFigures[i];

@@ -28,9 +28,9 @@ HistoryPanel::HistoryPanel(const StudioContext &context, QWidget *parent)
     mMemory->setObjectName("memory"_L1);
     layout->addWidget(mMemory);
     connect(&context.workspace, &Workspace::documentReplaced, this, &HistoryPanel::replaceStack);
-    connect(&context.workspace, &Workspace::historyChanged, this, &HistoryPanel::refreshSoon);
+    connect(&context.workspace, &Workspace::historyChanged, this, [this] { refreshSoon(); });
     // Merged steps change no index, only how much is held.
-    connect(&context.workspace, &Workspace::changed, this, &HistoryPanel::refreshSoon);
+    connect(&context.workspace, &Workspace::changed, this, [this] { refreshSoon(); });
     replaceStack();
 }
 

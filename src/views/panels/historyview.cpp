@@ -65,7 +65,8 @@ public:
     void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
     {
         QStyledItemDelegate::paint(painter, option, index);
-        if (!mStack || index.row() != mStack->cleanIndex())
+        // Row 0 is the state as it was opened: not saved by anybody.
+        if (!mStack || index.row() == 0 || index.row() != mStack->cleanIndex())
             return;
         const bool selected = option.state & QStyle::State_Selected;
         painter->setPen(

@@ -8,6 +8,7 @@
 #include <QAbstractButton>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace autocuts {
@@ -67,11 +68,12 @@ Document *Panel::document() const
     return mContext.workspace.document();
 }
 
-void Panel::refreshSoon()
+void Panel::refreshSoon(int delayMs)
 {
     mStale = true;
-    if (isVisible() && !mRefreshTimer.isActive())
-        mRefreshTimer.start(0);
+    const bool comesSoon = mRefreshTimer.isActive() && mRefreshTimer.interval() == 0;
+    if (isVisible() && !comesSoon)
+        mRefreshTimer.start(delayMs);
 }
 
 quint64 Panel::gestureFor(bool first)
@@ -96,7 +98,8 @@ void Panel::showEvent(QShowEvent *event)
     if (mStale)
         refreshNow();
     // Rows can only now be measured with the right font: a scroll bar must not hide their ends.
-    mScrollArea->setMinimumWidth(mContent->minimumSizeHint().width());
+    mScrollArea->setMinimumWidth(mContent->minimumSizeHint().width() +
+                                 mScrollArea->verticalScrollBar()->sizeHint().width());
     QWidget::showEvent(event);
 }
 

@@ -35,8 +35,8 @@ protected:
 
     //! Brings the widgets in line with the document. Called with and without one.
     virtual void refresh() = 0;
-    //! Asks for a refresh.
-    void refreshSoon();
+    //! Asks for a refresh. \param delayMs of quiet to wait for
+    void refreshSoon(int delayMs = 0);
 
     //! Changes the solver's settings by one command. \param edit is given the settings to change
     template <class Edit>

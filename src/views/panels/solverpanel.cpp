@@ -220,9 +220,9 @@ void SolverPanel::connectSolver()
         if (event.type == ChangeEvent::Type::SolveSettings)
             refreshSoon();
     });
-    connect(&context().solver, &SolverController::stateChanged, this, &SolverPanel::refreshSoon);
-    connect(&context().solver, &SolverController::statusChanged, this, &SolverPanel::refreshSoon);
-    connect(&context().map.jobs(), &JobRunner::busyChanged, this, &SolverPanel::refreshSoon);
+    connect(&context().solver, &SolverController::stateChanged, this, [this] { refreshSoon(); });
+    connect(&context().solver, &SolverController::statusChanged, this, [this] { refreshSoon(); });
+    connect(&context().map.jobs(), &JobRunner::busyChanged, this, [this] { refreshSoon(); });
 }
 
 void SolverPanel::refresh()

@@ -1,0 +1,276 @@
+#include "views/panels/islandpanel.h"
+
+#include "views/control/mapcontroller.h"
+#include "views/control/workspace.h"
+#include "views/panels/controls.h"
+#include "views/panels/islandtable.h"
+#include "views/panels/numbertext.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QScopedValueRollback>
+#include <QSortFilterProxyModel>
+#include <QTableView>
+
+#include <cmath>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! While islands are dragged the table waits until they rest.
+constexpr int settleDelay = 120; //!< milliseconds
+
+} // namespace
+
+IslandPanel::IslandPanel(const StudioContext &context, QWidget *parent)
+    : Panel(context, tr("Open a model to see the islands of its map."), parent),
+      mTable(new IslandTable(this)), mSorted(new QSortFilterProxyModel(this)), mView(new QTableView),
+      mSummary(makeRemark())
+{
+    auto *layout = new QVBoxLayout(content());
+    layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
+    layout->setSpacing(rowSpacing + 2);
+    mSummary->setObjectName("summary"_L1);
+    layout->addWidget(mSummary);
+    makeTable();
+    layout->addWidget(mView, 1);
+    layout->addWidget(makeMarkButtons());
+    layout->addWidget(makeHeading(tr("Texel density")));
+    layout->addWidget(makeDensityRow());
+
+    connect(&context.workspace, &Workspace::documentReplaced, this, [this] { refreshFigures(0); });
+    connect(&context.workspace, &Workspace::changed, this, &IslandPanel::documentChanged);
+    connect(&context.workspace, &Workspace::selectionChanged, this, [this] { refreshSoon(); });
+    connect(&context.map, &MapController::figuresChanged, this, [this] { refreshFigures(settleDelay); });
+    connect(&context.map.jobs(), &JobRunner::busyChanged, this, [this] { refreshSoon(); });
+    connect(mView->selectionModel(), &QItemSelectionModel::selectionChanged, this, &IslandPanel::selectFaces);
+    connect(mTable, &IslandTable::lockRequested, this, [this](int island, bool locked) {
+        mark(locked ? SetIslandFlags::Edit::Lock : SetIslandFlags::Edit::Unlock, {island});
+    });
+}
+
+void IslandPanel::makeTable()
+{
+    mSorted->setSourceModel(mTable);
+    mSorted->setSortRole(IslandTable::sortRole);
+    mView->setObjectName("islands"_L1);
+    mView->setAccessibleName(tr("Islands"));
+    mView->setModel(mSorted);
+    mView->setSortingEnabled(true);
+    mView->sortByColumn(IslandTable::Number, Qt::AscendingOrder);
+    mView->setSelectionBehavior(QAbstractItemView::SelectRows);
+    mView->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    mView->setTabKeyNavigation(false);
+    mView->setWordWrap(false);
+    mView->setShowGrid(false);
+    mView->setAlternatingRowColors(true);
+    mView->setMinimumHeight(140);
+    mView->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    mView->verticalHeader()->hide();
+    mView->verticalHeader()->setDefaultSectionSize(mView->fontMetrics().height() + 6);
+    QHeaderView *header = mView->horizontalHeader();
+    header->setHighlightSections(false);
+    header->setMinimumSectionSize(20);
+    const char *const widest[IslandTable::ColumnCount] = {"MM0000",  "00000_", "00.0 %_", "000000__",
+                                                          "00.000_", "Lock_",  "Stack_",  "Group_"};
+    for (int column = 0; column < IslandTable::ColumnCount; ++column) {
+        const QString title =
+            mTable->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString() + u"__"_s;
+        header->resizeSection(column,
+                              std::max(mView->fontMetrics().horizontalAdvance(QLatin1String(widest[column])),
+                                       header->fontMetrics().horizontalAdvance(title)) +
+                                  6);
+    }
+}
+
+QWidget *IslandPanel::makeMarkButtons()
+{
+    using Edit = SetIslandFlags::Edit;
+    const auto add = [this](const QString &text, QLatin1StringView name, const QString &tip,
+                            const char *action, Edit edit) {
+        QPushButton *button = makeButton(text, name);
+        explain(button, tip, action);
+        connect(button, &QPushButton::clicked, this, [this, edit] { mark(edit, selectedIslands()); });
+        mSelectionButtons.push_back(button);
+        return button;
+    };
+    auto *box = new QWidget;
+    auto *layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(rowSpacing);
+    layout->addWidget(
+        makeRow({add(tr("Lock"), "lock"_L1, tr("Keep the selected islands where they are"), "island.lock",
+                     Edit::Lock),
+                 add(tr("Stack"), "stack"_L1, tr("The selected islands lie on top of each other"),
+                     "island.stack", Edit::Stack),
+                 add(tr("Group"), "group"_L1, tr("The selected islands move together"), "island.group",
+                     Edit::Group)}));
+    layout->addWidget(makeRow(
+        {add(tr("Unlock"), "unlock"_L1, tr("Let the selected islands move"), "island.unlock", Edit::Unlock),
+         add(tr("Unstack"), "unstack"_L1, tr("Take the selected islands out of their stacks"),
+             "island.unstack", Edit::Unstack),
+         add(tr("Ungroup"), "ungroup"_L1, tr("Take the selected islands out of their groups"),
+             "island.ungroup", Edit::Ungroup)}));
+    return box;
+}
+
+QWidget *IslandPanel::makeDensityRow()
+{
+    mDensity = new QDoubleSpinBox;
+    mDensity->setObjectName("density"_L1);
+    mDensity->setRange(1e-3, 1e9);
+    mDensity->setDecimals(3);
+    mDensity->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    mDensity->setSuffix(tr(" px/unit"));
+    mDensity->setValue(512);
+    QPushButton *read = makeButton(tr("Read"), "readDensity"_L1);
+    QPushButton *set = makeButton(tr("Set"), "setDensity"_L1);
+    mEqualize = makeButton(tr("Equalise all"), "equalize"_L1);
+    read->setToolTip(tr("Take over the mean texel density of the selected islands"));
+    set->setToolTip(tr("Scale the selected islands to this texel density; locked ones stay"));
+    explain(mEqualize, tr("Give all islands the same texel density; locked ones stay"), "uv.equalizeDensity");
+    mSelectionButtons.insert(mSelectionButtons.end(), {read, set});
+    connect(read, &QPushButton::clicked, this, &IslandPanel::readDensity);
+    connect(set, &QPushButton::clicked, this, &IslandPanel::setDensity);
+    connect(mEqualize, &QPushButton::clicked, &context().map, &MapController::equalizeDensity);
+    auto *box = new QWidget;
+    auto *form = makeForm(box);
+    addRow(form, tr("Density"), mDensity,
+           tr("Texels per unit of the model at the texture size of the Packing panel"));
+    form->addRow(makeRow({read, set, mEqualize}));
+    return box;
+}
+
+void IslandPanel::documentChanged(const ChangeEvent &event)
+{
+    switch (event.type) {
+    case ChangeEvent::Type::Uv:
+    case ChangeEvent::Type::UvSet:
+        refreshFigures(settleDelay);
+        break;
+    case ChangeEvent::Type::IslandFlag:
+    case ChangeEvent::Type::Tag:
+    case ChangeEvent::Type::PackingSettings:
+        refreshFigures(0);
+        break;
+    default:
+        break;
+    }
+}
+
+void IslandPanel::refreshFigures(int delayMs)
+{
+    mFiguresStale = true;
+    refreshSoon(delayMs);
+}
+
+std::vector<int> IslandPanel::selectedIslands() const
+{
+    return document() ? document()->islands().islandsOf(document()->selection().faces) : std::vector<int>();
+}
+
+void IslandPanel::refresh()
+{
+    const QScopedValueRollback syncing(mSyncing, true);
+    if (!document()) {
+        mTable->setFigures({});
+        mFiguresStale = true;
+        mSummary->clear();
+        return;
+    }
+    MapController &map = context().map;
+    if (mFiguresStale) {
+        static const std::vector<double> unknown;
+        mTable->setFigures(islandFigures(
+            *document(), map.figuresAreFresh() ? map.figures()->metrics.triangleSymDirichlet : unknown));
+        mFiguresStale = false;
+    }
+    selectRows(*document());
+    const auto selected = selectedIslands().size();
+    mSummary->setText(mTable->rowCount() == 0
+                          ? tr("No UVs yet: run the solver, or unwrap.")
+                          : tr("Islands: %1, selected: %2")
+                                .arg(countText(mTable->rowCount()), countText(qint64(selected))));
+    for (QPushButton *button : mSelectionButtons)
+        button->setEnabled(selected > 0);
+    mEqualize->setEnabled(mTable->rowCount() > 0 && !map.jobs().isBusy());
+}
+
+//! Selects the rows of the islands that have selected faces.
+void IslandPanel::selectRows(const Document &document)
+{
+    std::vector<bool> wanted(mTable->rowCount());
+    for (int island : document.islands().islandsOf(document.selection().faces))
+        wanted[island] = true;
+    QItemSelection selection;
+    const int rows = mSorted->rowCount();
+    const auto isWanted = [&](int row) { return wanted[mSorted->mapToSource(mSorted->index(row, 0)).row()]; };
+    for (int first = 0; first < rows; ++first) {
+        if (!isWanted(first))
+            continue;
+        int last = first;
+        while (last + 1 < rows && isWanted(last + 1))
+            ++last;
+        selection.select(mSorted->index(first, 0), mSorted->index(last, IslandTable::ColumnCount - 1));
+        first = last;
+    }
+    mView->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+}
+
+//! Selects the faces of the islands whose rows the user selected.
+void IslandPanel::selectFaces()
+{
+    if (mSyncing || mFiguresStale || !document())
+        return;
+    Selection selection = document()->selection();
+    selection.mode = SelectionMode::Islands;
+    selection.faces.clear();
+    for (const QItemSelectionRange &range : mView->selectionModel()->selection()) {
+        for (int row = range.top(); row <= range.bottom(); ++row) {
+            const int island = mSorted->mapToSource(mSorted->index(row, 0)).row();
+            for (int face : document()->islands().faces(island))
+                selection.faces.append(face);
+        }
+    }
+    document()->setSelection(std::move(selection));
+}
+
+void IslandPanel::mark(SetIslandFlags::Edit edit, const std::vector<int> &islands)
+{
+    if (!document())
+        return;
+    const auto exists = [this](int island) { return island < document()->islands().count(); };
+    if (std::all_of(islands.begin(), islands.end(), exists))
+        pushCommand(std::make_unique<SetIslandFlags>(*document(), edit, islands));
+}
+
+void IslandPanel::readDensity()
+{
+    if (!document())
+        return;
+    double sum = 0, area = 0;
+    const std::vector<IslandFigures> figures = islandFigures(*document(), {});
+    for (int island : selectedIslands()) {
+        if (std::isfinite(figures[island].texelDensity)) {
+            sum += figures[island].areaShare * figures[island].texelDensity;
+            area += figures[island].areaShare;
+        }
+    }
+    if (area > 0)
+        mDensity->setValue(sum / area);
+}
+
+void IslandPanel::setDensity()
+{
+    mDensity->interpretText();
+    if (document())
+        pushCommand(setTexelDensity(*document(), selectedIslands(), mDensity->value()));
+}
+
+} // namespace autocuts

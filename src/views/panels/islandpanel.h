@@ -1,0 +1,56 @@
+// The panel of the islands.
+#pragma once
+
+#include "commands/setislandflags.h"
+#include "views/panels/panel.h"
+
+class QDoubleSpinBox;
+class QItemSelection;
+class QLabel;
+class QPushButton;
+class QSortFilterProxyModel;
+class QTableView;
+
+namespace autocuts {
+
+class IslandTable;
+
+//! A table of all islands whose rows are selected together with the islands' faces; locks, stacks and groups
+//! them and sets their texel density.
+class IslandPanel final : public Panel
+{
+    Q_OBJECT
+
+public:
+    explicit IslandPanel(const StudioContext &context, QWidget *parent = nullptr);
+
+    //! Islands of the selected faces, rising.
+    std::vector<int> selectedIslands() const;
+
+protected:
+    void refresh() override;
+
+private:
+    void makeTable();
+    QWidget *makeMarkButtons();
+    QWidget *makeDensityRow();
+    void documentChanged(const ChangeEvent &event);
+    void refreshFigures(int delayMs);
+    void selectRows(const Document &document);
+    void selectFaces();
+    void mark(SetIslandFlags::Edit edit, const std::vector<int> &islands);
+    void readDensity();
+    void setDensity();
+
+    IslandTable *mTable;
+    QSortFilterProxyModel *mSorted;
+    QTableView *mView;
+    QLabel *mSummary;
+    std::vector<QPushButton *> mSelectionButtons; //!< that work on the selected islands
+    QDoubleSpinBox *mDensity = nullptr;
+    QPushButton *mEqualize = nullptr;
+    bool mFiguresStale = true;
+    bool mSyncing = false; //!< rows are being selected because faces were
+};
+
+} // namespace autocuts

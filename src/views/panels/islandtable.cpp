@@ -1,0 +1,161 @@
+#include "views/panels/islandtable.h"
+
+#include "views/panels/numbertext.h"
+
+#include <QStringList>
+
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+//! Not a number sorts before everything else.
+double sortable(double value)
+{
+    return std::isnan(value) ? -1 : value;
+}
+
+} // namespace
+
+QColor islandColor(int island)
+{
+    // Steps of the golden angle: neighbouring numbers never look alike.
+    const double hue = std::fmod(0.618033988749895 * island + 0.08, 1.0);
+    return QColor::fromHsvF(float(hue), 0.55f, 0.9f);
+}
+
+void IslandTable::setFigures(std::vector<IslandFigures> figures)
+{
+    if (figures.size() != mFigures.size()) {
+        beginResetModel();
+        mFigures = std::move(figures);
+        endResetModel();
+        return;
+    }
+    mFigures = std::move(figures);
+    if (!mFigures.empty())
+        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+}
+
+int IslandTable::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(mFigures.size());
+}
+
+int IslandTable::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QString IslandTable::text(const IslandFigures &figures, int island, int column) const
+{
+    switch (column) {
+    case Number: {
+        const QStringList names(figures.tags.begin(), figures.tags.end());
+        return names.isEmpty()
+                   ? QString::number(island + 1)
+                   : QStringLiteral("%1 %2").arg(island + 1).arg(names.join(QStringLiteral(", ")));
+    }
+    case Faces:
+        return countText(figures.faces);
+    case Area:
+        return percentText(figures.areaShare);
+    case Density:
+        return significantText(figures.texelDensity, 4);
+    case Distortion:
+        return fixedText(figures.distortion, 3);
+    case Stack:
+        return figures.flags.stack == 0 ? QString() : QString::number(figures.flags.stack);
+    case Group:
+        return figures.flags.group == 0 ? QString() : QString::number(figures.flags.group);
+    default:
+        return {};
+    }
+}
+
+QVariant IslandTable::sortKey(const IslandFigures &figures, int island, int column) const
+{
+    switch (column) {
+    case Faces:
+        return figures.faces;
+    case Area:
+        return figures.areaShare;
+    case Density:
+        return sortable(figures.texelDensity);
+    case Distortion:
+        return sortable(figures.distortion);
+    case Lock:
+        return figures.flags.locked;
+    case Stack:
+        return figures.flags.stack;
+    case Group:
+        return figures.flags.group;
+    default:
+        return island;
+    }
+}
+
+QVariant IslandTable::data(const QModelIndex &index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const IslandFigures &figures = mFigures[index.row()];
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(figures, index.row(), index.column());
+    case Qt::DecorationRole:
+        return index.column() == Number ? QVariant(islandColor(index.row())) : QVariant();
+    case Qt::CheckStateRole:
+        if (index.column() == Lock)
+            return figures.flags.locked ? Qt::Checked : Qt::Unchecked;
+        return {};
+    case Qt::TextAlignmentRole:
+        return index.column() == Number
+                   ? QVariant()
+                   : QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
+    case sortRole:
+        return sortKey(figures, index.row(), index.column());
+    default:
+        return {};
+    }
+}
+
+QVariant IslandTable::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount)
+        return {};
+    const std::pair<QString, QString> titles[ColumnCount] = {
+        {tr("Island"), tr("Colour, number and tags")},
+        {tr("Faces"), tr("Number of faces")},
+        {tr("Area"), tr("Share of the model's surface")},
+        {tr("px/unit"),
+         tr("Texel density: texels per unit of the model at the texture size of the Packing panel")},
+        {tr("D"), tr("Mean distortion: symmetric Dirichlet energy, 4 where nothing is distorted")},
+        {tr("Lock"), tr("Locked islands are not moved")},
+        {tr("Stack"), tr("Islands of one stack lie on top of each other")},
+        {tr("Group"), tr("Islands of one group move together")},
+    };
+    if (role == Qt::DisplayRole)
+        return titles[section].first;
+    if (role == Qt::ToolTipRole)
+        return titles[section].second;
+    return {};
+}
+
+Qt::ItemFlags IslandTable::flags(const QModelIndex &index) const
+{
+    const Qt::ItemFlags common = QAbstractTableModel::flags(index);
+    return index.column() == Lock ? common | Qt::ItemIsUserCheckable : common;
+}
+
+bool IslandTable::setData(const QModelIndex &index, const QVariant &value, int role)
+{
+    if (role != Qt::CheckStateRole || index.column() != Lock)
+        return false;
+    Q_EMIT lockRequested(index.row(), value.toInt() == Qt::Checked);
+    // The row changes when the document has.
+    return false;
+}
+
+} // namespace autocuts

@@ -1,0 +1,47 @@
+// The islands as a table.
+#pragma once
+
+#include "views/panels/islandfigures.h"
+
+#include <QAbstractTableModel>
+#include <QColor>
+
+namespace autocuts {
+
+//! The colour that stands for an island.
+QColor islandColor(int island);
+
+//! One row per island, in the order of Document::islands(); knows no document.
+class IslandTable final : public QAbstractTableModel
+{
+    Q_OBJECT
+
+public:
+    enum Column { Number, Faces, Area, Density, Distortion, Lock, Stack, Group, ColumnCount };
+    static constexpr int sortRole = Qt::UserRole;
+
+    explicit IslandTable(QObject *parent = nullptr) : QAbstractTableModel(parent) {}
+
+    void setFigures(std::vector<IslandFigures> figures);
+    const std::vector<IslandFigures> &figures() const { return mFigures; }
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
+    //! Only the check box of the lock: asks for lockRequested().
+    bool setData(const QModelIndex &index, const QVariant &value, int role) override;
+
+Q_SIGNALS:
+    //! The check box of an island was clicked.
+    void lockRequested(int island, bool locked);
+
+private:
+    QString text(const IslandFigures &figures, int island, int column) const;
+    QVariant sortKey(const IslandFigures &figures, int island, int column) const;
+
+    std::vector<IslandFigures> mFigures;
+};
+
+} // namespace autocuts

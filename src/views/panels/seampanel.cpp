@@ -1,0 +1,207 @@
+#include "views/panels/seampanel.h"
+
+#include "commands/reset.h"
+#include "commands/setseamweights.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/workspace.h"
+#include "views/panels/controls.h"
+#include "views/panels/numbertext.h"
+#include "views/panels/seamcounts.h"
+#include "views/panels/sliderspin.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+SeamPanel::SeamPanel(const StudioContext &context, QWidget *parent)
+    : Panel(context, tr("Open a model to decide about its seams."), parent)
+{
+    auto *layout = new QVBoxLayout(content());
+    layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
+    layout->setSpacing(rowSpacing + 2);
+    layout->addWidget(makeHeading(tr("Selected edges")));
+    layout->addWidget(makeSteering());
+    layout->addWidget(makeHeading(tr("Paint selected faces")));
+    layout->addWidget(makePainting());
+    layout->addWidget(makeHeading(tr("Seams")));
+    layout->addWidget(makeFigures());
+    layout->addStretch();
+    connect(&context.workspace, &Workspace::selectionChanged, this, [this] { refreshSoon(); });
+    connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
+        if (event.type == ChangeEvent::Type::Seam)
+            refreshSoon();
+    });
+    connect(&context.map, &MapController::figuresChanged, this, [this] { refreshSoon(); });
+}
+
+QWidget *SeamPanel::makeSteering()
+{
+    mSelectedEdges = makeRemark();
+    mSelectedEdges->setObjectName("selectedEdges"_L1);
+    mCut = makeButton(tr("Cut"), "cut"_L1);
+    mJoin = makeButton(tr("Join"), "join"_L1);
+    mClear = makeButton(tr("Free"), "clear"_L1);
+    mClearAll = makeButton(tr("Free all edges"), "clearAll"_L1);
+    explain(mCut, tr("Force a cut along the selected edges"), "seam.cut");
+    explain(mJoin, tr("Force the selected edges together"), "seam.join");
+    explain(mClear, tr("Leave the selected edges to the solver"), "seam.clear");
+    mClearAll->setToolTip(tr("Leave all edges to the solver: no cut and no join is forced"));
+    connect(mCut, &QPushButton::clicked, this, [this] { steer(SetSeamState::Edit::Cut); });
+    connect(mJoin, &QPushButton::clicked, this, [this] { steer(SetSeamState::Edit::Join); });
+    connect(mClear, &QPushButton::clicked, this, [this] { steer(SetSeamState::Edit::Clear); });
+    connect(mClearAll, &QPushButton::clicked, this, &SeamPanel::clearSteering);
+    auto *box = new QWidget;
+    auto *layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(rowSpacing);
+    layout->addWidget(mSelectedEdges);
+    layout->addWidget(makeRow({mCut, mJoin, mClear}));
+    layout->addWidget(mClearAll);
+    return box;
+}
+
+QWidget *SeamPanel::makePainting()
+{
+    auto *percent = new QDoubleSpinBox;
+    percent->setDecimals(0);
+    percent->setSuffix(tr(" %"));
+    mStrength = new SliderSpin(SliderScale::linear(1, 100), percent);
+    mStrength->setObjectName("strength"_L1);
+    mStrength->setValue(50);
+    mKeep = makeButton(tr("Keep together"), "keep"_L1);
+    mAttract = makeButton(tr("Attract cuts"), "attract"_L1);
+    mErase = makeButton(tr("Erase"), "erase"_L1);
+    mErasePaint = makeButton(tr("Erase all paint"), "eraseAll"_L1);
+    mKeep->setToolTip(tr("Seams avoid the edges of the selected faces"));
+    mAttract->setToolTip(tr("Seams are welcome on the edges of the selected faces"));
+    mErase->setToolTip(tr("Take the paint off the edges of the selected faces"));
+    mErasePaint->setToolTip(tr("Take the paint off the whole model"));
+    connect(mKeep, &QPushButton::clicked, this, [this] { paintSelectedFaces(Paint::KeepTogether); });
+    connect(mAttract, &QPushButton::clicked, this, [this] { paintSelectedFaces(Paint::AttractCuts); });
+    connect(mErase, &QPushButton::clicked, this, [this] { paintSelectedFaces(Paint::Erase); });
+    connect(mErasePaint, &QPushButton::clicked, this, &SeamPanel::clearPaint);
+    mSelectedFaces = makeRemark();
+    mSelectedFaces->setObjectName("selectedFaces"_L1);
+
+    auto *box = new QWidget;
+    auto *form = makeForm(box);
+    form->addRow(mSelectedFaces);
+    addRow(
+        form, tr("Strength"), mStrength,
+        tr("Of Keep together: a factor of 1 to 100 on the separation energy; of Attract cuts: 1 down to 0"));
+    form->addRow(makeRow({mKeep, mAttract}));
+    form->addRow(makeRow({mErase, mErasePaint}));
+    return box;
+}
+
+QWidget *SeamPanel::makeFigures()
+{
+    auto *box = new QWidget;
+    auto *grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(2);
+    const auto add = [grid](const QString &caption, QLatin1StringView name, const QString &tip) {
+        QLabel *value = addFigure(grid, grid->rowCount(), 0, caption, tip);
+        value->setObjectName(name);
+        return value;
+    };
+    mCutCount = add(tr("Forced cuts"), "cutCount"_L1, tr("Edges that are cut because you said so"));
+    mHalfCutCount = add(tr("Half-cuts"), "halfCutCount"_L1, tr("Edges that you cut at one end only"));
+    mJoinCount =
+        add(tr("Forced joins"), "joinCount"_L1, tr("Edges that are held together because you said so"));
+    mKeepCount = add(tr("Painted: keep together"), "keepCount"_L1, tr("Edges that seams avoid"));
+    mAttractCount = add(tr("Painted: attract cuts"), "attractCount"_L1, tr("Edges where seams are welcome"));
+    mSeamEdges =
+        add(tr("Seam edges of the map"), "seamEdges"_L1, tr("Edges whose two sides have different UVs"));
+    mSeamLength = add(tr("Seam length"), "seamLength"_L1, tr("In the units of the model"));
+    mSeamNorm = add(tr("Seam length, relative"), "seamNorm"_L1, tr("On the model scaled to area π"));
+    grid->setColumnStretch(1, 1);
+    return box;
+}
+
+void SeamPanel::steer(SetSeamState::Edit edit)
+{
+    if (!document())
+        return;
+    const QList<int> &edges = document()->selection().edges;
+    const IndexRanges pairs =
+        cornerPairsOfEdges(document()->mesh(), {edges.constData(), std::size_t(edges.size())});
+    pushCommand(std::make_unique<SetSeamState>(*document(), edit, pairs));
+}
+
+void SeamPanel::paintSelectedFaces(Paint paint)
+{
+    if (!document())
+        return;
+    const double strength = mStrength->value() / 100;
+    const double weight = paint == Paint::KeepTogether  ? keepTogetherWeight(strength)
+                          : paint == Paint::AttractCuts ? attractCutsWeight(strength)
+                                                        : unpaintedWeight;
+    const std::vector<int> edges = edgesOfFaces(*document(), document()->selection().faces);
+    const IndexRanges pairs = cornerPairsOfEdges(document()->mesh(), edges);
+    const std::vector<double> weights(pairs.count(), weight);
+    pushCommand(std::make_unique<SetSeamWeights>(*document(), pairs, weights));
+}
+
+void SeamPanel::clearSteering()
+{
+    if (document())
+        pushCommand(std::make_unique<Reset>(*document(), Reset::SeamStates));
+}
+
+void SeamPanel::clearPaint()
+{
+    if (document())
+        pushCommand(std::make_unique<Reset>(*document(), Reset::SeamWeights));
+}
+
+void SeamPanel::refresh()
+{
+    if (!document())
+        return;
+    const Selection &selection = document()->selection();
+    mSelectedEdges->setText(selection.edges.isEmpty()
+                                ? tr("Select edges to steer them.")
+                                : tr("Edges selected: %1").arg(countText(selection.edges.size())));
+    mSelectedFaces->setText(selection.faces.isEmpty()
+                                ? tr("Select faces to paint their edges.")
+                                : tr("Faces selected: %1").arg(countText(selection.faces.size())));
+    for (QPushButton *button : {mCut, mJoin, mClear})
+        button->setEnabled(!selection.edges.isEmpty());
+    for (QPushButton *button : {mKeep, mAttract, mErase})
+        button->setEnabled(!selection.faces.isEmpty());
+    showCounts(*document());
+    showMap();
+}
+
+void SeamPanel::showCounts(const Document &document)
+{
+    const SeamCounts counts = countSeams(document.mesh(), document.seams());
+    mCutCount->setText(countText(counts.cut));
+    mHalfCutCount->setText(countText(counts.halfCut));
+    mJoinCount->setText(countText(counts.joined));
+    mKeepCount->setText(countText(counts.keptTogether));
+    mAttractCount->setText(countText(counts.attracting));
+    mClearAll->setEnabled(counts.cut + counts.halfCut + counts.joined > 0);
+    mErasePaint->setEnabled(counts.keptTogether + counts.attracting > 0);
+}
+
+void SeamPanel::showMap()
+{
+    const MapFigures *figures = context().map.figures();
+    const bool hasMap = figures && figures->metrics.charts > 0;
+    mSeamEdges->setText(hasMap ? countText(figures->metrics.seamEdges) : missingText());
+    mSeamLength->setText(hasMap ? significantText(figures->metrics.seamLength, 5) : missingText());
+    mSeamNorm->setText(hasMap ? fixedText(figures->metrics.seamNorm, 3) : missingText());
+    // Figures of an older map stand back until the new one is measured.
+    for (QLabel *label : {mSeamEdges, mSeamLength, mSeamNorm})
+        label->setEnabled(context().map.figuresAreFresh());
+}
+
+} // namespace autocuts

@@ -1,0 +1,47 @@
+// The panel of what the user decides about seams.
+#pragma once
+
+#include "commands/setseamstate.h"
+#include "views/panels/panel.h"
+
+class QLabel;
+class QPushButton;
+
+namespace autocuts {
+
+class SliderSpin;
+
+//! Cuts, joins and frees the selected edges, and paints the edges of the selected faces: with a weight that
+//! keeps them together or attracts cuts.
+class SeamPanel final : public Panel
+{
+    Q_OBJECT
+
+public:
+    explicit SeamPanel(const StudioContext &context, QWidget *parent = nullptr);
+
+protected:
+    void refresh() override;
+
+private:
+    enum class Paint { KeepTogether, AttractCuts, Erase };
+
+    QWidget *makeSteering();
+    QWidget *makePainting();
+    QWidget *makeFigures();
+    void steer(SetSeamState::Edit edit);
+    void paintSelectedFaces(Paint paint);
+    void clearSteering();
+    void clearPaint();
+    void showCounts(const Document &document);
+    void showMap();
+
+    QLabel *mSelectedEdges = nullptr, *mSelectedFaces = nullptr;
+    QPushButton *mCut = nullptr, *mJoin = nullptr, *mClear = nullptr, *mClearAll = nullptr;
+    SliderSpin *mStrength = nullptr;
+    QPushButton *mKeep = nullptr, *mAttract = nullptr, *mErase = nullptr, *mErasePaint = nullptr;
+    QLabel *mCutCount = nullptr, *mHalfCutCount = nullptr, *mJoinCount = nullptr, *mKeepCount = nullptr;
+    QLabel *mAttractCount = nullptr, *mSeamLength = nullptr, *mSeamNorm = nullptr, *mSeamEdges = nullptr;
+};
+
+} // namespace autocuts
