@@ -1,0 +1,32 @@
+#version 330 core
+// Corners of the triangle soup, at their place in space or in the map.
+
+layout(location = 0) in vec3 position; // in the frame of the mesh
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec2 uv;
+
+uniform bool asMap;
+uniform mat4 viewMatrix, projectionMatrix;
+uniform vec2 mapScale, mapOffset;
+
+noperspective out vec3 barycentric; // linear on the screen: its gradient gives distances in pixels
+out vec3 eyePosition, eyeNormal;
+out vec2 texturePlace;
+
+const float noUv = 1e29; // corners without UV have more
+
+void main()
+{
+    int corner = gl_VertexID % 3;
+    barycentric = vec3(corner == 0, corner == 1, corner == 2);
+    texturePlace = uv.x < noUv ? uv : vec2(0);
+    vec4 eye = viewMatrix * vec4(position, 1);
+    eyePosition = eye.xyz;
+    eyeNormal = mat3(viewMatrix) * normal;
+    if (!asMap)
+        gl_Position = projectionMatrix * eye;
+    else if (uv.x < noUv)
+        gl_Position = vec4(uv * mapScale + mapOffset, 0, 1);
+    else
+        gl_Position = vec4(2, 2, 2, 1); // all three corners in one place outside
+}

@@ -1,0 +1,194 @@
+#include "views/canvas/canvas.h"
+
+#include "views/canvas/glresources.h"
+#include "views/canvas/overlays.h"
+#include "views/control/workspace.h"
+#include "views/tools/toolmanager.h"
+
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLVersionFunctionsFactory>
+#include <QPainter>
+
+#include <stdexcept>
+
+namespace autocuts {
+
+namespace {
+
+QSurfaceFormat canvasFormat()
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setStencilBufferSize(8); // QPainter clips with it
+    format.setSamples(4);
+    return format;
+}
+
+} // namespace
+
+Canvas::Canvas(Kind kind, const CanvasContext &context, ToolManager &tools, QWidget *parent)
+    : QOpenGLWidget(parent), mKind(kind), mContext(context), mTools(tools),
+      mContent(context, kind == Kind::Map)
+{
+    setFormat(canvasFormat());
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(80, 80);
+    connect(&mContent, &SceneContent::changed, this, qOverload<>(&QWidget::update));
+    connect(&mTexture, &TextureFile::changed, this, [this] {
+        mTextureStale = true;
+        update();
+    });
+    connect(&tools, &ToolManager::overlayChanged, this, qOverload<>(&QWidget::update));
+    connect(&tools, &ToolManager::toolChanged, this, &Canvas::updateCursor);
+    connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
+        mNavigation = Navigation::None;
+        documentReplaced();
+    });
+    const auto readTexture = [this] { mTexture.setPath(mContext.view.options().texturePath); };
+    connect(&context.view, &ViewState::optionsChanged, this, readTexture);
+    readTexture();
+}
+
+Canvas::~Canvas()
+{
+    releaseGl();
+}
+
+void Canvas::initializeGL()
+{
+    releaseGl();
+    auto *functions = QOpenGLVersionFunctionsFactory::get<GlFunctions>(QOpenGLWidget::context());
+    try {
+        if (!functions || !functions->initializeOpenGLFunctions())
+            throw std::runtime_error(tr("The graphics driver does not offer OpenGL 3.3.").toStdString());
+        mGl = std::make_unique<GlResources>(*functions);
+    } catch (const std::exception &error) {
+        mGlError = QString::fromStdString(error.what());
+        return;
+    }
+    mTextureStale = true;
+    mContextGone =
+        connect(QOpenGLWidget::context(), &QOpenGLContext::aboutToBeDestroyed, this, &Canvas::releaseGl);
+    mContent.markAll();
+}
+
+void Canvas::releaseGl()
+{
+    disconnect(mContextGone);
+    if (!mGl)
+        return;
+    makeCurrent();
+    mGl.reset();
+    doneCurrent();
+}
+
+void Canvas::resizeGL(int, int)
+{
+    viewResized();
+}
+
+void Canvas::upload()
+{
+    const int parts = mContent.refresh();
+    if (parts & SceneContent::Vertices)
+        mGl->soup.setVertices(mContent.vertices());
+    if (parts & SceneContent::Uvs)
+        mGl->soup.setUvs(mContent.uvs());
+    if (parts & SceneContent::Faces)
+        mGl->soup.setFaces(mContent.faces());
+    if (parts & SceneContent::Sides)
+        mGl->soup.setSides(mContent.sides());
+    if (parts & SceneContent::Points)
+        mGl->points.setPoints(mContent.points());
+    if (std::exchange(mTextureStale, false))
+        mGl->texture.setImage(mTexture.image());
+}
+
+void Canvas::paintGL()
+{
+    if (mGl) {
+        upload();
+        GlFunctions &gl = mGl->gl;
+        gl.glDisable(GL_BLEND);
+        gl.glDisable(GL_DEPTH_TEST);
+        gl.glDisable(GL_CULL_FACE);
+        gl.glDisable(GL_SCISSOR_TEST);
+        gl.glDisable(GL_STENCIL_TEST);
+        gl.glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+        drawScene(*mGl);
+        gl.glDisable(GL_BLEND);
+        gl.glDisable(GL_DEPTH_TEST);
+    }
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (!mGl) {
+        painter.fillRect(rect(), mContent.colors().backgroundBottom);
+        drawMessage(painter, rect(), mContent.colors(), tr("No 3D graphics"), {mGlError});
+        return;
+    }
+    drawOverlay(painter);
+    if (mContent.mesh() && mTools.tool())
+        mTools.tool()->drawOverlay(painter, *this);
+}
+
+void Canvas::updateCursor()
+{
+    if (const AbstractTool *tool = mTools.tool())
+        setCursor(tool->cursor());
+}
+
+std::vector<int> Canvas::selectedSoupCorners() const
+{
+    const Document *document = mContext.workspace.document();
+    if (!document)
+        return {};
+    const MeshData &mesh = document->mesh();
+    const SoupTopology &topology = mContent.topology();
+    const Selection &selection = document->selection();
+    std::vector<bool> selected(mesh.soupCornerCount());
+    for (int face : selection.faces) {
+        for (int s = 3 * topology.faceTriangle[face]; s < 3 * topology.faceTriangle[face + 1]; ++s)
+            selected[s] = true;
+    }
+    for (int edge : selection.edges) {
+        for (int side : topology.edgeSides[edge]) {
+            if (side >= 0)
+                selected[side] = selected[nextSoupCorner(side)] = true;
+        }
+    }
+    std::vector<bool> corners(mesh.cornerCount());
+    for (int corner : selection.corners)
+        corners[corner] = true;
+    std::vector<int> result;
+    for (int s = 0; s < mesh.soupCornerCount(); ++s) {
+        if (selected[s] || corners[mesh.cornerOfSoup(s)])
+            result.push_back(s);
+    }
+    return result;
+}
+
+Canvas::HoverParts Canvas::hoverParts() const
+{
+    HoverParts parts;
+    const Document *document = mContext.workspace.document();
+    const Hover &hover = mContext.view.hover();
+    if (!document)
+        return parts;
+    const SoupTopology &topology = mContent.topology();
+    const SelectionMode mode = document->selection().mode;
+    if (mode == SelectionMode::Edges) {
+        if (hover.edge >= 0 && hover.edge < static_cast<int>(topology.edgeSides.size()))
+            parts.sides = topology.edgeSides[hover.edge];
+    } else if (mode != SelectionMode::Vertices && hover.triangle >= 0 &&
+               hover.triangle < document->mesh().triangleCount()) {
+        const int face = document->mesh().triangleFace[hover.triangle];
+        parts.triangles = {topology.faceTriangle[face], topology.faceTriangle[face + 1]};
+    }
+    return parts;
+}
+
+} // namespace autocuts

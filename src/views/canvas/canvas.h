@@ -1,0 +1,111 @@
+// What both views have in common: drawing, picking, navigation and handing events to the tool.
+#pragma once
+
+#include "views/canvas/navigation.h"
+#include "views/canvas/picking.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/texturefile.h"
+
+#include <QCborMap>
+#include <QImage>
+#include <QOpenGLWidget>
+
+#include <memory>
+#include <optional>
+
+class QPainter;
+
+namespace autocuts {
+
+class ToolManager;
+struct GlResources;
+struct ToolEvent;
+
+//! Base of MeshView and UvView. Screen coordinates are logical pixels from the upper left.
+class Canvas : public QOpenGLWidget
+{
+    Q_OBJECT
+
+public:
+    enum class Kind { Model, Map };
+
+    ~Canvas() override;
+
+    Kind kind() const { return mKind; }
+    const CanvasContext &canvasContext() const { return mContext; }
+    //! What is drawn; for picking and measuring.
+    const SceneContent &content() const { return mContent; }
+
+    //! What is at a place; also sees what is not painted yet.
+    virtual PickResult pick(const QPointF &pixel) const = 0;
+    virtual BoxPick pickBox(const QRectF &box) const = 0;
+    //! Where a soup corner is drawn; nothing when it has no place.
+    virtual std::optional<QPointF> screenOf(int soupCorner) const = 0;
+
+    virtual void frameAll() = 0;
+    //! Frames all when nothing is selected.
+    virtual void frameSelection() = 0;
+    //! The camera, for the session file.
+    virtual QCborMap viewState() const = 0;
+    //! What is missing or not valid is left as it is.
+    virtual void restoreViewState(const QCborMap &state) = 0;
+    //! What the view shows.
+    QImage picture() { return grabFramebuffer(); }
+
+protected:
+    Canvas(Kind kind, const CanvasContext &context, ToolManager &tools, QWidget *parent);
+
+    //! Draws all but the overlay; the buffers are up to date and the view is not cleared.
+    virtual void drawScene(GlResources &gl) = 0;
+    virtual void drawOverlay(QPainter &painter) = 0;
+    //! \param pixels how far the mouse moved
+    virtual void navigate(Navigation navigation, const QPointF &pixels, const QPointF &start) = 0;
+    virtual void zoomAt(double factor, const QPointF &pixel) = 0;
+    virtual void turnTo(NavigationKey) {}
+    virtual void viewResized() = 0;
+    virtual void documentReplaced() = 0;
+
+    //! Soup corners of all that is selected, in rising order.
+    std::vector<int> selectedSoupCorners() const;
+    //! The triangles and sides that the mouse is over, in whichever view it is.
+    struct HoverParts
+    {
+        std::array<int, 2> triangles{0, 0}, sides{-1, -1};
+    };
+    HoverParts hoverParts() const;
+
+    void initializeGL() override;
+    void paintGL() override;
+    void resizeGL(int width, int height) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void enterEvent(QEnterEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+    bool event(QEvent *event) override;
+
+private:
+    void releaseGl();
+    void upload();
+    void updateCursor();
+    ToolEvent toolEvent(const QMouseEvent &event, bool withPick);
+
+    const Kind mKind;
+    const CanvasContext mContext;
+    ToolManager &mTools;
+    SceneContent mContent;
+    TextureFile mTexture;
+    bool mTextureStale = true;
+    std::unique_ptr<GlResources> mGl; //!< null before the first paint, and when OpenGL is missing
+    QString mGlError;                 //!< what is missing
+    QMetaObject::Connection mContextGone;
+    Navigation mNavigation = Navigation::None;
+    Qt::MouseButton mNavigationButton = Qt::NoButton;
+    QPointF mLastMouse, mNavigationStart;
+    bool mToolPressed = false;
+};
+
+} // namespace autocuts

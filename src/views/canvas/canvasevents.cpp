@@ -1,0 +1,161 @@
+// The events of Canvas: navigation first, then the tool.
+#include "views/canvas/canvas.h"
+
+#include "views/control/workspace.h"
+#include "views/tools/toolmanager.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace autocuts {
+
+ToolEvent Canvas::toolEvent(const QMouseEvent &event, bool withPick)
+{
+    ToolEvent result{*this, event.position(), event.button(), event.buttons(), event.modifiers(), {}};
+    if (withPick && mContent.mesh())
+        result.pick = pick(event.position());
+    return result;
+}
+
+void Canvas::mousePressEvent(QMouseEvent *event)
+{
+    setFocus(Qt::MouseFocusReason);
+    mLastMouse = event->position();
+    const NavigationPreset preset = mContext.preferences.values().navigation;
+    const Navigation navigation = navigationOf(preset, event->button(), event->modifiers());
+    if (mNavigation != Navigation::None)
+        return;
+    if (navigation != Navigation::None && !mToolPressed) {
+        mNavigation = navigation;
+        mNavigationButton = event->button();
+        mNavigationStart = event->position();
+        setCursor(navigation == Navigation::Zoom ? Qt::SizeVerCursor : Qt::ClosedHandCursor);
+        return;
+    }
+    if (!mContent.mesh() || !mTools.tool())
+        return;
+    mToolPressed = true;
+    mTools.tool()->press(toolEvent(*event, true));
+}
+
+void Canvas::mouseMoveEvent(QMouseEvent *event)
+{
+    const QPointF moved = event->position() - mLastMouse;
+    mLastMouse = event->position();
+    if (mNavigation != Navigation::None) {
+        navigate(mNavigation, moved, mNavigationStart);
+        update();
+        return;
+    }
+    if (!mContent.mesh() || !mTools.tool())
+        return;
+    const ToolEvent toTool = toolEvent(*event, mTools.tool()->wantsPicks());
+    mContext.view.setHover(toTool.pick.hover());
+    mTools.tool()->move(toTool);
+}
+
+void Canvas::mouseReleaseEvent(QMouseEvent *event)
+{
+    if (mNavigation != Navigation::None) {
+        if (event->button() == mNavigationButton) {
+            mNavigation = Navigation::None;
+            updateCursor();
+        }
+        return;
+    }
+    mToolPressed = event->buttons() != Qt::NoButton && mToolPressed;
+    if (mContent.mesh() && mTools.tool())
+        mTools.tool()->release(toolEvent(*event, true));
+}
+
+void Canvas::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    const NavigationPreset preset = mContext.preferences.values().navigation;
+    if (navigationOf(preset, event->button(), event->modifiers()) != Navigation::None || !mContent.mesh() ||
+        !mTools.tool()) {
+        mousePressEvent(event);
+        return;
+    }
+    mToolPressed = true;
+    mTools.tool()->doubleClick(toolEvent(*event, true));
+}
+
+void Canvas::wheelEvent(QWheelEvent *event)
+{
+    if (mContent.mesh() && mTools.tool() && mTools.tool()->wheel(*event, *this))
+        return;
+    const QPointF at = event->position();
+    const bool touchPad =
+        event->device()->type() == QInputDevice::DeviceType::TouchPad && !event->pixelDelta().isNull();
+    if (touchPad && !event->modifiers().testFlag(Qt::ControlModifier)) {
+        const bool orbit = mKind == Kind::Model && !event->modifiers().testFlag(Qt::ShiftModifier);
+        navigate(orbit ? Navigation::Orbit : Navigation::Pan, event->pixelDelta(), at);
+    } else {
+        // Some platforms turn the wheel sideways while Alt is held.
+        const QPoint angle = event->angleDelta();
+        zoomAt(wheelZoomFactor(angle.y() != 0 ? angle.y() : angle.x()), at);
+    }
+    event->accept();
+    update();
+}
+
+void Canvas::keyPressEvent(QKeyEvent *event)
+{
+    const NavigationPreset preset = mContext.preferences.values().navigation;
+    const NavigationKey key = navigationKeyOf(preset, event->key(), event->modifiers());
+    if (key == NavigationKey::FrameAll)
+        frameAll();
+    else if (key == NavigationKey::FrameSelection)
+        frameSelection();
+    else if (key == NavigationKey::ToggleOrthographic) {
+        ViewOptions options = mContext.view.options();
+        options.orthographic = !options.orthographic;
+        mContext.view.setOptions(options);
+    } else if (key != NavigationKey::None)
+        turnTo(key);
+    else if (!mContent.mesh() || !mTools.tool() || !mTools.tool()->keyPress(*event, *this))
+        QOpenGLWidget::keyPressEvent(event);
+}
+
+void Canvas::enterEvent(QEnterEvent *event)
+{
+    // Keys go to the view under the mouse, but are not taken away from a field that is being edited.
+    if (qobject_cast<Canvas *>(window()->focusWidget()))
+        setFocus(Qt::MouseFocusReason);
+    QOpenGLWidget::enterEvent(event);
+}
+
+void Canvas::leaveEvent(QEvent *event)
+{
+    mContext.view.setHover({});
+    QOpenGLWidget::leaveEvent(event);
+}
+
+bool Canvas::event(QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        // Keys of the preset, and Escape while a tool works, come here and not to an action.
+        const auto *key = static_cast<QKeyEvent *>(event);
+        const NavigationPreset preset = mContext.preferences.values().navigation;
+        const bool cancels = key->key() == Qt::Key_Escape && mTools.tool() && mTools.tool()->isBusy();
+        if (cancels || navigationKeyOf(preset, key->key(), key->modifiers()) != NavigationKey::None) {
+            event->accept();
+            return true;
+        }
+    }
+    if (event->type() == QEvent::NativeGesture) {
+        const auto *gesture = static_cast<QNativeGestureEvent *>(event);
+        if (gesture->gestureType() == Qt::ZoomNativeGesture) {
+            zoomAt(std::exp(gesture->value()), gesture->position());
+            update();
+            return true;
+        }
+    }
+    return QOpenGLWidget::event(event);
+}
+
+} // namespace autocuts

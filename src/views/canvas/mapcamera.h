@@ -1,0 +1,43 @@
+// The camera of the UV view.
+#pragma once
+
+#include "model/types.h"
+
+#include <Eigen/Geometry>
+#include <QPointF>
+#include <QSizeF>
+
+namespace autocuts {
+
+//! A window onto the texture space, v up. Screen coordinates are logical pixels from the upper left.
+class MapCamera final
+{
+public:
+    static constexpr double minScale = 1, maxScale = 1e6;
+
+    void setViewSize(const QSizeF &size);
+    const QSizeF &viewSize() const { return mSize; }
+
+    //! UV in the middle of the view.
+    const Vec2 &centre() const { return mCentre; }
+    void setCentre(const Vec2 &centre);
+    //! Pixels per unit of the texture space.
+    double scale() const { return mScale; }
+    void setScale(double scale);
+
+    void pan(const QPointF &pixels);
+    //! Keeps what is under the pixel there. \param factor above 1 comes nearer
+    void zoom(double factor, const QPointF &pixel);
+    //! Shows a box with some room around it.
+    void frame(const Eigen::AlignedBox2d &box);
+
+    Vec2 toUv(const QPointF &pixel) const;
+    QPointF toScreen(const Vec2 &uv) const;
+
+private:
+    Vec2 mCentre = Vec2(0.5, 0.5);
+    double mScale = 400;
+    QSizeF mSize{100, 100};
+};
+
+} // namespace autocuts

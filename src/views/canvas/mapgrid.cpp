@@ -1,0 +1,61 @@
+#include "views/canvas/mapgrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+constexpr double minStepPixels = 48;
+
+} // namespace
+
+MapGrid MapGrid::of(const MapCamera &camera, int textureSize)
+{
+    const double wanted = minStepPixels / camera.scale();
+    MapGrid grid;
+    if (wanted > 1) { // whole tiles: 2, 5, 10, 20, ...
+        const double decade = std::pow(10, std::floor(std::log10(wanted)));
+        grid.step = decade * (wanted <= decade       ? 1
+                              : wanted <= 2 * decade ? 2
+                              : wanted <= 5 * decade ? 5
+                                                     : 10);
+        grid.divisions = 1;
+        return grid;
+    }
+    // Halves of the texture, down to texels.
+    const double finest = 1.0 / textureSize;
+    grid.step = std::max(std::exp2(std::ceil(std::log2(wanted))), finest);
+    const double pixels = grid.step * camera.scale();
+    grid.divisions = 4;
+    while (grid.divisions > 1 && grid.step / grid.divisions < 0.999 * finest)
+        grid.divisions /= 2;
+    grid.strength = std::clamp((pixels - minStepPixels) / minStepPixels * 0.6 + 0.4, 0.0, 1.0);
+    return grid;
+}
+
+PaperDrawing paperDrawing(const MapCamera &camera, double pixelRatio, int textureSize)
+{
+    const MapGrid grid = MapGrid::of(camera, textureSize);
+    const double height = camera.viewSize().height();
+    const auto onScreen = [&](const Vec2 &uv) {
+        const QPointF pixel = camera.toScreen(uv);
+        return QVector2D(static_cast<float>(pixelRatio * pixel.x()),
+                         static_cast<float>(pixelRatio * (height - pixel.y())));
+    };
+    // References near the view keep single precision exact.
+    const Vec2 tile = camera.centre().array().round();
+    const Vec2 line = (camera.centre() / grid.step).array().round() * grid.step;
+    PaperDrawing paper;
+    paper.tileOrigin = onScreen(tile);
+    paper.originTile = {static_cast<float>(tile.x()), static_cast<float>(tile.y())};
+    paper.tilePixels = pixelRatio * camera.scale();
+    paper.gridOrigin = onScreen(line);
+    paper.gridPixels = pixelRatio * camera.scale() * grid.step;
+    paper.minorDivisions = grid.divisions;
+    paper.minorStrength = grid.strength;
+    return paper;
+}
+
+} // namespace autocuts

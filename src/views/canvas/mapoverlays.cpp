@@ -1,0 +1,128 @@
+#include "views/canvas/mapoverlays.h"
+
+#include "model/packingsettings.h"
+#include "views/canvas/mapgrid.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+constexpr int rulerSize = 18;
+
+//! A mark of a ruler.
+struct Mark
+{
+    double pixel = 0; //!< along the ruler
+    QString text;     //!< empty: a short mark
+};
+
+//! Marks of one axis. \param axis 0: u along the upper side, 1: v along the left side
+std::vector<Mark> rulerMarks(const QRect &view, const MapCamera &camera, int textureSize, int axis)
+{
+    const MapGrid grid = MapGrid::of(camera, textureSize);
+    const double step = grid.step / grid.divisions;
+    const Vec2 low = camera.toUv(view.bottomLeft()), high = camera.toUv(view.topRight());
+    std::vector<Mark> marks;
+    const double first = std::ceil(low[axis] / step), last = std::floor(high[axis] / step);
+    for (double i = first; i <= last && marks.size() < 4096; ++i) {
+        Vec2 place = low;
+        place[axis] = i * step;
+        const QPointF pixel = camera.toScreen(place);
+        const bool labelled = std::fmod(i, grid.divisions) == 0;
+        const double texels = i * step * textureSize;
+        marks.push_back({axis == 0 ? pixel.x() : pixel.y(),
+                         labelled ? QString::number(std::llround(texels)) : QString()});
+    }
+    return marks;
+}
+
+} // namespace
+
+void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera)
+{
+    constexpr double minTile = 70;
+    if (camera.scale() < minTile)
+        return;
+    const Vec2 low = camera.toUv(view.bottomLeft()), high = camera.toUv(view.topRight());
+    constexpr int rows = (PackingSettings::lastTile - PackingSettings::firstTile) / 10;
+    painter.setPen(colors.dimText);
+    for (int row = std::max(0, static_cast<int>(std::floor(std::min(low.y(), 1e6))));
+         row <= std::min<double>(rows, high.y()); ++row) {
+        for (int column = std::clamp(static_cast<int>(std::floor(low.x())), 0, 10);
+             column < 10 && column <= high.x(); ++column) {
+            const QPointF corner = camera.toScreen(Vec2(column, row));
+            painter.drawText(corner + QPointF(6, -6),
+                             QString::number(PackingSettings::firstTile + column + 10 * row));
+        }
+    }
+}
+
+void drawRulers(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,
+                int textureSize)
+{
+    const QFont before = painter.font();
+    QFont font = before;
+    font.setPointSizeF(font.pointSizeF() * 0.8);
+    painter.setFont(font);
+    painter.fillRect(QRect(view.left(), view.top(), view.width(), rulerSize), colors.panel);
+    painter.fillRect(QRect(view.left(), view.top() + rulerSize, rulerSize, view.height() - rulerSize),
+                     colors.panel);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    const auto mark = [&](const Mark &m, bool horizontal) {
+        const int place = static_cast<int>(std::lround(m.pixel));
+        if (place < rulerSize)
+            return;
+        const int from = m.text.isEmpty() ? rulerSize - 4 : rulerSize - 8;
+        painter.setPen(colors.dimText);
+        if (horizontal)
+            painter.drawLine(place, from, place, rulerSize - 1);
+        else
+            painter.drawLine(from, place, rulerSize - 1, place);
+        if (m.text.isEmpty())
+            return;
+        painter.setPen(colors.text);
+        if (horizontal) {
+            painter.drawText(QPointF(place + 3, rulerSize - 6), m.text);
+        } else {
+            painter.save();
+            painter.translate(rulerSize - 6, place - 3);
+            painter.rotate(-90);
+            painter.drawText(QPointF(0, 0), m.text);
+            painter.restore();
+        }
+    };
+    for (const Mark &m : rulerMarks(view, camera, textureSize, 0))
+        mark(m, true);
+    for (const Mark &m : rulerMarks(view, camera, textureSize, 1))
+        mark(m, false);
+    painter.fillRect(QRect(view.left(), view.top(), rulerSize, rulerSize), colors.mapBackground);
+    painter.restore();
+    painter.setFont(before);
+}
+
+void drawRectangles(QPainter &painter, const std::vector<LayoutRectangle> &rectangles,
+                    const MapCamera &camera)
+{
+    for (const LayoutRectangle &rectangle : rectangles) {
+        const QRectF box =
+            QRectF(camera.toScreen(rectangle.lower), camera.toScreen(rectangle.upper)).normalized();
+        const QColor color = QColor::fromRgb(rectangle.color);
+        QColor fill = color;
+        fill.setAlphaF(0.08f);
+        painter.setPen(rectangle.hard ? QPen(color, 2.4) : QPen(color, 1.6, Qt::DashLine));
+        painter.setBrush(fill);
+        painter.drawRect(box);
+        painter.setPen(color);
+        const QString name = painter.fontMetrics().elidedText(
+            rectangle.name, Qt::ElideRight, static_cast<int>(std::min(box.width(), 400.0)) - 8);
+        painter.drawText(box.adjusted(5, 3, -3, -3), Qt::AlignTop | Qt::AlignLeft, name);
+    }
+}
+
+} // namespace autocuts

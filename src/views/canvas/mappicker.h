@@ -1,0 +1,20 @@
+// Picking in the map.
+#pragma once
+
+#include "views/canvas/mapcamera.h"
+#include "views/canvas/picking.h"
+#include "views/gl/souptopology.h"
+
+#include <QPointF>
+#include <QRectF>
+
+namespace autocuts {
+
+//! Finds what is at a point of the map; where triangles overlap the one drawn last. \param uv one row per
+//! soup corner; triangles without UVs are not there
+PickResult pickMap(const MeshData &mesh, const SoupTopology &topology, const UvMatrix &uv,
+                   const MapCamera &camera, const QPointF &pixel);
+BoxPick pickMapBox(const MeshData &mesh, const SoupTopology &topology, const UvMatrix &uv,
+                   const MapCamera &camera, const QRectF &box);
+
+} // namespace autocuts

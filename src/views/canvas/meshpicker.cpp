@@ -1,0 +1,202 @@
+#include "views/canvas/meshpicker.h"
+
+#include "views/canvas/depthmap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace autocuts {
+
+SegmentPlace nearestOnSegment(double px, double py, double ax, double ay, double bx, double by)
+{
+    const double dx = bx - ax, dy = by - ay;
+    const double squared = dx * dx + dy * dy;
+    const double along = squared > 0 ? std::clamp(((px - ax) * dx + (py - ay) * dy) / squared, 0.0, 1.0) : 0;
+    return {std::hypot(px - ax - along * dx, py - ay - along * dy), along};
+}
+
+//! The vertices on the screen.
+struct MeshPicker::Projection
+{
+    std::vector<ScreenPoint> points;
+    std::vector<bool> before; //!< before the eye; others have no place on the screen
+};
+
+namespace {
+
+//! At most so many candidates are tried; when the nearest ones are all hidden there is nothing to pick.
+constexpr std::size_t maxCandidates = 24;
+
+} // namespace
+
+MeshPicker::MeshPicker(std::shared_ptr<const MeshData> mesh, const MeshFrame &frame,
+                       const SoupTopology &topology)
+    : mMesh(std::move(mesh)), mTopology(topology), mPoints(mMesh->vertexCount(), 3)
+{
+    for (int v = 0; v < mMesh->vertexCount(); ++v)
+        mPoints.row(v) = frame.toFrame(mMesh->positions.row(v));
+}
+
+MeshPicker::Projection MeshPicker::project(const OrbitCamera &camera) const
+{
+    Projection seen{std::vector<ScreenPoint>(mMesh->vertexCount()), std::vector<bool>(mMesh->vertexCount())};
+    const OrbitProjector projector(camera);
+    for (int v = 0; v < mMesh->vertexCount(); ++v)
+        seen.before[v] = projector.project(mPoints.row(v), seen.points[v]);
+    return seen;
+}
+
+MeshPicker::Hit MeshPicker::cast(const OrbitCamera &camera, const Projection &seen,
+                                 const QPointF &pixel) const
+{
+    const ViewRay ray = camera.ray(pixel);
+    Hit hit{-1, std::numeric_limits<double>::infinity()};
+    constexpr double slack = 0.01; // the box only sorts out, the ray decides
+    for (int t = 0; t < mMesh->triangleCount(); ++t) {
+        const std::array<int, 3> v{vertex(3 * t), vertex(3 * t + 1), vertex(3 * t + 2)};
+        if (seen.before[v[0]] && seen.before[v[1]] && seen.before[v[2]]) {
+            const ScreenPoint &a = seen.points[v[0]], &b = seen.points[v[1]], &c = seen.points[v[2]];
+            if (pixel.x() < std::min({a.x, b.x, c.x}) - slack ||
+                pixel.x() > std::max({a.x, b.x, c.x}) + slack ||
+                pixel.y() < std::min({a.y, b.y, c.y}) - slack ||
+                pixel.y() > std::max({a.y, b.y, c.y}) + slack)
+                continue;
+        }
+        // Moeller and Trumbore 1997.
+        const Vec3 origin = mPoints.row(v[0]);
+        const Vec3 e1 = Vec3(mPoints.row(v[1])) - origin, e2 = Vec3(mPoints.row(v[2])) - origin;
+        const Vec3 p = ray.direction.cross(e2);
+        const double determinant = e1.dot(p);
+        if (determinant == 0)
+            continue;
+        const Vec3 s = ray.origin - origin;
+        const double u = s.dot(p) / determinant;
+        const Vec3 q = s.cross(e1);
+        const double w = ray.direction.dot(q) / determinant;
+        const double distance = e2.dot(q) / determinant;
+        if (u >= 0 && w >= 0 && u + w <= 1 && distance > 0 && distance < hit.distance)
+            hit = {t, distance};
+    }
+    return hit;
+}
+
+bool MeshPicker::isVisible(const OrbitCamera &camera, const Projection &seen,
+                           const Candidate &candidate) const
+{
+    const Hit hit = cast(camera, seen, candidate.place);
+    if (hit.triangle < 0)
+        return true;
+    const ViewRay ray = camera.ray(candidate.place);
+    const double depth = (ray.origin + hit.distance * ray.direction - camera.eye()).dot(camera.forward());
+    return depth >= candidate.depth - 1e-6 * (std::abs(candidate.depth) + camera.distance());
+}
+
+int MeshPicker::firstVisible(const OrbitCamera &camera, const Projection &seen,
+                             std::vector<Candidate> candidates, int preferredTriangle) const
+{
+    const auto key = [preferredTriangle](const Candidate &c) {
+        // Both sides of an edge are equally far: rounding must not decide between them.
+        return std::tuple(std::round(c.distance * 1e6), c.soup / 3 != preferredTriangle, c.depth, c.soup);
+    };
+    const auto end =
+        candidates.begin() + static_cast<std::ptrdiff_t>(std::min(maxCandidates, candidates.size()));
+    std::partial_sort(candidates.begin(), end, candidates.end(),
+                      [&key](const Candidate &a, const Candidate &b) { return key(a) < key(b); });
+    const auto found = std::find_if(candidates.begin(), end, [&](const Candidate &candidate) {
+        return isVisible(camera, seen, candidate);
+    });
+    return found == end ? -1 : found->soup;
+}
+
+void MeshPicker::collect(const OrbitCamera &camera, const Projection &seen, const QPointF &pixel,
+                         std::vector<Candidate> &sides, std::vector<Candidate> &corners) const
+{
+    const double x = pixel.x(), y = pixel.y();
+    for (int s = 0; s < mMesh->soupCornerCount(); ++s) {
+        const int from = vertex(s), to = vertex(nextSoupCorner(s));
+        if (!seen.before[from])
+            continue;
+        const ScreenPoint &a = seen.points[from];
+        const double apart = std::hypot(a.x - x, a.y - y);
+        if (apart <= pickRadius)
+            corners.push_back({apart, s, {a.x, a.y}, a.depth});
+        if (mTopology.sideEdge[s] < 0 || !seen.before[to])
+            continue;
+        const ScreenPoint &b = seen.points[to];
+        if (std::min(a.x, b.x) > x + pickRadius || std::max(a.x, b.x) < x - pickRadius ||
+            std::min(a.y, b.y) > y + pickRadius || std::max(a.y, b.y) < y - pickRadius)
+            continue;
+        const SegmentPlace place = nearestOnSegment(x, y, a.x, a.y, b.x, b.y);
+        if (place.distance > pickRadius)
+            continue;
+        const double k = place.along;
+        const double depth =
+            camera.isOrthographic() ? (1 - k) * a.depth + k * b.depth : 1 / ((1 - k) / a.depth + k / b.depth);
+        sides.push_back({place.distance, s, {a.x + k * (b.x - a.x), a.y + k * (b.y - a.y)}, depth});
+    }
+}
+
+PickResult MeshPicker::pick(const OrbitCamera &camera, const QPointF &pixel) const
+{
+    const Projection seen = project(camera);
+    PickResult result;
+    result.triangle = cast(camera, seen, pixel).triangle;
+    std::vector<Candidate> sides, corners;
+    collect(camera, seen, pixel, sides, corners);
+    result.side = firstVisible(camera, seen, std::move(sides), result.triangle);
+    result.edge = result.side < 0 ? -1 : mTopology.sideEdge[result.side];
+    result.soupCorner = firstVisible(camera, seen, std::move(corners), result.triangle);
+    result.corner = result.soupCorner < 0 ? -1 : mMesh->cornerOfSoup(result.soupCorner);
+    return result;
+}
+
+BoxPick MeshPicker::pickBox(const OrbitCamera &camera, const QRectF &box) const
+{
+    const OrbitProjector projector(camera);
+    DepthMap depths(box);
+    const Projection seen = project(camera);
+    for (int t = 0; t < mMesh->triangleCount(); ++t) {
+        const std::array<int, 3> v{vertex(3 * t), vertex(3 * t + 1), vertex(3 * t + 2)};
+        if (seen.before[v[0]] && seen.before[v[1]] && seen.before[v[2]])
+            depths.add({seen.points[v[0]], seen.points[v[1]], seen.points[v[2]]}, !camera.isOrthographic());
+    }
+    const auto inside = [&](const Vec3 &point) {
+        ScreenPoint place;
+        return projector.project(point, place) && box.contains(place.x, place.y) && depths.isVisible(place);
+    };
+    const auto position = [this](int corner) { return Vec3(mPoints.row(mMesh->cornerVertex[corner])); };
+
+    BoxPick result;
+    std::vector<bool> vertexInside(mMesh->vertexCount());
+    for (int v = 0; v < mMesh->vertexCount(); ++v)
+        vertexInside[v] = inside(mPoints.row(v));
+    for (int c = 0; c < mMesh->cornerCount(); ++c) {
+        if (vertexInside[mMesh->cornerVertex[c]])
+            result.corners.push_back(c);
+    }
+    for (int f = 0; f < mMesh->faceCount(); ++f) {
+        Vec3 centre = Vec3::Zero();
+        double area = 0; // a corner average could lie off the face
+        for (int t = mTopology.faceTriangle[f]; t < mTopology.faceTriangle[f + 1]; ++t) {
+            const auto &corners = mMesh->triangles[t];
+            const double weight = std::max(mMesh->triangleArea[t], std::numeric_limits<double>::min());
+            centre += weight / 3 * (position(corners[0]) + position(corners[1]) + position(corners[2]));
+            area += weight;
+        }
+        if (inside(centre / area))
+            result.faces.push_back(f);
+    }
+    for (std::size_t e = 0; e < mTopology.edgeSides.size(); ++e) {
+        const int side = mTopology.edgeSides[e][0];
+        if (mTopology.sideEdge[side] != static_cast<int>(e))
+            continue;
+        const int a = vertex(side), b = vertex(nextSoupCorner(side));
+        if (inside(0.5 * (mPoints.row(a) + mPoints.row(b))))
+            result.edges.push_back(static_cast<int>(e));
+    }
+    return result;
+}
+
+} // namespace autocuts

@@ -1,0 +1,56 @@
+// Picking on the model.
+#pragma once
+
+#include "views/canvas/orbitcamera.h"
+#include "views/canvas/picking.h"
+#include "views/gl/meshframe.h"
+#include "views/gl/souptopology.h"
+
+#include <QPointF>
+#include <QRectF>
+
+#include <memory>
+#include <vector>
+
+namespace autocuts {
+
+//! Finds exactly, in double precision, what a camera sees at a point. Goes over all triangles: about 2 ms for
+//! 100,000.
+class MeshPicker final
+{
+public:
+    MeshPicker(std::shared_ptr<const MeshData> mesh, const MeshFrame &frame, const SoupTopology &topology);
+
+    PickResult pick(const OrbitCamera &camera, const QPointF &pixel) const;
+    BoxPick pickBox(const OrbitCamera &camera, const QRectF &box) const;
+
+private:
+    struct Projection;
+    struct Hit
+    {
+        int triangle = -1;
+        double distance = 0; //!< along the ray
+    };
+    struct Candidate
+    {
+        double distance = 0; //!< from the mouse, pixels
+        int soup = -1;       //!< side or soup corner
+        QPointF place;       //!< on the screen
+        double depth = 0;
+    };
+
+    Projection project(const OrbitCamera &camera) const;
+    Hit cast(const OrbitCamera &camera, const Projection &seen, const QPointF &pixel) const;
+    bool isVisible(const OrbitCamera &camera, const Projection &seen, const Candidate &candidate) const;
+    int firstVisible(const OrbitCamera &camera, const Projection &seen, std::vector<Candidate> candidates,
+                     int preferredTriangle) const;
+    void collect(const OrbitCamera &camera, const Projection &seen, const QPointF &pixel,
+                 std::vector<Candidate> &sides, std::vector<Candidate> &corners) const;
+    int vertex(int soupCorner) const { return mMesh->cornerVertex[mMesh->cornerOfSoup(soupCorner)]; }
+
+    std::shared_ptr<const MeshData> mMesh;
+    const SoupTopology &mTopology;
+    PositionMatrix mPoints; //!< of the vertices, in the frame
+};
+
+} // namespace autocuts

@@ -1,0 +1,214 @@
+#include "views/canvas/meshview.h"
+
+#include "views/canvas/glresources.h"
+#include "views/canvas/overlays.h"
+#include "views/control/shownmap.h"
+#include "views/control/workspace.h"
+
+#include <QPainter>
+
+#include <cmath>
+#include <numbers>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+QMatrix4x4 toQt(const Eigen::Matrix4d &m)
+{
+    QMatrix4x4 result;
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column)
+            result(row, column) = static_cast<float>(m(row, column));
+    }
+    return result;
+}
+
+} // namespace
+
+MeshView::MeshView(const CanvasContext &context, ToolManager &tools, QWidget *parent)
+    : Canvas(Kind::Model, context, tools, parent)
+{
+    setObjectName(u"meshView"_s);
+}
+
+MeshView::~MeshView() = default;
+
+void MeshView::setCamera(const OrbitCamera &camera)
+{
+    mCamera = camera;
+    mCamera.setViewSize(size());
+    update();
+}
+
+const MeshPicker &MeshView::picker() const
+{
+    if (!mPicker || mPickerMesh != content().mesh()) {
+        mPickerMesh = content().mesh();
+        mPicker = std::make_unique<const MeshPicker>(content().sharedMesh(), content().frame(),
+                                                     content().topology());
+    }
+    return *mPicker;
+}
+
+PickResult MeshView::pick(const QPointF &pixel) const
+{
+    return content().mesh() ? picker().pick(mCamera, pixel) : PickResult();
+}
+
+BoxPick MeshView::pickBox(const QRectF &box) const
+{
+    return content().mesh() ? picker().pickBox(mCamera, box) : BoxPick();
+}
+
+std::optional<QPointF> MeshView::screenOf(int soupCorner) const
+{
+    const MeshData &mesh = *content().mesh();
+    const Vec3 place = content().frame().toFrame(mesh.cornerPosition(mesh.cornerOfSoup(soupCorner)));
+    const std::optional<ScreenPoint> point = mCamera.project(place);
+    return point ? std::optional(QPointF(point->x, point->y)) : std::nullopt;
+}
+
+void MeshView::frameAll()
+{
+    mCamera.frame(Vec3::Zero(), 1);
+    update();
+}
+
+void MeshView::frameSelection()
+{
+    const std::vector<int> corners = selectedSoupCorners();
+    if (corners.empty())
+        return frameAll();
+    Eigen::AlignedBox3d box;
+    for (int s : corners)
+        box.extend(
+            content().frame().toFrame(content().mesh()->cornerPosition(content().mesh()->cornerOfSoup(s))));
+    mCamera.frame(box.center(), std::max(0.5 * box.sizes().norm(), 0.005));
+    update();
+}
+
+QCborMap MeshView::viewState() const
+{
+    const Vec3 &target = mCamera.target();
+    return {{u"target"_s, QCborArray{target.x(), target.y(), target.z()}},
+            {u"yaw"_s, mCamera.yaw()},
+            {u"pitch"_s, mCamera.pitch()},
+            {u"distance"_s, mCamera.distance()}};
+}
+
+void MeshView::restoreViewState(const QCborMap &state)
+{
+    const QCborArray values = state[u"target"_s].toArray();
+    const Vec3 target(values[0].toDouble(), values[1].toDouble(), values[2].toDouble());
+    const double yaw = state[u"yaw"_s].toDouble(mCamera.yaw()),
+                 pitch = state[u"pitch"_s].toDouble(mCamera.pitch());
+    const double distance = state[u"distance"_s].toDouble(mCamera.distance());
+    if (values.size() == 3 && target.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < 1e4)
+        mCamera.setTarget(target);
+    if (std::isfinite(yaw) && std::isfinite(pitch))
+        mCamera.setDirection(yaw, pitch);
+    if (distance > 0)
+        mCamera.setDistance(distance);
+    update();
+}
+
+void MeshView::drawScene(GlResources &gl)
+{
+    const ViewOptions &options = canvasContext().view.options();
+    mCamera.setOrthographic(options.orthographic);
+    SoupDrawing drawing;
+    drawing.view = toQt(mCamera.viewMatrix());
+    drawing.projection = toQt(mCamera.projectionMatrix());
+
+    RoomDrawing room;
+    // The ground reaches farther than the model.
+    room.clipMatrix = toQt(mCamera.projectionMatrix(6) * mCamera.viewMatrix());
+    room.grid = options.grid;
+    room.groundHeight = content().mesh() ? content().frame().lower.y() : 0;
+    gl.backdrop.draw(room, content().colors());
+    if (!content().mesh())
+        return;
+
+    drawing.pixelRatio = devicePixelRatioF();
+    drawing.smooth = options.smoothShading;
+    drawing.pattern = options.pattern;
+    drawing.checkerSize = options.checkerSize;
+    drawing.texture = gl.texture.id();
+    const HoverParts hover = hoverParts();
+    drawing.hoverTriangles = hover.triangles;
+    drawing.hoverSides = hover.sides;
+    gl.gl.glEnable(GL_DEPTH_TEST);
+    gl.gl.glDepthFunc(GL_LEQUAL);
+    gl.soup.draw(drawing, content().colors());
+    PointDrawing points;
+    points.clipMatrix = drawing.projection * drawing.view;
+    points.size = 8 * devicePixelRatioF();
+    gl.gl.glEnable(GL_BLEND);
+    gl.gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl.points.draw(points);
+}
+
+void MeshView::drawOverlay(QPainter &painter)
+{
+    const ViewColors &colors = content().colors();
+    if (!content().mesh()) {
+        drawMessage(painter, rect(), colors, tr("Open a model"),
+                    {tr("Press Ctrl+O, drop a file here,"), tr("or choose File > Open sample")});
+        return;
+    }
+    drawGizmo(painter, rect(), colors, mCamera);
+    drawLegend(painter, rect(), colors, canvasContext().view.options(),
+               canvasContext().preferences.values().colorBlindHeatMap);
+    drawHoverCorner(painter, *this);
+}
+
+void MeshView::navigate(Navigation navigation, const QPointF &pixels, const QPointF &)
+{
+    switch (navigation) {
+    case Navigation::Orbit:
+        mCamera.orbit(pixels);
+        break;
+    case Navigation::Pan:
+        mCamera.pan(pixels);
+        break;
+    case Navigation::Zoom:
+        mCamera.zoom(dragZoomFactor(pixels.x() - pixels.y()));
+        break;
+    case Navigation::None:
+        break;
+    }
+}
+
+void MeshView::zoomAt(double factor, const QPointF &)
+{
+    mCamera.zoom(factor);
+}
+
+void MeshView::turnTo(NavigationKey key)
+{
+    if (key == NavigationKey::Front)
+        mCamera.setDirection(0, 0);
+    else if (key == NavigationKey::Side)
+        mCamera.setDirection(0.5 * std::numbers::pi, 0);
+    else if (key == NavigationKey::Top)
+        mCamera.setDirection(0, 0.5 * std::numbers::pi);
+    update();
+}
+
+void MeshView::viewResized()
+{
+    mCamera.setViewSize(size());
+}
+
+void MeshView::documentReplaced()
+{
+    mPicker.reset();
+    mCamera = OrbitCamera();
+    mCamera.setViewSize(size());
+    frameAll();
+}
+
+} // namespace autocuts

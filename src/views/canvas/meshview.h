@@ -1,0 +1,48 @@
+// The 3D view.
+#pragma once
+
+#include "views/canvas/canvas.h"
+#include "views/canvas/meshpicker.h"
+#include "views/canvas/orbitcamera.h"
+
+namespace autocuts {
+
+//! Shows the model.
+class MeshView final : public Canvas
+{
+    Q_OBJECT
+
+public:
+    MeshView(const CanvasContext &context, ToolManager &tools, QWidget *parent = nullptr);
+    ~MeshView() override;
+
+    const OrbitCamera &camera() const { return mCamera; }
+    void setCamera(const OrbitCamera &camera);
+
+    PickResult pick(const QPointF &pixel) const override;
+    BoxPick pickBox(const QRectF &box) const override;
+    std::optional<QPointF> screenOf(int soupCorner) const override;
+    void frameAll() override;
+    void frameSelection() override;
+    QCborMap viewState() const override;
+    void restoreViewState(const QCborMap &state) override;
+
+protected:
+    void drawScene(GlResources &gl) override;
+    void drawOverlay(QPainter &painter) override;
+    void navigate(Navigation navigation, const QPointF &pixels, const QPointF &start) override;
+    void zoomAt(double factor, const QPointF &pixel) override;
+    void turnTo(NavigationKey key) override;
+    void viewResized() override;
+    void documentReplaced() override;
+
+private:
+    const MeshPicker &picker() const;
+    void frameCorners(const std::vector<int> &soupCorners);
+
+    OrbitCamera mCamera;
+    mutable std::unique_ptr<const MeshPicker> mPicker; //!< of mPickerMesh
+    mutable const MeshData *mPickerMesh = nullptr;
+};
+
+} // namespace autocuts

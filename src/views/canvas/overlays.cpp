@@ -1,0 +1,157 @@
+#include "views/canvas/overlays.h"
+
+#include "views/canvas/canvas.h"
+#include "views/canvas/orbitcamera.h"
+#include "views/control/shownmap.h"
+#include "views/control/workspace.h"
+#include "views/gl/colormap.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("Overlays", text);
+}
+
+void drawPanel(QPainter &painter, const QRectF &box, const ViewColors &colors)
+{
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colors.panel);
+    painter.drawRoundedRect(box, 5, 5);
+}
+
+} // namespace
+
+void drawMessage(QPainter &painter, const QRect &view, const ViewColors &colors, const QString &title,
+                 const QStringList &lines)
+{
+    QFont large = painter.font();
+    large.setPointSizeF(large.pointSizeF() * 1.5);
+    large.setWeight(QFont::DemiBold);
+    const int lineHeight = QFontMetrics(painter.font()).height() + 4;
+    const int titleHeight = QFontMetrics(large).height() + 8;
+    int y = view.center().y() - (titleHeight + lineHeight * static_cast<int>(lines.size())) / 2;
+    const QFont normal = painter.font();
+    painter.setFont(large);
+    painter.setPen(colors.text);
+    painter.drawText(QRect(view.left(), y, view.width(), titleHeight), Qt::AlignCenter, title);
+    y += titleHeight;
+    painter.setFont(normal);
+    painter.setPen(colors.dimText);
+    for (const QString &line : lines) {
+        painter.drawText(QRect(view.left() + 12, y, view.width() - 24, lineHeight), Qt::AlignCenter, line);
+        y += lineHeight;
+    }
+}
+
+void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const ViewOptions &options,
+                bool colorBlind)
+{
+    if (options.coloring != Coloring::SignedStretch && options.coloring != Coloring::StretchMagnitude)
+        return;
+    const bool isSigned = options.coloring == Coloring::SignedStretch;
+    const int width = std::min(230, view.width() - 40);
+    if (width < 120)
+        return;
+    const int lineHeight = painter.fontMetrics().height();
+    const QRectF panel(view.right() - width - 12, view.bottom() - 2 * lineHeight - 38, width,
+                       2 * lineHeight + 26);
+    drawPanel(painter, panel, colors);
+    const QRectF inner = panel.adjusted(10, 6, -10, -6);
+    painter.setPen(colors.text);
+    painter.drawText(inner, Qt::AlignTop | Qt::AlignHCenter,
+                     isSigned ? tr("Area in UV space") : tr("Distortion"));
+
+    const QRectF bar(inner.left(), inner.top() + lineHeight + 3, inner.width(), 9);
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
+    gradient.setStops(heatStops(isSigned ? HeatMap::SignedStretch : HeatMap::Magnitude, colorBlind));
+    painter.fillRect(bar, gradient);
+
+    const QRectF numbers(inner.left(), bar.bottom() + 2, inner.width(), lineHeight);
+    painter.setPen(colors.dimText);
+    const QString times = u"\u00d7%1"_s;
+    if (isSigned) {
+        const double factor = std::exp2(options.stretchClamp);
+        painter.drawText(numbers, Qt::AlignLeft, u"\u00f7%1"_s.arg(factor, 0, 'g', 3));
+        painter.drawText(numbers, Qt::AlignHCenter, tr("even"));
+        painter.drawText(numbers, Qt::AlignRight, times.arg(factor, 0, 'g', 3));
+    } else {
+        painter.drawText(numbers, Qt::AlignLeft, u"4"_s);
+        painter.drawText(numbers, Qt::AlignHCenter,
+                         u"%1"_s.arg(0.5 * (4 + options.magnitudeClamp), 0, 'g', 3));
+        painter.drawText(numbers, Qt::AlignRight, u"\u2265 %1"_s.arg(options.magnitudeClamp, 0, 'g', 3));
+    }
+}
+
+void drawGizmo(QPainter &painter, const QRect &view, const ViewColors &colors, const OrbitCamera &camera)
+{
+    constexpr double length = 26;
+    const QPointF centre(view.right() - 44, view.top() + 44);
+    struct Axis
+    {
+        int index;
+        double depth;
+        QPointF end;
+    };
+    std::array<Axis, 3> axes;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 direction = Vec3::Unit(i);
+        axes[i] = {i, direction.dot(camera.forward()),
+                   centre + length * QPointF(direction.dot(camera.right()), -direction.dot(camera.up()))};
+    }
+    // The farthest first.
+    std::sort(axes.begin(), axes.end(), [](const Axis &a, const Axis &b) { return a.depth > b.depth; });
+    QFont font = painter.font();
+    const QFont before = font;
+    font.setPointSizeF(font.pointSizeF() * 0.85);
+    font.setBold(true);
+    painter.setFont(font);
+    for (const Axis &axis : axes) {
+        QColor color = colors.axes[axis.index];
+        if (axis.depth > 0.2)
+            color.setAlphaF(0.55f);
+        painter.setPen(QPen(color, 2.2, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(centre, axis.end);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(color);
+        painter.drawEllipse(axis.end, 7.5, 7.5);
+        painter.setPen(QColor(0x16, 0x18, 0x1a));
+        painter.drawText(QRectF(axis.end - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter,
+                         QString(QLatin1Char("XYZ"[axis.index])));
+    }
+    painter.setFont(before);
+}
+
+void drawHoverCorner(QPainter &painter, const Canvas &canvas)
+{
+    const Document *document = canvas.canvasContext().workspace.document();
+    const int corner = canvas.canvasContext().view.hover().corner;
+    if (!document || corner < 0 || corner >= document->mesh().cornerCount() ||
+        document->selection().mode != SelectionMode::Vertices)
+        return;
+    const MeshData &mesh = document->mesh();
+    const SoupTopology &topology = canvas.content().topology();
+    const int face = document->adjacency().faceOfCorner(corner);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(canvas.content().colors().hover, 2));
+    for (int s = 3 * topology.faceTriangle[face]; s < 3 * topology.faceTriangle[face + 1]; ++s) {
+        if (mesh.cornerOfSoup(s) != corner)
+            continue;
+        if (const std::optional<QPointF> place = canvas.screenOf(s)) {
+            painter.drawEllipse(*place, 6, 6);
+            return;
+        }
+    }
+}
+
+} // namespace autocuts

@@ -1,0 +1,28 @@
+// What is painted over both views: legend, axes, messages.
+#pragma once
+
+#include "views/canvas/viewstate.h"
+#include "views/gl/viewcolors.h"
+
+#include <QRect>
+#include <QStringList>
+
+class QPainter;
+
+namespace autocuts {
+
+class Canvas;
+class OrbitCamera;
+
+//! A title and lines in the middle of an empty view.
+void drawMessage(QPainter &painter, const QRect &view, const ViewColors &colors, const QString &title,
+                 const QStringList &lines);
+//! The colours of the heat-map and the numbers at their ends; nothing for other colourings.
+void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const ViewOptions &options,
+                bool colorBlind);
+//! The axes as the camera sees them, in the upper right.
+void drawGizmo(QPainter &painter, const QRect &view, const ViewColors &colors, const OrbitCamera &camera);
+//! A ring around the vertex that the mouse is over, while vertices are selected.
+void drawHoverCorner(QPainter &painter, const Canvas &canvas);
+
+} // namespace autocuts

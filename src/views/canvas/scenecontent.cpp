@@ -1,0 +1,247 @@
+#include "views/canvas/scenecontent.h"
+
+#include "views/control/mapcontroller.h"
+#include "views/control/shownmap.h"
+#include "views/control/workspace.h"
+#include "views/preferences/preferences.h"
+
+#include <cmath>
+
+namespace autocuts {
+
+//! What is made once per mesh.
+struct SceneContent::MeshParts
+{
+    explicit MeshParts(std::shared_ptr<const MeshData> m)
+        : mesh(std::move(m)), frame(MeshFrame::of(*mesh)), topology(*mesh)
+    {}
+
+    std::shared_ptr<const MeshData> mesh;
+    MeshFrame frame;
+    SoupTopology topology;
+    mutable std::optional<StretchMeter> meter; //!< made when a heat-map is shown first
+};
+
+SceneContent::SceneContent(const CanvasContext &context, bool asMap, QObject *parent)
+    : QObject(parent), mContext(context), mAsMap(asMap),
+      mColors(ViewColors::of(context.preferences.values(), asMap)), mOptions(context.view.options())
+{
+    if (const Document *document = context.workspace.document())
+        mSelection = document->selection();
+    connectAll();
+}
+
+SceneContent::~SceneContent() = default;
+
+void SceneContent::connectAll()
+{
+    connect(&mContext.workspace, &Workspace::documentReplaced, this, [this] {
+        mMeshParts.reset();
+        const Document *document = mContext.workspace.document();
+        mSelection = document ? document->selection() : Selection();
+        mark(AllParts);
+    });
+    connect(&mContext.workspace, &Workspace::changed, this, &SceneContent::documentChanged);
+    connect(&mContext.workspace, &Workspace::selectionChanged, this, &SceneContent::selectionChanged);
+    connect(&mContext.shownMap, &ShownMap::changed, this,
+            [this] { mark(Uvs | Faces | Sides | (mAsMap ? Points : 0)); });
+    connect(&mContext.view, &ViewState::optionsChanged, this, &SceneContent::optionsChanged);
+    connect(&mContext.view, &ViewState::hoverChanged, this, &SceneContent::changed);
+    connect(&mContext.preferences, &Preferences::changed, this, &SceneContent::preferencesChanged);
+    connect(&mContext.map, &MapController::figuresChanged, this, [this] {
+        if (mOptions.problems)
+            mark(Faces);
+    });
+}
+
+void SceneContent::mark(int parts)
+{
+    mStale |= parts;
+    Q_EMIT changed();
+}
+
+void SceneContent::markAll()
+{
+    mark(AllParts);
+}
+
+void SceneContent::documentChanged(const ChangeEvent &event)
+{
+    switch (event.type) {
+    case ChangeEvent::Type::Seam: {
+        const int properties = static_cast<const SeamEvent &>(event).properties;
+        const bool painted = mOptions.coloring == Coloring::PaintWeights && (properties & SeamEvent::Weight);
+        if ((properties & SeamEvent::State) || painted)
+            mark((properties & SeamEvent::State ? Sides : 0) | (painted ? Faces : 0));
+        break;
+    }
+    case ChangeEvent::Type::Pin:
+        mark(Points);
+        break;
+    case ChangeEvent::Type::Rectangle:
+    case ChangeEvent::Type::PackingSettings:
+        mark(0);
+        break;
+    case ChangeEvent::Type::Uv: // ShownMap says so when it is shown
+    case ChangeEvent::Type::UvSet:
+    case ChangeEvent::Type::IslandFlag:
+    case ChangeEvent::Type::Tag:
+    case ChangeEvent::Type::SolveSettings:
+        break;
+    }
+}
+
+void SceneContent::selectionChanged()
+{
+    const Document *document = mContext.workspace.document();
+    const Selection selection = document ? document->selection() : Selection();
+    mark((selection.faces != mSelection.faces ? Faces : 0) |
+         (selection.edges != mSelection.edges ? Sides : 0) |
+         (selection.corners != mSelection.corners ? Points : 0));
+    mSelection = selection;
+}
+
+void SceneContent::optionsChanged()
+{
+    const ViewOptions before = std::exchange(mOptions, mContext.view.options());
+    int parts = 0;
+    if (before.coloring != mOptions.coloring || before.problems != mOptions.problems ||
+        before.stretchClamp != mOptions.stretchClamp || before.magnitudeClamp != mOptions.magnitudeClamp)
+        parts |= Faces;
+    if (before.wireframe != mOptions.wireframe || before.seams != mOptions.seams)
+        parts |= Sides;
+    if (before.steering != mOptions.steering)
+        parts |= Sides | Points;
+    mark(parts);
+}
+
+void SceneContent::preferencesChanged()
+{
+    mColors = ViewColors::of(mContext.preferences.values(), mAsMap);
+    mark(Faces | Points);
+}
+
+const MeshData *SceneContent::mesh() const
+{
+    const Document *document = mContext.workspace.document();
+    return document ? &document->mesh() : nullptr;
+}
+
+const SceneContent::MeshParts &SceneContent::meshParts() const
+{
+    // Compared because a canvas can be asked before it has heard of another document.
+    const std::shared_ptr<const MeshData> &current = mContext.workspace.document()->state().scene.mesh;
+    if (!mMeshParts || mMeshParts->mesh != current)
+        mMeshParts = std::make_unique<const MeshParts>(current);
+    return *mMeshParts;
+}
+
+std::shared_ptr<const MeshData> SceneContent::sharedMesh() const
+{
+    return meshParts().mesh;
+}
+
+const MeshFrame &SceneContent::frame() const
+{
+    return meshParts().frame;
+}
+
+const SoupTopology &SceneContent::topology() const
+{
+    return meshParts().topology;
+}
+
+const UvMatrix &SceneContent::uv() const
+{
+    return mContext.shownMap.uv();
+}
+
+bool SceneContent::hasUvs() const
+{
+    const UvMatrix &shown = uv();
+    for (Eigen::Index s = 0; s < shown.rows(); ++s) {
+        if (shown.row(s).allFinite())
+            return true;
+    }
+    return false;
+}
+
+int SceneContent::refresh()
+{
+    const int parts = std::exchange(mStale, 0);
+    const Document *document = mContext.workspace.document();
+    if (!document) {
+        mVertices.clear();
+        mUvs.clear();
+        mFaces.clear();
+        mSides.clear();
+        mPoints.clear();
+        return parts;
+    }
+    const MeshParts &own = meshParts();
+    if (parts & Vertices)
+        mVertices = soupVertices(*own.mesh, document->adjacency(), own.frame);
+    if (parts & Uvs)
+        mUvs = soupUvs(uv());
+    if (parts & Faces)
+        rebuildFaces();
+    if (parts & Sides)
+        mSides = sideTexels({*own.mesh, own.topology, uv(), mContext.shownMap.separation(), document->seams(),
+                             mOptions, document->selection().edges});
+    if (parts & Points)
+        rebuildPoints();
+    return parts;
+}
+
+void SceneContent::rebuildFaces()
+{
+    const Document &document = *mContext.workspace.document();
+    const MeshParts &own = meshParts();
+    TriangleStretch stretch;
+    if (mOptions.coloring == Coloring::SignedStretch || mOptions.coloring == Coloring::StretchMagnitude) {
+        if (!own.meter)
+            own.meter.emplace(*own.mesh);
+        stretch = own.meter->measure(uv());
+    }
+    // The solver never flips a triangle, and its islands are not told apart unless their colours are shown.
+    const bool live = mContext.shownMap.isLive();
+    std::vector<int> islands;
+    if (mOptions.coloring == Coloring::Islands || (mOptions.problems && !live))
+        islands = shownIslands(*own.mesh, mContext.shownMap.separation());
+    std::vector<bool> flipped(own.mesh->triangleCount(), false);
+    if (mOptions.problems && !live)
+        flipped = flippedTriangles(*own.mesh, uv(), islands);
+    std::span<const int> overlapping;
+    if (!live && mContext.map.figures() && mContext.map.figuresAreFresh())
+        overlapping = mContext.map.figures()->overlapping;
+    mFaces = faceTexels({*own.mesh, uv(), mOptions, mColors, mContext.preferences.values().colorBlindHeatMap,
+                         mAsMap ? mColors.mapFill : mColors.model, stretch, islands, document.seams().weights,
+                         document.selection().faces, overlapping, flipped});
+}
+
+void SceneContent::rebuildPoints()
+{
+    const Document &document = *mContext.workspace.document();
+    mPoints.clear();
+    std::vector<QRgb> cornerColor(document.mesh().cornerCount(), 0);
+    for (int corner : document.selection().corners)
+        cornerColor[corner] = mColors.selection.rgb();
+    if (mOptions.steering) {
+        for (const UvPin &pin : document.constraints().pins)
+            cornerColor[pin.corner] = (pin.hard ? mColors.hardPin : mColors.softPin).rgb();
+    }
+    const MeshFrame &ownFrame = frame();
+    for (int s = 0; s < document.mesh().soupCornerCount(); ++s) {
+        const int corner = document.mesh().cornerOfSoup(s);
+        if (cornerColor[corner] == 0)
+            continue;
+        const Vec3 place = mAsMap ? Vec3(uv()(s, 0), uv()(s, 1), 0)
+                                  : ownFrame.toFrame(document.mesh().cornerPosition(corner));
+        if (place.allFinite())
+            mPoints.push_back({{static_cast<float>(place.x()), static_cast<float>(place.y()),
+                                static_cast<float>(place.z())},
+                               cornerColor[corner]});
+    }
+}
+
+} // namespace autocuts

@@ -1,0 +1,83 @@
+// What a canvas draws of the document, kept up to date by what the events name.
+#pragma once
+
+#include "views/canvas/canvascontext.h"
+#include "views/canvas/viewstate.h"
+#include "views/gl/soupbuffers.h"
+
+#include <QObject>
+
+#include <memory>
+#include <optional>
+
+namespace autocuts {
+
+struct ChangeEvent;
+
+//! The arrays of gl/soupbuffers.h for the open document. Events only mark what is out of date; refresh()
+//! brings that up to date when it is going to be drawn.
+class SceneContent final : public QObject
+{
+    Q_OBJECT
+
+public:
+    enum Part { Vertices = 1, Uvs = 2, Faces = 4, Sides = 8, Points = 16, AllParts = 31 };
+
+    //! \param asMap for the UV view
+    SceneContent(const CanvasContext &context, bool asMap, QObject *parent = nullptr);
+    ~SceneContent() override;
+
+    //! Null when nothing is open. This and what follows fit the document at any time.
+    const MeshData *mesh() const;
+    //! \pre mesh()
+    std::shared_ptr<const MeshData> sharedMesh() const;
+    const MeshFrame &frame() const;
+    const SoupTopology &topology() const;
+    const UvMatrix &uv() const;
+    //! False when no triangle has UVs.
+    bool hasUvs() const;
+
+    //! Brings the arrays up to date. \returns mask of the parts that changed since the last call
+    int refresh();
+    //! Makes the next refresh() report everything: the graphics card lost what it had.
+    void markAll();
+
+    const std::vector<SoupVertex> &vertices() const { return mVertices; }
+    const std::vector<float> &uvs() const { return mUvs; }
+    const std::vector<FaceTexel> &faces() const { return mFaces; }
+    const std::vector<SideTexel> &sides() const { return mSides; }
+    const std::vector<PointVertex> &points() const { return mPoints; }
+    const ViewColors &colors() const { return mColors; }
+
+Q_SIGNALS:
+    //! The picture is out of date.
+    void changed();
+
+private:
+    struct MeshParts;
+
+    void connectAll();
+    void mark(int parts);
+    void documentChanged(const ChangeEvent &event);
+    void selectionChanged();
+    void optionsChanged();
+    void preferencesChanged();
+    const MeshParts &meshParts() const;
+    void rebuildFaces();
+    void rebuildPoints();
+
+    const CanvasContext mContext;
+    const bool mAsMap;
+    int mStale = AllParts;
+    mutable std::unique_ptr<const MeshParts> mMeshParts; //!< of the open document, once needed
+    ViewColors mColors;
+    ViewOptions mOptions; //!< that the arrays were marked for
+    Selection mSelection; //!< that the arrays were marked for
+    std::vector<SoupVertex> mVertices;
+    std::vector<float> mUvs;
+    std::vector<FaceTexel> mFaces;
+    std::vector<SideTexel> mSides;
+    std::vector<PointVertex> mPoints;
+};
+
+} // namespace autocuts

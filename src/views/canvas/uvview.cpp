@@ -1,0 +1,189 @@
+#include "views/canvas/uvview.h"
+
+#include "model/uvlayout.h"
+#include "views/canvas/glresources.h"
+#include "views/canvas/mapgrid.h"
+#include "views/canvas/mapoverlays.h"
+#include "views/canvas/mappicker.h"
+#include "views/canvas/overlays.h"
+#include "views/control/shownmap.h"
+#include "views/control/workspace.h"
+#include "views/preferences/preferences.h"
+
+#include <QPainter>
+
+#include <cmath>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+UvView::UvView(const CanvasContext &context, ToolManager &tools, QWidget *parent)
+    : Canvas(Kind::Map, context, tools, parent)
+{
+    setObjectName(u"uvView"_s);
+}
+
+UvView::~UvView() = default;
+
+void UvView::setCamera(const MapCamera &camera)
+{
+    mCamera = camera;
+    mCamera.setViewSize(size());
+    mFrameWhenSized = false;
+    update();
+}
+
+PickResult UvView::pick(const QPointF &pixel) const
+{
+    const MeshData *mesh = content().mesh();
+    return mesh ? pickMap(*mesh, content().topology(), content().uv(), mCamera, pixel) : PickResult();
+}
+
+BoxPick UvView::pickBox(const QRectF &box) const
+{
+    const MeshData *mesh = content().mesh();
+    return mesh ? pickMapBox(*mesh, content().topology(), content().uv(), mCamera, box) : BoxPick();
+}
+
+std::optional<QPointF> UvView::screenOf(int soupCorner) const
+{
+    const Vec2 place = content().uv().row(soupCorner);
+    return place.allFinite() ? std::optional(mCamera.toScreen(place)) : std::nullopt;
+}
+
+void UvView::frameAll()
+{
+    Eigen::AlignedBox2d box(Vec2(0, 0), Vec2(1, 1));
+    if (content().mesh())
+        box.extend(layoutBox(content().uv()));
+    mCamera.frame(box);
+    update();
+}
+
+void UvView::frameSelection()
+{
+    Eigen::AlignedBox2d box;
+    for (int s : selectedSoupCorners()) {
+        const Vec2 place = content().uv().row(s);
+        if (place.allFinite())
+            box.extend(place);
+    }
+    if (box.isEmpty())
+        return frameAll();
+    mCamera.frame(box);
+    update();
+}
+
+QCborMap UvView::viewState() const
+{
+    return {{u"centre"_s, QCborArray{mCamera.centre().x(), mCamera.centre().y()}},
+            {u"scale"_s, mCamera.scale()}};
+}
+
+void UvView::restoreViewState(const QCborMap &state)
+{
+    const QCborArray values = state[u"centre"_s].toArray();
+    const Vec2 centre(values[0].toDouble(), values[1].toDouble());
+    const double scale = state[u"scale"_s].toDouble();
+    if (values.size() != 2 || !centre.allFinite() || !(scale > 0))
+        return;
+    mCamera.setCentre(centre);
+    mCamera.setScale(scale);
+    mFrameWhenSized = false;
+    update();
+}
+
+void UvView::drawPaper(GlResources &gl)
+{
+    const ViewOptions &options = canvasContext().view.options();
+    const Document *document = canvasContext().workspace.document();
+    const int textureSize =
+        document ? document->packingSettings().textureSize : canvasContext().preferences.values().textureSize;
+    PaperDrawing paper = paperDrawing(mCamera, devicePixelRatioF(), textureSize);
+    paper.grid = options.grid;
+    paper.pattern = options.pattern;
+    paper.checkerSize = options.checkerSize;
+    paper.texture = gl.texture.id();
+    paper.lineWidth = devicePixelRatioF();
+    gl.backdrop.draw(paper, content().colors());
+}
+
+void UvView::drawScene(GlResources &gl)
+{
+    const ViewOptions &options = canvasContext().view.options();
+    drawPaper(gl);
+    if (!content().mesh())
+        return;
+    SoupDrawing drawing;
+    drawing.asMap = true;
+    const Vec2 scale(2 * mCamera.scale() / width(), 2 * mCamera.scale() / height());
+    const Vec2 offset = -scale.cwiseProduct(mCamera.centre());
+    drawing.mapScale = {static_cast<float>(scale.x()), static_cast<float>(scale.y())};
+    drawing.mapOffset = {static_cast<float>(offset.x()), static_cast<float>(offset.y())};
+    drawing.pixelRatio = devicePixelRatioF();
+    const bool plain = options.coloring == Coloring::Plain;
+    const bool textured = options.pattern != Pattern::None;
+    drawing.fillOpacity = !options.fillIslands ? 0 : plain ? 0.4 : textured ? 0.6 : 0.85;
+    const HoverParts hover = hoverParts();
+    drawing.hoverTriangles = hover.triangles;
+    drawing.hoverSides = hover.sides;
+    gl.gl.glEnable(GL_BLEND);
+    gl.gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl.soup.draw(drawing, content().colors());
+    PointDrawing points;
+    points.asMap = true;
+    points.mapScale = drawing.mapScale;
+    points.mapOffset = drawing.mapOffset;
+    points.size = 8 * devicePixelRatioF();
+    gl.points.draw(points);
+}
+
+void UvView::drawOverlay(QPainter &painter)
+{
+    const ViewColors &colors = content().colors();
+    const ViewOptions &options = canvasContext().view.options();
+    const Document *document = canvasContext().workspace.document();
+    if (options.grid)
+        drawTileNames(painter, rect(), colors, mCamera);
+    if (document && options.steering)
+        drawRectangles(painter, document->constraints().rectangles, mCamera);
+    if (document && !content().hasUvs())
+        drawMessage(painter, rect(), colors, tr("No UVs yet"),
+                    {tr("Press U to unwrap, or Space to solve live")});
+    const int textureSize =
+        document ? document->packingSettings().textureSize : canvasContext().preferences.values().textureSize;
+    if (options.rulers)
+        drawRulers(painter, rect(), colors, mCamera, textureSize);
+    if (document) {
+        drawLegend(painter, rect(), colors, options, canvasContext().preferences.values().colorBlindHeatMap);
+        drawHoverCorner(painter, *this);
+    }
+}
+
+void UvView::navigate(Navigation navigation, const QPointF &pixels, const QPointF &start)
+{
+    if (navigation == Navigation::Zoom)
+        mCamera.zoom(dragZoomFactor(pixels.x() - pixels.y()), start);
+    else // there is nothing to turn
+        mCamera.pan(pixels);
+}
+
+void UvView::zoomAt(double factor, const QPointF &pixel)
+{
+    mCamera.zoom(factor, pixel);
+}
+
+void UvView::viewResized()
+{
+    mCamera.setViewSize(size());
+    if (std::exchange(mFrameWhenSized, false))
+        frameAll();
+}
+
+void UvView::documentReplaced()
+{
+    frameAll();
+}
+
+} // namespace autocuts

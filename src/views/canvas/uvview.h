@@ -1,0 +1,44 @@
+// The UV view.
+#pragma once
+
+#include "views/canvas/canvas.h"
+#include "views/canvas/mapcamera.h"
+
+namespace autocuts {
+
+//! Shows the map in texture space, v up.
+class UvView final : public Canvas
+{
+    Q_OBJECT
+
+public:
+    UvView(const CanvasContext &context, ToolManager &tools, QWidget *parent = nullptr);
+    ~UvView() override;
+
+    const MapCamera &camera() const { return mCamera; }
+    void setCamera(const MapCamera &camera);
+
+    PickResult pick(const QPointF &pixel) const override;
+    BoxPick pickBox(const QRectF &box) const override;
+    std::optional<QPointF> screenOf(int soupCorner) const override;
+    void frameAll() override;
+    void frameSelection() override;
+    QCborMap viewState() const override;
+    void restoreViewState(const QCborMap &state) override;
+
+protected:
+    void drawScene(GlResources &gl) override;
+    void drawOverlay(QPainter &painter) override;
+    void navigate(Navigation navigation, const QPointF &pixels, const QPointF &start) override;
+    void zoomAt(double factor, const QPointF &pixel) override;
+    void viewResized() override;
+    void documentReplaced() override;
+
+private:
+    void drawPaper(GlResources &gl);
+
+    MapCamera mCamera;
+    bool mFrameWhenSized = true; //!< framed before the view had its size
+};
+
+} // namespace autocuts

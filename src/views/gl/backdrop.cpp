@@ -1,0 +1,72 @@
+#include "views/gl/backdrop.h"
+
+#include "views/gl/shaderprogram.h"
+
+namespace autocuts {
+
+Backdrop::Backdrop(GlFunctions &gl)
+    : mGl(gl), mRoom(makeShaderProgram(QStringLiteral("screen"), QStringLiteral("room"))),
+      mPaper(makeShaderProgram(QStringLiteral("screen"), QStringLiteral("paper")))
+{
+    mGl.glGenVertexArrays(1, &mArray);
+}
+
+Backdrop::~Backdrop()
+{
+    mGl.glDeleteVertexArrays(1, &mArray);
+}
+
+void Backdrop::draw(const RoomDrawing &drawing, const ViewColors &colors)
+{
+    mRoom->bind();
+    mRoom->setUniformValue("topColor", colors.backgroundTop);
+    mRoom->setUniformValue("bottomColor", colors.backgroundBottom);
+    mRoom->setUniformValue("gridColor", colors.gridMajor);
+    mRoom->setUniformValue("axisX", colors.axes[0]);
+    mRoom->setUniformValue("axisZ", colors.axes[2]);
+    mRoom->setUniformValue("toFrame", drawing.clipMatrix.inverted());
+    mRoom->setUniformValue("groundHeight", static_cast<float>(drawing.groundHeight));
+    mRoom->setUniformValue("gridStep", static_cast<float>(drawing.gridStep));
+    mRoom->setUniformValue("grid", drawing.grid);
+    fillView();
+    mRoom->release();
+}
+
+void Backdrop::draw(const PaperDrawing &drawing, const ViewColors &colors)
+{
+    const bool textured = drawing.pattern == Pattern::Texture && drawing.texture != 0;
+    QOpenGLShaderProgram &p = *mPaper;
+    p.bind();
+    p.setUniformValue("outsideColor", colors.mapBackground);
+    p.setUniformValue("insideColor", colors.mapInside);
+    p.setUniformValue("minorColor", colors.gridMinor);
+    p.setUniformValue("majorColor", colors.gridMajor);
+    p.setUniformValue("axisX", colors.axes[0]);
+    p.setUniformValue("axisY", colors.axes[1]);
+    p.setUniformValue("tileOrigin", drawing.tileOrigin);
+    p.setUniformValue("originTile", drawing.originTile);
+    p.setUniformValue("usedTiles", drawing.usedTiles);
+    p.setUniformValue("tilePixels", static_cast<float>(drawing.tilePixels));
+    p.setUniformValue("gridOrigin", drawing.gridOrigin);
+    p.setUniformValue("gridPixels", static_cast<float>(drawing.gridPixels));
+    p.setUniformValue("minorStrength", static_cast<float>(drawing.minorStrength));
+    p.setUniformValue("minorDivisions", static_cast<float>(drawing.minorDivisions));
+    p.setUniformValue("grid", drawing.grid);
+    p.setUniformValue("pattern", textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0);
+    p.setUniformValue("checkerSize", static_cast<float>(drawing.checkerSize));
+    p.setUniformValue("lineWidth", static_cast<float>(drawing.lineWidth));
+    p.setUniformValue("picture", 0);
+    mGl.glActiveTexture(GL_TEXTURE0);
+    mGl.glBindTexture(GL_TEXTURE_2D, textured ? drawing.texture : 0);
+    fillView();
+    p.release();
+}
+
+void Backdrop::fillView()
+{
+    mGl.glBindVertexArray(mArray);
+    mGl.glDrawArrays(GL_TRIANGLES, 0, 3);
+    mGl.glBindVertexArray(0);
+}
+
+} // namespace autocuts

@@ -1,0 +1,61 @@
+// What lies behind the model and behind the map.
+#pragma once
+
+#include "views/canvas/viewstate.h"
+#include "views/gl/glfunctions.h"
+#include "views/gl/viewcolors.h"
+
+#include <QMatrix4x4>
+#include <QOpenGLShaderProgram>
+#include <QVector2D>
+
+#include <memory>
+
+namespace autocuts {
+
+//! Behind the model.
+struct RoomDrawing
+{
+    QMatrix4x4 clipMatrix;   //!< from the frame of the mesh to the clip space
+    double groundHeight = 0; //!< in the frame
+    double gridStep = 0.2;   //!< in the frame
+    bool grid = true;
+};
+
+//! Behind the map. Pixels are those of the screen, from the lower left of the view.
+struct PaperDrawing
+{
+    QVector2D tileOrigin; //!< pixel of a corner of a tile in or near the view
+    QVector2D originTile; //!< column and row of that tile
+    QVector2D usedTiles{1, 1};
+    double tilePixels = 1;
+    QVector2D gridOrigin; //!< pixel of a line of the grid in or near the view
+    double gridPixels = 1, minorStrength = 0, minorDivisions = 2;
+    bool grid = true;
+    Pattern pattern = Pattern::None;
+    double checkerSize = 16;
+    unsigned texture = 0;
+    double lineWidth = 1;
+};
+
+//! Fills the whole view, in place of clearing it. The context must be current in all functions.
+class Backdrop final
+{
+public:
+    explicit Backdrop(GlFunctions &gl);
+    ~Backdrop();
+    Backdrop(const Backdrop &) = delete;
+    Backdrop &operator=(const Backdrop &) = delete;
+
+    void draw(const RoomDrawing &drawing, const ViewColors &colors);
+    void draw(const PaperDrawing &drawing, const ViewColors &colors);
+
+private:
+    void fillView();
+
+    GlFunctions &mGl;
+    std::unique_ptr<QOpenGLShaderProgram> mRoom, mPaper;
+    GLuint mArray = 0; //!< without content: the core profile wants one
+};
+
+} // namespace autocuts

@@ -1,0 +1,83 @@
+#include "views/gl/colormap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace autocuts {
+
+namespace {
+
+// Evenly spaced stops.
+constexpr QRgb signedStops[] = {0xff1f3fbf, 0xff5b86e8, 0xffb9cdf5, 0xfff6f6f6,
+                                0xfff6b9ad, 0xffe4604d, 0xffb3161b};
+// Purple and orange differ for all common kinds of colour blindness, and in lightness from the middle.
+constexpr QRgb signedBlindStops[] = {0xff46237a, 0xff8067b0, 0xffc3b8dc, 0xfff7f4ee,
+                                     0xfff7c78a, 0xffdd8420, 0xff8f4a05};
+constexpr QRgb magnitudeStops[] = {0xff2443c4, 0xff2f8fe0, 0xff4cc4b8, 0xff9fd66a,
+                                   0xfff2d14b, 0xfff08a35, 0xffc41f1f};
+// Rises in lightness throughout.
+constexpr QRgb magnitudeBlindStops[] = {0xff42145c, 0xff45347f, 0xff365c8c, 0xff247e8c,
+                                        0xff28a080, 0xff78c552, 0xfffae433};
+
+std::span<const QRgb> stopsOf(HeatMap map, bool colorBlind)
+{
+    if (map == HeatMap::SignedStretch)
+        return colorBlind ? std::span<const QRgb>(signedBlindStops) : std::span<const QRgb>(signedStops);
+    return colorBlind ? std::span<const QRgb>(magnitudeBlindStops) : std::span<const QRgb>(magnitudeStops);
+}
+
+} // namespace
+
+QRgb mixColors(QRgb from, QRgb to, double amount)
+{
+    const auto mixed = [amount](int a, int b) { return static_cast<int>(std::lround(a + amount * (b - a))); };
+    return qRgb(mixed(qRed(from), qRed(to)), mixed(qGreen(from), qGreen(to)), mixed(qBlue(from), qBlue(to)));
+}
+
+QRgb heatColor(HeatMap map, bool colorBlind, double value)
+{
+    if (std::isnan(value))
+        return heatColorOfNothing();
+    const std::span<const QRgb> stops = stopsOf(map, colorBlind);
+    const double share = std::clamp(map == HeatMap::SignedStretch ? 0.5 * (value + 1) : value, 0.0, 1.0);
+    const double place = share * static_cast<double>(stops.size() - 1);
+    const std::size_t below = std::min(static_cast<std::size_t>(place), stops.size() - 2);
+    return mixColors(stops[below], stops[below + 1], place - static_cast<double>(below));
+}
+
+QRgb heatColorOfNothing()
+{
+    return 0xff6e6e6e;
+}
+
+QGradientStops heatStops(HeatMap map, bool colorBlind)
+{
+    const std::span<const QRgb> stops = stopsOf(map, colorBlind);
+    QGradientStops result;
+    for (std::size_t i = 0; i < stops.size(); ++i)
+        result << QGradientStop(static_cast<double>(i) / static_cast<double>(stops.size() - 1),
+                                QColor(stops[i]));
+    return result;
+}
+
+QRgb islandColor(int number)
+{
+    constexpr double goldenRatio = 0.6180339887498949;
+    const double hue = std::fmod(0.58 + number * goldenRatio, 1.0);
+    // Hues come near each other again after 8, 13, ... steps: lightness in another rhythm keeps those apart.
+    const double lightness = 0.56 + 0.07 * (number % 3 - 1);
+    return QColor::fromHslF(static_cast<float>(hue), 0.52f, static_cast<float>(lightness)).rgb();
+}
+
+QRgb paintColor(double weight, QRgb neutral)
+{
+    constexpr QRgb keepTogether = 0xffe03131, attractCuts = 0xff2b6cf0;
+    if (weight > 1) // full at a factor of 100
+        return mixColors(neutral, keepTogether, std::min(1.0, 0.25 + 0.375 * std::log10(weight)));
+    if (weight < 1)
+        return mixColors(neutral, attractCuts, std::min(1.0, 0.25 + 0.75 * (1 - weight)));
+    return neutral;
+}
+
+} // namespace autocuts

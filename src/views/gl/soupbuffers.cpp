@@ -1,0 +1,262 @@
+#include "views/gl/soupbuffers.h"
+
+#include "model/unionfind.h"
+#include "views/gl/colormap.h"
+
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+//! Above this many corners at a vertex normals are averaged over all of them: comparing each with each would
+//! take long.
+constexpr std::size_t maxCreaseCorners = 64;
+const double creaseCosine = std::cos(40 * 3.14159265358979 / 180);
+
+std::array<float, 3> toFloats(const Vec3 &v)
+{
+    return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+//! Area vector of each face, in the frame.
+std::vector<Vec3> faceNormals(const MeshData &mesh, const MeshFrame &frame)
+{
+    std::vector<Vec3> normals(mesh.faceCount(), Vec3::Zero());
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const Vec3 a = frame.toFrame(mesh.cornerPosition(mesh.triangles[t][0]));
+        const Vec3 b = frame.toFrame(mesh.cornerPosition(mesh.triangles[t][1]));
+        const Vec3 c = frame.toFrame(mesh.cornerPosition(mesh.triangles[t][2]));
+        normals[mesh.triangleFace[t]] += (b - a).cross(c - a);
+    }
+    return normals;
+}
+
+bool hasUv(const UvMatrix &uv, int triangle)
+{
+    return uv.middleRows(3 * triangle, 3).allFinite();
+}
+
+double signedUvArea(const UvMatrix &uv, int t)
+{
+    return cross2(uv.row(3 * t), uv.row(3 * t + 1), uv.row(3 * t + 2));
+}
+
+} // namespace
+
+std::vector<SoupVertex> soupVertices(const MeshData &mesh, const MeshAdjacency &adjacency,
+                                     const MeshFrame &frame)
+{
+    const std::vector<Vec3> normals = faceNormals(mesh, frame);
+    std::vector<Vec3> cornerNormal(mesh.cornerCount());
+    for (int c = 0; c < mesh.cornerCount(); ++c) {
+        const Vec3 own = normals[adjacency.faceOfCorner(c)];
+        const auto corners = adjacency.vertexCorners(mesh.vertexWeld[mesh.cornerVertex[c]]);
+        const bool creases = corners.size() <= maxCreaseCorners;
+        Vec3 sum = Vec3::Zero();
+        for (int other : corners) {
+            const Vec3 &normal = normals[adjacency.faceOfCorner(other)];
+            if (!creases || own.dot(normal) >= creaseCosine * own.norm() * normal.norm())
+                sum += normal;
+        }
+        cornerNormal[c] = sum.stableNorm() > 0 ? sum.stableNormalized() : Vec3(Vec3::UnitY());
+    }
+    std::vector<SoupVertex> vertices(mesh.soupCornerCount());
+    for (int s = 0; s < mesh.soupCornerCount(); ++s) {
+        const int corner = mesh.cornerOfSoup(s);
+        vertices[s] = {toFloats(frame.toFrame(mesh.cornerPosition(corner))), toFloats(cornerNormal[corner])};
+    }
+    return vertices;
+}
+
+std::vector<float> soupUvs(const UvMatrix &uv)
+{
+    std::vector<float> result(2 * uv.rows());
+    for (Eigen::Index s = 0; s < uv.rows(); ++s) {
+        const bool complete = uv.middleRows(s - s % 3, 3).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < 1e15;
+        result[2 * s] = complete ? static_cast<float>(uv(s, 0)) : noUv;
+        result[2 * s + 1] = complete ? static_cast<float>(uv(s, 1)) : noUv;
+    }
+    return result;
+}
+
+std::vector<int> shownIslands(const MeshData &mesh, std::span<const float> separation)
+{
+    UnionFind sets(mesh.faceCount());
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        if (std::max(separation[2 * e], separation[2 * e + 1]) >= 0.5f)
+            continue;
+        const EdgePair &pair = mesh.edgePairs[e];
+        sets.unite(mesh.triangleFace[pair.triangle[0]], mesh.triangleFace[pair.triangle[1]]);
+    }
+    std::vector<int> island(mesh.faceCount());
+    for (int f = 0; f < mesh.faceCount(); ++f)
+        island[f] = sets.find(f);
+    return island;
+}
+
+std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &uv, std::span<const int> islands)
+{
+    std::vector<double> islandArea(mesh.faceCount(), 0);
+    double total = 0;
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        if (!hasUv(uv, t))
+            continue;
+        islandArea[islands[mesh.triangleFace[t]]] += signedUvArea(uv, t);
+        total += std::abs(signedUvArea(uv, t));
+    }
+    std::vector<bool> flipped(mesh.triangleCount(), false);
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        if (!hasUv(uv, t))
+            continue;
+        const double area = signedUvArea(uv, t);
+        const bool mirrored = islandArea[islands[mesh.triangleFace[t]]] < 0;
+        flipped[t] = std::abs(area) >= 1e-14 * total && (area < 0) != mirrored;
+    }
+    return flipped;
+}
+
+namespace {
+
+//! Colours by painted weights: of each face the mean of those along its sides, on a logarithmic scale.
+std::vector<QRgb> paintColors(const FaceInput &input)
+{
+    const MeshData &mesh = input.mesh;
+    std::vector<double> sum(mesh.faceCount(), 0);
+    std::vector<int> count(mesh.faceCount(), 0);
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        const EdgePair &pair = mesh.edgePairs[e];
+        if (pair.diagonal)
+            continue;
+        for (int end = 0; end < 2; ++end) {
+            for (int triangle : pair.triangle) {
+                sum[mesh.triangleFace[triangle]] += std::log(std::max(input.seamWeights[2 * e + end], 1e-3));
+                ++count[mesh.triangleFace[triangle]];
+            }
+        }
+    }
+    std::vector<QRgb> colors(mesh.triangleCount());
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const int face = mesh.triangleFace[t];
+        const double weight = count[face] > 0 ? std::exp(sum[face] / count[face]) : unpaintedWeight;
+        colors[t] = paintColor(weight, input.plain.rgb());
+    }
+    return colors;
+}
+
+//! Colour of every triangle, without marks.
+std::vector<QRgb> triangleColors(const FaceInput &input)
+{
+    const int count = input.mesh.triangleCount();
+    if (input.options.coloring == Coloring::PaintWeights)
+        return paintColors(input);
+    std::vector<QRgb> colors(count, input.plain.rgb());
+    for (int t = 0; t < count; ++t) {
+        switch (input.options.coloring) {
+        case Coloring::Islands:
+            if (hasUv(input.uv, t))
+                colors[t] = islandColor(input.islands[input.mesh.triangleFace[t]]);
+            break;
+        case Coloring::SignedStretch:
+            colors[t] = heatColor(HeatMap::SignedStretch, input.colorBlind,
+                                  input.stretch.areaLog2[t] / std::max(input.options.stretchClamp, 1e-6));
+            break;
+        case Coloring::StretchMagnitude:
+            colors[t] = heatColor(HeatMap::Magnitude, input.colorBlind,
+                                  (input.stretch.dirichlet[t] - 4) /
+                                      std::max(input.options.magnitudeClamp - 4, 1e-6));
+            break;
+        default:
+            break;
+        }
+    }
+    return colors;
+}
+
+} // namespace
+
+std::vector<FaceTexel> faceTexels(const FaceInput &input)
+{
+    const MeshData &mesh = input.mesh;
+    const std::vector<QRgb> colors = triangleColors(input);
+    std::vector<quint8> faceMarks(mesh.faceCount(), 0);
+    for (int face : input.selectedFaces)
+        faceMarks[face] = FaceTexel::Selected;
+    std::vector<FaceTexel> texels(mesh.triangleCount());
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        quint8 marks = faceMarks[mesh.triangleFace[t]];
+        if (input.options.problems && input.flipped[t])
+            marks |= FaceTexel::Flipped;
+        if (!hasUv(input.uv, t))
+            marks |= FaceTexel::WithoutUv;
+        texels[t] = {static_cast<quint8>(qRed(colors[t])), static_cast<quint8>(qGreen(colors[t])),
+                     static_cast<quint8>(qBlue(colors[t])), marks};
+    }
+    if (input.options.problems) {
+        for (int t : input.overlapping) {
+            if (t >= 0 && t < mesh.triangleCount())
+                texels[t].marks |= FaceTexel::Overlapping;
+        }
+    }
+    return texels;
+}
+
+namespace {
+
+quint8 toByte(double share)
+{
+    return static_cast<quint8>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+}
+
+//! The line on top of a side of an edge pair. \param which triangle of the pair
+void setTopLine(const SideInput &input, int pairIndex, int which, SideTexel &texel)
+{
+    const EdgePair &pair = input.mesh.edgePairs[pairIndex];
+    // Which end of the pair is at the side's first corner.
+    const int firstEnd = pair.corner[0][which] % 3 == pair.side(which) ? 0 : 1;
+    for (int i = 0; i < 2; ++i) {
+        const int cornerPair = 2 * pairIndex + (i == 0 ? firstEnd : 1 - firstEnd);
+        const PairState state = input.seams.states[cornerPair];
+        if (input.options.steering && state != PairState::Free) {
+            texel.top =
+                static_cast<quint8>(state == PairState::Cut ? SideStyle::ForcedCut : SideStyle::Joined);
+            texel.opacity[i] = 255;
+        }
+    }
+    if (texel.top != 0 || !input.options.seams || !hasUv(input.uv, pair.triangle[0]) ||
+        !hasUv(input.uv, pair.triangle[1]))
+        return;
+    texel.opacity[0] = toByte(input.separation[2 * pairIndex + firstEnd]);
+    texel.opacity[1] = toByte(input.separation[2 * pairIndex + 1 - firstEnd]);
+    if (texel.opacity[0] > 0 || texel.opacity[1] > 0)
+        texel.top = static_cast<quint8>(SideStyle::Seam);
+}
+
+} // namespace
+
+std::vector<SideTexel> sideTexels(const SideInput &input)
+{
+    const int pairCount = static_cast<int>(input.mesh.edgePairs.size());
+    std::vector<SideTexel> texels(input.topology.sideEdge.size());
+    for (std::size_t side = 0; side < texels.size(); ++side) {
+        const int edge = input.topology.sideEdge[side];
+        if (edge < 0)
+            continue;
+        SideTexel &texel = texels[side];
+        const bool border = edge >= pairCount;
+        if (input.options.wireframe || border)
+            texel.base = static_cast<quint8>(border ? SideStyle::Border : SideStyle::Wire);
+        if (!border)
+            setTopLine(input, edge, input.topology.edgeSides[edge][0] == static_cast<int>(side) ? 0 : 1,
+                       texel);
+    }
+    for (int edge : input.selectedEdges) {
+        for (int side : input.topology.edgeSides[edge]) {
+            if (side >= 0)
+                texels[side] = {texels[side].base, {255, 255}, static_cast<quint8>(SideStyle::Selected)};
+        }
+    }
+    return texels;
+}
+
+} // namespace autocuts

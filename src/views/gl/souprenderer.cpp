@@ -1,0 +1,107 @@
+#include "views/gl/souprenderer.h"
+
+#include "views/gl/shaderprogram.h"
+
+#include <cstddef>
+
+namespace autocuts {
+
+namespace {
+
+constexpr int faceUnit = 0, sideUnit = 1, pictureUnit = 2;
+
+QVector4D toVector(const QColor &color)
+{
+    return {color.redF(), color.greenF(), color.blueF(), color.alphaF()};
+}
+
+} // namespace
+
+SoupRenderer::SoupRenderer(GlFunctions &gl)
+    : mGl(gl), mProgram(makeShaderProgram(QStringLiteral("soup"), QStringLiteral("soup"))), mVertices(gl),
+      mUvs(gl), mFaces(gl), mSides(gl)
+{
+    mGl.glGenVertexArrays(1, &mArray);
+    mGl.glBindVertexArray(mArray);
+    mVertices.bind(GL_ARRAY_BUFFER);
+    mGl.glEnableVertexAttribArray(0);
+    mGl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SoupVertex), nullptr);
+    mGl.glEnableVertexAttribArray(1);
+    mGl.glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(SoupVertex),
+                              reinterpret_cast<const void *>(offsetof(SoupVertex, normal)));
+    mUvs.bind(GL_ARRAY_BUFFER);
+    mGl.glEnableVertexAttribArray(2);
+    mGl.glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    mGl.glBindVertexArray(0);
+}
+
+SoupRenderer::~SoupRenderer()
+{
+    mGl.glDeleteVertexArrays(1, &mArray);
+}
+
+void SoupRenderer::setVertices(std::span<const SoupVertex> vertices)
+{
+    mVertices.fill(vertices, GL_STATIC_DRAW);
+    mCount = static_cast<int>(vertices.size());
+}
+
+void SoupRenderer::setUvs(std::span<const float> uvs)
+{
+    mUvs.fill(uvs, GL_STREAM_DRAW);
+}
+
+void SoupRenderer::setStyles(const SoupDrawing &drawing, const ViewColors &colors)
+{
+    std::array<QVector4D, static_cast<int>(SideStyle::Count)> sideColors;
+    std::array<float, static_cast<int>(SideStyle::Count)> halfWidths;
+    for (std::size_t i = 0; i < sideColors.size(); ++i) {
+        sideColors[i] = toVector(colors.sides[i]);
+        halfWidths[i] = 0.5f * colors.sideWidths[i] * static_cast<float>(drawing.pixelRatio);
+    }
+    QOpenGLShaderProgram &p = *mProgram;
+    p.setUniformValueArray("sideColors", sideColors.data(), static_cast<int>(sideColors.size()));
+    p.setUniformValueArray("sideHalfWidths", halfWidths.data(), static_cast<int>(halfWidths.size()), 1);
+    p.setUniformValue("selectionColor", toVector(colors.selection));
+    p.setUniformValue("hoverColor", toVector(colors.hover));
+    p.setUniformValue("overlapColor", toVector(colors.overlap));
+    p.setUniformValue("flippedColor", toVector(colors.flipped));
+}
+
+void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
+{
+    if (mCount == 0)
+        return;
+    QOpenGLShaderProgram &p = *mProgram;
+    p.bind();
+    setStyles(drawing, colors);
+    p.setUniformValue("asMap", drawing.asMap);
+    p.setUniformValue("viewMatrix", drawing.view);
+    p.setUniformValue("projectionMatrix", drawing.projection);
+    p.setUniformValue("mapScale", drawing.mapScale);
+    p.setUniformValue("mapOffset", drawing.mapOffset);
+    p.setUniformValue("pixelRatio", static_cast<float>(drawing.pixelRatio));
+    p.setUniformValue("smoothShading", drawing.smooth);
+    const bool textured = drawing.pattern == Pattern::Texture && drawing.texture != 0;
+    p.setUniformValue("pattern", textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0);
+    p.setUniformValue("checkerSize", static_cast<float>(drawing.checkerSize));
+    p.setUniformValue("fillOpacity", static_cast<float>(drawing.fillOpacity));
+    p.setUniformValue("lineOpacity", static_cast<float>(drawing.lineOpacity));
+    mGl.glUniform2i(p.uniformLocation("hoverTriangles"), drawing.hoverTriangles[0],
+                    drawing.hoverTriangles[1]);
+    mGl.glUniform2i(p.uniformLocation("hoverSides"), drawing.hoverSides[0], drawing.hoverSides[1]);
+    p.setUniformValue("faceTexels", faceUnit);
+    p.setUniformValue("sideTexels", sideUnit);
+    p.setUniformValue("picture", pictureUnit);
+    mGl.glActiveTexture(GL_TEXTURE0 + pictureUnit);
+    mGl.glBindTexture(GL_TEXTURE_2D, textured ? drawing.texture : 0);
+    mSides.bind(sideUnit);
+    mFaces.bind(faceUnit);
+    mGl.glActiveTexture(GL_TEXTURE0);
+    mGl.glBindVertexArray(mArray);
+    mGl.glDrawArrays(GL_TRIANGLES, 0, mCount);
+    mGl.glBindVertexArray(0);
+    p.release();
+}
+
+} // namespace autocuts

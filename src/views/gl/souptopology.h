@@ -1,0 +1,28 @@
+// Which sides of the triangle soup are which edges of the mesh, for drawing and picking.
+#pragma once
+
+#include "model/meshdata.h"
+
+#include <array>
+#include <vector>
+
+namespace autocuts {
+
+//! Numbers of sides: side 3 * t + k runs from corner k of triangle t to its next corner. Built once per mesh.
+struct SoupTopology
+{
+    explicit SoupTopology(const MeshData &mesh);
+
+    std::vector<int> sideEdge; //!< per side: edge of MeshAdjacency, -1 for a diagonal
+    std::vector<std::array<int, 2>>
+        edgeSides;                 //!< per edge: its sides in the order of its pair, or one and -1
+    std::vector<int> faceTriangle; //!< F + 1 offsets: the triangles of each face
+};
+
+//! The next corner of the same triangle.
+inline int nextSoupCorner(int soupCorner)
+{
+    return soupCorner % 3 == 2 ? soupCorner - 2 : soupCorner + 1;
+}
+
+} // namespace autocuts

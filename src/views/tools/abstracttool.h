@@ -1,0 +1,81 @@
+// What the mouse does in the views besides moving the camera.
+#pragma once
+
+#include "views/canvas/canvascontext.h"
+#include "views/canvas/picking.h"
+
+#include <QCursor>
+#include <QObject>
+#include <QPointF>
+#include <QString>
+#include <Qt>
+
+class QKeyEvent;
+class QPainter;
+class QWheelEvent;
+
+namespace autocuts {
+
+class Canvas;
+
+//! A mouse event with what is under the mouse in the canvas that it came from.
+struct ToolEvent
+{
+    Canvas &canvas;
+    QPointF position; //!< logical pixels in the canvas
+    Qt::MouseButton button = Qt::NoButton;
+    Qt::MouseButtons buttons = Qt::NoButton;
+    Qt::KeyboardModifiers modifiers = Qt::NoModifier;
+    PickResult pick;
+};
+
+//! Base of all tools. A tool keeps the state of a gesture, reads the document and pushes commands. It works
+//! in both views; a gesture stays in the canvas where it began. Events come only while a document is open.
+class AbstractTool : public QObject
+{
+    Q_OBJECT
+
+public:
+    AbstractTool(const CanvasContext &context, const QString &id, QObject *parent = nullptr)
+        : QObject(parent), mContext(context), mId(id)
+    {}
+
+    //! For ToolManager::setTool().
+    const QString &id() const { return mId; }
+    //! What the mouse does now, translated, one line for the status bar.
+    virtual QString hint() const = 0;
+    virtual QCursor cursor() const { return Qt::ArrowCursor; }
+
+    virtual void activate() {}
+    virtual void deactivate() { cancel(); }
+    virtual void press(const ToolEvent &event) = 0;
+    virtual void move(const ToolEvent &event) = 0;
+    virtual void release(const ToolEvent &event) = 0;
+    virtual void doubleClick(const ToolEvent &event) { press(event); }
+    //! \returns true when the key was for the tool. Escape ends a gesture.
+    virtual bool keyPress(const QKeyEvent &event, Canvas &canvas);
+    //! \returns true when the wheel was for the tool and not for the camera
+    virtual bool wheel(const QWheelEvent &, Canvas &) { return false; }
+
+    //! A gesture is under way.
+    virtual bool isBusy() const { return false; }
+    //! Ends the gesture and leaves the document as it was before it.
+    virtual void cancel() {}
+    //! False when mouse moves need no pick, as while a box is dragged.
+    virtual bool wantsPicks() const { return true; }
+    virtual void drawOverlay(QPainter &, const Canvas &) {}
+
+Q_SIGNALS:
+    void hintChanged();
+    //! What drawOverlay() draws.
+    void overlayChanged();
+
+protected:
+    const CanvasContext &context() const { return mContext; }
+
+private:
+    const CanvasContext mContext;
+    const QString mId;
+};
+
+} // namespace autocuts

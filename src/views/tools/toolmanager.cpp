@@ -1,0 +1,44 @@
+#include "views/tools/toolmanager.h"
+
+#include "views/control/workspace.h"
+#include "views/tools/selecttool.h"
+
+#include <algorithm>
+
+namespace autocuts {
+
+ToolManager::ToolManager(const CanvasContext &context, QObject *parent) : QObject(parent)
+{
+    add(std::make_unique<SelectTool>(context));
+    mActive = mTools.front().get();
+    mActive->activate();
+    connect(&context.workspace, &Workspace::documentReplaced, this, [this] { mActive->cancel(); });
+}
+
+ToolManager::~ToolManager() = default;
+
+void ToolManager::add(std::unique_ptr<AbstractTool> tool)
+{
+    AbstractTool *added = mTools.emplace_back(std::move(tool)).get();
+    connect(added, &AbstractTool::hintChanged, this, [this, added] {
+        if (added == mActive)
+            Q_EMIT hintChanged(added->hint());
+    });
+    connect(added, &AbstractTool::overlayChanged, this, &ToolManager::overlayChanged);
+}
+
+void ToolManager::setTool(const QString &id)
+{
+    const auto found =
+        std::find_if(mTools.begin(), mTools.end(), [&id](const auto &tool) { return tool->id() == id; });
+    if (found == mTools.end() || found->get() == mActive)
+        return;
+    mActive->deactivate();
+    mActive = found->get();
+    mActive->activate();
+    Q_EMIT toolChanged();
+    Q_EMIT hintChanged(mActive->hint());
+    Q_EMIT overlayChanged();
+}
+
+} // namespace autocuts

@@ -1,0 +1,40 @@
+// The tools and which of them is active.
+#pragma once
+
+#include "views/tools/abstracttool.h"
+
+#include <QObject>
+
+#include <memory>
+#include <vector>
+
+namespace autocuts {
+
+//! Owns the tools; one is active at any time, the selection tool at first.
+class ToolManager final : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit ToolManager(const CanvasContext &context, QObject *parent = nullptr);
+    ~ToolManager() override;
+
+    //! Adds a tool. \pre no other has its id
+    void add(std::unique_ptr<AbstractTool> tool);
+    //! Ends the gesture of the active tool and activates another. Unknown ids are ignored.
+    void setTool(const QString &id);
+    AbstractTool *tool() const { return mActive; }
+
+Q_SIGNALS:
+    void toolChanged();
+    //! \param hint of the active tool
+    void hintChanged(const QString &hint);
+    //! What the active tool draws.
+    void overlayChanged();
+
+private:
+    std::vector<std::unique_ptr<AbstractTool>> mTools;
+    AbstractTool *mActive = nullptr;
+};
+
+} // namespace autocuts
