@@ -18,7 +18,7 @@ double sortable(double value)
 
 } // namespace
 
-QColor islandColor(int island)
+QColor swatchColor(int island)
 {
     // Steps of the golden angle: neighbouring numbers never look alike.
     const double hue = std::fmod(0.618033988749895 * island + 0.08, 1.0);
@@ -105,7 +105,7 @@ QVariant IslandTable::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole:
         return text(figures, index.row(), index.column());
     case Qt::DecorationRole:
-        return index.column() == Number ? QVariant(islandColor(index.row())) : QVariant();
+        return index.column() == Number ? QVariant(swatchColor(index.row())) : QVariant();
     case Qt::CheckStateRole:
         if (index.column() == Lock)
             return figures.flags.locked ? Qt::Checked : Qt::Unchecked;

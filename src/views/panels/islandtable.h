@@ -9,7 +9,7 @@
 namespace autocuts {
 
 //! The colour that stands for an island.
-QColor islandColor(int island);
+QColor swatchColor(int island);
 
 //! One row per island, in the order of Document::islands(); knows no document.
 class IslandTable final : public QAbstractTableModel
