@@ -1,6 +1,7 @@
 #include "views/panels/historyview.h"
 
 #include "commands/documentcommand.h"
+#include "views/icons.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -8,50 +9,37 @@
 
 namespace autocuts {
 
+using namespace Qt::Literals::StringLiterals;
+
 namespace {
 
-//! Kinds of edits by their hue, so that the eye finds "where I packed" in a long list.
-QColor colorOf(int commandId)
+QString iconName(int commandId)
 {
     switch (CommandId(commandId)) {
     case CommandId::SetSeamState:
-        return QColor(0xDB4A3A);
+        return u"cut"_s;
     case CommandId::SetSeamWeights:
-        return QColor(0xB65FD0);
+        return u"tool-paint"_s;
     case CommandId::EditRectangles:
-        return QColor(0x4080FF);
+        return u"tool-rectangle"_s;
     case CommandId::EditPins:
-        return QColor(0x37B24D);
+        return u"pin"_s;
     case CommandId::SetUvs:
-        return QColor(0xFF9A1F);
+        return u"view-uv"_s;
     case CommandId::ChooseUvSet:
     case CommandId::AddUvSet:
     case CommandId::RenameUvSet:
     case CommandId::DeleteUvSet:
-        return QColor(0x1FA8B8);
+        return u"texture"_s;
     case CommandId::SetIslandFlags:
     case CommandId::SetIslandTag:
-        return QColor(0xC9A400);
+        return u"island"_s;
     case CommandId::ChangeSettings:
+        return u"preferences"_s;
     case CommandId::Reset:
         break;
     }
-    return QColor(0x8A8F98);
-}
-
-//! \param faint for what was undone or cannot be undone any more
-QIcon dot(QColor color, bool faint)
-{
-    constexpr int size = 12, density = 4; // four times as fine as shown: sharp on every screen
-    QPixmap pixmap(size * density, size * density);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    color.setAlphaF(faint ? 0.4f : 1);
-    painter.setBrush(color);
-    painter.drawEllipse(QRectF(pixmap.rect()).adjusted(density, density, -density, -density));
-    return QIcon(pixmap);
+    return u"clear"_s;
 }
 
 //! Puts the sign of its kind before each entry, and "saved" behind the saved one.
@@ -85,7 +73,7 @@ protected:
     {
         QStyledItemDelegate::initStyleOption(option, index);
         option->features |= QStyleOptionViewItem::HasDecoration;
-        option->decorationSize = QSize(12, 12);
+        option->decorationSize = QSize(16, 16);
         option->icon = QIcon();
         if (!mStack)
             return;
@@ -93,7 +81,7 @@ protected:
         const bool released = row < mStack->releasedCount();
         const bool undone = row > mStack->index();
         if (row > 0 && row <= mStack->count())
-            option->icon = dot(colorOf(mStack->command(row - 1)->id()), released || undone);
+            option->icon = icon(iconName(mStack->command(row - 1)->id()));
         if (released) {
             option->state &= ~QStyle::State_Enabled;
             option->palette.setCurrentColorGroup(QPalette::Disabled);

@@ -95,7 +95,7 @@ QWidget *IslandPanel::makeMarkButtons()
     const auto add = [this](const QString &text, QLatin1StringView name, const QString &tip,
                             const char *action, Edit edit) {
         QPushButton *button = makeButton(text, name);
-        explain(button, tip, action);
+        explain(button, tip, {action});
         connect(button, &QPushButton::clicked, this, [this, edit] { mark(edit, selectedIslands()); });
         mSelectionButtons.push_back(button);
         return button;
@@ -104,19 +104,17 @@ QWidget *IslandPanel::makeMarkButtons()
     auto *layout = new QVBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(rowSpacing);
-    layout->addWidget(
-        makeRow({add(tr("Lock"), "lock"_L1, tr("Keep the selected islands where they are"), "island.lock",
-                     Edit::Lock),
-                 add(tr("Stack"), "stack"_L1, tr("The selected islands lie on top of each other"),
-                     "island.stack", Edit::Stack),
-                 add(tr("Group"), "group"_L1, tr("The selected islands move together"), "island.group",
-                     Edit::Group)}));
     layout->addWidget(makeRow(
-        {add(tr("Unlock"), "unlock"_L1, tr("Let the selected islands move"), "island.unlock", Edit::Unlock),
-         add(tr("Unstack"), "unstack"_L1, tr("Take the selected islands out of their stacks"),
-             "island.unstack", Edit::Unstack),
-         add(tr("Ungroup"), "ungroup"_L1, tr("Take the selected islands out of their groups"),
-             "island.ungroup", Edit::Ungroup)}));
+        {add(tr("Lock"), "lock"_L1, tr("Keep the selected islands where they are"), "uv.lock", Edit::Lock),
+         add(tr("Stack"), "stack"_L1, tr("The selected islands lie on top of each other"), "uv.stack",
+             Edit::Stack),
+         add(tr("Group"), "group"_L1, tr("The selected islands move together"), "uv.group", Edit::Group)}));
+    layout->addWidget(makeRow(
+        {add(tr("Unlock"), "unlock"_L1, tr("Let the selected islands move"), "uv.unlock", Edit::Unlock),
+         add(tr("Unstack"), "unstack"_L1, tr("Take the selected islands out of their stacks"), "uv.unstack",
+             Edit::Unstack),
+         add(tr("Ungroup"), "ungroup"_L1, tr("Take the selected islands out of their groups"), "uv.ungroup",
+             Edit::Ungroup)}));
     return box;
 }
 
@@ -134,7 +132,7 @@ QWidget *IslandPanel::makeDensityRow()
     mEqualize = makeButton(tr("Equalise all"), "equalize"_L1);
     read->setToolTip(tr("Take over the mean texel density of the selected islands"));
     set->setToolTip(tr("Scale the selected islands to this texel density; locked ones stay"));
-    explain(mEqualize, tr("Give all islands the same texel density; locked ones stay"), "uv.equalizeDensity");
+    explain(mEqualize, tr("Give all islands the same texel density; locked ones stay"), {"uv.density"});
     mSelectionButtons.insert(mSelectionButtons.end(), {read, set});
     connect(read, &QPushButton::clicked, this, &IslandPanel::readDensity);
     connect(set, &QPushButton::clicked, this, &IslandPanel::setDensity);

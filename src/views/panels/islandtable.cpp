@@ -1,5 +1,6 @@
 #include "views/panels/islandtable.h"
 
+#include "views/gl/colormap.h"
 #include "views/panels/numbertext.h"
 
 #include <QStringList>
@@ -17,13 +18,6 @@ double sortable(double value)
 }
 
 } // namespace
-
-QColor islandColor(int island)
-{
-    // Steps of the golden angle: neighbouring numbers never look alike.
-    const double hue = std::fmod(0.618033988749895 * island + 0.08, 1.0);
-    return QColor::fromHsvF(float(hue), 0.55f, 0.9f);
-}
 
 void IslandTable::setFigures(std::vector<IslandFigures> figures)
 {
@@ -105,7 +99,7 @@ QVariant IslandTable::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole:
         return text(figures, index.row(), index.column());
     case Qt::DecorationRole:
-        return index.column() == Number ? QVariant(islandColor(index.row())) : QVariant();
+        return index.column() == Number ? QVariant(QColor(islandColor(index.row()))) : QVariant();
     case Qt::CheckStateRole:
         if (index.column() == Lock)
             return figures.flags.locked ? Qt::Checked : Qt::Unchecked;

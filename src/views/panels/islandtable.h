@@ -4,12 +4,8 @@
 #include "views/panels/islandfigures.h"
 
 #include <QAbstractTableModel>
-#include <QColor>
 
 namespace autocuts {
-
-//! The colour that stands for an island.
-QColor islandColor(int island);
 
 //! One row per island, in the order of Document::islands(); knows no document.
 class IslandTable final : public QAbstractTableModel

@@ -17,21 +17,14 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-//! Null when the table has no such action.
-QAction *findAction(const ActionRegistry &registry, const char *id)
+QString withKeys(const QString &tip, const std::vector<QAction *> &actions)
 {
-    for (QAction *action : registry.actions()) {
-        if (QLatin1StringView(registry.info(action).id) == QLatin1StringView(id))
-            return action;
+    QStringList keys;
+    for (const QAction *action : actions) {
+        if (!action->shortcut().isEmpty())
+            keys << action->shortcut().toString(QKeySequence::NativeText);
     }
-    return nullptr;
-}
-
-void showAction(QAbstractButton *button, const QString &tip, const QAction &action)
-{
-    button->setIcon(action.icon());
-    const QString key = action.shortcut().toString(QKeySequence::NativeText);
-    button->setToolTip(key.isEmpty() ? tip : u"%1 (%2)"_s.arg(tip, key));
+    return keys.isEmpty() ? tip : u"%1 (%2)"_s.arg(tip, keys.join(", "_L1));
 }
 
 } // namespace
@@ -83,14 +76,17 @@ quint64 Panel::gestureFor(bool first)
     return mGesture;
 }
 
-void Panel::explain(QAbstractButton *button, const QString &tip, const char *actionId)
+void Panel::explain(QWidget *widget, const QString &tip, std::initializer_list<const char *> actionIds)
 {
-    button->setToolTip(tip);
-    if (const QAction *action = findAction(mContext.actions, actionId)) {
-        const auto show = [button, tip, action] { showAction(button, tip, *action); };
-        connect(action, &QAction::changed, button, show);
-        show();
-    }
+    std::vector<QAction *> actions;
+    for (const char *id : actionIds)
+        actions.push_back(mContext.actions.action(id));
+    const auto show = [widget, tip, actions] { widget->setToolTip(withKeys(tip, actions)); };
+    for (const QAction *action : actions)
+        connect(action, &QAction::changed, widget, show);
+    show();
+    if (auto *button = qobject_cast<QAbstractButton *>(widget))
+        button->setIcon(actions.front()->icon());
 }
 
 void Panel::showEvent(QShowEvent *event)

@@ -7,7 +7,6 @@
 #include <QTimer>
 #include <QWidget>
 
-class QAbstractButton;
 class QLabel;
 class QScrollArea;
 
@@ -61,9 +60,9 @@ protected:
     //! The number for a change that a control reports. \param first of a gesture: a new number
     quint64 gestureFor(bool first);
 
-    //! Gives the button an explanation, and the icon and the key of an action, now and whenever they change.
-    //! \param actionId for which there may be no action
-    void explain(QAbstractButton *button, const QString &tip, const char *actionId);
+    //! Gives a widget a tooltip with the keys of actions, now and whenever those change; a button also gets
+    //! the icon of the first one. \pre the ids are in actionTable()
+    void explain(QWidget *widget, const QString &tip, std::initializer_list<const char *> actionIds);
 
     void showEvent(QShowEvent *event) override;
 

@@ -48,9 +48,9 @@ QWidget *SeamPanel::makeSteering()
     mJoin = makeButton(tr("Join"), "join"_L1);
     mClear = makeButton(tr("Free"), "clear"_L1);
     mClearAll = makeButton(tr("Free all edges"), "clearAll"_L1);
-    explain(mCut, tr("Force a cut along the selected edges"), "seam.cut");
-    explain(mJoin, tr("Force the selected edges together"), "seam.join");
-    explain(mClear, tr("Leave the selected edges to the solver"), "seam.clear");
+    explain(mCut, tr("Force a cut along the selected edges"), {"uv.cut"});
+    explain(mJoin, tr("Force the selected edges together"), {"uv.join"});
+    explain(mClear, tr("Leave the selected edges to the solver"), {"uv.clearSteering"});
     mClearAll->setToolTip(tr("Leave all edges to the solver: no cut and no join is forced"));
     connect(mCut, &QPushButton::clicked, this, [this] { steer(SetSeamState::Edit::Cut); });
     connect(mJoin, &QPushButton::clicked, this, [this] { steer(SetSeamState::Edit::Join); });

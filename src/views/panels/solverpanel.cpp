@@ -3,6 +3,7 @@
 #include "views/control/mapcontroller.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
+#include "views/icons.h"
 #include "views/panels/controls.h"
 #include "views/panels/convergencegraph.h"
 #include "views/panels/deltaspinbox.h"
@@ -63,9 +64,9 @@ QWidget *SolverPanel::makeRunButtons()
     mRun = makeButton(tr("Run"), "run"_L1);
     mStep = makeButton(tr("Step"), "step"_L1);
     mRestart = makeButton(tr("Restart"), "restart"_L1);
-    explain(mRun, tr("Start or pause the solver"), "uv.run");
-    explain(mStep, tr("Do one Newton step"), "uv.step");
-    explain(mRestart, tr("Begin anew from the start chosen below"), "uv.restart");
+    explain(mRun, tr("Start or pause the solver"), {"uv.run"});
+    explain(mStep, tr("Do one Newton step"), {"uv.step"});
+    explain(mRestart, tr("Begin anew from the start chosen below"), {"uv.restart"});
     // The width must not follow the text.
     mRun->setMinimumWidth(mRun->fontMetrics().horizontalAdvance(tr("Pause")) + 40);
     connect(mRun, &QPushButton::clicked, &solver, &SolverController::toggle);
@@ -113,25 +114,28 @@ void SolverPanel::addSliderRows(QFormLayout *form)
     connect(mLambda, &SliderSpin::edited, this, [this](double value, bool first) {
         changeSolveSettings([value](SolveSettings &settings) { settings.lambda = value; }, gestureFor(first));
     });
-    addRow(form, tr("Lambda λ"), mLambda,
-           tr("Balance of the energy (1 − λ) D + λ S: 0 is no distortion, 1 is no seams. (Left, Right)"));
+    const QString lambdaTip = tr("Balance of the energy (1 − λ) D + λ S: 0 is no distortion, 1 is no seams");
+    explain(addRow(form, tr("Lambda λ"), mLambda, lambdaTip), lambdaTip, {"uv.lambdaLess", "uv.lambdaMore"});
+    explain(mLambda, lambdaTip, {"uv.lambdaLess", "uv.lambdaMore"});
 
     mDelta = new SliderSpin(SliderScale::powersOfTwo(smallestDelta, largestDelta), new DeltaSpinBox);
     mDelta->setObjectName("delta"_L1);
     connect(mDelta, &SliderSpin::edited, this, [this](double value, bool first) {
         changeSolveSettings([value](SolveSettings &settings) { settings.delta = value; }, gestureFor(first));
     });
-    addRow(form, tr("Delta δ"), makeDeltaRow(),
-           tr("How sharply an edge is either cut or joined: begin with 1 and halve it as the map settles. "
-              "(Up, Down)"));
+    const QString deltaTip =
+        tr("How sharply an edge is either cut or joined: begin with 1 and halve it as the map settles");
+    explain(addRow(form, tr("Delta δ"), makeDeltaRow(), deltaTip), deltaTip,
+            {"uv.deltaHalve", "uv.deltaDouble"});
+    explain(mDelta, deltaTip, {"uv.deltaHalve", "uv.deltaDouble"});
 }
 
 QWidget *SolverPanel::makeDeltaRow()
 {
     mHalve = makeButton(u"½"_s, "halve"_L1);
     mDouble = makeButton(u"×2"_s, "double"_L1);
-    explain(mHalve, tr("Halve delta: sharper cuts"), "uv.halveDelta");
-    explain(mDouble, tr("Double delta: softer cuts"), "uv.doubleDelta");
+    explain(mHalve, tr("Halve delta: sharper cuts"), {"uv.deltaHalve"});
+    explain(mDouble, tr("Double delta: softer cuts"), {"uv.deltaDouble"});
     for (QPushButton *button : {mHalve, mDouble}) {
         button->setMinimumWidth(button->fontMetrics().horizontalAdvance(u"×2"_s) + 10);
         button->setMaximumWidth(button->minimumWidth());
@@ -202,8 +206,8 @@ QWidget *SolverPanel::makeFinishRow()
     mUnwrap = makeButton(tr("Unwrap"), "unwrap"_L1);
     explain(mFinish,
             tr("Turn the map into a final one: definite seams, no overlaps, within the distortion budget"),
-            "uv.finish");
-    explain(mUnwrap, tr("Make a packed map automatically, within the distortion budget"), "uv.unwrap");
+            {"uv.finish"});
+    explain(mUnwrap, tr("Make a packed map automatically, within the distortion budget"), {"uv.unwrap"});
     MapController &map = context().map;
     connect(mFinish, &QPushButton::clicked, this,
             [this, &map] { map.finish(context().solver.maxDistortion()); });
@@ -249,14 +253,15 @@ void SolverPanel::showState()
     const SolverController &solver = context().solver;
     const bool manual = solver.mode() == SolveMode::Manual;
     mRun->setText(solver.isRunning() ? tr("Pause") : tr("Run"));
+    mRun->setIcon(icon(solver.isRunning() ? u"pause"_s : u"run"_s));
     (manual ? mManual : mBudget)->setChecked(true);
     const QSignalBlocker blocker(mBound);
     mBound->setValue(solver.maxDistortion());
     for (QWidget *widget : std::initializer_list<QWidget *>{mLambda, mDelta, mHalve, mDouble})
         widget->setEnabled(manual);
     const bool idle = !context().map.jobs().isBusy();
-    mFinish->setEnabled(idle);
-    mUnwrap->setEnabled(idle);
+    for (QWidget *widget : {mRun, mStep, mRestart, mFinish, mUnwrap})
+        widget->setEnabled(idle);
 }
 
 void SolverPanel::showStatus()

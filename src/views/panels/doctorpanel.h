@@ -1,0 +1,35 @@
+// The panel of the mesh doctor.
+#pragma once
+
+#include "views/panels/panel.h"
+
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+
+namespace autocuts {
+
+//! What is unusual about the model and how it is handled, its counts, and the figures of the map.
+class DoctorPanel final : public Panel
+{
+    Q_OBJECT
+
+public:
+    explicit DoctorPanel(const StudioContext &context, QWidget *parent = nullptr);
+
+protected:
+    void refresh() override;
+
+private:
+    QWidget *makeCounts();
+    QWidget *makeFigures();
+    void showNotes(const Document &document);
+    void showCounts(const MeshReport &report);
+    void showFigures();
+
+    QLabel *mNotes;
+    std::vector<QLabel *> mCounts, mFigures; //!< in the order of their rows
+};
+
+} // namespace autocuts

@@ -1,0 +1,209 @@
+#include "views/panels/packpanel.h"
+
+#include "views/control/mapcontroller.h"
+#include "views/control/workspace.h"
+#include "views/panels/controls.h"
+#include "views/panels/numbertext.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QIntValidator>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+constexpr int tilesPerRow = 10;
+
+} // namespace
+
+PackPanel::PackPanel(const StudioContext &context, QWidget *parent)
+    : Panel(context, tr("Open a model to pack its islands into a texture."), parent)
+{
+    auto *layout = new QVBoxLayout(content());
+    layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
+    layout->setSpacing(rowSpacing + 2);
+    auto *settings = new QWidget;
+    auto *form = makeForm(settings);
+    addTextureRows(form);
+    addPlacingRows(form);
+    layout->addWidget(settings);
+    layout->addWidget(makePackButtons());
+    layout->addWidget(makeHeading(tr("The map")));
+    layout->addWidget(makeFigures());
+    layout->addStretch();
+    connect(&context.workspace, &Workspace::selectionChanged, this, [this] { refreshSoon(); });
+    connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
+        if (event.type == ChangeEvent::Type::PackingSettings || event.type == ChangeEvent::Type::Uv)
+            refreshSoon();
+    });
+    connect(&context.map, &MapController::figuresChanged, this, [this] { refreshSoon(); });
+    connect(&context.map.jobs(), &JobRunner::busyChanged, this, [this] { refreshSoon(); });
+}
+
+void PackPanel::addTextureRows(QFormLayout *form)
+{
+    mTextureSize = new QComboBox;
+    mTextureSize->setObjectName("textureSize"_L1);
+    mTextureSize->setEditable(true);
+    mTextureSize->setInsertPolicy(QComboBox::NoInsert);
+    mTextureSize->setCompleter(nullptr);
+    mTextureSize->setValidator(new QIntValidator(1, PackingSettings::maxTextureSize, mTextureSize));
+    for (int size = 256; size <= 16384; size *= 2)
+        mTextureSize->addItem(QString::number(size));
+    connect(mTextureSize, &QComboBox::activated, this, &PackPanel::takeTextureSize);
+    connect(mTextureSize->lineEdit(), &QLineEdit::editingFinished, this, &PackPanel::takeTextureSize);
+    addRow(form, tr("Texture"), mTextureSize,
+           tr("Texels along one side of the texture; choose or type a number"));
+
+    mMargin = new QSpinBox;
+    mMargin->setObjectName("margin"_L1);
+    mMargin->setRange(0, 1024);
+    mMargin->setSuffix(tr(" px"));
+    mMargin->setKeyboardTracking(false);
+    connect(mMargin, &QSpinBox::valueChanged, this, [this](int margin) {
+        changePackingSettings([margin](PackingSettings &s) { s.margin = margin; });
+    });
+    mMarginUv = makeRemark();
+    mMarginUv->setObjectName("marginUv"_L1);
+    mMarginUv->setWordWrap(false);
+    QWidget *row = makeRow({mMargin, mMarginUv});
+    row->setFocusProxy(mMargin);
+    addRow(form, tr("Margin"), row,
+           tr("True distance between two islands in texels, and half of it to the border of the texture"));
+}
+
+void PackPanel::addPlacingRows(QFormLayout *form)
+{
+    mRotation = new QComboBox;
+    mRotation->setObjectName("rotation"_L1);
+    mRotation->addItem(tr("None"), int(PackingSettings::Rotation::None));
+    mRotation->addItem(tr("Quarter turns"), int(PackingSettings::Rotation::Quarter));
+    mRotation->addItem(tr("Any angle"), int(PackingSettings::Rotation::Free));
+    connect(mRotation, &QComboBox::activated, this, [this] {
+        const auto rotation = PackingSettings::Rotation(mRotation->currentData().toInt());
+        changePackingSettings([rotation](PackingSettings &s) { s.rotation = rotation; });
+    });
+    addRow(form, tr("Rotation"), mRotation, tr("How islands may be turned to fit"));
+
+    mTile = new QSpinBox;
+    mTile->setObjectName("tile"_L1);
+    mTile->setRange(PackingSettings::firstTile, PackingSettings::lastTile);
+    mTile->setKeyboardTracking(false);
+    connect(mTile, &QSpinBox::valueChanged, this,
+            [this](int tile) { changePackingSettings([tile](PackingSettings &s) { s.udimTile = tile; }); });
+    mTilePlace = makeRemark();
+    mTilePlace->setWordWrap(false);
+    QWidget *row = makeRow({mTile, mTilePlace});
+    row->setFocusProxy(mTile);
+    addRow(form, tr("UDIM tile"), row,
+           tr("Tile that is packed into: 1001 is the unit square, ten tiles in a row"));
+
+    mKeepScale = new QCheckBox(tr("Keep the size of the islands"));
+    mKeepScale->setObjectName("keepScale"_L1);
+    mKeepScale->setToolTip(tr("Off: all islands get the same texel density, as large as there is room"));
+    connect(mKeepScale, &QCheckBox::clicked, this,
+            [this](bool keep) { changePackingSettings([keep](PackingSettings &s) { s.keepScale = keep; }); });
+    form->addRow(QString(), mKeepScale);
+}
+
+QWidget *PackPanel::makePackButtons()
+{
+    mPack = makeButton(tr("Pack"), "pack"_L1);
+    mPackSelection = makeButton(tr("Pack selection"), "packSelection"_L1);
+    explain(mPack, tr("Place all islands; locked ones stay"), {"uv.pack"});
+    explain(mPackSelection, tr("Place the selected islands around the others"), {"uv.packSelection"});
+    MapController &map = context().map;
+    connect(mPack, &QPushButton::clicked, this, [&map] { map.pack(PackScope::All); });
+    connect(mPackSelection, &QPushButton::clicked, this, [&map] { map.pack(PackScope::Selection); });
+    return makeRow({mPack, mPackSelection});
+}
+
+QWidget *PackPanel::makeFigures()
+{
+    auto *box = new QWidget;
+    auto *grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(2);
+    mEfficiency = addFigure(grid, 0, 0, tr("Efficiency"), tr("Share of the texture that islands cover"));
+    mGutter =
+        addFigure(grid, 1, 0, tr("Smallest gutter"), tr("Smallest distance between two islands, in texels"));
+    mBorder = addFigure(grid, 2, 0, tr("To the border"),
+                        tr("Distance to the border of the unit square, in texels"));
+    mInside = addFigure(grid, 3, 0, tr("In the unit square"), tr("Whether all UVs are between 0 and 1"));
+    mEfficiency->setObjectName("efficiency"_L1);
+    mGutter->setObjectName("gutter"_L1);
+    grid->setColumnStretch(1, 1);
+    return box;
+}
+
+void PackPanel::takeTextureSize()
+{
+    if (!mTextureSize->lineEdit()->hasAcceptableInput()) {
+        refreshSoon();
+        return;
+    }
+    const int size = mTextureSize->currentText().toInt();
+    changePackingSettings([size](PackingSettings &settings) {
+        settings.textureSize = size;
+        settings.margin = std::min(settings.margin, size);
+    });
+}
+
+void PackPanel::refresh()
+{
+    if (!document())
+        return;
+    showSettings(document()->packingSettings());
+    const bool idle = !context().map.jobs().isBusy();
+    const bool hasMap = document()->islands().count() > 0;
+    mPack->setEnabled(idle && hasMap);
+    mPackSelection->setEnabled(idle && hasMap && !document()->selection().faces.isEmpty());
+    showFigures();
+}
+
+void PackPanel::showSettings(const PackingSettings &settings)
+{
+    const QSignalBlocker blockers[] = {QSignalBlocker(mTextureSize), QSignalBlocker(mMargin),
+                                       QSignalBlocker(mRotation), QSignalBlocker(mTile)};
+    // What is being typed is not overwritten.
+    if (!mTextureSize->lineEdit()->hasFocus() || !mTextureSize->lineEdit()->isModified())
+        mTextureSize->setEditText(QString::number(settings.textureSize));
+    mMargin->setMaximum(std::min(settings.textureSize, 9999));
+    mMargin->setValue(settings.margin);
+    mMarginUv->setText(tr("= %1 UV").arg(significantText(double(settings.margin) / settings.textureSize, 3)));
+    mRotation->setCurrentIndex(mRotation->findData(int(settings.rotation)));
+    mKeepScale->setChecked(settings.keepScale);
+    mTile->setValue(settings.udimTile);
+    const int tile = settings.udimTile - PackingSettings::firstTile;
+    mTilePlace->setText(tr("U %1, V %2").arg(tile % tilesPerRow).arg(tile / tilesPerRow));
+}
+
+void PackPanel::showFigures()
+{
+    const MapController &map = context().map;
+    const MapFigures *figures = map.figures();
+    const bool hasMap = figures && figures->metrics.charts > 0;
+    const UvMetrics none;
+    const UvMetrics &metrics = hasMap ? figures->metrics : none;
+    const auto texels = [](double value) {
+        return std::isfinite(value) ? tr("%1 px").arg(fixedText(value, 1)) : missingText();
+    };
+    mEfficiency->setText(percentText(metrics.packingUnit));
+    mGutter->setText(texels(metrics.minGutterTexels));
+    mBorder->setText(texels(metrics.borderGutterTexels));
+    mInside->setText(!hasMap ? missingText() : metrics.inUnitSquare ? tr("yes") : tr("no"));
+    for (QLabel *label : {mEfficiency, mGutter, mBorder, mInside})
+        label->setEnabled(map.figuresAreFresh());
+}
+
+} // namespace autocuts

@@ -1,0 +1,46 @@
+// The panel of packing.
+#pragma once
+
+#include "views/panels/panel.h"
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+
+namespace autocuts {
+
+//! Texture size, margin, rotation, tile; packs all islands or the selected ones; figures of the packed map.
+class PackPanel final : public Panel
+{
+    Q_OBJECT
+
+public:
+    explicit PackPanel(const StudioContext &context, QWidget *parent = nullptr);
+
+protected:
+    void refresh() override;
+
+private:
+    void addTextureRows(QFormLayout *form);
+    void addPlacingRows(QFormLayout *form);
+    QWidget *makePackButtons();
+    QWidget *makeFigures();
+    void takeTextureSize();
+    void showSettings(const PackingSettings &settings);
+    void showFigures();
+
+    QComboBox *mTextureSize = nullptr;
+    QSpinBox *mMargin = nullptr;
+    QLabel *mMarginUv = nullptr;
+    QComboBox *mRotation = nullptr;
+    QCheckBox *mKeepScale = nullptr;
+    QSpinBox *mTile = nullptr;
+    QLabel *mTilePlace = nullptr;
+    QPushButton *mPack = nullptr, *mPackSelection = nullptr;
+    QLabel *mEfficiency = nullptr, *mGutter = nullptr, *mBorder = nullptr, *mInside = nullptr;
+};
+
+} // namespace autocuts

@@ -1,0 +1,229 @@
+#include "views/panels/viewpanel.h"
+
+#include "views/actions/actionregistry.h"
+#include "views/gl/colormap.h"
+#include "views/icons.h"
+#include "views/panels/controls.h"
+#include "views/panels/elidedlabel.h"
+#include "views/panels/heatlegend.h"
+#include "views/panels/numbertext.h"
+#include "views/panels/sliderspin.h"
+#include "views/preferences/preferences.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include <cmath>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+ViewPanel::ViewPanel(const StudioContext &context, QWidget *parent)
+    : Panel(context, tr("Open a model to choose how it is shown."), parent)
+{
+    auto *layout = new QVBoxLayout(content());
+    layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
+    layout->setSpacing(rowSpacing + 2);
+    auto *choices = new QWidget;
+    mForm = makeForm(choices);
+    addColoringRows();
+    addPatternRows();
+    layout->addWidget(choices);
+    layout->addWidget(makeHeading(tr("Shown")));
+    layout->addWidget(makeToggles());
+    layout->addStretch();
+    connect(&context.view, &ViewState::optionsChanged, this, [this] { refreshSoon(); });
+    connect(&context.preferences, &Preferences::changed, this, [this] { refreshSoon(); });
+}
+
+template <class Edit>
+void ViewPanel::change(Edit edit)
+{
+    ViewOptions options = context().view.options();
+    edit(options);
+    context().view.setOptions(options);
+}
+
+void ViewPanel::addColoringRows()
+{
+    mColoring = new QComboBox;
+    mColoring->setObjectName("coloring"_L1);
+    mColoring->addItem(tr("Plain"), int(Coloring::Plain));
+    mColoring->addItem(tr("Islands"), int(Coloring::Islands));
+    mColoring->addItem(tr("Signed stretch"), int(Coloring::SignedStretch));
+    mColoring->addItem(tr("Magnitude of stretch"), int(Coloring::StretchMagnitude));
+    mColoring->addItem(tr("Painted weights"), int(Coloring::PaintWeights));
+    connect(mColoring, &QComboBox::activated, this, [this] {
+        const auto coloring = Coloring(mColoring->currentData().toInt());
+        change([coloring](ViewOptions &options) { options.coloring = coloring; });
+    });
+    const QString tip = tr("What gives the faces their colour");
+    QLabel *label = addRow(mForm, tr("Colours"), mColoring, tip);
+    explain(mColoring, tip, {"view.heatMap"});
+    explain(label, tip, {"view.heatMap"});
+
+    auto *factor = new QDoubleSpinBox;
+    factor->setDecimals(2);
+    factor->setSingleStep(0.1);
+    mStretchClamp = new SliderSpin(SliderScale::fineNearMinimum(0.05, 6), factor);
+    mStretchClamp->setObjectName("stretchClamp"_L1);
+    connect(mStretchClamp, &SliderSpin::edited, this, [this](double value) {
+        change([value](ViewOptions &options) { options.stretchClamp = value; });
+    });
+    addRow(
+        mForm, tr("Full colour at"), mStretchClamp,
+        tr("log2 of the area ratio that gets the full colour: at 1 that is half or double the right size"));
+
+    auto *energy = new QDoubleSpinBox;
+    energy->setDecimals(2);
+    energy->setSingleStep(0.1);
+    mMagnitudeClamp = new SliderSpin(SliderScale::fineNearMinimum(4.01, 60), energy);
+    mMagnitudeClamp->setObjectName("magnitudeClamp"_L1);
+    connect(mMagnitudeClamp, &SliderSpin::edited, this, [this](double value) {
+        change([value](ViewOptions &options) { options.magnitudeClamp = value; });
+    });
+    addRow(mForm, tr("Full colour at"), mMagnitudeClamp,
+           tr("Symmetric Dirichlet energy that gets the full colour; 4 is without distortion"));
+
+    mLegend = new HeatLegend;
+    mLegend->setObjectName("legend"_L1);
+    mForm->addRow(mLegend);
+}
+
+void ViewPanel::addPatternRows()
+{
+    mPattern = new QComboBox;
+    mPattern->setObjectName("pattern"_L1);
+    mPattern->addItem(tr("None"), int(Pattern::None));
+    mPattern->addItem(tr("Checkerboard"), int(Pattern::Checker));
+    mPattern->addItem(tr("Texture"), int(Pattern::Texture));
+    connect(mPattern, &QComboBox::activated, this, &ViewPanel::choosePattern);
+    const QString tip = tr("What lies on the model, and behind the map");
+    QLabel *label = addRow(mForm, tr("Pattern"), mPattern, tip);
+    explain(mPattern, tip, {"view.texture"});
+    explain(label, tip, {"view.texture"});
+
+    mCheckerSize = new QDoubleSpinBox;
+    mCheckerSize->setObjectName("checkerSize"_L1);
+    mCheckerSize->setRange(1, 1024);
+    mCheckerSize->setDecimals(0);
+    mCheckerSize->setKeyboardTracking(false);
+    mCheckerSize->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    connect(mCheckerSize, &QDoubleSpinBox::valueChanged, this,
+            [this](double value) { change([value](ViewOptions &options) { options.checkerSize = value; }); });
+    addRow(mForm, tr("Squares"), mCheckerSize, tr("Squares along one side of the unit square"));
+
+    QPushButton *load = makeButton(tr("Load…"), "loadTexture"_L1);
+    explain(load, tr("Choose the picture to show on the model"), {"view.loadTexture"});
+    connect(load, &QPushButton::clicked, context().actions.action("view.loadTexture"), &QAction::trigger);
+    mTextureName = new ElidedLabel;
+    mTextureRow = new QWidget;
+    auto *layout = new QHBoxLayout(mTextureRow);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(rowSpacing);
+    layout->addWidget(mTextureName, 1);
+    layout->addWidget(load);
+    mTextureRow->setFocusProxy(load);
+    addRow(mForm, tr("Texture"), mTextureRow, tr("Picture that is shown on the model, and behind the map"));
+}
+
+QWidget *ViewPanel::makeToggles()
+{
+    struct Toggle
+    {
+        QString text;
+        bool ViewOptions::*field;
+        const char *action;
+        QString tip;
+    };
+    const Toggle toggles[] = {
+        {tr("Edges"), &ViewOptions::wireframe, "view.wireframe", tr("Edges of the polygons")},
+        {tr("Seams"), &ViewOptions::seams, "view.seams",
+         tr("Seams; while solving, where they begin to open")},
+        {tr("Steering"), &ViewOptions::steering, "view.steering",
+         tr("Forced cuts and joins, rectangles, pins")},
+        {tr("Problems"), &ViewOptions::problems, "view.problems",
+         tr("Flipped triangles, and overlaps hatched")},
+        {tr("Filled islands"), &ViewOptions::fillIslands, "view.fillIslands", tr("In the UV view")},
+        {tr("Grid"), &ViewOptions::grid, "view.grid",
+         tr("Grid and tiles of the UV view, ground of the 3D view")},
+        {tr("Rulers"), &ViewOptions::rulers, "view.rulers", tr("In the UV view, in texels")},
+        {tr("Smooth shading"), &ViewOptions::smoothShading, "view.smoothShading", tr("In the 3D view")},
+        {tr("Orthographic"), &ViewOptions::orthographic, "view.orthographic",
+         tr("3D view without perspective")},
+    };
+    auto *box = new QWidget;
+    auto *grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(rowSpacing);
+    int number = 0;
+    for (const auto &[text, field, action, tip] : toggles) {
+        auto *toggle = new QCheckBox(text);
+        toggle->setObjectName(QLatin1StringView(action));
+        explain(toggle, tip, {action});
+        toggle->setIcon({});
+        connect(toggle, &QCheckBox::clicked, this,
+                [this, f = field](bool on) { change([f, on](ViewOptions &options) { options.*f = on; }); });
+        grid->addWidget(toggle, number / 2, number % 2);
+        mToggles.emplace_back(toggle, field);
+        ++number;
+    }
+    return box;
+}
+
+void ViewPanel::choosePattern()
+{
+    const auto pattern = Pattern(mPattern->currentData().toInt());
+    if (pattern == Pattern::Texture && context().view.options().texturePath.isEmpty()) {
+        // Nothing to show yet: ask for it. The box goes back when no picture is chosen.
+        context().actions.action("view.loadTexture")->trigger();
+        refreshSoon();
+        return;
+    }
+    change([pattern](ViewOptions &options) { options.pattern = pattern; });
+}
+
+void ViewPanel::refresh()
+{
+    const ViewOptions &options = context().view.options();
+    mColoring->setCurrentIndex(mColoring->findData(int(options.coloring)));
+    mPattern->setCurrentIndex(mPattern->findData(int(options.pattern)));
+    mStretchClamp->setValue(options.stretchClamp);
+    mMagnitudeClamp->setValue(options.magnitudeClamp);
+    const QSignalBlocker blocker(mCheckerSize);
+    mCheckerSize->setValue(options.checkerSize);
+    mTextureName->setText(options.texturePath.isEmpty() ? tr("none")
+                                                        : QFileInfo(options.texturePath).fileName());
+    for (const auto &[toggle, field] : mToggles)
+        toggle->setChecked(options.*field);
+    mForm->setRowVisible(mStretchClamp, options.coloring == Coloring::SignedStretch);
+    mForm->setRowVisible(mMagnitudeClamp, options.coloring == Coloring::StretchMagnitude);
+    mForm->setRowVisible(mCheckerSize, options.pattern == Pattern::Checker);
+    mForm->setRowVisible(mTextureRow, options.pattern == Pattern::Texture);
+    showLegend(options);
+}
+
+void ViewPanel::showLegend(const ViewOptions &options)
+{
+    const bool isSigned = options.coloring == Coloring::SignedStretch;
+    mForm->setRowVisible(mLegend, isSigned || options.coloring == Coloring::StretchMagnitude);
+    const bool colorBlind = context().preferences.values().colorBlindHeatMap;
+    if (isSigned) {
+        const QString factor = significantText(std::exp2(options.stretchClamp), 3);
+        mLegend->setLegend(heatStops(HeatMap::SignedStretch, colorBlind),
+                           {tr("%1× too small").arg(factor), tr("right"), tr("%1× too large").arg(factor)});
+    } else {
+        const double middle = (4 + options.magnitudeClamp) / 2;
+        mLegend->setLegend(
+            heatStops(HeatMap::Magnitude, colorBlind),
+            {u"4"_s, significantText(middle, 3), u"≥ "_s + significantText(options.magnitudeClamp, 4)});
+    }
+}
+
+} // namespace autocuts

@@ -1,0 +1,53 @@
+// The panel of how the model and the map are shown.
+#pragma once
+
+#include "views/canvas/viewstate.h"
+#include "views/panels/panel.h"
+
+#include <utility>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QPushButton;
+
+namespace autocuts {
+
+class ElidedLabel;
+class HeatLegend;
+class SliderSpin;
+
+//! Colouring with its legend and clamps, pattern, texture, and what is drawn besides. Changes ViewState,
+//! which is no edit.
+class ViewPanel final : public Panel
+{
+    Q_OBJECT
+
+public:
+    explicit ViewPanel(const StudioContext &context, QWidget *parent = nullptr);
+
+protected:
+    void refresh() override;
+
+private:
+    void addColoringRows();
+    void addPatternRows();
+    QWidget *makeToggles();
+    template <class Edit>
+    void change(Edit edit);
+    void choosePattern();
+    void showLegend(const ViewOptions &options);
+
+    QFormLayout *mForm = nullptr;
+    QComboBox *mColoring = nullptr, *mPattern = nullptr;
+    SliderSpin *mStretchClamp = nullptr, *mMagnitudeClamp = nullptr;
+    HeatLegend *mLegend = nullptr;
+    QDoubleSpinBox *mCheckerSize = nullptr;
+    QWidget *mTextureRow = nullptr;
+    ElidedLabel *mTextureName = nullptr;
+    std::vector<std::pair<QCheckBox *, bool ViewOptions::*>> mToggles;
+};
+
+} // namespace autocuts
