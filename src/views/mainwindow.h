@@ -2,6 +2,7 @@
 #pragma once
 
 #include "views/actions/actionregistry.h"
+#include "views/actions/questions.h"
 #include "views/canvas/viewstate.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
@@ -21,7 +22,6 @@ namespace autocuts {
 
 class MenuBuilder;
 class MeshView;
-class Questions;
 class StatusBar;
 class StudioActions;
 class UvView;

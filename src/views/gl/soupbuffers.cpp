@@ -3,6 +3,7 @@
 #include "model/unionfind.h"
 #include "views/gl/colormap.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 namespace autocuts {

@@ -2,6 +2,7 @@
 
 #include "views/gl/meshframe.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 namespace autocuts {
