@@ -7,26 +7,10 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QStandardPaths>
-#include <QSurfaceFormat>
 #include <QTimer>
-
-namespace {
-
-void askForOpenGl()
-{
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setSamples(4);
-    QSurfaceFormat::setDefaultFormat(format);
-}
-
-} // namespace
 
 int main(int argc, char *argv[])
 {
-    askForOpenGl();
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("autocuts"));
     QApplication::setApplicationDisplayName(QStringLiteral("Autocuts"));

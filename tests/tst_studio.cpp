@@ -1,6 +1,6 @@
 // The studio as an artist works with it: real key and mouse events on the real window.
-#include "model/io/projectfile.h"
 #include "model/io/meshfile.h"
+#include "model/io/projectfile.h"
 #include "model/makesnapshot.h"
 #include "model/samples.h"
 #include "support/meshbuilders.h"
@@ -9,6 +9,7 @@
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
 
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QMenuBar>
 #include <QMimeData>
@@ -80,7 +81,8 @@ private Q_SLOTS:
         studio.answers->filesToSave << project;
         studio.press(Qt::Key_S, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(!studio.context.workspace.isModified(), patience);
-        QVERIFY2(studio.answers->errors.isEmpty(), qPrintable(studio.answers->errors.join(QLatin1Char('\n'))));
+        QVERIFY2(studio.answers->errors.isEmpty(),
+                 qPrintable(studio.answers->errors.join(QLatin1Char('\n'))));
         const DocumentState saved = studio.document()->state();
         studio.press(Qt::Key_W, Qt::ControlModifier);
         QVERIFY(studio.document() == nullptr);
@@ -144,11 +146,14 @@ private Q_SLOTS:
             QSKIP("there are no real meshes");
         StudioSession studio;
         const QString path =
-            QString::fromStdString(test::meshFolder()) + QStringLiteral("/small/cathead.obj");
+            QString::fromStdString(test::meshFolder()) + QStringLiteral("/organic/cathead.obj");
         if (!QFileInfo::exists(path))
             QSKIP("cathead.obj is missing");
         QMimeData data;
         data.setUrls({QUrl::fromLocalFile(path)});
+        QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&studio.window, &enter);
+        QVERIFY(enter.isAccepted());
         QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&studio.window, &drop);
         QTRY_VERIFY_WITH_TIMEOUT(studio.document(), patience);
@@ -226,7 +231,8 @@ private:
                 QVERIFY2(studio.document()->validate().isEmpty(), qPrintable(id));
         }
         QVERIFY2(triggered > (sample.isEmpty() ? 20 : 60), qPrintable(QString::number(triggered)));
-        QVERIFY2(studio.answers->errors.isEmpty(), qPrintable(studio.answers->errors.join(QLatin1Char('\n'))));
+        QVERIFY2(studio.answers->errors.isEmpty(),
+                 qPrintable(studio.answers->errors.join(QLatin1Char('\n'))));
     }
 };
 

@@ -11,7 +11,6 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
-#include <QSurfaceFormat>
 #include <QTextStream>
 
 #include <algorithm>
@@ -87,11 +86,6 @@ void timeUntil(const char *phase, Action action, Until until)
 
 int main(int argc, char *argv[])
 {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setSamples(4);
-    QSurfaceFormat::setDefaultFormat(format);
     QApplication application(argc, argv);
     const QStringList arguments = QApplication::arguments();
     if (arguments.size() < 2) {
@@ -132,16 +126,19 @@ int main(int argc, char *argv[])
             studio.action(n % 20 ? "uv.lambdaMore" : "uv.lambdaLess")->trigger();
         return wait();
     });
-    timeUntil("pause", [&] { studio.context.solver.pause(); }, [&] { return !solver.isRunning(); });
+    timeUntil(
+        "pause", [&] { studio.context.solver.pause(); }, [&] { return !solver.isRunning(); });
     watchLoop("settle", [&] { return !solver.isSettling(); });
     watchLoop("measure", [&] { return studio.context.map.figuresAreFresh(); });
     studio.context.map.unwrap(UnwrapQuality::Standard, 4.1);
     watchLoop("unwrap", waited(milliseconds / 2));
-    timeUntil("cancel unwrap", [&] { studio.context.map.cancel(); },
-              [&] { return !studio.context.map.jobs().isBusy(); });
+    timeUntil(
+        "cancel unwrap", [&] { studio.context.map.cancel(); },
+        [&] { return !studio.context.map.jobs().isBusy(); });
     studio.context.map.pack(PackScope::All);
     watchLoop("pack", waited(200));
-    timeUntil("cancel pack", [&] { studio.context.map.cancel(); },
-              [&] { return !studio.context.map.jobs().isBusy(); });
+    timeUntil(
+        "cancel pack", [&] { studio.context.map.cancel(); },
+        [&] { return !studio.context.map.jobs().isBusy(); });
     return 0;
 }

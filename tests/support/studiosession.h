@@ -5,6 +5,7 @@
 #include "views/mainwindow.h"
 #include "views/preferences/preferences.h"
 
+#include <QApplication>
 #include <QDialog>
 #include <QStringList>
 #include <QTemporaryDir>
@@ -21,7 +22,7 @@ public:
     Answers() : Questions(nullptr) {}
 
     Unsaved unsaved = Unsaved::Discard;
-    QStringList filesToOpen, filesToSave; //!< taken from the front; none left: cancelled
+    QStringList filesToOpen, filesToSave;   //!< taken from the front; none left: cancelled
     std::function<int(QDialog &)> onDialog; //!< not set: every dialog is cancelled
     QStringList errors;
     int unsavedAsked = 0;
@@ -62,6 +63,8 @@ struct StudioSession
     {
         window.show();
         [[maybe_unused]] const bool seen = QTest::qWaitForWindowExposed(&window);
+        // A virtual screen has no window manager that would do it; without it no key is a shortcut.
+        QApplication::setActiveWindow(&window);
     }
 
     Document *document() { return context.workspace.document(); }
@@ -70,17 +73,22 @@ struct StudioSession
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
     {
         QTest::keyClick(&window, key, modifiers);
+        QCoreApplication::processEvents(); // the actions follow at the next turn of the event loop
     }
     bool solverRests()
     {
-        return QTest::qWaitFor(
-            [this] { return !context.solver.isRunning() && !context.solver.isSettling(); }, patience);
+        return QTest::qWaitFor([this] { return !context.solver.isRunning() && !context.solver.isSettling(); },
+                               patience);
     }
     bool jobsRest()
     {
-        return QTest::qWaitFor(
-            [this] { return solverIsQuiet() && !context.map.jobs().isBusy() && !context.files.jobs().isBusy(); },
+        const bool rest = QTest::qWaitFor(
+            [this] {
+                return solverIsQuiet() && !context.map.jobs().isBusy() && !context.files.jobs().isBusy();
+            },
             patience);
+        QCoreApplication::processEvents();
+        return rest;
     }
     bool measured()
     {
@@ -88,7 +96,8 @@ struct StudioSession
     }
     bool runsTo(int iteration)
     {
-        return QTest::qWaitFor([=, this] { return context.solver.status().iteration >= iteration; }, patience);
+        return QTest::qWaitFor([=, this] { return context.solver.status().iteration >= iteration; },
+                               patience);
     }
 
 private:
