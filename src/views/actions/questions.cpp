@@ -87,7 +87,8 @@ int Questions::run(QDialog &dialog)
 
 void Questions::showError(const Error &error)
 {
-    auto *box = new QMessageBox(QMessageBox::Critical, QCoreApplication::applicationName(), error.message,
+    const QString text = error.message.left(1).toUpper() + error.message.mid(1) + QLatin1Char('.');
+    auto *box = new QMessageBox(QMessageBox::Critical, QCoreApplication::applicationName(), text,
                                 QMessageBox::Close, mWindow);
     box->setAttribute(Qt::WA_DeleteOnClose);
     QStringList details;
