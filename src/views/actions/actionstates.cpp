@@ -1,5 +1,6 @@
 #include "views/actions/actionstates.h"
 
+#include "model/makesnapshot.h"
 #include "views/actions/actionregistry.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
@@ -21,16 +22,13 @@ ActionStates::ActionStates(const StudioContext &context, QObject *parent) : QObj
     refresh();
 }
 
-//! The search for the first UV is repeated only when UVs changed.
+//! The search for a UV is repeated only when UVs changed.
 bool ActionStates::hasUvs() const
 {
     if (mContext.workspace.uvRevision() == mUvRevision)
         return mHasUvs;
-    const UvMatrix &uv = mContext.workspace.document()->uv();
     mUvRevision = mContext.workspace.uvRevision();
-    mHasUvs = false;
-    for (Eigen::Index row = 0; row < uv.rows() && !mHasUvs; ++row)
-        mHasUvs = uv.row(row).allFinite();
+    mHasUvs = autocuts::hasUvs(*mContext.workspace.document());
     return mHasUvs;
 }
 
