@@ -133,6 +133,10 @@ public:
 
 void applyTheme(QApplication &application, Theme theme)
 {
+    constexpr const char *property = "autocutsTheme";
+    if (application.property(property) == QVariant(int(theme)))
+        return;
+    application.setProperty(property, int(theme));
     const ThemeColors &colors = theme == Theme::Dark ? darkColors : lightColors;
     QApplication::setStyle(new StudioStyle);
     const QPalette palette = paletteOf(colors);

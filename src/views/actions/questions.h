@@ -18,7 +18,7 @@ class Questions
 public:
     enum class Unsaved { Save, Discard, Cancel };
 
-    Questions() = default;
+    explicit Questions(QWidget *window = nullptr) : mWindow(window) {}
     virtual ~Questions() = default;
 
     //! The window that the questions are about; null for none.
