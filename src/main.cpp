@@ -36,7 +36,9 @@ int main(int argc, char *argv[])
 
     autocuts::Preferences preferences(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) +
                                       QStringLiteral("/autocuts.ini"));
-    autocuts::applyTheme(application, preferences.values().theme);
+    const auto applyTheme = [&] { autocuts::applyTheme(application, preferences.values().theme); };
+    applyTheme();
+    QObject::connect(&preferences, &autocuts::Preferences::changed, &application, applyTheme);
     autocuts::MainWindow window(preferences,
                                 QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
                                     QStringLiteral("/recovery"));

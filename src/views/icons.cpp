@@ -111,9 +111,15 @@ QIcon icon(const QString &name)
     return QFile::exists(file) ? QIcon(new SvgIconEngine(file, true)) : QIcon();
 }
 
+QIcon coloredIcon(const QString &name)
+{
+    const QString file = iconFile(name);
+    return QFile::exists(file) ? QIcon(new SvgIconEngine(file, false)) : QIcon();
+}
+
 QIcon applicationIcon()
 {
-    return QIcon(new SvgIconEngine(iconFile(QStringLiteral("autocuts")), false));
+    return coloredIcon(QStringLiteral("autocuts"));
 }
 
 QStringList iconNames()

@@ -10,7 +10,9 @@ namespace autocuts {
 //! The icon of resources/icons with this name, in the text colour of the application's palette at the moment
 //! it is painted, sharp at every size and pixel ratio. A null icon when there is none.
 QIcon icon(const QString &name);
-//! The program's own icon, in its colours.
+//! The same in the colours of the file: for messages.
+QIcon coloredIcon(const QString &name);
+//! The program's own icon.
 QIcon applicationIcon();
 //! Names of all icons.
 QStringList iconNames();

@@ -44,12 +44,12 @@ QString draggedFile(const QMimeData &data)
 
 MainWindow::MainWindow(Preferences &preferences, const QString &recoveryFolder,
                        std::unique_ptr<Questions> questions)
-    : mPreferences(preferences),
-      mQuestions(questions ? std::move(questions) : std::make_unique<Questions>(this)), mShownMap(mWorkspace),
-      mActions(preferences), mSolver(mWorkspace, mShownMap), mMap(mWorkspace, mSolver),
+    : mPreferences(preferences), mQuestions(questions ? std::move(questions) : std::make_unique<Questions>()),
+      mShownMap(mWorkspace), mActions(preferences), mSolver(mWorkspace, mShownMap), mMap(mWorkspace, mSolver),
       mFiles(mWorkspace, mSolver, preferences, recoveryFolder),
       mTools({mWorkspace, mShownMap, mViewState, preferences, mMap})
 {
+    mQuestions->setWindow(this);
     setWindowIcon(applicationIcon());
     setAcceptDrops(true);
     setDockNestingEnabled(true);

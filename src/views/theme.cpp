@@ -1,9 +1,13 @@
 // Neutral greys, so that colours mean something in the views only; one blue accent for what is chosen.
 #include "views/theme.h"
 
+#include "views/icons.h"
+
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
-#include <QStyleFactory>
+#include <QProxyStyle>
+#include <QStyleOption>
 #include <QToolTip>
 
 namespace autocuts {
@@ -76,12 +80,65 @@ QString styleSheetOf(const ThemeColors &colors)
              name(colors.accent), name(colors.dimText), name(colors.disabledText));
 }
 
+//! Fusion with plainer text and buttons, and the program's own icons in messages.
+class StudioStyle final : public QProxyStyle
+{
+public:
+    StudioStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+    int styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget,
+                  QStyleHintReturn *data) const override
+    {
+        if (hint == SH_EtchDisabledText || hint == SH_DialogButtonBox_ButtonsHaveIcons)
+            return 0;
+        return QProxyStyle::styleHint(hint, option, widget, data);
+    }
+
+    //! The icon of the item under the mouse has the colour of its text.
+    void drawControl(ControlElement element, const QStyleOption *option, QPainter *painter,
+                     const QWidget *widget) const override
+    {
+        const auto *item = qstyleoption_cast<const QStyleOptionMenuItem *>(option);
+        if (element != CE_MenuItem || !item || item->icon.isNull() || !(item->state & State_Enabled) ||
+            !(item->state & State_Selected)) {
+            QProxyStyle::drawControl(element, option, painter, widget);
+            return;
+        }
+        QStyleOptionMenuItem light(*item);
+        const int size = pixelMetric(PM_SmallIconSize, option, widget);
+        light.icon =
+            item->icon.pixmap(QSize(size, size), painter->device()->devicePixelRatio(), QIcon::Selected);
+        QProxyStyle::drawControl(element, &light, painter, widget);
+    }
+
+    QIcon standardIcon(StandardPixmap pixmap, const QStyleOption *option,
+                       const QWidget *widget) const override
+    {
+        switch (pixmap) {
+        case SP_MessageBoxWarning:
+            return coloredIcon(QStringLiteral("dialog-warning"));
+        case SP_MessageBoxQuestion:
+            return coloredIcon(QStringLiteral("dialog-question"));
+        case SP_MessageBoxInformation:
+            return coloredIcon(QStringLiteral("dialog-information"));
+        case SP_MessageBoxCritical:
+            return coloredIcon(QStringLiteral("dialog-error"));
+        default:
+            return QProxyStyle::standardIcon(pixmap, option, widget);
+        }
+    }
+};
+
 } // namespace
 
 void applyTheme(QApplication &application, Theme theme)
 {
+    constexpr const char *property = "autocutsTheme";
+    if (application.property(property) == QVariant(int(theme)))
+        return;
+    application.setProperty(property, int(theme));
     const ThemeColors &colors = theme == Theme::Dark ? darkColors : lightColors;
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(new StudioStyle);
     const QPalette palette = paletteOf(colors);
     QApplication::setPalette(palette);
     QToolTip::setPalette(palette);

@@ -7,7 +7,8 @@ class QApplication;
 
 namespace autocuts {
 
-//! Gives the application a style, a palette and a style sheet; may be called again at any time.
+//! Gives the application a style, a palette and a style sheet; does nothing when they are its
+//! present ones.
 void applyTheme(QApplication &application, Theme theme);
 
 } // namespace autocuts

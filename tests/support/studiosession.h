@@ -1,53 +1,17 @@
 // A studio on a virtual screen, for tests that work as an artist does.
 #pragma once
 
-#include "views/actions/questions.h"
+#include "support/answers.h"
 #include "views/mainwindow.h"
 #include "views/preferences/preferences.h"
 
 #include <QApplication>
-#include <QDialog>
-#include <QStringList>
 #include <QTemporaryDir>
 #include <QTest>
 
 namespace autocuts::test {
 
 inline constexpr int patience = 120'000; //!< milliseconds
-
-//! Answers as a test wants it, and notes what was asked.
-class Answers final : public Questions
-{
-public:
-    Answers() : Questions(nullptr) {}
-
-    Unsaved unsaved = Unsaved::Discard;
-    QStringList filesToOpen, filesToSave;   //!< taken from the front; none left: cancelled
-    std::function<int(QDialog &)> onDialog; //!< not set: every dialog is cancelled
-    QStringList errors;
-    int unsavedAsked = 0;
-
-    Unsaved askUnsaved(const QString &) override
-    {
-        ++unsavedAsked;
-        return unsaved;
-    }
-    bool confirm(const QString &, const QString &, const QString &) override { return true; }
-    QString fileToOpen(const QString &, const QString &, const QStringList &) override
-    {
-        return filesToOpen.isEmpty() ? QString() : filesToOpen.takeFirst();
-    }
-    QString fileToSave(const QString &, const QString &, const QStringList &) override
-    {
-        return filesToSave.isEmpty() ? QString() : filesToSave.takeFirst();
-    }
-    int run(QDialog &dialog) override
-    {
-        return onDialog ? onDialog(dialog) : static_cast<int>(QDialog::Rejected);
-    }
-    void showError(const Error &error) override { errors << error.toString(); }
-    void showFolder(const QString &) override {}
-};
 
 //! A window of its own with empty preferences in a folder of its own.
 struct StudioSession
@@ -77,14 +41,15 @@ struct StudioSession
     }
     bool solverRests()
     {
-        return QTest::qWaitFor([this] { return !context.solver.isRunning() && !context.solver.isSettling(); },
-                               patience);
+        return QTest::qWaitFor(
+            [this] { return !context.solver.isRunning() && !context.solver.isSettling(); }, patience);
     }
     bool jobsRest()
     {
         const bool rest = QTest::qWaitFor(
             [this] {
-                return solverIsQuiet() && !context.map.jobs().isBusy() && !context.files.jobs().isBusy();
+                return !context.solver.isSettling() && !context.map.jobs().isBusy() &&
+                       !context.files.jobs().isBusy();
             },
             patience);
         QCoreApplication::processEvents();
@@ -96,12 +61,8 @@ struct StudioSession
     }
     bool runsTo(int iteration)
     {
-        return QTest::qWaitFor([=, this] { return context.solver.status().iteration >= iteration; },
-                               patience);
+        return QTest::qWaitFor([=, this] { return context.solver.status().iteration >= iteration; }, patience);
     }
-
-private:
-    bool solverIsQuiet() const { return !context.solver.isSettling(); }
 };
 
 } // namespace autocuts::test

@@ -37,7 +37,10 @@ QString actionTitle(const ActionInfo &info)
 
 QList<QKeySequence> defaultShortcuts(const ActionInfo &info)
 {
-    return QKeySequence::listFromString(QLatin1String(info.keys), QKeySequence::PortableText);
+    QList<QKeySequence> keys =
+        QKeySequence::listFromString(QLatin1String(info.keys), QKeySequence::PortableText);
+    keys.removeAll(QKeySequence());
+    return keys;
 }
 
 ActionRegistry::ActionRegistry(Preferences &preferences, QObject *parent)
@@ -51,6 +54,8 @@ ActionRegistry::ActionRegistry(Preferences &preferences, QObject *parent)
         action->setText(translated(info.text));
         action->setIconText(actionTitle(info));
         action->setCheckable(info.checkable);
+        // Menus show their check mark in its place.
+        action->setIconVisibleInMenu(!info.checkable);
         // No roles: other platforms would move the actions to other menus.
         action->setMenuRole(QAction::NoRole);
         if (const QString group = QLatin1String(info.group); !group.isEmpty()) {
@@ -105,8 +110,9 @@ void ActionRegistry::applyShortcuts()
     for (std::size_t i = 0; i < mActions.size(); ++i) {
         const ActionInfo &info = actionTable()[i];
         const auto own = changed.find(QLatin1String(info.id));
-        const QList<QKeySequence> keys =
-            own != changed.end() ? QList<QKeySequence>{own.value()} : defaultShortcuts(info);
+        QList<QKeySequence> keys = defaultShortcuts(info);
+        if (own != changed.end())
+            keys = own->isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{*own};
         mActions[i]->setShortcuts(keys);
         mActions[i]->setToolTip(toolTip(info, mActions[i]->shortcut()));
     }

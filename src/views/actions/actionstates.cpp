@@ -1,5 +1,6 @@
 #include "views/actions/actionstates.h"
 
+#include "model/makesnapshot.h"
 #include "views/actions/actionregistry.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
@@ -10,31 +11,24 @@ namespace autocuts {
 
 ActionStates::ActionStates(const StudioContext &context, QObject *parent) : QObject(parent), mContext(context)
 {
-    mRefreshSoon.setSingleShot(true);
-    mRefreshSoon.setInterval(0);
-    connect(&mRefreshSoon, &QTimer::timeout, this, &ActionStates::refresh);
-    const auto soon = [this] { mRefreshSoon.start(); };
-    // At once: keys that follow must find the actions of the new document.
+    // At once and not when the event loop comes to it: the next key must find the right actions.
     connect(&context.workspace, &Workspace::documentReplaced, this, &ActionStates::refresh);
-    connect(&context.workspace, &Workspace::selectionChanged, this, soon);
-    connect(&context.workspace, &Workspace::historyChanged, this, soon);
-    connect(&context.solver, &SolverController::stateChanged, this, soon);
-    connect(&context.map, &MapController::figuresChanged, this, soon);
-    connect(&context.map.jobs(), &JobRunner::busyChanged, this, soon);
-    connect(&context.files.jobs(), &JobRunner::busyChanged, this, soon);
+    connect(&context.workspace, &Workspace::selectionChanged, this, &ActionStates::refresh);
+    connect(&context.workspace, &Workspace::historyChanged, this, &ActionStates::refresh);
+    connect(&context.solver, &SolverController::stateChanged, this, &ActionStates::refresh);
+    connect(&context.map, &MapController::figuresChanged, this, &ActionStates::refresh);
+    connect(&context.map.jobs(), &JobRunner::busyChanged, this, &ActionStates::refresh);
+    connect(&context.files.jobs(), &JobRunner::busyChanged, this, &ActionStates::refresh);
     refresh();
 }
 
-//! The search for the first UV is repeated only when UVs changed.
+//! The search for a UV is repeated only when UVs changed.
 bool ActionStates::hasUvs() const
 {
     if (mContext.workspace.uvRevision() == mUvRevision)
         return mHasUvs;
-    const UvMatrix &uv = mContext.workspace.document()->uv();
     mUvRevision = mContext.workspace.uvRevision();
-    mHasUvs = false;
-    for (Eigen::Index row = 0; row < uv.rows() && !mHasUvs; ++row)
-        mHasUvs = uv.row(row).allFinite();
+    mHasUvs = autocuts::hasUvs(*mContext.workspace.document());
     return mHasUvs;
 }
 

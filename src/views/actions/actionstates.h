@@ -4,7 +4,6 @@
 #include "views/studiocontext.h"
 
 #include <QObject>
-#include <QTimer>
 
 #include <cstdint>
 
@@ -22,14 +21,13 @@ public:
     int met() const;
 
 public Q_SLOTS:
-    //! Happens by itself once per turn of the event loop in which something changed.
+    //! Happens by itself when something changed.
     void refresh();
 
 private:
     bool hasUvs() const;
 
     StudioContext mContext;
-    QTimer mRefreshSoon;
     mutable std::uint64_t mUvRevision = 0; //!< that mHasUvs is about
     mutable bool mHasUvs = false;
 };

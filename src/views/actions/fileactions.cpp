@@ -47,8 +47,6 @@ FileActions::FileActions(const StudioContext &context, Questions &questions, QOb
     : QObject(parent), mContext(context), mQuestions(questions)
 {
     connectActions();
-    connect(&context.files, &FileController::failed, this,
-            [this](const Error &error) { mQuestions.showError(error); });
 }
 
 void FileActions::connectActions()

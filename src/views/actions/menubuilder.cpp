@@ -32,7 +32,7 @@ constexpr std::array menuTitles{
     MenuTitle{"UV/Seam weighting", QT_TRANSLATE_NOOP("Menus", "Seam &weighting")},
     MenuTitle{"UV/Islands", QT_TRANSLATE_NOOP("Menus", "Islan&ds")},
     MenuTitle{"View", QT_TRANSLATE_NOOP("Menus", "&View")},
-    MenuTitle{"View/Coloring", QT_TRANSLATE_NOOP("Menus", "&Coloring")},
+    MenuTitle{"View/Coloring", QT_TRANSLATE_NOOP("Menus", "&Colouring")},
     MenuTitle{"View/Pattern", QT_TRANSLATE_NOOP("Menus", "Patter&n")},
     MenuTitle{"View/Panels", QT_TRANSLATE_NOOP("Menus", "Panels")},
     MenuTitle{"Help", QT_TRANSLATE_NOOP("Menus", "&Help")},

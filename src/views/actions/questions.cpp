@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QUrl>
@@ -48,7 +49,7 @@ Questions::Unsaved Questions::askUnsaved(const QString &name)
 
 bool Questions::confirm(const QString &question, const QString &detail, const QString &action)
 {
-    QMessageBox box(QMessageBox::Question, QCoreApplication::applicationName(), question,
+    QMessageBox box(QMessageBox::Question, QGuiApplication::applicationDisplayName(), question,
                     QMessageBox::NoButton, mWindow);
     box.setInformativeText(detail);
     const auto *yes = box.addButton(action, QMessageBox::AcceptRole);
@@ -87,7 +88,8 @@ int Questions::run(QDialog &dialog)
 
 void Questions::showError(const Error &error)
 {
-    auto *box = new QMessageBox(QMessageBox::Critical, QCoreApplication::applicationName(), error.message,
+    const QString text = error.message.left(1).toUpper() + error.message.mid(1) + QLatin1Char('.');
+    auto *box = new QMessageBox(QMessageBox::Critical, QGuiApplication::applicationDisplayName(), text,
                                 QMessageBox::Close, mWindow);
     box->setAttribute(Qt::WA_DeleteOnClose);
     QStringList details;

@@ -18,10 +18,12 @@ class Questions
 public:
     enum class Unsaved { Save, Discard, Cancel };
 
-    explicit Questions(QWidget *window) : mWindow(window) {}
+    explicit Questions(QWidget *window = nullptr) : mWindow(window) {}
     virtual ~Questions() = default;
 
+    //! The window that the questions are about; null for none.
     QWidget *window() const { return mWindow; }
+    void setWindow(QWidget *window) { mWindow = window; }
 
     //! \param name of the session
     virtual Unsaved askUnsaved(const QString &name);

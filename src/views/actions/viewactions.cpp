@@ -108,13 +108,6 @@ void ViewActions::connectWindow()
     for (const auto &[id, value] : layouts)
         connect(actions.action(id), &QAction::triggered, this, [this, layout = value] { setLayout(layout); });
     actions.action("view.both")->setChecked(true);
-    connect(actions.action("view.fullScreen"), &QAction::triggered, this, [this](bool checked) {
-        QWidget *const window = mQuestions.window();
-        if (!window)
-            return;
-        const Qt::WindowStates others = window->windowState() & ~Qt::WindowFullScreen;
-        window->setWindowState(checked ? others | Qt::WindowFullScreen : others);
-    });
 }
 
 void ViewActions::setLayout(ViewLayout layout)

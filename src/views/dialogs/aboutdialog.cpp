@@ -35,7 +35,8 @@ QString libraryTable()
                                "<td style='padding-left:16px'>%3</td></tr>")
                     .arg(QLatin1String(library.name), AboutDialog::tr(library.use),
                          QLatin1String(library.licence));
-    return QStringLiteral("<table cellspacing='3'>%1</table>").arg(rows);
+    return QStringLiteral("<table cellspacing='3' style='margin-top:8px; white-space:nowrap'>%1</table>")
+        .arg(rows);
 }
 
 QString aboutText()

@@ -42,6 +42,13 @@ QString filterOf(const QString &suffix)
     return filter;
 }
 
+//! Names such as glTF keep their small letter.
+QString capitalized(const QString &text)
+{
+    const QString word = text.section(QLatin1Char(' '), 0, 0);
+    return word == word.toLower() ? text.left(1).toUpper() + text.mid(1) : text;
+}
+
 } // namespace
 
 ExportMeshDialog::ExportMeshDialog(Scene scene, const QString &path, Questions &questions)
@@ -107,8 +114,8 @@ void ExportMeshDialog::showFormat()
 {
     QString text;
     for (const QString &loss : losses()) {
-        text += QStringLiteral("<li style='margin-bottom:4px'>%1</li>")
-                    .arg((loss.left(1).toUpper() + loss.mid(1)).toHtmlEscaped());
+        text +=
+            QStringLiteral("<li style='margin-bottom:4px'>%1</li>").arg(capitalized(loss).toHtmlEscaped());
     }
     mLosses->setText(text.isEmpty() ? tr("Nothing is lost.")
                                     : QStringLiteral("<ul style='margin-left:-22px'>%1</ul>").arg(text));

@@ -31,7 +31,7 @@ ShortcutListDialog::ShortcutListDialog(const ActionRegistry &actions, QWidget *p
     layout->addWidget(search);
     layout->addWidget(mList, 1);
     layout->addWidget(buttons);
-    resize(760, 640);
+    resize(840, 640);
 }
 
 void ShortcutListDialog::fill(const ActionRegistry &actions)

@@ -3,6 +3,7 @@
 #include "views/actions/actionregistry.h"
 #include "views/actions/menubuilder.h"
 
+#include <QStyledItemDelegate>
 #include <QTreeWidget>
 
 #include <map>
@@ -36,6 +37,18 @@ bool matches(const QTreeWidgetItem &item, int columns, const QString &text)
     return false;
 }
 
+//! Rows with some room between the texts.
+class RoomyRows final : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        return QStyledItemDelegate::sizeHint(option, index) + QSize(12, 6);
+    }
+};
+
 } // namespace
 
 void fillActionTree(QTreeWidget &tree, const ActionRegistry &actions,
@@ -43,6 +56,11 @@ void fillActionTree(QTreeWidget &tree, const ActionRegistry &actions,
 {
     tree.clear();
     std::map<QString, QTreeWidgetItem *> branches;
+    // So that texts stand below each other whether there is an icon or not.
+    QPixmap empty(16, 16);
+    empty.fill(Qt::transparent);
+    const QIcon emptyIcon(empty);
+    tree.setItemDelegate(new RoomyRows(&tree));
     for (QAction *action : actions.actions()) {
         if (accept && !accept(*action))
             continue;
@@ -57,7 +75,7 @@ void fillActionTree(QTreeWidget &tree, const ActionRegistry &actions,
             branch->setFlags(Qt::ItemIsEnabled);
         }
         auto *item = new QTreeWidgetItem(branch, {rowText(info), keyText(*action)});
-        item->setIcon(0, action->icon());
+        item->setIcon(0, action->icon().isNull() ? emptyIcon : action->icon());
         item->setData(0, ActionRole, QVariant::fromValue(action));
     }
     tree.expandAll();

@@ -21,7 +21,7 @@ void ColorButton::setColor(const QColor &color)
     swatch.setDevicePixelRatio(devicePixelRatioF());
     swatch.fill(color);
     setIcon(swatch);
-    setText(color.name().toUpper());
+    setText(QLatin1Char(' ') + color.name().toUpper());
     Q_EMIT colorChanged();
 }
 

@@ -50,6 +50,17 @@ QLabel *hint(const QString &text)
     return label;
 }
 
+//! What the page of that name shows.
+void copyAppearance(const PreferenceValues &from, PreferenceValues &to)
+{
+    to.theme = from.theme;
+    to.colorBlindHeatMap = from.colorBlindHeatMap;
+    to.seamColor = from.seamColor;
+    to.selectionColor = from.selectionColor;
+    to.forcedCutColor = from.forcedCutColor;
+    to.joinedColor = from.joinedColor;
+}
+
 } // namespace
 
 PreferencesDialog::PreferencesDialog(Preferences &preferences, ActionRegistry &actions, QWidget *parent)
@@ -68,8 +79,9 @@ PreferencesDialog::PreferencesDialog(Preferences &preferences, ActionRegistry &a
                                          QDialogButtonBox::RestoreDefaults);
     connect(buttons, &QDialogButtonBox::accepted, this, &PreferencesDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &PreferencesDialog::reject);
-    connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
-            &PreferencesDialog::restoreDefaults);
+    QPushButton *const defaults = buttons->button(QDialogButtonBox::RestoreDefaults);
+    defaults->setText(tr("Restore &defaults"));
+    connect(defaults, &QPushButton::clicked, this, &PreferencesDialog::restoreDefaults);
     auto *row = new QHBoxLayout;
     row->addWidget(mPages);
     row->addWidget(mStack, 1);
@@ -218,7 +230,11 @@ void PreferencesDialog::restoreDefaults()
         mShortcutsPage->resetAll();
         return;
     }
-    show(PreferenceValues());
+    PreferenceValues values = shown(), defaults;
+    const bool appearance = mStack->currentIndex() == int(Page::Appearance);
+    PreferenceValues &kept = appearance ? values : defaults;
+    copyAppearance(appearance ? defaults : values, kept);
+    show(kept);
     store();
 }
 

@@ -1,0 +1,50 @@
+// Answers in place of a user, for tests of everything that asks.
+#pragma once
+
+#include "views/actions/questions.h"
+
+#include <QDialog>
+#include <QStringList>
+
+#include <functional>
+
+namespace autocuts::test {
+
+//! Answers as a test wants it, and notes what was asked.
+class Answers final : public Questions
+{
+public:
+    Unsaved unsaved = Unsaved::Discard;
+    QStringList filesToOpen, filesToSave;       //!< taken from the front; none left: cancelled
+    std::function<int(QDialog &)> onDialog;     //!< not set: every dialog is cancelled
+    QStringList errors, confirmations, folders; //!< what was shown, asked and opened
+    bool confirms = true;
+    int unsavedAsked = 0;
+
+    Unsaved askUnsaved(const QString &) override
+    {
+        ++unsavedAsked;
+        return unsaved;
+    }
+    bool confirm(const QString &question, const QString &, const QString &) override
+    {
+        confirmations << question;
+        return confirms;
+    }
+    QString fileToOpen(const QString &, const QString &, const QStringList &) override
+    {
+        return filesToOpen.isEmpty() ? QString() : filesToOpen.takeFirst();
+    }
+    QString fileToSave(const QString &, const QString &, const QStringList &) override
+    {
+        return filesToSave.isEmpty() ? QString() : filesToSave.takeFirst();
+    }
+    int run(QDialog &dialog) override
+    {
+        return onDialog ? onDialog(dialog) : static_cast<int>(QDialog::Rejected);
+    }
+    void showError(const Error &error) override { errors << error.toString(); }
+    void showFolder(const QString &folder) override { folders << folder; }
+};
+
+} // namespace autocuts::test

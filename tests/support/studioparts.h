@@ -1,0 +1,58 @@
+// The studio without its window, for tests of menus and dialogs.
+#pragma once
+
+#include "support/answers.h"
+#include "views/actions/actionregistry.h"
+#include "views/actions/studioactions.h"
+#include "views/canvas/viewstate.h"
+#include "views/control/filecontroller.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/shownmap.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/preferences/preferences.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace autocuts::test {
+
+//! Controllers and actions with empty preferences, in a folder of their own.
+struct StudioParts
+{
+    QTemporaryDir folder;
+    Preferences preferences{path("autocuts.ini")};
+    ActionRegistry registry{preferences};
+    Workspace workspace;
+    ShownMap shownMap{workspace};
+    ViewState view;
+    SolverController solver{workspace, shownMap};
+    MapController map{workspace, solver};
+    FileController files{workspace, solver, preferences, path("recovery")};
+    StudioContext context{workspace, shownMap, view, preferences, solver, map, files, registry};
+    Answers answers;
+    StudioActions actions{context, answers, path("recovery")};
+
+    StudioParts()
+    {
+        QObject::connect(&files, &FileController::failed, &files,
+                         [this](const Error &error) { answers.showError(error); });
+    }
+
+    QString path(const char *name) const { return folder.filePath(QString::fromUtf8(name)); }
+    Document &document() { return *workspace.document(); }
+    QAction *action(const char *id) { return registry.action(id); }
+    void trigger(const char *id) { action(id)->trigger(); }
+    //! Waits until nothing runs.
+    bool rests()
+    {
+        return QTest::qWaitFor(
+            [this] {
+                return !solver.isRunning() && !solver.isSettling() && !map.jobs().isBusy() &&
+                       !files.jobs().isBusy();
+            },
+            60'000);
+    }
+};
+
+} // namespace autocuts::test
