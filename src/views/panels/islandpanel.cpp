@@ -15,6 +15,7 @@
 #include <QSortFilterProxyModel>
 #include <QTableView>
 
+#include <array>
 #include <cmath>
 
 namespace autocuts {
@@ -77,15 +78,14 @@ void IslandPanel::makeTable()
     QHeaderView *header = mView->horizontalHeader();
     header->setHighlightSections(false);
     header->setMinimumSectionSize(20);
-    const char *const widest[IslandTable::ColumnCount] = {"MM0000",  "00000_", "00.0 %_", "000000__",
-                                                          "00.000_", "Lock_",  "Stack_",  "Group_"};
+    header->setStretchLastSection(true);
+    const std::array<QLatin1StringView, IslandTable::ColumnCount> widest{
+        "MM000000"_L1, "MM"_L1, "00000"_L1, "00.0 %_"_L1, "0000.0_"_L1, "00.000"_L1, "000_"_L1, "000_"_L1};
     for (int column = 0; column < IslandTable::ColumnCount; ++column) {
-        const QString title =
-            mTable->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString() + u"__"_s;
-        header->resizeSection(column,
-                              std::max(mView->fontMetrics().horizontalAdvance(QLatin1String(widest[column])),
-                                       header->fontMetrics().horizontalAdvance(title)) +
-                                  6);
+        const QString title = mTable->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        const int titleWidth = title.isEmpty() ? 0 : header->fontMetrics().horizontalAdvance(title + u"__"_s);
+        const int textWidth = mView->fontMetrics().horizontalAdvance(widest[column]);
+        header->resizeSection(column, std::max(titleWidth, textWidth) + 4);
     }
 }
 
@@ -179,7 +179,7 @@ void IslandPanel::refresh()
     if (!document()) {
         mTable->setFigures({});
         mFiguresStale = true;
-        mSummary->clear();
+        mSummary->hide();
         return;
     }
     MapController &map = context().map;
@@ -191,6 +191,7 @@ void IslandPanel::refresh()
     }
     selectRows(*document());
     const auto selected = selectedIslands().size();
+    mSummary->show();
     mSummary->setText(mTable->rowCount() == 0
                           ? tr("No UVs yet: run the solver, or unwrap.")
                           : tr("Islands: %1, selected: %2")

@@ -1,6 +1,7 @@
 #include "views/panels/islandtable.h"
 
 #include "views/gl/colormap.h"
+#include "views/icons.h"
 #include "views/panels/numbertext.h"
 
 #include <QStringList>
@@ -108,6 +109,8 @@ QVariant IslandTable::data(const QModelIndex &index, int role) const
         return index.column() == Number
                    ? QVariant()
                    : QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
+    case Qt::ToolTipRole:
+        return index.column() == Number ? QVariant(text(figures, index.row(), Number)) : QVariant();
     case sortRole:
         return sortKey(figures, index.row(), index.column());
     default:
@@ -121,19 +124,21 @@ QVariant IslandTable::headerData(int section, Qt::Orientation orientation, int r
         return {};
     const std::pair<QString, QString> titles[ColumnCount] = {
         {tr("Island"), tr("Colour, number and tags")},
+        {QString(), tr("Locked islands are not moved")},
         {tr("Faces"), tr("Number of faces")},
         {tr("Area"), tr("Share of the model's surface")},
         {tr("px/unit"),
          tr("Texel density: texels per unit of the model at the texture size of the Packing panel")},
         {tr("D"), tr("Mean distortion: symmetric Dirichlet energy, 4 where nothing is distorted")},
-        {tr("Lock"), tr("Locked islands are not moved")},
         {tr("Stack"), tr("Islands of one stack lie on top of each other")},
         {tr("Group"), tr("Islands of one group move together")},
     };
     if (role == Qt::DisplayRole)
         return titles[section].first;
-    if (role == Qt::ToolTipRole)
+    if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
         return titles[section].second;
+    if (role == Qt::DecorationRole && section == Lock)
+        return icon(QStringLiteral("lock"));
     return {};
 }
 

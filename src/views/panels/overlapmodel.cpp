@@ -23,6 +23,9 @@ QVariant OverlapModel::data(const QModelIndex &index, int role) const
     const OverlapRow &row = mRows[index.row()];
     // People count from 1.
     const QString faces = tr("faces %1 and %2").arg(countText(row.faces[0] + 1), countText(row.faces[1] + 1));
+    if (row.faces[0] == row.faces[1])
+        return tr("Island %1: face %2 covers itself")
+            .arg(countText(row.islands[0] + 1), countText(row.faces[0] + 1));
     if (row.islands[0] == row.islands[1])
         return tr("Island %1: %2").arg(countText(row.islands[0] + 1), faces);
     return tr("Islands %1 and %2: %3")

@@ -14,7 +14,7 @@ struct OverlapRow
     std::array<int, 2> faces{}, islands{};
 };
 
-//! One row per overlapping pair of triangles, in the order given.
+//! One row per overlapping pair of faces, in the order given.
 class OverlapModel final : public QAbstractListModel
 {
     Q_OBJECT

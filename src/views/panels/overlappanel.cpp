@@ -11,19 +11,27 @@
 #include <QListView>
 #include <QPushButton>
 
+#include <algorithm>
+#include <set>
+
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
+//! One row per pair of faces: polygons overlap by several of their triangles.
 std::vector<OverlapRow> overlapRows(const Document &document, const std::vector<std::array<int, 2>> &pairs)
 {
     const auto faceOf = [&](int triangle) { return document.mesh().triangleFace[triangle]; };
-    const auto islandOf = [&](int triangle) { return document.islands().islandOfFace(faceOf(triangle)); };
     std::vector<OverlapRow> rows;
-    for (const auto &[first, second] : pairs)
-        rows.push_back({{faceOf(first), faceOf(second)}, {islandOf(first), islandOf(second)}});
+    std::set<std::array<int, 2>> known;
+    for (const auto &[first, second] : pairs) {
+        const auto [low, high] = std::minmax(faceOf(first), faceOf(second));
+        if (known.insert({low, high}).second)
+            rows.push_back(
+                {{low, high}, {document.islands().islandOfFace(low), document.islands().islandOfFace(high)}});
+    }
     return rows;
 }
 
@@ -43,10 +51,10 @@ OverlapPanel::OverlapPanel(const StudioContext &context, QWidget *parent)
     mView->setAccessibleName(tr("Overlaps"));
     mView->setModel(mList);
     mView->setUniformItemSizes(true);
+    mView->setSpacing(1);
     mView->setAlternatingRowColors(true);
     mView->setMinimumHeight(100);
-    mView->setToolTip(
-        tr("Overlapping pairs of triangles, the largest overlap first; choosing one selects it"));
+    mView->setToolTip(tr("Overlapping faces, the largest overlap first; choosing a row selects them"));
     layout->addWidget(mView, 1);
     layout->addWidget(makeButtons());
     connect(mView->selectionModel(), &QItemSelectionModel::currentChanged, this, &OverlapPanel::showOverlap);

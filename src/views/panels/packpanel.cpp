@@ -161,14 +161,14 @@ void PackPanel::takeTextureSize()
 
 void PackPanel::refresh()
 {
+    showSettings(document() ? document()->packingSettings() : PackingSettings());
+    showFigures();
     if (!document())
         return;
-    showSettings(document()->packingSettings());
     const bool idle = !context().map.jobs().isBusy();
     const bool hasMap = document()->islands().count() > 0;
     mPack->setEnabled(idle && hasMap);
     mPackSelection->setEnabled(idle && hasMap && !document()->selection().faces.isEmpty());
-    showFigures();
 }
 
 void PackPanel::showSettings(const PackingSettings &settings)
@@ -191,7 +191,7 @@ void PackPanel::showSettings(const PackingSettings &settings)
 void PackPanel::showFigures()
 {
     const MapController &map = context().map;
-    const MapFigures *figures = map.figures();
+    const MapFigures *figures = document() ? map.figures() : nullptr;
     const bool hasMap = figures && figures->metrics.charts > 0;
     const UvMetrics none;
     const UvMetrics &metrics = hasMap ? figures->metrics : none;

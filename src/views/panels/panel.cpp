@@ -37,6 +37,8 @@ Panel::Panel(const StudioContext &context, const QString &emptyText, QWidget *pa
     mEmptyNote->setMargin(8);
     mEmptyNote->setObjectName("emptyNote"_L1);
     mScrollArea->setFrameShape(QFrame::NoFrame);
+    // A click on a button must not take the focus from the views.
+    mScrollArea->setFocusPolicy(Qt::NoFocus);
     mScrollArea->setWidgetResizable(true);
     mScrollArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     mScrollArea->setWidget(mContent);

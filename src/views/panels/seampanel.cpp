@@ -163,8 +163,14 @@ void SeamPanel::clearPaint()
 
 void SeamPanel::refresh()
 {
-    if (!document())
+    showMap();
+    mSelectedEdges->setVisible(document() != nullptr);
+    mSelectedFaces->setVisible(document() != nullptr);
+    if (!document()) {
+        for (QLabel *label : {mCutCount, mHalfCutCount, mJoinCount, mKeepCount, mAttractCount})
+            label->setText(missingText());
         return;
+    }
     const Selection &selection = document()->selection();
     mSelectedEdges->setText(selection.edges.isEmpty()
                                 ? tr("Select edges to steer them.")
@@ -177,7 +183,6 @@ void SeamPanel::refresh()
     for (QPushButton *button : {mKeep, mAttract, mErase})
         button->setEnabled(!selection.faces.isEmpty());
     showCounts(*document());
-    showMap();
 }
 
 void SeamPanel::showCounts(const Document &document)
@@ -194,7 +199,7 @@ void SeamPanel::showCounts(const Document &document)
 
 void SeamPanel::showMap()
 {
-    const MapFigures *figures = context().map.figures();
+    const MapFigures *figures = document() ? context().map.figures() : nullptr;
     const bool hasMap = figures && figures->metrics.charts > 0;
     mSeamEdges->setText(hasMap ? countText(figures->metrics.seamEdges) : missingText());
     mSeamLength->setText(hasMap ? significantText(figures->metrics.seamLength, 5) : missingText());

@@ -38,6 +38,7 @@ SliderScale SliderScale::powersOfTwo(int first, int last)
     return {.minimum = std::exp2(first),
             .maximum = std::exp2(last),
             .steps = 4 * (last - first),
+            .singleSteps = 1,
             .pageSteps = 4,
             .toValue = [=](double fraction) { return std::exp2(first + (last - first) * fraction); },
             .toFraction = [=](double value) { return (std::log2(value) - first) / (last - first); }};
@@ -47,6 +48,7 @@ SliderSpin::SliderSpin(SliderScale scale, QDoubleSpinBox *spinBox, QWidget *pare
     : QWidget(parent), mScale(std::move(scale)), mSlider(new QSlider(Qt::Horizontal)), mSpinBox(spinBox)
 {
     mSlider->setRange(0, mScale.steps);
+    mSlider->setSingleStep(mScale.singleSteps);
     mSlider->setPageStep(mScale.pageSteps);
     mSlider->setMinimumWidth(60);
     mSpinBox->setRange(mScale.minimum, mScale.maximum);

@@ -16,6 +16,7 @@ struct SliderScale
 {
     double minimum = 0, maximum = 1;
     int steps = 1000; //!< positions of the slider, less one
+    int singleSteps = 10; //!< for an arrow key
     int pageSteps = 100;
     std::function<double(double)> toValue;    //!< from [0, 1], rising
     std::function<double(double)> toFraction; //!< its inverse

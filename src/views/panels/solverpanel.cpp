@@ -231,21 +231,20 @@ void SolverPanel::connectSolver()
 
 void SolverPanel::refresh()
 {
-    if (const Document *open = document()) {
-        showEnergyBalance(*open);
-        content()->findChild<SolverSettingsForm *>()->setSettings(open->solveSettings());
-    }
+    const SolveSettings settings = document() ? document()->solveSettings() : SolveSettings();
+    showEnergyBalance(settings);
+    content()->findChild<SolverSettingsForm *>()->setSettings(settings);
     showState();
     showStatus();
 }
 
-void SolverPanel::showEnergyBalance(const Document &open)
+void SolverPanel::showEnergyBalance(const SolveSettings &settings)
 {
     // In budget mode the solver's own choice is what is of interest.
     const SolverController &solver = context().solver;
     const bool own = solver.mode() == SolveMode::Budget && solver.status().iteration > 0;
-    mLambda->setValue(own ? solver.status().lambda : open.solveSettings().lambda);
-    mDelta->setValue(own ? solver.status().delta : open.solveSettings().delta);
+    mLambda->setValue(own ? solver.status().lambda : settings.lambda);
+    mDelta->setValue(own ? solver.status().delta : settings.delta);
 }
 
 void SolverPanel::showState()

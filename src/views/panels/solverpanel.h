@@ -38,7 +38,7 @@ private:
     QWidget *makeFinishRow();
     void connectSolver();
     void scaleDelta(double factor);
-    void showEnergyBalance(const Document &open);
+    void showEnergyBalance(const SolveSettings &settings);
     void showState();
     void showStatus();
 

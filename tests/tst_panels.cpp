@@ -1,0 +1,487 @@
+// The panels of history, seams, islands, packing, overlaps, mesh doctor and view: what they do to the
+// document and how they follow it.
+#include "commands/setseamstate.h"
+#include "commands/setuvs.h"
+#include "support/editsupport.h"
+#include "support/panelbench.h"
+#include "views/panels/doctorpanel.h"
+#include "views/panels/heatlegend.h"
+#include "views/panels/historypanel.h"
+#include "views/panels/historyview.h"
+#include "views/panels/overlappanel.h"
+#include "views/panels/packpanel.h"
+#include "views/panels/seamcounts.h"
+#include "views/panels/seampanel.h"
+#include "views/panels/sliderspin.h"
+#include "views/panels/viewpanel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QPushButton>
+#include <QSignalSpy>
+
+using namespace autocuts;
+using test::child;
+using test::click;
+
+namespace {
+
+//! A panel on a grid of 4 x 4 quads in two islands.
+template <class PanelType>
+struct Bench : test::PanelBench
+{
+    PanelType panel{context};
+
+    explicit Bench(bool open = true)
+    {
+        if (open)
+            openGrid();
+        const bool shown = test::showPanel(panel);
+        Q_ASSERT(shown);
+        Q_UNUSED(shown);
+    }
+    void openGrid() { workspace.open(test::layoutDocument(test::grid(4)), {}); }
+    void select(QList<int> faces, QList<int> edges)
+    {
+        document().setSelection({SelectionMode::Faces, std::move(faces), std::move(edges), {}});
+    }
+    bool followed() { return test::isUpToDate(panel); }
+    QString text(const char *label) { return child<QLabel>(panel, label)->text(); }
+};
+
+void type(QWidget *field, const QString &text)
+{
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+}
+
+//! Cuts the first edges of the grid, one entry each.
+void cutEdges(Document &document, int count)
+{
+    for (int edge = 0, done = 0; done < count; ++edge) {
+        const IndexRanges pairs = cornerPairsOfEdges(document.mesh(), std::vector<int>{edge});
+        done += pushCommand(std::make_unique<SetSeamState>(document, SetSeamState::Edit::Cut, pairs));
+    }
+}
+
+template <class PanelType>
+void checkEmptyState(const char *control)
+{
+    Bench<PanelType> bench(false);
+    auto *const note = child<QLabel>(bench.panel, "emptyNote");
+    QVERIFY(note->isVisible());
+    QVERIFY(!note->text().isEmpty());
+    QVERIFY(!child<QWidget>(bench.panel, control)->isEnabled());
+    bench.openGrid();
+    QVERIFY(bench.followed());
+    QVERIFY(!note->isVisible());
+    bench.workspace.close();
+    QVERIFY(bench.followed());
+    QVERIFY(note->isVisible());
+    QVERIFY(!child<QWidget>(bench.panel, control)->isEnabled());
+}
+
+} // namespace
+
+class TestPanels : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void emptyStates()
+    {
+        checkEmptyState<HistoryPanel>("history");
+        checkEmptyState<SeamPanel>("strength");
+        checkEmptyState<PackPanel>("textureSize");
+        checkEmptyState<OverlapPanel>("overlaps");
+        checkEmptyState<DoctorPanel>("notes");
+        checkEmptyState<ViewPanel>("coloring");
+    }
+
+    // History.
+
+    void aClickGoesBackInTheHistory()
+    {
+        Bench<HistoryPanel> bench;
+        const DocumentState opened = bench.document().state();
+        cutEdges(bench.document(), 5);
+        auto *const view = child<HistoryView>(bench.panel, "history");
+        QCOMPARE(view->model()->rowCount(), 6);
+        const auto clickRow = [view](int row) {
+            QTest::mouseClick(view->viewport(), Qt::LeftButton, {},
+                              view->visualRect(view->model()->index(row, 0)).center());
+        };
+        clickRow(2);
+        QCOMPARE(bench.stack().index(), 2);
+        clickRow(0);
+        QCOMPARE(bench.stack().index(), 0);
+        QVERIFY(test::withoutSelection(bench.document().state()) == test::withoutSelection(opened));
+        view->setFocus();
+        QTest::keyClick(view, Qt::Key_End);
+        QCOMPARE(bench.stack().index(), 5);
+    }
+
+    void releasedEntriesCannotBeChosen()
+    {
+        Bench<HistoryPanel> bench;
+        cutEdges(bench.document(), 6);
+        bench.stack().setMemoryLimit(0);
+        QCOMPARE(bench.stack().releasedCount(), 5);
+        QVERIFY(bench.followed());
+        auto *const view = child<HistoryView>(bench.panel, "history");
+        const auto clickRow = [view](int row) {
+            QTest::mouseClick(view->viewport(), Qt::LeftButton, {},
+                              view->visualRect(view->model()->index(row, 0)).center());
+        };
+        clickRow(2);
+        QCOMPARE(bench.stack().index(), 6);
+        QCOMPARE(bench.stack().count(), 6);
+        view->setFocus();
+        QTest::keyClick(view, Qt::Key_Home);
+        QCOMPARE(bench.stack().index(), 5); // as far back as it goes
+        QCOMPARE(bench.stack().count(), 6);
+        clickRow(6);
+        QCOMPARE(bench.stack().index(), 6);
+        QVERIFY(!view->grab().isNull());
+    }
+
+    void memoryIsShown()
+    {
+        Bench<HistoryPanel> bench;
+        const QString before = bench.text("memory");
+        cutEdges(bench.document(), 3);
+        QVERIFY(bench.followed());
+        QVERIFY(bench.text("memory") != before);
+        QVERIFY(bench.text("memory").contains(QLocale().formattedDataSize(bench.stack().memoryUsed())));
+    }
+
+    // Seams.
+
+    void selectedEdgesAreSteered_data()
+    {
+        QTest::addColumn<QString>("button");
+        QTest::addColumn<int>("state");
+        QTest::newRow("cut") << QStringLiteral("cut") << int(PairState::Cut);
+        QTest::newRow("join") << QStringLiteral("join") << int(PairState::Joined);
+    }
+
+    void selectedEdgesAreSteered()
+    {
+        QFETCH(QString, button);
+        QFETCH(int, state);
+        Bench<SeamPanel> bench;
+        QVERIFY(bench.followed());
+        QVERIFY(!child<QPushButton>(bench.panel, "cut")->isEnabled());
+        bench.select({}, {3, 5});
+        QVERIFY(bench.followed());
+        click(bench.panel, button.toLatin1().constData());
+        QVERIFY(bench.document().seams().edgeIs(3, PairState(state)));
+        QVERIFY(bench.document().seams().edgeIs(5, PairState(state)));
+        QVERIFY(bench.document().seams().edgeIs(4, PairState::Free));
+        QCOMPARE(bench.stack().count(), 1);
+        QVERIFY(bench.followed());
+        const bool cut = PairState(state) == PairState::Cut;
+        QCOMPARE(bench.text("cutCount"), QString::number(cut ? 2 : 0));
+        QCOMPARE(bench.text("joinCount"), QString::number(cut ? 0 : 2));
+        click(bench.panel, "clear");
+        QVERIFY(bench.document().seams().edgeIs(3, PairState::Free));
+        bench.stack().undo();
+        QVERIFY(bench.followed());
+        QCOMPARE(bench.text(cut ? "cutCount" : "joinCount"), QStringLiteral("2"));
+        click(bench.panel, "clearAll");
+        QVERIFY(bench.document().seams().edgeIs(5, PairState::Free));
+        QVERIFY(bench.followed());
+        QVERIFY(!child<QPushButton>(bench.panel, "clearAll")->isEnabled());
+    }
+
+    void halfCutsAreCountedByThemselves()
+    {
+        Bench<SeamPanel> bench;
+        IndexRanges one;
+        one.append(6);
+        pushCommand(std::make_unique<SetSeamState>(bench.document(), SetSeamState::Edit::Cut, one));
+        QVERIFY(bench.followed());
+        QCOMPARE(bench.text("cutCount"), QStringLiteral("0"));
+        QCOMPARE(bench.text("halfCutCount"), QStringLiteral("1"));
+    }
+
+    void selectedFacesArePainted()
+    {
+        Bench<SeamPanel> bench;
+        bench.select({5}, {}); // an inner face: four edges
+        QVERIFY(bench.followed());
+        auto *const strength = child<SliderSpin>(bench.panel, "strength");
+        type(strength->spinBox(), QStringLiteral("100"));
+        QCOMPARE(bench.stack().count(), 0);
+        click(bench.panel, "keep");
+        const std::vector<int> edges = edgesOfFaces(bench.document(), {5});
+        QCOMPARE(edges.size(), std::size_t(4));
+        for (int edge : edges)
+            QCOMPARE(bench.document().seams().weights[2 * edge], 100.0);
+        QVERIFY(bench.followed());
+        QCOMPARE(bench.text("keepCount"), QStringLiteral("4"));
+        click(bench.panel, "attract");
+        QCOMPARE(bench.document().seams().weights[2 * edges[0] + 1], 0.0);
+        QVERIFY(bench.followed());
+        QCOMPARE(bench.text("attractCount"), QStringLiteral("4"));
+        click(bench.panel, "erase");
+        QCOMPARE(bench.document().seams().weights[2 * edges[0]], unpaintedWeight);
+        QCOMPARE(bench.stack().count(), 3);
+        bench.stack().undo();
+        QVERIFY(bench.followed());
+        click(bench.panel, "eraseAll");
+        QVERIFY(bench.followed());
+        QCOMPARE(bench.text("attractCount"), QStringLiteral("0"));
+    }
+
+    void paintGrowsWithTheStrength()
+    {
+        QCOMPARE(keepTogetherWeight(0.5), 10.0);
+        QCOMPARE(attractCutsWeight(0.25), 0.75);
+        for (double s = 0.1; s < 1; s += 0.1) {
+            QVERIFY(keepTogetherWeight(s) > keepTogetherWeight(s - 0.1));
+            QVERIFY(attractCutsWeight(s) < attractCutsWeight(s - 0.1));
+        }
+    }
+
+    void theSeamLengthOfTheMapIsShown()
+    {
+        Bench<SeamPanel> bench;
+        QVERIFY(bench.measured());
+        QVERIFY(bench.followed());
+        // The grid of side 1 is split in the middle by four edges.
+        QCOMPARE(bench.text("seamEdges"), QStringLiteral("4"));
+        QCOMPARE(bench.text("seamLength"), QStringLiteral("1"));
+    }
+
+    // Packing.
+
+    void packingSettings()
+    {
+        Bench<PackPanel> bench;
+        const auto &settings = [&]() -> const PackingSettings & {
+            return bench.document().packingSettings();
+        };
+        auto *const size = child<QComboBox>(bench.panel, "textureSize");
+        type(size->lineEdit(), QStringLiteral("3000"));
+        QCOMPARE(settings().textureSize, 3000);
+        type(size->lineEdit(), QStringLiteral("0"));
+        QCOMPARE(settings().textureSize, 3000);
+        size->setFocus();
+        size->setCurrentIndex(2);
+        Q_EMIT size->activated(2);
+        QCOMPARE(settings().textureSize, 1024);
+        type(child<QAbstractSpinBox>(bench.panel, "margin"), QStringLiteral("16"));
+        QCOMPARE(settings().margin, 16);
+        QVERIFY(bench.followed());
+        QVERIFY(bench.text("marginUv").contains(QStringLiteral("0.0156")));
+        type(child<QAbstractSpinBox>(bench.panel, "tile"), QStringLiteral("1012"));
+        QCOMPARE(settings().udimTile, 1012);
+        auto *const rotation = child<QComboBox>(bench.panel, "rotation");
+        rotation->setFocus();
+        QTest::keyClick(rotation, Qt::Key_Home);
+        QCOMPARE(settings().rotation, PackingSettings::Rotation::None);
+        click(bench.panel, "keepScale");
+        QVERIFY(settings().keepScale);
+        QCOMPARE(bench.stack().count(), 6);
+        while (bench.stack().canUndo())
+            bench.stack().undo();
+        QVERIFY(bench.followed());
+        QCOMPARE(size->currentText(), QStringLiteral("2048"));
+        QVERIFY(!child<QCheckBox>(bench.panel, "keepScale")->isChecked());
+        QCOMPARE(rotation->currentData().toInt(), int(PackingSettings::Rotation::Free));
+    }
+
+    void aSmallerTextureTakesTheMarginAlong()
+    {
+        Bench<PackPanel> bench;
+        type(child<QAbstractSpinBox>(bench.panel, "margin"), QStringLiteral("900"));
+        type(child<QComboBox>(bench.panel, "textureSize")->lineEdit(), QStringLiteral("64"));
+        QCOMPARE(bench.document().packingSettings().textureSize, 64);
+        QCOMPARE(bench.document().packingSettings().margin, 64);
+    }
+
+    void packing()
+    {
+        Bench<PackPanel> bench;
+        QVERIFY(bench.followed());
+        QVERIFY(!child<QPushButton>(bench.panel, "packSelection")->isEnabled());
+        click(bench.panel, "pack");
+        QVERIFY(bench.map.jobs().isBusy());
+        QVERIFY(bench.followed());
+        QVERIFY(!child<QPushButton>(bench.panel, "pack")->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.map.jobs().isBusy(), test::panelPatience);
+        QCOMPARE(bench.stack().count(), 1);
+        QVERIFY(bench.measured());
+        QVERIFY(bench.followed());
+        QVERIFY(bench.map.figures()->metrics.inUnitSquare);
+        const double gutter = bench.map.figures()->metrics.minGutterTexels;
+        QVERIFY(gutter >= 8);
+        QVERIFY(bench.text("gutter").startsWith(QLocale().toString(gutter, 'f', 1)));
+        QVERIFY(bench.text("efficiency").endsWith(QLatin1Char('%')));
+    }
+
+    // Overlaps.
+
+    void overlapsAreListedAndShown()
+    {
+        Bench<OverlapPanel> bench;
+        QVERIFY(bench.measured());
+        QVERIFY(bench.followed());
+        auto *const list = child<QListView>(bench.panel, "overlaps");
+        QCOMPARE(bench.text("pairs"), QStringLiteral("0"));
+        QCOMPARE(list->model()->rowCount(), 0);
+        QVERIFY(!child<QPushButton>(bench.panel, "next")->isEnabled());
+
+        // The right island moves half a face over the left one.
+        UvMatrix uv = bench.document().uv();
+        for (Eigen::Index row = 0; row < uv.rows(); ++row)
+            uv(row, 0) -= uv(row, 0) >= 1.25 ? 1.375 : 0;
+        pushCommand(std::make_unique<SetUvs>(bench.document(), UvEdit::Move, uv));
+        QVERIFY(bench.followed());
+        QVERIFY(!child<QLabel>(bench.panel, "pairs")->isEnabled()); // of the map before
+        QVERIFY(bench.measured());
+        QVERIFY(bench.followed());
+        QVERIFY(child<QLabel>(bench.panel, "pairs")->isEnabled());
+        QCOMPARE(bench.text("pairs"), QString::number(bench.map.figures()->metrics.overlapPairs));
+        QVERIFY(list->model()->rowCount() > 0);
+
+        QSignalSpy frames(&bench.panel, &OverlapPanel::frameSelectionRequested);
+        click(bench.panel, "next");
+        QCOMPARE(frames.count(), 1);
+        const auto pair = bench.map.figures()->overlapPairs.front();
+        const MeshData &mesh = bench.document().mesh();
+        QList<int> expected{mesh.triangleFace[pair[0]], mesh.triangleFace[pair[1]]};
+        std::sort(expected.begin(), expected.end());
+        QCOMPARE(bench.document().selection().faces, expected);
+        click(bench.panel, "previous"); // around to the last
+        QCOMPARE(list->currentIndex().row(), list->model()->rowCount() - 1);
+        QCOMPARE(frames.count(), 2);
+
+        click(bench.panel, "separate");
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.map.jobs().isBusy(), test::panelPatience);
+        QVERIFY(bench.measured());
+        QVERIFY(bench.followed());
+        QCOMPARE(bench.text("pairs"), QStringLiteral("0"));
+        QCOMPARE(list->model()->rowCount(), 0);
+    }
+
+    void flippedFacesAreSelected()
+    {
+        Bench<OverlapPanel> bench;
+        UvMatrix uv = bench.document().uv();
+        const MeshData &mesh = bench.document().mesh();
+        // Mirror one corner of face 0, at the border of the grid, through the middle of the face.
+        const int corner = mesh.faceStart[0];
+        uv.row(corner) = 2 * uv.row(corner + 2) - uv.row(corner);
+        pushCommand(std::make_unique<SetUvs>(bench.document(), UvEdit::Drag, uv));
+        QVERIFY(bench.measured());
+        QVERIFY(bench.followed());
+        QVERIFY(bench.map.figures()->metrics.flipped > 0);
+        QCOMPARE(bench.text("flipped"), QString::number(bench.map.figures()->metrics.flipped));
+        click(bench.panel, "selectFlipped");
+        QVERIFY(bench.document().selection().faces.contains(0));
+    }
+
+    // Mesh doctor.
+
+    void findingsAreListed()
+    {
+        Bench<DoctorPanel> bench;
+        QVERIFY(bench.followed());
+        const QString fine = bench.text("notes");
+        QVERIFY(!fine.isEmpty() && !fine.contains(QChar(u'•')));
+        bench.workspace.open(std::make_unique<Document>(test::sceneOf(test::dirty())), {}, std::nullopt,
+                             {QStringLiteral("Line 7 was skipped")});
+        QVERIFY(bench.followed());
+        const QString notes = bench.text("notes");
+        QVERIFY(notes.contains(QStringLiteral("Line 7 was skipped")));
+        QVERIFY(notes.contains(QStringLiteral("duplicated face")));
+        QCOMPARE(notes.count(QStringLiteral("duplicated face")), 1);
+    }
+
+    // View.
+
+    void viewOptionsFollowBothWays()
+    {
+        Bench<ViewPanel> bench;
+        auto *const coloring = child<QComboBox>(bench.panel, "coloring");
+        coloring->setFocus();
+        QTest::keyClick(coloring, Qt::Key_Down);
+        QTest::keyClick(coloring, Qt::Key_Down);
+        QCOMPARE(bench.view.options().coloring, Coloring::SignedStretch);
+        QVERIFY(bench.followed());
+        QVERIFY(child<QWidget>(bench.panel, "stretchClamp")->isVisible());
+        QVERIFY(!child<QWidget>(bench.panel, "magnitudeClamp")->isVisible());
+        QVERIFY(child<QWidget>(bench.panel, "legend")->isVisible());
+        type(child<SliderSpin>(bench.panel, "stretchClamp")->spinBox(), QStringLiteral("2"));
+        QCOMPARE(bench.view.options().stretchClamp, 2.0);
+        QVERIFY(bench.followed());
+        QVERIFY(child<HeatLegend>(bench.panel, "legend")->labels()[2].startsWith(QLatin1Char('4')));
+
+        ViewOptions options = bench.view.options();
+        options.coloring = Coloring::StretchMagnitude;
+        options.magnitudeClamp = 12;
+        options.pattern = Pattern::Checker;
+        options.seams = false;
+        bench.view.setOptions(options);
+        QVERIFY(bench.followed());
+        QCOMPARE(coloring->currentData().toInt(), int(Coloring::StretchMagnitude));
+        QCOMPARE(child<SliderSpin>(bench.panel, "magnitudeClamp")->value(), 12.0);
+        QVERIFY(!child<QCheckBox>(bench.panel, "view.seams")->isChecked());
+        type(child<QAbstractSpinBox>(bench.panel, "checkerSize"), QStringLiteral("40"));
+        QCOMPARE(bench.view.options().checkerSize, 40.0);
+        QCOMPARE(bench.stack().count(), 0); // how it is shown is no edit
+    }
+
+    void togglesOfTheView_data()
+    {
+        QTest::addColumn<bool ViewOptions::*>("field");
+        QTest::newRow("view.wireframe") << &ViewOptions::wireframe;
+        QTest::newRow("view.seams") << &ViewOptions::seams;
+        QTest::newRow("view.steering") << &ViewOptions::steering;
+        QTest::newRow("view.problems") << &ViewOptions::problems;
+        QTest::newRow("view.fillIslands") << &ViewOptions::fillIslands;
+        QTest::newRow("view.grid") << &ViewOptions::grid;
+        QTest::newRow("view.rulers") << &ViewOptions::rulers;
+        QTest::newRow("view.smoothShading") << &ViewOptions::smoothShading;
+        QTest::newRow("view.orthographic") << &ViewOptions::orthographic;
+    }
+
+    void togglesOfTheView()
+    {
+        QFETCH(bool ViewOptions::*, field);
+        Bench<ViewPanel> bench;
+        QVERIFY(bench.followed());
+        ViewOptions expected = bench.view.options();
+        expected.*field = !(expected.*field);
+        auto *const toggle = child<QCheckBox>(bench.panel, QTest::currentDataTag());
+        toggle->setFocus();
+        QTest::keyClick(toggle, Qt::Key_Space);
+        QVERIFY(bench.view.options() == expected);
+    }
+
+    void aTextureIsAskedForBeforeItIsShown()
+    {
+        Bench<ViewPanel> bench;
+        QSignalSpy asked(bench.actions.action("view.loadTexture"), &QAction::triggered);
+        auto *const pattern = child<QComboBox>(bench.panel, "pattern");
+        pattern->setFocus();
+        QTest::keyClick(pattern, Qt::Key_End);
+        QCOMPARE(asked.count(), 1);
+        QCOMPARE(bench.view.options().pattern, Pattern::None);
+        QVERIFY(bench.followed());
+        QCOMPARE(pattern->currentData().toInt(), int(Pattern::None));
+    }
+};
+
+Q_DECLARE_METATYPE(bool ViewOptions::*)
+
+QTEST_MAIN(TestPanels)
+#include "tst_panels.moc"
