@@ -81,7 +81,7 @@ std::vector<float> soupUvs(const UvMatrix &uv)
     return result;
 }
 
-std::vector<int> shownIslands(const MeshData &mesh, std::span<const float> separation)
+std::vector<int> liveIslands(const MeshData &mesh, std::span<const float> separation)
 {
     UnionFind sets(mesh.faceCount());
     for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
@@ -90,25 +90,22 @@ std::vector<int> shownIslands(const MeshData &mesh, std::span<const float> separ
         const EdgePair &pair = mesh.edgePairs[e];
         sets.unite(mesh.triangleFace[pair.triangle[0]], mesh.triangleFace[pair.triangle[1]]);
     }
-    std::vector<int> island(mesh.faceCount());
-    for (int f = 0; f < mesh.faceCount(); ++f)
-        island[f] = sets.find(f);
-    return island;
+    return sets.labels().first;
 }
 
 std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &uv, std::span<const int> islands)
 {
-    std::vector<double> islandArea(mesh.faceCount(), 0);
+    std::vector<double> islandArea(mesh.faceCount(), 0); // there are not more islands than faces
     double total = 0;
     for (int t = 0; t < mesh.triangleCount(); ++t) {
-        if (!hasUv(uv, t))
+        if (islands[mesh.triangleFace[t]] < 0)
             continue;
         islandArea[islands[mesh.triangleFace[t]]] += signedUvArea(uv, t);
         total += std::abs(signedUvArea(uv, t));
     }
     std::vector<bool> flipped(mesh.triangleCount(), false);
     for (int t = 0; t < mesh.triangleCount(); ++t) {
-        if (!hasUv(uv, t))
+        if (islands[mesh.triangleFace[t]] < 0)
             continue;
         const double area = signedUvArea(uv, t);
         const bool mirrored = islandArea[islands[mesh.triangleFace[t]]] < 0;
@@ -155,7 +152,7 @@ std::vector<QRgb> triangleColors(const FaceInput &input)
     for (int t = 0; t < count; ++t) {
         switch (input.options.coloring) {
         case Coloring::Islands:
-            if (hasUv(input.uv, t))
+            if (input.islands[input.mesh.triangleFace[t]] >= 0)
                 colors[t] = islandColor(input.islands[input.mesh.triangleFace[t]]);
             break;
         case Coloring::SignedStretch:
