@@ -3,6 +3,7 @@
 #include "views/canvas/depthmap.h"
 
 #include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -4,6 +4,7 @@
 #include "views/gl/colormap.h"
 
 #include <Eigen/Geometry>
+
 #include <cmath>
 
 namespace autocuts {
