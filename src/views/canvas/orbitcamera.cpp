@@ -15,7 +15,7 @@ constexpr double radiansPerPixel = 0.008;
 
 } // namespace
 
-OrbitCamera::OrbitCamera() : mYaw(0.6), mPitch(0.35), mDistance(1.15 / std::sin(0.5 * fieldOfView)) {}
+OrbitCamera::OrbitCamera() : mYaw(0.6), mPitch(0.35), mDistance(0.92 / std::sin(0.5 * fieldOfView)) {}
 
 void OrbitCamera::setViewSize(const QSizeF &size)
 {
@@ -51,7 +51,7 @@ void OrbitCamera::zoom(double factor)
 void OrbitCamera::frame(const Vec3 &centre, double radius)
 {
     mTarget = centre;
-    setDistance(1.08 * radius / std::sin(0.5 * fieldOfView));
+    setDistance(0.92 * radius / std::sin(0.5 * fieldOfView));
 }
 
 double OrbitCamera::unitsPerPixel() const
