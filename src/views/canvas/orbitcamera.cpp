@@ -105,7 +105,7 @@ Eigen::Matrix4d OrbitCamera::projectionMatrix(double sceneRadius) const
     }
     const double far = std::max(middle + sceneRadius, 1e-4);
     // A depth buffer of 24 bits tells 1 part in 1e7 apart: not nearer than that allows.
-    const double near = std::max({middle - sceneRadius, far * 1e-4, 0.02 * mDistance * 1e-2});
+    const double near = std::max(middle - sceneRadius, far * 1e-4);
     matrix(0, 0) = 1 / halfWidth;
     matrix(1, 1) = 1 / halfHeight;
     matrix(2, 2) = -(far + near) / (far - near);

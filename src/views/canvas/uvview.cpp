@@ -130,7 +130,10 @@ void UvView::drawScene(GlResources &gl)
     drawing.hoverSides = hover.sides;
     gl.gl.glEnable(GL_BLEND);
     gl.gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl.gl.glEnable(GL_DEPTH_TEST);
+    gl.gl.glDepthFunc(GL_LEQUAL);
     gl.soup.draw(drawing, content().colors());
+    gl.gl.glDisable(GL_DEPTH_TEST);
     PointDrawing points;
     points.asMap = true;
     points.mapScale = drawing.mapScale;
