@@ -97,8 +97,10 @@ void Canvas::upload()
     const int parts = mContent.refresh();
     if (parts & SceneContent::Vertices)
         mGl->soup.setVertices(mContent.vertices());
-    if (parts & SceneContent::Uvs)
+    if (parts & SceneContent::Uvs) {
         mGl->soup.setUvs(mContent.uvs());
+        mGl->soup.setGhostUvs(mContent.ghostUvs());
+    }
     if (parts & SceneContent::Faces)
         mGl->soup.setFaces(mContent.faces());
     if (parts & SceneContent::Sides)

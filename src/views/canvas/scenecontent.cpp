@@ -173,6 +173,7 @@ int SceneContent::refresh()
     if (!document) {
         mVertices.clear();
         mUvs.clear();
+        mGhostUvs.clear();
         mFaces.clear();
         mSides.clear();
         mPoints.clear();
@@ -181,8 +182,12 @@ int SceneContent::refresh()
     const MeshParts &own = meshParts();
     if (parts & Vertices)
         mVertices = soupVertices(*own.mesh, document->adjacency(), own.frame);
-    if (parts & Uvs)
+    if (parts & Uvs) {
         mUvs = soupUvs(uv());
+        mGhostUvs.clear();
+        if (mAsMap && mContext.shownMap.isLive())
+            mGhostUvs = soupUvs(ghostUv(*own.mesh, uv(), mContext.shownMap.separation()));
+    }
     if (parts & Faces)
         rebuildFaces();
     if (parts & Sides)

@@ -82,6 +82,28 @@ std::vector<float> soupUvs(const UvMatrix &uv)
     return result;
 }
 
+UvMatrix ghostUv(const MeshData &mesh, const UvMatrix &uv, std::span<const float> separation)
+{
+    UnionFind sets(mesh.soupCornerCount());
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        for (int end = 0; end < 2; ++end) {
+            if (separation[2 * e + end] < 0.5f)
+                sets.unite(mesh.edgePairs[e].corner[end][0], mesh.edgePairs[e].corner[end][1]);
+        }
+    }
+    UvMatrix sum = UvMatrix::Zero(uv.rows(), 2);
+    std::vector<int> count(mesh.soupCornerCount(), 0);
+    for (int s = 0; s < mesh.soupCornerCount(); ++s) {
+        const int root = sets.find(s);
+        sum.row(root) += uv.row(s);
+        ++count[root];
+    }
+    UvMatrix ghost(uv.rows(), 2);
+    for (int s = 0; s < mesh.soupCornerCount(); ++s)
+        ghost.row(s) = sum.row(sets.find(s)) / count[sets.find(s)];
+    return ghost;
+}
+
 std::vector<int> liveIslands(const MeshData &mesh, std::span<const float> separation)
 {
     UnionFind sets(mesh.faceCount());

@@ -55,6 +55,9 @@ std::vector<SoupVertex> soupVertices(const MeshData &mesh, const MeshAdjacency &
                                      const MeshFrame &frame);
 //! Two numbers per soup corner, or noUv. \param uv one row per soup corner
 std::vector<float> soupUvs(const UvMatrix &uv);
+//! The map that joining the nearly joined corner pairs of the live one would give: soup corners that hang
+//! together are at their average (paper, "Finalizing"). \param separation as ShownMap::separation()
+UvMatrix ghostUv(const MeshData &mesh, const UvMatrix &uv, std::span<const float> separation);
 //! Per face, its island in the live map: what hangs together when nearly joined pairs are joined. Numbered by
 //! their lowest faces like those of the document. \param separation as ShownMap::separation()
 std::vector<int> liveIslands(const MeshData &mesh, std::span<const float> separation);
