@@ -5,6 +5,7 @@ layout(location = 0) in vec3 position; // in the frame of the mesh
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
 
+uniform usamplerBuffer faceTexels; // per triangle: red, green, blue, marks
 uniform bool asMap;
 uniform mat4 viewMatrix, projectionMatrix;
 uniform vec2 mapScale, mapOffset;
@@ -14,6 +15,13 @@ out vec3 eyePosition, eyeNormal;
 out vec2 texturePlace;
 
 const float noUv = 1e29; // corners without UV have more
+
+// In the map what is marked lies above what is not, so that it is seen where the map covers itself.
+float height()
+{
+    uint marks = texelFetch(faceTexels, gl_VertexID / 3).a & 7u;
+    return -0.1 * float(marks);
+}
 
 void main()
 {
@@ -26,7 +34,7 @@ void main()
     if (!asMap)
         gl_Position = projectionMatrix * eye;
     else if (uv.x < noUv)
-        gl_Position = vec4(uv * mapScale + mapOffset, 0, 1);
+        gl_Position = vec4(uv * mapScale + mapOffset, height(), 1);
     else
         gl_Position = vec4(2, 2, 2, 1); // all three corners in one place outside
 }

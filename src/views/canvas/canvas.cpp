@@ -7,6 +7,7 @@
 
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QOpenGLPaintDevice>
 #include <QOpenGLVersionFunctionsFactory>
 #include <QPainter>
 
@@ -96,8 +97,10 @@ void Canvas::upload()
     const int parts = mContent.refresh();
     if (parts & SceneContent::Vertices)
         mGl->soup.setVertices(mContent.vertices());
-    if (parts & SceneContent::Uvs)
+    if (parts & SceneContent::Uvs) {
         mGl->soup.setUvs(mContent.uvs());
+        mGl->soup.setGhostUvs(mContent.ghostUvs());
+    }
     if (parts & SceneContent::Faces)
         mGl->soup.setFaces(mContent.faces());
     if (parts & SceneContent::Sides)
@@ -123,16 +126,21 @@ void Canvas::paintGL()
         gl.glDisable(GL_BLEND);
         gl.glDisable(GL_DEPTH_TEST);
     }
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    if (!mGl) {
+    if (mGl) {
+        // A device of its own: a painter on the widget draws elsewhere while a whole window is grabbed.
+        QOpenGLPaintDevice device(size() * devicePixelRatioF());
+        device.setDevicePixelRatio(devicePixelRatioF());
+        QPainter painter(&device);
+        painter.setFont(font());
+        painter.setRenderHint(QPainter::Antialiasing);
+        drawOverlay(painter);
+        if (mContent.mesh() && mTools.tool())
+            mTools.tool()->drawOverlay(painter, *this);
+    } else {
+        QPainter painter(this);
         painter.fillRect(rect(), mContent.colors().backgroundBottom);
         drawMessage(painter, rect(), mContent.colors(), tr("No 3D graphics"), {mGlError});
-        return;
     }
-    drawOverlay(painter);
-    if (mContent.mesh() && mTools.tool())
-        mTools.tool()->drawOverlay(painter, *this);
 }
 
 void Canvas::updateCursor()

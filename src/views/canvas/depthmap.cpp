@@ -62,16 +62,16 @@ void DepthMap::add(const std::array<ScreenPoint, 3> &triangle, bool perspective)
 
 bool DepthMap::isVisible(const ScreenPoint &point) const
 {
-    const int column = static_cast<int>(std::floor(point.x)) - mLeft;
-    const int row = static_cast<int>(std::floor(point.y)) - mTop;
-    if (column < 1 || row < 1 || column >= mWidth - 1 || row >= mHeight - 1)
+    const int column = static_cast<int>(std::floor(point.x - 0.5)) - mLeft;
+    const int row = static_cast<int>(std::floor(point.y - 0.5)) - mTop;
+    if (column < 0 || row < 0 || column >= mWidth - 1 || row >= mHeight - 1)
         return true;
     const double own = nearness(point.depth);
-    // Points on edges and silhouettes: it is enough that one sample around them does not hide them.
-    for (int dy = -1; dy <= 1; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) {
+    // Points on edges and silhouettes: it is enough that one of the samples around them does not hide them.
+    for (int dy = 0; dy <= 1; ++dy) {
+        for (int dx = 0; dx <= 1; ++dx) {
             const std::size_t index = static_cast<std::size_t>(row + dy) * mWidth + column + dx;
-            if (mNearness[index] <= own + 1e-4 * std::abs(own) + 2 * mSlope[index])
+            if (mNearness[index] <= own + 1e-4 * std::abs(own) + mSlope[index])
                 return true;
         }
     }

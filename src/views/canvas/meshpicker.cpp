@@ -3,6 +3,7 @@
 #include "views/canvas/depthmap.h"
 
 #include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,7 +23,8 @@ SegmentPlace nearestOnSegment(double px, double py, double ax, double ay, double
 struct MeshPicker::Projection
 {
     std::vector<ScreenPoint> points;
-    std::vector<bool> before; //!< before the eye; others have no place on the screen
+    std::vector<char> before; //!< before the eye; others have no place on the screen
+    std::vector<int> near;    //!< triangles that can be within pickRadius of the mouse, rising
 };
 
 namespace {
@@ -38,14 +40,38 @@ MeshPicker::MeshPicker(std::shared_ptr<const MeshData> mesh, const MeshFrame &fr
 {
     for (int v = 0; v < mMesh->vertexCount(); ++v)
         mPoints.row(v) = frame.toFrame(mMesh->positions.row(v));
+    mVertices.reserve(mMesh->triangles.size());
+    for (const std::array<int, 3> &corners : mMesh->triangles)
+        mVertices.push_back({mMesh->cornerVertex[corners[0]], mMesh->cornerVertex[corners[1]],
+                             mMesh->cornerVertex[corners[2]]});
 }
 
 MeshPicker::Projection MeshPicker::project(const OrbitCamera &camera) const
 {
-    Projection seen{std::vector<ScreenPoint>(mMesh->vertexCount()), std::vector<bool>(mMesh->vertexCount())};
+    Projection seen;
+    seen.points.resize(mMesh->vertexCount());
+    seen.before.resize(mMesh->vertexCount());
     const OrbitProjector projector(camera);
     for (int v = 0; v < mMesh->vertexCount(); ++v)
         seen.before[v] = projector.project(mPoints.row(v), seen.points[v]);
+    return seen;
+}
+
+MeshPicker::Projection MeshPicker::projectNear(const OrbitCamera &camera, const QPointF &pixel) const
+{
+    Projection seen = project(camera);
+    const double left = pixel.x() - pickRadius, right = pixel.x() + pickRadius;
+    const double top = pixel.y() - pickRadius, bottom = pixel.y() + pickRadius;
+    for (int t = 0; t < mMesh->triangleCount(); ++t) {
+        const auto &v = mVertices[t];
+        const ScreenPoint &a = seen.points[v[0]], &b = seen.points[v[1]], &c = seen.points[v[2]];
+        const bool outside =
+            (a.x < left && b.x < left && c.x < left) || (a.x > right && b.x > right && c.x > right) ||
+            (a.y < top && b.y < top && c.y < top) || (a.y > bottom && b.y > bottom && c.y > bottom);
+        // What reaches behind the eye can be anywhere.
+        if (!outside || !seen.before[v[0]] || !seen.before[v[1]] || !seen.before[v[2]])
+            seen.near.push_back(t);
+    }
     return seen;
 }
 
@@ -54,17 +80,8 @@ MeshPicker::Hit MeshPicker::cast(const OrbitCamera &camera, const Projection &se
 {
     const ViewRay ray = camera.ray(pixel);
     Hit hit{-1, std::numeric_limits<double>::infinity()};
-    constexpr double slack = 0.01; // the box only sorts out, the ray decides
-    for (int t = 0; t < mMesh->triangleCount(); ++t) {
-        const std::array<int, 3> v{vertex(3 * t), vertex(3 * t + 1), vertex(3 * t + 2)};
-        if (seen.before[v[0]] && seen.before[v[1]] && seen.before[v[2]]) {
-            const ScreenPoint &a = seen.points[v[0]], &b = seen.points[v[1]], &c = seen.points[v[2]];
-            if (pixel.x() < std::min({a.x, b.x, c.x}) - slack ||
-                pixel.x() > std::max({a.x, b.x, c.x}) + slack ||
-                pixel.y() < std::min({a.y, b.y, c.y}) - slack ||
-                pixel.y() > std::max({a.y, b.y, c.y}) + slack)
-                continue;
-        }
+    for (int t : seen.near) {
+        const std::array<int, 3> &v = mVertices[t];
         // Moeller and Trumbore 1997.
         const Vec3 origin = mPoints.row(v[0]);
         const Vec3 e1 = Vec3(mPoints.row(v[1])) - origin, e2 = Vec3(mPoints.row(v[2])) - origin;
@@ -115,7 +132,8 @@ void MeshPicker::collect(const OrbitCamera &camera, const Projection &seen, cons
                          std::vector<Candidate> &sides, std::vector<Candidate> &corners) const
 {
     const double x = pixel.x(), y = pixel.y();
-    for (int s = 0; s < mMesh->soupCornerCount(); ++s) {
+    for (int i = 0; i < 3 * static_cast<int>(seen.near.size()); ++i) {
+        const int s = 3 * seen.near[i / 3] + i % 3;
         const int from = vertex(s), to = vertex(nextSoupCorner(s));
         if (!seen.before[from])
             continue;
@@ -126,9 +144,6 @@ void MeshPicker::collect(const OrbitCamera &camera, const Projection &seen, cons
         if (mTopology.sideEdge[s] < 0 || !seen.before[to])
             continue;
         const ScreenPoint &b = seen.points[to];
-        if (std::min(a.x, b.x) > x + pickRadius || std::max(a.x, b.x) < x - pickRadius ||
-            std::min(a.y, b.y) > y + pickRadius || std::max(a.y, b.y) < y - pickRadius)
-            continue;
         const SegmentPlace place = nearestOnSegment(x, y, a.x, a.y, b.x, b.y);
         if (place.distance > pickRadius)
             continue;
@@ -141,7 +156,7 @@ void MeshPicker::collect(const OrbitCamera &camera, const Projection &seen, cons
 
 PickResult MeshPicker::pick(const OrbitCamera &camera, const QPointF &pixel) const
 {
-    const Projection seen = project(camera);
+    const Projection seen = projectNear(camera, pixel);
     PickResult result;
     result.triangle = cast(camera, seen, pixel).triangle;
     std::vector<Candidate> sides, corners;

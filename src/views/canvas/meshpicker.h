@@ -40,17 +40,19 @@ private:
     };
 
     Projection project(const OrbitCamera &camera) const;
+    Projection projectNear(const OrbitCamera &camera, const QPointF &pixel) const;
     Hit cast(const OrbitCamera &camera, const Projection &seen, const QPointF &pixel) const;
     bool isVisible(const OrbitCamera &camera, const Projection &seen, const Candidate &candidate) const;
     int firstVisible(const OrbitCamera &camera, const Projection &seen, std::vector<Candidate> candidates,
                      int preferredTriangle) const;
     void collect(const OrbitCamera &camera, const Projection &seen, const QPointF &pixel,
                  std::vector<Candidate> &sides, std::vector<Candidate> &corners) const;
-    int vertex(int soupCorner) const { return mMesh->cornerVertex[mMesh->cornerOfSoup(soupCorner)]; }
+    int vertex(int soupCorner) const { return mVertices[soupCorner / 3][soupCorner % 3]; }
 
     std::shared_ptr<const MeshData> mMesh;
     const SoupTopology &mTopology;
-    PositionMatrix mPoints; //!< of the vertices, in the frame
+    PositionMatrix mPoints;                    //!< of the vertices, in the frame
+    std::vector<std::array<int, 3>> mVertices; //!< of each triangle
 };
 
 } // namespace autocuts

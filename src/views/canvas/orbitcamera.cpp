@@ -15,7 +15,7 @@ constexpr double radiansPerPixel = 0.008;
 
 } // namespace
 
-OrbitCamera::OrbitCamera() : mYaw(0.6), mPitch(0.35), mDistance(1.15 / std::sin(0.5 * fieldOfView)) {}
+OrbitCamera::OrbitCamera() : mYaw(0.6), mPitch(0.35), mDistance(0.92 / std::sin(0.5 * fieldOfView)) {}
 
 void OrbitCamera::setViewSize(const QSizeF &size)
 {
@@ -51,7 +51,7 @@ void OrbitCamera::zoom(double factor)
 void OrbitCamera::frame(const Vec3 &centre, double radius)
 {
     mTarget = centre;
-    setDistance(1.08 * radius / std::sin(0.5 * fieldOfView));
+    setDistance(0.92 * radius / std::sin(0.5 * fieldOfView));
 }
 
 double OrbitCamera::unitsPerPixel() const
@@ -105,7 +105,7 @@ Eigen::Matrix4d OrbitCamera::projectionMatrix(double sceneRadius) const
     }
     const double far = std::max(middle + sceneRadius, 1e-4);
     // A depth buffer of 24 bits tells 1 part in 1e7 apart: not nearer than that allows.
-    const double near = std::max({middle - sceneRadius, far * 1e-4, 0.02 * mDistance * 1e-2});
+    const double near = std::max(middle - sceneRadius, far * 1e-4);
     matrix(0, 0) = 1 / halfWidth;
     matrix(1, 1) = 1 / halfHeight;
     matrix(2, 2) = -(far + near) / (far - near);

@@ -173,6 +173,7 @@ int SceneContent::refresh()
     if (!document) {
         mVertices.clear();
         mUvs.clear();
+        mGhostUvs.clear();
         mFaces.clear();
         mSides.clear();
         mPoints.clear();
@@ -181,8 +182,12 @@ int SceneContent::refresh()
     const MeshParts &own = meshParts();
     if (parts & Vertices)
         mVertices = soupVertices(*own.mesh, document->adjacency(), own.frame);
-    if (parts & Uvs)
+    if (parts & Uvs) {
         mUvs = soupUvs(uv());
+        mGhostUvs.clear();
+        if (mAsMap && mContext.shownMap.isLive())
+            mGhostUvs = soupUvs(ghostUv(*own.mesh, uv(), mContext.shownMap.separation()));
+    }
     if (parts & Faces)
         rebuildFaces();
     if (parts & Sides)
@@ -205,9 +210,11 @@ void SceneContent::rebuildFaces()
     }
     // The solver never flips a triangle, and its islands are not told apart unless their colours are shown.
     const bool live = mContext.shownMap.isLive();
-    std::vector<int> islands;
-    if (mOptions.coloring == Coloring::Islands || (mOptions.problems && !live))
-        islands = shownIslands(*own.mesh, mContext.shownMap.separation());
+    std::vector<int> islands(own.mesh->faceCount());
+    if (live && mOptions.coloring == Coloring::Islands)
+        islands = liveIslands(*own.mesh, mContext.shownMap.separation());
+    for (int face = 0; face < own.mesh->faceCount() && !live; ++face)
+        islands[face] = document.islands().islandOfFace(face);
     std::vector<bool> flipped(own.mesh->triangleCount(), false);
     if (mOptions.problems && !live)
         flipped = flippedTriangles(*own.mesh, uv(), islands);

@@ -44,6 +44,8 @@ public:
 
     const std::vector<SoupVertex> &vertices() const { return mVertices; }
     const std::vector<float> &uvs() const { return mUvs; }
+    //! Empty unless a live map is shown in the UV view.
+    const std::vector<float> &ghostUvs() const { return mGhostUvs; }
     const std::vector<FaceTexel> &faces() const { return mFaces; }
     const std::vector<SideTexel> &sides() const { return mSides; }
     const std::vector<PointVertex> &points() const { return mPoints; }
@@ -74,7 +76,7 @@ private:
     ViewOptions mOptions; //!< that the arrays were marked for
     Selection mSelection; //!< that the arrays were marked for
     std::vector<SoupVertex> mVertices;
-    std::vector<float> mUvs;
+    std::vector<float> mUvs, mGhostUvs;
     std::vector<FaceTexel> mFaces;
     std::vector<SideTexel> mSides;
     std::vector<PointVertex> mPoints;

@@ -130,7 +130,19 @@ void UvView::drawScene(GlResources &gl)
     drawing.hoverSides = hover.sides;
     gl.gl.glEnable(GL_BLEND);
     gl.gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    if (!content().ghostUvs().empty()) {
+        // What is coming shows through the gaps between the triangles of the live map.
+        SoupDrawing ghost = drawing;
+        ghost.ghost = true;
+        ghost.fillOpacity = 0.5 * drawing.fillOpacity;
+        ghost.lineOpacity = 0;
+        gl.soup.draw(ghost, content().colors());
+        drawing.fillOpacity *= 0.7;
+    }
+    gl.gl.glEnable(GL_DEPTH_TEST);
+    gl.gl.glDepthFunc(GL_LEQUAL);
     gl.soup.draw(drawing, content().colors());
+    gl.gl.glDisable(GL_DEPTH_TEST);
     PointDrawing points;
     points.asMap = true;
     points.mapScale = drawing.mapScale;

@@ -2,6 +2,12 @@
 
 #include <stdexcept>
 
+//! The resources lie in a static library, where nothing else brings them in. Outside of any namespace.
+static void initResources()
+{
+    Q_INIT_RESOURCE(autocuts);
+}
+
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
@@ -9,6 +15,7 @@ using namespace Qt::Literals::StringLiterals;
 std::unique_ptr<QOpenGLShaderProgram> makeShaderProgram(const QString &vertexName,
                                                         const QString &fragmentName)
 {
+    [[maybe_unused]] static const bool initialized = (initResources(), true);
     auto program = std::make_unique<QOpenGLShaderProgram>();
     const QString path = u":/shaders/%1"_s;
     if (!program->addShaderFromSourceFile(QOpenGLShader::Vertex, path.arg(vertexName + u".vert"_s)) ||

@@ -4,6 +4,7 @@
 #include "views/gl/colormap.h"
 
 #include <Eigen/Geometry>
+
 #include <cmath>
 
 namespace autocuts {
@@ -81,7 +82,29 @@ std::vector<float> soupUvs(const UvMatrix &uv)
     return result;
 }
 
-std::vector<int> shownIslands(const MeshData &mesh, std::span<const float> separation)
+UvMatrix ghostUv(const MeshData &mesh, const UvMatrix &uv, std::span<const float> separation)
+{
+    UnionFind sets(mesh.soupCornerCount());
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        for (int end = 0; end < 2; ++end) {
+            if (separation[2 * e + end] < 0.5f)
+                sets.unite(mesh.edgePairs[e].corner[end][0], mesh.edgePairs[e].corner[end][1]);
+        }
+    }
+    UvMatrix sum = UvMatrix::Zero(uv.rows(), 2);
+    std::vector<int> count(mesh.soupCornerCount(), 0);
+    for (int s = 0; s < mesh.soupCornerCount(); ++s) {
+        const int root = sets.find(s);
+        sum.row(root) += uv.row(s);
+        ++count[root];
+    }
+    UvMatrix ghost(uv.rows(), 2);
+    for (int s = 0; s < mesh.soupCornerCount(); ++s)
+        ghost.row(s) = sum.row(sets.find(s)) / count[sets.find(s)];
+    return ghost;
+}
+
+std::vector<int> liveIslands(const MeshData &mesh, std::span<const float> separation)
 {
     UnionFind sets(mesh.faceCount());
     for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
@@ -90,25 +113,22 @@ std::vector<int> shownIslands(const MeshData &mesh, std::span<const float> separ
         const EdgePair &pair = mesh.edgePairs[e];
         sets.unite(mesh.triangleFace[pair.triangle[0]], mesh.triangleFace[pair.triangle[1]]);
     }
-    std::vector<int> island(mesh.faceCount());
-    for (int f = 0; f < mesh.faceCount(); ++f)
-        island[f] = sets.find(f);
-    return island;
+    return sets.labels().first;
 }
 
 std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &uv, std::span<const int> islands)
 {
-    std::vector<double> islandArea(mesh.faceCount(), 0);
+    std::vector<double> islandArea(mesh.faceCount(), 0); // there are not more islands than faces
     double total = 0;
     for (int t = 0; t < mesh.triangleCount(); ++t) {
-        if (!hasUv(uv, t))
+        if (islands[mesh.triangleFace[t]] < 0)
             continue;
         islandArea[islands[mesh.triangleFace[t]]] += signedUvArea(uv, t);
         total += std::abs(signedUvArea(uv, t));
     }
     std::vector<bool> flipped(mesh.triangleCount(), false);
     for (int t = 0; t < mesh.triangleCount(); ++t) {
-        if (!hasUv(uv, t))
+        if (islands[mesh.triangleFace[t]] < 0)
             continue;
         const double area = signedUvArea(uv, t);
         const bool mirrored = islandArea[islands[mesh.triangleFace[t]]] < 0;
@@ -155,7 +175,7 @@ std::vector<QRgb> triangleColors(const FaceInput &input)
     for (int t = 0; t < count; ++t) {
         switch (input.options.coloring) {
         case Coloring::Islands:
-            if (hasUv(input.uv, t))
+            if (input.islands[input.mesh.triangleFace[t]] >= 0)
                 colors[t] = islandColor(input.islands[input.mesh.triangleFace[t]]);
             break;
         case Coloring::SignedStretch:

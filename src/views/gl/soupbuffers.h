@@ -55,9 +55,13 @@ std::vector<SoupVertex> soupVertices(const MeshData &mesh, const MeshAdjacency &
                                      const MeshFrame &frame);
 //! Two numbers per soup corner, or noUv. \param uv one row per soup corner
 std::vector<float> soupUvs(const UvMatrix &uv);
-//! Per face, the lowest face of its island in the map shown. \param separation as ShownMap::separation()
-std::vector<int> shownIslands(const MeshData &mesh, std::span<const float> separation);
-//! Triangles with UVs that are turned against their island.
+//! The map that joining the nearly joined corner pairs of the live one would give: soup corners that hang
+//! together are at their average (paper, "Finalizing"). \param separation as ShownMap::separation()
+UvMatrix ghostUv(const MeshData &mesh, const UvMatrix &uv, std::span<const float> separation);
+//! Per face, its island in the live map: what hangs together when nearly joined pairs are joined. Numbered by
+//! their lowest faces like those of the document. \param separation as ShownMap::separation()
+std::vector<int> liveIslands(const MeshData &mesh, std::span<const float> separation);
+//! Triangles with UVs that are turned against their island. \param islands per face, -1 without UVs
 std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &uv, std::span<const int> islands);
 
 //! What the colours of faces are made from.
@@ -70,7 +74,7 @@ struct FaceInput
     bool colorBlind = false;
     QColor plain;                        //!< faces without another colour
     const TriangleStretch &stretch;      //!< may be empty when the colouring does not need it
-    std::span<const int> islands;        //!< shownIslands()
+    std::span<const int> islands;        //!< per face, -1 without UVs
     std::span<const double> seamWeights; //!< Seams::weights
     std::span<const int> selectedFaces;
     std::span<const int> overlapping; //!< triangles

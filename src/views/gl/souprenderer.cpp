@@ -19,25 +19,34 @@ QVector4D toVector(const QColor &color)
 
 SoupRenderer::SoupRenderer(GlFunctions &gl)
     : mGl(gl), mProgram(makeShaderProgram(QStringLiteral("soup"), QStringLiteral("soup"))), mVertices(gl),
-      mUvs(gl), mFaces(gl), mSides(gl)
+      mUvs(gl), mGhostUvs(gl), mFaces(gl), mSides(gl)
 {
-    mGl.glGenVertexArrays(1, &mArray);
-    mGl.glBindVertexArray(mArray);
+    mArray = makeArray(mUvs);
+    mGhostArray = makeArray(mGhostUvs);
+}
+
+SoupRenderer::~SoupRenderer()
+{
+    mGl.glDeleteVertexArrays(1, &mArray);
+    mGl.glDeleteVertexArrays(1, &mGhostArray);
+}
+
+GLuint SoupRenderer::makeArray(GlBuffer &uvs)
+{
+    GLuint array = 0;
+    mGl.glGenVertexArrays(1, &array);
+    mGl.glBindVertexArray(array);
     mVertices.bind(GL_ARRAY_BUFFER);
     mGl.glEnableVertexAttribArray(0);
     mGl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SoupVertex), nullptr);
     mGl.glEnableVertexAttribArray(1);
     mGl.glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(SoupVertex),
                               reinterpret_cast<const void *>(offsetof(SoupVertex, normal)));
-    mUvs.bind(GL_ARRAY_BUFFER);
+    uvs.bind(GL_ARRAY_BUFFER);
     mGl.glEnableVertexAttribArray(2);
     mGl.glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
     mGl.glBindVertexArray(0);
-}
-
-SoupRenderer::~SoupRenderer()
-{
-    mGl.glDeleteVertexArrays(1, &mArray);
+    return array;
 }
 
 void SoupRenderer::setVertices(std::span<const SoupVertex> vertices)
@@ -49,6 +58,11 @@ void SoupRenderer::setVertices(std::span<const SoupVertex> vertices)
 void SoupRenderer::setUvs(std::span<const float> uvs)
 {
     mUvs.fill(uvs, GL_STREAM_DRAW);
+}
+
+void SoupRenderer::setGhostUvs(std::span<const float> uvs)
+{
+    mGhostUvs.fill(uvs, GL_STREAM_DRAW);
 }
 
 void SoupRenderer::setStyles(const SoupDrawing &drawing, const ViewColors &colors)
@@ -98,7 +112,7 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
     mSides.bind(sideUnit);
     mFaces.bind(faceUnit);
     mGl.glActiveTexture(GL_TEXTURE0);
-    mGl.glBindVertexArray(mArray);
+    mGl.glBindVertexArray(drawing.ghost ? mGhostArray : mArray);
     mGl.glDrawArrays(GL_TRIANGLES, 0, mCount);
     mGl.glBindVertexArray(0);
     p.release();

@@ -16,6 +16,7 @@ namespace autocuts {
 struct SoupDrawing
 {
     bool asMap = false;            //!< at its UVs instead of its positions
+    bool ghost = false;            //!< map: at the other UVs
     QMatrix4x4 view;               //!< 3D: from the frame of the mesh to the eye
     QMatrix4x4 projection;         //!< 3D: from the eye to the clip space
     QVector2D mapScale, mapOffset; //!< map: clip space = uv * mapScale + mapOffset
@@ -42,19 +43,22 @@ public:
     void setVertices(std::span<const SoupVertex> vertices);
     //! Two numbers per soup corner.
     void setUvs(std::span<const float> uvs);
+    //! Other UVs, which are drawn when SoupDrawing::ghost says so.
+    void setGhostUvs(std::span<const float> uvs);
     void setFaces(std::span<const FaceTexel> texels) { mFaces.fill(texels); }
     void setSides(std::span<const SideTexel> texels) { mSides.fill(texels); }
 
     void draw(const SoupDrawing &drawing, const ViewColors &colors);
 
 private:
+    GLuint makeArray(GlBuffer &uvs);
     void setStyles(const SoupDrawing &drawing, const ViewColors &colors);
 
     GlFunctions &mGl;
     std::unique_ptr<QOpenGLShaderProgram> mProgram;
-    GlBuffer mVertices, mUvs;
+    GlBuffer mVertices, mUvs, mGhostUvs;
     GlTexelBuffer mFaces, mSides;
-    GLuint mArray = 0;
+    GLuint mArray = 0, mGhostArray = 0;
     int mCount = 0; //!< of soup corners
 };
 

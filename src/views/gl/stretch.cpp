@@ -3,6 +3,7 @@
 #include "views/gl/meshframe.h"
 
 #include <Eigen/Geometry>
+
 #include <cmath>
 
 namespace autocuts {

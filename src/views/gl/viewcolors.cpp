@@ -17,13 +17,13 @@ void setTheme(ViewColors &colors)
     colors.mapBackground = choose(0xff222427, 0xffd3d7dc);
     colors.mapInside = choose(0xff2b2e32, 0xffeef0f3);
     colors.gridMinor = choose(0x14ffffff, 0x14000000);
-    colors.gridMajor = choose(0x30ffffff, 0x30000000);
+    colors.gridMajor = choose(0x2affffff, 0x2c000000);
     colors.text = choose(0xffe4e6e9, 0xff202327);
     colors.dimText = choose(0xffa3a8af, 0xff565c64);
     colors.panel = choose(0xd81b1d20, 0xd8f4f6f8);
     colors.model = choose(0xffb4b9c0, 0xffc9ced5);
     colors.mapFill = choose(0xff7c93b0, 0xff8aa6c8);
-    colors.hover = choose(0xffffe08a, 0xffc77700);
+    colors.hover = choose(0xffffe08a, 0xff00939c);
     colors.sides[static_cast<int>(SideStyle::Wire)] = choose(0x90101215, 0x80202428);
     colors.sides[static_cast<int>(SideStyle::Border)] = choose(0xf0e8ebef, 0xf0202428);
 }

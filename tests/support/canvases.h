@@ -1,0 +1,49 @@
+// Both views of a document on the screen, for tests of the views and their tools.
+#pragma once
+
+#include "views/canvas/meshview.h"
+#include "views/canvas/uvview.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/shownmap.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/preferences/preferences.h"
+#include "views/tools/toolmanager.h"
+
+#include <QTemporaryDir>
+
+namespace autocuts::test {
+
+//! Everything that the views need, without the window around them.
+class Canvases
+{
+public:
+    Canvases();
+
+    //! Opens a document and waits until it is drawn.
+    Document &open(std::unique_ptr<Document> document);
+    Document &document() { return *workspace.document(); }
+    //! Places are given from a camera that looks straight at z = 1.
+    void lookFromFront();
+    //! Pixel of a soup corner, or of the mean of some.
+    static QPoint place(const Canvas &canvas, std::initializer_list<int> soupCorners);
+    //! Pixel of the middle of a triangle.
+    static QPoint middle(const Canvas &canvas, int triangle);
+    void select(SelectionMode mode);
+    //! Moves the mouse over a canvas at once; the one of the screen would get there some time later.
+    static void moveMouse(Canvas &canvas, const QPoint &place, Qt::MouseButtons buttons = Qt::NoButton);
+
+    QTemporaryDir folder;
+    Preferences preferences;
+    Workspace workspace;
+    ShownMap shown;
+    ViewState view;
+    SolverController solver;
+    MapController map;
+    const CanvasContext context;
+    ToolManager tools;
+    MeshView mesh;
+    UvView uv;
+};
+
+} // namespace autocuts::test

@@ -1,0 +1,464 @@
+// Both views with real mouse and key events: selecting, hovering, navigating, and what is drawn.
+#include "commands/setseamstate.h"
+#include "support/canvases.h"
+#include "support/editsupport.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace autocuts;
+using test::Canvases;
+
+namespace {
+
+//! A grid of 4 x 4 quads, its right half an island of its own.
+std::unique_ptr<Document> gridDocument()
+{
+    return test::layoutDocument(test::grid(4));
+}
+
+QColor pixelAt(Canvas &canvas, const QPoint &place)
+{
+    const QImage picture = canvas.picture();
+    return picture.pixelColor(place * picture.devicePixelRatio());
+}
+
+//! How many pixels are near a colour, by the sum of the differences of its components.
+int countNear(const QImage &picture, const QColor &color, int distance)
+{
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const QRgb c = picture.pixel(x, y);
+            count += std::abs(qRed(c) - color.red()) + std::abs(qGreen(c) - color.green()) +
+                         std::abs(qBlue(c) - color.blue()) <=
+                     distance;
+        }
+    }
+    return count;
+}
+
+//! The edge between two vertices of the grid, by their places.
+int edgeBetween(const Document &document, const Vec2 &a, const Vec2 &b)
+{
+    const MeshAdjacency &adjacency = document.adjacency();
+    for (int e = 0; e < adjacency.edgeCount(); ++e) {
+        const auto &v = adjacency.edgeVertices(e);
+        const Vec2 p = document.mesh().positions.row(v[0]).head<2>(),
+                   q = document.mesh().positions.row(v[1]).head<2>();
+        if (!adjacency.isDiagonal(e) && ((p == a && q == b) || (p == b && q == a)))
+            return e;
+    }
+    return -1;
+}
+
+QPoint edgePlace(const Canvas &canvas, int edge)
+{
+    const int side = canvas.content().topology().edgeSides[edge][0];
+    return Canvases::place(canvas, {side, nextSoupCorner(side)});
+}
+
+} // namespace
+
+class TestViews : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        mStudio = std::make_unique<Canvases>();
+        mStudio->open(gridDocument());
+        mStudio->lookFromFront();
+    }
+    void cleanup() { mStudio.reset(); }
+
+    void emptyViewsSayWhatToDo()
+    {
+        Canvases empty;
+        const QImage before = empty.mesh.picture();
+        QVERIFY(countNear(before, empty.mesh.content().colors().text, 30) > 50);
+        QTest::mouseClick(&empty.mesh, Qt::LeftButton, {}, {100, 100});
+        Canvases::moveMouse(empty.uv, {50, 60});
+        QTest::keyClick(&empty.uv, Qt::Key_Home);
+        QCOMPARE(empty.view.hover(), Hover());
+    }
+
+    void facesAreSelectedInBothViews_data()
+    {
+        QTest::addColumn<bool>("inMap");
+        QTest::newRow("model") << false;
+        QTest::newRow("map") << true;
+    }
+
+    void facesAreSelectedInBothViews()
+    {
+        QFETCH(bool, inMap);
+        Canvas &canvas = inMap ? static_cast<Canvas &>(mStudio->uv) : mStudio->mesh;
+        const auto click = [&](int triangle, Qt::KeyboardModifiers modifiers = {}) {
+            QTest::mouseClick(&canvas, Qt::LeftButton, modifiers, Canvases::middle(canvas, triangle));
+            return mStudio->document().selection().faces;
+        };
+        QCOMPARE(click(4), QList<int>({2}));
+        QCOMPARE(click(11), QList<int>({5}));
+        QCOMPARE(click(1, Qt::ShiftModifier), QList<int>({0, 5}));
+        QCOMPARE(click(10, Qt::ShiftModifier), QList<int>({0})); // toggles
+        QCOMPARE(click(14, Qt::ControlModifier), QList<int>({0}));
+        QCOMPARE(click(0, Qt::ControlModifier), QList<int>());
+        QCOMPARE(click(4), QList<int>({2}));
+        QTest::mouseClick(&canvas, Qt::LeftButton, Qt::ShiftModifier, {3, 470}); // beside everything
+        QCOMPARE(mStudio->document().selection().faces, QList<int>({2}));
+        QTest::mouseClick(&canvas, Qt::LeftButton, {}, {3, 470});
+        QVERIFY(mStudio->document().selection().isEmpty());
+        QVERIFY(mStudio->document().undoStack().count() == 0);
+    }
+
+    void selectionIsDrawnInBothViews()
+    {
+        const QColor orange = mStudio->preferences.values().selectionColor;
+        for (Canvas *canvas : {static_cast<Canvas *>(&mStudio->mesh), static_cast<Canvas *>(&mStudio->uv)}) {
+            const QPoint place = Canvases::middle(*canvas, 6);
+            mStudio->select(SelectionMode::Faces);
+            const QColor before = pixelAt(*canvas, place);
+            Selection selection = mStudio->document().selection();
+            selection.faces = {3};
+            mStudio->document().setSelection(selection);
+            const QColor after = pixelAt(*canvas, place);
+            QVERIFY(after.red() - after.blue() > before.red() - before.blue() + 60);
+            QVERIFY(std::abs(after.hue() - orange.hue()) < 25);
+        }
+    }
+
+    void verticesOfTheModelAreAllTheirCorners()
+    {
+        mStudio->select(SelectionMode::Vertices);
+        const MeshData &mesh = mStudio->document().mesh();
+        // The vertex in the middle, where the islands are apart: four corners on the model, two in the map.
+        int soup = 0;
+        while (mesh.cornerPosition(mesh.cornerOfSoup(soup)) != Vec3(0.5, 0.5, 0))
+            ++soup;
+        QTest::mouseClick(&mStudio->mesh, Qt::LeftButton, {}, Canvases::place(mStudio->mesh, {soup}));
+        QCOMPARE(mStudio->document().selection().corners.size(), 4);
+        QTest::mouseClick(&mStudio->uv, Qt::LeftButton, {}, Canvases::place(mStudio->uv, {soup}));
+        const QList<int> corners = mStudio->document().selection().corners;
+        QCOMPARE(corners.size(), 2);
+        for (int corner : corners)
+            QCOMPARE(mesh.cornerPosition(corner), Vec3(0.5, 0.5, 0));
+    }
+
+    void edgesLoopsAndPaths()
+    {
+        mStudio->select(SelectionMode::Edges);
+        const Document &document = mStudio->document();
+        const int first = edgeBetween(document, {0, 0.25}, {0.25, 0.25});
+        const int last = edgeBetween(document, {0.75, 0.25}, {1, 0.25});
+        QTest::mouseClick(&mStudio->mesh, Qt::LeftButton, {}, edgePlace(mStudio->mesh, first));
+        QCOMPARE(document.selection().edges, QList<int>({first}));
+        QTest::mouseClick(&mStudio->mesh, Qt::LeftButton, Qt::ControlModifier,
+                          edgePlace(mStudio->mesh, last));
+        QList<int> row{first, edgeBetween(document, {0.25, 0.25}, {0.5, 0.25}),
+                       edgeBetween(document, {0.5, 0.25}, {0.75, 0.25}), last};
+        std::sort(row.begin(), row.end());
+        QCOMPARE(document.selection().edges, row);
+
+        const int upright = edgeBetween(document, {0.25, 0.25}, {0.25, 0.5});
+        QTest::mouseDClick(&mStudio->mesh, Qt::LeftButton, {}, edgePlace(mStudio->mesh, upright));
+        QCOMPARE(document.selection().edges.size(), 4);
+        for (int edge : document.selection().edges) {
+            for (int vertex : document.adjacency().edgeVertices(edge))
+                QCOMPARE(document.mesh().positions(vertex, 0), 0.25);
+        }
+        QTest::mouseDClick(&mStudio->mesh, Qt::LeftButton, Qt::ShiftModifier,
+                           edgePlace(mStudio->mesh, first));
+        QCOMPARE(document.selection().edges.size(), 8);
+    }
+
+    void islandsAreSelectedWhole()
+    {
+        mStudio->select(SelectionMode::Islands);
+        QTest::mouseClick(&mStudio->mesh, Qt::LeftButton, {}, Canvases::middle(mStudio->mesh, 0));
+        QCOMPARE(mStudio->document().selection().faces, QList<int>({0, 1, 4, 5, 8, 9, 12, 13}));
+        QTest::mouseClick(&mStudio->uv, Qt::LeftButton, Qt::ShiftModifier, Canvases::middle(mStudio->uv, 5));
+        QCOMPARE(mStudio->document().selection().faces.size(), 16);
+        mStudio->select(SelectionMode::Faces);
+        QTest::mouseDClick(&mStudio->uv, Qt::LeftButton, {}, Canvases::middle(mStudio->uv, 5));
+        QCOMPARE(mStudio->document().selection().faces, QList<int>({2, 3, 6, 7, 10, 11, 14, 15}));
+    }
+
+    void boxesSelect()
+    {
+        UvView &uv = mStudio->uv;
+        // Around the middles of faces 0 and 1, from outside.
+        const QPoint from = Canvases::middle(uv, 0) + QPoint(-60, 40),
+                     to = Canvases::middle(uv, 3) + QPoint(20, -20);
+        const auto drag = [&](Qt::KeyboardModifiers modifiers) {
+            QTest::mousePress(&uv, Qt::LeftButton, modifiers, from);
+            Canvases::moveMouse(uv, (from + to) / 2, Qt::LeftButton);
+            Canvases::moveMouse(uv, to, Qt::LeftButton);
+            QVERIFY(mStudio->tools.tool()->isBusy());
+            QTest::mouseRelease(&uv, Qt::LeftButton, modifiers, to);
+        };
+        drag({});
+        QCOMPARE(mStudio->document().selection().faces, QList<int>({0, 1}));
+        Selection selection = mStudio->document().selection();
+        selection.faces = {1, 9};
+        mStudio->document().setSelection(selection);
+        drag(Qt::ShiftModifier);
+        QCOMPARE(mStudio->document().selection().faces, QList<int>({0, 1, 9}));
+        drag(Qt::ControlModifier);
+        QCOMPARE(mStudio->document().selection().faces, QList<int>({9}));
+    }
+
+    void escapeCancelsABox()
+    {
+        MeshView &mesh = mStudio->mesh;
+        QTest::mousePress(&mesh, Qt::LeftButton, {}, {40, 40});
+        Canvases::moveMouse(mesh, {300, 300}, Qt::LeftButton);
+        QVERIFY(mStudio->tools.tool()->isBusy());
+        const QImage busy = mesh.picture();
+        QTest::keyClick(&mesh, Qt::Key_Escape);
+        QVERIFY(!mStudio->tools.tool()->isBusy());
+        QVERIFY(mesh.picture() != busy);
+        QTest::mouseRelease(&mesh, Qt::LeftButton, {}, {300, 300});
+        QVERIFY(mStudio->document().selection().isEmpty());
+    }
+
+    void hoverIsMirrored_data()
+    {
+        QTest::addColumn<SelectionMode>("mode");
+        QTest::newRow("faces") << SelectionMode::Faces;
+        QTest::newRow("edges") << SelectionMode::Edges;
+        QTest::newRow("vertices") << SelectionMode::Vertices;
+    }
+
+    void hoverIsMirrored()
+    {
+        QFETCH(SelectionMode, mode);
+        mStudio->select(mode);
+        const int edge = edgeBetween(mStudio->document(), {0.25, 0.25}, {0.25, 0.5});
+        const int soup = mStudio->mesh.content().topology().edgeSides[edge][0];
+        const auto target = [&](const Canvas &canvas) {
+            return mode == SelectionMode::Faces   ? Canvases::middle(canvas, 13)
+                   : mode == SelectionMode::Edges ? edgePlace(canvas, edge)
+                                                  : Canvases::place(canvas, {soup});
+        };
+        Canvases::moveMouse(mStudio->mesh, {5, 5});
+        QCOMPARE(mStudio->view.hover(), Hover());
+        const QImage before = mStudio->uv.picture();
+        QSignalSpy spy(&mStudio->view, &ViewState::hoverChanged);
+        Canvases::moveMouse(mStudio->mesh, target(mStudio->mesh));
+        QCOMPARE(spy.count(), 1);
+        Canvases::moveMouse(mStudio->mesh, target(mStudio->mesh) + QPoint(0, 1));
+        QVERIFY(spy.count() <= 2); // only when something else is under the mouse
+        const Hover hover = mStudio->view.hover();
+        if (mode == SelectionMode::Faces)
+            QCOMPARE(hover.triangle, 13);
+        else if (mode == SelectionMode::Edges)
+            QCOMPARE(hover.edge, edge);
+        else
+            QCOMPARE(
+                mStudio->document().mesh().cornerPosition(hover.corner),
+                mStudio->document().mesh().cornerPosition(mStudio->document().mesh().cornerOfSoup(soup)));
+        // The map changes where the element is, and only there.
+        const QImage after = mStudio->uv.picture();
+        QRect changed;
+        for (int y = 0; y < after.height(); ++y) {
+            for (int x = 0; x < after.width(); ++x) {
+                if (after.pixel(x, y) != before.pixel(x, y))
+                    changed |= QRect(x, y, 1, 1);
+            }
+        }
+        QVERIFY(changed.adjusted(-2, -2, 2, 2).contains(target(mStudio->uv)));
+        QVERIFY(changed.width() < 130 && changed.height() < 130);
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(&mStudio->mesh, &leave);
+        QCOMPARE(mStudio->view.hover(), Hover());
+        QCOMPARE(mStudio->uv.picture(), before);
+    }
+
+    void mouseAndKeysNavigate()
+    {
+        MeshView &mesh = mStudio->mesh;
+        const auto drag = [](QWidget &widget, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
+            QTest::mousePress(&widget, button, modifiers, {200, 200});
+            QMouseEvent move(QEvent::MouseMove, QPointF(240, 210), widget.mapToGlobal(QPointF(240, 210)),
+                             Qt::NoButton, button, modifiers);
+            QCoreApplication::sendEvent(&widget, &move);
+            QTest::mouseRelease(&widget, button, modifiers, {240, 210});
+        };
+        const OrbitCamera start = mesh.camera();
+        drag(mesh, Qt::MiddleButton, {});
+        QVERIFY(mesh.camera().yaw() != start.yaw() && mesh.camera().pitch() != start.pitch());
+        QCOMPARE(mesh.camera().target(), start.target());
+        drag(mesh, Qt::MiddleButton, Qt::ShiftModifier);
+        QVERIFY(mesh.camera().target() != start.target());
+        drag(mesh, Qt::MiddleButton, Qt::ControlModifier);
+        QVERIFY(mesh.camera().distance() < start.distance());
+        QTest::keyClick(&mesh, Qt::Key_Home);
+        QCOMPARE(mesh.camera().target(), start.target());
+        QCOMPARE(mesh.camera().distance(), start.distance());
+        QTest::keyClick(&mesh, Qt::Key_1, Qt::KeypadModifier);
+        QCOMPARE(mesh.camera().yaw(), 0.0);
+        QTest::keyClick(&mesh, Qt::Key_5, Qt::KeypadModifier);
+        QVERIFY(mStudio->view.options().orthographic);
+
+        PreferenceValues values = mStudio->preferences.values();
+        values.navigation = NavigationPreset::Maya;
+        mStudio->preferences.setValues(values);
+        const double yaw = mesh.camera().yaw();
+        drag(mesh, Qt::MiddleButton, {});
+        QCOMPARE(mesh.camera().yaw(), yaw);
+        drag(mesh, Qt::LeftButton, Qt::AltModifier);
+        QVERIFY(mesh.camera().yaw() != yaw);
+        QVERIFY(mStudio->document().selection().isEmpty());
+
+        UvView &uv = mStudio->uv;
+        const Vec2 centre = uv.camera().centre();
+        drag(uv, Qt::MiddleButton, Qt::AltModifier);
+        QVERIFY(uv.camera().centre() != centre);
+        Selection selection;
+        selection.faces = {0};
+        mStudio->document().setSelection(selection);
+        QTest::keyClick(&uv, Qt::Key_F);
+        QVERIFY((uv.camera().centre() - Vec2(0.125, 0.125)).norm() < 1e-9);
+        QTest::keyClick(&uv, Qt::Key_A);
+        QVERIFY(uv.camera().centre().x() > 0.5);
+    }
+
+    void wheelZoomsTheMapToTheMouse()
+    {
+        UvView &uv = mStudio->uv;
+        const QPointF place(120, 333);
+        const Vec2 before = uv.camera().toUv(place);
+        const double scale = uv.camera().scale();
+        QWheelEvent wheel(place, uv.mapToGlobal(place), {}, {0, 240}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&uv, &wheel);
+        QVERIFY(uv.camera().scale() > 1.2 * scale);
+        QVERIFY((uv.camera().toUv(place) - before).norm() < 1e-12);
+    }
+
+    void viewStateComesBack()
+    {
+        OrbitCamera camera = mStudio->mesh.camera();
+        camera.setDirection(1.25, -0.5);
+        camera.setDistance(7);
+        camera.setTarget({0.1, 0.2, -0.3});
+        mStudio->mesh.setCamera(camera);
+        MapCamera map = mStudio->uv.camera();
+        map.setCentre({3, -2});
+        map.setScale(77);
+        mStudio->uv.setCamera(map);
+        const QCborMap ofMesh = mStudio->mesh.viewState(), ofMap = mStudio->uv.viewState();
+        mStudio->open(gridDocument());
+        QVERIFY(mStudio->mesh.camera().distance() != 7);
+        mStudio->mesh.restoreViewState(ofMesh);
+        mStudio->uv.restoreViewState(ofMap);
+        QCOMPARE(mStudio->mesh.viewState(), ofMesh);
+        QCOMPARE(mStudio->uv.viewState(), ofMap);
+        // Damaged states change nothing.
+        const QCborMap nonsense{{QStringLiteral("target"), QCborArray{1, 2}},
+                                {QStringLiteral("distance"), -1},
+                                {QStringLiteral("yaw"), qInf()},
+                                {QStringLiteral("centre"), QCborArray{qQNaN(), 0}},
+                                {QStringLiteral("scale"), QStringLiteral("x")}};
+        mStudio->mesh.restoreViewState(nonsense);
+        mStudio->uv.restoreViewState(nonsense);
+        mStudio->uv.restoreViewState({});
+        QCOMPARE(mStudio->mesh.viewState(), ofMesh);
+        QCOMPARE(mStudio->uv.viewState(), ofMap);
+    }
+
+    void seamsHaveTheirColour()
+    {
+        const QColor red = mStudio->preferences.values().seamColor;
+        for (Canvas *canvas : {static_cast<Canvas *>(&mStudio->mesh), static_cast<Canvas *>(&mStudio->uv)}) {
+            const int shown = countNear(canvas->picture(), red, 60);
+            QVERIFY2(shown > 150, qPrintable(QString::number(shown)));
+            ViewOptions options = mStudio->view.options();
+            options.seams = false;
+            mStudio->view.setOptions(options);
+            QVERIFY(countNear(canvas->picture(), red, 60) < shown / 10);
+            options.seams = true;
+            mStudio->view.setOptions(options);
+            QCOMPARE(countNear(canvas->picture(), red, 60), shown);
+        }
+    }
+
+    void forcedCutsAppearAtOnce()
+    {
+        const int edge = edgeBetween(mStudio->document(), {0.25, 0.25}, {0.25, 0.5});
+        const QPoint place = edgePlace(mStudio->mesh, edge);
+        const QColor before = pixelAt(mStudio->mesh, place);
+        mStudio->document().undoStack().push(std::make_unique<SetSeamState>(
+            mStudio->document(), SetSeamState::Edit::Cut,
+            cornerPairsOfEdges(mStudio->document().mesh(), std::vector<int>{edge})));
+        const QColor after = pixelAt(mStudio->mesh, place),
+                     blue = mStudio->preferences.values().forcedCutColor;
+        QVERIFY(after.blue() > before.blue() + 40);
+        QVERIFY(std::abs(after.hue() - blue.hue()) < 20);
+        mStudio->document().undoStack().undo();
+        QCOMPARE(pixelAt(mStudio->mesh, place), before);
+    }
+
+    void liveMapsAreDrawnAndPicked()
+    {
+        UvView &uv = mStudio->uv;
+        const MeshData &mesh = mStudio->document().mesh();
+        UvMatrix live(mesh.soupCornerCount(), 2);
+        for (int t = 0; t < mesh.triangleCount(); ++t) {
+            live.row(3 * t) << 0.1 * t, -1;
+            live.row(3 * t + 1) << 0.1 * t + 0.09, -1;
+            live.row(3 * t + 2) << 0.1 * t, -0.9;
+        }
+        mStudio->shown.showLive(live, std::vector<float>(mesh.cornerPairCount(), 1));
+        uv.frameAll();
+        const QPoint place = Canvases::middle(uv, 9);
+        QCOMPARE(uv.pick(place).triangle, 9);
+        QVERIFY(pixelAt(uv, place) != pixelAt(uv, place + QPoint(0, 30)));
+        mStudio->shown.showDocument();
+        QVERIFY(uv.pick(place).triangle != 9);
+    }
+
+    void toolsAreSwitched()
+    {
+        QCOMPARE(mStudio->tools.tool()->id(), QStringLiteral("select"));
+        QSignalSpy spy(&mStudio->tools, &ToolManager::toolChanged);
+        mStudio->tools.setTool(QStringLiteral("no such tool"));
+        QCOMPARE(spy.count(), 0);
+        QSignalSpy hints(&mStudio->tools, &ToolManager::hintChanged);
+        mStudio->select(SelectionMode::Edges);
+        QVERIFY(hints.count() > 0);
+        QVERIFY(mStudio->tools.tool()->hint().contains(QStringLiteral("edges")));
+    }
+
+    void picturesSurviveHostileDocuments()
+    {
+        // Degenerate, non-manifold, without UVs; and UVs beyond all bounds.
+        const auto dirty = test::dirty();
+        Document &document = mStudio->open(std::make_unique<Document>(test::sceneOf(dirty)));
+        QVERIFY(!mStudio->mesh.picture().isNull());
+        Scene scene = document.state().scene;
+        scene.uvSets[0].uv = UvMatrix::Constant(dirty->cornerCount(), 2, 1e300);
+        scene.uvSets[0].uv.row(0) << -1e300, 0.5;
+        mStudio->open(std::make_unique<Document>(scene));
+        for (int coloring = 0; coloring <= static_cast<int>(Coloring::PaintWeights); ++coloring) {
+            ViewOptions options;
+            options.coloring = static_cast<Coloring>(coloring);
+            mStudio->view.setOptions(options);
+            QVERIFY(!mStudio->uv.picture().isNull());
+            Canvases::moveMouse(mStudio->uv, {100 + coloring, 100});
+            Canvases::moveMouse(mStudio->mesh, {250, 250 + coloring});
+        }
+        mStudio->workspace.close();
+        QVERIFY(!mStudio->uv.picture().isNull());
+    }
+
+private:
+    std::unique_ptr<Canvases> mStudio;
+};
+
+QTEST_MAIN(TestViews)
+#include "tst_views.moc"
