@@ -173,7 +173,6 @@ void MainWindow::connectMessages()
         mQuestions->showError(Error{message, {}, 0, {}});
     });
 }
-}
 
 void MainWindow::restoreLayout()
 {
