@@ -68,17 +68,15 @@ void SolveWorker::setMode(SolveMode mode, double maxDistortion)
     });
 }
 
-void SolveWorker::run()
+quint64 SolveWorker::runSteps(int count)
 {
-    runSteps(-1);
-}
-
-void SolveWorker::runSteps(int count)
-{
+    quint64 ticket = 0;
     order([&](Orders &orders) {
         orders.steps = count;
         orders.settle = false;
+        ticket = orders.ticket = ++mLastTicket;
     });
+    return ticket;
 }
 
 void SolveWorker::pause()
@@ -147,8 +145,10 @@ void SolveWorker::obey(Orders orders)
         if (mSchedule)
             mSchedule->reheat();
         updateSolver(true);
-        if (mIdle && !orders.steps)
+        if (mIdle && !orders.steps) {
             orders.steps = -1; // there is something to do again
+            orders.ticket = mTicket;
+        }
     } else if (orders.mode && mSolver) {
         updateSolver(false);
     }
@@ -158,6 +158,7 @@ void SolveWorker::obey(Orders orders)
         const bool wasRunning = mStepsLeft != 0;
         mIdle = false;
         mStepsLeft = *orders.steps;
+        mTicket = orders.ticket;
         mMustSettle = orders.settle;
         if (mStepsLeft != 0) {
             mStatus.converged = false;
@@ -235,7 +236,7 @@ void SolveWorker::step()
     if (mStepsLeft == 0 || Clock::now() - mLastGiven >= resultInterval)
         giveResult();
     if (mStepsLeft == 0)
-        Q_EMIT waiting();
+        Q_EMIT waiting(mTicket);
 }
 
 //! Lays out a result for whoever takes it, in place of one that nobody took yet.

@@ -72,9 +72,10 @@ public:
     //! Other settings or steering for the same mesh; the map goes on from where it is.
     void update(std::shared_ptr<const Snapshot> snapshot);
     void setMode(SolveMode mode, double maxDistortion);
-    void run();
-    //! Steps at most this many times, then waits.
-    void runSteps(int count);
+    //! Steps until told to stop. \returns a ticket that waiting() will name
+    quint64 run() { return runSteps(-1); }
+    //! Steps at most this many times, then waits. \returns a ticket that waiting() will name
+    quint64 runSteps(int count);
     //! The step at hand is finished and given out as a result.
     void pause();
     //! Pauses, then makes a settled map of the state; run() and start() cancel it.
@@ -89,8 +90,9 @@ Q_SIGNALS:
     void resultReady();
     //! A settled map is waiting.
     void settled();
-    //! The solve stopped by itself: it converged or the steps asked for are done.
-    void waiting();
+    //! The solve stopped by itself: it converged or the steps asked for are done. \param ticket of the last order
+    //! to run that was obeyed: a later one may be on its way
+    void waiting(quint64 ticket);
     //! \param message untranslated, one line
     void failed(const QString &message);
 
@@ -102,6 +104,7 @@ private:
         std::shared_ptr<const Snapshot> snapshot;
         Vec2 centre = Vec2::Zero();
         std::optional<int> steps; //!< 0: pause
+        quint64 ticket = 0;
         std::optional<SolveMode> mode;
         double maxDistortion = 4.1;
         bool settle = false;
@@ -120,6 +123,7 @@ private:
     // Shared between threads.
     std::mutex mMutex;
     Orders mOrders;
+    quint64 mLastTicket = 0;
     std::shared_ptr<SolveResult> mWaitingResult;
     std::optional<SettledMap> mSettledMap;
     std::atomic<bool> mInterrupt = false; //!< there are orders: whatever takes long should end
@@ -135,7 +139,7 @@ private:
     std::chrono::steady_clock::time_point mLastGiven, mRateSince;
     int mRateSteps = 0, mStalledSteps = 0;
     std::vector<TracePoint> mTrace;
-    quint64 mRun = 0;
+    quint64 mRun = 0, mTicket = 0;
     int mStepsLeft = 0; //!< negative: until told to stop
     bool mMustSettle = false;
     bool mIdle = false; //!< converged while running: the next snapshot makes it run again

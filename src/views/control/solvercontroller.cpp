@@ -89,7 +89,7 @@ void SolverController::run()
         begin(hasUvs(*document) ? StartMode::ExistingUv : document->solveSettings().start);
     mStepping = false;
     setRunning(true, false);
-    mWorker->run();
+    mTicket = mWorker->run();
 }
 
 void SolverController::pause()
@@ -118,7 +118,7 @@ void SolverController::step()
     // The end of the step is told by waiting(), which then settles the map.
     mStepping = true;
     setRunning(true, false);
-    mWorker->runSteps(1);
+    mTicket = mWorker->runSteps(1);
 }
 
 void SolverController::restart()
@@ -129,7 +129,7 @@ void SolverController::restart()
     begin(document->solveSettings().start);
     mStepping = false;
     setRunning(true, false);
-    mWorker->run();
+    mTicket = mWorker->run();
 }
 
 void SolverController::discard()
@@ -234,8 +234,10 @@ void SolverController::addToTrace(const std::vector<TracePoint> &points)
 
 //! The solve stopped by itself: a single step is done, the budget is reached, or with the user's settings
 //! nothing moves any more. Then it stays on and waits for edits.
-void SolverController::workerWaits()
+void SolverController::workerWaits(quint64 ticket)
 {
+    if (ticket != mTicket)
+        return; // it has been told to run since
     takeResult();
     if (mRunning && !(mStatus.converged && mMode == SolveMode::Manual && !mStepping))
         pause();

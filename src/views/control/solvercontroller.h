@@ -82,7 +82,7 @@ private:
     void documentChanged(const ChangeEvent &event);
     void takeResult();
     void takeSettled();
-    void workerWaits();
+    void workerWaits(quint64 ticket);
     void workerFailed(const QString &message);
     void begin(StartMode start);
     void setRunning(bool running, bool settling);
@@ -99,7 +99,7 @@ private:
     int mTraceStride = 1;
     SolveMode mMode = SolveMode::Budget;
     double mMaxDistortion = 4.1;
-    quint64 mLastRun = 0;
+    quint64 mLastRun = 0, mTicket = 0;
     quint64 mRun = 0; //!< of the worker's state; 0: it has none that fits the document
     std::vector<std::function<void()>> mWhenSettled;
     QTimer mSendSoon; //!< one snapshot for all edits of one turn of the event loop
