@@ -172,6 +172,8 @@ void MainWindow::connectMessages()
     connect(&mSolver, &SolverController::failed, this, [this](const QString &message) {
         mQuestions->showError(Error{message, {}, 0, {}});
     });
+    connect(&mFiles, &FileController::failed, this,
+            [this](const Error &error) { mQuestions->showError(error); });
 }
 
 void MainWindow::restoreLayout()
