@@ -94,6 +94,21 @@ public:
         return QProxyStyle::styleHint(hint, option, widget, data);
     }
 
+    //! Fusion outlines with a darker window colour, which is lost on a dark window.
+    void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
+                       const QWidget *widget) const override
+    {
+        const bool isBox = element == PE_IndicatorCheckBox || element == PE_IndicatorRadioButton;
+        if (!isBox || !option || option->palette.window().color().lightness() > 128) {
+            QProxyStyle::drawPrimitive(element, option, painter, widget);
+            return;
+        }
+        QStyleOptionButton outlined;
+        outlined.QStyleOption::operator=(*option);
+        outlined.palette.setColor(QPalette::Window, option->palette.color(QPalette::PlaceholderText));
+        QProxyStyle::drawPrimitive(element, &outlined, painter, widget);
+    }
+
     //! The icon of the item under the mouse has the colour of its text.
     void drawControl(ControlElement element, const QStyleOption *option, QPainter *painter,
                      const QWidget *widget) const override

@@ -1,6 +1,5 @@
 #include "views/actions/questions.h"
 
-#include <QCoreApplication>
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
@@ -13,11 +12,6 @@
 namespace autocuts {
 
 namespace {
-
-QString tr(const char *text)
-{
-    return QCoreApplication::translate("Questions", text);
-}
 
 //! "*.obj" of the filter "Wavefront OBJ (*.obj)": what is added to a name without a suffix.
 QString firstSuffix(const QString &filter)

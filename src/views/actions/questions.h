@@ -3,6 +3,7 @@
 
 #include "model/result.h"
 
+#include <QCoreApplication>
 #include <QPointer>
 #include <QString>
 #include <QStringList>
@@ -15,6 +16,8 @@ namespace autocuts {
 //! Asks with dialogs over a window. Tests override what they want to answer.
 class Questions
 {
+    Q_DECLARE_TR_FUNCTIONS(autocuts::Questions)
+
 public:
     enum class Unsaved { Save, Discard, Cancel };
 

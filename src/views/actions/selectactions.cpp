@@ -1,7 +1,7 @@
 #include "views/actions/selectactions.h"
 
 #include "model/selectiontools.h"
-#include "views/actions/actionregistry.h"
+#include "views/actions/choice.h"
 #include "views/actions/selecting.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
@@ -12,16 +12,10 @@ namespace autocuts {
 
 namespace {
 
-struct ModeAction
-{
-    SelectionMode mode;
-    const char *id;
-};
-
-constexpr ModeAction modeActions[] = {{SelectionMode::Vertices, "select.vertices"},
-                                      {SelectionMode::Edges, "select.edges"},
-                                      {SelectionMode::Faces, "select.faces"},
-                                      {SelectionMode::Islands, "select.islands"}};
+constexpr Choice<SelectionMode> modes[] = {{"select.vertices", SelectionMode::Vertices},
+                                           {"select.edges", SelectionMode::Edges},
+                                           {"select.faces", SelectionMode::Faces},
+                                           {"select.islands", SelectionMode::Islands}};
 
 QList<int> facesOfTriangles(const MeshData &mesh, const std::vector<int> &triangles)
 {
@@ -69,7 +63,7 @@ SelectActions::SelectActions(const StudioContext &context, QObject *parent)
             return s;
         return selectionOf(d, facesOfTriangles(d.mesh(), figures->overlapping), s.mode);
     });
-    for (const auto &[mode, id] : modeActions)
+    for (const auto &[id, mode] : modes)
         connectMode(id, mode);
     connect(&context.workspace, &Workspace::selectionChanged, this, &SelectActions::showMode);
     connect(&context.workspace, &Workspace::documentReplaced, this, &SelectActions::showMode);
@@ -88,8 +82,7 @@ void SelectActions::showMode()
 {
     const Document *document = mContext.workspace.document();
     const SelectionMode mode = document ? document->selection().mode : Selection().mode;
-    for (const auto &[actionMode, id] : modeActions)
-        mContext.actions.action(id)->setChecked(actionMode == mode);
+    showChoice(mContext.actions, modes, mode);
 }
 
 } // namespace autocuts

@@ -23,7 +23,6 @@ public:
 
     FileActions &file() { return mFile; }
     ViewActions &view() { return mView; }
-    ActionStates &states() { return mStates; }
 
 private:
     FileActions mFile;

@@ -2,7 +2,7 @@
 
 #include "commands/changesettings.h"
 #include "commands/editpins.h"
-#include "views/actions/actionregistry.h"
+#include "views/actions/choice.h"
 #include "views/actions/selecting.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
@@ -17,14 +17,6 @@
 namespace autocuts {
 
 namespace {
-
-//! A setting with a few values, and the action that chooses each.
-template <typename Value>
-struct Choice
-{
-    const char *id;
-    Value value;
-};
 
 constexpr Choice<StartMode> startChoices[] = {{"uv.start.rigid", StartMode::Rigid},
                                               {"uv.start.tutte", StartMode::Tutte},
@@ -238,13 +230,9 @@ void UvActions::showState()
     mContext.actions.action("uv.budget")->setChecked(mContext.solver.mode() == SolveMode::Budget);
     const Document *document = mContext.workspace.document();
     const SolveSettings settings = document ? document->solveSettings() : SolveSettings();
-    const auto show = [this](const auto &choices, auto current) {
-        for (const auto &[id, value] : choices)
-            mContext.actions.action(id)->setChecked(value == current);
-    };
-    show(startChoices, settings.start);
-    show(energyChoices, settings.energy);
-    show(weightingChoices, settings.weighting);
+    showChoice(mContext.actions, startChoices, settings.start);
+    showChoice(mContext.actions, energyChoices, settings.energy);
+    showChoice(mContext.actions, weightingChoices, settings.weighting);
 }
 
 } // namespace autocuts

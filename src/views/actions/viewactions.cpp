@@ -1,6 +1,6 @@
 #include "views/actions/viewactions.h"
 
-#include "views/actions/actionregistry.h"
+#include "views/actions/choice.h"
 #include "views/actions/questions.h"
 #include "views/preferences/preferences.h"
 
@@ -26,13 +26,6 @@ constexpr Toggle toggles[] = {{"view.smoothShading", &ViewOptions::smoothShading
                               {"view.grid", &ViewOptions::grid},
                               {"view.rulers", &ViewOptions::rulers},
                               {"view.orthographic", &ViewOptions::orthographic}};
-
-template <typename Value>
-struct Choice
-{
-    const char *id;
-    Value value;
-};
 
 constexpr Choice<Coloring> colorings[] = {{"view.coloring.plain", Coloring::Plain},
                                           {"view.coloring.islands", Coloring::Islands},
@@ -112,8 +105,7 @@ void ViewActions::connectWindow()
 
 void ViewActions::setLayout(ViewLayout layout)
 {
-    for (const auto &[id, value] : layouts)
-        mContext.actions.action(id)->setChecked(value == layout);
+    showChoice(mContext.actions, layouts, layout);
     if (layout == mLayout)
         return;
     mLayout = layout;
@@ -177,10 +169,8 @@ void ViewActions::showOptions()
     const ViewOptions &options = mContext.view.options();
     for (const auto &[id, field] : toggles)
         mContext.actions.action(id)->setChecked(options.*field);
-    for (const auto &[id, value] : colorings)
-        mContext.actions.action(id)->setChecked(value == options.coloring);
-    for (const auto &[id, value] : patterns)
-        mContext.actions.action(id)->setChecked(value == options.pattern);
+    showChoice(mContext.actions, colorings, options.coloring);
+    showChoice(mContext.actions, patterns, options.pattern);
 }
 
 } // namespace autocuts

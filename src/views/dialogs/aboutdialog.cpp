@@ -20,11 +20,12 @@ struct Library
 };
 
 constexpr Library libraries[] = {
-    {"Qt", "LGPL-3.0", QT_TRANSLATE_NOOP("AboutDialog", "window and drawing")},
-    {"Eigen", "MPL-2.0", QT_TRANSLATE_NOOP("AboutDialog", "linear algebra")},
-    {"SuiteSparse CHOLMOD", "LGPL-2.1, GPL-2.0", QT_TRANSLATE_NOOP("AboutDialog", "sparse solver")},
-    {"Assimp", "BSD-3-Clause", QT_TRANSLATE_NOOP("AboutDialog", "mesh formats besides OBJ")},
-    {"zlib", "Zlib", QT_TRANSLATE_NOOP("AboutDialog", "compression of sessions")},
+    {"Qt", "LGPL-3.0", QT_TRANSLATE_NOOP("autocuts::AboutDialog", "window and drawing")},
+    {"Eigen", "MPL-2.0", QT_TRANSLATE_NOOP("autocuts::AboutDialog", "linear algebra")},
+    {"OpenBLAS", "BSD-3-Clause", QT_TRANSLATE_NOOP("autocuts::AboutDialog", "dense linear algebra")},
+    {"SuiteSparse CHOLMOD", "LGPL-2.1, GPL-2.0", QT_TRANSLATE_NOOP("autocuts::AboutDialog", "sparse solver")},
+    {"Assimp", "BSD-3-Clause", QT_TRANSLATE_NOOP("autocuts::AboutDialog", "mesh formats besides OBJ")},
+    {"zlib", "Zlib", QT_TRANSLATE_NOOP("autocuts::AboutDialog", "compression of sessions")},
 };
 
 QString libraryTable()

@@ -89,7 +89,7 @@ PreferencesDialog::PreferencesDialog(Preferences &preferences, ActionRegistry &a
     layout->addLayout(row, 1);
     layout->addWidget(buttons);
     connect(mPages, &QListWidget::currentRowChanged, mStack, &QStackedWidget::setCurrentIndex);
-    show(mOriginal);
+    showValues(mOriginal);
     connectAll();
     showPage(Page::General);
     resize(800, 600);
@@ -179,7 +179,7 @@ void PreferencesDialog::showPage(Page page)
     mPages->setCurrentRow(int(page));
 }
 
-void PreferencesDialog::show(const PreferenceValues &values)
+void PreferencesDialog::showValues(const PreferenceValues &values)
 {
     mShowing = true;
     mNavigation->setCurrentIndex(mNavigation->findData(int(values.navigation)));
@@ -234,7 +234,7 @@ void PreferencesDialog::restoreDefaults()
     const bool appearance = mStack->currentIndex() == int(Page::Appearance);
     PreferenceValues &kept = appearance ? values : defaults;
     copyAppearance(appearance ? defaults : values, kept);
-    show(kept);
+    showValues(kept);
     store();
 }
 

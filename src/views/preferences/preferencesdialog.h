@@ -38,7 +38,7 @@ private:
     QWidget *appearancePage();
     void addPage(const QString &title, const QString &iconName, QWidget *page);
     void connectAll();
-    void show(const PreferenceValues &values);
+    void showValues(const PreferenceValues &values);
     PreferenceValues shown() const;
     void store();
     void restoreDefaults();

@@ -22,7 +22,7 @@ ShortcutsPage::ShortcutsPage(Preferences &preferences, ActionRegistry &actions, 
 {
     build();
     connectAll();
-    fill();
+    fillActionTree(*mTree, mActions);
     setCurrent(mActions.actions().front());
 }
 
@@ -80,11 +80,6 @@ void ShortcutsPage::connectAll()
     connect(mResetAll, &QPushButton::clicked, this, &ShortcutsPage::resetAll);
     connect(mTakeOver, &QPushButton::clicked, this, &ShortcutsPage::takeOver);
     connect(&mPreferences, &Preferences::shortcutsChanged, this, &ShortcutsPage::showCurrent);
-}
-
-void ShortcutsPage::fill()
-{
-    fillActionTree(*mTree, mActions);
 }
 
 //! Keys of all rows, and the current action below.

@@ -39,7 +39,6 @@ public:
 private:
     void build();
     void connectAll();
-    void fill();
     void showCurrent();
     QAction *current() const;
     void store(const QAction *action, const QList<QKeySequence> &keys);

@@ -1,0 +1,26 @@
+// Settings with a few values, each chosen by an action of its own.
+#pragma once
+
+#include "views/actions/actionregistry.h"
+
+#include <cstddef>
+
+namespace autocuts {
+
+//! A value, and the checkable action that chooses it.
+template <typename Value>
+struct Choice
+{
+    const char *id;
+    Value value;
+};
+
+//! Checks the action of the current value and no other one.
+template <typename Value, std::size_t Count>
+void showChoice(const ActionRegistry &actions, const Choice<Value> (&choices)[Count], Value current)
+{
+    for (const auto &[id, value] : choices)
+        actions.action(id)->setChecked(value == current);
+}
+
+} // namespace autocuts
