@@ -123,7 +123,7 @@ void StatusBar::addJob()
 
 void StatusBar::addFigures()
 {
-    // In the order of enum Figure, the ones that matter least last: they go first when there is no room.
+    // In the order of enum Figure.
     mFigures->addFigure(tr("it/s"), u"000.0"_s, tr("Newton steps of the solver per second"));
     mFigures->addFigure(tr("E"), u"000.000"_s,
                         tr("Energy E = (1 − λ) D + λ S, and that of pins and rectangles"));
