@@ -157,13 +157,6 @@ void StatusBar::connectAll()
     connect(&mContext.solver, &SolverController::statusChanged, this, &StatusBar::refreshSoon);
     connect(&mContext.solver, &SolverController::stateChanged, this, &StatusBar::refreshSoon);
     connect(&mContext.map, &MapController::figuresChanged, this, &StatusBar::refreshSoon);
-    connect(&mContext.map, &MapController::done, this, [this](const QString &message) { showText(message); });
-    connect(&mContext.map, &MapController::failed, this,
-            [this](const QString &message) { showText(message); });
-    connect(&mContext.files, &FileController::done, this,
-            [this](const QString &message) { showText(message); });
-    connect(&mContext.solver, &SolverController::failed, this,
-            [this](const QString &message) { showText(message); });
     for (const JobRunner *jobs : {&mContext.map.jobs(), &mContext.files.jobs()}) {
         connect(jobs, &JobRunner::busyChanged, this, &StatusBar::showJob);
         connect(jobs, &JobRunner::progressChanged, this, &StatusBar::showJob);
