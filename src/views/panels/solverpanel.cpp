@@ -98,9 +98,10 @@ void SolverPanel::addModeRows(QFormLayout *form)
     mBound->setKeyboardTracking(false);
     connect(mBound, &QDoubleSpinBox::valueChanged, this,
             [&solver](double bound) { solver.setMaxDistortion(bound); });
-    addRow(form, tr("D at most"), mBound,
-           tr("Distortion budget: bound on the mean symmetric Dirichlet energy, 4 where nothing is distorted. "
-              "Also used by Finish and Unwrap."));
+    addRow(
+        form, tr("D at most"), mBound,
+        tr("Distortion budget: bound on the mean symmetric Dirichlet energy, 4 where nothing is distorted. "
+           "Also used by Finish and Unwrap."));
 }
 
 void SolverPanel::addSliderRows(QFormLayout *form)
