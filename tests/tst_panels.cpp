@@ -481,7 +481,5 @@ private Q_SLOTS:
     }
 };
 
-Q_DECLARE_METATYPE(bool ViewOptions::*)
-
 QTEST_MAIN(TestPanels)
 #include "tst_panels.moc"

@@ -265,6 +265,21 @@ private Q_SLOTS:
         QVERIFY(bench.solver.status().iteration < iterations);
     }
 
+    void lambdaIsDraggedWhileItRuns()
+    {
+        SolverBench bench;
+        click(bench.panel, "run");
+        QTRY_VERIFY_WITH_TIMEOUT(bench.solver.status().iteration > 3, test::panelPatience);
+        test::dragSlider(*bench.lambda()->slider(), 40);
+        QVERIFY(bench.settings().lambda > 0);
+        QCOMPARE(bench.stack().count(), 1);
+        QVERIFY(bench.solver.isRunning());
+        QTRY_COMPARE_WITH_TIMEOUT(bench.solver.status().lambda, bench.settings().lambda, test::panelPatience);
+        click(bench.panel, "run");
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.solver.isSettling(), test::panelPatience);
+        QCOMPARE(bench.stack().count(), 2); // the drag and the run
+    }
+
     void clickingAButtonLeavesTheFocus()
     {
         SolverBench bench;

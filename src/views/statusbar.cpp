@@ -123,7 +123,7 @@ void StatusBar::addJob()
 
 void StatusBar::addFigures()
 {
-    // In the order of enum Figure, the ones that matter least last: they go first when there is no room.
+    // In the order of enum Figure.
     mFigures->addFigure(tr("it/s"), u"000.0"_s, tr("Newton steps of the solver per second"));
     mFigures->addFigure(tr("E"), u"000.000"_s,
                         tr("Energy E = (1 − λ) D + λ S, and that of pins and rectangles"));
@@ -157,13 +157,6 @@ void StatusBar::connectAll()
     connect(&mContext.solver, &SolverController::statusChanged, this, &StatusBar::refreshSoon);
     connect(&mContext.solver, &SolverController::stateChanged, this, &StatusBar::refreshSoon);
     connect(&mContext.map, &MapController::figuresChanged, this, &StatusBar::refreshSoon);
-    connect(&mContext.map, &MapController::done, this, [this](const QString &message) { showText(message); });
-    connect(&mContext.map, &MapController::failed, this,
-            [this](const QString &message) { showText(message); });
-    connect(&mContext.files, &FileController::done, this,
-            [this](const QString &message) { showText(message); });
-    connect(&mContext.solver, &SolverController::failed, this,
-            [this](const QString &message) { showText(message); });
     for (const JobRunner *jobs : {&mContext.map.jobs(), &mContext.files.jobs()}) {
         connect(jobs, &JobRunner::busyChanged, this, &StatusBar::showJob);
         connect(jobs, &JobRunner::progressChanged, this, &StatusBar::showJob);

@@ -22,6 +22,20 @@ class StatusBar final : public QStatusBar
     Q_OBJECT
 
 public:
+    //! What figures() shows, in this order; the last ones go first when there is no room.
+    enum Figure {
+        Steps,
+        Energy,
+        Distortion,
+        Separation,
+        Lambda,
+        Delta,
+        SeamLength,
+        Islands,
+        Flips,
+        Overlaps
+    };
+
     explicit StatusBar(const StudioContext &context, QWidget *parent = nullptr);
 
     //! What the tool does at the moment, and with which keys. \param hint translated
@@ -37,19 +51,6 @@ public:
     const FigureStrip &figures() const { return *mFigures; }
 
 private:
-    enum Figure {
-        Steps,
-        Energy,
-        Distortion,
-        Separation,
-        Lambda,
-        Delta,
-        SeamLength,
-        Islands,
-        Flips,
-        Overlaps
-    };
-
     void addFigures();
     void addJob();
     void connectAll();

@@ -3,9 +3,27 @@
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 
 namespace autocuts {
+
+namespace {
+
+//! A fine line through the middle, that can be seen on dark and on light windows.
+class HeadingLine final : public QWidget
+{
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        QPainter painter(this);
+        QColor color = palette().color(QPalette::WindowText);
+        color.setAlphaF(0.25f);
+        painter.fillRect(0, height() / 2, width(), 1, color);
+    }
+};
+
+} // namespace
 
 QFormLayout *makeForm(QWidget *owner)
 {
@@ -64,12 +82,8 @@ QWidget *makeHeading(const QString &text)
     QFont bold = label->font();
     bold.setBold(true);
     label->setFont(bold);
-    auto *line = new QFrame;
-    line->setFrameShape(QFrame::HLine);
-    line->setForegroundRole(QPalette::Mid);
-    line->setFrameShadow(QFrame::Plain);
     layout->addWidget(label);
-    layout->addWidget(line, 1);
+    layout->addWidget(new HeadingLine, 1);
     return heading;
 }
 

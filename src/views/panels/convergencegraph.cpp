@@ -15,7 +15,7 @@ namespace autocuts {
 namespace {
 
 constexpr double lineWidth = 1.5;
-constexpr int tickCount = 4;
+constexpr int tickSpacing = 30; //!< least distance of two ticks, pixels
 
 std::vector<float> valuesOf(const std::vector<TracePoint> &trace, float TracePoint::*field)
 {
@@ -163,6 +163,7 @@ void ConvergenceGraph::paintEvent(QPaintEvent *)
 void ConvergenceGraph::drawFrame(QPainter &painter, const QRectF &plot, const Colors &c) const
 {
     const double height = painter.fontMetrics().height();
+    const int tickCount = std::max(2, static_cast<int>(plot.height()) / tickSpacing);
     for (double tick : mDistortionAxis.ticks(tickCount)) {
         const double y = plot.bottom() - plot.height() * mDistortionAxis.fraction(tick);
         painter.setPen(QPen(c.grid, 1));

@@ -27,7 +27,7 @@ std::vector<OverlapRow> overlapRows(const Document &document, const std::vector<
     std::vector<OverlapRow> rows;
     std::set<std::array<int, 2>> known;
     for (const auto &[first, second] : pairs) {
-        const auto [low, high] = std::minmax(faceOf(first), faceOf(second));
+        const auto [low, high] = std::minmax({faceOf(first), faceOf(second)});
         if (known.insert({low, high}).second)
             rows.push_back(
                 {{low, high}, {document.islands().islandOfFace(low), document.islands().islandOfFace(high)}});

@@ -58,6 +58,13 @@ Panel::Panel(const StudioContext &context, const QString &emptyText, QWidget *pa
     showWhetherEmpty();
 }
 
+Panel::~Panel()
+{
+    // A field that loses the focus because it is destroyed still tells its value, to a panel that is no more.
+    for (QObject *child : findChildren<QObject *>())
+        child->disconnect(this);
+}
+
 Document *Panel::document() const
 {
     return mContext.workspace.document();

@@ -19,6 +19,8 @@ class Panel : public QWidget
     Q_OBJECT
 
 public:
+    ~Panel() override;
+
     //! True when refresh() has nothing to catch up with.
     bool isUpToDate() const { return !mStale; }
 

@@ -15,7 +15,7 @@ namespace autocuts {
 struct SliderScale
 {
     double minimum = 0, maximum = 1;
-    int steps = 1000; //!< positions of the slider, less one
+    int steps = 1000;     //!< positions of the slider, less one
     int singleSteps = 10; //!< for an arrow key
     int pageSteps = 100;
     std::function<double(double)> toValue;    //!< from [0, 1], rising

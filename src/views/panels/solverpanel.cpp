@@ -46,14 +46,14 @@ SolverPanel::SolverPanel(const StudioContext &context, QWidget *parent)
     mGraph->setMaximumHeight(260);
     layout->addWidget(mGraph, 1);
     layout->addWidget(makeReadOut());
+    layout->addWidget(makeHeading(tr("Final map")));
+    layout->addWidget(makeFinishRow());
     layout->addWidget(makeHeading(tr("Settings")));
     auto *settings = new SolverSettingsForm;
     settings->setObjectName("settings"_L1);
     connect(settings, &SolverSettingsForm::edited, this,
             [this](const std::function<void(SolveSettings &)> &edit) { changeSolveSettings(edit); });
     layout->addWidget(settings);
-    layout->addWidget(makeHeading(tr("Final map")));
-    layout->addWidget(makeFinishRow());
     layout->addStretch();
     connectSolver();
 }
@@ -82,8 +82,8 @@ void SolverPanel::addModeRows(QFormLayout *form)
     mManual->setObjectName("manual"_L1);
     mBudget->setObjectName("budget"_L1);
     SolverController &solver = context().solver;
-    connect(mManual, &QPushButton::clicked, this, [&solver] { solver.setMode(SolveMode::Manual); });
-    connect(mBudget, &QPushButton::clicked, this, [&solver] { solver.setMode(SolveMode::Budget); });
+    connect(mManual, &QRadioButton::clicked, this, [&solver] { solver.setMode(SolveMode::Manual); });
+    connect(mBudget, &QRadioButton::clicked, this, [&solver] { solver.setMode(SolveMode::Budget); });
     QWidget *row = makeRow({mManual, mBudget}, RowWidths::AsNeeded);
     row->setFocusProxy(mManual);
     addRow(form, tr("Mode"), row, tr("Who chooses lambda and delta"));
@@ -98,10 +98,10 @@ void SolverPanel::addModeRows(QFormLayout *form)
     mBound->setKeyboardTracking(false);
     connect(mBound, &QDoubleSpinBox::valueChanged, this,
             [&solver](double bound) { solver.setMaxDistortion(bound); });
-    addRow(form, tr("D at most"), mBound,
-           tr("Distortion budget: bound on the mean symmetric Dirichlet energy, 4 where nothing is "
-              "distorted. Also "
-              "used by Finish and Unwrap."));
+    addRow(
+        form, tr("D at most"), mBound,
+        tr("Distortion budget: bound on the mean symmetric Dirichlet energy, 4 where nothing is distorted. "
+           "Also used by Finish and Unwrap."));
 }
 
 void SolverPanel::addSliderRows(QFormLayout *form)

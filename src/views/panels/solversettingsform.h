@@ -9,6 +9,7 @@
 
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QSpinBox;
 
 namespace autocuts {
@@ -30,6 +31,11 @@ Q_SIGNALS:
     void edited(const std::function<void(autocuts::SolveSettings &)> &edit);
 
 private:
+    void addChoices(QFormLayout *form);
+    void addNumbers(QFormLayout *form);
+    //! Tells what is chosen in the box. \param apply puts the data of an item into settings
+    void follow(QComboBox *box, void (*apply)(SolveSettings &, int));
+
     QComboBox *mStart, *mEnergy, *mWeighting, *mSolver;
     QDoubleSpinBox *mBoxWeight;
     QSpinBox *mSeed;

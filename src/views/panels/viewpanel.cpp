@@ -68,6 +68,14 @@ void ViewPanel::addColoringRows()
     explain(mColoring, tip, {"view.heatMap"});
     explain(label, tip, {"view.heatMap"});
 
+    addClampRows();
+    mLegend = new HeatLegend;
+    mLegend->setObjectName("legend"_L1);
+    mForm->addRow(mLegend);
+}
+
+void ViewPanel::addClampRows()
+{
     auto *factor = new QDoubleSpinBox;
     factor->setDecimals(2);
     factor->setSingleStep(0.1);
@@ -90,10 +98,6 @@ void ViewPanel::addColoringRows()
     });
     addRow(mForm, tr("Full colour at"), mMagnitudeClamp,
            tr("Symmetric Dirichlet energy that gets the full colour; 4 is without distortion"));
-
-    mLegend = new HeatLegend;
-    mLegend->setObjectName("legend"_L1);
-    mForm->addRow(mLegend);
 }
 
 void ViewPanel::addPatternRows()

@@ -33,6 +33,7 @@ protected:
 
 private:
     void addColoringRows();
+    void addClampRows();
     void addPatternRows();
     QWidget *makeToggles();
     template <class Edit>

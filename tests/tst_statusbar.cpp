@@ -1,0 +1,207 @@
+// The status bar: hint, messages, selection, figures, jobs, and what happens when there is little room.
+#include "model/samples.h"
+#include "support/editsupport.h"
+#include "support/panelbench.h"
+#include "views/panels/elidedlabel.h"
+#include "views/panels/figurestrip.h"
+#include "views/statusbar.h"
+
+#include <QProgressBar>
+#include <QToolButton>
+
+using namespace autocuts;
+using test::child;
+
+namespace {
+
+struct BarBench : test::PanelBench
+{
+    StatusBar bar{context};
+
+    explicit BarBench(int width = 1280)
+    {
+        const bool shown = test::showPanel(bar, width, 24);
+        Q_ASSERT(shown);
+        Q_UNUSED(shown);
+    }
+    void open() { workspace.open(test::layoutDocument(test::grid(4)), {}); }
+    void openSample()
+    {
+        workspace.open(std::make_unique<Document>(makeSample(QStringLiteral("bumpycube")).value()), {});
+    }
+};
+
+} // namespace
+
+class TestStatusBar : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aMessageGivesWayToTheHint()
+    {
+        BarBench bench;
+        bench.bar.setHint(QStringLiteral("Click a face"));
+        QCOMPARE(bench.bar.shownText(), QStringLiteral("Click a face"));
+        bench.bar.showText(QStringLiteral("Saved"), 50);
+        QCOMPARE(bench.bar.shownText(), QStringLiteral("Saved"));
+        bench.bar.setHint(QStringLiteral("Drag"));
+        QCOMPARE(bench.bar.shownText(), QStringLiteral("Saved"));
+        QTRY_COMPARE(bench.bar.shownText(), QStringLiteral("Drag"));
+    }
+
+    void selections_data()
+    {
+        QTest::addColumn<int>("mode");
+        QTest::addColumn<QStringList>("parts");
+        // Faces are squares of 0.25 x 0.25; edge 0 runs along one of them.
+        QTest::newRow("vertices") << int(SelectionMode::Vertices)
+                                  << QStringList{QStringLiteral("Vertices: 3"), QStringLiteral("corners: 4")};
+        QTest::newRow("edges") << int(SelectionMode::Edges)
+                               << QStringList{QStringLiteral("Edges: 2"), QStringLiteral("length 0.5")};
+        QTest::newRow("faces") << int(SelectionMode::Faces)
+                               << QStringList{QStringLiteral("Faces: 3"), QStringLiteral("area 0.1875")};
+        QTest::newRow("islands") << int(SelectionMode::Islands)
+                                 << QStringList{QStringLiteral("Islands: 2"), QStringLiteral("Faces: 3")};
+    }
+
+    void selections()
+    {
+        QFETCH(int, mode);
+        QFETCH(QStringList, parts);
+        BarBench bench;
+        bench.open();
+        const MeshData &mesh = bench.document().mesh();
+        Selection selection;
+        selection.mode = SelectionMode(mode);
+        selection.faces = {0, 1, 2};
+        // Two corners of one vertex between faces 0 and 1, and two of other vertices.
+        const int shared = mesh.faceStart[0] + 1;
+        int twin = mesh.faceStart[1];
+        while (mesh.cornerVertex[twin] != mesh.cornerVertex[shared])
+            ++twin;
+        selection.corners = {mesh.faceStart[0], shared, twin, mesh.faceStart[3]};
+        for (int edge = 0; selection.edges.size() < 2; ++edge) {
+            if (!bench.document().adjacency().isDiagonal(edge))
+                selection.edges << edge;
+        }
+        bench.document().setSelection(selection);
+        QTRY_VERIFY(!bench.bar.selectionText().isEmpty());
+        for (const QString &part : parts)
+            QVERIFY2(bench.bar.selectionText().contains(part), qPrintable(bench.bar.selectionText()));
+        bench.document().setSelection({});
+        QTRY_VERIFY(bench.bar.selectionText().isEmpty());
+    }
+
+    void figuresOfTheMap()
+    {
+        BarBench bench;
+        QVERIFY(!bench.bar.figures().isVisible());
+        bench.open();
+        QVERIFY(bench.measured());
+        QTRY_COMPARE(bench.bar.figures().figure(StatusBar::Islands), QStringLiteral("2"));
+        QVERIFY(bench.bar.figures().isVisible());
+        QCOMPARE(bench.bar.figures().figure(StatusBar::Distortion), QStringLiteral("4.0000"));
+        QCOMPARE(bench.bar.figures().figure(StatusBar::Flips), QStringLiteral("0"));
+        QVERIFY(!bench.bar.figures().isAlert(StatusBar::Overlaps));
+        QCOMPARE(bench.bar.figures().figure(StatusBar::Steps), QStringLiteral("–"));
+        bench.workspace.close();
+        QTRY_VERIFY(!bench.bar.figures().isVisible());
+    }
+
+    void overlapsAreAnAlert()
+    {
+        BarBench bench;
+        Scene scene = test::sceneOf(test::grid(4));
+        scene.uvSets.push_back({QStringLiteral("uv"), test::splitLayout(*scene.mesh)});
+        // Both islands at the same place.
+        UvMatrix &uv = scene.uvSets.back().uv;
+        for (Eigen::Index row = 0; row < uv.rows(); ++row)
+            uv(row, 0) -= uv(row, 0) >= 1.25 ? 1.5 : 0;
+        bench.workspace.open(std::make_unique<Document>(std::move(scene)), {});
+        QVERIFY(bench.measured());
+        QTRY_VERIFY(bench.bar.figures().isAlert(StatusBar::Overlaps));
+        QVERIFY(bench.bar.figures().figure(StatusBar::Overlaps).toInt() > 0);
+    }
+
+    void figuresOfARunningSolve()
+    {
+        BarBench bench;
+        bench.openSample();
+        bench.solver.setMode(SolveMode::Manual);
+        bench.solver.run();
+        QTRY_VERIFY_WITH_TIMEOUT(bench.solver.status().iteration > 3, test::panelPatience);
+        QTRY_VERIFY(bench.bar.figures().figure(StatusBar::Distortion).startsWith(QLatin1Char('4')));
+        QVERIFY(bench.bar.figures().figure(StatusBar::Energy) != QStringLiteral("–"));
+        QVERIFY(bench.bar.figures().figure(StatusBar::Lambda).startsWith(QLatin1Char('0')));
+        const int width = bench.bar.figures().sizeHint().width();
+        QTest::qWait(100);
+        QCOMPARE(bench.bar.figures().sizeHint().width(), width); // nothing moves while numbers run
+        bench.solver.pause();
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.solver.isSettling(), test::panelPatience);
+        QTRY_COMPARE(bench.bar.figures().figure(StatusBar::Energy), QStringLiteral("–"));
+    }
+
+    void jobsShowTheirProgressAndAreCancelled()
+    {
+        BarBench bench;
+        auto *const progress = child<QProgressBar>(bench.bar, "progress");
+        auto *const cancel = child<QToolButton>(bench.bar, "cancel");
+        QVERIFY(!progress->isVisible());
+        QVERIFY(!cancel->isVisible());
+        std::atomic<bool> report = false;
+        bool stopped = false;
+        bench.map.jobs().start(
+            QStringLiteral("Packing"),
+            [&report](JobControl &control) {
+                while (!control.stop()) {
+                    if (report) {
+                        control.setProgress(0.5);
+                        control.setStage(QStringLiteral("half"));
+                        report = false;
+                    }
+                    QThread::msleep(1);
+                }
+                return true;
+            },
+            [&stopped](bool value) { stopped = value; });
+        QTRY_VERIFY(progress->isVisible());
+        QCOMPARE(progress->maximum(), 0); // the end is not known yet
+        QVERIFY(bench.bar.shownText().contains(QStringLiteral("Packing")));
+        report = true;
+        QTRY_COMPARE(progress->value(), 50);
+        QTRY_VERIFY(bench.bar.shownText().contains(QStringLiteral("half")));
+        QTest::mouseClick(cancel, Qt::LeftButton);
+        QTRY_VERIFY(stopped);
+        QVERIFY(!progress->isVisible());
+        QVERIFY(!cancel->isVisible());
+    }
+
+    void textsGiveWayWhenThereIsLittleRoom()
+    {
+        BarBench bench(1280);
+        bench.open();
+        bench.bar.setHint(QString(400, QLatin1Char('x')));
+        bench.document().setSelection({SelectionMode::Faces, {0, 1, 2}, {}, {}});
+        QTRY_VERIFY(!bench.bar.selectionText().isEmpty());
+        QCOMPARE(bench.bar.width(), 1280);
+        QTRY_COMPARE(bench.bar.figures().visibleCount(), 10);
+        auto *const text = child<ElidedLabel>(bench.bar, "statusText");
+        auto *const selection = child<ElidedLabel>(bench.bar, "selectionText");
+        QVERIFY(text->width() > 100);
+        QVERIFY(!text->toolTip().isEmpty()); // the whole text
+        QVERIFY(selection->width() >= selection->fontMetrics().horizontalAdvance(selection->text()));
+        const auto inBar = [&](const QWidget *widget) {
+            return QRect(widget->mapTo(&bench.bar, QPoint()), widget->size());
+        };
+        QVERIFY(inBar(text).right() < inBar(selection).left());
+        QVERIFY(inBar(selection).right() < inBar(&bench.bar.figures()).left());
+        QVERIFY(bench.bar.minimumSizeHint().width() < 700);
+        bench.bar.resize(600, 24);
+        QTRY_VERIFY(bench.bar.figures().visibleCount() < 10);
+        QVERIFY(bench.bar.figures().visibleCount() > 0);
+    }
+};
+
+QTEST_MAIN(TestStatusBar)
+#include "tst_statusbar.moc"
