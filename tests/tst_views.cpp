@@ -422,6 +422,74 @@ private Q_SLOTS:
         QVERIFY(uv.pick(place).triangle != 9);
     }
 
+    void onlyWhatAnEventNamesIsRefilled()
+    {
+        using Content = SceneContent;
+        Content model(mStudio->context, false), map(mStudio->context, true);
+        QCOMPARE(model.refresh(), int(Content::AllParts));
+        QCOMPARE(map.refresh(), int(Content::AllParts));
+        QSignalSpy changes(&model, &Content::changed);
+        const auto expect = [&](int ofModel, int ofMap) {
+            QVERIFY(!changes.isEmpty());
+            changes.clear();
+            QCOMPARE(model.refresh(), ofModel);
+            QCOMPARE(map.refresh(), ofMap);
+        };
+        mStudio->view.setHover({3, -1, -1});
+        expect(0, 0);
+        Selection selection;
+        selection.faces = {1};
+        mStudio->document().setSelection(selection);
+        expect(Content::Faces, Content::Faces);
+        selection.edges = {edgeBetween(mStudio->document(), {0, 0.25}, {0.25, 0.25})};
+        mStudio->document().setSelection(selection);
+        expect(Content::Sides, Content::Sides);
+        selection.corners = {4};
+        mStudio->document().setSelection(selection);
+        expect(Content::Points, Content::Points);
+        QCOMPARE(model.points().size(), map.points().size());
+        mStudio->document().undoStack().push(
+            std::make_unique<SetSeamState>(mStudio->document(), SetSeamState::Edit::Cut,
+                                           cornerPairsOfEdges(mStudio->document().mesh(), selection.edges)));
+        expect(Content::Sides, Content::Sides);
+        ViewOptions options;
+        options.wireframe = false;
+        mStudio->view.setOptions(options);
+        expect(Content::Sides, Content::Sides);
+        options.coloring = Coloring::Islands;
+        mStudio->view.setOptions(options);
+        expect(Content::Faces, Content::Faces);
+        options.smoothShading = true;
+        mStudio->view.setOptions(options);
+        expect(0, 0);
+        const MeshData &mesh = mStudio->document().mesh();
+        mStudio->shown.showLive(UvMatrix::Random(mesh.soupCornerCount(), 2),
+                                std::vector<float>(mesh.cornerPairCount(), 0.2f));
+        const int live = Content::Uvs | Content::Faces | Content::Sides;
+        expect(live, live | Content::Points);
+        QVERIFY(model.ghostUvs().empty());
+        QCOMPARE(map.ghostUvs().size(), map.uvs().size());
+        mStudio->shown.showDocument();
+        expect(live, live | Content::Points);
+        QVERIFY(map.ghostUvs().empty());
+    }
+
+    void lostReleasesDoNoHarm()
+    {
+        MeshView &mesh = mStudio->mesh;
+        QTest::mousePress(&mesh, Qt::LeftButton, {}, {40, 40});
+        Canvases::moveMouse(mesh, {200, 200}, Qt::LeftButton);
+        QVERIFY(mStudio->tools.tool()->isBusy());
+        Canvases::moveMouse(mesh, {210, 210}); // no button is held any more
+        QVERIFY(!mStudio->tools.tool()->isBusy());
+        QTest::mousePress(&mesh, Qt::MiddleButton, {}, {40, 40});
+        const double yaw = mesh.camera().yaw();
+        Canvases::moveMouse(mesh, {200, 200});
+        QCOMPARE(mesh.camera().yaw(), yaw);
+        QTest::mouseClick(&mesh, Qt::LeftButton, {}, Canvases::middle(mesh, 4));
+        QCOMPARE(mStudio->document().selection().faces, QList<int>({2}));
+    }
+
     void toolsAreSwitched()
     {
         QCOMPARE(mStudio->tools.tool()->id(), QStringLiteral("select"));

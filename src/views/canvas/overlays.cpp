@@ -71,7 +71,13 @@ void drawMessage(QPainter &painter, const QRect &view, const ViewColors &colors,
     large.setWeight(QFont::DemiBold);
     const int lineHeight = QFontMetrics(painter.font()).height() + 4;
     const int titleHeight = QFontMetrics(large).height() + 8;
-    int y = view.center().y() - (titleHeight + lineHeight * static_cast<int>(lines.size())) / 2;
+    int width = QFontMetrics(large).horizontalAdvance(title);
+    for (const QString &line : lines)
+        width = std::max(width, painter.fontMetrics().horizontalAdvance(line));
+    QRect panel(0, 0, width + 48, titleHeight + lineHeight * static_cast<int>(lines.size()) + 28);
+    panel.moveCenter(view.center());
+    drawPanel(painter, panel, colors);
+    int y = panel.top() + 14;
     const QFont normal = painter.font();
     painter.setFont(large);
     painter.setPen(colors.text);
