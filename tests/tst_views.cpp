@@ -1,4 +1,5 @@
 // Both views with real mouse and key events: selecting, hovering, navigating, and what is drawn.
+#include "commands/editrectangles.h"
 #include "commands/setseamstate.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
@@ -385,6 +386,57 @@ private Q_SLOTS:
             mStudio->view.setOptions(options);
             QCOMPARE(countNear(canvas->picture(), red, 60), shown);
         }
+    }
+
+    void texturesLieOnTheModelAndBehindTheMap()
+    {
+        QImage picture(2, 2, QImage::Format_RGB32);
+        picture.setPixel(0, 0, qRgb(250, 240, 20)); // upper left: small u, large v
+        picture.setPixel(1, 0, qRgb(20, 240, 20));
+        picture.setPixel(0, 1, qRgb(20, 30, 240));
+        picture.setPixel(1, 1, qRgb(20, 240, 240));
+        picture = picture.scaled(64, 64);
+        const QString path = mStudio->folder.filePath(QStringLiteral("texture.png"));
+        QVERIFY(picture.save(path));
+        ViewOptions options;
+        options.texturePath = path;
+        options.pattern = Pattern::Texture;
+        options.fillIslands = false;
+        mStudio->view.setOptions(options);
+        UvView &uv = mStudio->uv;
+        const auto inMap = [&](double u, double v) {
+            return pixelAt(uv, uv.camera().toScreen(Vec2(u, v)).toPoint());
+        };
+        QTRY_VERIFY(inMap(0.3, 0.7).red() > 180);
+        QVERIFY(inMap(0.3, 0.7).blue() < 60);
+        QVERIFY(inMap(0.3, 0.3).blue() > 180 && inMap(0.3, 0.3).green() < 90);
+        QVERIFY(inMap(0.7, 0.7).green() > 180 && inMap(0.7, 0.7).red() < 90);
+        // Faces 0 to 4 are the lower row; u is x for the left half.
+        const QColor lower = pixelAt(mStudio->mesh, Canvases::middle(mStudio->mesh, 0));
+        const QColor upper = pixelAt(mStudio->mesh, Canvases::middle(mStudio->mesh, 2 * 12));
+        QVERIFY(lower.blue() > lower.red() + 40);
+        QVERIFY(upper.red() > upper.blue() + 40);
+        options.texturePath = mStudio->folder.filePath(QStringLiteral("gone.png"));
+        mStudio->view.setOptions(options);
+        QTRY_VERIFY(inMap(0.3, 0.7).red() < 120);
+    }
+
+    void rectanglesAreDrawn()
+    {
+        LayoutRectangle rectangle;
+        rectangle.name = QStringLiteral("hands");
+        rectangle.color = qRgb(20, 230, 240);
+        rectangle.lower = Vec2(0.55, 0.55);
+        rectangle.upper = Vec2(0.9, 0.95);
+        rectangle.hard = true;
+        const QColor color(rectangle.color);
+        const int before = countNear(mStudio->uv.picture(), color, 90);
+        mStudio->document().undoStack().push(EditRectangles::add(mStudio->document(), rectangle));
+        QVERIFY(countNear(mStudio->uv.picture(), color, 90) > before + 300);
+        ViewOptions options;
+        options.steering = false;
+        mStudio->view.setOptions(options);
+        QCOMPARE(countNear(mStudio->uv.picture(), color, 90), before);
     }
 
     void forcedCutsAppearAtOnce()
