@@ -233,6 +233,14 @@ private Q_SLOTS:
         QCOMPARE(navigationKeyOf(maya, Qt::Key_Home, Qt::NoModifier), NavigationKey::None);
     }
 
+    void tilesThatAreUsed()
+    {
+        QCOMPARE(usedTiles({}), Vec2(1, 1));
+        QCOMPARE(usedTiles({Vec2(0.1, 0.1), Vec2(0.9, 1.01)}), Vec2(1, 1));
+        QCOMPARE(usedTiles({Vec2(0.1, 0.1), Vec2(2.5, 1.1)}), Vec2(3, 2));
+        QCOMPARE(usedTiles({Vec2(-9, -9), Vec2(-5, 1e300)}), Vec2(1, 899));
+    }
+
     void gridFollowsTheZoom_data()
     {
         QTest::addColumn<int>("textureSize");

@@ -164,6 +164,22 @@ private Q_SLOTS:
         QCOMPARE(liveIslands(*mesh, separation), (std::vector<int>{0, 1, 2, 3}));
     }
 
+    void ghostsJoinWhatIsNearlyJoined()
+    {
+        const MeshPtr mesh = test::grid(1); // two triangles and a diagonal
+        UvMatrix uv = soupUv(*mesh, test::splitLayout(*mesh));
+        const EdgePair &pair = mesh->edgePairs[0];
+        uv.row(pair.corner[0][1]) += Vec2(0.2, 0).transpose();
+        uv.row(pair.corner[1][1]) += Vec2(0, 0.4).transpose();
+        const std::vector<float> separation{0.49f, 0.5f};
+        const UvMatrix ghost = ghostUv(*mesh, uv, separation);
+        for (int which = 0; which < 2; ++which) {
+            const Vec2 middle = 0.5 * (uv.row(pair.corner[0][0]) + uv.row(pair.corner[0][1]));
+            QVERIFY((Vec2(ghost.row(pair.corner[0][which])) - middle).norm() < 1e-12);
+            QCOMPARE(Vec2(ghost.row(pair.corner[1][which])), Vec2(uv.row(pair.corner[1][which])));
+        }
+    }
+
     void flippedIsAgainstTheIsland()
     {
         const MeshPtr mesh = test::grid(2);

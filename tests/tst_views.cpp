@@ -1,4 +1,5 @@
 // Both views with real mouse and key events: selecting, hovering, navigating, and what is drawn.
+#include "commands/editrectangles.h"
 #include "commands/setseamstate.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
@@ -387,6 +388,57 @@ private Q_SLOTS:
         }
     }
 
+    void texturesLieOnTheModelAndBehindTheMap()
+    {
+        QImage picture(2, 2, QImage::Format_RGB32);
+        picture.setPixel(0, 0, qRgb(250, 240, 20)); // upper left: small u, large v
+        picture.setPixel(1, 0, qRgb(20, 240, 20));
+        picture.setPixel(0, 1, qRgb(20, 30, 240));
+        picture.setPixel(1, 1, qRgb(20, 240, 240));
+        picture = picture.scaled(64, 64);
+        const QString path = mStudio->folder.filePath(QStringLiteral("texture.png"));
+        QVERIFY(picture.save(path));
+        ViewOptions options;
+        options.texturePath = path;
+        options.pattern = Pattern::Texture;
+        options.fillIslands = false;
+        mStudio->view.setOptions(options);
+        UvView &uv = mStudio->uv;
+        const auto inMap = [&](double u, double v) {
+            return pixelAt(uv, uv.camera().toScreen(Vec2(u, v)).toPoint());
+        };
+        QTRY_VERIFY(inMap(0.3, 0.7).red() > 180);
+        QVERIFY(inMap(0.3, 0.7).blue() < 60);
+        QVERIFY(inMap(0.3, 0.3).blue() > 180 && inMap(0.3, 0.3).green() < 90);
+        QVERIFY(inMap(0.7, 0.7).green() > 180 && inMap(0.7, 0.7).red() < 90);
+        // Faces 0 to 4 are the lower row; u is x for the left half.
+        const QColor lower = pixelAt(mStudio->mesh, Canvases::middle(mStudio->mesh, 0));
+        const QColor upper = pixelAt(mStudio->mesh, Canvases::middle(mStudio->mesh, 2 * 12));
+        QVERIFY(lower.blue() > lower.red() + 40);
+        QVERIFY(upper.red() > upper.blue() + 40);
+        options.texturePath = mStudio->folder.filePath(QStringLiteral("gone.png"));
+        mStudio->view.setOptions(options);
+        QTRY_VERIFY(inMap(0.3, 0.7).red() < 120);
+    }
+
+    void rectanglesAreDrawn()
+    {
+        LayoutRectangle rectangle;
+        rectangle.name = QStringLiteral("hands");
+        rectangle.color = qRgb(20, 230, 240);
+        rectangle.lower = Vec2(0.55, 0.55);
+        rectangle.upper = Vec2(0.9, 0.95);
+        rectangle.hard = true;
+        const QColor color(rectangle.color);
+        const int before = countNear(mStudio->uv.picture(), color, 90);
+        mStudio->document().undoStack().push(EditRectangles::add(mStudio->document(), rectangle));
+        QVERIFY(countNear(mStudio->uv.picture(), color, 90) > before + 300);
+        ViewOptions options;
+        options.steering = false;
+        mStudio->view.setOptions(options);
+        QCOMPARE(countNear(mStudio->uv.picture(), color, 90), before);
+    }
+
     void forcedCutsAppearAtOnce()
     {
         const int edge = edgeBetween(mStudio->document(), {0.25, 0.25}, {0.25, 0.5});
@@ -420,6 +472,74 @@ private Q_SLOTS:
         QVERIFY(pixelAt(uv, place) != pixelAt(uv, place + QPoint(0, 30)));
         mStudio->shown.showDocument();
         QVERIFY(uv.pick(place).triangle != 9);
+    }
+
+    void onlyWhatAnEventNamesIsRefilled()
+    {
+        using Content = SceneContent;
+        Content model(mStudio->context, false), map(mStudio->context, true);
+        QCOMPARE(model.refresh(), int(Content::AllParts));
+        QCOMPARE(map.refresh(), int(Content::AllParts));
+        QSignalSpy changes(&model, &Content::changed);
+        const auto expect = [&](int ofModel, int ofMap) {
+            QVERIFY(!changes.isEmpty());
+            changes.clear();
+            QCOMPARE(model.refresh(), ofModel);
+            QCOMPARE(map.refresh(), ofMap);
+        };
+        mStudio->view.setHover({3, -1, -1});
+        expect(0, 0);
+        Selection selection;
+        selection.faces = {1};
+        mStudio->document().setSelection(selection);
+        expect(Content::Faces, Content::Faces);
+        selection.edges = {edgeBetween(mStudio->document(), {0, 0.25}, {0.25, 0.25})};
+        mStudio->document().setSelection(selection);
+        expect(Content::Sides, Content::Sides);
+        selection.corners = {4};
+        mStudio->document().setSelection(selection);
+        expect(Content::Points, Content::Points);
+        QCOMPARE(model.points().size(), map.points().size());
+        mStudio->document().undoStack().push(
+            std::make_unique<SetSeamState>(mStudio->document(), SetSeamState::Edit::Cut,
+                                           cornerPairsOfEdges(mStudio->document().mesh(), selection.edges)));
+        expect(Content::Sides, Content::Sides);
+        ViewOptions options;
+        options.wireframe = false;
+        mStudio->view.setOptions(options);
+        expect(Content::Sides, Content::Sides);
+        options.coloring = Coloring::Islands;
+        mStudio->view.setOptions(options);
+        expect(Content::Faces, Content::Faces);
+        options.smoothShading = true;
+        mStudio->view.setOptions(options);
+        expect(0, 0);
+        const MeshData &mesh = mStudio->document().mesh();
+        mStudio->shown.showLive(UvMatrix::Random(mesh.soupCornerCount(), 2),
+                                std::vector<float>(mesh.cornerPairCount(), 0.2f));
+        const int live = Content::Uvs | Content::Faces | Content::Sides;
+        expect(live, live | Content::Points);
+        QVERIFY(model.ghostUvs().empty());
+        QCOMPARE(map.ghostUvs().size(), map.uvs().size());
+        mStudio->shown.showDocument();
+        expect(live, live | Content::Points);
+        QVERIFY(map.ghostUvs().empty());
+    }
+
+    void lostReleasesDoNoHarm()
+    {
+        MeshView &mesh = mStudio->mesh;
+        QTest::mousePress(&mesh, Qt::LeftButton, {}, {40, 40});
+        Canvases::moveMouse(mesh, {200, 200}, Qt::LeftButton);
+        QVERIFY(mStudio->tools.tool()->isBusy());
+        Canvases::moveMouse(mesh, {210, 210}); // no button is held any more
+        QVERIFY(!mStudio->tools.tool()->isBusy());
+        QTest::mousePress(&mesh, Qt::MiddleButton, {}, {40, 40});
+        const double yaw = mesh.camera().yaw();
+        Canvases::moveMouse(mesh, {200, 200});
+        QCOMPARE(mesh.camera().yaw(), yaw);
+        QTest::mouseClick(&mesh, Qt::LeftButton, {}, Canvases::middle(mesh, 4));
+        QCOMPARE(mStudio->document().selection().faces, QList<int>({2}));
     }
 
     void toolsAreSwitched()

@@ -8,11 +8,12 @@ uniform vec4 topColor, bottomColor, gridColor;
 uniform vec4 axisX, axisZ;
 uniform mat4 toFrame; // from the clip space to the frame of the mesh
 uniform float groundHeight, gridStep;
+uniform float pixelRatio;
 uniform bool grid;
 
 float line(float place, float width)
 {
-    return clamp(1.2 - abs(place) / max(width, 1e-7), 0.0, 1.0);
+    return clamp(0.5 * pixelRatio + 0.6 - abs(place) / max(width, 1e-7), 0.0, 1.0);
 }
 
 void main()

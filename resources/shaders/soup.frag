@@ -66,7 +66,7 @@ float stripes(vec2 direction, float period)
 {
     float place = dot(gl_FragCoord.xy / pixelRatio, direction) / period;
     float wave = abs(fract(place) - 0.5) * period * pixelRatio;
-    return clamp(period * pixelRatio * 0.18 - wave + 0.5, 0.0, 1.0);
+    return clamp(period * pixelRatio * 0.12 - wave + 0.5, 0.0, 1.0);
 }
 
 vec4 marked(vec4 face, uint marks)
@@ -79,7 +79,7 @@ vec4 marked(vec4 face, uint marks)
         face = mix(face, vec4(flippedColor.rgb, 1), stripes(vec2(0.7071, -0.7071), 7.0));
     }
     if ((marks & overlapMark) != 0u)
-        face = mix(face, vec4(overlapColor.rgb, 1), 0.85 * stripes(vec2(0.7071, 0.7071), 8.0));
+        face = mix(face, vec4(overlapColor.rgb, 1), 0.75 * stripes(vec2(0.7071, 0.7071), 9.0));
     if (hovered)
         face = vec4(mix(face.rgb, hoverColor.rgb, 0.32), max(face.a, 0.42));
     return face;

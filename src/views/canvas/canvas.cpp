@@ -47,6 +47,8 @@ Canvas::Canvas(Kind kind, const CanvasContext &context, ToolManager &tools, QWid
     connect(&tools, &ToolManager::toolChanged, this, &Canvas::updateCursor);
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
         mNavigation = Navigation::None;
+        mToolPressed = false;
+        mContext.view.setHover({});
         documentReplaced();
     });
     const auto readTexture = [this] { mTexture.setPath(mContext.view.options().texturePath); };

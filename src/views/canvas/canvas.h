@@ -91,6 +91,7 @@ private:
     void releaseGl();
     void upload();
     void updateCursor();
+    void endLostGestures(Qt::MouseButtons held);
     ToolEvent toolEvent(const QMouseEvent &event, bool withPick);
 
     const Kind mKind;

@@ -21,9 +21,24 @@ ToolEvent Canvas::toolEvent(const QMouseEvent &event, bool withPick)
     return result;
 }
 
+// A release can get lost, as when a dialog opens during a drag.
+void Canvas::endLostGestures(Qt::MouseButtons held)
+{
+    if (mNavigation != Navigation::None && !held.testFlag(mNavigationButton)) {
+        mNavigation = Navigation::None;
+        updateCursor();
+    }
+    if (mToolPressed && held == Qt::NoButton) {
+        mToolPressed = false;
+        if (mTools.tool())
+            mTools.tool()->cancel();
+    }
+}
+
 void Canvas::mousePressEvent(QMouseEvent *event)
 {
     setFocus(Qt::MouseFocusReason);
+    endLostGestures(event->buttons() & ~event->button());
     mLastMouse = event->position();
     const NavigationPreset preset = mContext.preferences.values().navigation;
     const Navigation navigation = navigationOf(preset, event->button(), event->modifiers());
@@ -44,6 +59,7 @@ void Canvas::mousePressEvent(QMouseEvent *event)
 
 void Canvas::mouseMoveEvent(QMouseEvent *event)
 {
+    endLostGestures(event->buttons());
     const QPointF moved = event->position() - mLastMouse;
     mLastMouse = event->position();
     if (mNavigation != Navigation::None) {

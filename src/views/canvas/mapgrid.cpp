@@ -1,5 +1,7 @@
 #include "views/canvas/mapgrid.h"
 
+#include "model/packingsettings.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -33,6 +35,15 @@ MapGrid MapGrid::of(const MapCamera &camera, int textureSize)
         grid.divisions /= 2;
     grid.strength = std::clamp((pixels - minStepPixels) / minStepPixels * 0.6 + 0.4, 0.0, 1.0);
     return grid;
+}
+
+Vec2 usedTiles(const Eigen::AlignedBox2d &uvBox)
+{
+    constexpr double columns = 10, rows = (PackingSettings::lastTile - PackingSettings::firstTile) / 10;
+    if (uvBox.isEmpty())
+        return Vec2::Ones();
+    const Vec2 reached = (uvBox.max().array() - 0.02).ceil();
+    return reached.cwiseMax(1).cwiseMin(Vec2(columns, rows));
 }
 
 PaperDrawing paperDrawing(const MapCamera &camera, double pixelRatio, int textureSize)

@@ -17,6 +17,10 @@ struct MapGrid
     static MapGrid of(const MapCamera &camera, int textureSize);
 };
 
+//! Columns and rows of tiles, from 1001, that a map reaches into; at least one of each. What stands over by a
+//! little does not count.
+Vec2 usedTiles(const Eigen::AlignedBox2d &uvBox);
+
 //! Where tiles and grid lie in the view. \param pixelRatio pixels of the screen per logical pixel
 PaperDrawing paperDrawing(const MapCamera &camera, double pixelRatio, int textureSize);
 

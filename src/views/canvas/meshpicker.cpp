@@ -168,6 +168,20 @@ PickResult MeshPicker::pick(const OrbitCamera &camera, const QPointF &pixel) con
     return result;
 }
 
+Vec3 MeshPicker::faceCentre(int face) const
+{
+    // By area: the average of the corners can lie off a concave face.
+    Vec3 sum = Vec3::Zero();
+    double area = 0;
+    for (int t = mTopology.faceTriangle[face]; t < mTopology.faceTriangle[face + 1]; ++t) {
+        const double weight = std::max(mMesh->triangleArea[t], std::numeric_limits<double>::min());
+        for (int vertex : mVertices[t])
+            sum += weight / 3 * mPoints.row(vertex).transpose();
+        area += weight;
+    }
+    return sum / area;
+}
+
 BoxPick MeshPicker::pickBox(const OrbitCamera &camera, const QRectF &box) const
 {
     const OrbitProjector projector(camera);
@@ -182,8 +196,6 @@ BoxPick MeshPicker::pickBox(const OrbitCamera &camera, const QRectF &box) const
         ScreenPoint place;
         return projector.project(point, place) && box.contains(place.x, place.y) && depths.isVisible(place);
     };
-    const auto position = [this](int corner) { return Vec3(mPoints.row(mMesh->cornerVertex[corner])); };
-
     BoxPick result;
     std::vector<bool> vertexInside(mMesh->vertexCount());
     for (int v = 0; v < mMesh->vertexCount(); ++v)
@@ -193,15 +205,7 @@ BoxPick MeshPicker::pickBox(const OrbitCamera &camera, const QRectF &box) const
             result.corners.push_back(c);
     }
     for (int f = 0; f < mMesh->faceCount(); ++f) {
-        Vec3 centre = Vec3::Zero();
-        double area = 0; // a corner average could lie off the face
-        for (int t = mTopology.faceTriangle[f]; t < mTopology.faceTriangle[f + 1]; ++t) {
-            const auto &corners = mMesh->triangles[t];
-            const double weight = std::max(mMesh->triangleArea[t], std::numeric_limits<double>::min());
-            centre += weight / 3 * (position(corners[0]) + position(corners[1]) + position(corners[2]));
-            area += weight;
-        }
-        if (inside(centre / area))
+        if (inside(faceCentre(f)))
             result.faces.push_back(f);
     }
     for (std::size_t e = 0; e < mTopology.edgeSides.size(); ++e) {

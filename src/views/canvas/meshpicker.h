@@ -47,6 +47,7 @@ private:
                      int preferredTriangle) const;
     void collect(const OrbitCamera &camera, const Projection &seen, const QPointF &pixel,
                  std::vector<Candidate> &sides, std::vector<Candidate> &corners) const;
+    Vec3 faceCentre(int face) const;
     int vertex(int soupCorner) const { return mVertices[soupCorner / 3][soupCorner % 3]; }
 
     std::shared_ptr<const MeshData> mMesh;

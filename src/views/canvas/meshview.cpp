@@ -126,6 +126,7 @@ void MeshView::drawScene(GlResources &gl)
     RoomDrawing room;
     // The ground reaches farther than the model.
     room.clipMatrix = toQt(mCamera.projectionMatrix(6) * mCamera.viewMatrix());
+    room.pixelRatio = devicePixelRatioF();
     room.grid = options.grid;
     room.groundHeight = content().mesh() ? content().frame().lower.y() : 0;
     gl.backdrop.draw(room, content().colors());

@@ -18,9 +18,40 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-QString tr(const char *text)
+//! Context of the texts for translation.
+struct Overlays
 {
-    return QCoreApplication::translate("Overlays", text);
+    Q_DECLARE_TR_FUNCTIONS(Overlays)
+};
+
+//! What stands in a legend.
+struct Legend
+{
+    QString title, low, middle, high;
+    QGradientStops stops;
+};
+
+Legend stretchLegend(const ViewOptions &options, bool colorBlind)
+{
+    const double factor = std::exp2(options.stretchClamp);
+    return {Overlays::tr("Area in UV space"), u"\u00f7%1"_s.arg(factor, 0, 'g', 3), Overlays::tr("even"),
+            u"\u00d7%1"_s.arg(factor, 0, 'g', 3), heatStops(HeatMap::SignedStretch, colorBlind)};
+}
+
+Legend magnitudeLegend(const ViewOptions &options, bool colorBlind)
+{
+    return {Overlays::tr("Distortion"), u"4"_s, u"%1"_s.arg(0.5 * (4 + options.magnitudeClamp), 0, 'g', 3),
+            u"\u2265 %1"_s.arg(options.magnitudeClamp, 0, 'g', 3), heatStops(HeatMap::Magnitude, colorBlind)};
+}
+
+Legend paintLegend(const ViewColors &colors)
+{
+    Legend legend{
+        Overlays::tr("Painted weights"), Overlays::tr("attract cuts"), {}, Overlays::tr("keep together"), {}};
+    const QRgb neutral = colors.model.rgb();
+    for (int i = 0; i <= 16; ++i) // factors from 0.01 to 100
+        legend.stops << QGradientStop(i / 16.0, QColor(paintColor(std::pow(10, i / 4.0 - 2), neutral)));
+    return legend;
 }
 
 void drawPanel(QPainter &painter, const QRectF &box, const ViewColors &colors)
@@ -40,7 +71,13 @@ void drawMessage(QPainter &painter, const QRect &view, const ViewColors &colors,
     large.setWeight(QFont::DemiBold);
     const int lineHeight = QFontMetrics(painter.font()).height() + 4;
     const int titleHeight = QFontMetrics(large).height() + 8;
-    int y = view.center().y() - (titleHeight + lineHeight * static_cast<int>(lines.size())) / 2;
+    int width = QFontMetrics(large).horizontalAdvance(title);
+    for (const QString &line : lines)
+        width = std::max(width, painter.fontMetrics().horizontalAdvance(line));
+    QRect panel(0, 0, width + 48, titleHeight + lineHeight * static_cast<int>(lines.size()) + 28);
+    panel.moveCenter(view.center());
+    drawPanel(painter, panel, colors);
+    int y = panel.top() + 14;
     const QFont normal = painter.font();
     painter.setFont(large);
     painter.setPen(colors.text);
@@ -57,40 +94,31 @@ void drawMessage(QPainter &painter, const QRect &view, const ViewColors &colors,
 void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const ViewOptions &options,
                 bool colorBlind)
 {
-    if (options.coloring != Coloring::SignedStretch && options.coloring != Coloring::StretchMagnitude)
-        return;
-    const bool isSigned = options.coloring == Coloring::SignedStretch;
     const int width = std::min(230, view.width() - 40);
-    if (width < 120)
+    if (options.coloring == Coloring::Plain || options.coloring == Coloring::Islands || width < 120)
         return;
+    const Legend legend = options.coloring == Coloring::SignedStretch ? stretchLegend(options, colorBlind)
+                          : options.coloring == Coloring::StretchMagnitude
+                              ? magnitudeLegend(options, colorBlind)
+                              : paintLegend(colors);
     const int lineHeight = painter.fontMetrics().height();
     const QRectF panel(view.right() - width - 12, view.bottom() - 2 * lineHeight - 38, width,
                        2 * lineHeight + 26);
     drawPanel(painter, panel, colors);
     const QRectF inner = panel.adjusted(10, 6, -10, -6);
     painter.setPen(colors.text);
-    painter.drawText(inner, Qt::AlignTop | Qt::AlignHCenter,
-                     isSigned ? tr("Area in UV space") : tr("Distortion"));
+    painter.drawText(inner, Qt::AlignTop | Qt::AlignHCenter, legend.title);
 
     const QRectF bar(inner.left(), inner.top() + lineHeight + 3, inner.width(), 9);
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
-    gradient.setStops(heatStops(isSigned ? HeatMap::SignedStretch : HeatMap::Magnitude, colorBlind));
+    gradient.setStops(legend.stops);
     painter.fillRect(bar, gradient);
 
     const QRectF numbers(inner.left(), bar.bottom() + 2, inner.width(), lineHeight);
     painter.setPen(colors.dimText);
-    const QString times = u"\u00d7%1"_s;
-    if (isSigned) {
-        const double factor = std::exp2(options.stretchClamp);
-        painter.drawText(numbers, Qt::AlignLeft, u"\u00f7%1"_s.arg(factor, 0, 'g', 3));
-        painter.drawText(numbers, Qt::AlignHCenter, tr("even"));
-        painter.drawText(numbers, Qt::AlignRight, times.arg(factor, 0, 'g', 3));
-    } else {
-        painter.drawText(numbers, Qt::AlignLeft, u"4"_s);
-        painter.drawText(numbers, Qt::AlignHCenter,
-                         u"%1"_s.arg(0.5 * (4 + options.magnitudeClamp), 0, 'g', 3));
-        painter.drawText(numbers, Qt::AlignRight, u"\u2265 %1"_s.arg(options.magnitudeClamp, 0, 'g', 3));
-    }
+    painter.drawText(numbers, Qt::AlignLeft, legend.low);
+    painter.drawText(numbers, Qt::AlignHCenter, legend.middle);
+    painter.drawText(numbers, Qt::AlignRight, legend.high);
 }
 
 void drawGizmo(QPainter &painter, const QRect &view, const ViewColors &colors, const OrbitCamera &camera)

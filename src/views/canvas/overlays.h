@@ -17,7 +17,7 @@ class OrbitCamera;
 //! A title and lines in the middle of an empty view.
 void drawMessage(QPainter &painter, const QRect &view, const ViewColors &colors, const QString &title,
                  const QStringList &lines);
-//! The colours of the heat-map and the numbers at their ends; nothing for other colourings.
+//! What the colours of the faces stand for; nothing where they stand for no number.
 void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const ViewOptions &options,
                 bool colorBlind);
 //! The axes as the camera sees them, in the upper right.

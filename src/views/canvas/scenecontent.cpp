@@ -1,5 +1,6 @@
 #include "views/canvas/scenecontent.h"
 
+#include "model/uvlayout.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
@@ -156,16 +157,6 @@ const UvMatrix &SceneContent::uv() const
     return mContext.shownMap.uv();
 }
 
-bool SceneContent::hasUvs() const
-{
-    const UvMatrix &shown = uv();
-    for (Eigen::Index s = 0; s < shown.rows(); ++s) {
-        if (shown.row(s).allFinite())
-            return true;
-    }
-    return false;
-}
-
 int SceneContent::refresh()
 {
     const int parts = std::exchange(mStale, 0);
@@ -174,6 +165,7 @@ int SceneContent::refresh()
         mVertices.clear();
         mUvs.clear();
         mGhostUvs.clear();
+        mUvBox.setEmpty();
         mFaces.clear();
         mSides.clear();
         mPoints.clear();
@@ -184,6 +176,7 @@ int SceneContent::refresh()
         mVertices = soupVertices(*own.mesh, document->adjacency(), own.frame);
     if (parts & Uvs) {
         mUvs = soupUvs(uv());
+        mUvBox = layoutBox(uv());
         mGhostUvs.clear();
         if (mAsMap && mContext.shownMap.isLive())
             mGhostUvs = soupUvs(ghostUv(*own.mesh, uv(), mContext.shownMap.separation()));

@@ -5,6 +5,7 @@
 #include "views/canvas/viewstate.h"
 #include "views/gl/soupbuffers.h"
 
+#include <Eigen/Geometry>
 #include <QObject>
 
 #include <memory>
@@ -34,8 +35,8 @@ public:
     const MeshFrame &frame() const;
     const SoupTopology &topology() const;
     const UvMatrix &uv() const;
-    //! False when no triangle has UVs.
-    bool hasUvs() const;
+    //! Box of the map as of the last refresh(); empty when there are no UVs.
+    const Eigen::AlignedBox2d &uvBox() const { return mUvBox; }
 
     //! Brings the arrays up to date. \returns mask of the parts that changed since the last call
     int refresh();
@@ -75,6 +76,7 @@ private:
     ViewColors mColors;
     ViewOptions mOptions; //!< that the arrays were marked for
     Selection mSelection; //!< that the arrays were marked for
+    Eigen::AlignedBox2d mUvBox;
     std::vector<SoupVertex> mVertices;
     std::vector<float> mUvs, mGhostUvs;
     std::vector<FaceTexel> mFaces;

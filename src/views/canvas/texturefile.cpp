@@ -1,5 +1,6 @@
 #include "views/canvas/texturefile.h"
 
+#include <QCoreApplication>
 #include <QImageReader>
 #include <QPointer>
 #include <QThreadPool>
@@ -26,23 +27,15 @@ void TextureFile::setPath(const QString &path)
     Q_EMIT changed();
     if (path.isEmpty())
         return;
-    // The result is handed over through the thread that this object lives in; a receiver that is gone, or
-    // wants another file by then, drops it.
-    QThreadPool::globalInstance()->start([path, self = QPointer<TextureFile>(this), thread = this->thread()] {
-        auto messenger = std::make_unique<QObject>();
-        messenger->moveToThread(thread);
-        QImage image = readPicture(path);
-        QObject *target = messenger.release();
-        QMetaObject::invokeMethod(
-            target,
-            [path, self, image = std::move(image), target] {
-                target->deleteLater();
-                if (!self || self->mPath != path)
-                    return;
-                self->mImage = image;
-                Q_EMIT self->changed();
-            },
-            Qt::QueuedConnection);
+    // The result is handed over in the GUI thread; when nobody wants this file any more it is dropped.
+    QThreadPool::globalInstance()->start([path, self = QPointer<TextureFile>(this)] {
+        const auto takeOver = [path, self, image = readPicture(path)] {
+            if (!self || self->mPath != path)
+                return;
+            self->mImage = image;
+            Q_EMIT self->changed();
+        };
+        QMetaObject::invokeMethod(QCoreApplication::instance(), takeOver, Qt::QueuedConnection);
     });
 }
 

@@ -106,6 +106,8 @@ void UvView::drawPaper(GlResources &gl)
     paper.checkerSize = options.checkerSize;
     paper.texture = gl.texture.id();
     paper.lineWidth = devicePixelRatioF();
+    const Vec2 used = canvasContext().shownMap.isLive() ? Vec2(Vec2::Ones()) : usedTiles(content().uvBox());
+    paper.usedTiles = {static_cast<float>(used.x()), static_cast<float>(used.y())};
     gl.backdrop.draw(paper, content().colors());
 }
 
@@ -160,7 +162,7 @@ void UvView::drawOverlay(QPainter &painter)
         drawTileNames(painter, rect(), colors, mCamera);
     if (document && options.steering)
         drawRectangles(painter, document->constraints().rectangles, mCamera);
-    if (document && !content().hasUvs())
+    if (document && content().uvBox().isEmpty())
         drawMessage(painter, rect(), colors, tr("No UVs yet"),
                     {tr("Press U to unwrap, or Space to solve live")});
     const int textureSize =

@@ -27,6 +27,7 @@ void Backdrop::draw(const RoomDrawing &drawing, const ViewColors &colors)
     mRoom->setUniformValue("toFrame", drawing.clipMatrix.inverted());
     mRoom->setUniformValue("groundHeight", static_cast<float>(drawing.groundHeight));
     mRoom->setUniformValue("gridStep", static_cast<float>(drawing.gridStep));
+    mRoom->setUniformValue("pixelRatio", static_cast<float>(drawing.pixelRatio));
     mRoom->setUniformValue("grid", drawing.grid);
     fillView();
     mRoom->release();

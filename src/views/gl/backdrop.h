@@ -19,6 +19,7 @@ struct RoomDrawing
     QMatrix4x4 clipMatrix;   //!< from the frame of the mesh to the clip space
     double groundHeight = 0; //!< in the frame
     double gridStep = 0.2;   //!< in the frame
+    double pixelRatio = 1;
     bool grid = true;
 };
 
