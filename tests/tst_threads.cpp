@@ -52,6 +52,38 @@ private Q_SLOTS:
             QVERIFY(x == alone);
     }
 
+    void aStepDoesNotDependOnItsThreads()
+    {
+        // Large enough for several jobs in every loop.
+        Snapshot snapshot;
+        snapshot.mesh = test::torus(60, 40);
+        snapshot.settings.lambda = 0.05;
+        snapshot.settings.delta = 0.01;
+        std::vector<double> x[3];
+        for (int i = 0; i < 3; ++i) {
+            Solver solver;
+            solver.setThreads(i + 1);
+            solver.load(snapshot);
+            for (int step = 0; step < 25; ++step)
+                solver.step();
+            x[i] = solver.coordinates();
+        }
+        QVERIFY(x[1] == x[0]);
+        QVERIFY(x[2] == x[0]);
+    }
+
+    void aTeamRunsEveryJobOnce()
+    {
+        ThreadTeam team(3);
+        QCOMPARE(team.threads(), 3);
+        for (int round = 0; round < 200; ++round) {
+            std::vector<std::atomic<int>> runs(7);
+            team.run(7, [&](int i) { ++runs[i]; });
+            for (const auto &count : runs)
+                QCOMPARE(count.load(), 1);
+        }
+    }
+
     void parallelForRunsEveryJobOnce_data()
     {
         QTest::addColumn<int>("threads");

@@ -15,13 +15,16 @@ constexpr double armijo = 1e-4;
 constexpr double flipMargin = 0.9;
 constexpr int maxHalvings = 30;
 constexpr double longestStep = 64;
+//! A longer step is tried when the parabola through the first one has its minimum beyond this (doubling would
+//! not pay before 1.5).
+constexpr double promisingMinimum = 1.4;
 
 } // namespace
 
-Minimizer::Minimizer(std::shared_ptr<const Soup> soup, std::unique_ptr<NewtonDirection> direction)
-    : mSoup(std::move(soup)), mDirection(std::move(direction))
-{
-}
+Minimizer::Minimizer(std::shared_ptr<const Soup> soup, std::unique_ptr<NewtonDirection> direction,
+                     ThreadTeam *team)
+    : mSoup(std::move(soup)), mTeam(team), mDirection(std::move(direction))
+{}
 
 void Minimizer::setTerms(std::vector<const EnergyTerm *> terms)
 {
@@ -42,49 +45,75 @@ double Minimizer::energy(std::span<const double> x) const
     return sum;
 }
 
+double Minimizer::tryStep(const std::vector<double> &x, double length)
+{
+    mTrial.resize(x.size());
+    runOn(mTeam, jobCount(mSoup->triangleCount()), [&](int job) {
+        const std::size_t begin = 6 * static_cast<std::size_t>(job) * jobSize;
+        const std::size_t end = std::min(x.size(), begin + 6 * static_cast<std::size_t>(jobSize));
+        for (std::size_t i = begin; i < end; ++i)
+            mTrial[i] = x[i] + length * mMove[i];
+    });
+    double sum = 0;
+    mValues.clear();
+    for (const EnergyTerm *term : mTerms) {
+        mValues.push_back(term->value(mTrial));
+        sum += mValues.back();
+        if (!std::isfinite(sum))
+            break;
+    }
+    return sum;
+}
+
 Minimizer::Step Minimizer::step(std::vector<double> &x)
 {
     Step result;
-    result.before = result.after = energy(x);
-    mBlocks.resize(mSoup->triangleCount(), static_cast<int>(mSoup->pairCorners.size()));
+    mBlocks.resize(mSoup->triangleCount(), static_cast<int>(mSoup->pairCorners.size()),
+                   mDirection->precision());
     mGradient.assign(x.size(), 0.0);
-    for (const EnergyTerm *term : mTerms)
-        term->addDerivatives(x, mGradient, mBlocks);
+    for (const EnergyTerm *term : mTerms) {
+        result.values.push_back(term->addDerivatives(x, mGradient, mBlocks));
+        result.before += result.values.back();
+    }
+    result.after = result.before;
     mMove.resize(x.size());
     mDirection->compute(mBlocks, mGradient, mMove);
 
-    double slope = 0;
-    for (std::size_t i = 0; i < x.size(); ++i)
-        slope += mGradient[i] * mMove[i];
+    const double slope = sumInOrder(mTeam, mSoup->triangleCount(), [&](int first, int end) {
+        double sum = 0;
+        for (std::size_t i = 6 * static_cast<std::size_t>(first); i < 6 * static_cast<std::size_t>(end); ++i)
+            sum += mGradient[i] * mMove[i];
+        return sum;
+    });
     if (!(slope < 0))
         return result;
-    const double bound = flipMargin * maxFlipFreeStep(*mSoup, x, mMove, longestStep / flipMargin);
-
-    mTrial.resize(x.size());
-    const auto tryStep = [&](double length) {
-        for (std::size_t i = 0; i < x.size(); ++i)
-            mTrial[i] = x[i] + length * mMove[i];
-        return energy(mTrial);
-    };
+    const double bound = flipMargin * maxFlipFreeStep(*mSoup, x, mMove, longestStep / flipMargin, mTeam);
     double length = std::min(1.0, bound);
-    double value = tryStep(length);
+    double value = tryStep(x, length);
     int halvings = 0;
     while (!(value <= result.before + armijo * length * slope)) {
         if (++halvings > maxHalvings)
             return result;
         length *= 0.5;
-        value = tryStep(length);
+        value = tryStep(x, length);
     }
+    std::vector<double> accepted;
+    result.values = mValues;
     // The majorised Hessian makes steps too short: double while that pays.
-    while (halvings == 0 && 2 * length <= bound) {
-        const double longer = tryStep(2 * length);
-        if (!(longer < value))
+    const double bend = 2 * (value - result.before - length * slope) / (length * length);
+    const bool promising = -slope > promisingMinimum * length * bend;
+    while (halvings == 0 && promising && 2 * length <= bound) {
+        accepted.swap(mTrial);
+        const double longer = tryStep(x, 2 * length);
+        if (!(longer < value)) {
+            mTrial.swap(accepted);
             break;
+        }
         value = longer;
+        result.values = mValues;
         length *= 2;
     }
-    for (std::size_t i = 0; i < x.size(); ++i)
-        x[i] += length * mMove[i];
+    x.swap(mTrial);
     result.after = value;
     result.length = length;
     return result;

@@ -16,11 +16,14 @@ class Minimizer
 public:
     struct Step
     {
-        double before = 0, after = 0;    //!< energy
-        double length = 0;               //!< step length taken; 0 when no descent was found
+        double before = 0, after = 0; //!< energy
+        double length = 0;            //!< step length taken; 0 when no descent was found
+        std::vector<double> values;   //!< of each term, after the step
     };
 
-    Minimizer(std::shared_ptr<const Soup> soup, std::unique_ptr<NewtonDirection> direction);
+    //! \param team threads to use, not owned; none: the calling one
+    Minimizer(std::shared_ptr<const Soup> soup, std::unique_ptr<NewtonDirection> direction,
+              ThreadTeam *team = nullptr);
 
     //! The terms are not owned and must outlive the next step.
     void setTerms(std::vector<const EnergyTerm *> terms);
@@ -32,11 +35,15 @@ public:
     Step step(std::vector<double> &x);
 
 private:
+    //! Energy at x + length * mMove, which becomes mTrial; the terms' values go to mValues.
+    double tryStep(const std::vector<double> &x, double length);
+
     std::shared_ptr<const Soup> mSoup;
+    ThreadTeam *mTeam;
     std::unique_ptr<NewtonDirection> mDirection;
     std::vector<const EnergyTerm *> mTerms;
     HessianBlocks mBlocks;
-    std::vector<double> mGradient, mMove, mTrial;
+    std::vector<double> mGradient, mMove, mTrial, mValues;
 };
 
 } // namespace autocuts

@@ -33,4 +33,68 @@ void parallelFor(int count, int threads, const std::function<void(int)> &job)
     }
 }
 
+namespace {
+
+//! Looks at a value this often before going to sleep: loops of a step follow each other within microseconds.
+constexpr int glances = 2000;
+
+template <class T>
+void waitWhile(const std::atomic<T> &value, T old)
+{
+    for (int i = 0; i < glances; ++i) {
+        if (value.load(std::memory_order_acquire) != old)
+            return;
+    }
+    value.wait(old, std::memory_order_acquire);
+}
+
+} // namespace
+
+ThreadTeam::ThreadTeam(int threads)
+{
+    for (int i = 1; i < threads; ++i)
+        mHelpers.emplace_back([this] { help(); });
+}
+
+ThreadTeam::~ThreadTeam()
+{
+    mQuit = true;
+    ++mRound;
+    mRound.notify_all();
+    for (std::thread &helper : mHelpers)
+        helper.join();
+}
+
+void ThreadTeam::share(int count, const std::function<void(int)> &job)
+{
+    mJob = &job;
+    mCount = count;
+    mNext = 0;
+    mBusy = static_cast<int>(mHelpers.size());
+    ++mRound;
+    mRound.notify_all();
+    work();
+    for (int busy = mBusy; busy > 0; busy = mBusy)
+        waitWhile(mBusy, busy);
+}
+
+void ThreadTeam::work()
+{
+    for (int i = mNext++; i < mCount; i = mNext++)
+        (*mJob)(i);
+}
+
+void ThreadTeam::help()
+{
+    for (unsigned round = 0;;) {
+        waitWhile(mRound, round);
+        round = mRound;
+        if (mQuit)
+            return;
+        work();
+        if (--mBusy == 0)
+            mBusy.notify_all();
+    }
+}
+
 } // namespace autocuts

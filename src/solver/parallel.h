@@ -1,12 +1,89 @@
 // Independent jobs on several threads.
 #pragma once
 
+#include <algorithm>
+#include <atomic>
 #include <functional>
+#include <memory>
+#include <thread>
+#include <vector>
 
 namespace autocuts {
 
-//! Calls job(0) ... job(count - 1), each once, on at most `threads` threads including the calling one, and waits.
-//! The jobs must not depend on each other. The first exception (by job number) is thrown again here.
+//! Calls job(0) ... job(count - 1), each once, on at most `threads` threads including the calling one, and
+//! waits. The jobs must not depend on each other. The first exception (by job number) is thrown again here.
 void parallelFor(int count, int threads, const std::function<void(int)> &job);
+
+//! Threads that stay and wait between the many short loops of a solver step.
+class ThreadTeam
+{
+public:
+    //! \param threads including the calling one
+    explicit ThreadTeam(int threads = 1);
+    ~ThreadTeam();
+    ThreadTeam(const ThreadTeam &) = delete;
+    ThreadTeam &operator=(const ThreadTeam &) = delete;
+
+    int threads() const { return static_cast<int>(mHelpers.size()) + 1; }
+
+    //! Calls job(0) ... job(count - 1), each once, in any order and on any of the threads, and waits. The
+    //! jobs must not depend on each other or throw. Not to be called from two threads at a time.
+    template <class Job>
+    void run(int count, Job &&job)
+    {
+        if (mHelpers.empty() || count < 2) {
+            for (int i = 0; i < count; ++i)
+                job(i);
+        } else {
+            share(count, job);
+        }
+    }
+
+private:
+    void share(int count, const std::function<void(int)> &job);
+    void help();
+    void work();
+
+    const std::function<void(int)> *mJob = nullptr;
+    int mCount = 0;
+    std::atomic<int> mNext = 0, mBusy = 0;
+    std::atomic<unsigned> mRound = 0;
+    std::atomic<bool> mQuit = false;
+    std::vector<std::thread> mHelpers;
+};
+
+//! On the team, or on the calling thread alone when there is none.
+template <class Job>
+void runOn(ThreadTeam *team, int count, Job &&job)
+{
+    if (team) {
+        team->run(count, job);
+    } else {
+        for (int i = 0; i < count; ++i)
+            job(i);
+    }
+}
+
+//! Elements that one job of a step takes: sums are formed per such a part and then added in order, so that
+//! they do not depend on the number of threads.
+constexpr int jobSize = 1024;
+
+constexpr int jobCount(int elements)
+{
+    return (elements + jobSize - 1) / jobSize;
+}
+
+//! Sum over all elements of what sum(first, end) gives for parts of them.
+template <class Sum>
+double sumInOrder(ThreadTeam *team, int elements, Sum &&sum)
+{
+    std::vector<double> parts(jobCount(elements));
+    runOn(team, static_cast<int>(parts.size()),
+          [&](int i) { parts[i] = sum(i * jobSize, std::min(elements, (i + 1) * jobSize)); });
+    double total = 0;
+    for (const double part : parts)
+        total += part;
+    return total;
+}
 
 } // namespace autocuts

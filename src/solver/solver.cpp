@@ -10,7 +10,7 @@ namespace autocuts {
 namespace {
 
 std::unique_ptr<NewtonDirection> makeDirection(const std::shared_ptr<const Soup> &soup, SolverKind kind,
-                                               const std::vector<Pin> &hardPins)
+                                               const std::vector<Pin> &hardPins, ThreadTeam *team)
 {
     const int corners = soup->mesh->soupCornerCount();
     if (kind == SolverKind::Exact) {
@@ -31,7 +31,7 @@ std::unique_ptr<NewtonDirection> makeDirection(const std::shared_ptr<const Soup>
         for (const Pin &pin : hardPins)
             held[pin.soupCorner] = true;
     }
-    return makeHubDirection(soup, std::move(held));
+    return makeHubDirection(soup, std::move(held), team);
 }
 
 std::vector<Pin> hardPinsOf(const Snapshot &snapshot)
@@ -59,8 +59,11 @@ void Solver::load(const Snapshot &snapshot)
     mSoup = Soup::build(snapshot.mesh);
     mX = initialUv(*mSoup, snapshot);
     mIteration = 0;
+    if (!mTeam)
+        mTeam = std::make_unique<ThreadTeam>();
     mHardPins = hardPinsOf(snapshot);
-    mMinimizer = std::make_unique<Minimizer>(mSoup, makeDirection(mSoup, snapshot.settings.solver, mHardPins));
+    mMinimizer = std::make_unique<Minimizer>(
+        mSoup, makeDirection(mSoup, snapshot.settings.solver, mHardPins, mTeam.get()), mTeam.get());
     rebuildTerms();
 }
 
@@ -74,17 +77,17 @@ void Solver::update(const Snapshot &snapshot)
     mSnapshot = snapshot;
     mHardPins = std::move(hard);
     if (newUnknowns)
-        mMinimizer =
-            std::make_unique<Minimizer>(mSoup, makeDirection(mSoup, snapshot.settings.solver, mHardPins));
+        mMinimizer = std::make_unique<Minimizer>(
+            mSoup, makeDirection(mSoup, snapshot.settings.solver, mHardPins, mTeam.get()), mTeam.get());
     rebuildTerms();
 }
 
 void Solver::rebuildTerms()
 {
     const SolveSettings &settings = mSnapshot.settings;
-    mDistortion = makeDistortionTerm(mSoup, settings.energy);
+    mDistortion = makeDistortionTerm(mSoup, settings.energy, mTeam.get());
     mDistortion->setFactor(1 - settings.lambda);
-    mSeparation = std::make_unique<SeparationTerm>(mSoup);
+    mSeparation = std::make_unique<SeparationTerm>(mSoup, mTeam.get());
     mSeparation->setFactor(settings.lambda);
     mSeparation->setDelta(settings.delta);
     mSeparation->setWeights(pairWeights(*mSoup, mSnapshot));
@@ -120,6 +123,21 @@ void Solver::pullHardPins()
     }
 }
 
+//! Value of a term whose factor is zero at present.
+template <class Term>
+double Solver::unweighted(Term &term) const
+{
+    term.setFactor(1);
+    const double value = term.value(mX);
+    term.setFactor(0);
+    return value;
+}
+
+void Solver::setThreads(int threads)
+{
+    mTeam = std::make_unique<ThreadTeam>(threads);
+}
+
 StepResult Solver::step()
 {
     pullHardPins();
@@ -129,12 +147,8 @@ StepResult Solver::step()
     result.energy = step.after;
     result.stepLength = step.length;
     const double lambda = mSnapshot.settings.lambda;
-    mDistortion->setFactor(1);
-    mSeparation->setFactor(1);
-    result.distortion = mDistortion->value(mX);
-    result.separation = mSeparation->value(mX);
-    mDistortion->setFactor(1 - lambda);
-    mSeparation->setFactor(lambda);
+    result.distortion = lambda < 1 ? step.values[0] / (1 - lambda) : unweighted(*mDistortion);
+    result.separation = lambda > 0 ? step.values[1] / lambda : unweighted(*mSeparation);
     return result;
 }
 

@@ -16,11 +16,11 @@ namespace autocuts {
 //! What one step did.
 struct StepResult
 {
-    int iteration = 0;         //!< steps since load()
-    double energy = 0;         //!< (1 - lambda) D + lambda S + pins + boxes, after the step
-    double distortion = 0;     //!< D: area-weighted mean of the distortion energy, 4 when isometric
-    double separation = 0;     //!< S: the smoothed seam length (solver units)
-    double stepLength = 0;     //!< 0: nothing left to gain
+    int iteration = 0;     //!< steps since load()
+    double energy = 0;     //!< (1 - lambda) D + lambda S + pins + boxes, after the step
+    double distortion = 0; //!< D: area-weighted mean of the distortion energy, 4 when isometric
+    double separation = 0; //!< S: the smoothed seam length (solver units)
+    double stepLength = 0; //!< 0: nothing left to gain
 };
 
 //! A stepper without threads: load() a snapshot, then step(); update() changes settings and steering between
@@ -31,6 +31,8 @@ public:
     Solver();
     ~Solver();
 
+    //! Threads of one step; the result does not depend on it. To be called before load().
+    void setThreads(int threads);
     //! Starts from the snapshot's start mode. \throws std::invalid_argument on a mesh without area
     void load(const Snapshot &snapshot);
     //! \pre load() was called with the same mesh
@@ -50,7 +52,10 @@ public:
 private:
     void rebuildTerms();
     void pullHardPins();
+    template <class Term>
+    double unweighted(Term &term) const;
 
+    std::unique_ptr<ThreadTeam> mTeam;
     Snapshot mSnapshot;
     std::shared_ptr<const Soup> mSoup;
     std::unique_ptr<DistortionTerm> mDistortion;
@@ -64,8 +69,8 @@ private:
 };
 
 //! Smallest delta that the homotopy needs: the square of 0.3 mean edge lengths, or of half a short edge (the
-//! fifth percentile) where the mesh is graded. Below it nothing merges any more; above it, joining pairs would
-//! fold triangles.
+//! fifth percentile) where the mesh is graded. Below it nothing merges any more; above it, joining pairs
+//! would fold triangles.
 double finalDelta(const Soup &soup);
 
 } // namespace autocuts

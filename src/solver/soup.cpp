@@ -11,7 +11,8 @@ namespace autocuts {
 
 namespace {
 
-//! Height of a stand-in shape over its longest edge, and the edge of one without any extent over the mean edge.
+//! Height of a stand-in shape over its longest edge, and the edge of one without any extent over the mean
+//! edge.
 constexpr double standInHeight = 1e-3;
 constexpr double standInEdge = 1e-3;
 constexpr double standInWeight = 1e-3;
@@ -30,15 +31,15 @@ std::array<double, 6> flatten(const Vec3 &a, const Vec3 &b, const Vec3 &c)
 //! A thin triangle with (nearly) the edge lengths of a triangle without area.
 std::array<double, 6> standIn(const Vec3 &a, const Vec3 &b, const Vec3 &c, double meanEdge)
 {
-    const std::array<double, 3> length{(c - b).norm(), (a - c).norm(), (b - a).norm()};    // opposite to a, b, c
+    const std::array<double, 3> length{(c - b).norm(), (a - c).norm(), (b - a).norm()}; // opposite to a, b, c
     const int apex = static_cast<int>(std::max_element(length.begin(), length.end()) - length.begin());
     const double base = std::max(length[apex], standInEdge * meanEdge);
     // The corner opposite to the longest edge sits above it, where its two sides say.
-    const double before = length[(apex + 2) % 3];    // from corner apex to corner apex + 1
+    const double before = length[(apex + 2) % 3]; // from corner apex to corner apex + 1
     const double after = length[(apex + 1) % 3];
     const double share = before + after > 0 ? before / (before + after) : 0.5;
-    const Vec2 first(0, 0);                          // corner apex + 1
-    const Vec2 second(base, 0);                      // corner apex + 2
+    const Vec2 first(0, 0);     // corner apex + 1
+    const Vec2 second(base, 0); // corner apex + 2
     const Vec2 top(base * std::clamp(share, 0.01, 0.99), base * standInHeight);
     std::array<double, 6> shape;
     const std::array<Vec2, 3> corner{top, first, second};
@@ -60,6 +61,21 @@ Soup::Basis basisOf(const std::array<double, 6> &s)
     return {-g1x - g2x, -g1y - g2y, g1x, g1y, g2x, g2y};
 }
 
+std::vector<CornerPartners> partnersOf(const MeshData &mesh)
+{
+    std::vector<CornerPartners> partners(mesh.soupCornerCount());
+    for (int p = 0; p < mesh.cornerPairCount(); ++p) {
+        const auto &corners = mesh.edgePairs[p / 2].corner[p % 2];
+        for (int which = 0; which < 2; ++which) {
+            CornerPartners &own = partners[corners[which]];
+            const int place = own.pair[0] < 0 ? 0 : 1;
+            own.corner[place] = corners[1 - which];
+            own.pair[place] = p;
+        }
+    }
+    return partners;
+}
+
 } // namespace
 
 std::shared_ptr<const Soup> Soup::build(std::shared_ptr<const MeshData> mesh)
@@ -78,6 +94,7 @@ std::shared_ptr<const Soup> Soup::build(std::shared_ptr<const MeshData> mesh)
         }
         lengthSum += pair.length * soup->scale;
     }
+    soup->partners = partnersOf(*mesh);
     const int count = mesh->triangleCount();
     soup->meanEdgeLength = mesh->edgePairs.empty() ? std::sqrt(4 * std::numbers::pi / count)
                                                    : lengthSum / double(mesh->edgePairs.size());
@@ -93,9 +110,10 @@ std::shared_ptr<const Soup> Soup::build(std::shared_ptr<const MeshData> mesh)
         if (mesh->triangleDegenerate[t]) {
             soup->restShape[t] = standIn(Vec3::Zero(), b, c, soup->meanEdgeLength);
             const auto &s = soup->restShape[t];
-            soup->weight[t] = standInWeight * 0.5 * (s[2] * s[5] - s[3] * s[4] + s[4] * s[1] - s[5] * s[0]
-                                                     + s[0] * s[3] - s[1] * s[2])
-                              / std::numbers::pi;
+            soup->weight[t] =
+                standInWeight * 0.5 *
+                (s[2] * s[5] - s[3] * s[4] + s[4] * s[1] - s[5] * s[0] + s[0] * s[3] - s[1] * s[2]) /
+                std::numbers::pi;
         } else {
             soup->restShape[t] = flatten(Vec3::Zero(), b, c);
             soup->weight[t] = mesh->triangleArea[t] * soup->scale * soup->scale / std::numbers::pi;

@@ -111,17 +111,20 @@ double BoundaryBarrierTerm::value(std::span<const double> x) const
     return mFactor * sum;
 }
 
-void BoundaryBarrierTerm::addDerivatives(std::span<const double> x, std::span<double> gradient,
-                                         HessianBlocks &blocks) const
+double BoundaryBarrierTerm::addDerivatives(std::span<const double> x, std::span<double> gradient,
+                                           HessianBlocks &blocks) const
 {
     std::vector<Contact> contacts;
     collect(x, contacts);
+    std::vector<double> &ground = blocks.addedGround();
+    double sum = 0;
     for (const Contact &contact : contacts) {
         const Segment &s = mSegments[contact.segment];
         const Nearest near = nearestOnSegment(at(x, contact.point), at(x, s.from), at(x, s.to));
         if (near.distance >= mReach || near.distance == 0)
             continue;
         const double q = mReach / near.distance;
+        sum += (q - 1) * (q - 1);
         const double slope = -2 * mFactor * (q - 1) * q / near.distance;
         const double curvature = 2 * mFactor * q * (3 * q - 2) / (near.distance * near.distance);
         const std::array<int, 3> corner{contact.point, s.from, s.to};
@@ -132,12 +135,13 @@ void BoundaryBarrierTerm::addDerivatives(std::span<const double> x, std::span<do
                 gradient[i] += slope * share[k] * near.normal[axis];
                 // The full matrix is curvature * v v^T over six coordinates; |v| <= 2 bounds it by a
                 // diagonal.
-                blocks.ground[i] += 2 * curvature * std::abs(share[k]) *
-                                    (std::abs(near.normal.x()) + std::abs(near.normal.y())) *
-                                    std::abs(near.normal[axis]);
+                ground[i] += 2 * curvature * std::abs(share[k]) *
+                             (std::abs(near.normal.x()) + std::abs(near.normal.y())) *
+                             std::abs(near.normal[axis]);
             }
         }
     }
+    return mFactor * sum;
 }
 
 } // namespace autocuts

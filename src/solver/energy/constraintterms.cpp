@@ -14,16 +14,18 @@ double PinTerm::value(std::span<const double> x) const
     return sum;
 }
 
-void PinTerm::addDerivatives(std::span<const double> x, std::span<double> gradient,
-                             HessianBlocks &blocks) const
+double PinTerm::addDerivatives(std::span<const double> x, std::span<double> gradient,
+                               HessianBlocks &blocks) const
 {
+    std::vector<double> &ground = blocks.addedGround();
     for (const Pin &pin : mPins) {
         for (int i = 0; i < 2; ++i) {
             const std::size_t at = 2 * static_cast<std::size_t>(pin.soupCorner) + i;
             gradient[at] += pin.weight * (x[at] - pin.target[i]);
-            blocks.ground[at] += pin.weight;
+            ground[at] += pin.weight;
         }
     }
+    return value(x);
 }
 
 namespace {
@@ -61,9 +63,10 @@ double BoxTerm::value(std::span<const double> x) const
     return sum;
 }
 
-void BoxTerm::addDerivatives(std::span<const double> x, std::span<double> gradient,
-                             HessianBlocks &blocks) const
+double BoxTerm::addDerivatives(std::span<const double> x, std::span<double> gradient,
+                               HessianBlocks &blocks) const
 {
+    std::vector<double> &ground = blocks.addedGround();
     for (const UvRectangle &box : mRectangles) {
         const double weight = stiffness(box);
         for (const int corner : box.soupCorners) {
@@ -73,10 +76,11 @@ void BoxTerm::addDerivatives(std::span<const double> x, std::span<double> gradie
                 if (d == 0)
                     continue;
                 gradient[at] += 2 * weight * d;
-                blocks.ground[at] += 2 * weight;
+                ground[at] += 2 * weight;
             }
         }
     }
+    return value(x);
 }
 
 } // namespace autocuts

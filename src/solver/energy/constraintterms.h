@@ -15,27 +15,26 @@ public:
     explicit PinTerm(std::vector<Pin> pins) : mPins(std::move(pins)) {}
 
     double value(std::span<const double> x) const override;
-    void addDerivatives(std::span<const double> x, std::span<double> gradient,
-                        HessianBlocks &blocks) const override;
+    double addDerivatives(std::span<const double> x, std::span<double> gradient,
+                          HessianBlocks &blocks) const override;
 
 private:
     std::vector<Pin> mPins;
 };
 
-//! Box energy B (paper, Eq. 10 and 11): squared distance outside the rectangle, per coordinate, over the corners
-//! that the rectangle acts on, times beta, times the rectangle's own weight, times 100 when it is hard. C1; its
-//! second derivative jumps at the sides.
+//! Box energy B (paper, Eq. 10 and 11): squared distance outside the rectangle, per coordinate, over the
+//! corners that the rectangle acts on, times beta, times the rectangle's own weight, times 100 when it is
+//! hard. C1; its second derivative jumps at the sides.
 class BoxTerm final : public EnergyTerm
 {
 public:
     BoxTerm(std::vector<UvRectangle> rectangles, double weight)
         : mRectangles(std::move(rectangles)), mWeight(weight)
-    {
-    }
+    {}
 
     double value(std::span<const double> x) const override;
-    void addDerivatives(std::span<const double> x, std::span<double> gradient,
-                        HessianBlocks &blocks) const override;
+    double addDerivatives(std::span<const double> x, std::span<double> gradient,
+                          HessianBlocks &blocks) const override;
 
 private:
     double stiffness(const UvRectangle &box) const;

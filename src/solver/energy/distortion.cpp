@@ -1,5 +1,6 @@
 #include "solver/energy/distortion.h"
 
+#include "solver/energy/dirichletkernel.h"
 #include "solver/energy/isotropic.h"
 
 #include <cmath>
@@ -12,8 +13,8 @@ namespace {
 //! Singular values of a Jacobian with positive determinant, and the rotations that diagonalise it.
 struct SingularValues
 {
-    double e, f, g, h;    // J = [e + f, g - h; g + h, e - f]
-    double q, r;          // s1 = q + r, s2 = q - r
+    double e, f, g, h; // J = [e + f, g - h; g + h, e - f]
+    double q, r;       // s1 = q + r, s2 = q - r
     double s1, s2;
 
     SingularValues(const double *p, const Soup::Basis &b)
@@ -44,36 +45,59 @@ inline void modeVector(const Soup::Basis &b, double m00, double m01, double m10,
 }
 
 template <class Density>
-class IsotropicTerm final : public DistortionTerm
+class IsotropicTerm : public DistortionTerm
 {
 public:
-    explicit IsotropicTerm(std::shared_ptr<const Soup> soup) : mSoup(std::move(soup)) {}
+    explicit IsotropicTerm(std::shared_ptr<const Soup> soup, ThreadTeam *team)
+        : mSoup(std::move(soup)), mTeam(team)
+    {}
 
     void setFactor(double factor) override { mFactor = factor; }
 
     double value(std::span<const double> x) const override
     {
+        return mFactor * sumInOrder(mTeam, mSoup->triangleCount(),
+                                    [&](int first, int end) { return sumOf(x, first, end); });
+    }
+
+    double addDerivatives(std::span<const double> x, std::span<double> gradient,
+                          HessianBlocks &blocks) const override
+    {
+        return mFactor * sumInOrder(mTeam, mSoup->triangleCount(), [&](int first, int end) {
+                   for (int t = first; t < end; ++t) {
+                       const std::size_t at = 6 * static_cast<std::size_t>(t);
+                       std::array<double, 21> block{};
+                       addTriangle(&x[at], mSoup->basis[t], mFactor * mSoup->weight[t], &gradient[at], block);
+                       if (!blocks.triangle.empty()) {
+                           for (int i = 0; i < 21; ++i)
+                               blocks.triangle[t][i] += block[i];
+                       } else {
+                           for (int i = 0; i < 21; ++i)
+                               blocks.single(t, i) = static_cast<float>(block[i]);
+                       }
+                   }
+                   return sumOf(x, first, end);
+               });
+    }
+
+protected:
+    const Soup &soup() const { return *mSoup; }
+    ThreadTeam *team() const { return mTeam; }
+    double factor() const { return mFactor; }
+
+private:
+    double sumOf(std::span<const double> x, int first, int end) const
+    {
         double sum = 0;
-        for (int t = 0; t < mSoup->triangleCount(); ++t) {
+        for (int t = first; t < end; ++t) {
             const SingularValues s(&x[6 * static_cast<std::size_t>(t)], mSoup->basis[t]);
             if (!(s.s2 > 0))
                 return std::numeric_limits<double>::infinity();
             sum += mSoup->weight[t] * Density::value(s.s1, s.s2);
         }
-        return mFactor * sum;
+        return sum;
     }
 
-    void addDerivatives(std::span<const double> x, std::span<double> gradient,
-                        HessianBlocks &blocks) const override
-    {
-        for (int t = 0; t < mSoup->triangleCount(); ++t) {
-            const std::size_t at = 6 * static_cast<std::size_t>(t);
-            addTriangle(&x[at], mSoup->basis[t], mFactor * mSoup->weight[t], &gradient[at],
-                        blocks.triangle[t]);
-        }
-    }
-
-private:
     static void addTriangle(const double *p, const Soup::Basis &b, double weight, double *gradient,
                             std::array<double, 21> &block)
     {
@@ -102,16 +126,50 @@ private:
     }
 
     std::shared_ptr<const Soup> mSoup;
+    ThreadTeam *mTeam;
     double mFactor = 1;
+};
+
+//! The usual density, eight triangles at a time where single precision serves for the Hessian.
+class SymmetricDirichletTerm final : public IsotropicTerm<SymmetricDirichletDensity>
+{
+public:
+    SymmetricDirichletTerm(std::shared_ptr<const Soup> soup, ThreadTeam *team)
+        : IsotropicTerm(std::move(soup), team), mBlocks(dirichletBlocks(this->soup()))
+    {}
+
+    double value(std::span<const double> x) const override
+    {
+        return factor() * sumInOrder(team(), soup().triangleCount(), [&](int first, int end) {
+                   return dirichletSum(&mBlocks[first / laneCount], &x[6 * static_cast<std::size_t>(first)],
+                                       end - first);
+               });
+    }
+
+    double addDerivatives(std::span<const double> x, std::span<double> gradient,
+                          HessianBlocks &blocks) const override
+    {
+        if (!blocks.triangle.empty())
+            return IsotropicTerm::addDerivatives(x, gradient, blocks);
+        return factor() * sumInOrder(team(), soup().triangleCount(), [&](int first, int end) {
+                   const std::size_t at = 6 * static_cast<std::size_t>(first);
+                   return dirichletDerivatives(&mBlocks[first / laneCount], &x[at], end - first, factor(),
+                                               &gradient[at], &blocks.lanes[first / laneCount]);
+               });
+    }
+
+private:
+    std::vector<DirichletBlock> mBlocks;
 };
 
 } // namespace
 
-std::unique_ptr<DistortionTerm> makeDistortionTerm(std::shared_ptr<const Soup> soup, DistortionEnergy kind)
+std::unique_ptr<DistortionTerm> makeDistortionTerm(std::shared_ptr<const Soup> soup, DistortionEnergy kind,
+                                                   ThreadTeam *team)
 {
     if (kind == DistortionEnergy::Amips)
-        return std::make_unique<IsotropicTerm<AmipsDensity>>(std::move(soup));
-    return std::make_unique<IsotropicTerm<SymmetricDirichletDensity>>(std::move(soup));
+        return std::make_unique<IsotropicTerm<AmipsDensity>>(std::move(soup), team);
+    return std::make_unique<SymmetricDirichletTerm>(std::move(soup), team);
 }
 
 std::vector<double> symmetricDirichlet(const Soup &soup, std::span<const double> x)
@@ -119,36 +177,25 @@ std::vector<double> symmetricDirichlet(const Soup &soup, std::span<const double>
     std::vector<double> result(soup.triangleCount());
     for (int t = 0; t < soup.triangleCount(); ++t) {
         const SingularValues s(&x[6 * static_cast<std::size_t>(t)], soup.basis[t]);
-        result[t] = s.s2 > 0 ? SymmetricDirichletDensity::value(s.s1, s.s2)
-                             : std::numeric_limits<double>::infinity();
+        result[t] =
+            s.s2 > 0 ? SymmetricDirichletDensity::value(s.s1, s.s2) : std::numeric_limits<double>::infinity();
     }
     return result;
 }
 
 double maxFlipFreeStep(const Soup &soup, std::span<const double> x, std::span<const double> direction,
-                       double limit)
+                       double limit, ThreadTeam *team)
 {
+    std::vector<double> steps(jobCount(soup.triangleCount()));
+    runOn(team, static_cast<int>(steps.size()), [&](int i) {
+        const int first = i * jobSize;
+        const std::size_t at = 6 * static_cast<std::size_t>(first);
+        steps[i] =
+            flipFreeStep(&x[at], &direction[at], std::min(jobSize, soup.triangleCount() - first), limit);
+    });
     double step = limit;
-    for (int t = 0; t < soup.triangleCount(); ++t) {
-        const double *p = &x[6 * static_cast<std::size_t>(t)];
-        const double *d = &direction[6 * static_cast<std::size_t>(t)];
-        const double u1 = p[2] - p[0], v1 = p[3] - p[1], u2 = p[4] - p[0], v2 = p[5] - p[1];
-        const double du1 = d[2] - d[0], dv1 = d[3] - d[1], du2 = d[4] - d[0], dv2 = d[5] - d[1];
-        // Area along the step: a s^2 + b s + c, c > 0.
-        const double a = du1 * dv2 - dv1 * du2;
-        const double b = u1 * dv2 - v1 * du2 + du1 * v2 - dv1 * u2;
-        const double c = u1 * v2 - v1 * u2;
-        // No root before `step` when the parabola's bound from below stays positive.
-        if (c + std::min(0.0, b) * step + std::min(0.0, a) * step * step > 0)
-            continue;
-        const double discriminant = b * b - 4 * a * c;
-        if (discriminant < 0)
-            continue;
-        // The smallest positive root, in the form that does not cancel: 2c / (-b + sqrt) for c > 0.
-        const double denominator = -b + std::sqrt(discriminant);
-        if (denominator > 0)
-            step = std::min(step, 2 * c / denominator);
-    }
+    for (const double own : steps)
+        step = std::min(step, own);
     return step;
 }
 

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "solver/energy/energyterm.h"
+#include "solver/parallel.h"
 #include "solver/soup.h"
 
 #include <memory>
 
 namespace autocuts {
 
-//! factor * sum over triangles of weight_t * e(s1, s2), infinite unless every triangle is positively oriented.
+//! factor * sum over triangles of weight_t * e(s1, s2), infinite unless every triangle is positively
+//! oriented.
 class DistortionTerm : public EnergyTerm
 {
 public:
@@ -16,14 +18,16 @@ public:
 };
 
 //! The term for one of the densities of isotropic.h.
-std::unique_ptr<DistortionTerm> makeDistortionTerm(std::shared_ptr<const Soup> soup, DistortionEnergy kind);
+//! \param team threads to use, not owned; none: the calling one
+std::unique_ptr<DistortionTerm> makeDistortionTerm(std::shared_ptr<const Soup> soup, DistortionEnergy kind,
+                                                   ThreadTeam *team = nullptr);
 
 //! Symmetric Dirichlet energy of each triangle at x; infinite where flipped.
 std::vector<double> symmetricDirichlet(const Soup &soup, std::span<const double> x);
 
-//! Smallest step at which a triangle loses its area along `direction` (Smith and Schaefer 2015), or `limit` when
-//! none does before that.
+//! Smallest step at which a triangle loses its area along `direction` (Smith and Schaefer 2015), or `limit`
+//! when none does before that.
 double maxFlipFreeStep(const Soup &soup, std::span<const double> x, std::span<const double> direction,
-                       double limit);
+                       double limit, ThreadTeam *team = nullptr);
 
 } // namespace autocuts

@@ -1,6 +1,8 @@
 // The interface of every term of the energy.
 #pragma once
 
+#include "solver/linear/lanes.h"
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -8,22 +10,46 @@
 
 namespace autocuts {
 
-//! A positive semidefinite Hessian in the only shape that the terms need: a 6 x 6 block per triangle, a spring
-//! per corner pair, and a diagonal.
+//! A positive semidefinite Hessian in the only shape that the terms need: a 6 x 6 block per triangle, a
+//! spring per corner pair, and a diagonal.
 struct HessianBlocks
 {
-    //! Lower triangle of the 6 x 6 block of each triangle, row by row: (0,0) (1,0) (1,1) (2,0) ...
-    std::vector<std::array<double, 21>> triangle;
-    std::vector<double> pair;      //!< spring constant w of each corner pair: w / 2 * |x_a - x_b|^2
-    std::vector<std::uint8_t> pairClosed;    //!< 1 where the pair is all but joined (a hint for preconditioners)
-    std::vector<double> ground;    //!< per coordinate, on the diagonal
+    //! How the triangles' blocks are held.
+    enum class Precision { Double, Single };
 
-    void resize(int triangles, int pairs)
+    //! Double: lower triangle of the 6 x 6 block of each triangle, row by row: (0,0) (1,0) (1,1) (2,0) ...
+    std::vector<std::array<double, 21>> triangle;
+    //! Single: the same for eight triangles at a time, zero behind the last one. Written by the distortion
+    //! alone.
+    std::vector<LaneMatrix> lanes;
+    std::vector<double> pair;             //!< spring constant w of each corner pair: w / 2 * |x_a - x_b|^2
+    std::vector<std::uint8_t> pairClosed; //!< 1 where the pair is all but joined (a hint for preconditioners)
+    int triangleCount = 0;
+    std::vector<double> ground; //!< per coordinate, on the diagonal; empty: all zero
+
+    void resize(int triangles, int pairs, Precision precision = Precision::Double)
     {
-        triangle.assign(triangles, {});
+        if (precision == Precision::Double)
+            triangle.assign(triangles, {});
+        else
+            lanes.resize((triangles + laneCount - 1) / laneCount);
         pair.assign(pairs, 0.0);
         pairClosed.assign(pairs, 0);
-        ground.assign(6 * static_cast<std::size_t>(triangles), 0.0);
+        ground.clear();
+        triangleCount = triangles;
+    }
+
+    //! `ground`, with room for every coordinate.
+    std::vector<double> &addedGround()
+    {
+        ground.resize(6 * static_cast<std::size_t>(triangleCount), 0.0);
+        return ground;
+    }
+
+    //! Entry of the lower triangle of triangle t's block in single precision.
+    float &single(int t, int entry)
+    {
+        return reinterpret_cast<float *>(&lanes[t / laneCount][entry])[t % laneCount];
     }
 };
 
@@ -35,10 +61,10 @@ public:
 
     //! Infinite where a triangle is flipped or has no area, if the term forbids that.
     virtual double value(std::span<const double> x) const = 0;
-    //! Adds the gradient to `gradient` and a positive semidefinite model of the Hessian to `blocks`.
-    //! \pre value(x) is finite; blocks has been sized and zeroed
-    virtual void addDerivatives(std::span<const double> x, std::span<double> gradient,
-                                HessianBlocks &blocks) const = 0;
+    //! Adds the gradient to `gradient` and a positive semidefinite model of the Hessian to `blocks`. Returns
+    //! value(x). \pre value(x) is finite; blocks has been sized
+    virtual double addDerivatives(std::span<const double> x, std::span<double> gradient,
+                                  HessianBlocks &blocks) const = 0;
 };
 
 } // namespace autocuts

@@ -1,5 +1,7 @@
 #include "solver/energy/separation.h"
 
+#include "solver/linear/simd.h"
+
 namespace autocuts {
 
 namespace {
@@ -7,47 +9,84 @@ namespace {
 //! Below this separation a pair counts as closed; anything from 0.5 to 0.9 serves equally well.
 constexpr double closedSeparation = 0.7;
 
-inline double squaredDistance(std::span<const double> x, const std::array<int, 2> &pair)
+inline double squaredDistance(const double *x, const std::array<int, 2> &pair)
 {
-    const double *a = &x[2 * static_cast<std::size_t>(pair[0])];
-    const double *b = &x[2 * static_cast<std::size_t>(pair[1])];
+    const double *a = x + 2 * static_cast<std::ptrdiff_t>(pair[0]);
+    const double *b = x + 2 * static_cast<std::ptrdiff_t>(pair[1]);
     return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+}
+
+AUTOCUTS_CLONES
+double separationSum(const double *x, const std::array<int, 2> *pairs, const double *weights, double delta,
+                     int first, int end)
+{
+    double sum = 0;
+    for (int p = first; p < end; ++p) {
+        const double t = squaredDistance(x, pairs[p]);
+        sum += weights[p] * (t / (t + delta));
+    }
+    return sum;
+}
+
+//! Also adds the springs and says which pairs are all but closed.
+AUTOCUTS_CLONES
+double separationSprings(const double *x, const std::array<int, 2> *pairs, const double *weights,
+                         double factor, double delta, int first, int end, double *spring,
+                         std::uint8_t *closed)
+{
+    double sum = 0;
+    for (int p = first; p < end; ++p) {
+        const double t = squaredDistance(x, pairs[p]);
+        const double inverse = 1 / (t + delta);
+        const double w = factor * weights[p] * delta * inverse * inverse;
+        sum += weights[p] * (t / (t + delta));
+        spring[p] += w;
+        closed[p] = w > 0 && t < closedSeparation * (t + delta);
+    }
+    return sum;
 }
 
 } // namespace
 
 double SeparationTerm::value(std::span<const double> x) const
 {
-    double sum = 0;
-    for (std::size_t p = 0; p < mWeights.size(); ++p) {
-        const double t = squaredDistance(x, mSoup->pairCorners[p]);
-        sum += mWeights[p] * (t / (t + mDelta));
-    }
-    return 0.5 * mFactor * sum;
+    const auto sum = [&](int first, int end) {
+        return separationSum(x.data(), mSoup->pairCorners.data(), mWeights.data(), mDelta, first, end);
+    };
+    return 0.5 * mFactor * sumInOrder(mTeam, static_cast<int>(mWeights.size()), sum);
 }
 
-void SeparationTerm::addDerivatives(std::span<const double> x, std::span<double> gradient,
-                                    HessianBlocks &blocks) const
+double SeparationTerm::addDerivatives(std::span<const double> x, std::span<double> gradient,
+                                      HessianBlocks &blocks) const
 {
-    for (std::size_t p = 0; p < mWeights.size(); ++p) {
-        const std::size_t a = 2 * static_cast<std::size_t>(mSoup->pairCorners[p][0]);
-        const std::size_t b = 2 * static_cast<std::size_t>(mSoup->pairCorners[p][1]);
-        const double du = x[a] - x[b];
-        const double dv = x[a + 1] - x[b + 1];
-        const double sum = du * du + dv * dv + mDelta;
-        const double w = mFactor * mWeights[p] * mDelta / (sum * sum);
-        gradient[a] += w * du;
-        gradient[a + 1] += w * dv;
-        gradient[b] -= w * du;
-        gradient[b + 1] -= w * dv;
-        blocks.pair[p] += w;
-        blocks.pairClosed[p] = w > 0 && sum - mDelta < closedSeparation * sum;
-    }
+    const auto springs = [&](int first, int end) {
+        return separationSprings(x.data(), mSoup->pairCorners.data(), mWeights.data(), mFactor, mDelta, first,
+                                 end, blocks.pair.data(), blocks.pairClosed.data());
+    };
+    const double sum = sumInOrder(mTeam, static_cast<int>(mWeights.size()), springs);
+    // By corner, not by pair: so several threads never write to the same place.
+    const std::vector<CornerPartners> &partners = mSoup->partners;
+    runOn(mTeam, jobCount(static_cast<int>(partners.size())), [&](int job) {
+        const int end = std::min(static_cast<int>(partners.size()), (job + 1) * jobSize);
+        for (int c = job * jobSize; c < end; ++c) {
+            double *own = &gradient[2 * static_cast<std::size_t>(c)];
+            const double u = x[2 * static_cast<std::size_t>(c)], v = x[2 * static_cast<std::size_t>(c) + 1];
+            for (int i = 0; i < 2; ++i) {
+                const int pair = partners[c].pair[i];
+                if (pair < 0)
+                    continue;
+                const double *other = &x[2 * static_cast<std::size_t>(partners[c].corner[i])];
+                own[0] += blocks.pair[pair] * (u - other[0]);
+                own[1] += blocks.pair[pair] * (v - other[1]);
+            }
+        }
+    });
+    return 0.5 * mFactor * sum;
 }
 
 double SeparationTerm::separation(std::span<const double> x, int pair) const
 {
-    const double t = squaredDistance(x, mSoup->pairCorners[pair]);
+    const double t = squaredDistance(x.data(), mSoup->pairCorners[pair]);
     return t / (t + mDelta);
 }
 

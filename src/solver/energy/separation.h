@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/energy/energyterm.h"
+#include "solver/parallel.h"
 #include "solver/soup.h"
 
 #include <memory>
@@ -14,7 +15,10 @@ namespace autocuts {
 class SeparationTerm final : public EnergyTerm
 {
 public:
-    explicit SeparationTerm(std::shared_ptr<const Soup> soup) : mSoup(std::move(soup)) {}
+    //! \param team threads to use, not owned; none: the calling one
+    explicit SeparationTerm(std::shared_ptr<const Soup> soup, ThreadTeam *team = nullptr)
+        : mSoup(std::move(soup)), mTeam(team)
+    {}
 
     void setFactor(double factor) { mFactor = factor; }
     void setDelta(double delta) { mDelta = delta; }
@@ -24,22 +28,23 @@ public:
     double delta() const { return mDelta; }
 
     double value(std::span<const double> x) const override;
-    void addDerivatives(std::span<const double> x, std::span<double> gradient,
-                        HessianBlocks &blocks) const override;
+    double addDerivatives(std::span<const double> x, std::span<double> gradient,
+                          HessianBlocks &blocks) const override;
 
     //! s_delta of one corner pair, in [0, 1).
     double separation(std::span<const double> x, int pair) const;
 
 private:
     std::shared_ptr<const Soup> mSoup;
+    ThreadTeam *mTeam;
     std::vector<double> mWeights;
     double mFactor = 0;
     double mDelta = 1;
 };
 
 //! The weights of the corner pairs as a snapshot asks: by length or by count (then every pair weighs the mean
-//! edge length, so that lambda keeps its meaning), times the painted weight, x100 when joined or on a diagonal,
-//! 0 when cut.
+//! edge length, so that lambda keeps its meaning), times the painted weight, x100 when joined or on a
+//! diagonal, 0 when cut.
 std::vector<double> pairWeights(const Soup &soup, const Snapshot &snapshot);
 
 } // namespace autocuts

@@ -28,7 +28,7 @@ public:
         buildPattern();
     }
 
-    void compute(const HessianBlocks &blocks, std::span<const double> gradient,
+    void compute(HessianBlocks &blocks, std::span<const double> gradient,
                  std::span<double> direction) override
     {
         if (mMap.count == 0) {
@@ -131,7 +131,7 @@ private:
                 values[at] += kind == 1 ? blocks.pair[index] : -blocks.pair[index];
             }
         });
-        for (std::size_t c = 0; c < mMap.unknown.size(); ++c) {
+        for (std::size_t c = 0; !blocks.ground.empty() && c < mMap.unknown.size(); ++c) {
             const int u = mMap.unknown[c];
             if (u < 0)
                 continue;

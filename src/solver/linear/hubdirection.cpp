@@ -10,14 +10,14 @@
 // hub, six times fewer than the soup has. z = M^-1 r is: y = S^-1 r; A u = sum of k y; z = y + S^-1 D u.
 // S is refreshed at every call. A and the grouping are kept until the iterations get slow: any symmetric
 // positive definite A gives a valid preconditioner.
-#include "model/unionfind.h"
 #include "solver/linear/cholmodsolver.h"
-#include "solver/linear/lanes.h"
+#include "solver/linear/frontalsolver.h"
+#include "solver/linear/hubgroups.h"
+#include "solver/linear/hubkernels.h"
 #include "solver/linear/newtondirection.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 namespace autocuts {
@@ -50,42 +50,50 @@ std::vector<int> vertexRanks(const MeshData &mesh)
     return eliminationRanks(graph);
 }
 
-constexpr std::array<int, 6> diagonalEntry{0, 2, 5, 9, 14, 20};
+//! Blocks of eight triangles that one job takes.
+constexpr int blocksPerJob = jobSize / laneCount;
 
 class HubDirection final : public NewtonDirection
 {
 public:
-    HubDirection(std::shared_ptr<const Soup> soup, std::vector<bool> held)
-        : mSoup(std::move(soup)), mHeld(std::move(held)), mRank(vertexRanks(*mSoup->mesh)),
-          mCorners(mSoup->mesh->soupCornerCount())
+    HubDirection(std::shared_ptr<const Soup> soup, std::vector<bool> held, ThreadTeam *team)
+        : mSoup(std::move(soup)), mTeam(team ? team : &mAlone), mRank(vertexRanks(*mSoup->mesh)),
+          mSolver(std::make_unique<FrontalSolver>(*mTeam))
     {
-        mExcessLimit =
-            mSoup->triangleCount() > largeTriangleCount ? excessBeforeRefreshLarge : excessBeforeRefresh;
-        mBlocks = (static_cast<std::size_t>(mSoup->triangleCount()) + laneCount - 1) / laneCount;
-        mSlot.resize(mCorners);
-        for (int c = 0; c < mCorners; ++c) {
-            const int t = c / 3;
-            mSlot[c] = (t / laneCount * 6 + 2 * (c % 3)) * laneCount + t % laneCount;
+        const int triangles = mSoup->triangleCount();
+        mExcessLimit = triangles > largeTriangleCount ? excessBeforeRefreshLarge : excessBeforeRefresh;
+        mBlocks = (triangles + laneCount - 1) / laneCount;
+        mSystems.resize(mBlocks);
+        mHubLinks.resize(mBlocks);
+        mHubOfSlot.resize(6 * laneCount * static_cast<std::size_t>(mBlocks));
+        for (auto *vector : {&mResidual, &mSearch, &mProduct, &mSum})
+            vector->assign(6 * static_cast<std::size_t>(mBlocks), Lanes{});
+        linkCorners();
+        if (!held.empty()) {
+            mMovable.assign(6 * static_cast<std::size_t>(mBlocks), Lanes{} + 1);
+            for (std::size_t c = 0; c < held.size(); ++c) {
+                if (held[c])
+                    flat(mMovable)[slotOf(static_cast<int>(c))] =
+                        flat(mMovable)[slotOf(static_cast<int>(c)) + laneCount] = 0;
+            }
         }
-        mHessian.resize(mBlocks);
-        mInverse.resize(mBlocks);
-        for (auto *vector : {&mGround, &mResidual, &mPreconditioned, &mSearch, &mProduct, &mSum, &mPull})
-            vector->assign(6 * mBlocks, Lanes{});
     }
+
+    HessianBlocks::Precision precision() const override { return HessianBlocks::Precision::Single; }
 
     void invalidate() override { mFresh = false; }
 
-    void compute(const HessianBlocks &blocks, std::span<const double> gradient,
+    void compute(HessianBlocks &blocks, std::span<const double> gradient,
                  std::span<double> direction) override
     {
         if (!mFresh || mExcess >= mExcessLimit)
             refresh(blocks);
         else
-            prepareTriangles(blocks);
-        int iterations = conjugateGradients(gradient, direction);
+            prepare(blocks);
+        int iterations = conjugateGradients(blocks.lanes, gradient, direction);
         if (iterations >= maxIterations && mExcess > 0) {
-            refresh(blocks);
-            iterations = conjugateGradients(gradient, direction);
+            mExcess = mExcessLimit;
+            return;
         }
         if (mBaseline < 0)
             mBaseline = iterations;
@@ -93,333 +101,275 @@ public:
     }
 
 private:
-    void refresh(const HessianBlocks &blocks)
+    //! Place of a corner's u in the flat view of a vector of Lanes; v is laneCount further.
+    static int slotOf(int corner)
     {
-        groupCorners(blocks);
-        prepareTriangles(blocks);
-        buildHubMatrix(blocks);
+        const int t = corner / 3;
+        return (t / laneCount * 6 + 2 * (corner % 3)) * laneCount + t % laneCount;
+    }
+    static float *flat(LaneVector &v) { return reinterpret_cast<float *>(v.data()); }
+    const Lanes *movable() const { return mMovable.empty() ? nullptr : mMovable.data(); }
+
+    template <class Job>
+    void overBlocks(Job &&job)
+    {
+        mTeam->run((mBlocks + blocksPerJob - 1) / blocksPerJob,
+                   [&](int i) { job(i * blocksPerJob, std::min(mBlocks, (i + 1) * blocksPerJob)); });
+    }
+
+    template <class Sum>
+    double sumOverBlocks(Sum &&sum)
+    {
+        mParts.assign((mBlocks + blocksPerJob - 1) / blocksPerJob, 0.0);
+        overBlocks([&](int first, int end) { mParts[first / blocksPerJob] = sum(first, end); });
+        double total = 0;
+        for (const double part : mParts)
+            total += part;
+        return total;
+    }
+
+    void linkCorners()
+    {
+        mLinks.resize(mBlocks);
+        const int pairs = static_cast<int>(mSoup->pairCorners.size());
+        for (int t = 0; t < mBlocks * laneCount; ++t) {
+            for (int i = 0; i < 6; ++i) {
+                const int corner = 3 * t + i / 2;
+                int &partner = mLinks[t / laneCount].partner[i][t % laneCount];
+                int &pair = mLinks[t / laneCount].pair[i][t % laneCount];
+                partner = slotOf(corner);
+                pair = pairs;
+                if (t < mSoup->triangleCount() && mSoup->partners[corner].pair[i % 2] >= 0) {
+                    partner = slotOf(mSoup->partners[corner].corner[i % 2]);
+                    pair = mSoup->partners[corner].pair[i % 2];
+                }
+            }
+        }
+    }
+
+    void refresh(HessianBlocks &blocks)
+    {
+        if (mGroups.hub.empty() || !mGroups.stillFit(*mSoup, blocks)) {
+            mGroups = HubGroups::build(*mSoup, blocks, mRank);
+            linkHubs();
+            mMatrix.setPattern(*mSoup, mGroups);
+            mAnalyzed = false;
+        }
+        prepare(blocks);
+        factorize(blocks);
         mFresh = true;
         mExcess = 0;
         mBaseline = -1;
     }
 
-    //! Groups of two or more corners that closed pairs tie together become hubs, numbered in elimination
-    //! order.
-    void groupCorners(const HessianBlocks &blocks)
+    void linkHubs()
     {
-        UnionFind sets(mCorners);
-        for (std::size_t p = 0; p < mSoup->pairCorners.size(); ++p) {
-            if (blocks.pairClosed[p])
-                sets.unite(mSoup->pairCorners[p][0], mSoup->pairCorners[p][1]);
-        }
-        std::vector<int> size(mCorners, 0);
-        for (int c = 0; c < mCorners; ++c)
-            ++size[sets.find(c)];
-        std::vector<int> roots;
-        for (int c = 0; c < mCorners; ++c) {
-            if (size[c] > 1)
-                roots.push_back(c);
-        }
-        const MeshData &mesh = *mSoup->mesh;
-        std::vector<std::pair<int, int>> order;
-        order.reserve(roots.size());
-        for (const int root : roots)
-            order.emplace_back(mRank[mesh.vertexOfSoup(root)], root);
-        std::sort(order.begin(), order.end());
-        std::vector<int> number(mCorners, -1);
-        for (std::size_t i = 0; i < order.size(); ++i)
-            number[order[i].second] = static_cast<int>(i);
-        mHubCount = static_cast<int>(order.size());
-        mHub.resize(mCorners);
-        for (int c = 0; c < mCorners; ++c)
-            mHub[c] = number[sets.find(c)];
-    }
-
-    //! Springs of the corners, the matrices S^-1, and the Hessian for the products.
-    void prepareTriangles(const HessianBlocks &blocks)
-    {
-        mStar.assign(mCorners, 0.0f);
-        mPair.assign(blocks.pair.begin(), blocks.pair.end());
-        // What holds a corner beside its triangle and its hub.
-        mHold.assign(blocks.ground.begin(), blocks.ground.end());
-        for (std::size_t p = 0; p < mPair.size(); ++p) {
-            const auto [a, b] = mSoup->pairCorners[p];
-            if (mHub[a] >= 0 && mHub[a] == mHub[b]) {
-                mStar[a] += mPair[p];
-                mStar[b] += mPair[p];
-            } else if (mHub[a] < 0 || mHub[b] < 0) {
-                for (int axis = 0; axis < 2; ++axis) {
-                    mHold[2 * static_cast<std::size_t>(a) + axis] += mPair[p];
-                    mHold[2 * static_cast<std::size_t>(b) + axis] += mPair[p];
-                }
+        std::fill(mHubOfSlot.begin(), mHubOfSlot.end(), mGroups.count);
+        std::vector<int> place(mGroups.corners.size());
+        for (std::size_t i = 0; i < place.size(); ++i)
+            place[mGroups.corners[i]] = static_cast<int>(i);
+        for (int t = 0; t < mBlocks * laneCount; ++t) {
+            for (int k = 0; k < 3; ++k) {
+                const int corner = 3 * t + k;
+                const bool real = t < mSoup->triangleCount();
+                int &hub = mHubLinks[t / laneCount].hub[k][t % laneCount];
+                hub = real && mGroups.hub[corner] >= 0 ? mGroups.hub[corner] : mGroups.count;
+                mHubOfSlot[slotOf(corner)] = hub;
+                mHubLinks[t / laneCount].place[k][t % laneCount] = real ? place[corner] : corner;
             }
         }
-        std::fill(mGround.begin(), mGround.end(), Lanes{});
-        float *ground = flat(mGround);
-        for (int c = 0; c < mCorners; ++c) {
-            for (int axis = 0; axis < 2; ++axis)
-                ground[mSlot[c] + axis * laneCount] =
-                    static_cast<float>(blocks.ground[2 * static_cast<std::size_t>(c) + axis]);
-        }
-        for (std::size_t block = 0; block < mBlocks; ++block)
-            prepareBlock(blocks, block);
+        mLoads.assign(6 * static_cast<std::size_t>(mBlocks) * laneCount, 0.0f);
+        mPulls.assign(2 * static_cast<std::size_t>(mGroups.count) + 2, 0.0f);
+        mHubLoad.resize(2 * mGroups.count);
     }
 
-    void prepareBlock(const HessianBlocks &blocks, std::size_t block)
+    //! The systems of the triangles, and the Hessians complete with springs and ground.
+    void prepare(HessianBlocks &blocks)
     {
-        LaneMatrix &hessian = mHessian[block];
-        LaneMatrix s{};
-        for (int lane = 0; lane < laneCount; ++lane) {
-            const int t = static_cast<int>(block) * laneCount + lane;
-            if (t >= mSoup->triangleCount()) {
-                for (int e = 0; e < 21; ++e)
-                    hessian[e][lane] = 0;
-                for (const int d : diagonalEntry)
-                    s[d][lane] = 1;
-                continue;
+        mPairs.assign(blocks.pair.begin(), blocks.pair.end());
+        mPairs.push_back(0);
+        const Lanes *ground = nullptr;
+        if (!blocks.ground.empty()) {
+            mGround.assign(6 * static_cast<std::size_t>(mBlocks), Lanes{});
+            for (int c = 0; c < mSoup->mesh->soupCornerCount(); ++c) {
+                for (int axis = 0; axis < 2; ++axis)
+                    flat(mGround)[slotOf(c) + axis * laneCount] =
+                        static_cast<float>(blocks.ground[2 * static_cast<std::size_t>(c) + axis]);
             }
-            const std::array<double, 21> &source = blocks.triangle[t];
-            float trace = 0;
-            for (int e = 0; e < 21; ++e)
-                hessian[e][lane] = s[e][lane] = static_cast<float>(source[e]);
-            for (const int d : diagonalEntry)
-                trace += hessian[d][lane];
-            for (int i = 0; i < 6; ++i) {
-                const int corner = 3 * t + i / 2;
-                float add = 1e-4f * trace + mStar[corner] + mHold[6 * static_cast<std::size_t>(t) + i];
-                if (!mHeld.empty() && mHeld[corner])
-                    add += 1e6f * (trace + 1);
-                s[diagonalEntry[i]][lane] += add;
-            }
+            ground = mGround.data();
         }
-        invertLanes(s, mInverse[block]);
+        overBlocks([&](int first, int end) {
+            prepareBlocks(mLinks.data(), mPairs.data(), mHubOfSlot.data(), mGroups.count, ground, movable(),
+                          blocks.lanes.data(), mSystems.data(), mHubLinks.data(), first, end);
+        });
     }
 
-    void buildHubMatrix(const HessianBlocks &blocks)
+    void factorize(const HessianBlocks &blocks)
     {
-        if (mHubCount == 0)
+        if (mGroups.count == 0)
             return;
-        std::vector<Eigen::Triplet<double>> entries;
-        entries.reserve(24 * static_cast<std::size_t>(mSoup->triangleCount()));
-        for (int t = 0; t < mSoup->triangleCount(); ++t)
-            addTriangleToHubs(t, entries);
-        for (std::size_t p = 0; p < mPair.size(); ++p) {
-            const auto [a, b] = mSoup->pairCorners[p];
-            const int i = mHub[a], j = mHub[b];
-            if (i < 0 || j < 0 || i == j || blocks.pair[p] == 0)
-                continue;
-            for (int axis = 0; axis < 2; ++axis) {
-                entries.emplace_back(2 * i + axis, 2 * i + axis, blocks.pair[p]);
-                entries.emplace_back(2 * j + axis, 2 * j + axis, blocks.pair[p]);
-                entries.emplace_back(2 * std::max(i, j) + axis, 2 * std::min(i, j) + axis, -blocks.pair[p]);
-            }
+        mMatrix.fill(*mSoup, blocks, mGroups, mSystems, mHubLinks);
+        if (!mAnalyzed) {
+            mSolver = std::make_unique<FrontalSolver>(*mTeam);
+            mSolver->analyze(mMatrix.matrix(), LinearSolver::Order::Natural);
+            mAnalyzed = true;
         }
-        LinearSolver::Matrix matrix(2 * mHubCount, 2 * mHubCount);
-        matrix.setFromTriplets(entries.begin(), entries.end());
-        mSolver.analyze(matrix, LinearSolver::Order::Natural);
-        double shift = 1e-7 * matrix.diagonal().mean();
-        for (int attempt = 0;; ++attempt, shift *= 100) {
-            for (int i = 0; i < 2 * mHubCount; ++i)
-                matrix.coeffRef(i, i) += shift;
-            if (mSolver.factorize(matrix))
+        double shift = 1e-7 * mMatrix.matrix().diagonal().mean();
+        for (int attempt = 0; attempt < 9; ++attempt, shift *= 100) {
+            mMatrix.addToDiagonal(shift);
+            if (mSolver->factorize(mMatrix.matrix()))
                 return;
-            if (attempt == 8)
-                throw std::runtime_error("HubDirection: the hub matrix could not be factorised");
-        }
-    }
-
-    void addTriangleToHubs(int t, std::vector<Eigen::Triplet<double>> &entries) const
-    {
-        const LaneMatrix &inverse = mInverse[t / laneCount];
-        const int lane = t % laneCount;
-        int at = 0;
-        for (int i = 0; i < 6; ++i) {
-            const int ci = 3 * t + i / 2;
-            for (int j = 0; j <= i; ++j, ++at) {
-                const int cj = 3 * t + j / 2;
-                if (mHub[ci] < 0 || mHub[cj] < 0)
-                    continue;
-                const int row = 2 * mHub[ci] + i % 2;
-                const int column = 2 * mHub[cj] + j % 2;
-                double value = -double(mStar[ci]) * inverse[at][lane] * mStar[cj];
-                if (i == j)
-                    value += mStar[ci];
-                else if (row == column)
-                    value *= 2;
-                entries.emplace_back(std::max(row, column), std::min(row, column), value);
+            if (attempt == 1) {
+                // Too ill-conditioned for single precision.
+                mAnalyzed = false;
+                mSolver = std::make_unique<CholmodSolver>();
+                mSolver->analyze(mMatrix.matrix(), LinearSolver::Order::Natural);
             }
         }
+        throw std::runtime_error("HubDirection: the hub matrix could not be factorised");
     }
 
-    static float *flat(std::vector<Lanes> &v) { return reinterpret_cast<float *>(v.data()); }
-
-    //! z = M^-1 r.
-    void precondition(std::vector<Lanes> &r, std::vector<Lanes> &z)
+    //! First half of z = M^-1 r: moves the hubs. Returns r . z.
+    double moveHubs()
     {
-        for (std::size_t block = 0; block < mBlocks; ++block)
-            multiplyLanes(mInverse[block], &r[6 * block], &z[6 * block]);
-        if (mHubCount == 0) {
-            clearHeld(z);
-            return;
-        }
-        mRightHand.setZero(2 * mHubCount);
-        const float *zFlat = flat(z);
-        for (int c = 0; c < mCorners; ++c) {
-            const int hub = mHub[c];
-            if (hub < 0)
-                continue;
-            mRightHand[2 * hub] += mStar[c] * zFlat[mSlot[c]];
-            mRightHand[2 * hub + 1] += mStar[c] * zFlat[mSlot[c] + laneCount];
-        }
-        mSolver.solve(mRightHand, mHubSolution);
-        float *pull = flat(mPull);
-        for (int c = 0; c < mCorners; ++c) {
-            const int hub = mHub[c];
-            pull[mSlot[c]] = hub < 0 ? 0 : mStar[c] * static_cast<float>(mHubSolution[2 * hub]);
-            pull[mSlot[c] + laneCount] =
-                hub < 0 ? 0 : mStar[c] * static_cast<float>(mHubSolution[2 * hub + 1]);
-        }
-        for (std::size_t block = 0; block < mBlocks; ++block) {
-            Lanes moved[6];
-            multiplyLanes(mInverse[block], &mPull[6 * block], moved);
-            for (int i = 0; i < 6; ++i)
-                z[6 * block + i] += moved[i];
-        }
-        clearHeld(z);
+        double product = sumOverBlocks([&](int first, int end) {
+            return loadHubs(mSystems.data(), mHubLinks.data(), mResidual.data(), mLoads.data(), first, end);
+        });
+        if (mGroups.count == 0)
+            return product;
+        mTeam->run(jobCount(mGroups.count), [&](int job) {
+            for (int h = job * jobSize; h < std::min(mGroups.count, (job + 1) * jobSize); ++h) {
+                float u = 0, v = 0;
+                for (int i = mGroups.begin[h]; i < mGroups.begin[h + 1]; ++i) {
+                    u += mLoads[2 * static_cast<std::size_t>(i)];
+                    v += mLoads[2 * static_cast<std::size_t>(i) + 1];
+                }
+                mHubLoad[2 * h] = u;
+                mHubLoad[2 * h + 1] = v;
+            }
+        });
+        mSolver->solve(mHubLoad, mHubMove);
+        for (Eigen::Index i = 0; i < mHubMove.size(); ++i)
+            mPulls[static_cast<std::size_t>(i)] = static_cast<float>(mHubMove[i]);
+        return product + mHubLoad.dot(mHubMove);
     }
 
-    //! q = H p.
-    void multiply(std::vector<Lanes> &p, std::vector<Lanes> &q)
+    //! Second half: p = z + beta p.
+    void turnSearch(float beta)
     {
-        for (std::size_t block = 0; block < mBlocks; ++block) {
-            multiplyLanes(mHessian[block], &p[6 * block], &q[6 * block]);
-            for (int i = 0; i < 6; ++i)
-                q[6 * block + i] += mGround[6 * block + i] * p[6 * block + i];
-        }
-        const float *pFlat = flat(p);
-        float *qFlat = flat(q);
-        for (std::size_t i = 0; i < mPair.size(); ++i) {
-            const int a = mSlot[mSoup->pairCorners[i][0]];
-            const int b = mSlot[mSoup->pairCorners[i][1]];
-            const float du = mPair[i] * (pFlat[a] - pFlat[b]);
-            const float dv = mPair[i] * (pFlat[a + laneCount] - pFlat[b + laneCount]);
-            qFlat[a] += du;
-            qFlat[a + laneCount] += dv;
-            qFlat[b] -= du;
-            qFlat[b + laneCount] -= dv;
-        }
-        clearHeld(q);
-    }
-
-    void clearHeld(std::vector<Lanes> &v) const
-    {
-        if (mHeld.empty())
-            return;
-        float *values = flat(v);
-        for (int c = 0; c < mCorners; ++c) {
-            if (mHeld[c])
-                values[mSlot[c]] = values[mSlot[c] + laneCount] = 0;
-        }
-    }
-
-    //! Sums within blocks in single precision, over blocks in double.
-    static double dot(const std::vector<Lanes> &a, const std::vector<Lanes> &b)
-    {
-        double sum = 0;
-        for (std::size_t i = 0; i < a.size(); i += 6) {
-            Lanes part = a[i] * b[i];
-            for (std::size_t k = i + 1; k < i + 6; ++k)
-                part += a[k] * b[k];
-            for (int lane = 0; lane < laneCount; ++lane)
-                sum += part[lane];
-        }
-        return sum;
+        overBlocks([&](int first, int end) {
+            pullCorners(mSystems.data(), mHubLinks.data(), mResidual.data(), mPulls.data(), movable(), beta,
+                        mSearch.data(), first, end);
+        });
     }
 
     //! Returns the number of iterations.
-    int conjugateGradients(std::span<const double> gradient, std::span<double> direction)
+    int conjugateGradients(const std::vector<LaneMatrix> &hessian, std::span<const double> gradient,
+                           std::span<double> direction)
     {
-        std::vector<Lanes> &r = mResidual, &z = mPreconditioned, &p = mSearch, &q = mProduct, &x = mSum;
-        // Scaled to unit length, so that single precision serves gradients of any size.
-        double norm = 0;
-        for (const double g : gradient)
-            norm += g * g;
-        norm = std::sqrt(norm);
+        const double norm = loadResidual(gradient);
         if (norm == 0) {
             std::fill(direction.begin(), direction.end(), 0.0);
             return 0;
         }
-        std::fill(r.begin(), r.end(), Lanes{});
-        std::fill(x.begin(), x.end(), Lanes{});
-        float *rFlat = flat(r);
-        for (int c = 0; c < mCorners; ++c) {
-            for (int axis = 0; axis < 2; ++axis)
-                rFlat[mSlot[c] + axis * laneCount] =
-                    static_cast<float>(-gradient[2 * static_cast<std::size_t>(c) + axis] / norm);
-        }
-        clearHeld(r);
-        const double target = residualTolerance * std::sqrt(dot(r, r));
-        precondition(r, z);
-        p = z;
-        double rz = dot(r, z);
+        std::fill(mSum.begin(), mSum.end(), Lanes{});
+        std::fill(mSearch.begin(), mSearch.end(), Lanes{});
+        double rz = moveHubs();
+        turnSearch(0);
         int iteration = 0;
         while (iteration < maxIterations && rz > 0) {
-            multiply(p, q);
-            const double curvature = dot(p, q);
+            const double curvature = sumOverBlocks([&](int first, int end) {
+                return multiplyBlocks(hessian.data(), mSystems.data(), mLinks.data(), mSearch.data(),
+                                      movable(), mProduct.data(), first, end);
+            });
             if (!(curvature > 0))
                 break;
             const float alpha = static_cast<float>(rz / curvature);
-            for (std::size_t i = 0; i < x.size(); ++i) {
-                x[i] += alpha * p[i];
-                r[i] -= alpha * q[i];
-            }
+            const double rest = sumOverBlocks([&](int first, int end) {
+                return advanceBlocks(alpha, mSearch.data(), mProduct.data(), mSum.data(), mResidual.data(),
+                                     first, end);
+            });
             ++iteration;
-            if (std::sqrt(dot(r, r)) < target)
+            if (rest < residualTolerance * residualTolerance)
                 break;
-            precondition(r, z);
-            const double next = dot(r, z);
-            const float beta = static_cast<float>(next / rz);
+            const double next = moveHubs();
+            turnSearch(static_cast<float>(next / rz));
             rz = next;
-            for (std::size_t i = 0; i < p.size(); ++i)
-                p[i] = z[i] + beta * p[i];
         }
-        const float *xFlat = flat(x);
-        for (int c = 0; c < mCorners; ++c) {
-            for (int axis = 0; axis < 2; ++axis)
-                direction[2 * static_cast<std::size_t>(c) + axis] = norm * xFlat[mSlot[c] + axis * laneCount];
-        }
+        overBlocks([&](int first, int end) {
+            const float *x = flat(mSum);
+            for (int c = 3 * laneCount * first;
+                 c < std::min(3 * laneCount * end, mSoup->mesh->soupCornerCount()); ++c) {
+                direction[2 * static_cast<std::size_t>(c)] = norm * x[slotOf(c)];
+                direction[2 * static_cast<std::size_t>(c) + 1] = norm * x[slotOf(c) + laneCount];
+            }
+        });
         return iteration;
     }
 
+    //! Residual at the start, scaled to unit length, so that single precision serves gradients of any size.
+    //! Returns the length.
+    double loadResidual(std::span<const double> gradient)
+    {
+        const double squares = sumInOrder(mTeam, mSoup->triangleCount(), [&](int first, int end) {
+            double sum = 0;
+            for (std::size_t i = 6 * static_cast<std::size_t>(first); i < 6 * static_cast<std::size_t>(end);
+                 ++i)
+                sum += gradient[i] * gradient[i];
+            return sum;
+        });
+        const double norm = std::sqrt(squares);
+        if (norm == 0)
+            return 0;
+        const double scale = -1 / norm;
+        overBlocks([&](int first, int end) {
+            float *r = flat(mResidual);
+            for (int c = 3 * laneCount * first;
+                 c < std::min(3 * laneCount * end, mSoup->mesh->soupCornerCount()); ++c) {
+                r[slotOf(c)] = static_cast<float>(scale * gradient[2 * static_cast<std::size_t>(c)]);
+                r[slotOf(c) + laneCount] =
+                    static_cast<float>(scale * gradient[2 * static_cast<std::size_t>(c) + 1]);
+            }
+            if (movable()) {
+                for (int i = 6 * first; i < 6 * end; ++i)
+                    mResidual[i] *= mMovable[i];
+            }
+        });
+        return norm;
+    }
+
     std::shared_ptr<const Soup> mSoup;
-    std::vector<bool> mHeld;
+    ThreadTeam mAlone, *mTeam;
     std::vector<int> mRank;
-    int mCorners;
+    int mBlocks = 0;
 
     bool mFresh = false;
     int mExcess = 0, mExcessLimit = 0, mBaseline = -1;
-    int mHubCount = 0;
-    std::vector<int> mHub;    //!< hub of each corner, -1 for a corner on its own
-    std::vector<float> mStar; //!< k_c: spring between a corner and its hub
-    std::vector<float> mPair; //!< spring constants of the corner pairs
-    std::vector<float> mHold; //!< per coordinate
+    HubGroups mGroups;
+    HubMatrix mMatrix;
+    std::unique_ptr<LinearSolver> mSolver;
+    bool mAnalyzed = false; //!< mSolver is a FrontalSolver that knows the pattern
 
-    // Triangles lie eight to a block; coordinate i of a block's triangles is one Lanes, number 6 * block + i.
-    std::size_t mBlocks = 0;
-    std::vector<int>
-        mSlot; //!< place of a corner's u in the flat view of such a vector; v is laneCount further
-    std::vector<LaneMatrix> mHessian, mInverse;
-    std::vector<Lanes> mGround;
-    CholmodSolver mSolver;
-    Eigen::VectorXd mRightHand, mHubSolution;
-    std::vector<Lanes> mResidual, mPreconditioned, mSearch, mProduct, mSum, mPull;
+    std::vector<CornerLinks> mLinks;
+    std::vector<HubLinks> mHubLinks;
+    std::vector<BlockSystem> mSystems;
+    std::vector<int> mHubOfSlot;
+    std::vector<float> mPairs; //!< spring constants, and a zero
+    LaneVector mMovable;       //!< 0 where a corner is held, else 1; empty when none is
+    LaneVector mGround;
+    LaneVector mResidual, mSearch, mProduct, mSum;
+    std::vector<float> mLoads; //!< of every corner on its hub, ordered by hub
+    std::vector<float> mPulls; //!< places of the hubs, and one at rest
+    Eigen::VectorXd mHubLoad, mHubMove;
+    std::vector<double> mParts;
 };
 
 } // namespace
 
-std::unique_ptr<NewtonDirection> makeHubDirection(std::shared_ptr<const Soup> soup, std::vector<bool> held)
+std::unique_ptr<NewtonDirection> makeHubDirection(std::shared_ptr<const Soup> soup, std::vector<bool> held,
+                                                  ThreadTeam *team)
 {
-    return std::make_unique<HubDirection>(std::move(soup), std::move(held));
+    return std::make_unique<HubDirection>(std::move(soup), std::move(held), team);
 }
 
 } // namespace autocuts

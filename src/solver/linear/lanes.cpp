@@ -1,9 +1,12 @@
 #include "solver/linear/lanes.h"
 
+#include "solver/linear/simd.h"
+
 #include <cmath>
 
 namespace autocuts {
 
+AUTOCUTS_CLONES
 void invertLanes(const LaneMatrix &a, LaneMatrix &inverse)
 {
     Lanes l[6][6];

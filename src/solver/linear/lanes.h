@@ -1,7 +1,9 @@
 // Eight triangles at a time: 6 x 6 kernels over vectors of eight floats (compiler vectors, any processor).
 #pragma once
 
-#include <array>
+#include <cstddef>
+#include <new>
+#include <vector>
 
 namespace autocuts {
 
@@ -10,8 +12,36 @@ constexpr int laneCount = 8;
 //! Eight floats that are added and multiplied together.
 using Lanes = float __attribute__((vector_size(laneCount * sizeof(float))));
 
+//! What Lanes are aligned to. Compilers ask for less where the processor they compile for has shorter
+//! vectors, but functions compiled for several processors meet in memory.
+constexpr std::size_t laneAlignment = laneCount * sizeof(float);
+
+template <class T>
+struct LaneAllocator
+{
+    using value_type = T;
+    LaneAllocator() = default;
+    template <class U>
+    explicit LaneAllocator(const LaneAllocator<U> &)
+    {}
+    T *allocate(std::size_t n)
+    {
+        return static_cast<T *>(::operator new(n * sizeof(T), std::align_val_t(laneAlignment)));
+    }
+    void deallocate(T *p, std::size_t) { ::operator delete(p, std::align_val_t(laneAlignment)); }
+    bool operator==(const LaneAllocator &) const { return true; }
+};
+
+using LaneVector = std::vector<Lanes, LaneAllocator<Lanes>>;
+
 //! Lower triangles of eight symmetric 6 x 6 matrices, packed row by row.
-using LaneMatrix = std::array<Lanes, 21>;
+struct alignas(laneAlignment) LaneMatrix
+{
+    Lanes entry[21];
+
+    Lanes &operator[](int i) { return entry[i]; }
+    const Lanes &operator[](int i) const { return entry[i]; }
+};
 
 //! Inverses of eight positive definite matrices, by Cholesky. A pivot that is not positive counts as tiny.
 void invertLanes(const LaneMatrix &a, LaneMatrix &inverse);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/energy/energyterm.h"
+#include "solver/parallel.h"
 #include "solver/soup.h"
 
 #include <memory>
@@ -28,13 +29,17 @@ class NewtonDirection
 public:
     virtual ~NewtonDirection() = default;
 
+    //! Which form of the triangles' blocks compute() wants.
+    virtual HessianBlocks::Precision precision() const { return HessianBlocks::Precision::Double; }
     //! Solves H p = -gradient for the Hessian given by `blocks`, exactly or nearly.
+    //! \param blocks of the wanted precision; may be used up
     //! \param gradient,direction per coordinate of the soup; corners that share an unknown get one direction,
     //!        held corners get zero
     //! \throws std::runtime_error when no descent direction can be found
-    virtual void compute(const HessianBlocks &blocks, std::span<const double> gradient,
+    virtual void compute(HessianBlocks &blocks, std::span<const double> gradient,
                          std::span<double> direction) = 0;
-    //! Says that the energy has changed its shape (another delta, other weights): what was kept is out of date.
+    //! Says that the energy has changed its shape (another delta, other weights): what was kept is out of
+    //! date.
     virtual void invalidate() {}
 };
 
@@ -43,6 +48,9 @@ std::unique_ptr<NewtonDirection> makeExactDirection(std::shared_ptr<const Soup> 
 
 //! Truncated Newton: conjugate gradients on the same Hessian with the hub preconditioner, 20 to 40 times
 //! cheaper. Only for the soup (one unknown per corner).
-std::unique_ptr<NewtonDirection> makeHubDirection(std::shared_ptr<const Soup> soup, std::vector<bool> held);
+//! \param held per soup corner, true where it must not move; empty: none
+//! \param team threads to use, not owned; none: the calling one
+std::unique_ptr<NewtonDirection> makeHubDirection(std::shared_ptr<const Soup> soup, std::vector<bool> held,
+                                                  ThreadTeam *team = nullptr);
 
 } // namespace autocuts

@@ -1,0 +1,298 @@
+#include "solver/linear/frontalsolver.h"
+
+#include "solver/linear/frontkernels.h"
+
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+
+namespace autocuts {
+
+namespace {
+
+//! Subtrees are split until none has more than this share of the work.
+constexpr double largestTask = 1.0 / 12;
+//! A pivot below this share of the mean diagonal means that the matrix is not positive definite.
+constexpr float smallestPivot = 1e-9f;
+
+std::size_t lanesFor(std::size_t floats)
+{
+    return (floats + frontLanes - 1) / frontLanes;
+}
+
+bool isMadeOfBlocks(const LinearSolver::Matrix &lower)
+{
+    if (lower.rows() % 2 != 0)
+        return false;
+    const int *start = lower.outerIndexPtr(), *index = lower.innerIndexPtr();
+    for (int j = 0; j < lower.cols(); j += 2) {
+        const int length = start[j + 1] - start[j];
+        if (length < 2 || length % 2 != 0 || start[j + 2] - start[j + 1] != length - 1)
+            return false;
+        for (int k = 0; k < length; ++k) {
+            const int row = index[start[j] + k];
+            if ((k % 2 == 0 && row % 2 != 0) || (k % 2 == 1 && row != index[start[j] + k - 1] + 1) ||
+                (k > 0 && index[start[j + 1] + k - 1] != row) || (k == 0 && row != j))
+                return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+void FrontalSolver::analyze(const Matrix &lower, Order order)
+{
+    if (order != Order::Natural || !isMadeOfBlocks(lower))
+        throw std::invalid_argument("FrontalSolver: an ordered matrix of 2 x 2 blocks is needed");
+    mStructure = FrontalStructure::build(lower);
+    mLayout.clear();
+    std::size_t factor = 0, carry = 0;
+    for (const FrontalStructure::Supernode &node : mStructure.supernodes) {
+        Layout l;
+        l.pivots = 2 * node.count;
+        l.pivotStride = paddedRow(l.pivots);
+        l.rows = 2 * node.rowCount;
+        l.stride = paddedRow(l.rows);
+        l.inverse = factor;
+        factor += static_cast<std::size_t>(l.pivots) * l.pivotStride;
+        l.coupling = factor;
+        factor += static_cast<std::size_t>(l.pivots) * l.stride;
+        l.carry = carry;
+        carry += l.stride;
+        mLayout.push_back(l);
+    }
+    mFactor.resize(lanesFor(factor));
+    mCarry.resize(lanesFor(carry));
+    mUpdate.assign(mStructure.supernodes.size(), {});
+    mValues.assign(2 * static_cast<std::size_t>(mStructure.nodeCount), 0);
+    makeTasks();
+}
+
+void FrontalSolver::makeTasks()
+{
+    const int count = static_cast<int>(mStructure.supernodes.size());
+    std::vector<double> work(count);
+    std::vector<int> firstBelow(count);
+    for (int n = 0; n < count; ++n) {
+        const Layout &l = mLayout[n];
+        work[n] = double(l.pivots) * (l.pivots + l.rows) * (l.pivots + l.rows) + 1000;
+        firstBelow[n] = n;
+        for (int c = mStructure.childBegin[n]; c < mStructure.childBegin[n + 1]; ++c) {
+            work[n] += work[mStructure.children[c]];
+            firstBelow[n] = std::min(firstBelow[n], firstBelow[mStructure.children[c]]);
+        }
+    }
+    std::vector<int> open;
+    double total = 0;
+    for (int n = 0; n < count; ++n) {
+        if (mStructure.supernodes[n].parent < 0) {
+            open.push_back(n);
+            total += work[n];
+        }
+    }
+    mTasks.clear();
+    mTop.clear();
+    while (!open.empty()) {
+        const int n = open.back();
+        open.pop_back();
+        if (work[n] <= largestTask * total) {
+            mTasks.push_back({firstBelow[n], n + 1});
+            continue;
+        }
+        mTop.push_back(n);
+        open.insert(open.end(), mStructure.children.begin() + mStructure.childBegin[n],
+                    mStructure.children.begin() + mStructure.childBegin[n + 1]);
+    }
+    std::sort(mTop.begin(), mTop.end());
+    // Neighbouring small subtrees make one task.
+    std::sort(mTasks.begin(), mTasks.end(), [](const Task &a, const Task &b) { return a.begin < b.begin; });
+    std::vector<Task> merged;
+    double load = 0;
+    for (const Task &task : mTasks) {
+        const double own = work[task.end - 1];
+        if (!merged.empty() && merged.back().end == task.begin && load + own <= largestTask * total) {
+            merged.back().end = task.end;
+            load += own;
+        } else {
+            merged.push_back(task);
+            load = own;
+        }
+    }
+    mTasks = std::move(merged);
+}
+
+bool FrontalSolver::factorize(const Matrix &lower)
+{
+    mSmallest = smallestPivot * static_cast<float>(lower.diagonal().mean());
+    std::atomic<bool> good = true;
+    mTeam.run(static_cast<int>(mTasks.size()), [&](int i) {
+        Scratch scratch;
+        for (int n = mTasks[i].begin; n < mTasks[i].end && good; ++n) {
+            if (!eliminate(lower, n, scratch))
+                good = false;
+        }
+    });
+    Scratch scratch;
+    for (std::size_t i = 0; good && i < mTop.size(); ++i)
+        good = eliminate(lower, mTop[i], scratch);
+    if (!good) {
+        for (Floats &update : mUpdate)
+            Floats().swap(update);
+    }
+    return good;
+}
+
+bool FrontalSolver::eliminate(const Matrix &lower, int node, Scratch &scratch)
+{
+    const Layout &l = mLayout[node];
+    float *inverse = flat(mFactor) + l.inverse;
+    std::fill(inverse, inverse + static_cast<std::ptrdiff_t>(l.pivots) * l.pivotStride, 0.0f);
+    scratch.coupling.assign(lanesFor(static_cast<std::size_t>(l.pivots) * l.stride), Lanes{});
+    mUpdate[node].assign(lanesFor(static_cast<std::size_t>(l.rows) * l.stride), Lanes{});
+    addEntries(lower, node, flat(scratch.coupling));
+    for (int c = mStructure.childBegin[node]; c < mStructure.childBegin[node + 1]; ++c) {
+        addChild(mStructure.children[c], node, scratch);
+        Floats().swap(mUpdate[mStructure.children[c]]);
+    }
+    for (int i = 1; i < l.pivots; ++i) {
+        for (int j = 0; j < i; ++j)
+            inverse[i * l.pivotStride + j] = inverse[j * l.pivotStride + i];
+    }
+    if (!invertFront(inverse, l.pivots, l.pivotStride, mSmallest))
+        return false;
+    float *coupling = flat(mFactor) + l.coupling;
+    multiplyFront(inverse, l.pivotStride, flat(scratch.coupling), coupling, l.pivots, l.rows, l.stride);
+    reduceFront(flat(scratch.coupling), coupling, l.pivots, l.rows, l.stride, flat(mUpdate[node]), l.stride);
+    return true;
+}
+
+void FrontalSolver::addEntries(const Matrix &lower, int node, float *coupling)
+{
+    const Layout &l = mLayout[node];
+    float *inverse = flat(mFactor) + l.inverse;
+    const double *values = lower.valuePtr();
+    for (int e = mStructure.entryBegin[node]; e < mStructure.entryBegin[node + 1]; ++e) {
+        const FrontalStructure::Entry &entry = mStructure.entries[e];
+        const int row = 2 * entry.row, column = 2 * entry.column;
+        float *place = column < l.pivots ? inverse + row * l.pivotStride + column
+                                         : coupling + row * l.stride + column - l.pivots;
+        float *below = place + (column < l.pivots ? l.pivotStride : l.stride);
+        const double *first = values + entry.first, *second = values + entry.second;
+        place[0] += static_cast<float>(first[0]);
+        below[1] += static_cast<float>(second[1]);
+        if (row == column) {
+            place[1] += static_cast<float>(first[1]);
+        } else {
+            place[1] += static_cast<float>(entry.transposed ? first[1] : second[0]);
+            below[0] += static_cast<float>(entry.transposed ? second[0] : first[1]);
+        }
+    }
+}
+
+//! Adds the upper triangle of a child's update matrix to the front.
+void FrontalSolver::addChild(int child, int node, Scratch &scratch)
+{
+    const Layout &from = mLayout[child], &to = mLayout[node];
+    const FrontalStructure::Supernode &source = mStructure.supernodes[child];
+    const int *places = mStructure.places.data() + source.rowBegin;
+    const int pivotNodes = to.pivots / 2;
+    // Runs of neighbouring places: first row of the child, end, place of the first; in scalars.
+    scratch.runs.clear();
+    for (int i = 0; i < source.rowCount;) {
+        int end = i + 1;
+        while (end < source.rowCount && places[end] == places[end - 1] + 1 && places[end] != pivotNodes)
+            ++end;
+        scratch.runs.push_back({2 * i, 2 * end, 2 * places[i]});
+        i = end;
+    }
+    const float *update = flat(mUpdate[child]);
+    float *inverse = flat(mFactor) + to.inverse;
+    float *coupling = flat(scratch.coupling), *own = flat(mUpdate[node]);
+    for (std::size_t r = 0; r < scratch.runs.size(); ++r) {
+        for (int i = scratch.runs[r][0]; i < scratch.runs[r][1]; ++i) {
+            const int row = scratch.runs[r][2] + i - scratch.runs[r][0];
+            const float *line = update + static_cast<std::ptrdiff_t>(i) * from.stride;
+            float *inPivots = row < to.pivots ? inverse + row * to.pivotStride : nullptr;
+            float *inRows = row < to.pivots ? coupling + row * to.stride
+                                            : own + static_cast<std::ptrdiff_t>(row - to.pivots) * to.stride;
+            for (std::size_t q = r; q < scratch.runs.size(); ++q) {
+                const auto [begin, end, place] = scratch.runs[q];
+                float *target = place < to.pivots ? inPivots + place : inRows + (place - to.pivots);
+                for (int j = std::max(begin, i); j < end; ++j)
+                    target[j - begin] += line[j];
+            }
+        }
+    }
+}
+
+void FrontalSolver::forward(int node)
+{
+    const Layout &l = mLayout[node];
+    const FrontalStructure::Supernode &s = mStructure.supernodes[node];
+    float *own = mValues.data() + 2 * static_cast<std::size_t>(s.first);
+    float *carry = flat(mCarry) + l.carry;
+    std::fill(carry, carry + l.stride, 0.0f);
+    for (int c = mStructure.childBegin[node]; c < mStructure.childBegin[node + 1]; ++c) {
+        const int child = mStructure.children[c];
+        const FrontalStructure::Supernode &source = mStructure.supernodes[child];
+        const float *from = flat(mCarry) + mLayout[child].carry;
+        const int *places = mStructure.places.data() + source.rowBegin;
+        for (int i = 0; i < source.rowCount; ++i) {
+            float *to = places[i] < s.count ? own + 2 * places[i] : carry + 2 * (places[i] - s.count);
+            to[0] += from[2 * i];
+            to[1] += from[2 * i + 1];
+        }
+    }
+    subtractTransposed(flat(mFactor) + l.coupling, l.pivots, l.rows, l.stride, own, carry);
+}
+
+void FrontalSolver::backward(int node, Scratch &scratch)
+{
+    const Layout &l = mLayout[node];
+    const FrontalStructure::Supernode &s = mStructure.supernodes[node];
+    float *own = mValues.data() + 2 * static_cast<std::size_t>(s.first);
+    scratch.pivots.assign(lanesFor(l.pivotStride), Lanes{});
+    scratch.rows.assign(lanesFor(l.stride), Lanes{});
+    std::copy(own, own + l.pivots, flat(scratch.pivots));
+    float *rows = flat(scratch.rows);
+    const int *numbers = mStructure.rows.data() + s.rowBegin;
+    for (int i = 0; i < s.rowCount; ++i) {
+        rows[2 * i] = mValues[2 * static_cast<std::size_t>(numbers[i])];
+        rows[2 * i + 1] = mValues[2 * static_cast<std::size_t>(numbers[i]) + 1];
+    }
+    solvePivots(flat(mFactor) + l.inverse, l.pivotStride, flat(mFactor) + l.coupling, l.stride, l.pivots,
+                l.rows, flat(scratch.pivots), rows, own);
+}
+
+void FrontalSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
+{
+    for (int n = 0; n < mStructure.nodeCount; ++n) {
+        float *to = mValues.data() + 2 * static_cast<std::size_t>(mStructure.newNumber[n]);
+        to[0] = static_cast<float>(b[2 * n]);
+        to[1] = static_cast<float>(b[2 * n + 1]);
+    }
+    const int tasks = static_cast<int>(mTasks.size());
+    mTeam.run(tasks, [&](int i) {
+        for (int n = mTasks[i].begin; n < mTasks[i].end; ++n)
+            forward(n);
+    });
+    for (const int n : mTop)
+        forward(n);
+    Scratch scratch;
+    for (auto n = mTop.rbegin(); n != mTop.rend(); ++n)
+        backward(*n, scratch);
+    mTeam.run(tasks, [&](int i) {
+        Scratch own;
+        for (int n = mTasks[i].end - 1; n >= mTasks[i].begin; --n)
+            backward(n, own);
+    });
+    x.resize(b.size());
+    for (int n = 0; n < mStructure.nodeCount; ++n) {
+        const float *from = mValues.data() + 2 * static_cast<std::size_t>(mStructure.newNumber[n]);
+        x[2 * n] = from[0];
+        x[2 * n + 1] = from[1];
+    }
+}
+
+} // namespace autocuts

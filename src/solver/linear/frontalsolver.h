@@ -1,0 +1,74 @@
+// A multifrontal Cholesky solver in single precision for matrices of 2 x 2 blocks: preconditioners.
+#pragma once
+
+#include "solver/linear/frontalstructure.h"
+#include "solver/linear/lanes.h"
+#include "solver/linear/linearsolver.h"
+#include "solver/parallel.h"
+
+#include <array>
+#include <vector>
+
+namespace autocuts {
+
+//! Faster than a general library where fronts are small, as on meshes: supernodes of about sixteen nodes,
+//! explicit inverses of their pivot blocks (so that solving is products of dense matrices and vectors),
+//! single precision, independent subtrees on several threads. Residuals of about 1e-4 are usual: not for
+//! exact solutions. \pre the pattern is made of full 2 x 2 blocks (their lower triangles on the diagonal)
+class FrontalSolver final : public LinearSolver
+{
+public:
+    explicit FrontalSolver(ThreadTeam &team) : mTeam(team) {}
+
+    //! The caller has to bring the unknowns in order: only Order::Natural is known.
+    //! \throws std::invalid_argument for another order or pattern
+    void analyze(const Matrix &lower, Order order) override;
+    bool factorize(const Matrix &lower) override;
+    void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
+
+private:
+    using Floats = LaneVector; //!< aligned storage
+
+    //! Where a supernode's parts lie, in floats.
+    struct Layout
+    {
+        int pivots = 0, pivotStride = 0; //!< scalars; padded
+        int rows = 0, stride = 0;
+        std::size_t inverse = 0, coupling = 0; //!< in mFactor: inverse of the pivots W, and T = W B
+        std::size_t carry = 0;                 //!< in mCarry: what solving passes on to the parent
+    };
+    //! A run of supernodes that makes up one or some whole subtrees, worked on by one thread.
+    struct Task
+    {
+        int begin = 0, end = 0;
+    };
+    //! What one thread needs at a time.
+    struct Scratch
+    {
+        Floats coupling;     //!< B of a front
+        Floats pivots, rows; //!< a part of the right-hand side
+        std::vector<std::array<int, 3>> runs;
+    };
+
+    void makeTasks();
+    bool eliminate(const Matrix &lower, int node, Scratch &scratch);
+    void addEntries(const Matrix &lower, int node, float *coupling);
+    void addChild(int child, int node, Scratch &scratch);
+    void forward(int node);
+    void backward(int node, Scratch &scratch);
+
+    static float *flat(Floats &v) { return reinterpret_cast<float *>(v.data()); }
+    static const float *flat(const Floats &v) { return reinterpret_cast<const float *>(v.data()); }
+
+    ThreadTeam &mTeam;
+    FrontalStructure mStructure;
+    std::vector<Layout> mLayout;
+    std::vector<Task> mTasks;
+    std::vector<int> mTop;       //!< supernodes above all tasks, ascending
+    std::vector<Floats> mUpdate; //!< per supernode, its update matrix until its parent takes it
+    Floats mFactor, mCarry;
+    std::vector<float> mValues; //!< right-hand side, then solution, in the new numbers
+    float mSmallest = 0;
+};
+
+} // namespace autocuts

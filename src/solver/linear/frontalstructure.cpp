@@ -1,0 +1,345 @@
+#include "solver/linear/frontalstructure.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace autocuts {
+
+namespace {
+
+//! Most nodes that a supernode eliminates, and as many as are always worth merging.
+constexpr int mostNodes = 16;
+constexpr int fewNodes = 4;
+//! Share of zeros in a front that merging supernodes may bring in.
+constexpr double zerosAllowed = 0.25;
+
+//! Columns of the lower triangle below the diagonal, in nodes: rows[begin[j]] ... rows[begin[j + 1] - 1],
+//! ascending.
+struct Graph
+{
+    std::vector<int> begin{0}, rows;
+    int count() const { return static_cast<int>(begin.size()) - 1; }
+};
+
+Graph nodeGraph(const LinearSolver::Matrix &lower)
+{
+    Graph graph;
+    graph.rows.reserve(static_cast<std::size_t>(lower.nonZeros()) / 4);
+    const int *start = lower.outerIndexPtr();
+    const int *index = lower.innerIndexPtr();
+    for (int j = 0; j < lower.cols() / 2; ++j) {
+        for (int k = start[2 * j] + 2; k < start[2 * j + 1]; k += 2)
+            graph.rows.push_back(index[k] / 2);
+        graph.begin.push_back(static_cast<int>(graph.rows.size()));
+    }
+    return graph;
+}
+
+//! Parent of each node in the elimination tree (Liu 1990).
+std::vector<int> eliminationTree(const Graph &graph)
+{
+    const int n = graph.count();
+    // Row-wise: columns of each row.
+    std::vector<int> rowBegin(n + 1, 0);
+    for (const int row : graph.rows)
+        ++rowBegin[row + 1];
+    std::partial_sum(rowBegin.begin(), rowBegin.end(), rowBegin.begin());
+    std::vector<int> columns(graph.rows.size()), next(rowBegin.begin(), rowBegin.end() - 1);
+    for (int j = 0; j < n; ++j) {
+        for (int k = graph.begin[j]; k < graph.begin[j + 1]; ++k)
+            columns[next[graph.rows[k]]++] = j;
+    }
+    std::vector<int> parent(n, -1), ancestor(n, -1);
+    for (int i = 0; i < n; ++i) {
+        for (int k = rowBegin[i]; k < rowBegin[i + 1]; ++k) {
+            int j = columns[k];
+            while (j >= 0 && j < i) {
+                const int above = ancestor[j];
+                ancestor[j] = i;
+                if (above < 0)
+                    parent[j] = i;
+                j = above;
+            }
+        }
+    }
+    return parent;
+}
+
+//! Lists of whole numbers, each list by the number of its owner.
+struct Lists
+{
+    std::vector<int> head, next;
+
+    Lists(int owners, int items) : head(owners, -1), next(items, -1) {}
+    void push(int owner, int item)
+    {
+        next[item] = head[owner];
+        head[owner] = item;
+    }
+};
+
+//! A supernode while the tree is being made, in the old numbers.
+struct Group
+{
+    int firstColumn, lastColumn, columns; //!< a chain through nextColumn
+    int rowBegin, rowEnd;                 //!< ascending, in the common pool
+    int parent = -1;
+    double zeros = 0;
+    int rows() const { return rowEnd - rowBegin; }
+};
+
+struct GroupTree
+{
+    std::vector<Group> groups;
+    std::vector<int> nextColumn; //!< per column
+    std::vector<int> pool;       //!< rows of all groups
+};
+
+//! Columns that have the rows of a child join it.
+GroupTree fundamentalGroups(const Graph &graph, const std::vector<int> &parent)
+{
+    const int n = graph.count();
+    GroupTree tree;
+    tree.nextColumn.assign(n, -1);
+    Lists children(n, n);
+    for (int j = n - 1; j >= 0; --j) {
+        if (parent[j] >= 0)
+            children.push(parent[j], j);
+    }
+    std::vector<int> groupOf(n, -1), mark(n, -1), rows;
+    for (int j = 0; j < n; ++j) {
+        rows.clear();
+        mark[j] = j;
+        const auto add = [&](int row) {
+            if (mark[row] != j) {
+                mark[row] = j;
+                rows.push_back(row);
+            }
+        };
+        std::for_each(graph.rows.begin() + graph.begin[j], graph.rows.begin() + graph.begin[j + 1], add);
+        int largest = -1;
+        for (int child = children.head[j]; child >= 0; child = children.next[child]) {
+            const Group &group = tree.groups[groupOf[child]];
+            std::for_each(tree.pool.begin() + group.rowBegin, tree.pool.begin() + group.rowEnd, add);
+            if (largest < 0 || group.rows() > tree.groups[largest].rows())
+                largest = groupOf[child];
+        }
+        if (largest >= 0 && tree.groups[largest].rows() == static_cast<int>(rows.size()) + 1) {
+            Group &group = tree.groups[largest];
+            groupOf[j] = largest;
+            tree.nextColumn[group.lastColumn] = j;
+            group.lastColumn = j;
+            ++group.columns;
+            ++group.rowBegin; // which was j itself
+            continue;
+        }
+        std::sort(rows.begin(), rows.end());
+        groupOf[j] = static_cast<int>(tree.groups.size());
+        const int begin = static_cast<int>(tree.pool.size());
+        tree.pool.insert(tree.pool.end(), rows.begin(), rows.end());
+        tree.groups.push_back({j, j, 1, begin, static_cast<int>(tree.pool.size())});
+    }
+    for (Group &group : tree.groups) {
+        if (group.rows() > 0)
+            group.parent = groupOf[tree.pool[group.rowBegin]];
+    }
+    return tree;
+}
+
+//! Merges small groups into their parents where that brings few zeros. Merged groups are left without
+//! columns.
+void amalgamate(GroupTree &tree)
+{
+    std::vector<Group> &groups = tree.groups;
+    // Children before parents: by their last columns, since columns were added to groups made early.
+    std::vector<int> endingAt(tree.nextColumn.size(), -1), mergedInto(groups.size(), -1);
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        endingAt[groups[g].lastColumn] = static_cast<int>(g);
+    for (const int g : endingAt) {
+        if (g < 0 || groups[g].parent < 0)
+            continue;
+        Group &child = groups[g];
+        Group &parent = groups[child.parent];
+        const double c = child.columns, p = parent.columns;
+        if (c + p > mostNodes)
+            continue;
+        const double zeros = child.zeros + parent.zeros + c * (p + parent.rows() - child.rows());
+        const double size = (c + p) * (0.5 * (c + p) + parent.rows());
+        if (zeros > zerosAllowed * size && c + p > fewNodes)
+            continue;
+        parent.zeros = zeros;
+        tree.nextColumn[child.lastColumn] = parent.firstColumn;
+        parent.firstColumn = child.firstColumn;
+        parent.columns += child.columns;
+        child.columns = 0;
+        mergedInto[g] = child.parent;
+    }
+    for (Group &group : groups) {
+        while (group.parent >= 0 && mergedInto[group.parent] >= 0)
+            group.parent = mergedInto[group.parent];
+    }
+}
+
+//! Groups that kept their columns, depth first: children before parents, a whole subtree in a row.
+std::vector<int> postorder(const std::vector<Group> &groups)
+{
+    const int count = static_cast<int>(groups.size());
+    Lists children(count + 1, count); // those of the last owner are the roots
+    for (int g = count - 1; g >= 0; --g) {
+        if (groups[g].columns > 0)
+            children.push(groups[g].parent >= 0 ? groups[g].parent : count, g);
+    }
+    std::vector<int> order, stack;
+    for (int root = children.head[count]; root >= 0; root = children.next[root]) {
+        stack.push_back(root);
+        while (!stack.empty()) {
+            const int group = stack.back();
+            const int child = children.head[group];
+            if (child >= 0) {
+                children.head[group] = children.next[child];
+                stack.push_back(child);
+            } else {
+                order.push_back(group);
+                stack.pop_back();
+            }
+        }
+    }
+    return order;
+}
+
+//! Supernodes of at most mostNodes nodes: a large group becomes a chain.
+void makeSupernodes(const GroupTree &tree, FrontalStructure &s)
+{
+    const std::vector<int> order = postorder(tree.groups);
+    s.newNumber.assign(s.nodeCount, -1);
+    int number = 0;
+    for (const int g : order) {
+        const Group &group = tree.groups[g];
+        for (int i = 0, column = group.firstColumn; i < group.columns; ++i, column = tree.nextColumn[column])
+            s.newNumber[column] = number++;
+    }
+    std::vector<int> firstOf(tree.groups.size(), -1), lastOf(tree.groups.size(), -1), rows;
+    for (const int g : order) {
+        const Group &group = tree.groups[g];
+        rows.clear();
+        for (int i = group.rowBegin; i < group.rowEnd; ++i)
+            rows.push_back(s.newNumber[tree.pool[i]]);
+        std::sort(rows.begin(), rows.end());
+        const int size = group.columns;
+        const int parts = (size + mostNodes - 1) / mostNodes;
+        const int first = s.newNumber[group.firstColumn];
+        firstOf[g] = static_cast<int>(s.supernodes.size());
+        for (int part = 0; part < parts; ++part) {
+            const int from = first + size * part / parts, to = first + size * (part + 1) / parts;
+            FrontalStructure::Supernode node;
+            node.first = from;
+            node.count = to - from;
+            node.rowBegin = static_cast<int>(s.rows.size());
+            for (int later = to; later < first + size; ++later)
+                s.rows.push_back(later);
+            s.rows.insert(s.rows.end(), rows.begin(), rows.end());
+            node.rowCount = static_cast<int>(s.rows.size()) - node.rowBegin;
+            node.parent = part + 1 < parts ? static_cast<int>(s.supernodes.size()) + 1 : -1;
+            s.supernodes.push_back(node);
+        }
+        lastOf[g] = static_cast<int>(s.supernodes.size()) - 1;
+    }
+    for (const int g : order) {
+        if (tree.groups[g].parent >= 0)
+            s.supernodes[lastOf[g]].parent = firstOf[tree.groups[g].parent];
+    }
+}
+
+//! Place of a node in a front; -1 when it is not in it.
+int placeIn(const FrontalStructure &s, const FrontalStructure::Supernode &node, int number)
+{
+    if (number < node.first + node.count)
+        return number >= node.first ? number - node.first : -1;
+    const auto begin = s.rows.begin() + node.rowBegin;
+    const auto end = begin + node.rowCount;
+    const auto found = std::lower_bound(begin, end, number);
+    return found != end && *found == number ? node.count + static_cast<int>(found - begin) : -1;
+}
+
+void placeChildren(FrontalStructure &s)
+{
+    s.places.resize(s.rows.size());
+    s.childBegin.assign(s.supernodes.size() + 1, 0);
+    for (const auto &node : s.supernodes) {
+        if (node.parent < 0)
+            continue;
+        ++s.childBegin[node.parent + 1];
+        const FrontalStructure::Supernode &parent = s.supernodes[node.parent];
+        // Both lists ascend: one pass.
+        int at = parent.rowBegin;
+        for (int i = node.rowBegin; i < node.rowBegin + node.rowCount; ++i) {
+            const int number = s.rows[i];
+            if (number < parent.first + parent.count) {
+                s.places[i] = number - parent.first;
+                continue;
+            }
+            while (s.rows[at] != number)
+                ++at;
+            s.places[i] = parent.count + at - parent.rowBegin;
+        }
+    }
+    std::partial_sum(s.childBegin.begin(), s.childBegin.end(), s.childBegin.begin());
+    s.children.resize(s.childBegin.back());
+    std::vector<int> next(s.childBegin.begin(), s.childBegin.end() - 1);
+    for (int n = 0; n < static_cast<int>(s.supernodes.size()); ++n) {
+        if (s.supernodes[n].parent >= 0)
+            s.children[next[s.supernodes[n].parent]++] = n;
+    }
+}
+
+void placeEntries(const LinearSolver::Matrix &lower, const Graph &graph, FrontalStructure &s)
+{
+    std::vector<int> supernodeOf(s.nodeCount);
+    for (int n = 0; n < static_cast<int>(s.supernodes.size()); ++n) {
+        for (int i = 0; i < s.supernodes[n].count; ++i)
+            supernodeOf[s.supernodes[n].first + i] = n;
+    }
+    const auto ownerOf = [&](int row, int column) {
+        return supernodeOf[std::min(s.newNumber[row], s.newNumber[column])];
+    };
+    s.entryBegin.assign(s.supernodes.size() + 1, 0);
+    const auto visit = [&](auto &&entry) {
+        const int *start = lower.outerIndexPtr();
+        for (int column = 0; column < s.nodeCount; ++column) {
+            entry(column, column, start[2 * column], start[2 * column + 1] - 1);
+            for (int k = graph.begin[column]; k < graph.begin[column + 1]; ++k) {
+                const int offset = 2 * (k - graph.begin[column]);
+                entry(graph.rows[k], column, start[2 * column] + 2 + offset,
+                      start[2 * column + 1] + 1 + offset);
+            }
+        }
+    };
+    visit([&](int row, int column, int, int) { ++s.entryBegin[ownerOf(row, column) + 1]; });
+    std::partial_sum(s.entryBegin.begin(), s.entryBegin.end(), s.entryBegin.begin());
+    s.entries.resize(s.entryBegin.back());
+    std::vector<int> next(s.entryBegin.begin(), s.entryBegin.end() - 1);
+    visit([&](int row, int column, int first, int second) {
+        const int owner = ownerOf(row, column);
+        const FrontalStructure::Supernode &node = s.supernodes[owner];
+        const int a = placeIn(s, node, s.newNumber[row]);
+        const int b = placeIn(s, node, s.newNumber[column]);
+        s.entries[next[owner]++] = {first, second, std::min(a, b), std::max(a, b), b < a};
+    });
+}
+
+} // namespace
+
+FrontalStructure FrontalStructure::build(const LinearSolver::Matrix &lower)
+{
+    FrontalStructure s;
+    const Graph graph = nodeGraph(lower);
+    s.nodeCount = graph.count();
+    GroupTree tree = fundamentalGroups(graph, eliminationTree(graph));
+    amalgamate(tree);
+    makeSupernodes(tree, s);
+    placeChildren(s);
+    placeEntries(lower, graph, s);
+    return s;
+}
+
+} // namespace autocuts

@@ -1,0 +1,43 @@
+// The shape of a multifrontal Cholesky factorisation: elimination tree, supernodes, and how fronts fit
+// together.
+#pragma once
+
+#include "solver/linear/linearsolver.h"
+
+#include <vector>
+
+namespace autocuts {
+
+//! Made of 2 x 2 blocks ("nodes"). Nodes are renumbered so that a supernode eliminates consecutive ones and
+//! children come before their parents. Its front holds its own nodes first, then `rows`.
+struct FrontalStructure
+{
+    struct Supernode
+    {
+        int first = 0, count = 0; //!< nodes eliminated, in the new numbers
+        int parent = -1;
+        int rowBegin = 0, rowCount = 0; //!< in rows and places
+    };
+    //! A 2 x 2 block of the matrix and where it goes in the front, in nodes, row <= column.
+    struct Entry
+    {
+        int first, second; //!< of the matrix's values: top of the block in its two columns
+        int row, column;
+        bool transposed;
+    };
+
+    int nodeCount = 0;
+    std::vector<int> newNumber;            //!< per node
+    std::vector<Supernode> supernodes;     //!< children first
+    std::vector<int> rows;                 //!< nodes, ascending in the new numbers
+    std::vector<int> places;               //!< where each of these is in the parent's front, in nodes
+    std::vector<int> childBegin, children; //!< per supernode, ascending
+    std::vector<int> entryBegin;           //!< per supernode
+    std::vector<Entry> entries;
+
+    //! \param lower lower triangle of a symmetric matrix of full 2 x 2 blocks, in an order that keeps the
+    //! fill low
+    static FrontalStructure build(const LinearSolver::Matrix &lower);
+};
+
+} // namespace autocuts
