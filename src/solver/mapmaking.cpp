@@ -19,7 +19,7 @@ namespace {
 constexpr int relaxSteps = 60;
 constexpr int mergeRounds = 4;
 constexpr double densityReserve = 0.01; // of the distortion above 4
-constexpr int mergeWork = 500'000; // tries times triangles
+constexpr int mergeWork = 500'000;      // tries times triangles
 
 //! Corner pairs that must not be cut: those that the user joined.
 std::vector<bool> protectedEdges(const Snapshot &snapshot)
@@ -35,18 +35,6 @@ std::vector<bool> protectedEdges(const Snapshot &snapshot)
 UvMatrix soupUv(const std::vector<double> &x)
 {
     return Eigen::Map<const UvMatrix>(x.data(), static_cast<Eigen::Index>(x.size() / 2), 2);
-}
-
-//! Gives every chart the texel density of the whole.
-void equalizeDensity(const Soup &soup, SeamedMap &map)
-{
-    const MeshData &mesh = *soup.mesh;
-    UvMatrix uv = cornerUv(soup, map);
-    equalizeTexelDensity(mesh, chartsOf(mesh, CutMesh(mesh, map.cut)), uv);
-    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
-        map.x[2 * static_cast<std::size_t>(c)] = uv(mesh.cornerOfSoup(c), 0);
-        map.x[2 * static_cast<std::size_t>(c) + 1] = uv(mesh.cornerOfSoup(c), 1);
-    }
 }
 
 //! Relaxes a map as far as it may: without covering itself, unless that is allowed.
@@ -177,6 +165,17 @@ bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
     if (result.unresolvedPairs > 0)
         layFoldedFacesFlat(soup, map);
     return true;
+}
+
+void equalizeDensity(const Soup &soup, SeamedMap &map)
+{
+    const MeshData &mesh = *soup.mesh;
+    UvMatrix uv = cornerUv(soup, map);
+    equalizeTexelDensity(mesh, chartsOf(mesh, CutMesh(mesh, map.cut)), uv);
+    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
+        map.x[2 * static_cast<std::size_t>(c)] = uv(mesh.cornerOfSoup(c), 0);
+        map.x[2 * static_cast<std::size_t>(c) + 1] = uv(mesh.cornerOfSoup(c), 1);
+    }
 }
 
 UvMatrix cornerUv(const Soup &soup, const SeamedMap &map)

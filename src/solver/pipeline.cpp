@@ -3,6 +3,7 @@
 #include "solver/anneal.h"
 #include "solver/budget.h"
 #include "solver/mapmaking.h"
+#include "solver/multires/coarsetofine.h"
 #include "solver/packing/islandgeometry.h"
 #include "solver/parallel.h"
 
@@ -269,6 +270,35 @@ void checkOptions(const UnwrapOptions &options)
         throw std::invalid_argument("unwrap: lambda must be between 0 and 1");
 }
 
+//! The way of large meshes; nothing when this mesh does not take it.
+std::optional<UnwrapResult> unwrapLarge(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                                        const UnwrapOptions &options, const std::atomic<bool> *stop,
+                                        const std::function<void(const UnwrapProgress &)> &progress)
+{
+    if (!suitsCoarseToFine(snapshot))
+        return std::nullopt;
+    const std::optional<CarriedMap> carried = mapByCoarse(
+        soup, snapshot, options,
+        [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions) {
+            return unwrap(coarse, coarseOptions, stop, progress);
+        },
+        stop);
+    if (!carried)
+        return std::nullopt;
+    UnwrapResult result;
+    result.iterations = carried->iterations;
+    result.cut = carried->map.cut;
+    result.distortion = carried->map.distortion(*soup);
+    result.seamLength = carried->map.seamLength(*soup);
+    result.lambda = carried->lambda;
+    result.delta = carried->delta;
+    result.withinBound = options.lambda || result.distortion <= options.maxDistortion;
+    Ranking ranking(options, 1, progress);
+    place(*soup, carried->map, options, stop, ranking, result);
+    result.stopped = stop && stop->load();
+    return result;
+}
+
 } // namespace
 
 UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options, const std::atomic<bool> *stop,
@@ -276,6 +306,8 @@ UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options, cons
 {
     checkOptions(options);
     const std::shared_ptr<const Soup> soup = Soup::build(snapshot.mesh);
+    if (std::optional<UnwrapResult> large = unwrapLarge(soup, snapshot, options, stop, progress))
+        return std::move(*large);
     const QualityPlan plan = planFor(options.quality, soup->triangleCount());
     int steps = 0;
     for (int i = 0; i < plan.chains; ++i)

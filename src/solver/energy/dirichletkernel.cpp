@@ -11,8 +11,8 @@ namespace autocuts {
 
 namespace {
 
-//! Keeps products of Hessian entries within single precision.
-constexpr double largestCurvature = 1e24;
+//! Keeps Hessian entries and their products within single precision.
+constexpr double largestEntry = 1e15;
 
 //! Coordinates behind the last triangle: the map of the right triangle onto itself.
 constexpr double padding[6] = {0, 0, 1, 0, 0, 1};
@@ -221,7 +221,9 @@ double dirichletDerivatives(const DirichletBlock *blocks, const double *x, int t
         }
 
         Lanes curvature1, curvature2, turning, flipping, re, rh, sf, sg, b[4];
-        const DoubleLanes large = DoubleLanes{} + largestCurvature;
+        const DoubleLanes slope = block.basis[0] * block.basis[0] + block.basis[1] * block.basis[1] +
+                                  block.basis[2] * block.basis[2] + block.basis[3] * block.basis[3];
+        const DoubleLanes large = largestEntry / (1 + slope);
         const auto limited = [&large](const DoubleLanes &a, Lanes &result) {
             const DoubleLanes clamped = a > large ? large : a;
             narrow(clamped, result);

@@ -1,0 +1,424 @@
+#include "solver/multires/maprefiner.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace autocuts {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr int descentSteps = 6;
+//! Mean energy around a point above which its neighbours make room, and how often.
+constexpr double crowded = 8;
+constexpr int repairRounds = 6;
+//! How much shorter a seam must become for a triangle to change banks, and most energy that it may have
+//! there.
+constexpr double straighter = 0.97;
+constexpr double roomy = 10;
+constexpr int straightenPasses = 20;
+//! Mean energy of a point on a side above which it had better leave the side.
+constexpr double flat = 100;
+constexpr int sweepsPerLevel = 3;
+constexpr int halvings = 40;
+
+} // namespace
+
+MapRefiner::MapRefiner(ProgressiveMesh &mesh, double scale) : mMesh(mesh), mScale(scale) {}
+
+int MapRefiner::refineTo(int triangles)
+{
+    int folded = 0;
+    int level = 2 * mMesh.triangleCount();
+    while (mMesh.triangleCount() < triangles && !mMesh.collapses().empty()) {
+        folded += !refineOne();
+        if (mMesh.triangleCount() >= level || mMesh.collapses().empty()) {
+            if (mayStraighten)
+                straighten();
+            for (int i = 0; i < sweepsPerLevel; ++i)
+                sweep();
+            level *= 2;
+        }
+    }
+    return folded;
+}
+
+//! Moves every point once to where its triangles are distorted less.
+void MapRefiner::sweep()
+{
+    std::vector<char> done(uv.size(), 0);
+    for (int c = 0; c < static_cast<int>(uv.size()); ++c) {
+        if (!mMesh.isAlive(c / 3) || done[c])
+            continue;
+        sectorOf(c);
+        for (const int corner : mAround)
+            done[corner] = 1;
+        improve(c, 2);
+    }
+}
+
+//! Puts the corners that share a UV point with this one into mAround, counter-clockwise. True when they close
+//! up.
+bool MapRefiner::sectorOf(int corner)
+{
+    mAround.clear();
+    int start = corner;
+    for (std::size_t steps = 0; !cut[start] && mMesh.across(start) >= 0 && steps < uv.size(); ++steps) {
+        start = ProgressiveMesh::next(mMesh.across(start));
+        if (start == corner)
+            break;
+    }
+    const bool closed = !cut[start] && mMesh.across(start) >= 0;
+    for (int c = start;;) {
+        mAround.push_back(c);
+        const int side = ProgressiveMesh::previous(c);
+        if (cut[side] || mMesh.across(side) < 0)
+            break;
+        c = mMesh.across(side);
+        if (c == start)
+            break;
+    }
+    return closed;
+}
+
+//! Moves the UV point of a corner to where its triangles are distorted less; points on the outline only into
+//! their own triangles, so that the outline never meets another part of it. Returns the mean energy around
+//! it.
+double MapRefiner::improve(int corner, int steps)
+{
+    const bool closed = sectorOf(corner);
+    mSpokes.clear();
+    double area = 0;
+    for (const int c : mAround) {
+        const int a = ProgressiveMesh::next(c), b = ProgressiveMesh::previous(c);
+        addSpoke(mMesh.position(c), mMesh.position(a), mMesh.position(b), uv[a], uv[b]);
+        area += mSpokes.back().area;
+    }
+    const Vec2 before = uv[corner];
+    Vec2 p = before;
+    double value = energy(p);
+    if (!(area > 0) || !(value < infinite))
+        return 0;
+    descend(p, value, steps);
+    const auto within = [&](const Spoke &s) {
+        return cross2(before, s.a, p) >= 0 && cross2(s.a, s.b, p) >= 0 && cross2(s.b, before, p) >= 0;
+    };
+    if (!closed && std::none_of(mSpokes.begin(), mSpokes.end(), within))
+        return energy(before) / area;
+    for (const int c : mAround)
+        uv[c] = p;
+    return value / area;
+}
+
+//! After a point has been placed at a corner's place: lets the points around it make room where it is
+//! crowded.
+void MapRefiner::makeRoom(int corner)
+{
+    for (int round = 0; round < repairRounds && improve(corner, descentSteps) > crowded; ++round) {
+        const std::vector<int> around = mAround;
+        for (const int c : around) {
+            improve(ProgressiveMesh::next(c), descentSteps);
+            improve(ProgressiveMesh::previous(c), descentSteps);
+        }
+    }
+}
+
+double MapRefiner::costOf(int side) const
+{
+    const int from = mMesh.point(side), to = mMesh.point(ProgressiveMesh::next(side));
+    const double length = (mMesh.pointPosition(from) - mMesh.pointPosition(to)).norm();
+    return pointCost.empty() ? length : 0.5 * length * (pointCost[from] + pointCost[to]);
+}
+
+//! Shortens seams triangle by triangle.
+void MapRefiner::straighten()
+{
+    for (int pass = 0, changed = 1; changed > 0 && pass < straightenPasses; ++pass) {
+        changed = 0;
+        for (int t = 0; t < static_cast<int>(uv.size()) / 3; ++t)
+            changed += mMesh.isAlive(t) && changeBank(t);
+    }
+}
+
+//! Moves a triangle with seams on two sides to the other bank of them when its third side is shorter and the
+//! notch that it fills there has room for it.
+bool MapRefiner::changeBank(int triangle)
+{
+    int open = -1, seams = 0;
+    for (int side = 3 * triangle; side < 3 * triangle + 3; ++side) {
+        if (mMesh.across(side) < 0)
+            return false;
+        if (cut[side])
+            ++seams;
+        else
+            open = side;
+    }
+    if (seams != 2)
+        return false;
+    // The third side runs from b to a; w lies opposite to it.
+    const int b = open, a = ProgressiveMesh::next(open), w = ProgressiveMesh::previous(open);
+    if (costOf(open) > straighter * (costOf(a) + costOf(w)))
+        return false;
+    const int acrossA = mMesh.across(a), acrossB = mMesh.across(w); // beyond a-w and w-b
+    const int otherA = ProgressiveMesh::next(acrossA), otherB = acrossB;
+    // Both neighbours have to meet at w over sides that are not cut.
+    sectorOf(acrossA);
+    if (std::find(mAround.begin(), mAround.end(), ProgressiveMesh::next(acrossB)) == mAround.end() ||
+        acrossA / 3 == triangle || acrossB / 3 == triangle)
+        return false;
+    const Vec2 placeA = uv[otherA], placeB = uv[otherB], placeW = uv[acrossA];
+    mSpokes.clear();
+    addSpoke(mMesh.position(w), mMesh.position(b), mMesh.position(a), placeB, placeA);
+    if (!(energy(placeW) < roomy * mSpokes[0].area))
+        return false;
+    uv[a] = placeA;
+    uv[b] = placeB;
+    uv[w] = placeW;
+    cut[a] = cut[w] = cut[acrossA] = cut[acrossB] = 0;
+    cut[open] = cut[mMesh.across(open)] = 1;
+    return true;
+}
+
+//! \param p,a3,b3 the triangle in space, counter-clockwise, p the point to be placed
+void MapRefiner::addSpoke(const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const Vec2 &a, const Vec2 &b)
+{
+    // At rest: a at the origin, b on the x axis, p above it.
+    const Vec3 base = (b3 - a3) * mScale, side = (p - a3) * mScale;
+    const double length = base.norm();
+    Spoke spoke;
+    spoke.a = a;
+    spoke.b = b;
+    const double height = length > 0 ? base.cross(side).norm() / length : 0;
+    // Triangles without area must not count, only not fold.
+    if (!(height > 1e-6 * length)) {
+        spoke.length = 1;
+        spoke.along = 0.5;
+        spoke.height = 1;
+        spoke.area = 0;
+    } else {
+        spoke.length = length;
+        spoke.along = base.dot(side) / length;
+        spoke.height = height;
+        spoke.area = 0.5 * length * height;
+    }
+    mSpokes.push_back(spoke);
+}
+
+//! Area times symmetric Dirichlet energy of all spokes with the point at p.
+double MapRefiner::energy(const Vec2 &p, Vec2 *gradient) const
+{
+    double sum = 0;
+    if (gradient)
+        gradient->setZero();
+    for (const Spoke &s : mSpokes) {
+        // Columns of the Jacobian: along the base, and across it.
+        const Vec2 first = (s.b - s.a) / s.length;
+        const Vec2 second = (p - s.a - first * s.along) / s.height;
+        const double det = first.x() * second.y() - first.y() * second.x();
+        if (!(det > 0))
+            return infinite;
+        const double squares = first.squaredNorm() + second.squaredNorm(), inverse = 1 / (det * det);
+        sum += s.area * (squares + squares * inverse);
+        if (gradient) {
+            const Vec2 turned(-first.y(), first.x()); // of the determinant over `second`
+            *gradient +=
+                s.area / s.height * (2 * (1 + inverse) * second - 2 * squares * inverse / det * turned);
+        }
+    }
+    return sum;
+}
+
+//! Newton steps with a Hessian by differences.
+void MapRefiner::descend(Vec2 &p, double &value, int steps) const
+{
+    for (int step = 0; step < steps; ++step) {
+        Vec2 g, gu, gv;
+        energy(p, &g);
+        const double h = 1e-4 * std::sqrt((mSpokes[0].a - p).squaredNorm());
+        if (!(energy(p + Vec2(h, 0), &gu) < infinite) || !(energy(p + Vec2(0, h), &gv) < infinite))
+            return;
+        Eigen::Matrix2d hessian;
+        hessian.col(0) = (gu - g) / h;
+        hessian.col(1) = (gv - g) / h;
+        const double mixed = 0.5 * (hessian(0, 1) + hessian(1, 0));
+        hessian(0, 1) = hessian(1, 0) = mixed;
+        const double det = hessian.determinant(), trace = hessian.trace();
+        Vec2 move = -g / std::max(std::abs(trace), 1e-30);
+        if (det > 1e-6 * trace * trace && trace > 0)
+            move = Vec2(-(hessian(1, 1) * g.x() - mixed * g.y()) / det,
+                        -(hessian(0, 0) * g.y() - mixed * g.x()) / det);
+        double length = 1;
+        bool moved = false;
+        for (int i = 0; i < 8 && !moved; ++i, length *= 0.4) {
+            const double next = energy(p + length * move);
+            if (next < value) {
+                moved = value - next > 1e-6 * value;
+                p += length * move;
+                value = next;
+                break;
+            }
+        }
+        if (!moved)
+            return;
+    }
+}
+
+//! Near the kept point, in the middle of the angle that the polygon has there: sees all of it. Returns the
+//! energy.
+double MapRefiner::placeNear(const Vec2 &kept, bool hasFirst, Vec2 &place) const
+{
+    const Vec2 from = (hasFirst ? mSpokes.front().b : mSpokes.front().a) - kept;
+    double angle = 0;
+    for (const Spoke &s : mSpokes) {
+        const Vec2 u = s.a - kept, v = s.b - kept;
+        if (u.squaredNorm() > 0 && v.squaredNorm() > 0)
+            angle += std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
+    }
+    const Vec2 direction = Eigen::Rotation2Dd(0.5 * angle) * from;
+    double length = 0.5, value = infinite;
+    for (int i = 0; i < halvings && !(value < infinite); ++i, length *= 0.5) {
+        place = kept + length * direction;
+        value = energy(place);
+    }
+    return value;
+}
+
+Vec2 MapRefiner::placeInside(const Vec2 &kept, bool &good)
+{
+    // The spokes run around the point: a of each is b of the one before.
+    Vec2 mean = Vec2::Zero();
+    for (const Spoke &s : mSpokes)
+        mean += s.a / double(mSpokes.size());
+    Vec2 best = mean;
+    double value = energy(mean);
+    for (double share = 0.5; !(value < infinite) && share > 0.01; share *= 0.5) {
+        best = kept + share * (mean - kept);
+        value = energy(best);
+    }
+    if (!(value < infinite))
+        value = placeNear(kept, true, best);
+    good = value < infinite;
+    if (good)
+        descend(best, value, descentSteps);
+    return best;
+}
+
+Vec2 MapRefiner::placeOnSide(const Vec2 &kept, const Vec2 &end, double share, bool hasFirst, bool &good)
+{
+    Vec2 best = kept + share * (end - kept);
+    double value = infinite;
+    for (int i = 0; i < halvings; ++i, share *= 0.5) {
+        const Vec2 p = kept + share * (end - kept);
+        const double here = energy(p);
+        if (here < value) {
+            best = p;
+            value = here;
+        } else if (value < infinite) {
+            break;
+        }
+    }
+    // Where the angle is half a turn or more, the side does not see its own ends: then a notch.
+    double area = 0;
+    for (const Spoke &s : mSpokes)
+        area += s.area;
+    if (!(value < flat * area)) {
+        Vec2 notch;
+        double other = placeNear(kept, hasFirst, notch);
+        if (other < infinite)
+            descend(notch, other, descentSteps);
+        if (other < value) {
+            value = other;
+            best = notch;
+        }
+    }
+    good = value < infinite;
+    return best;
+}
+
+bool MapRefiner::refineOne()
+{
+    const ProgressiveMesh::Collapse record = mMesh.collapses().back();
+    const std::vector<int> fan(mMesh.fan().begin() + record.fanBegin, mMesh.fan().begin() + record.fanEnd);
+    const int first = record.triangle[0], last = record.triangle[1];
+    const auto next = ProgressiveMesh::next, previous = ProgressiveMesh::previous;
+    const int count = static_cast<int>(fan.size());
+
+    // Sectors of the fan between the cuts that run from the kept point into it.
+    mSectors.clear();
+    for (int i = 0, begin = 0; i < count; ++i) {
+        if (i + 1 < count && !cut[previous(fan[i])])
+            continue;
+        mSectors.push_back({begin, i + 1, begin == 0 && first >= 0, i + 1 == count && last >= 0});
+        begin = i + 1;
+    }
+    const bool opened = mSectors.size() > 1;
+    const char cutFirst = cut[fan.front()], cutLast = cut[previous(fan.back())];
+    std::vector<Vec2> keptUv(count);
+    for (int i = 0; i < count; ++i)
+        keptUv[i] = uv[fan[i]];
+    const Vec2 firstEnd = uv[next(fan.front())], lastEnd = uv[previous(fan.back())];
+
+    mMesh.refine();
+    const Vec3 removed3 = mMesh.pointPosition(record.removed), kept3 = mMesh.pointPosition(record.kept);
+    Vec2 firstPlace = Vec2::Zero(), lastPlace = Vec2::Zero();
+    bool allGood = true;
+    for (const Sector &sector : mSectors) {
+        const Vec2 kept = keptUv[sector.begin];
+        mSpokes.clear();
+        if (sector.hasFirst)
+            addSpoke(removed3, kept3, mMesh.position(next(fan.front())), kept, firstEnd);
+        for (int i = sector.begin; i < sector.end; ++i)
+            addSpoke(removed3, mMesh.position(next(fan[i])), mMesh.position(previous(fan[i])),
+                     uv[next(fan[i])], uv[previous(fan[i])]);
+        if (sector.hasLast)
+            addSpoke(removed3, mMesh.position(previous(fan.back())), kept3, lastEnd, kept);
+        Vec2 place = kept;
+        bool good = true;
+        const int begin = fan[sector.begin], end = fan[sector.end - 1];
+        const auto share = [&](const Vec3 &far) {
+            const double near = (removed3 - kept3).norm(), rest = (removed3 - far).norm();
+            return near + rest > 0 ? std::clamp(near / (near + rest), 0.05, 0.95) : 0.5;
+        };
+        if (sector.hasFirst && sector.hasLast)
+            place = placeInside(kept, good);
+        else if (sector.hasFirst)
+            place = placeOnSide(kept, uv[previous(end)], share(mMesh.position(previous(end))), true, good);
+        else if (sector.hasLast)
+            place = placeOnSide(kept, uv[next(begin)], share(mMesh.position(next(begin))), false, good);
+        allGood = allGood && good;
+        for (int i = sector.begin; i < sector.end; ++i)
+            uv[fan[i]] = place;
+        if (sector.begin == 0)
+            firstPlace = place;
+        if (sector.end == count)
+            lastPlace = place;
+    }
+    // The triangles that come back, and the flags of their sides.
+    const auto comeBack = [&](int triangle, bool before) {
+        int c = 3 * triangle;
+        while (mMesh.point(c) != record.removed)
+            ++c;
+        const int keptCorner = before ? next(c) : previous(c), far = before ? previous(c) : next(c);
+        uv[c] = before ? firstPlace : lastPlace;
+        uv[keptCorner] = before ? keptUv.front() : keptUv.back();
+        uv[far] = before ? firstEnd : lastEnd;
+        const int between = before ? c : previous(c); // the side from removed to kept
+        const int inner = before ? previous(c) : c, outer = next(c);
+        cut[between] = opened;
+        cut[inner] = 0;
+        cut[outer] = before ? cutFirst : cutLast;
+        cut[before ? fan.front() : previous(fan.back())] = 0;
+    };
+    if (first >= 0)
+        comeBack(first, true);
+    if (last >= 0)
+        comeBack(last, false);
+    for (const Sector &sector : mSectors)
+        makeRoom(fan[sector.begin]);
+    return allGood;
+}
+
+} // namespace autocuts

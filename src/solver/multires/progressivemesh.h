@@ -1,0 +1,89 @@
+// A surface that is made coarser by collapsing edges, each of which can be taken back.
+#pragma once
+
+#include "model/meshdata.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace autocuts {
+
+//! Half-edge collapses (one end of an edge moves onto the other) in the order of a quadric error (Garland and
+//! Heckbert 1997), so that vertices of the coarse surface are vertices of the fine one. Works on the surface
+//! that the edge pairs make: its points are fans of triangles, whatever the vertices of the mesh do, so any
+//! mesh is a manifold with borders here. Triangles keep their numbers; a *side* is 3 t + k and runs from
+//! corner k to the next.
+class ProgressiveMesh
+{
+public:
+    struct Collapse
+    {
+        int removed, kept;    //!< points
+        int fanBegin, fanEnd; //!< in fan(): corners of `removed` that stayed, counter-clockwise from the
+                              //!< first triangle on
+        std::array<int, 2> triangle{-1, -1}; //!< gone, before and behind the fan; -1 at a border
+    };
+
+    //! \param locked per edge pair: both its ends stay
+    ProgressiveMesh(const MeshData &mesh, const std::vector<bool> &locked);
+
+    //! Collapses until that many triangles are left or nothing can be collapsed any more.
+    void coarsen(int triangles);
+    //! Takes the last collapse back. \pre there is one
+    void refine();
+
+    const std::vector<Collapse> &collapses() const { return mCollapses; }
+    const std::vector<int> &fan() const { return mFan; }
+    int triangleCount() const { return mCount; }
+    int pointCount() const { return static_cast<int>(mPosition.size()); }
+    bool isAlive(int triangle) const { return mAlive[triangle]; }
+    int point(int corner) const { return mPoint[corner]; }
+    int across(int side) const { return mAcross[side]; }
+    Vec3 position(int corner) const { return mPosition[mPoint[corner]]; }
+    const Vec3 &pointPosition(int point) const { return mPosition[point]; }
+
+    static int next(int side) { return side % 3 == 2 ? side - 2 : side + 1; }
+    static int previous(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
+
+    //! The present surface as a mesh of its own.
+    //! \param triangles receives the triangles in its order
+    std::shared_ptr<const MeshData> extract(std::vector<int> &triangles) const;
+
+private:
+    //! Symmetric 4 x 4 matrix of a sum of squared distances to planes.
+    using Quadric = std::array<double, 10>;
+    struct Candidate
+    {
+        double cost;
+        int removed, kept;
+        std::uint32_t stamp;
+        bool operator<(const Candidate &o) const; //!< the queue gives the cheapest first
+    };
+
+    void findPoints(const MeshData &mesh);
+    void addQuadrics();
+    bool fanOf(int corner, std::vector<int> &corners) const;
+    bool ringOf(int point, std::vector<int> &corners) const;
+    void propose(int point);
+    bool allowed(int removed, int kept, double &cost);
+    bool collapse(int removed, int kept);
+    double errorOf(const Quadric &q, const Vec3 &p) const;
+
+    std::vector<int> mPoint, mAcross, mCornerOf; //!< mCornerOf: some living corner of each point
+    std::vector<bool> mAlive, mLocked, mGone;
+    std::vector<Vec3> mPosition;
+    std::vector<int> mObject; //!< per triangle
+    int mCount = 0;
+    double mMeanArea = 0;
+    std::vector<Collapse> mCollapses;
+    std::vector<int> mFan;
+    std::vector<Quadric> mQuadric;
+    std::vector<std::uint32_t> mStamp;
+    std::vector<Candidate> mQueue;
+    std::vector<int> mMark;
+    int mMarkRound = 0;
+    std::vector<int> mRing, mOtherRing; //!< scratch
+};
+
+} // namespace autocuts

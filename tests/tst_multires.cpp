@@ -1,0 +1,189 @@
+// Coarse meshes and the way back: collapses and their undoing, maps carried from a coarse mesh to the fine
+// one.
+#include "solver/multires/coarsetofine.h"
+#include "solver/multires/maprefiner.h"
+#include "solver/overlapfree.h"
+#include "support/meshbuilders.h"
+
+#include <QTest>
+
+#include <set>
+
+using namespace autocuts;
+
+namespace {
+
+test::MeshPtr meshCalled(const QString &name)
+{
+    if (name == QLatin1String("sphere"))
+        return test::sphere(24, 30);
+    if (name == QLatin1String("torus"))
+        return test::torus(30, 16);
+    if (name == QLatin1String("grid"))
+        return test::grid(20, 0.4);
+    if (name == QLatin1String("dirty"))
+        return test::dirty();
+    return test::cube();
+}
+
+void addMeshes()
+{
+    QTest::addColumn<QString>("mesh");
+    for (const char *name : {"sphere", "torus", "grid", "dirty", "cube"})
+        QTest::newRow(name) << QString::fromLatin1(name);
+}
+
+//! Everything that tells two states of a progressive mesh apart.
+std::vector<int> stateOf(const ProgressiveMesh &mesh, int triangles)
+{
+    std::vector<int> state;
+    for (int t = 0; t < triangles; ++t) {
+        state.push_back(mesh.isAlive(t));
+        for (int side = 3 * t; mesh.isAlive(t) && side < 3 * t + 3; ++side)
+            state.insert(state.end(), {mesh.point(side), mesh.across(side)});
+    }
+    return state;
+}
+
+CoarseUnwrap draft()
+{
+    return [](const Snapshot &snapshot, const UnwrapOptions &options) { return unwrap(snapshot, options); };
+}
+
+std::optional<CarriedMap> carried(const Snapshot &snapshot, const std::shared_ptr<const Soup> &soup)
+{
+    UnwrapOptions options;
+    options.quality = UnwrapQuality::Draft;
+    return mapByCoarse(soup, snapshot, options, draft(), nullptr, 400);
+}
+
+} // namespace
+
+class TestMultires : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void collapsesCanBeTakenBack_data() { addMeshes(); }
+    void collapsesCanBeTakenBack()
+    {
+        QFETCH(QString, mesh);
+        const auto data = meshCalled(mesh);
+        ProgressiveMesh progressive(*data, {});
+        std::vector<std::vector<int>> states{stateOf(progressive, data->triangleCount())};
+        const int full = progressive.triangleCount();
+        for (int goal = full - 1; goal > 4; goal = goal * 2 / 3) {
+            progressive.coarsen(goal);
+            if (progressive.triangleCount() > goal)
+                break;
+        }
+        while (!progressive.collapses().empty())
+            progressive.refine();
+        QCOMPARE(progressive.triangleCount(), full);
+        QCOMPARE(stateOf(progressive, full), states[0]);
+    }
+
+    void coarseMeshesKeepTheTopology_data()
+    {
+        QTest::addColumn<QString>("mesh");
+        for (const char *name : {"sphere", "torus", "grid"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void coarseMeshesKeepTheTopology()
+    {
+        QFETCH(QString, mesh);
+        const auto fine = meshCalled(mesh);
+        ProgressiveMesh progressive(*fine, {});
+        const int goal = fine->triangleCount() / 4;
+        progressive.coarsen(goal);
+        QVERIFY(progressive.triangleCount() <= goal);
+        QVERIFY(progressive.triangleCount() >= goal - 2);
+        std::vector<int> triangles;
+        const auto coarse = progressive.extract(triangles);
+        QCOMPARE(coarse->validate(), std::string());
+        QCOMPARE(coarse->triangleCount(), static_cast<int>(triangles.size()));
+        QCOMPARE(coarse->componentCount, fine->componentCount);
+        const auto euler = [](const MeshData &m) {
+            const int sides = static_cast<int>(m.edgePairs.size() + m.boundarySides.size());
+            return CutMesh(m, CutFlags(m.edgePairs.size())).uvVertexCount - sides + m.triangleCount();
+        };
+        QCOMPARE(euler(*coarse), euler(*fine));
+        QVERIFY(std::abs(coarse->area / fine->area - 1) < 0.06);
+        QCOMPARE(coarse->boundarySides.empty(), fine->boundarySides.empty());
+        // The sides that the coarse mesh pairs are those that the progressive mesh has next to each other.
+        for (const EdgePair &pair : coarse->edgePairs) {
+            const int a = 3 * triangles[pair.triangle[0]] + pair.side(0);
+            QCOMPARE(progressive.across(a), 3 * triangles[pair.triangle[1]] + pair.side(1));
+        }
+    }
+
+    void lockedEdgesStay()
+    {
+        const auto fine = test::sphere(16, 20);
+        std::vector<bool> locked(fine->edgePairs.size(), false);
+        for (std::size_t e = 0; e < locked.size(); e += 97)
+            locked[e] = true;
+        ProgressiveMesh progressive(*fine, locked);
+        std::set<std::pair<int, int>> wanted, found;
+        for (std::size_t e = 0; e < locked.size(); e += 97)
+            wanted.insert(std::minmax(progressive.point(fine->edgePairs[e].corner[0][0]),
+                                      progressive.point(fine->edgePairs[e].corner[1][0])));
+        progressive.coarsen(120);
+        for (int side = 0; side < fine->soupCornerCount(); ++side) {
+            if (progressive.isAlive(side / 3))
+                found.insert(
+                    std::minmax(progressive.point(side), progressive.point(ProgressiveMesh::next(side))));
+        }
+        for (const auto &edge : wanted)
+            QVERIFY(found.contains(edge));
+    }
+
+    void mapsAreCarriedToTheFineMesh_data()
+    {
+        QTest::addColumn<QString>("mesh");
+        for (const char *name : {"sphere", "torus", "grid"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void mapsAreCarriedToTheFineMesh()
+    {
+        QFETCH(QString, mesh);
+        Snapshot snapshot;
+        snapshot.mesh = meshCalled(mesh);
+        const auto soup = Soup::build(snapshot.mesh);
+        const auto map = carried(snapshot, soup);
+        QVERIFY(map);
+        QCOMPARE(map->map.validate(*soup), std::string());
+        QVERIFY(!coversItself(*soup, map->map));
+        const double distortion = map->map.distortion(*soup);
+        QVERIFY2(distortion <= 4.1, qPrintable(QString::number(distortion)));
+        const auto again = carried(snapshot, soup);
+        QVERIFY(again->map.x == map->map.x);
+        QVERIFY(again->map.cut == map->map.cut);
+    }
+
+    void whatTheUserCutIsCut()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = meshCalled(QStringLiteral("sphere"));
+        const MeshData &mesh = *snapshot.mesh;
+        snapshot.pairState.assign(mesh.cornerPairCount(), PairState::Free);
+        const std::size_t edge = mesh.edgePairs.size() / 2;
+        snapshot.pairState[2 * edge] = snapshot.pairState[2 * edge + 1] = PairState::Cut;
+        const auto soup = Soup::build(snapshot.mesh);
+        const auto map = carried(snapshot, soup);
+        QVERIFY(map);
+        QVERIFY(map->map.cut[edge]);
+        QCOMPARE(map->map.validate(*soup), std::string());
+    }
+
+    void meshesThatCannotBeCoarserAreLeftAlone()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = test::cube();
+        QVERIFY(!carried(snapshot, Soup::build(snapshot.mesh)));
+        QVERIFY(!suitsCoarseToFine(snapshot));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestMultires)
+#include "tst_multires.moc"
