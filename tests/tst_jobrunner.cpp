@@ -113,6 +113,38 @@ private Q_SLOTS:
         QVERIFY(!called);
     }
 
+    void aJobThatDoesNotEndSoonGivesWhatItKept()
+    {
+        JobRunner runner;
+        QSignalSpy failed(&runner, &JobRunner::failed);
+        std::atomic<bool> release = false;
+        bool done = false;
+        int used = 0;
+        const auto stubborn = [&release](JobControl &control, const std::function<void()> &use) {
+            if (use)
+                control.setSoFar(use);
+            control.setProgress(0.5);
+            while (!release)
+                QThread::msleep(1);
+            return 0;
+        };
+        for (const bool keeps : {true, false}) {
+            release = false;
+            const std::function<void()> use = keeps ? std::function<void()>([&] { ++used; }) : nullptr;
+            QVERIFY(runner.start(
+                QStringLiteral("Thinking"), [=](JobControl &control) { return stubborn(control, use); },
+                [&](int) { done = true; }));
+            QTRY_COMPARE_WITH_TIMEOUT(runner.progress(), 0.5, patience);
+            runner.cancel();
+            QTRY_VERIFY_WITH_TIMEOUT(!runner.isBusy(), patience);
+            release = true;
+        }
+        QCOMPARE(used, 1);
+        QCOMPARE(failed.count(), 1);
+        QTest::qWait(50);
+        QVERIFY(!done);
+    }
+
     void anExceptionBecomesAMessage()
     {
         JobRunner runner;

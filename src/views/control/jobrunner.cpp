@@ -55,6 +55,12 @@ void JobControl::setStage(const QString &text)
         mShowStage(text);
 }
 
+void JobControl::setSoFar(std::function<void()> use)
+{
+    const std::lock_guard lock(mMutex);
+    mSoFar = std::move(use);
+}
+
 JobRunner::JobRunner(OnCancel onCancel, QObject *parent) : QObject(parent), mOnCancel(onCancel) {}
 
 JobRunner::~JobRunner() = default;
@@ -115,8 +121,27 @@ void JobRunner::cancel()
 {
     if (mOnCancel == OnCancel::LetGo)
         abandon();
-    else if (mControl)
-        mControl->mStop = true;
+    if (!mControl || mControl->mStop)
+        return;
+    mControl->mStop = true;
+    QTimer::singleShot(cancelPatience, this, [this, control = mControl.get()] { loseCancelled(control); });
+}
+
+void JobRunner::loseCancelled(const JobControl *control)
+{
+    if (mControl.get() != control)
+        return;
+    std::function<void()> use;
+    {
+        const std::lock_guard lock(mControl->mMutex);
+        use = std::exchange(mControl->mSoFar, nullptr);
+    }
+    const QString title = mTitle;
+    abandon();
+    if (use)
+        use();
+    else
+        Q_EMIT failed(tr("%1 was cancelled: nothing was changed").arg(title));
 }
 
 void JobRunner::abandon()

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,9 @@ public:
     void setProgress(double fraction) { mFraction = fraction; }
     //! What the job does at the moment. \param text translated
     void setStage(const QString &text);
+    //! Keeps something usable that was found so far. \param use called on the GUI thread when the job is
+    //! cancelled and does not end soon
+    void setSoFar(std::function<void()> use);
 
 private:
     friend class JobRunner;
@@ -29,6 +33,8 @@ private:
     std::atomic<bool> mStop = false;
     std::atomic<double> mFraction = -1;
     std::function<void(const QString &)> mShowStage;
+    std::mutex mMutex;
+    std::function<void()> mSoFar;
 };
 
 //! Runs jobs on a thread of its own. Work gets copies of what it needs and never sees the document; what it
@@ -38,8 +44,11 @@ class JobRunner final : public QObject
     Q_OBJECT
 
 public:
-    //! What cancel() does with a job: asks it to end with what it has, or lets it go at once, for work that
-    //! cannot be told to stop.
+    //! A cancelled job that has not ended by then is let go.
+    static constexpr int cancelPatience = 150; //!< milliseconds
+
+    //! What cancel() does with a job: asks it to end with what it has (and when it does not end soon takes what
+    //! it has kept so far), or lets it go at once, for work that cannot be told to stop.
     enum class OnCancel { EndSoon, LetGo };
 
     explicit JobRunner(OnCancel onCancel = OnCancel::EndSoon, QObject *parent = nullptr);
@@ -80,7 +89,8 @@ Q_SIGNALS:
     void busyChanged();
     //! About 20 times a second while a job tells its progress.
     void progressChanged();
-    //! A job ended with an exception. \param message translated, one line
+    //! A job ended with an exception, or was cancelled before it had anything usable. \param message
+    //! translated, one line
     void failed(const QString &message);
 
 private:
@@ -88,6 +98,7 @@ private:
 
     bool startJob(const QString &title, std::function<void(JobControl &)> work, std::function<void()> done);
     void jobEnded(Thread *thread);
+    void loseCancelled(const JobControl *control);
 
     OnCancel mOnCancel;
     QString mTitle, mStage;
