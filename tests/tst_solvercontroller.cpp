@@ -55,6 +55,22 @@ class TestSolverController : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void theEndOfAnotherRunDoesNotPause()
+    {
+        Studio studio;
+        SolveSettings settings = studio.document().solveSettings();
+        settings.lambda = 0; // the start is the solution: the worker soon waits
+        pushCommand(std::make_unique<ChangeSettings>(studio.document(), settings));
+        studio.solver.run();
+        // The worker says so while this thread is not listening, and another run begins.
+        QThread::msleep(500);
+        studio.workspace.open(std::make_unique<Document>(makeSample(QStringLiteral("torus")).value()), {});
+        studio.solver.setMode(SolveMode::Budget);
+        studio.solver.run();
+        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration >= 3; }, patience));
+        QVERIFY(studio.solver.isRunning());
+    }
+
     void nothingHappensWithoutADocument()
     {
         Workspace workspace;

@@ -217,7 +217,7 @@ private:
                 studio.document()->setSelection(selection);
                 if (solving) {
                     studio.context.solver.run();
-                    QVERIFY(studio.runsTo(1));
+                    QVERIFY2(studio.runsTo(1), qPrintable(id));
                 }
             }
             if (!action->isEnabled())
