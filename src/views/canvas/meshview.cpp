@@ -5,6 +5,7 @@
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
 
+#include <QCborArray>
 #include <QPainter>
 
 #include <cmath>

@@ -10,6 +10,7 @@
 #include "views/control/workspace.h"
 #include "views/preferences/preferences.h"
 
+#include <QCborArray>
 #include <QPainter>
 
 #include <cmath>
