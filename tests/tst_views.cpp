@@ -279,6 +279,20 @@ private Q_SLOTS:
         QCOMPARE(mStudio->uv.picture(), before);
     }
 
+    void islandsAreHoveredWhole()
+    {
+        mStudio->select(SelectionMode::Islands);
+        Canvases::moveMouse(mStudio->uv, {5, 5});
+        const QImage before = mStudio->mesh.picture();
+        Canvases::moveMouse(mStudio->uv, Canvases::middle(mStudio->uv, 0));
+        const QImage after = mStudio->mesh.picture();
+        for (int triangle = 0; triangle < 32; ++triangle) {
+            const QPoint place = Canvases::middle(mStudio->mesh, triangle);
+            const bool ofIsland = triangle / 2 % 4 < 2; // the left half
+            QCOMPARE(after.pixel(place) != before.pixel(place), ofIsland);
+        }
+    }
+
     void mouseAndKeysNavigate()
     {
         MeshView &mesh = mStudio->mesh;

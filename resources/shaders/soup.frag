@@ -9,12 +9,14 @@ out vec4 color;
 
 uniform usamplerBuffer faceTexels; // per triangle: red, green, blue, marks
 uniform usamplerBuffer sideTexels; // per side: base style, opacity at both ends, top style
+uniform usamplerBuffer islandTexels; // per triangle: number of its island, lowest byte first
 uniform sampler2D picture;
 uniform bool asMap, smoothShading;
 uniform mat4 projectionMatrix;
 uniform float pixelRatio, checkerSize, fillOpacity, lineOpacity;
 uniform int pattern; // 0 none, 1 checker, 2 picture
 uniform ivec2 hoverTriangles, hoverSides;
+uniform uint hoverIsland;
 uniform vec4 sideColors[7];
 uniform float sideHalfWidths[7];
 uniform vec4 selectionColor, hoverColor, overlapColor, flippedColor;
@@ -72,6 +74,10 @@ float stripes(vec2 direction, float period)
 vec4 marked(vec4 face, uint marks)
 {
     bool hovered = gl_PrimitiveID >= hoverTriangles.x && gl_PrimitiveID < hoverTriangles.y;
+    if (hoverIsland != 0u) {
+        uvec4 bytes = texelFetch(islandTexels, gl_PrimitiveID);
+        hovered = (bytes.r | (bytes.g << 8) | (bytes.b << 16) | (bytes.a << 24)) == hoverIsland;
+    }
     if ((marks & selectedMark) != 0u)
         face = vec4(mix(face.rgb, selectionColor.rgb, 0.6), max(face.a, 0.5));
     if ((marks & flippedMark) != 0u) {

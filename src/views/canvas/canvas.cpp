@@ -103,8 +103,10 @@ void Canvas::upload()
         mGl->soup.setUvs(mContent.uvs());
         mGl->soup.setGhostUvs(mContent.ghostUvs());
     }
-    if (parts & SceneContent::Faces)
+    if (parts & SceneContent::Faces) {
         mGl->soup.setFaces(mContent.faces());
+        mGl->soup.setIslands(mContent.triangleIslands());
+    }
     if (parts & SceneContent::Sides)
         mGl->soup.setSides(mContent.sides());
     if (parts & SceneContent::Points)
@@ -196,6 +198,9 @@ Canvas::HoverParts Canvas::hoverParts() const
     } else if (mode != SelectionMode::Vertices && hover.triangle >= 0 &&
                hover.triangle < document->mesh().triangleCount()) {
         const int face = document->mesh().triangleFace[hover.triangle];
+        const std::vector<quint32> &islands = mContent.triangleIslands();
+        if (mode == SelectionMode::Islands && hover.triangle < static_cast<int>(islands.size()))
+            parts.island = islands[hover.triangle];
         parts.triangles = {topology.faceTriangle[face], topology.faceTriangle[face + 1]};
     }
     return parts;

@@ -71,6 +71,7 @@ protected:
     struct HoverParts
     {
         std::array<int, 2> triangles{0, 0}, sides{-1, -1};
+        unsigned island = 0;
     };
     HoverParts hoverParts() const;
 

@@ -5,6 +5,7 @@
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
 
+#include <QCborArray>
 #include <QPainter>
 
 #include <cmath>
@@ -141,6 +142,7 @@ void MeshView::drawScene(GlResources &gl)
     const HoverParts hover = hoverParts();
     drawing.hoverTriangles = hover.triangles;
     drawing.hoverSides = hover.sides;
+    drawing.hoverIsland = hover.island;
     gl.gl.glEnable(GL_DEPTH_TEST);
     gl.gl.glDepthFunc(GL_LEQUAL);
     gl.soup.draw(drawing, content().colors());

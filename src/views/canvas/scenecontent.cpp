@@ -167,6 +167,7 @@ int SceneContent::refresh()
         mGhostUvs.clear();
         mUvBox.setEmpty();
         mFaces.clear();
+        mTriangleIslands.clear();
         mSides.clear();
         mPoints.clear();
         return parts;
@@ -203,11 +204,14 @@ void SceneContent::rebuildFaces()
     }
     // The solver never flips a triangle, and its islands are not told apart unless their colours are shown.
     const bool live = mContext.shownMap.isLive();
-    std::vector<int> islands(own.mesh->faceCount());
+    std::vector<int> islands(own.mesh->faceCount(), -1);
     if (live && mOptions.coloring == Coloring::Islands)
         islands = liveIslands(*own.mesh, mContext.shownMap.separation());
     for (int face = 0; face < own.mesh->faceCount() && !live; ++face)
         islands[face] = document.islands().islandOfFace(face);
+    mTriangleIslands.resize(own.mesh->triangleCount());
+    for (int t = 0; t < own.mesh->triangleCount(); ++t)
+        mTriangleIslands[t] = static_cast<quint32>(islands[own.mesh->triangleFace[t]] + 1);
     std::vector<bool> flipped(own.mesh->triangleCount(), false);
     if (mOptions.problems && !live)
         flipped = flippedTriangles(*own.mesh, uv(), islands);

@@ -48,6 +48,8 @@ public:
     //! Empty unless a live map is shown in the UV view.
     const std::vector<float> &ghostUvs() const { return mGhostUvs; }
     const std::vector<FaceTexel> &faces() const { return mFaces; }
+    //! Per triangle the number of its island, from 1; 0 where there is none or it was not looked for.
+    const std::vector<quint32> &triangleIslands() const { return mTriangleIslands; }
     const std::vector<SideTexel> &sides() const { return mSides; }
     const std::vector<PointVertex> &points() const { return mPoints; }
     const ViewColors &colors() const { return mColors; }
@@ -80,6 +82,7 @@ private:
     std::vector<SoupVertex> mVertices;
     std::vector<float> mUvs, mGhostUvs;
     std::vector<FaceTexel> mFaces;
+    std::vector<quint32> mTriangleIslands;
     std::vector<SideTexel> mSides;
     std::vector<PointVertex> mPoints;
 };

@@ -10,6 +10,7 @@
 #include "views/control/workspace.h"
 #include "views/preferences/preferences.h"
 
+#include <QCborArray>
 #include <QPainter>
 
 #include <cmath>
@@ -130,6 +131,7 @@ void UvView::drawScene(GlResources &gl)
     const HoverParts hover = hoverParts();
     drawing.hoverTriangles = hover.triangles;
     drawing.hoverSides = hover.sides;
+    drawing.hoverIsland = hover.island;
     gl.gl.glEnable(GL_BLEND);
     gl.gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     if (!content().ghostUvs().empty()) {

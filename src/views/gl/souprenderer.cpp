@@ -8,7 +8,7 @@ namespace autocuts {
 
 namespace {
 
-constexpr int faceUnit = 0, sideUnit = 1, pictureUnit = 2;
+constexpr int faceUnit = 0, sideUnit = 1, pictureUnit = 2, islandUnit = 3;
 
 QVector4D toVector(const QColor &color)
 {
@@ -19,7 +19,7 @@ QVector4D toVector(const QColor &color)
 
 SoupRenderer::SoupRenderer(GlFunctions &gl)
     : mGl(gl), mProgram(makeShaderProgram(QStringLiteral("soup"), QStringLiteral("soup"))), mVertices(gl),
-      mUvs(gl), mGhostUvs(gl), mFaces(gl), mSides(gl)
+      mUvs(gl), mGhostUvs(gl), mFaces(gl), mSides(gl), mIslands(gl)
 {
     mArray = makeArray(mUvs);
     mGhostArray = makeArray(mGhostUvs);
@@ -101,14 +101,18 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
     p.setUniformValue("checkerSize", static_cast<float>(drawing.checkerSize));
     p.setUniformValue("fillOpacity", static_cast<float>(drawing.fillOpacity));
     p.setUniformValue("lineOpacity", static_cast<float>(drawing.lineOpacity));
+    // Of these kinds QOpenGLShaderProgram has none.
+    mGl.glUniform1ui(p.uniformLocation("hoverIsland"), drawing.hoverIsland);
     mGl.glUniform2i(p.uniformLocation("hoverTriangles"), drawing.hoverTriangles[0],
                     drawing.hoverTriangles[1]);
     mGl.glUniform2i(p.uniformLocation("hoverSides"), drawing.hoverSides[0], drawing.hoverSides[1]);
     p.setUniformValue("faceTexels", faceUnit);
+    p.setUniformValue("islandTexels", islandUnit);
     p.setUniformValue("sideTexels", sideUnit);
     p.setUniformValue("picture", pictureUnit);
     mGl.glActiveTexture(GL_TEXTURE0 + pictureUnit);
     mGl.glBindTexture(GL_TEXTURE_2D, textured ? drawing.texture : 0);
+    mIslands.bind(islandUnit);
     mSides.bind(sideUnit);
     mFaces.bind(faceUnit);
     mGl.glActiveTexture(GL_TEXTURE0);

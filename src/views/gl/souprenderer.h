@@ -28,6 +28,7 @@ struct SoupDrawing
     double fillOpacity = 1;                  //!< map: of faces
     double lineOpacity = 1;                  //!< of everything drawn along sides
     std::array<int, 2> hoverTriangles{0, 0}; //!< first and end of those under the mouse
+    unsigned hoverIsland = 0;                //!< number of the island under the mouse, 0 for none
     std::array<int, 2> hoverSides{-1, -1};   //!< sides of the edge under the mouse
 };
 
@@ -45,6 +46,8 @@ public:
     void setUvs(std::span<const float> uvs);
     //! Other UVs, which are drawn when SoupDrawing::ghost says so.
     void setGhostUvs(std::span<const float> uvs);
+    //! Per triangle the number of its island, from 1; 0 for none.
+    void setIslands(std::span<const quint32> islands) { mIslands.fill(islands); }
     void setFaces(std::span<const FaceTexel> texels) { mFaces.fill(texels); }
     void setSides(std::span<const SideTexel> texels) { mSides.fill(texels); }
 
@@ -57,7 +60,7 @@ private:
     GlFunctions &mGl;
     std::unique_ptr<QOpenGLShaderProgram> mProgram;
     GlBuffer mVertices, mUvs, mGhostUvs;
-    GlTexelBuffer mFaces, mSides;
+    GlTexelBuffer mFaces, mSides, mIslands;
     GLuint mArray = 0, mGhostArray = 0;
     int mCount = 0; //!< of soup corners
 };
