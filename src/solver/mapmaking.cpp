@@ -37,18 +37,6 @@ UvMatrix soupUv(const std::vector<double> &x)
     return Eigen::Map<const UvMatrix>(x.data(), static_cast<Eigen::Index>(x.size() / 2), 2);
 }
 
-//! Gives every chart the texel density of the whole.
-void equalizeDensity(const Soup &soup, SeamedMap &map)
-{
-    const MeshData &mesh = *soup.mesh;
-    UvMatrix uv = cornerUv(soup, map);
-    equalizeTexelDensity(mesh, chartsOf(mesh, CutMesh(mesh, map.cut)), uv);
-    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
-        map.x[2 * static_cast<std::size_t>(c)] = uv(mesh.cornerOfSoup(c), 0);
-        map.x[2 * static_cast<std::size_t>(c) + 1] = uv(mesh.cornerOfSoup(c), 1);
-    }
-}
-
 //! Relaxes a map as far as it may: without covering itself, unless that is allowed.
 void relaxAsAllowed(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, bool allowOverlaps,
                     SeamedMap &map, const std::atomic<bool> *stop)
@@ -147,6 +135,17 @@ std::optional<MadeMap> makeMap(const Solver &solver, const MapMakingOptions &opt
     if (cancelled())
         return std::nullopt;
     return result;
+}
+
+void equalizeDensity(const Soup &soup, SeamedMap &map)
+{
+    const MeshData &mesh = *soup.mesh;
+    UvMatrix uv = cornerUv(soup, map);
+    equalizeTexelDensity(mesh, chartsOf(mesh, CutMesh(mesh, map.cut)), uv);
+    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
+        map.x[2 * static_cast<std::size_t>(c)] = uv(mesh.cornerOfSoup(c), 0);
+        map.x[2 * static_cast<std::size_t>(c) + 1] = uv(mesh.cornerOfSoup(c), 1);
+    }
 }
 
 ChartMap chartsOf(const MeshData &mesh, const CutMesh &state)

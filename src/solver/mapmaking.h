@@ -35,6 +35,9 @@ std::optional<MadeMap> makeMap(const Solver &solver, const MapMakingOptions &opt
 bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
                     const std::atomic<bool> *cancel = nullptr);
 
+//! Gives every chart the texel density of the whole.
+void equalizeDensity(const Soup &soup, SeamedMap &map);
+
 //! Per-corner UVs of a seamed map, in solver units.
 UvMatrix cornerUv(const Soup &soup, const SeamedMap &map);
 
