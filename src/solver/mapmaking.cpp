@@ -19,7 +19,7 @@ namespace {
 constexpr int relaxSteps = 60;
 constexpr int mergeRounds = 4;
 constexpr double densityReserve = 0.01; // of the distortion above 4
-constexpr int mergeWork = 500'000; // tries times triangles
+constexpr int mergeWork = 500'000;      // tries times triangles
 
 //! Corner pairs that must not be cut: those that the user joined.
 std::vector<bool> protectedEdges(const Snapshot &snapshot)

@@ -31,7 +31,7 @@ OptimizeEffort effortFor(UnwrapQuality quality)
     case UnwrapQuality::Draft:
         return {3, 0, 1, 150};
     case UnwrapQuality::Standard:
-        return {8, 100, 2, 2000};
+        return {8, 100, 2, 1500};
     case UnwrapQuality::Best:
         return {24, 300, 5, 6000};
     }
@@ -95,7 +95,8 @@ void place(const Soup &soup, const SeamedMap &map, const UnwrapOptions &options,
     settings.threads = options.threads;
     const auto pack = [&](const std::atomic<bool> *cancel) {
         return packIslands(islands, settings, cancel, [&](double done) {
-            ranking.stage(UnwrapStage::Packing, Ranking::optimizingShare + (1 - Ranking::optimizingShare) * done);
+            ranking.stage(UnwrapStage::Packing,
+                          Ranking::optimizingShare + (1 - Ranking::optimizingShare) * done);
         });
     };
     PackResult packed;
@@ -137,7 +138,8 @@ UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options, cons
     const bool fits = best && (options.lambda || best->distortion <= options.maxDistortion);
     // The soup also starts from a given map, and from anything.
     if (!best || (!stopped && (!fits || snapshot.settings.start == StartMode::ExistingUv))) {
-        std::optional<Candidate> other = bestOfSoupChains(snapshot, options, ranking, stop, result.iterations);
+        std::optional<Candidate> other =
+            bestOfSoupChains(snapshot, options, ranking, stop, result.iterations);
         if (other && (!best || ranking.better(*other, *best)))
             best = std::move(other);
     }

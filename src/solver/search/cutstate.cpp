@@ -74,7 +74,8 @@ void CutState::updateEnergy()
     triangleEnergy.resize(soup.triangleCount());
     energy = 0;
     for (int t = 0; t < soup.triangleCount(); ++t) {
-        triangleEnergy[t] = soup.weight[t] * autocuts::triangleEnergy(&x[6 * static_cast<std::size_t>(t)], soup.basis[t]);
+        triangleEnergy[t] =
+            soup.weight[t] * autocuts::triangleEnergy(&x[6 * static_cast<std::size_t>(t)], soup.basis[t]);
         energy += triangleEnergy[t];
     }
 }

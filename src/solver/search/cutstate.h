@@ -9,8 +9,8 @@
 
 namespace autocuts {
 
-//! Cut flags and coordinates, with the sums that are to be minimised kept up to date. Corners of one UV vertex
-//! have bitwise equal coordinates; no triangle is turned over. The charts lie apart from each other.
+//! Cut flags and coordinates, with the sums that are to be minimised kept up to date. Corners of one UV
+//! vertex have bitwise equal coordinates; no triangle is turned over. The charts lie apart from each other.
 struct CutState
 {
     std::shared_ptr<const SeamGraph> graph;
@@ -41,11 +41,11 @@ struct CutState
     void updateTopology();
     //! Brings the energies up to date.
     void updateEnergy();
-    //! False when a chart has more than one boundary loop that runs counter-clockwise: it covers itself then, even
-    //! when no boundary crosses another.
+    //! False when a chart has more than one boundary loop that runs counter-clockwise: it covers itself then,
+    //! even when no boundary crosses another.
     bool loopsAreInOrder() const;
-    //! True when triangles at the boundaries overlap each other near the given triangles (all when empty). With
-    //! loops in order no chart covers itself otherwise.
+    //! True when triangles at the boundaries overlap each other near the given triangles (all when empty).
+    //! With loops in order no chart covers itself otherwise.
     bool boundariesOverlap(const std::vector<int> &triangles = {}) const;
     //! Moves the charts apart from each other, in rows.
     void spreadCharts();

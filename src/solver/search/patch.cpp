@@ -269,8 +269,8 @@ double Patch::smallestDeterminant() const
         const double *p = &mPosition[2 * mPoint[3 * i]], *q = &mPosition[2 * mPoint[3 * i + 1]],
                      *r = &mPosition[2 * mPoint[3 * i + 2]];
         const double factor = b[2] * b[5] - b[3] * b[4];
-        smallest = std::min(smallest,
-                            ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) * factor);
+        smallest =
+            std::min(smallest, ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) * factor);
     }
     return smallest;
 }
@@ -372,8 +372,10 @@ double Patch::flipFreeStep(double limit) const
     };
     for (std::size_t i = 0; i < mTriangles.size(); ++i) {
         const int p = mPoint[3 * i], q = mPoint[3 * i + 1], r = mPoint[3 * i + 2];
-        const double u1 = mPosition[2 * q] - mPosition[2 * p], v1 = mPosition[2 * q + 1] - mPosition[2 * p + 1];
-        const double u2 = mPosition[2 * r] - mPosition[2 * p], v2 = mPosition[2 * r + 1] - mPosition[2 * p + 1];
+        const double u1 = mPosition[2 * q] - mPosition[2 * p],
+                     v1 = mPosition[2 * q + 1] - mPosition[2 * p + 1];
+        const double u2 = mPosition[2 * r] - mPosition[2 * p],
+                     v2 = mPosition[2 * r + 1] - mPosition[2 * p + 1];
         const double du1 = move(q, 0) - move(p, 0), dv1 = move(q, 1) - move(p, 1);
         const double du2 = move(r, 0) - move(p, 0), dv2 = move(r, 1) - move(p, 1);
         // Area along the step: a s^2 + b s + c, c > 0.
@@ -401,7 +403,8 @@ bool Patch::lineSearch(double before, const PatchLimits &limits, double slope, d
         for (std::size_t p = 0; p < mUnknown.size(); ++p) {
             const int u = mUnknown[p];
             for (std::size_t axis = 0; axis < 2; ++axis)
-                mTrial[2 * p + axis] = mPosition[2 * p + axis] + (u < 0 ? 0 : length * mDirection[2 * u + axis]);
+                mTrial[2 * p + axis] =
+                    mPosition[2 * p + axis] + (u < 0 ? 0 : length * mDirection[2 * u + axis]);
         }
         after = energyAt(mTrial) + springEnergy(mTrial);
         if (!(after <= before + armijo * length * slope))

@@ -41,7 +41,8 @@ public:
     //! their mean, or where the surroundings hold them. False when these hold one point at two places.
     //! \param x coordinates to start from, as in the state
     bool join(const CutState &state, const std::vector<double> &x);
-    //! Moves the points on freshly opened edges a little into their own side, so that no two of them coincide.
+    //! Moves the points on freshly opened edges a little into their own side, so that no two of them
+    //! coincide.
     void partSides(const std::vector<int> &edges);
     //! Springs that pull the two sides of edges together until they can be closed.
     void addSprings(const std::vector<int> &edges);
@@ -77,17 +78,17 @@ private:
 
     std::shared_ptr<const SeamGraph> mGraph;
     std::vector<int> mTriangles;
-    std::vector<int> mLocal;        //!< per triangle of the mesh, -1 outside
-    std::vector<int> mPoint;        //!< per local corner: point
-    std::vector<int> mParent;       //!< union-find over local corners
-    std::vector<double> mPosition;  //!< per point
-    std::vector<int> mUnknown;      //!< per point, -1 held
-    std::vector<int> mPointVertex;  //!< per point, point of the surface
-    std::vector<std::array<int, 3>> mPlace;     //!< per local triangle: blocks (1,0), (2,0), (2,1)
-    std::vector<std::pair<int, int>> mLower;    //!< scratch
+    std::vector<int> mLocal;                 //!< per triangle of the mesh, -1 outside
+    std::vector<int> mPoint;                 //!< per local corner: point
+    std::vector<int> mParent;                //!< union-find over local corners
+    std::vector<double> mPosition;           //!< per point
+    std::vector<int> mUnknown;               //!< per point, -1 held
+    std::vector<int> mPointVertex;           //!< per point, point of the surface
+    std::vector<std::array<int, 3>> mPlace;  //!< per local triangle: blocks (1,0), (2,0), (2,1)
+    std::vector<std::pair<int, int>> mLower; //!< scratch
     struct Spring
     {
-        int a, b;    //!< points
+        int a, b; //!< points
         int place;
         double weight;
     };

@@ -37,9 +37,9 @@ public:
     void allow(int v) { mAllowed[v] = mRound; }
     void clear() { ++mRound; }
 
-    //! Edges of the shortest path from `from` to `to` (or, with to = -1, to the nearest point on a seam or border
-    //! that is not blocked) that touches no seam and no border on its way; empty when there is none or it is
-    //! longer than `longest`. \param noise spread of the random factors on the costs
+    //! Edges of the shortest path from `from` to `to` (or, with to = -1, to the nearest point on a seam or
+    //! border that is not blocked) that touches no seam and no border on its way; empty when there is none or
+    //! it is longer than `longest`. \param noise spread of the random factors on the costs
     std::vector<int> find(int from, int to, double noise, Random &random, double longest);
 
 private:

@@ -17,7 +17,8 @@ SeamGraph::Rule ruleOf(const Snapshot &snapshot, std::size_t e)
     const PairState a = snapshot.pairState[2 * e], b = snapshot.pairState[2 * e + 1];
     if (a == PairState::Cut || b == PairState::Cut)
         return SeamGraph::Rule::AlwaysCut;
-    return a == PairState::Joined || b == PairState::Joined ? SeamGraph::Rule::NeverCut : SeamGraph::Rule::Free;
+    return a == PairState::Joined || b == PairState::Joined ? SeamGraph::Rule::NeverCut
+                                                            : SeamGraph::Rule::Free;
 }
 
 std::vector<int> eliminationOrder(const SeamGraph &graph)

@@ -18,9 +18,9 @@ struct SeamGraph
     enum class Rule : std::uint8_t { Free, AlwaysCut, NeverCut };
 
     std::shared_ptr<const Soup> soup;
-    std::vector<int> across;              //!< per triangle side 3 t + k: the side opposite to it, -1 at a border
-    std::vector<int> edgeOf;              //!< per triangle side: its edge pair, -1 at a border
-    std::vector<int> vertex;              //!< per soup corner: point of the uncut surface
+    std::vector<int> across; //!< per triangle side 3 t + k: the side opposite to it, -1 at a border
+    std::vector<int> edgeOf; //!< per triangle side: its edge pair, -1 at a border
+    std::vector<int> vertex; //!< per soup corner: point of the uncut surface
     int vertexCount = 0;
     std::vector<std::array<int, 2>> ends; //!< per edge pair: the points at its ends
     std::vector<double> length;           //!< per edge pair, solver units

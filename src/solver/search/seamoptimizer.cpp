@@ -12,11 +12,14 @@ namespace autocuts {
 
 namespace {
 
+constexpr double firstHeat = 1; // edges
 constexpr double firstMu = 0.1;
-constexpr double smallestMu = 0.02, largestMu = 1;
-constexpr double usualMu = 0.12; // where most maps end: ranks those that are not at the bound yet
+constexpr double smallestMu = 0.005, largestMu = 1;
+//! What seams are worth near the bound in most maps, to rank those that are below and above it.
+constexpr double usualMu = 0.15, excessMu = 0.07;
 constexpr int fewestPaths = 5, mostPaths = 25;
-constexpr int firstRelaxation = 60; // steps
+constexpr int squeezeRounds = 10, squeezeMoves = 20;
+constexpr int firstRelaxation = 60;     // steps
 constexpr double densityReserve = 0.01; // of the distortion above 4, for charts of equal density
 
 //! One map on its way to the bound.
@@ -37,11 +40,14 @@ public:
     {
         if (mOptions.mu)
             return mState.objective(*mOptions.mu);
-        return mState.cost + std::max(0.0, mState.energy - bound()) / usualMu;
+        return mState.cost + std::max(0.0, mState.energy - bound()) / excessMu;
     }
     double expectedCost() const
     {
-        return mOptions.mu ? score() : mState.cost + (mState.energy - bound()) / usualMu;
+        if (mOptions.mu)
+            return score();
+        const double over = mState.energy - bound();
+        return mState.cost + over / (over > 0 ? excessMu : usualMu);
     }
 
     void start()
@@ -66,9 +72,10 @@ public:
     {
         constexpr int interval = 20;
         for (int i = 0; i < moves && !mSearch.stopped(); ++i) {
+            mSearch.setHeat(firstHeat * (1 - double(i) / moves));
             mSearch.tryLargeMove();
             if (i % interval == interval - 1) {
-                adaptMu(0.3);
+                adaptMu(0.2);
                 if (i % (5 * interval) == 5 * interval - 1) {
                     mSearch.relaxAll(2);
                     mSearch.polish(1);
@@ -97,12 +104,16 @@ public:
         mSearch.relaxAll(10);
         if (mState.energy > bound())
             return;
+        // What room is left goes to the seams that cost least.
         mSearch.setCeiling(bound());
-        for (int i = 0; i < 12 && !mSearch.stopped(); ++i) {
-            mSearch.setMu(mSearch.mu() * 1.1);
+        mSearch.setHeat(0);
+        for (int i = 0; i < squeezeRounds && !mSearch.stopped(); ++i) {
+            mSearch.setMu(mSearch.mu() * 1.15);
             mSearch.polish(1);
-            if (i % 4 == 3)
-                mSearch.relaxAll(2);
+            for (int k = 0; k < squeezeMoves; ++k)
+                mSearch.tryLargeMove();
+            if (mSearch.relaxAll(2) > 0)
+                keepBest();
         }
         keepBest();
         restoreBest();
@@ -135,13 +146,17 @@ private:
         return mOptions.maxDistortion - reserve * (mOptions.maxDistortion - 4);
     }
 
+    //! Seams get cheaper at once where the energy is above the bound and dearer where it is below; the
+    //! balance itself follows slowly.
     void adaptMu(double power)
     {
         if (mOptions.mu)
             return;
-        const double q = (bound() - 4) / std::max(mState.energy - 4, 1e-9);
-        const double mu = mSearch.mu() * std::pow(std::clamp(q, 0.5, 2.0), power);
-        mSearch.setMu(std::clamp(mu, smallestMu, largestMu));
+        const double room = mOptions.maxDistortion - 4;
+        const double over = (mState.energy - bound()) / room;
+        mBalance *= std::exp(-power * std::clamp(over, -0.5, 0.5));
+        mBalance = std::clamp(mBalance, smallestMu, largestMu);
+        mSearch.setMu(mBalance / (1 + std::clamp(2 * over, -0.6, 5.0)));
     }
 
     void keepBest()
@@ -163,10 +178,11 @@ private:
     SeamSearch mSearch;
     CutState mBest;
     double mBestScore = 0;
+    double mBalance = firstMu;
 };
 
-std::optional<CutState> firstMap(const std::shared_ptr<const SeamGraph> &graph, const OptimizeOptions &options,
-                                 int number)
+std::optional<CutState> firstMap(const std::shared_ptr<const SeamGraph> &graph,
+                                 const OptimizeOptions &options, int number)
 {
     // Numbers of paths spread evenly in the logarithm, whatever the number of seeds.
     const double place = std::fmod(0.5 + 0.6180339887498949 * number, 1.0);

@@ -32,20 +32,21 @@ struct OptimizeOptions
     int threads = 1; //!< the result does not depend on it
     const std::atomic<bool> *stop = nullptr;
     std::function<void(int)> start; //!< called once with the number of steps that the job has
-    //! Called now and then from any thread with the number of steps done since, and the distortion and seam length
-    //! of some map.
+    //! Called now and then from any thread with the number of steps done since, and the distortion and seam
+    //! length of some map.
     std::function<void(int, double, double)> progress;
 };
 
 struct OptimizedMap
 {
     SeamedMap map;
-    double mu = 0; //!< energy that one unit of seam was worth in the end
+    double mu = 0;      //!< energy that one unit of seam was worth in the end
     int iterations = 0; //!< Newton steps of all runs, on patches of all sizes
 };
 
-//! Searches for the shortest seams within the bound. Deterministic unless stopped. \returns the best map found,
-//! which may be above the bound when that cannot be met; nothing when no start without a fold was found
+//! Searches for the shortest seams within the bound. Deterministic unless stopped. \returns the best map
+//! found, which may be above the bound when that cannot be met; nothing when no start without a fold was
+//! found
 std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph> &graph,
                                           const OptimizeOptions &options);
 

@@ -14,6 +14,7 @@ constexpr int mediumPatch = 450;
 constexpr int zipLookAhead = 3;
 constexpr int disturbedTriangles = 60; // nearest to a change
 constexpr double leastGain = 2e-6;
+constexpr double promising = 0.6; // share of what a change moves that it may cost before the polish
 
 } // namespace
 
@@ -169,7 +170,9 @@ std::vector<SeamSearch::Cut> SeamSearch::splitCandidates() const
         }
     }
     std::sort(result.begin(), result.end(), [](const Cut &a, const Cut &b) {
-        return a.score != b.score ? a.score > b.score : a.edge != b.edge ? a.edge < b.edge : a.vertex < b.vertex;
+        return a.score != b.score ? a.score > b.score
+               : a.edge != b.edge ? a.edge < b.edge
+                                  : a.vertex < b.vertex;
     });
     return result;
 }
@@ -252,7 +255,8 @@ SeamChange SeamSearch::windowChange()
     const int n = static_cast<int>(chain.edges.size());
     if (n < 2)
         return change;
-    const int place = static_cast<int>(std::find(chain.edges.begin(), chain.edges.end(), edge) - chain.edges.begin());
+    const int place =
+        static_cast<int>(std::find(chain.edges.begin(), chain.edges.end(), edge) - chain.edges.begin());
     const int wanted = static_cast<int>(std::round(2 * std::pow(20.0, mRandom.uniform())));
     const int size = std::min(wanted, n);
     const int first = std::clamp(place - mRandom.below(size), 0, n - size);
@@ -316,9 +320,11 @@ SeamChange SeamSearch::regraftChange()
     if (n < 2)
         return change;
     // Closed from `first` on; the new path starts there.
-    const bool towardsLast = chain.endsFreely(mState, false) || (!chain.endsFreely(mState, true) && mRandom.uniform() < 0.5);
-    const int middle = chain.endsFreely(mState, false) || chain.endsFreely(mState, true) ? mRandom.below(n)
-                                                                                       : 1 + mRandom.below(n - 1);
+    const bool towardsLast =
+        chain.endsFreely(mState, false) || (!chain.endsFreely(mState, true) && mRandom.uniform() < 0.5);
+    const int middle = chain.endsFreely(mState, false) || chain.endsFreely(mState, true)
+                           ? mRandom.below(n)
+                           : 1 + mRandom.below(n - 1);
     mPaths.clear();
     double length = 0;
     if (towardsLast) {
@@ -368,6 +374,12 @@ SeamChange SeamSearch::addChange()
     return change;
 }
 
+//! By how much the next change may make things worse, at random.
+double SeamSearch::heat()
+{
+    return -std::log(1 - mRandom.uniform()) * mHeat * mMu * mState.graph->soup->meanEdgeLength;
+}
+
 bool SeamSearch::tryLargeMove()
 {
     const double kind = mRandom.uniform();
@@ -382,17 +394,17 @@ bool SeamSearch::tryLargeMove()
     const double before = mState.objective(mMu);
     const int size = std::clamp(12 * edges, 200, 1000);
     if (move == Window)
-        return attempt(move, change, size, 6, leastGain);
+        return attempt(move, change, size, 6, leastGain - heat());
     const CutState saved = mState;
     double moved = 0;
     for (const int e : change.open)
         moved += mState.graph->cost[e];
     for (const int e : change.close)
         moved += mState.graph->cost[e];
-    if (!attempt(move, change, size, 6, -0.3 * mMu * moved))
+    if (!attempt(move, change, size, 6, -promising * mMu * moved))
         return false;
     polish(2);
-    if (mState.objective(mMu) < before - leastGain)
+    if (mState.objective(mMu) < before - leastGain + heat())
         return true;
     --counts[move].kept;
     mState = saved;

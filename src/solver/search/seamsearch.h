@@ -26,12 +26,15 @@ public:
 
     void setMu(double mu);
     double mu() const { return mMu; }
+    //! Large moves may make things worse by about so many edges (simulated annealing).
+    void setHeat(double heat) { mHeat = heat; }
     //! No step may lift the energy above this.
     void setCeiling(double ceiling) { mCeiling = ceiling; }
 
     //! Zips free ends and splits boundaries where that pays, until little changes or `rounds` are over.
     void polish(int rounds);
-    //! One random larger change: another way for a part of a seam, one less, one more. Returns true when kept.
+    //! One random larger change: another way for a part of a seam, one less, one more. Returns true when
+    //! kept.
     bool tryLargeMove();
     double relaxAll(int steps) { return mTrial.relaxAll(steps, mOptions.guarded); }
     //! Replaces the map under search. \pre of the same mesh
@@ -57,6 +60,7 @@ private:
     SeamChange regraftChange();
     SeamChange addChange();
     int randomSeamEdge();
+    double heat();
     struct Cut
     {
         double score;
@@ -68,13 +72,14 @@ private:
     CutState &mState;
     SearchOptions mOptions;
     double mMu;
+    double mHeat = 0;
     double mCeiling = std::numeric_limits<double>::infinity();
     Random mRandom;
     SeamTrial mTrial;
     SeamPaths mPaths;
     // What failed is tried again only where something has changed since.
     int mClock = 1;
-    std::vector<int> mChanged;         //!< per point of the surface
+    std::vector<int> mChanged;               //!< per point of the surface
     std::vector<int> mZipTried, mSplitTried; //!< per edge
 };
 

@@ -12,12 +12,13 @@ namespace autocuts {
 
 namespace {
 
-//! A point is worth a path when the embedding shrinks its surroundings by this, natural logarithm of the area.
+//! A point is worth a path when the embedding shrinks its surroundings by this, natural logarithm of the
+//! area.
 constexpr double worthwhileShrinkage = 0.7;
 
 //! Distances over uncut edges from some points; -1 where nothing leads.
-std::vector<double> distances(const SeamGraph &graph, const std::vector<double> &cost, const std::vector<int> &from,
-                              std::vector<int> &via)
+std::vector<double> distances(const SeamGraph &graph, const std::vector<double> &cost,
+                              const std::vector<int> &from, std::vector<int> &via)
 {
     std::vector<double> distance(graph.vertexCount, -1);
     via.assign(graph.vertexCount, -1);
@@ -55,7 +56,8 @@ std::vector<double> noisyCosts(const SeamGraph &graph, Random &random)
     std::array<double, 6> phase;
     const double wavelength = graph.soup->scale;
     for (int i = 0; i < 6; ++i) {
-        wave[i] = Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)) * (6 * wavelength);
+        wave[i] =
+            Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)) * (6 * wavelength);
         phase[i] = random.uniform(0, 6.283185307179586);
     }
     std::vector<double> cost(graph.cost.size());
@@ -120,7 +122,8 @@ void openCharts(const SeamGraph &graph, const std::vector<double> &cost, Random 
             if (around[v] >= 0)
                 points.push_back(v);
         }
-        start = farthest(distances(graph, cost, {points[random.below(static_cast<int>(points.size()))]}, via));
+        start =
+            farthest(distances(graph, cost, {points[random.below(static_cast<int>(points.size()))]}, via));
         int v = farthest(distances(graph, cost, {start}, via));
         int edges = 0;
         for (; v != start; v = graph.farEnd(via[v], v)) {

@@ -12,9 +12,9 @@ namespace autocuts {
 
 struct SeedOptions
 {
-    int paths = 12;             //!< seams added to each chart at most
-    bool joinBorders = false;   //!< first of all, paths between the borders of each chart
-    std::uint64_t seed = 1;     //!< of the random factors on the lengths of the edges
+    int paths = 12;           //!< seams added to each chart at most
+    bool joinBorders = false; //!< first of all, paths between the borders of each chart
+    std::uint64_t seed = 1;   //!< of the random factors on the lengths of the edges
     const std::atomic<bool> *stop = nullptr;
 };
 

@@ -18,12 +18,13 @@ struct SeamChange
 //! What a change has to bring.
 struct TrialTerms
 {
-    double mu = 0.06;     //!< energy that one unit of seam is worth
-    int patchSize = 110;  //!< triangles that may move
-    int steps = 6;        //!< of Newton's method
+    double mu = 0.06;      //!< energy that one unit of seam is worth
+    int patchSize = 110;   //!< triangles that may move
+    int steps = 6;         //!< of Newton's method
     double minGain = 1e-6; //!< least decrease of energy + mu * seam cost
-    double ceiling = std::numeric_limits<double>::infinity(); //!< no gain may lift the energy of the map above it
-    bool guarded = true;  //!< no chart may come to cover itself
+    double ceiling =
+        std::numeric_limits<double>::infinity(); //!< no gain may lift the energy of the map above it
+    bool guarded = true;                         //!< no chart may come to cover itself
 };
 
 //! One map under search. Every accepted change lowers energy + mu * cost exactly as computed: what is outside

@@ -23,8 +23,8 @@ inline double triangleEnergy(const double *p, const Soup::Basis &b)
     return squares + squares / (det * det);
 }
 
-//! Gradient and positive semidefinite Hessian, both times `weight`: 6 numbers, and the lower triangle of 6 x 6
-//! row by row. \pre the triangle is not turned over
+//! Gradient and positive semidefinite Hessian, both times `weight`: 6 numbers, and the lower triangle of 6 x
+//! 6 row by row. \pre the triangle is not turned over
 inline void triangleDerivatives(const double *p, const Soup::Basis &b, double weight, double *gradient,
                                 double *hessian)
 {
