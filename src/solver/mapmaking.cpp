@@ -137,6 +137,17 @@ std::optional<MadeMap> makeMap(const Solver &solver, const MapMakingOptions &opt
     return result;
 }
 
+void equalizeDensity(const Soup &soup, SeamedMap &map)
+{
+    const MeshData &mesh = *soup.mesh;
+    UvMatrix uv = cornerUv(soup, map);
+    equalizeTexelDensity(mesh, chartsOf(mesh, CutMesh(mesh, map.cut)), uv);
+    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
+        map.x[2 * static_cast<std::size_t>(c)] = uv(mesh.cornerOfSoup(c), 0);
+        map.x[2 * static_cast<std::size_t>(c) + 1] = uv(mesh.cornerOfSoup(c), 1);
+    }
+}
+
 ChartMap chartsOf(const MeshData &mesh, const CutMesh &state)
 {
     ChartMap charts;
@@ -165,17 +176,6 @@ bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
     if (result.unresolvedPairs > 0)
         layFoldedFacesFlat(soup, map);
     return true;
-}
-
-void equalizeDensity(const Soup &soup, SeamedMap &map)
-{
-    const MeshData &mesh = *soup.mesh;
-    UvMatrix uv = cornerUv(soup, map);
-    equalizeTexelDensity(mesh, chartsOf(mesh, CutMesh(mesh, map.cut)), uv);
-    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
-        map.x[2 * static_cast<std::size_t>(c)] = uv(mesh.cornerOfSoup(c), 0);
-        map.x[2 * static_cast<std::size_t>(c) + 1] = uv(mesh.cornerOfSoup(c), 1);
-    }
 }
 
 UvMatrix cornerUv(const Soup &soup, const SeamedMap &map)

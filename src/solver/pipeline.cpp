@@ -1,221 +1,73 @@
 #include "solver/pipeline.h"
 
-#include "solver/anneal.h"
-#include "solver/budget.h"
+#include "solver/candidates.h"
 #include "solver/mapmaking.h"
 #include "solver/multires/coarsetofine.h"
+#include "solver/overlapfree.h"
 #include "solver/packing/islandgeometry.h"
-#include "solver/parallel.h"
+#include "solver/search/seamoptimizer.h"
+#include "solver/soupchains.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <mutex>
 #include <stdexcept>
 
 namespace autocuts {
 
 namespace {
 
-constexpr double optimizingShare = 0.9; // of the progress bar
 constexpr double hurriedPackEffort = 0.1;
-constexpr int hurriedSteps = 4;
-constexpr int extraRuns = 5; // when none of the planned ones met the bound
 
-//! One chain of annealing runs, each reheated from the end of the one before. Where it ends depends on luck
-//! as much as on the parameters, so several different ones are run and the best map is kept. The first chain
-//! starts as the user asked, the others as it says here.
-struct ChainPlan
+//! The seam search knows seams, weights and the symmetric Dirichlet energy; what else steers the solver, and
+//! a fixed balance, is for the soup.
+bool canSearch(const Snapshot &snapshot, const UnwrapOptions &options)
 {
-    double firstLambda;
-    double reheat; //!< delta where the second and further runs start
-    StartMode start;
-};
+    return !options.lambda && snapshot.pins.empty() && snapshot.rectangles.empty() &&
+           snapshot.settings.energy == DistortionEnergy::SymmetricDirichlet;
+}
 
-constexpr std::array<ChainPlan, 12> chainPlans{{{0.05, 0.01, StartMode::Rigid},
-                                                {0.05, 0.01, StartMode::Tutte},
-                                                {0.3, 0.05, StartMode::Rigid},
-                                                {0.3, 0.01, StartMode::Tutte},
-                                                {0.1, 0.02, StartMode::Random},
-                                                {0.02, 0.05, StartMode::Tutte},
-                                                {0.2, 0.03, StartMode::Rigid},
-                                                {0.1, 0.05, StartMode::Tutte},
-                                                {0.15, 0.005, StartMode::Random},
-                                                {0.03, 0.03, StartMode::Rigid},
-                                                {0.4, 0.02, StartMode::Tutte},
-                                                {0.02, 0.01, StartMode::Rigid}}};
-
-struct QualityPlan
+OptimizeEffort effortFor(UnwrapQuality quality)
 {
-    int chains;
-    int runs; //!< per chain
-    int stepsPerLevel;
-};
-
-//! Small meshes get more chains: they cost little and their result depends more on luck.
-QualityPlan planFor(UnwrapQuality quality, int triangles)
-{
-    const auto chains = [triangles](int work, int fewest) {
-        return std::clamp(work / std::max(triangles, 1), fewest, static_cast<int>(chainPlans.size()));
-    };
     switch (quality) {
     case UnwrapQuality::Draft:
-        return {chains(4000, 1), 2, 20};
+        return {3, 0, 1, 150};
     case UnwrapQuality::Standard:
-        return {chains(10000, 2), 4, 40};
+        return {8, 100, 2, 1500};
     case UnwrapQuality::Best:
-        return {chains(80000, 4), 6, 60};
+        return {24, 300, 5, 6000};
     }
     throw std::invalid_argument("unwrap: unknown quality");
 }
 
-struct Candidate
+std::optional<Candidate> searchedMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                                     const UnwrapOptions &options, Ranking &ranking,
+                                     const std::atomic<bool> *stop, int &iterations)
 {
-    SeamedMap map;
-    double distortion = 0, seamLength = 0, lambda = 0, delta = 0;
-};
-
-//! Collects what the chains find; shared between threads.
-class Ranking
-{
-public:
-    Ranking(const UnwrapOptions &options, int totalSteps,
-            const std::function<void(const UnwrapProgress &)> &report)
-        : mOptions(options), mTotalSteps(totalSteps), mReport(report)
-    {}
-
-    //! Shorter seams win among those within the bound, lower distortion outside of it.
-    bool better(const Candidate &a, const Candidate &b) const
-    {
-        if (mOptions.lambda) {
-            const double mu = *mOptions.lambda / std::max(1 - *mOptions.lambda, 1e-9);
-            return a.distortion + mu * a.seamLength < b.distortion + mu * b.seamLength;
-        }
-        const bool aFits = a.distortion <= mOptions.maxDistortion;
-        const bool bFits = b.distortion <= mOptions.maxDistortion;
-        if (aFits != bFits)
-            return aFits;
-        return aFits ? a.seamLength < b.seamLength : a.distortion < b.distortion;
-    }
-
-    void stepDone(int steps)
-    {
-        if (!mReport)
-            return;
-        const std::scoped_lock lock(mMutex);
-        mSteps += steps;
-        mProgress.fraction = optimizingShare * std::min(1.0, double(mSteps) / mTotalSteps);
-        mReport(mProgress);
-    }
-
-    //! True when some chain has found a map.
-    bool hasAny() const { return mHasAny; }
-
-    void found(const Candidate &candidate)
-    {
-        const std::scoped_lock lock(mMutex);
-        mHasAny = true;
-        if (mProgress.distortion == 0 || candidate.seamLength < mProgress.seamLength) {
-            mProgress.distortion = candidate.distortion;
-            mProgress.seamLength = candidate.seamLength;
-        }
-    }
-
-    void stage(UnwrapStage stage, double fraction)
-    {
-        if (!mReport)
-            return;
-        const std::scoped_lock lock(mMutex);
-        mProgress.stage = stage;
-        mProgress.fraction = fraction;
-        mReport(mProgress);
-    }
-
-private:
-    const UnwrapOptions &mOptions;
-    int mTotalSteps;
-    const std::function<void(const UnwrapProgress &)> &mReport;
-    std::mutex mMutex;
-    std::atomic<bool> mHasAny = false;
-    int mSteps = 0;
-    UnwrapProgress mProgress;
-};
-
-//! Start of chain i where it is not the one that the user asked for. The second chain complements the first.
-std::optional<StartMode> startOf(int i, StartMode asked)
-{
-    if (i == 0)
+    OptimizeOptions search;
+    search.maxDistortion = options.maxDistortion;
+    search.allowOverlaps = options.allowOverlaps;
+    search.effort = effortFor(options.quality);
+    search.seed = snapshot.settings.seed;
+    search.threads = options.threads;
+    search.stop = stop;
+    search.start = [&](int steps) { ranking.setTotal(steps); };
+    search.progress = [&](int steps, double distortion, double seamLength) {
+        ranking.found(distortion, seamLength);
+        ranking.stepDone(steps);
+    };
+    std::optional<OptimizedMap> found = optimizeSeams(SeamGraph::build(soup, snapshot), search);
+    if (!found)
         return std::nullopt;
-    if (i == 1 && asked == chainPlans[1].start)
-        return chainPlans[0].start;
-    return chainPlans[i].start;
-}
-
-struct ChainResult
-{
-    std::optional<Candidate> best;
-    int iterations = 0;
-};
-
-ChainResult runChain(const Snapshot &start, const ChainPlan &plan, std::optional<StartMode> startMode,
-                     const QualityPlan &quality, const UnwrapOptions &options, Ranking &ranking,
-                     const std::atomic<bool> *stop)
-{
-    const auto stopped = [&] { return stop && stop->load(std::memory_order_relaxed); };
-    Snapshot snapshot = start;
-    snapshot.settings.delta = 1;
-    if (startMode)
-        snapshot.settings.start = *startMode;
-    Solver solver;
-    solver.load(snapshot);
-    DistortionBudget budget(options.maxDistortion, plan.firstLambda);
-    MapMakingOptions making;
-    making.allowOverlaps = options.allowOverlaps;
-    making.maxDistortion = options.maxDistortion;
-    if (options.lambda) {
-        making.maxDistortion = std::numeric_limits<double>::infinity();
-        making.costPerLength = *options.lambda / std::max(1 - *options.lambda, 1e-9);
-    }
-    ChainResult result;
-    // A run that misses the bound may be followed by some more than planned.
-    const int mostRuns = quality.runs + (options.lambda ? 0 : extraRuns);
-    for (int run = 0; run < mostRuns && !(stopped() && ranking.hasAny()); ++run) {
-        const bool fits = result.best && result.best->distortion <= options.maxDistortion;
-        if (run >= quality.runs && (fits || options.lambda))
-            break;
-        AnnealOptions anneal;
-        anneal.startDelta = run == 0 ? 1 : plan.reheat;
-        anneal.lambda = options.lambda.value_or(budget.lambda());
-        anneal.stepsPerLevel = quality.stepsPerLevel;
-        annealSoup(solver, anneal, stop, [&](const StepResult &) {
-            ++result.iterations;
-            ranking.stepDone(1);
-        });
-        if (stopped()) {
-            if (ranking.hasAny())
-                break;
-            // Whatever is still half open has to be decided: the rest of the homotopy in a few steps.
-            anneal.startDelta = solver.snapshot().settings.delta;
-            anneal.stepsPerLevel = hurriedSteps;
-            annealSoup(solver, anneal, nullptr);
-        }
-        // The first map must come about, whatever is asked meanwhile.
-        std::optional<MadeMap> made = makeMap(solver, making, ranking.hasAny() ? stop : nullptr);
-        if (!made)
-            break;
-        budget.report(made->seedDistortion);
-        Candidate candidate;
-        candidate.map = std::move(made->map);
-        candidate.distortion = candidate.map.distortion(solver.soup());
-        candidate.seamLength = candidate.map.seamLength(solver.soup());
-        candidate.lambda = solver.snapshot().settings.lambda;
-        candidate.delta = solver.snapshot().settings.delta;
-        ranking.found(candidate);
-        if (!result.best || ranking.better(candidate, *result.best))
-            result.best = std::move(candidate);
-    }
-    return result;
+    Candidate candidate;
+    candidate.map = std::move(found->map);
+    equalizeDensity(*soup, candidate.map);
+    if (!options.allowOverlaps && coversItself(*soup, candidate.map))
+        return std::nullopt;
+    candidate.distortion = candidate.map.distortion(*soup);
+    candidate.seamLength = candidate.map.seamLength(*soup);
+    candidate.lambda = found->mu / (1 + found->mu);
+    iterations += found->iterations;
+    return candidate;
 }
 
 void fitUnitSquare(UvMatrix &uv)
@@ -244,7 +96,8 @@ void place(const Soup &soup, const SeamedMap &map, const UnwrapOptions &options,
     settings.threads = options.threads;
     const auto pack = [&](const std::atomic<bool> *cancel) {
         return packIslands(islands, settings, cancel, [&](double done) {
-            ranking.stage(UnwrapStage::Packing, optimizingShare + (1 - optimizingShare) * done);
+            ranking.stage(UnwrapStage::Packing,
+                          Ranking::optimizingShare + (1 - Ranking::optimizingShare) * done);
         });
     };
     PackResult packed;
@@ -293,7 +146,7 @@ std::optional<UnwrapResult> unwrapLarge(const std::shared_ptr<const Soup> &soup,
     result.lambda = carried->lambda;
     result.delta = carried->delta;
     result.withinBound = options.lambda || result.distortion <= options.maxDistortion;
-    Ranking ranking(options, 1, progress);
+    Ranking ranking(options, progress);
     place(*soup, carried->map, options, stop, ranking, result);
     result.stopped = stop && stop->load();
     return result;
@@ -308,27 +161,20 @@ UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options, cons
     const std::shared_ptr<const Soup> soup = Soup::build(snapshot.mesh);
     if (std::optional<UnwrapResult> large = unwrapLarge(soup, snapshot, options, stop, progress))
         return std::move(*large);
-    const QualityPlan plan = planFor(options.quality, soup->triangleCount());
-    int steps = 0;
-    for (int i = 0; i < plan.chains; ++i)
-        steps += annealSteps(*soup, {1, 0, plan.stepsPerLevel}) +
-                 (plan.runs - 1) * annealSteps(*soup, {chainPlans[i].reheat, 0, plan.stepsPerLevel});
-    Ranking ranking(options, steps, progress);
-
-    std::vector<ChainResult> results(plan.chains);
-    parallelFor(plan.chains, options.threads, [&](int i) {
-        results[i] = runChain(snapshot, chainPlans[i], startOf(i, snapshot.settings.start), plan, options,
-                              ranking, stop);
-    });
-
+    Ranking ranking(options, progress);
     UnwrapResult result;
-    const Candidate *best = nullptr;
-    for (const ChainResult &chain : results) {
-        result.iterations += chain.iterations;
-        if (chain.best && (!best || ranking.better(*chain.best, *best)))
-            best = &*chain.best;
+    std::optional<Candidate> best;
+    if (canSearch(snapshot, options))
+        best = searchedMap(soup, snapshot, options, ranking, stop, result.iterations);
+    const bool stopped = stop && stop->load();
+    const bool fits = best && (options.lambda || best->distortion <= options.maxDistortion);
+    // The soup also starts from a given map, and from anything.
+    if (!best || (!stopped && (!fits || snapshot.settings.start == StartMode::ExistingUv))) {
+        std::optional<Candidate> other =
+            bestOfSoupChains(snapshot, options, ranking, stop, result.iterations);
+        if (other && (!best || ranking.better(*other, *best)))
+            best = std::move(other);
     }
-    result.stopped = stop && stop->load();
     result.cut = best->map.cut;
     result.distortion = best->distortion;
     result.seamLength = best->seamLength;

@@ -1,0 +1,52 @@
+// The maps that the ways of cutting find, compared; and the progress they make.
+#pragma once
+
+#include "solver/finish.h"
+#include "solver/pipeline.h"
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+#include <optional>
+
+namespace autocuts {
+
+//! A map and where it came from.
+struct Candidate
+{
+    SeamedMap map;
+    double distortion = 0, seamLength = 0, lambda = 0, delta = 0;
+};
+
+//! Compares candidates and reports progress; shared between threads.
+class Ranking
+{
+public:
+    Ranking(const UnwrapOptions &options, const std::function<void(const UnwrapProgress &)> &report)
+        : mOptions(options), mReport(report)
+    {}
+
+    //! Shorter seams win among those within the bound, lower distortion outside of it.
+    bool better(const Candidate &a, const Candidate &b) const;
+
+    //! Sets how many steps the whole job has.
+    void setTotal(int steps);
+    void stepDone(int steps);
+    //! True when some map has been found.
+    bool hasAny() const { return mHasAny; }
+    void found(double distortion, double seamLength);
+    void stage(UnwrapStage stage, double fraction);
+
+    //! Share of the progress bar that is for finding the map; the rest is for packing.
+    static constexpr double optimizingShare = 0.9;
+
+private:
+    const UnwrapOptions &mOptions;
+    const std::function<void(const UnwrapProgress &)> &mReport;
+    std::mutex mMutex;
+    std::atomic<bool> mHasAny = false;
+    int mTotalSteps = 1, mSteps = 0;
+    UnwrapProgress mProgress;
+};
+
+} // namespace autocuts

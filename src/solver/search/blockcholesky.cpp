@@ -1,0 +1,143 @@
+#include "solver/search/blockcholesky.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+void BlockCholesky::analyze(int count, std::vector<std::pair<int, int>> &lower)
+{
+    mCount = count;
+    std::sort(lower.begin(), lower.end());
+    lower.erase(std::unique(lower.begin(), lower.end()), lower.end());
+    mRowStart.assign(count + 1, 0);
+    mColumn.clear();
+    for (const auto &[row, column] : lower) {
+        ++mRowStart[row + 1];
+        mColumn.push_back(column);
+    }
+    for (int row = 0; row < count; ++row)
+        mRowStart[row + 1] += mRowStart[row];
+    mValue.resize(lower.size());
+    mDiagonal.resize(count);
+    findRows();
+}
+
+//! The rows of the factor: row k holds the columns on the paths of the elimination tree from the entries of
+//! row k of the matrix up to k (Liu 1986).
+void BlockCholesky::findRows()
+{
+    mParent.assign(mCount, -1);
+    mMark.assign(mCount, -1);
+    mPatternStart.assign(mCount + 1, 0);
+    mPattern.clear();
+    mColumnStart.assign(mCount + 1, 0);
+    for (int k = 0; k < mCount; ++k) {
+        mMark[k] = k;
+        for (int p = mRowStart[k]; p < mRowStart[k + 1]; ++p) {
+            for (int j = mColumn[p]; mMark[j] != k; j = mParent[j]) {
+                if (mParent[j] < 0)
+                    mParent[j] = k;
+                mMark[j] = k;
+                mPattern.push_back(j);
+                ++mColumnStart[j + 1];
+            }
+        }
+        // Rising column numbers are an order of elimination.
+        std::sort(mPattern.begin() + mPatternStart[k], mPattern.end());
+        mPatternStart[k + 1] = static_cast<int>(mPattern.size());
+    }
+    for (int k = 0; k < mCount; ++k)
+        mColumnStart[k + 1] += mColumnStart[k];
+    mRowIndex.resize(mPattern.size());
+    mFactor.resize(mPattern.size());
+    mPivot.resize(mCount);
+    mWork.assign(mCount, Block{});
+    mFilled.resize(mCount);
+}
+
+void BlockCholesky::clear()
+{
+    std::fill(mValue.begin(), mValue.end(), Block{});
+    std::fill(mDiagonal.begin(), mDiagonal.end(), Block{});
+}
+
+int BlockCholesky::place(int row, int column) const
+{
+    const auto first = mColumn.begin() + mRowStart[row], last = mColumn.begin() + mRowStart[row + 1];
+    return static_cast<int>(std::lower_bound(first, last, column) - mColumn.begin());
+}
+
+bool BlockCholesky::factorize()
+{
+    std::copy(mColumnStart.begin(), mColumnStart.end() - 1, mFilled.begin());
+    for (int k = 0; k < mCount; ++k) {
+        for (int p = mRowStart[k]; p < mRowStart[k + 1]; ++p)
+            mWork[mColumn[p]] = mValue[p];
+        double d00 = mDiagonal[k][0], d10 = mDiagonal[k][2], d11 = mDiagonal[k][3];
+        for (int p = mPatternStart[k]; p < mPatternStart[k + 1]; ++p) {
+            const int j = mPattern[p];
+            const Block y = mWork[j];
+            mWork[j] = Block{};
+            // mPivot holds the inverse of the lower triangular pivot block: 1/l00, -, l10 factor, 1/l11.
+            const Block &q = mPivot[j];
+            const double a = y[0] * q[0], b = y[0] * q[2] + y[1] * q[3];
+            const double c = y[2] * q[0], d = y[2] * q[2] + y[3] * q[3];
+            const int end = mFilled[j]++;
+            for (int i = mColumnStart[j]; i < end; ++i) {
+                Block &w = mWork[mRowIndex[i]];
+                const Block &l = mFactor[i];
+                w[0] -= a * l[0] + b * l[1];
+                w[1] -= a * l[2] + b * l[3];
+                w[2] -= c * l[0] + d * l[1];
+                w[3] -= c * l[2] + d * l[3];
+            }
+            mRowIndex[end] = k;
+            mFactor[end] = {a, b, c, d};
+            d00 -= a * a + b * b;
+            d10 -= c * a + d * b;
+            d11 -= c * c + d * d;
+        }
+        if (!(d00 > 0))
+            return false;
+        const double i00 = 1 / std::sqrt(d00);
+        const double l10 = d10 * i00;
+        const double rest = d11 - l10 * l10;
+        if (!(rest > 0))
+            return false;
+        const double i11 = 1 / std::sqrt(rest);
+        mPivot[k] = {i00, 0, -l10 * i00 * i11, i11};
+    }
+    return true;
+}
+
+void BlockCholesky::solve(double *b) const
+{
+    for (int k = 0; k < mCount; ++k) {
+        const Block &q = mPivot[k];
+        const double u = b[2 * k] * q[0];
+        const double v = b[2 * k] * q[2] + b[2 * k + 1] * q[3];
+        b[2 * k] = u;
+        b[2 * k + 1] = v;
+        for (int i = mColumnStart[k]; i < mColumnStart[k + 1]; ++i) {
+            const Block &l = mFactor[i];
+            double *w = b + 2 * mRowIndex[i];
+            w[0] -= l[0] * u + l[1] * v;
+            w[1] -= l[2] * u + l[3] * v;
+        }
+    }
+    for (int k = mCount - 1; k >= 0; --k) {
+        double u = b[2 * k], v = b[2 * k + 1];
+        for (int i = mColumnStart[k]; i < mColumnStart[k + 1]; ++i) {
+            const Block &l = mFactor[i];
+            const double *w = b + 2 * mRowIndex[i];
+            u -= l[0] * w[0] + l[2] * w[1];
+            v -= l[1] * w[0] + l[3] * w[1];
+        }
+        const Block &q = mPivot[k];
+        b[2 * k] = q[0] * u + q[2] * v;
+        b[2 * k + 1] = q[3] * v;
+    }
+}
+
+} // namespace autocuts

@@ -1,0 +1,184 @@
+#include "solver/search/cutstate.h"
+
+#include "model/unionfind.h"
+#include "solver/overlap/overlapfinder.h"
+#include "solver/search/trianglekernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+namespace autocuts {
+
+namespace {
+
+//! Room between charts, solver units: no trial moves anything that far.
+constexpr double chartGap = 1;
+
+} // namespace
+
+CutState CutState::from(std::shared_ptr<const SeamGraph> graph, const SeamedMap &map)
+{
+    CutState state;
+    state.graph = std::move(graph);
+    state.cut.assign(map.cut.begin(), map.cut.end());
+    state.x = map.x;
+    state.updateTopology();
+    state.updateEnergy();
+    state.spreadCharts();
+    return state;
+}
+
+SeamedMap CutState::map() const
+{
+    return {CutFlags(cut.begin(), cut.end()), x};
+}
+
+int CutState::cutsAt(int v) const
+{
+    int count = 0;
+    for (const int e : graph->edgesAt(v))
+        count += cut[e];
+    return count;
+}
+
+void CutState::updateTopology()
+{
+    const int sides = 3 * graph->triangleCount();
+    UnionFind pieces(graph->triangleCount());
+    boundary.clear();
+    for (int side = 0; side < sides; ++side) {
+        if (isCutSide(side))
+            boundary.push_back(side);
+        else if (graph->across[side] > side)
+            pieces.unite(side / 3, graph->across[side] / 3);
+    }
+    int charts = 0;
+    std::tie(chart, charts) = pieces.labels();
+    chartArea.assign(charts, 0);
+    for (int t = 0; t < graph->triangleCount(); ++t)
+        chartArea[chart[t]] += graph->soup->weight[t];
+    cost = length = 0;
+    for (std::size_t e = 0; e < cut.size(); ++e) {
+        if (cut[e]) {
+            cost += graph->cost[e];
+            length += graph->length[e];
+        }
+    }
+}
+
+void CutState::updateEnergy()
+{
+    const Soup &soup = *graph->soup;
+    triangleEnergy.resize(soup.triangleCount());
+    energy = 0;
+    for (int t = 0; t < soup.triangleCount(); ++t) {
+        triangleEnergy[t] =
+            soup.weight[t] * autocuts::triangleEnergy(&x[6 * static_cast<std::size_t>(t)], soup.basis[t]);
+        energy += triangleEnergy[t];
+    }
+}
+
+bool CutState::loopsAreInOrder() const
+{
+    std::vector<char> outer(chartCount(), 0);
+    std::vector<char> seen(3 * static_cast<std::size_t>(graph->triangleCount()), 0);
+    for (const int first : boundary) {
+        if (seen[first])
+            continue;
+        double area = 0;
+        for (int side = first; !seen[side];) {
+            seen[side] = 1;
+            int next = side / 3 * 3 + (side + 1) % 3;
+            const Vec2 a = at(side) - at(first), b = at(next) - at(first);
+            area += a.x() * b.y() - a.y() * b.x();
+            while (!isCutSide(next)) {
+                next = graph->across[next];
+                next = next / 3 * 3 + (next + 1) % 3;
+            }
+            side = next;
+        }
+        char &found = outer[chart[first / 3]];
+        if (area > 0 && found)
+            return false;
+        found |= area > 0;
+    }
+    return true;
+}
+
+bool CutState::boundariesOverlap(const std::vector<int> &triangles) const
+{
+    Vec2 low = Vec2::Constant(-1e300), high = Vec2::Constant(1e300);
+    if (!triangles.empty()) {
+        std::swap(low, high);
+        for (const int t : triangles) {
+            for (int c = 3 * t; c < 3 * t + 3; ++c) {
+                low = low.cwiseMin(at(c));
+                high = high.cwiseMax(at(c));
+            }
+        }
+    }
+    // Triangles at points where a boundary runs, inside of the box.
+    std::vector<char> open(graph->vertexCount, 0);
+    for (const int side : boundary)
+        open[graph->vertex[side]] = open[graph->vertex[side / 3 * 3 + (side + 1) % 3]] = 1;
+    std::vector<int> near;
+    for (int t = 0; t < graph->triangleCount(); ++t) {
+        if (!open[graph->vertex[3 * t]] && !open[graph->vertex[3 * t + 1]] && !open[graph->vertex[3 * t + 2]])
+            continue;
+        const Vec2 a = at(3 * t), b = at(3 * t + 1), c = at(3 * t + 2);
+        if ((a.cwiseMin(b).cwiseMin(c).array() <= high.array()).all() &&
+            (a.cwiseMax(b).cwiseMax(c).array() >= low.array()).all())
+            near.push_back(t);
+    }
+    UvMatrix uv(3 * near.size(), 2);
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        for (int k = 0; k < 3; ++k)
+            uv.row(3 * i + k) = at(3 * near[i] + k).transpose();
+    }
+    OverlapOptions options;
+    options.totalArea = std::numbers::pi;
+    return !visitOverlaps(uv, options, [](int, int, double) { return false; });
+}
+
+void CutState::spreadCharts()
+{
+    if (chartCount() < 2)
+        return;
+    struct Box
+    {
+        Vec2 low = Vec2::Constant(1e300), high = Vec2::Constant(-1e300);
+    };
+    std::vector<Box> boxes(chartCount());
+    for (int c = 0; c < 3 * graph->triangleCount(); ++c) {
+        Box &box = boxes[chart[c / 3]];
+        box.low = box.low.cwiseMin(at(c));
+        box.high = box.high.cwiseMax(at(c));
+    }
+    // Rows about as wide as the whole is high.
+    double area = 0;
+    for (const Box &box : boxes)
+        area += (box.high - box.low + Vec2::Constant(chartGap)).prod();
+    const double rowWidth = std::sqrt(area);
+    std::vector<Vec2> shift(chartCount());
+    Vec2 cursor = Vec2::Zero();
+    double rowHeight = 0;
+    for (int i = 0; i < chartCount(); ++i) {
+        if (cursor.x() > rowWidth) {
+            cursor = Vec2(0, cursor.y() + rowHeight);
+            rowHeight = 0;
+        }
+        const Vec2 size = boxes[i].high - boxes[i].low + Vec2::Constant(chartGap);
+        shift[i] = cursor - boxes[i].low;
+        cursor.x() += size.x();
+        rowHeight = std::max(rowHeight, size.y());
+    }
+    for (int c = 0; c < 3 * graph->triangleCount(); ++c) {
+        const Vec2 &s = shift[chart[c / 3]];
+        x[2 * static_cast<std::size_t>(c)] += s.x();
+        x[2 * static_cast<std::size_t>(c) + 1] += s.y();
+    }
+}
+
+} // namespace autocuts

@@ -1,0 +1,83 @@
+#include "solver/search/seamgraph.h"
+
+#include "solver/linear/cholmodsolver.h"
+
+#include <algorithm>
+
+namespace autocuts {
+
+namespace {
+
+SeamGraph::Rule ruleOf(const Snapshot &snapshot, std::size_t e)
+{
+    if (snapshot.mesh->edgePairs[e].diagonal)
+        return SeamGraph::Rule::NeverCut;
+    if (snapshot.pairState.empty())
+        return SeamGraph::Rule::Free;
+    const PairState a = snapshot.pairState[2 * e], b = snapshot.pairState[2 * e + 1];
+    if (a == PairState::Cut || b == PairState::Cut)
+        return SeamGraph::Rule::AlwaysCut;
+    return a == PairState::Joined || b == PairState::Joined ? SeamGraph::Rule::NeverCut
+                                                            : SeamGraph::Rule::Free;
+}
+
+std::vector<int> eliminationOrder(const SeamGraph &graph)
+{
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int v = 0; v < graph.vertexCount; ++v)
+        entries.emplace_back(v, v, 1.0);
+    for (const auto &[a, b] : graph.ends)
+        entries.emplace_back(std::max(a, b), std::min(a, b), 1.0);
+    LinearSolver::Matrix pattern(graph.vertexCount, graph.vertexCount);
+    pattern.setFromTriplets(entries.begin(), entries.end());
+    return eliminationRanks(pattern);
+}
+
+} // namespace
+
+std::shared_ptr<const SeamGraph> SeamGraph::build(std::shared_ptr<const Soup> soup, const Snapshot &snapshot)
+{
+    auto graph = std::make_shared<SeamGraph>();
+    const MeshData &mesh = *soup->mesh;
+    const CutMesh whole(mesh, CutFlags(mesh.edgePairs.size(), false));
+    graph->across = whole.neighbour;
+    graph->vertex = whole.uvVertex;
+    graph->vertexCount = whole.uvVertexCount;
+    graph->edgeOf.assign(mesh.soupCornerCount(), -1);
+    std::vector<int> degree(graph->vertexCount, 0);
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        const EdgePair &pair = mesh.edgePairs[e];
+        for (int which = 0; which < 2; ++which)
+            graph->edgeOf[3 * pair.triangle[which] + pair.side(which)] = static_cast<int>(e);
+        graph->ends.push_back({whole.uvVertex[pair.corner[0][0]], whole.uvVertex[pair.corner[1][0]]});
+        graph->length.push_back(soup->pairLength[2 * e]);
+        double weight = snapshot.settings.weighting == SeamWeighting::Count ? soup->meanEdgeLength
+                                                                            : soup->pairLength[2 * e];
+        if (!snapshot.pairWeight.empty())
+            weight *= 0.5 * (snapshot.pairWeight[2 * e] + snapshot.pairWeight[2 * e + 1]);
+        graph->cost.push_back(weight);
+        graph->rule.push_back(ruleOf(snapshot, e));
+        for (const int v : graph->ends.back())
+            ++degree[v];
+    }
+    graph->edgeStart.assign(graph->vertexCount + 1, 0);
+    for (int v = 0; v < graph->vertexCount; ++v)
+        graph->edgeStart[v + 1] = graph->edgeStart[v] + degree[v];
+    graph->edgeList.resize(graph->edgeStart.back());
+    std::vector<int> filled(graph->edgeStart.begin(), graph->edgeStart.end() - 1);
+    for (std::size_t e = 0; e < graph->ends.size(); ++e) {
+        for (const int v : graph->ends[e])
+            graph->edgeList[filled[v]++] = static_cast<int>(e);
+    }
+    graph->border.assign(graph->vertexCount, false);
+    for (int side = 0; side < mesh.soupCornerCount(); ++side) {
+        if (graph->across[side] < 0)
+            graph->border[whole.uvVertex[side]] =
+                graph->border[whole.uvVertex[side / 3 * 3 + (side + 1) % 3]] = true;
+    }
+    graph->soup = std::move(soup);
+    graph->rank = eliminationOrder(*graph);
+    return graph;
+}
+
+} // namespace autocuts

@@ -1,0 +1,53 @@
+// The automatic cutter: from the mesh to short seams at a given distortion.
+#pragma once
+
+#include "solver/finish.h"
+#include "solver/search/seamgraph.h"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace autocuts {
+
+//! How much is tried.
+struct OptimizeEffort
+{
+    int seeds = 8;       //!< different first cuts
+    int seedMoves = 100; //!< large moves tried on each of them
+    int finalists = 2;   //!< of these, so many go on
+    int moves = 3000;    //!< large moves tried on each finalist
+};
+
+struct OptimizeOptions
+{
+    double maxDistortion = 4.1; //!< bound on the mean energy
+    std::optional<double> mu;   //!< instead of the bound: energy that one unit of seam is worth
+    bool allowOverlaps = false;
+    OptimizeEffort effort;
+    std::uint64_t seed = 1;
+    int threads = 1; //!< the result does not depend on it
+    const std::atomic<bool> *stop = nullptr;
+    std::function<void(int)> start; //!< called once with the number of steps that the job has
+    //! Called now and then from any thread with the number of steps done since, and the distortion and seam
+    //! length of some map.
+    std::function<void(int, double, double)> progress;
+};
+
+struct OptimizedMap
+{
+    SeamedMap map;
+    double mu = 0;      //!< energy that one unit of seam was worth in the end
+    int iterations = 0; //!< Newton steps of all runs, on patches of all sizes
+};
+
+//! Searches for the shortest seams within the bound. Deterministic unless stopped. \returns the best map
+//! found, which may be above the bound when that cannot be met; nothing when no start without a fold was
+//! found
+std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph> &graph,
+                                          const OptimizeOptions &options);
+
+} // namespace autocuts

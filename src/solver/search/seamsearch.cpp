@@ -1,0 +1,415 @@
+#include "solver/search/seamsearch.h"
+
+#include "solver/search/trianglekernel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+constexpr int smallPatch = 110;
+constexpr int mediumPatch = 450;
+constexpr int zipLookAhead = 3;
+constexpr int disturbedTriangles = 60; // nearest to a change
+constexpr double leastGain = 2e-6;
+constexpr double promising = 0.6; // share of what a change moves that it may cost before the polish
+
+} // namespace
+
+SeamSearch::SeamSearch(CutState &state, std::uint64_t seed, const SearchOptions &options)
+    : mState(state), mOptions(options), mMu(options.mu), mRandom(seed), mTrial(state), mPaths(state),
+      mChanged(state.graph->vertexCount, 1), mZipTried(state.cut.size(), 0), mSplitTried(state.cut.size(), 0)
+{}
+
+void SeamSearch::setMu(double mu)
+{
+    if (std::abs(std::log(mu / mMu)) > 0.1) {
+        std::fill(mZipTried.begin(), mZipTried.end(), 0);
+        std::fill(mSplitTried.begin(), mSplitTried.end(), 0);
+    }
+    mMu = mu;
+}
+
+bool SeamSearch::attempt(Move move, const SeamChange &change, int size, int steps, double minGain)
+{
+    ++counts[move].tried;
+    TrialTerms terms;
+    terms.mu = mMu;
+    terms.patchSize = size;
+    terms.steps = steps;
+    terms.minGain = minGain;
+    terms.guarded = mOptions.guarded;
+    terms.ceiling = mCeiling;
+    if (!mTrial.attempt(change, terms))
+        return false;
+    ++counts[move].kept;
+    ++mClock;
+    const std::vector<int> &triangles = mTrial.patch().triangles();
+    const std::size_t disturbed =
+        std::min(triangles.size(), disturbedTriangles + 4 * (change.open.size() + change.close.size()));
+    for (std::size_t i = 0; i < disturbed; ++i) {
+        for (int k = 0; k < 3; ++k)
+            mChanged[mState.graph->vertex[3 * triangles[i] + k]] = mClock;
+    }
+    return true;
+}
+
+void SeamSearch::restore(const CutState &state)
+{
+    mState = state;
+    mTrial.reset();
+    ++mClock;
+    std::fill(mChanged.begin(), mChanged.end(), mClock);
+}
+
+void SeamSearch::polish(int rounds)
+{
+    for (int round = 0; round < rounds && !stopped(); ++round) {
+        int done = zipEnds();
+        done += splitBoundary(120);
+        done += zipEnds();
+        if (done == 0)
+            break;
+    }
+}
+
+//! Closes seams from their free ends.
+int SeamSearch::zipEnds()
+{
+    const SeamGraph &graph = *mState.graph;
+    int zipped = 0;
+    for (int v = 0; v < graph.vertexCount && !stopped(); ++v) {
+        int tip = v;
+        while (!graph.border[tip] && mState.cutsAt(tip) == 1) {
+            SeamChange change;
+            int at = tip;
+            bool done = false;
+            bool fresh = false;
+            while (static_cast<int>(change.close.size()) < zipLookAhead) {
+                int next = -1, count = 0;
+                for (const int e : graph.edgesAt(at)) {
+                    if (mState.cut[e]) {
+                        ++count;
+                        if (change.close.empty() || e != change.close.back())
+                            next = e;
+                    }
+                }
+                if (next < 0 || count > 2 || graph.rule[next] == SeamGraph::Rule::AlwaysCut)
+                    break;
+                change.close.push_back(next);
+                at = graph.farEnd(next, at);
+                if (change.close.size() == 1) {
+                    fresh = mZipTried[next] < std::max(mChanged[tip], mChanged[at]);
+                    if (!fresh)
+                        break;
+                    mZipTried[next] = mClock;
+                }
+                double length = 0;
+                for (const int e : change.close)
+                    length += graph.cost[e];
+                if (attempt(Zip, change, smallPatch, 6, leastGain) ||
+                    (mTrial.lastGain() > -0.4 * mMu * length &&
+                     attempt(Zip, change, mediumPatch, 6, leastGain))) {
+                    done = true;
+                    break;
+                }
+            }
+            if (!done)
+                break;
+            ++zipped;
+            tip = at;
+        }
+    }
+    return zipped;
+}
+
+//! For every edge that leads from the boundary inwards: what opening it promises, at most.
+std::vector<SeamSearch::Cut> SeamSearch::splitCandidates() const
+{
+    const SeamGraph &graph = *mState.graph;
+    const Soup &soup = *graph.soup;
+    std::vector<Cut> result;
+    struct Part
+    {
+        Vec2 gradient;
+        double stiffness;
+        int edge; //!< behind it
+    };
+    std::vector<Part> fan;
+    double gradient[6], h[21];
+    for (const int start : mState.boundary) {
+        fan.clear();
+        int side = start;
+        Vec2 sum = Vec2::Zero();
+        double stiffness = 0;
+        while (true) {
+            const int t = side / 3, k = side % 3;
+            triangleDerivatives(&mState.x[6 * static_cast<std::size_t>(t)], soup.basis[t], soup.weight[t],
+                                gradient, h);
+            static constexpr int first[3][2] = {{0, 2}, {5, 9}, {14, 20}};
+            sum += Vec2(gradient[2 * k], gradient[2 * k + 1]);
+            stiffness += 0.5 * (h[first[k][0]] + h[first[k][1]]);
+            const int back = 3 * t + (k + 2) % 3;
+            if (mState.isCutSide(back)) {
+                fan.push_back({sum, stiffness, -1});
+                break;
+            }
+            fan.push_back({sum, stiffness, graph.edgeOf[back]});
+            side = graph.across[back];
+        }
+        const int v = graph.vertex[start];
+        for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
+            const int e = fan[i].edge;
+            if (graph.rule[e] == SeamGraph::Rule::NeverCut)
+                continue;
+            const double a = fan[i].stiffness, b = stiffness - a;
+            const double gain = 0.5 * fan[i].gradient.squaredNorm() * (1 / a + 1 / std::max(b, 1e-3 * a));
+            result.push_back({gain / (mMu * graph.cost[e] + 1e-12), e, v});
+        }
+    }
+    std::sort(result.begin(), result.end(), [](const Cut &a, const Cut &b) {
+        return a.score != b.score ? a.score > b.score
+               : a.edge != b.edge ? a.edge < b.edge
+                                  : a.vertex < b.vertex;
+    });
+    return result;
+}
+
+//! The uncut edge at a point that goes on in the direction of an edge that ends there; -1 when there is none.
+int SeamSearch::straightOn(int edge, int vertex) const
+{
+    const SeamGraph &graph = *mState.graph;
+    const MeshData &mesh = *graph.soup->mesh;
+    const auto direction = [&](int e, int from) {
+        const EdgePair &pair = mesh.edgePairs[e];
+        const int a = graph.ends[e][0] == from ? 0 : 1;
+        const Vec3 d = mesh.cornerPosition(mesh.cornerOfSoup(pair.corner[1 - a][0])) -
+                       mesh.cornerPosition(mesh.cornerOfSoup(pair.corner[a][0]));
+        return Vec3(d / std::max(d.norm(), 1e-300));
+    };
+    const Vec3 along = direction(edge, graph.farEnd(edge, vertex));
+    int best = -1;
+    double most = 0.3;
+    for (const int e : graph.edgesAt(vertex)) {
+        if (e == edge || mState.cut[e] || graph.rule[e] == SeamGraph::Rule::NeverCut)
+            continue;
+        const double cosine = direction(e, vertex).dot(along);
+        if (cosine > most) {
+            most = cosine;
+            best = e;
+        }
+    }
+    return best;
+}
+
+int SeamSearch::splitBoundary(int most)
+{
+    const SeamGraph &graph = *mState.graph;
+    int split = 0, tries = 0;
+    for (const Cut &cut : splitCandidates()) {
+        if (tries >= most || cut.score < 0.05 || stopped())
+            break;
+        const int e = cut.edge, w = graph.farEnd(e, cut.vertex);
+        if (mState.cut[e] || mSplitTried[e] >= std::max(mChanged[cut.vertex], mChanged[w]))
+            continue;
+        ++tries;
+        mSplitTried[e] = mClock;
+        SeamChange change{{e}, {}};
+        if (attempt(Split, change, smallPatch, 6, leastGain)) {
+            ++split;
+            continue;
+        }
+        if (mTrial.lastGain() < -0.7 * mMu * graph.cost[e] || mState.cutsAt(w) > 0 || graph.border[w])
+            continue;
+        const int next = straightOn(e, w);
+        if (next < 0)
+            continue;
+        change.open.push_back(next);
+        split += attempt(Split, change, smallPatch, 6, leastGain);
+    }
+    return split;
+}
+
+int SeamSearch::randomSeamEdge()
+{
+    // Boundary sides are cut edges mostly; borders are skipped.
+    for (int i = 0; i < 20; ++i) {
+        const int side = mState.boundary[mRandom.below(static_cast<int>(mState.boundary.size()))];
+        const int e = mState.graph->edgeOf[side];
+        if (e >= 0 && mState.graph->rule[e] != SeamGraph::Rule::AlwaysCut)
+            return e;
+    }
+    return -1;
+}
+
+//! Another way for a part of a chain.
+SeamChange SeamSearch::windowChange()
+{
+    SeamChange change;
+    const int edge = randomSeamEdge();
+    if (edge < 0)
+        return change;
+    const SeamChain chain = chainOf(mState, edge);
+    const int n = static_cast<int>(chain.edges.size());
+    if (n < 2)
+        return change;
+    const int place =
+        static_cast<int>(std::find(chain.edges.begin(), chain.edges.end(), edge) - chain.edges.begin());
+    const int wanted = static_cast<int>(std::round(2 * std::pow(20.0, mRandom.uniform())));
+    const int size = std::min(wanted, n);
+    const int first = std::clamp(place - mRandom.below(size), 0, n - size);
+    const int from = chain.vertices[first], to = chain.vertices[first + size];
+    if (from == to)
+        return change;
+    mPaths.clear();
+    double length = 0;
+    for (int i = first; i < first + size; ++i) {
+        length += mState.graph->cost[chain.edges[i]];
+        if (i > first)
+            mPaths.allow(chain.vertices[i]);
+    }
+    const double noise = mRandom.uniform() < 0.3 ? 0 : mRandom.uniform(0, 0.7);
+    const std::vector<int> path = mPaths.find(from, to, noise, mRandom, 2 * length);
+    if (path.empty())
+        return change;
+    for (const int e : path) {
+        if (!mState.cut[e])
+            change.open.push_back(e);
+    }
+    for (int i = first; i < first + size; ++i) {
+        if (std::find(path.begin(), path.end(), chain.edges[i]) == path.end())
+            change.close.push_back(chain.edges[i]);
+    }
+    if (change.open.empty())
+        change.close.clear();
+    return change;
+}
+
+//! A chain, or its end where it ends freely, closed.
+SeamChange SeamSearch::removeChange()
+{
+    SeamChange change;
+    const int edge = randomSeamEdge();
+    if (edge < 0)
+        return change;
+    SeamChain chain = chainOf(mState, edge);
+    const bool freeFirst = chain.endsFreely(mState, false), freeLast = chain.endsFreely(mState, true);
+    const int n = static_cast<int>(chain.edges.size());
+    if (!freeFirst && freeLast) {
+        std::reverse(chain.edges.begin(), chain.edges.end());
+        std::reverse(chain.vertices.begin(), chain.vertices.end());
+    }
+    const int size = (freeFirst || freeLast) && mRandom.uniform() < 0.6 ? 1 + mRandom.below(n) : n;
+    if (size > 80)
+        return change;
+    change.close.assign(chain.edges.begin(), chain.edges.begin() + size);
+    return change;
+}
+
+//! The end of a chain stays open and meets the seams elsewhere.
+SeamChange SeamSearch::regraftChange()
+{
+    SeamChange change;
+    const int edge = randomSeamEdge();
+    if (edge < 0)
+        return change;
+    const SeamChain chain = chainOf(mState, edge);
+    const int n = static_cast<int>(chain.edges.size());
+    if (n < 2)
+        return change;
+    // Closed from `first` on; the new path starts there.
+    const bool towardsLast =
+        chain.endsFreely(mState, false) || (!chain.endsFreely(mState, true) && mRandom.uniform() < 0.5);
+    const int middle = chain.endsFreely(mState, false) || chain.endsFreely(mState, true)
+                           ? mRandom.below(n)
+                           : 1 + mRandom.below(n - 1);
+    mPaths.clear();
+    double length = 0;
+    if (towardsLast) {
+        for (int i = middle; i < n; ++i)
+            change.close.push_back(chain.edges[i]);
+    } else {
+        for (int i = 0; i < n - middle; ++i)
+            change.close.push_back(chain.edges[i]);
+    }
+    if (change.close.size() > 60)
+        return {};
+    for (const int e : change.close)
+        length += mState.graph->cost[e];
+    const int from = towardsLast ? chain.vertices[middle] : chain.vertices[n - middle];
+    // Not along the part that stays, nor back to where it came from.
+    for (const int v : chain.vertices)
+        mPaths.block(v);
+    change.open = mPaths.find(from, -1, mRandom.uniform(0, 0.4), mRandom, 1.3 * length);
+    if (change.open.empty())
+        return {};
+    return change;
+}
+
+//! A new seam from a badly distorted place to the nearest one.
+SeamChange SeamSearch::addChange()
+{
+    SeamChange change;
+    const SeamGraph &graph = *mState.graph;
+    // The worst of some random triangles, by excess energy.
+    int worst = -1;
+    double most = 0;
+    for (int i = 0; i < 60; ++i) {
+        const int t = mRandom.below(graph.triangleCount());
+        const double excess = mState.triangleEnergy[t] - 4 * graph.soup->weight[t];
+        if (excess > most) {
+            most = excess;
+            worst = t;
+        }
+    }
+    if (worst < 0)
+        return change;
+    const int from = graph.vertex[3 * worst + mRandom.below(3)];
+    if (graph.border[from] || mState.cutsAt(from) > 0)
+        return change;
+    mPaths.clear();
+    change.open = mPaths.find(from, -1, mRandom.uniform(0, 0.4), mRandom, 1.5);
+    return change;
+}
+
+//! By how much the next change may make things worse, at random.
+double SeamSearch::heat()
+{
+    return -std::log(1 - mRandom.uniform()) * mHeat * mMu * mState.graph->soup->meanEdgeLength;
+}
+
+bool SeamSearch::tryLargeMove()
+{
+    const double kind = mRandom.uniform();
+    const Move move = kind < 0.6 ? Window : kind < 0.75 ? Remove : kind < 0.87 ? Regraft : Add;
+    const SeamChange change = move == Window    ? windowChange()
+                              : move == Remove  ? removeChange()
+                              : move == Regraft ? regraftChange()
+                                                : addChange();
+    const int edges = static_cast<int>(change.open.size() + change.close.size());
+    if (edges == 0)
+        return false;
+    const double before = mState.objective(mMu);
+    const int size = std::clamp(12 * edges, 200, 1000);
+    if (move == Window)
+        return attempt(move, change, size, 6, leastGain - heat());
+    const CutState saved = mState;
+    double moved = 0;
+    for (const int e : change.open)
+        moved += mState.graph->cost[e];
+    for (const int e : change.close)
+        moved += mState.graph->cost[e];
+    if (!attempt(move, change, size, 6, -promising * mMu * moved))
+        return false;
+    polish(2);
+    if (mState.objective(mMu) < before - leastGain + heat())
+        return true;
+    --counts[move].kept;
+    mState = saved;
+    mTrial.reset();
+    return false;
+}
+
+} // namespace autocuts

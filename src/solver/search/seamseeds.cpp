@@ -1,0 +1,254 @@
+#include "solver/search/seamseeds.h"
+
+#include "solver/random.h"
+#include "solver/search/seamchains.h"
+#include "solver/tutte.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace autocuts {
+
+namespace {
+
+//! A point is worth a path when the embedding shrinks its surroundings by this, natural logarithm of the
+//! area.
+constexpr double worthwhileShrinkage = 0.7;
+
+//! Distances over uncut edges from some points; -1 where nothing leads.
+std::vector<double> distances(const SeamGraph &graph, const std::vector<double> &cost,
+                              const std::vector<int> &from, std::vector<int> &via)
+{
+    std::vector<double> distance(graph.vertexCount, -1);
+    via.assign(graph.vertexCount, -1);
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    for (const int v : from) {
+        distance[v] = 0;
+        queue.emplace(0, v);
+    }
+    while (!queue.empty()) {
+        const auto [d, v] = queue.top();
+        queue.pop();
+        if (d > distance[v])
+            continue;
+        for (const int e : graph.edgesAt(v)) {
+            if (graph.rule[e] == SeamGraph::Rule::NeverCut)
+                continue;
+            const int w = graph.farEnd(e, v);
+            const double there = d + cost[e];
+            if (distance[w] < 0 || there < distance[w]) {
+                distance[w] = there;
+                via[w] = e;
+                queue.emplace(there, w);
+            }
+        }
+    }
+    return distance;
+}
+
+//! Edge costs with a random factor each and smooth noise, so that every seed takes other ways.
+std::vector<double> noisyCosts(const SeamGraph &graph, Random &random)
+{
+    const MeshData &mesh = *graph.soup->mesh;
+    std::array<Vec3, 6> wave;
+    std::array<double, 6> phase;
+    const double wavelength = graph.soup->scale;
+    for (int i = 0; i < 6; ++i) {
+        wave[i] =
+            Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)) * (6 * wavelength);
+        phase[i] = random.uniform(0, 6.283185307179586);
+    }
+    std::vector<double> cost(graph.cost.size());
+    for (std::size_t e = 0; e < cost.size(); ++e) {
+        const Vec3 p = mesh.cornerPosition(mesh.cornerOfSoup(mesh.edgePairs[e].corner[0][0]));
+        double noise = 0;
+        for (int i = 0; i < 6; ++i)
+            noise += std::sin(wave[i].dot(p) + phase[i]);
+        cost[e] = graph.cost[e] * std::exp(0.15 * noise + 0.2 * random.uniform(-1, 1)) + 1e-9;
+    }
+    return cost;
+}
+
+int farthest(const std::vector<double> &distance)
+{
+    return static_cast<int>(std::max_element(distance.begin(), distance.end()) - distance.begin());
+}
+
+//! Opens closed charts along a path and those with handles to disks.
+void openCharts(const SeamGraph &graph, const std::vector<double> &cost, Random &random, CutFlags &cut)
+{
+    const MeshData &mesh = *graph.soup->mesh;
+    const CutMesh state(mesh, cut);
+    // Euler characteristic and number of loops of each chart.
+    std::vector<int> euler(state.chartCount, 0), loops(state.chartCount, 0), first(state.chartCount, -1);
+    std::vector<bool> seen(state.uvVertexCount, false);
+    for (int side = 0; side < mesh.soupCornerCount(); ++side) {
+        const int c = state.chart[side / 3];
+        if (first[c] < 0)
+            first[c] = side;
+        if (side % 3 == 0)
+            ++euler[c];
+        if (state.neighbour[side] < side) // each edge once
+            --euler[c];
+        if (!seen[state.uvVertex[side]]) {
+            seen[state.uvVertex[side]] = true;
+            ++euler[c];
+        }
+    }
+    for (const std::vector<int> &loop : state.boundaryLoops())
+        ++loops[state.chart[loop.front() / 3]];
+    std::vector<bool> handles(state.chartCount, false);
+    bool anyHandles = false;
+    for (int c = 0; c < state.chartCount; ++c)
+        anyHandles |= handles[c] = euler[c] + loops[c] < 2;
+    if (anyHandles) {
+        const CutFlags disks = cutToDisks(mesh, cut);
+        for (std::size_t e = 0; e < cut.size(); ++e) {
+            if (handles[state.chart[mesh.edgePairs[e].triangle[0]]])
+                cut[e] = disks[e];
+        }
+    }
+    for (int c = 0; c < state.chartCount; ++c) {
+        if (loops[c] > 0 || handles[c])
+            continue;
+        std::vector<int> via;
+        int start = graph.vertex[first[c]];
+        const std::vector<double> around = distances(graph, cost, {start}, via);
+        // Some random point, so that the seeds differ.
+        std::vector<int> points;
+        for (int v = 0; v < graph.vertexCount; ++v) {
+            if (around[v] >= 0)
+                points.push_back(v);
+        }
+        start =
+            farthest(distances(graph, cost, {points[random.below(static_cast<int>(points.size()))]}, via));
+        int v = farthest(distances(graph, cost, {start}, via));
+        int edges = 0;
+        for (; v != start; v = graph.farEnd(via[v], v)) {
+            cut[via[v]] = true;
+            ++edges;
+        }
+        if (edges < 2) {
+            const CutFlags disks = cutToDisks(mesh, cut);
+            for (std::size_t e = 0; e < cut.size(); ++e) {
+                if (state.chart[mesh.edgePairs[e].triangle[0]] == c)
+                    cut[e] = disks[e];
+            }
+        }
+    }
+}
+
+//! Paths that join the borders of each chart to its longest one, nearest first.
+void joinBorders(const SeamGraph &graph, const std::vector<double> &cost, CutFlags &cut)
+{
+    const MeshData &mesh = *graph.soup->mesh;
+    const CutMesh state(mesh, cut);
+    std::vector<int> loopOf(graph.vertexCount, -1);
+    const std::vector<std::vector<int>> loops = state.boundaryLoops();
+    std::vector<int> longest(state.chartCount, -1);
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        int &l = longest[state.chart[loops[i].front() / 3]];
+        if (l < 0 || loops[i].size() > loops[l].size())
+            l = static_cast<int>(i);
+        for (const int side : loops[i])
+            loopOf[graph.vertex[side]] = static_cast<int>(i);
+    }
+    std::vector<bool> joined(loops.size(), false);
+    for (int c = 0; c < state.chartCount; ++c) {
+        if (longest[c] >= 0)
+            joined[longest[c]] = true;
+    }
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        if (joined[i])
+            continue;
+        // From all of the loop at once: any of its points is as good as another.
+        std::vector<int> from;
+        for (const int side : loops[i])
+            from.push_back(graph.vertex[side]);
+        std::vector<int> via;
+        const std::vector<double> distance = distances(graph, cost, from, via);
+        int nearest = -1;
+        for (int v = 0; v < graph.vertexCount; ++v) {
+            if (loopOf[v] >= 0 && joined[loopOf[v]] && distance[v] >= 0 &&
+                (nearest < 0 || distance[v] < distance[nearest]))
+                nearest = v;
+        }
+        joined[i] = true;
+        for (int v = nearest; v >= 0 && via[v] >= 0; v = graph.farEnd(via[v], v))
+            cut[via[v]] = true;
+    }
+}
+
+//! Per point of the surface: logarithm of its area over that in the embedding.
+std::vector<double> shrinkage(const SeamGraph &graph, const std::vector<double> &x)
+{
+    const Soup &soup = *graph.soup;
+    std::vector<double> area(graph.vertexCount, 0), mapped(graph.vertexCount, 0);
+    for (int t = 0; t < soup.triangleCount(); ++t) {
+        const double share = std::max(jacobianDeterminant(soup, x.data(), t), 0.0) * soup.weight[t];
+        for (int k = 0; k < 3; ++k) {
+            area[graph.vertex[3 * t + k]] += soup.weight[t];
+            mapped[graph.vertex[3 * t + k]] += share;
+        }
+    }
+    for (int v = 0; v < graph.vertexCount; ++v)
+        area[v] = std::log(area[v] / std::max(mapped[v], 1e-300));
+    return area;
+}
+
+} // namespace
+
+std::vector<char> fewCuts(const SeamGraph &graph, const SeedOptions &options)
+{
+    const MeshData &mesh = *graph.soup->mesh;
+    Random random(options.seed * 7919 + 1);
+    const std::vector<double> cost = noisyCosts(graph, random);
+    CutFlags cut(mesh.edgePairs.size());
+    for (std::size_t e = 0; e < cut.size(); ++e)
+        cut[e] = graph.rule[e] == SeamGraph::Rule::AlwaysCut;
+    openCharts(graph, cost, random, cut);
+    if (options.joinBorders)
+        joinBorders(graph, cost, cut);
+
+    const auto stopped = [&] { return options.stop && options.stop->load(std::memory_order_relaxed); };
+    for (int added = 0; added < options.paths && !stopped(); ++added) {
+        const CutMesh state(mesh, cut);
+        const std::vector<double> shrunk = shrinkage(graph, tutteEmbedding(*graph.soup, state));
+        std::vector<bool> onSeam = graph.border;
+        for (std::size_t e = 0; e < cut.size(); ++e) {
+            if (cut[e])
+                onSeam[graph.ends[e][0]] = onSeam[graph.ends[e][1]] = true;
+        }
+        std::vector<int> worst(state.chartCount, -1);
+        for (int c = 0; c < mesh.soupCornerCount(); ++c) {
+            int &w = worst[state.chart[c / 3]];
+            const int v = graph.vertex[c];
+            if (!onSeam[v] && shrunk[v] > worthwhileShrinkage && (w < 0 || shrunk[v] > shrunk[w]))
+                w = v;
+        }
+        bool any = false;
+        for (const int v : worst) {
+            if (v < 0)
+                continue;
+            std::vector<int> via;
+            const std::vector<double> distance = distances(graph, cost, {v}, via);
+            int nearest = -1;
+            for (int w = 0; w < graph.vertexCount; ++w) {
+                if (onSeam[w] && distance[w] >= 0 && (nearest < 0 || distance[w] < distance[nearest]))
+                    nearest = w;
+            }
+            if (nearest < 0)
+                continue;
+            any = true;
+            for (int w = nearest; w != v; w = graph.farEnd(via[w], w))
+                cut[via[w]] = true;
+        }
+        if (!any)
+            break;
+    }
+    return {cut.begin(), cut.end()};
+}
+
+} // namespace autocuts

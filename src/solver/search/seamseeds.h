@@ -1,0 +1,26 @@
+// Maps to start a seam search from: few cuts, found by what a map to the disk shrinks most.
+#pragma once
+
+#include "solver/search/cutstate.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace autocuts {
+
+struct SeedOptions
+{
+    int paths = 12;           //!< seams added to each chart at most
+    bool joinBorders = false; //!< first of all, paths between the borders of each chart
+    std::uint64_t seed = 1;   //!< of the random factors on the lengths of the edges
+    const std::atomic<bool> *stop = nullptr;
+};
+
+//! Cuts closed charts open along a path between two far points, charts with handles to disks, then adds path
+//! after path from the point that Tutte's embedding shrinks most to the nearest seam or border.
+//! \returns cut flags; what the user cut is cut, what the user joined is not cut but where handles need it
+std::vector<char> fewCuts(const SeamGraph &graph, const SeedOptions &options);
+
+} // namespace autocuts

@@ -1,0 +1,386 @@
+#include "solver/search/seamtrial.h"
+
+#include "model/unionfind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace autocuts {
+
+namespace {
+
+constexpr double impossible = -std::numeric_limits<double>::infinity();
+//! A closed patch must not start from triangles flatter than this.
+constexpr double smallestStart = 0.02;
+constexpr double firstSpring = 0.3;
+constexpr int springLevels = 5;
+constexpr int stepsPerSpring = 3;
+//! Share of the whole that a chart must have.
+constexpr double smallestChart = 0.005;
+constexpr int guardedSteps = 10;
+
+//! Least-squares rigid motion of `moving` onto `fixed`.
+class RigidFit
+{
+public:
+    void add(const Vec2 &fixed, const Vec2 &moving)
+    {
+        mFixed.push_back(fixed);
+        mMoving.push_back(moving);
+    }
+    bool empty() const { return mFixed.empty(); }
+    void fit()
+    {
+        Vec2 a = Vec2::Zero(), b = Vec2::Zero();
+        for (std::size_t i = 0; i < mFixed.size(); ++i) {
+            a += mFixed[i];
+            b += mMoving[i];
+        }
+        a /= double(mFixed.size());
+        b /= double(mFixed.size());
+        double dot = 0, cross = 0;
+        for (std::size_t i = 0; i < mFixed.size(); ++i) {
+            const Vec2 u = mMoving[i] - b, v = mFixed[i] - a;
+            dot += u.dot(v);
+            cross += u.x() * v.y() - u.y() * v.x();
+        }
+        const double length = std::hypot(dot, cross);
+        mCos = length > 0 ? dot / length : 1;
+        mSin = length > 0 ? cross / length : 0;
+        mShift = a - turn(b);
+    }
+    Vec2 apply(const Vec2 &p) const { return turn(p) + mShift; }
+
+private:
+    Vec2 turn(const Vec2 &p) const { return {mCos * p.x() - mSin * p.y(), mSin * p.x() + mCos * p.y()}; }
+
+    std::vector<Vec2> mFixed, mMoving;
+    double mCos = 1, mSin = 0;
+    Vec2 mShift = Vec2::Zero();
+};
+
+} // namespace
+
+SeamTrial::SeamTrial(CutState &state) : mState(state), mPatch(state.graph), mX(state.x) {}
+
+bool SeamTrial::mayChange(const SeamChange &change) const
+{
+    const auto &rule = mState.graph->rule;
+    for (const int e : change.open) {
+        if (mState.cut[e] || rule[e] == SeamGraph::Rule::NeverCut)
+            return false;
+    }
+    for (const int e : change.close) {
+        if (!mState.cut[e] || rule[e] == SeamGraph::Rule::AlwaysCut)
+            return false;
+    }
+    return true;
+}
+
+void SeamTrial::setFlags(const std::vector<int> &edges, bool cut)
+{
+    for (const int e : edges)
+        mState.cut[e] = cut;
+}
+
+//! A cut edge that touches no other and no border is no seam: closes those left over. \pre flags are set
+void SeamTrial::closeLoneEdges(std::vector<int> &close) const
+{
+    const SeamGraph &graph = *mState.graph;
+    const std::size_t given = close.size();
+    for (std::size_t i = 0; i < given; ++i) {
+        for (const int v : graph.ends[close[i]]) {
+            for (const int e : graph.edgesAt(v)) {
+                if (!mState.cut[e] || graph.rule[e] == SeamGraph::Rule::AlwaysCut)
+                    continue;
+                const auto [a, b] = graph.ends[e];
+                if (!graph.border[a] && !graph.border[b] && mState.cutsAt(a) == 1 && mState.cutsAt(b) == 1 &&
+                    std::find(close.begin(), close.end(), e) == close.end())
+                    close.push_back(e);
+            }
+        }
+    }
+}
+
+std::vector<int> SeamTrial::seedsOf(const SeamChange &change) const
+{
+    const MeshData &mesh = *mState.graph->soup->mesh;
+    std::vector<int> seeds;
+    for (const std::vector<int> *edges : {&change.close, &change.open}) {
+        for (const int e : *edges)
+            seeds.insert(seeds.end(), mesh.edgePairs[e].triangle.begin(), mesh.edgePairs[e].triangle.end());
+    }
+    return seeds;
+}
+
+bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
+{
+    mLastGain = impossible;
+    if (!mayChange(asked))
+        return false;
+    SeamChange change = asked;
+    const std::vector<double> oldCharts = mState.chartArea;
+    mTopologyChanged = false;
+    setFlags(change.open, true);
+    setFlags(change.close, false);
+    closeLoneEdges(change.close);
+    setFlags(change.close, false);
+    double costGain = 0;
+    for (const int e : change.close)
+        costGain += mState.graph->cost[e];
+    for (const int e : change.open)
+        costGain -= mState.graph->cost[e];
+    mPatch.select(mState, seedsOf(change), terms.patchSize);
+    double before = 0;
+    for (const int t : mPatch.triangles())
+        before += mState.triangleEnergy[t];
+
+    bool accepted = false;
+    if (change.close.empty() ? mPatch.join(mState, mState.x) : closeGaps(change.close)) {
+        const double after = solve(change, terms, before, costGain);
+        mLastGain = before - after + terms.mu * costGain;
+        const bool fits = after <= before || mState.energy + after - before <= terms.ceiling;
+        accepted = fits && mLastGain > terms.minGain && (change.open.empty() || keepsCharts(oldCharts));
+    }
+    if (accepted) {
+        keep();
+        if (!mTopologyChanged)
+            mState.updateTopology();
+        mTopologyChanged = true;
+        if (terms.guarded && (!mState.loopsAreInOrder() || mState.boundariesOverlap(mPatch.triangles()))) {
+            undo();
+            accepted = false;
+        }
+    }
+    if (accepted) {
+        if (mState.chartCount() > static_cast<int>(oldCharts.size())) {
+            mState.spreadCharts();
+            mX = mState.x;
+        }
+    } else {
+        setFlags(change.open, false);
+        setFlags(change.close, true);
+        if (mTopologyChanged)
+            mState.updateTopology();
+    }
+    for (const int t : mPatch.triangles())
+        std::copy_n(&mState.x[6 * static_cast<std::size_t>(t)], 6, &mX[6 * static_cast<std::size_t>(t)]);
+    return accepted;
+}
+
+//! Takes the patch over.
+void SeamTrial::keep()
+{
+    mOldX.clear();
+    mOldEnergy.clear();
+    for (const int t : mPatch.triangles()) {
+        const auto first = mState.x.begin() + 6 * static_cast<std::ptrdiff_t>(t);
+        mOldX.insert(mOldX.end(), first, first + 6);
+        mOldEnergy.push_back(mState.triangleEnergy[t]);
+    }
+    mOldSum = mState.energy;
+    mPatch.commit(mState);
+}
+
+//! Takes back what keep() did.
+void SeamTrial::undo()
+{
+    for (std::size_t i = 0; i < mOldEnergy.size(); ++i) {
+        const int t = mPatch.triangles()[i];
+        std::copy_n(&mOldX[6 * i], 6, &mState.x[6 * static_cast<std::size_t>(t)]);
+        mState.triangleEnergy[t] = mOldEnergy[i];
+    }
+    mState.energy = mOldSum;
+}
+
+//! Newton on the joined patch; the energy that it ends with, infinite when the change is not allowed.
+double SeamTrial::solve(const SeamChange &change, const TrialTerms &terms, double before, double costGain)
+{
+    if (terms.guarded)
+        mPatch.partSides(change.open);
+    PatchLimits limits;
+    limits.steps = terms.steps;
+    limits.hopeless = before + terms.mu * costGain - terms.minGain;
+    limits.tolerance = 1e-6;
+    mPatch.minimize(limits);
+    const double after = mPatch.energy();
+    if (!(after < limits.hopeless) || !terms.guarded || !mPatch.crossesItself())
+        return after;
+    // The free way leads over itself: once more from the start with contacts barred.
+    if (!mPatch.join(mState, mX))
+        return std::numeric_limits<double>::infinity();
+    mPatch.partSides(change.open);
+    if (mPatch.crossesItself())
+        return std::numeric_limits<double>::infinity();
+    limits.guarded = true;
+    limits.steps = guardedSteps;
+    mPatch.minimize(limits);
+    return mPatch.energy();
+}
+
+//! Brings the two sides of edges together. \pre the edges are flagged as not cut
+//! \returns false when the patch cannot be closed without a fold; else mX is where to start and the patch is
+//! joined there
+bool SeamTrial::closeGaps(const std::vector<int> &close)
+{
+    setFlags(close, true);
+    const bool apart = mPatch.join(mState, mState.x);
+    if (apart)
+        alignPieces(close);
+    setFlags(close, false);
+    if (!apart)
+        return false;
+    if (mPatch.join(mState, mX) && mPatch.smallestDeterminant() > smallestStart)
+        return true;
+    setFlags(close, true);
+    mPatch.join(mState, mX);
+    mPatch.addSprings(close);
+    double stiffness = firstSpring;
+    for (int level = 0; level < springLevels; ++level, stiffness *= 10) {
+        mPatch.setStiffness(stiffness);
+        PatchLimits limits;
+        limits.steps = stepsPerSpring;
+        limits.tolerance = 1e-5;
+        mPatch.minimize(limits);
+        mPatch.store(mX);
+        setFlags(close, false);
+        if (mPatch.join(mState, mX) && mPatch.smallestDeterminant() > smallestStart)
+            return true;
+        if (level + 1 == springLevels)
+            break;
+        setFlags(close, true);
+        mPatch.join(mState, mX);
+        mPatch.addSprings(close);
+    }
+    return false;
+}
+
+//! Moves the pieces of the patch that nothing holds rigidly to where their edges will be closed.
+//! \pre the edges are flagged as cut
+void SeamTrial::alignPieces(const std::vector<int> &close)
+{
+    const SeamGraph &graph = *mState.graph;
+    const MeshData &mesh = *graph.soup->mesh;
+    const std::vector<int> &triangles = mPatch.triangles();
+    const int count = static_cast<int>(triangles.size());
+    UnionFind pieces(count);
+    std::vector<char> heldAt(count, 0);
+    for (int i = 0; i < count; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            const int side = 3 * triangles[i] + k;
+            if (mState.isCutSide(side))
+                continue;
+            const int other = mPatch.localOf(graph.across[side] / 3);
+            if (other < 0)
+                heldAt[i] = 1;
+            else
+                pieces.unite(i, other);
+        }
+    }
+    const auto [piece, pieceCount] = pieces.labels();
+    if (pieceCount < 2)
+        return;
+    std::vector<char> settled(pieceCount, 0);
+    std::vector<int> size(pieceCount, 0);
+    for (int i = 0; i < count; ++i) {
+        settled[piece[i]] |= heldAt[i];
+        ++size[piece[i]];
+    }
+    if (std::find(settled.begin(), settled.end(), 1) == settled.end())
+        settled[std::max_element(size.begin(), size.end()) - size.begin()] = 1;
+    const auto at = [this](int corner) {
+        return Vec2(mX[2 * static_cast<std::size_t>(corner)], mX[2 * static_cast<std::size_t>(corner) + 1]);
+    };
+    for (bool again = true; again;) {
+        again = false;
+        for (int p = 0; p < pieceCount; ++p) {
+            if (settled[p])
+                continue;
+            RigidFit fit;
+            for (const int e : close) {
+                const EdgePair &pair = mesh.edgePairs[e];
+                for (int which = 0; which < 2; ++which) {
+                    const int moving = mPatch.localOf(pair.triangle[which]);
+                    const int fixed = mPatch.localOf(pair.triangle[1 - which]);
+                    if (piece[moving] != p || !settled[piece[fixed]])
+                        continue;
+                    for (int end = 0; end < 2; ++end)
+                        fit.add(at(pair.corner[end][1 - which]), at(pair.corner[end][which]));
+                }
+            }
+            if (fit.empty())
+                continue;
+            fit.fit();
+            settled[p] = 1;
+            again = true;
+            for (int i = 0; i < count; ++i) {
+                if (piece[i] != p)
+                    continue;
+                for (int c = 3 * triangles[i]; c < 3 * triangles[i] + 3; ++c) {
+                    const Vec2 q = fit.apply(at(c));
+                    mX[2 * static_cast<std::size_t>(c)] = q.x();
+                    mX[2 * static_cast<std::size_t>(c) + 1] = q.y();
+                }
+            }
+        }
+    }
+}
+
+//! False when opening edges has split off a chart that is too small to keep.
+bool SeamTrial::keepsCharts(const std::vector<double> &old)
+{
+    mTopologyChanged = true;
+    mState.updateTopology();
+    const auto smallest = [](const std::vector<double> &area) {
+        return *std::min_element(area.begin(), area.end());
+    };
+    return mState.chartCount() <= static_cast<int>(old.size()) ||
+           smallest(mState.chartArea) >= std::min(smallestChart, smallest(old));
+}
+
+void SeamTrial::relax(const std::vector<int> &seeds, int size, int steps, bool guarded)
+{
+    mPatch.select(mState, seeds, size);
+    mPatch.join(mState, mState.x);
+    PatchLimits limits;
+    limits.steps = steps;
+    limits.guarded = false;
+    mPatch.minimize(limits);
+    if (guarded && mPatch.crossesItself()) {
+        mPatch.join(mState, mState.x);
+        limits.guarded = true;
+        mPatch.minimize(limits);
+    }
+    keep();
+    if (guarded && mState.boundariesOverlap(mPatch.triangles()))
+        undo();
+    for (const int t : mPatch.triangles())
+        std::copy_n(&mState.x[6 * static_cast<std::size_t>(t)], 6, &mX[6 * static_cast<std::size_t>(t)]);
+}
+
+double SeamTrial::relaxAll(int steps, bool guarded)
+{
+    const double before = mState.energy;
+    mPatch.selectAll();
+    mPatch.join(mState, mState.x);
+    PatchLimits limits;
+    limits.steps = steps;
+    limits.tolerance = 1e-6;
+    mPatch.minimize(limits);
+    if (guarded && mPatch.crossesItself()) {
+        mPatch.join(mState, mState.x);
+        limits.guarded = true;
+        mPatch.minimize(limits);
+    }
+    mPatch.store(mState.x);
+    if (guarded && (!mState.loopsAreInOrder() || mState.boundariesOverlap())) {
+        mState.x = mX;
+        return 0;
+    }
+    mState.updateEnergy();
+    mX = mState.x;
+    return before - mState.energy;
+}
+
+} // namespace autocuts

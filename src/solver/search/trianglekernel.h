@@ -1,0 +1,91 @@
+// Symmetric Dirichlet energy of one triangle, in closed form (Smith, de Goes and Kim 2019).
+#pragma once
+
+#include "solver/soup.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace autocuts {
+
+//! Energy density at the corners p (u, v each); 4 at an isometry, infinite when turned over.
+inline double triangleEnergy(const double *p, const Soup::Basis &b)
+{
+    const double j00 = p[0] * b[0] + p[2] * b[2] + p[4] * b[4];
+    const double j01 = p[0] * b[1] + p[2] * b[3] + p[4] * b[5];
+    const double j10 = p[1] * b[0] + p[3] * b[2] + p[5] * b[4];
+    const double j11 = p[1] * b[1] + p[3] * b[3] + p[5] * b[5];
+    const double det = j00 * j11 - j01 * j10;
+    if (!(det > 0))
+        return std::numeric_limits<double>::infinity();
+    const double squares = j00 * j00 + j01 * j01 + j10 * j10 + j11 * j11;
+    return squares + squares / (det * det);
+}
+
+//! Gradient and positive semidefinite Hessian, both times `weight`: 6 numbers, and the lower triangle of 6 x
+//! 6 row by row. \pre the triangle is not turned over
+inline void triangleDerivatives(const double *p, const Soup::Basis &b, double weight, double *gradient,
+                                double *hessian)
+{
+    const double j00 = p[0] * b[0] + p[2] * b[2] + p[4] * b[4];
+    const double j01 = p[0] * b[1] + p[2] * b[3] + p[4] * b[5];
+    const double j10 = p[1] * b[0] + p[3] * b[2] + p[5] * b[4];
+    const double j11 = p[1] * b[1] + p[3] * b[3] + p[5] * b[5];
+    const double e = 0.5 * (j00 + j11), f = 0.5 * (j00 - j11);
+    const double g = 0.5 * (j10 + j01), h = 0.5 * (j10 - j01);
+    const double q = std::sqrt(e * e + h * h), r = std::sqrt(f * f + g * g);
+    const double s1 = q + r;
+    const double s2 = (j00 * j11 - j01 * j10) / s1; // q - r without its loss of digits
+    const double i1 = 1 / s1, i2 = 1 / s2;
+    const double c1 = i1 * i1 * i1, c2 = i2 * i2 * i2;
+    const double g1 = weight * 2 * (s1 - c1), g2 = weight * 2 * (s2 - c2);
+    const double h1 = weight * (2 + 6 * c1 * i1), h2 = weight * (2 + 6 * c2 * i2);
+    const double twist = std::max(0.0, (g1 + g2) / (s1 + s2));
+    const double flip = weight * 2 * (1 + (s1 * s1 + s1 * s2 + s2 * s2) * c1 * c2);
+    const double iq = 1 / q;
+    const double re = e * iq, rh = h * iq;
+    const double ir = r > 0 ? 1 / r : 0;
+    const double sf = r > 0 ? f * ir : 1, sg = g * ir;
+    constexpr double root = 0.70710678118654752440;
+    const std::array<std::array<double, 4>, 4> mode{
+        {{0.5 * (re + sf), 0.5 * (sg - rh), 0.5 * (rh + sg), 0.5 * (re - sf)},
+         {0.5 * (re - sf), 0.5 * (-rh - sg), 0.5 * (rh - sg), 0.5 * (re + sf)},
+         {-root * rh, -root * re, root * re, -root * rh},
+         {-root * sg, root * sf, root * sf, root * sg}}};
+    const std::array<double, 4> curvature{h1, h2, twist, flip};
+    // First in the four entries of the Jacobian, then spread to the corners.
+    double m[4][4];
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            double sum = 0;
+            for (int k = 0; k < 4; ++k)
+                sum += curvature[k] * mode[k][i] * mode[k][j];
+            m[i][j] = m[j][i] = sum;
+        }
+    }
+    const double d00 = g1 * mode[0][0] + g2 * mode[1][0], d01 = g1 * mode[0][1] + g2 * mode[1][1];
+    const double d10 = g1 * mode[0][2] + g2 * mode[1][2], d11 = g1 * mode[0][3] + g2 * mode[1][3];
+    for (int k = 0; k < 3; ++k) {
+        gradient[2 * k] = d00 * b[2 * k] + d01 * b[2 * k + 1];
+        gradient[2 * k + 1] = d10 * b[2 * k] + d11 * b[2 * k + 1];
+    }
+    int at = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double x = b[2 * k], y = b[2 * k + 1];
+        double row[2][4];
+        for (int j = 0; j < 4; ++j) {
+            row[0][j] = x * m[0][j] + y * m[1][j];
+            row[1][j] = x * m[2][j] + y * m[3][j];
+        }
+        for (int i = 0; i < 2; ++i) {
+            for (int l = 0; l <= k; ++l) {
+                hessian[at++] = row[i][0] * b[2 * l] + row[i][1] * b[2 * l + 1];
+                if (l < k || i == 1)
+                    hessian[at++] = row[i][2] * b[2 * l] + row[i][3] * b[2 * l + 1];
+            }
+        }
+    }
+}
+
+} // namespace autocuts
