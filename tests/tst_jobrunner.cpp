@@ -113,36 +113,41 @@ private Q_SLOTS:
         QVERIFY(!called);
     }
 
-    void aJobThatDoesNotEndSoonGivesWhatItKept()
+    void aCancelledJobKeepsNobodyWaiting()
     {
         JobRunner runner;
-        QSignalSpy failed(&runner, &JobRunner::failed);
         std::atomic<bool> release = false;
-        bool done = false;
-        int used = 0;
-        const auto stubborn = [&release](JobControl &control, const std::function<void()> &use) {
-            if (use)
-                control.setSoFar(use);
+        const auto stubborn = [&release](JobControl &control) {
             control.setProgress(0.5);
             while (!release)
                 QThread::msleep(1);
-            return 0;
+            return 1;
         };
-        for (const bool keeps : {true, false}) {
+        int late = 0, next = 0;
+        const auto begin = [&] {
             release = false;
-            const std::function<void()> use = keeps ? std::function<void()>([&] { ++used; }) : nullptr;
-            QVERIFY(runner.start(
-                QStringLiteral("Thinking"), [=](JobControl &control) { return stubborn(control, use); },
-                [&](int) { done = true; }));
+            QVERIFY(runner.start(QStringLiteral("Thinking"), stubborn, [&](int value) { late += value; }));
             QTRY_COMPARE_WITH_TIMEOUT(runner.progress(), 0.5, patience);
             runner.cancel();
+            QVERIFY(runner.isBusy());
             QTRY_VERIFY_WITH_TIMEOUT(!runner.isBusy(), patience);
-            release = true;
-        }
-        QCOMPARE(used, 1);
-        QCOMPARE(failed.count(), 1);
+        };
+        // What it has is used when it comes ...
+        begin();
+        QCOMPARE(late, 0);
+        release = true;
+        QTRY_COMPARE_WITH_TIMEOUT(late, 1, patience);
+        // ... unless something else was begun, or it is not wanted any more.
+        begin();
+        runner.start(
+            QStringLiteral("Next"), [](JobControl &) { return 1; }, [&](int value) { next = value; });
+        release = true;
+        QTRY_COMPARE_WITH_TIMEOUT(next, 1, patience);
+        begin();
+        runner.abandon();
+        release = true;
         QTest::qWait(50);
-        QVERIFY(!done);
+        QCOMPARE(late, 1);
     }
 
     void anExceptionBecomesAMessage()

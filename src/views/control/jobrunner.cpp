@@ -4,6 +4,7 @@
 #include <QThread>
 #include <QTimer>
 
+#include <algorithm>
 #include <exception>
 #include <new>
 
@@ -55,12 +56,6 @@ void JobControl::setStage(const QString &text)
         mShowStage(text);
 }
 
-void JobControl::setSoFar(std::function<void()> use)
-{
-    const std::lock_guard lock(mMutex);
-    mSoFar = std::move(use);
-}
-
 JobRunner::JobRunner(OnCancel onCancel, QObject *parent) : QObject(parent), mOnCancel(onCancel) {}
 
 JobRunner::~JobRunner() = default;
@@ -75,6 +70,8 @@ bool JobRunner::startJob(const QString &title, std::function<void(JobControl &)>
 {
     if (mControl)
         return false;
+    for (LetGo &job : mLetGo)
+        job.done = nullptr;
     mControl = std::make_shared<JobControl>();
     mControl->mShowStage = [this, job = mControl.get()](const QString &text) {
         QMetaObject::invokeMethod(
@@ -103,7 +100,12 @@ bool JobRunner::startJob(const QString &title, std::function<void(JobControl &)>
 void JobRunner::jobEnded(Thread *thread)
 {
     if (thread != mThread.get()) {
-        std::erase_if(mLetGo, [thread](const auto &other) { return other.get() == thread; });
+        const auto job = std::find_if(mLetGo.begin(), mLetGo.end(),
+                                      [thread](const LetGo &other) { return other.thread.get() == thread; });
+        const LetGo ended = std::move(*job);
+        mLetGo.erase(job);
+        if (ended.done && ended.thread->error().isEmpty())
+            ended.done();
         return;
     }
     const std::unique_ptr<Thread> ended = std::move(mThread);
@@ -124,35 +126,32 @@ void JobRunner::cancel()
     if (!mControl || mControl->mStop)
         return;
     mControl->mStop = true;
-    QTimer::singleShot(cancelPatience, this, [this, control = mControl.get()] { loseCancelled(control); });
+    QTimer::singleShot(cancelPatience, this, [this, control = mControl.get()] { releaseCancelled(control); });
 }
 
-void JobRunner::loseCancelled(const JobControl *control)
+void JobRunner::releaseCancelled(const JobControl *control)
 {
-    if (mControl.get() != control)
-        return;
-    std::function<void()> use;
-    {
-        const std::lock_guard lock(mControl->mMutex);
-        use = std::exchange(mControl->mSoFar, nullptr);
-    }
-    const QString title = mTitle;
-    abandon();
-    if (use)
-        use();
-    else
-        Q_EMIT failed(tr("%1 was cancelled: nothing was changed").arg(title));
+    if (mControl.get() == control)
+        letGo(std::exchange(mDone, nullptr));
 }
 
 void JobRunner::abandon()
 {
+    for (LetGo &job : mLetGo)
+        job.done = nullptr;
     if (!mControl)
         return;
     mControl->mStop = true;
+    letGo(nullptr);
+}
+
+//! \param done called when the job ends, or null
+void JobRunner::letGo(std::function<void()> done)
+{
     mControl.reset();
     mDone = nullptr;
     mStage.clear();
-    mLetGo.push_back(std::move(mThread));
+    mLetGo.push_back({std::move(mThread), std::move(done)});
     Q_EMIT busyChanged();
 }
 

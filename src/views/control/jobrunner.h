@@ -7,7 +7,6 @@
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -23,9 +22,6 @@ public:
     void setProgress(double fraction) { mFraction = fraction; }
     //! What the job does at the moment. \param text translated
     void setStage(const QString &text);
-    //! Keeps something usable that was found so far. \param use called on the GUI thread when the job is
-    //! cancelled and does not end soon
-    void setSoFar(std::function<void()> use);
 
 private:
     friend class JobRunner;
@@ -33,8 +29,6 @@ private:
     std::atomic<bool> mStop = false;
     std::atomic<double> mFraction = -1;
     std::function<void(const QString &)> mShowStage;
-    std::mutex mMutex;
-    std::function<void()> mSoFar;
 };
 
 //! Runs jobs on a thread of its own. Work gets copies of what it needs and never sees the document; what it
@@ -44,11 +38,11 @@ class JobRunner final : public QObject
     Q_OBJECT
 
 public:
-    //! A cancelled job that has not ended by then is let go.
-    static constexpr int cancelPatience = 150; //!< milliseconds
+    //! Milliseconds after which a cancelled job that has not ended yet does not keep anybody from going on.
+    static constexpr int cancelPatience = 150;
 
-    //! What cancel() does with a job: asks it to end with what it has (and when it does not end soon takes what
-    //! it has kept so far), or lets it go at once, for work that cannot be told to stop.
+    //! What cancel() does with a job: asks it to end with what it has, which when it comes late is used all
+    //! the same unless another job has begun; or lets it go at once, for work that cannot be told to stop.
     enum class OnCancel { EndSoon, LetGo };
 
     explicit JobRunner(OnCancel onCancel = OnCancel::EndSoon, QObject *parent = nullptr);
@@ -89,8 +83,7 @@ Q_SIGNALS:
     void busyChanged();
     //! About 20 times a second while a job tells its progress.
     void progressChanged();
-    //! A job ended with an exception, or was cancelled before it had anything usable. \param message
-    //! translated, one line
+    //! A job ended with an exception. \param message translated, one line
     void failed(const QString &message);
 
 private:
@@ -98,14 +91,22 @@ private:
 
     bool startJob(const QString &title, std::function<void(JobControl &)> work, std::function<void()> done);
     void jobEnded(Thread *thread);
-    void loseCancelled(const JobControl *control);
+    void releaseCancelled(const JobControl *control);
+    void letGo(std::function<void()> done);
 
     OnCancel mOnCancel;
     QString mTitle, mStage;
     std::shared_ptr<JobControl> mControl; //!< of the job that runs
     std::unique_ptr<Thread> mThread;
-    std::vector<std::unique_ptr<Thread>> mLetGo; //!< that have not ended yet
     std::function<void()> mDone;
+
+    //! A job that nobody waits for.
+    struct LetGo
+    {
+        std::unique_ptr<Thread> thread;
+        std::function<void()> done; //!< null: the result is thrown away
+    };
+    std::vector<LetGo> mLetGo;
 };
 
 } // namespace autocuts
