@@ -39,14 +39,28 @@ OptimizeEffort effortFor(UnwrapQuality quality)
     throw std::invalid_argument("unwrap: unknown quality");
 }
 
+//! True when the surface is more than one piece without handles and with one border at most: then the few
+//! cuts that the search starts from are many, and the soup may know better.
+bool isComplicated(const MeshData &mesh)
+{
+    const CutMesh whole(mesh, CutFlags(mesh.edgePairs.size(), false));
+    const int loops = static_cast<int>(whole.boundaryLoops().size());
+    const int edges = static_cast<int>(mesh.edgePairs.size() + mesh.boundarySides.size());
+    const int euler = whole.uvVertexCount - edges + mesh.triangleCount();
+    return whole.chartCount > 1 || loops > 1 || euler + loops < 2;
+}
+
+//! \param other a map found otherwise, to start from as well
 std::optional<Candidate> searchedMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                                     const UnwrapOptions &options, Ranking &ranking,
-                                     const std::atomic<bool> *stop, int &iterations)
+                                     const UnwrapOptions &options, const std::optional<Candidate> &other,
+                                     Ranking &ranking, const std::atomic<bool> *stop, int &iterations)
 {
     OptimizeOptions search;
     search.maxDistortion = options.maxDistortion;
     search.allowOverlaps = options.allowOverlaps;
     search.effort = effortFor(options.quality);
+    if (other)
+        search.given.push_back(other->map);
     search.seed = snapshot.settings.seed;
     search.threads = options.threads;
     search.stop = stop;
@@ -163,17 +177,30 @@ UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options, cons
         return std::move(*large);
     Ranking ranking(options, progress);
     UnwrapResult result;
+    const bool search = canSearch(snapshot, options);
+    const auto soupMap = [&](UnwrapQuality quality) {
+        UnwrapOptions how = options;
+        how.quality = quality;
+        return bestOfSoupChains(snapshot, how, ranking, stop, result.iterations);
+    };
     std::optional<Candidate> best;
-    if (canSearch(snapshot, options))
-        best = searchedMap(soup, snapshot, options, ranking, stop, result.iterations);
-    const bool stopped = stop && stop->load();
-    const bool fits = best && (options.lambda || best->distortion <= options.maxDistortion);
-    // The soup also starts from a given map, and from anything.
-    if (!best || (!stopped && (!fits || snapshot.settings.start == StartMode::ExistingUv))) {
-        std::optional<Candidate> other =
-            bestOfSoupChains(snapshot, options, ranking, stop, result.iterations);
-        if (other && (!best || ranking.better(*other, *best)))
-            best = std::move(other);
+    // The soup starts from a given map, and from anything.
+    const bool given = snapshot.settings.start == StartMode::ExistingUv;
+    if (!search)
+        best = soupMap(options.quality);
+    else if (given || options.quality == UnwrapQuality::Best || isComplicated(*snapshot.mesh))
+        best = soupMap(UnwrapQuality::Draft);
+    if (search) {
+        std::optional<Candidate> found =
+            searchedMap(soup, snapshot, options, best, ranking, stop, result.iterations);
+        if (!best || (found && ranking.better(*found, *best)))
+            best = std::move(found);
+        const bool stopped = stop && stop->load();
+        if (!best || (!stopped && best->distortion > options.maxDistortion)) {
+            found = soupMap(options.quality);
+            if (!best || (found && ranking.better(*found, *best)))
+                best = std::move(found);
+        }
     }
     result.cut = best->map.cut;
     result.distortion = best->distortion;

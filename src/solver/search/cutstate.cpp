@@ -13,8 +13,8 @@ namespace autocuts {
 
 namespace {
 
-//! Room between charts, solver units: no trial moves anything that far.
-constexpr double chartGap = 1;
+//! Room between charts, solver units: they must not meet while they unfold.
+constexpr double chartGap = 30;
 
 } // namespace
 

@@ -31,8 +31,6 @@ public:
 
     //! Takes the triangles around `seeds`, nearest first, over the uncut sides, about `size` of them.
     void select(const CutState &state, std::span<const int> seeds, int size);
-    //! All triangles.
-    void selectAll();
     const std::vector<int> &triangles() const { return mTriangles; }
     //! Place of a triangle among triangles(), -1 outside.
     int localOf(int triangle) const { return mLocal[triangle]; }

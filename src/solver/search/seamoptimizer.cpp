@@ -181,6 +181,14 @@ private:
     double mBalance = firstMu;
 };
 
+//! A start, unless it covers itself where that is not allowed.
+std::optional<CutState> usable(CutState state, const OptimizeOptions &options)
+{
+    if (!options.allowOverlaps && (!state.loopsAreInOrder() || state.boundariesOverlap()))
+        return std::nullopt;
+    return state;
+}
+
 std::optional<CutState> firstMap(const std::shared_ptr<const SeamGraph> &graph,
                                  const OptimizeOptions &options, int number)
 {
@@ -201,10 +209,7 @@ std::optional<CutState> firstMap(const std::shared_ptr<const SeamGraph> &graph,
     map.x = tutteEmbedding(*graph->soup, CutMesh(*graph->soup->mesh, map.cut));
     if (!map.validate(*graph->soup).empty())
         return std::nullopt;
-    CutState state = CutState::from(graph, map);
-    if (!options.allowOverlaps && (!state.loopsAreInOrder() || state.boundariesOverlap()))
-        return std::nullopt;
-    return state;
+    return usable(CutState::from(graph, map), options);
 }
 
 } // namespace
@@ -216,9 +221,13 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
     if (options.start)
         options.start(effort.seeds * effort.seedMoves + effort.finalists * effort.moves);
     int iterations = 0;
-    std::vector<std::unique_ptr<Run>> runs(effort.seeds);
+    const int given = static_cast<int>(options.given.size());
+    std::vector<std::unique_ptr<Run>> runs(effort.seeds + given);
     const auto begin = [&](int i) {
-        if (std::optional<CutState> state = firstMap(graph, options, i)) {
+        std::optional<CutState> state =
+            i < effort.seeds ? firstMap(graph, options, i)
+                             : usable(CutState::from(graph, options.given[i - effort.seeds]), options);
+        if (state) {
             runs[i] = std::make_unique<Run>(graph, options, std::move(*state), options.seed * 1000 + i);
             runs[i]->start();
         }
@@ -226,7 +235,7 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
     begin(0);
     if (runs[0] && runs[0]->needsNoSeams())
         return OptimizedMap{runs[0]->best().map(), 0, runs[0]->searcher().steps()};
-    parallelFor(effort.seeds, options.threads, [&](int i) {
+    parallelFor(effort.seeds + given, options.threads, [&](int i) {
         if (i > 0)
             begin(i);
         if (runs[i])

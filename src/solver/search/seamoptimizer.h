@@ -28,6 +28,7 @@ struct OptimizeOptions
     std::optional<double> mu;   //!< instead of the bound: energy that one unit of seam is worth
     bool allowOverlaps = false;
     OptimizeEffort effort;
+    std::vector<SeamedMap> given; //!< further maps to start from
     std::uint64_t seed = 1;
     int threads = 1; //!< the result does not depend on it
     const std::atomic<bool> *stop = nullptr;

@@ -85,19 +85,21 @@ void SeamTrial::setFlags(const std::vector<int> &edges, bool cut)
 }
 
 //! A cut edge that touches no other and no border is no seam: closes those left over. \pre flags are set
-void SeamTrial::closeLoneEdges(std::vector<int> &close) const
+void SeamTrial::closeLoneEdges(SeamChange &change)
 {
     const SeamGraph &graph = *mState.graph;
-    const std::size_t given = close.size();
+    const std::size_t given = change.close.size();
     for (std::size_t i = 0; i < given; ++i) {
-        for (const int v : graph.ends[close[i]]) {
+        for (const int v : graph.ends[change.close[i]]) {
             for (const int e : graph.edgesAt(v)) {
                 if (!mState.cut[e] || graph.rule[e] == SeamGraph::Rule::AlwaysCut)
                     continue;
                 const auto [a, b] = graph.ends[e];
-                if (!graph.border[a] && !graph.border[b] && mState.cutsAt(a) == 1 && mState.cutsAt(b) == 1 &&
-                    std::find(close.begin(), close.end(), e) == close.end())
-                    close.push_back(e);
+                if (graph.border[a] || graph.border[b] || mState.cutsAt(a) != 1 || mState.cutsAt(b) != 1)
+                    continue;
+                mState.cut[e] = 0;
+                if (std::erase(change.open, e) == 0)
+                    change.close.push_back(e);
             }
         }
     }
@@ -124,8 +126,7 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
     mTopologyChanged = false;
     setFlags(change.open, true);
     setFlags(change.close, false);
-    closeLoneEdges(change.close);
-    setFlags(change.close, false);
+    closeLoneEdges(change);
     double costGain = 0;
     for (const int e : change.close)
         costGain += mState.graph->cost[e];
@@ -339,13 +340,29 @@ bool SeamTrial::keepsCharts(const std::vector<double> &old)
            smallest(mState.chartArea) >= std::min(smallestChart, smallest(old));
 }
 
-void SeamTrial::relax(const std::vector<int> &seeds, int size, int steps, bool guarded)
+double SeamTrial::relaxAll(int steps, bool guarded)
 {
-    mPatch.select(mState, seeds, size);
+    const double before = mState.energy;
+    const std::vector<double> old = mState.x;
+    std::vector<std::vector<int>> members(mState.chartCount());
+    for (int t = 0; t < mState.graph->triangleCount(); ++t)
+        members[mState.chart[t]].push_back(t);
+    for (const std::vector<int> &triangles : members)
+        relaxChart(triangles, steps, guarded);
+    if (guarded && !mState.loopsAreInOrder())
+        mState.x = old;
+    mState.updateEnergy();
+    mX = mState.x;
+    return before - mState.energy;
+}
+
+//! One chart on its own: its steps are as long as it allows.
+void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool guarded)
+{
+    mPatch.select(mState, triangles, 0);
     mPatch.join(mState, mState.x);
     PatchLimits limits;
     limits.steps = steps;
-    limits.guarded = false;
     mPatch.minimize(limits);
     if (guarded && mPatch.crossesItself()) {
         mPatch.join(mState, mState.x);
@@ -353,34 +370,8 @@ void SeamTrial::relax(const std::vector<int> &seeds, int size, int steps, bool g
         mPatch.minimize(limits);
     }
     keep();
-    if (guarded && mState.boundariesOverlap(mPatch.triangles()))
+    if (guarded && mState.boundariesOverlap(triangles))
         undo();
-    for (const int t : mPatch.triangles())
-        std::copy_n(&mState.x[6 * static_cast<std::size_t>(t)], 6, &mX[6 * static_cast<std::size_t>(t)]);
-}
-
-double SeamTrial::relaxAll(int steps, bool guarded)
-{
-    const double before = mState.energy;
-    mPatch.selectAll();
-    mPatch.join(mState, mState.x);
-    PatchLimits limits;
-    limits.steps = steps;
-    limits.tolerance = 1e-6;
-    mPatch.minimize(limits);
-    if (guarded && mPatch.crossesItself()) {
-        mPatch.join(mState, mState.x);
-        limits.guarded = true;
-        mPatch.minimize(limits);
-    }
-    mPatch.store(mState.x);
-    if (guarded && (!mState.loopsAreInOrder() || mState.boundariesOverlap())) {
-        mState.x = mX;
-        return 0;
-    }
-    mState.updateEnergy();
-    mX = mState.x;
-    return before - mState.energy;
 }
 
 } // namespace autocuts

@@ -38,8 +38,6 @@ public:
     bool attempt(const SeamChange &change, const TrialTerms &terms);
     //! To be called when the state has been replaced from outside.
     void reset() { mX = mState.x; }
-    //! Moves the points around `seeds` downhill.
-    void relax(const std::vector<int> &seeds, int size, int steps, bool guarded);
     //! Moves all points downhill; returns the energy gained.
     double relaxAll(int steps, bool guarded);
     //! Gain of the last attempt, also when it was not enough; minus infinity when it could not be made.
@@ -51,11 +49,12 @@ public:
 
 private:
     bool mayChange(const SeamChange &change) const;
-    void closeLoneEdges(std::vector<int> &close) const;
+    void closeLoneEdges(SeamChange &change);
     void setFlags(const std::vector<int> &edges, bool cut);
     bool closeGaps(const std::vector<int> &close);
     void alignPieces(const std::vector<int> &close);
     double solve(const SeamChange &change, const TrialTerms &terms, double before, double costGain);
+    void relaxChart(const std::vector<int> &triangles, int steps, bool guarded);
     void keep();
     void undo();
     bool keepsCharts(const std::vector<double> &old);

@@ -1,0 +1,251 @@
+// Newton's method on a patch.
+#include "solver/search/patch.h"
+#include "solver/search/trianglekernel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+constexpr double armijo = 1e-4;
+constexpr double flipMargin = 0.9; // of the way to the first flip
+constexpr int maxHalvings = 12;
+constexpr int contactHalvings = 3;
+constexpr int freezeRounds = 4;
+constexpr double frozenPivot = 1e30;
+
+} // namespace
+
+double Patch::energyAt(const std::vector<double> &position) const
+{
+    const Soup &soup = *mGraph->soup;
+    double sum = 0;
+    for (std::size_t i = 0; i < mTriangles.size(); ++i) {
+        double p[6];
+        for (int k = 0; k < 3; ++k) {
+            const double *q = &position[2 * mPoint[3 * i + k]];
+            p[2 * k] = q[0];
+            p[2 * k + 1] = q[1];
+        }
+        sum += soup.weight[mTriangles[i]] * triangleEnergy(p, soup.basis[mTriangles[i]]);
+    }
+    return sum;
+}
+
+double Patch::springEnergy(const std::vector<double> &position) const
+{
+    double sum = 0;
+    for (const Spring &s : mSprings) {
+        const double u = position[2 * s.a] - position[2 * s.b];
+        const double v = position[2 * s.a + 1] - position[2 * s.b + 1];
+        sum += s.weight * (u * u + v * v);
+    }
+    return mStiffness * sum;
+}
+
+double Patch::smallestDeterminant() const
+{
+    const Soup &soup = *mGraph->soup;
+    double smallest = 1e300;
+    for (std::size_t i = 0; i < mTriangles.size(); ++i) {
+        const Soup::Basis &b = soup.basis[mTriangles[i]];
+        const double *p = &mPosition[2 * mPoint[3 * i]], *q = &mPosition[2 * mPoint[3 * i + 1]],
+                     *r = &mPosition[2 * mPoint[3 * i + 2]];
+        const double factor = b[2] * b[5] - b[3] * b[4];
+        smallest =
+            std::min(smallest, ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) * factor);
+    }
+    return smallest;
+}
+
+void Patch::assemble()
+{
+    const Soup &soup = *mGraph->soup;
+    mSystem.clear();
+    mGradient.assign(2 * mSystem.count(), 0.0);
+    double gradient[6], h[21];
+    for (std::size_t i = 0; i < mTriangles.size(); ++i) {
+        const int *point = &mPoint[3 * i];
+        int unknown[3];
+        double p[6];
+        bool any = false;
+        for (int k = 0; k < 3; ++k) {
+            unknown[k] = mUnknown[point[k]];
+            any |= unknown[k] >= 0;
+            p[2 * k] = mPosition[2 * point[k]];
+            p[2 * k + 1] = mPosition[2 * point[k] + 1];
+        }
+        if (!any)
+            continue;
+        const int t = mTriangles[i];
+        triangleDerivatives(p, soup.basis[t], soup.weight[t], gradient, h);
+        // Diagonal blocks start at h[0], h[5] and h[14] of the packed rows.
+        static constexpr int first[3][2] = {{0, 1}, {5, 8}, {14, 19}};
+        for (int k = 0; k < 3; ++k) {
+            if (unknown[k] < 0)
+                continue;
+            mGradient[2 * unknown[k]] += gradient[2 * k];
+            mGradient[2 * unknown[k] + 1] += gradient[2 * k + 1];
+            BlockCholesky::Block &d = mSystem.diagonal(unknown[k]);
+            d[0] += h[first[k][0]];
+            d[2] += h[first[k][1]];
+            d[3] += h[first[k][1] + 1];
+        }
+        // Blocks (k, l): rows 2k and 2k + 1, columns 2l and 2l + 1.
+        static constexpr int pairs[3][4] = {{1, 0, 3, 6}, {2, 0, 10, 15}, {2, 1, 12, 17}};
+        for (int n = 0; n < 3; ++n) {
+            if (mPlace[i][n] < 0)
+                continue;
+            const int k = pairs[n][0], l = pairs[n][1], top = pairs[n][2], low = pairs[n][3];
+            BlockCholesky::Block &d = mSystem.offDiagonal(mPlace[i][n]);
+            d[0] += h[top];
+            d[3] += h[low + 1];
+            if (unknown[k] > unknown[l]) {
+                d[1] += h[top + 1];
+                d[2] += h[low];
+            } else {
+                d[1] += h[low];
+                d[2] += h[top + 1];
+            }
+        }
+    }
+    for (const Spring &s : mSprings) {
+        const double w = 2 * mStiffness * s.weight;
+        for (int sign = 1; sign >= -1; sign -= 2) {
+            const int u = mUnknown[sign > 0 ? s.a : s.b];
+            if (u < 0)
+                continue;
+            for (int axis = 0; axis < 2; ++axis)
+                mGradient[2 * u + axis] += sign * w * (mPosition[2 * s.a + axis] - mPosition[2 * s.b + axis]);
+            mSystem.diagonal(u)[0] += w;
+            mSystem.diagonal(u)[3] += w;
+        }
+        if (s.place >= 0) {
+            mSystem.offDiagonal(s.place)[0] -= w;
+            mSystem.offDiagonal(s.place)[3] -= w;
+        }
+    }
+    for (int u = 0; u < mSystem.count(); ++u) {
+        BlockCholesky::Block &d = mSystem.diagonal(u);
+        const double lift = mFrozen[u] ? frozenPivot : 1e-9 * (d[0] + d[3]);
+        d[0] += lift;
+        d[3] += lift;
+        if (mFrozen[u])
+            mGradient[2 * u] = mGradient[2 * u + 1] = 0;
+    }
+}
+
+bool Patch::solve()
+{
+    if (!mSystem.factorize())
+        return false;
+    mDirection.resize(mGradient.size());
+    for (std::size_t i = 0; i < mGradient.size(); ++i)
+        mDirection[i] = -mGradient[i];
+    mSystem.solve(mDirection.data());
+    return true;
+}
+
+double Patch::flipFreeStep(double limit) const
+{
+    double step = limit;
+    const auto move = [this](int point, int axis) {
+        const int u = mUnknown[point];
+        return u < 0 ? 0.0 : mDirection[2 * u + axis];
+    };
+    for (std::size_t i = 0; i < mTriangles.size(); ++i) {
+        const int p = mPoint[3 * i], q = mPoint[3 * i + 1], r = mPoint[3 * i + 2];
+        const double u1 = mPosition[2 * q] - mPosition[2 * p],
+                     v1 = mPosition[2 * q + 1] - mPosition[2 * p + 1];
+        const double u2 = mPosition[2 * r] - mPosition[2 * p],
+                     v2 = mPosition[2 * r + 1] - mPosition[2 * p + 1];
+        const double du1 = move(q, 0) - move(p, 0), dv1 = move(q, 1) - move(p, 1);
+        const double du2 = move(r, 0) - move(p, 0), dv2 = move(r, 1) - move(p, 1);
+        // Area along the step: a s^2 + b s + c, c > 0.
+        const double a = du1 * dv2 - dv1 * du2;
+        const double b = u1 * dv2 - v1 * du2 + du1 * v2 - dv1 * u2;
+        const double c = u1 * v2 - v1 * u2;
+        if (c + std::min(0.0, b) * step + std::min(0.0, a) * step * step > 0)
+            continue;
+        const double discriminant = b * b - 4 * a * c;
+        if (discriminant < 0)
+            continue;
+        const double denominator = -b + std::sqrt(discriminant);
+        if (denominator > 0)
+            step = std::min(step, 2 * c / denominator);
+    }
+    return step;
+}
+
+bool Patch::lineSearch(double before, const PatchLimits &limits, double slope, double &after)
+{
+    double length = std::min(1.0, flipMargin * flipFreeStep(1 / flipMargin));
+    mTrial.resize(mPosition.size());
+    int contacts = 0;
+    for (int halving = 0; halving <= maxHalvings; ++halving, length *= 0.5) {
+        for (std::size_t p = 0; p < mUnknown.size(); ++p) {
+            const int u = mUnknown[p];
+            for (std::size_t axis = 0; axis < 2; ++axis)
+                mTrial[2 * p + axis] =
+                    mPosition[2 * p + axis] + (u < 0 ? 0 : length * mDirection[2 * u + axis]);
+        }
+        after = energyAt(mTrial) + springEnergy(mTrial);
+        if (!(after <= before + armijo * length * slope))
+            continue;
+        if (limits.guarded && mSegments.cross(mTrial)) {
+            if (++contacts > contactHalvings)
+                return false;
+            continue;
+        }
+        mPosition.swap(mTrial);
+        return true;
+    }
+    return false;
+}
+
+int Patch::minimize(const PatchLimits &limits)
+{
+    if (limits.guarded)
+        crossesItself(); // finds the segments
+    double value = energy() + springEnergy(mPosition);
+    std::vector<int> touched;
+    for (int step = 0; step < limits.steps; ++step) {
+        bool moved = false;
+        std::fill(mFrozen.begin(), mFrozen.end(), 0);
+        for (int round = 0; round < (limits.guarded ? freezeRounds : 1); ++round) {
+            mWork += static_cast<double>(mTriangles.size());
+            ++mSteps;
+            assemble();
+            if (!solve())
+                return step;
+            double slope = 0;
+            for (std::size_t i = 0; i < mGradient.size(); ++i)
+                slope += mGradient[i] * mDirection[i];
+            if (!(-slope > limits.tolerance) || value + slope > limits.hopeless)
+                return step;
+            double after = value;
+            if (lineSearch(value, limits, slope, after)) {
+                value = after;
+                moved = true;
+                break;
+            }
+            if (!limits.guarded)
+                return step;
+            // What the last, short step makes cross stands still while the rest moves.
+            touched.clear();
+            if (!mSegments.cross(mTrial, &touched))
+                return step;
+            for (const int p : touched) {
+                if (mUnknown[p] >= 0)
+                    mFrozen[mUnknown[p]] = 1;
+            }
+        }
+        if (!moved)
+            return step;
+    }
+    return limits.steps;
+}
+
+} // namespace autocuts

@@ -1,0 +1,286 @@
+// The automatic cutter: its linear algebra, its trials, and what it must never do to a map.
+#include "solver/overlapfree.h"
+#include "solver/search/blockcholesky.h"
+#include "solver/search/seamoptimizer.h"
+#include "solver/search/seamsearch.h"
+#include "solver/search/seamseeds.h"
+#include "solver/search/segments.h"
+#include "solver/search/trianglekernel.h"
+#include "solver/tutte.h"
+#include "support/meshbuilders.h"
+
+#include <Eigen/Dense>
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace autocuts;
+
+namespace {
+
+test::MeshPtr meshNamed(const QString &name)
+{
+    if (name == QLatin1String("torus"))
+        return test::torus(12, 8);
+    if (name == QLatin1String("cube"))
+        return test::quadCube();
+    return test::sphere(10, 14);
+}
+
+std::shared_ptr<const SeamGraph> graphOf(const Snapshot &snapshot)
+{
+    return SeamGraph::build(Soup::build(snapshot.mesh), snapshot);
+}
+
+CutState startOf(const std::shared_ptr<const SeamGraph> &graph, int paths)
+{
+    SeedOptions options;
+    options.paths = paths;
+    const std::vector<char> cut = fewCuts(*graph, options);
+    SeamedMap map{CutFlags(cut.begin(), cut.end()), {}};
+    map.x = tutteEmbedding(*graph->soup, CutMesh(*graph->soup->mesh, map.cut));
+    return CutState::from(graph, map);
+}
+
+//! What is wrong with a state; empty when its sums are right and its map is valid and covers nothing twice.
+QString problemWith(const CutState &state)
+{
+    const Soup &soup = *state.graph->soup;
+    const SeamedMap map = state.map();
+    const std::string broken = map.validate(soup);
+    if (!broken.empty())
+        return QString::fromStdString(broken);
+    if (coversItself(soup, map))
+        return QStringLiteral("a chart covers itself");
+    CutState fresh = state;
+    fresh.updateTopology();
+    fresh.updateEnergy();
+    if (std::abs(fresh.energy - state.energy) > 1e-9)
+        return QStringLiteral("energy %1, not %2").arg(state.energy).arg(fresh.energy);
+    if (std::abs(fresh.length - map.seamLength(soup)) > 1e-9 || fresh.chart != state.chart)
+        return QStringLiteral("the topology is out of date");
+    return {};
+}
+
+OptimizeOptions littleEffort()
+{
+    OptimizeOptions options;
+    options.effort = {3, 20, 2, 60};
+    return options;
+}
+
+} // namespace
+
+class TestSeamSearch : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void choleskySolvesBlockSystems()
+    {
+        Random random(7);
+        for (const int count : {1, 2, 9, 40}) {
+            Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(2 * count, 2 * count);
+            std::vector<std::pair<int, int>> lower;
+            for (int i = 0; i < count; ++i) {
+                for (int k = 0; k < 3 && i > 0; ++k)
+                    lower.emplace_back(i, random.below(i));
+            }
+            const std::vector<std::pair<int, int>> entries = lower;
+            BlockCholesky system;
+            system.analyze(count, lower);
+            system.clear();
+            for (const auto &[row, column] : entries) {
+                for (int k = 0; k < 4; ++k) {
+                    const double v = random.uniform(-1, 1);
+                    system.offDiagonal(system.place(row, column))[k] += v;
+                    dense(2 * row + k / 2, 2 * column + k % 2) += v;
+                    dense(2 * column + k % 2, 2 * row + k / 2) += v;
+                }
+            }
+            for (int i = 0; i < count; ++i) {
+                system.diagonal(i) = {30, 0, 1, 25};
+                dense(2 * i, 2 * i) = 30;
+                dense(2 * i + 1, 2 * i) = dense(2 * i, 2 * i + 1) = 1;
+                dense(2 * i + 1, 2 * i + 1) = 25;
+            }
+            Eigen::VectorXd right(2 * count);
+            for (int i = 0; i < 2 * count; ++i)
+                right[i] = random.uniform(-1, 1);
+            Eigen::VectorXd x = right;
+            QVERIFY(system.factorize());
+            system.solve(x.data());
+            QVERIFY((dense * x - right).norm() < 1e-12 * (1 + right.norm()));
+            system.diagonal(count - 1) = {-1, 0, 0, 1};
+            QVERIFY(!system.factorize());
+        }
+    }
+
+    void triangleGradientsAreRight()
+    {
+        const auto soup = Soup::build(test::triangle());
+        const std::array<double, 6> p{0.1, 0.2, 1.7, -0.1, 0.4, 1.1};
+        double gradient[6], hessian[21];
+        triangleDerivatives(p.data(), soup->basis[0], 0.7, gradient, hessian);
+        Eigen::Matrix<double, 6, 6> h;
+        for (int i = 0, at = 0; i < 6; ++i) {
+            for (int j = 0; j <= i; ++j)
+                h(i, j) = h(j, i) = hessian[at++];
+        }
+        for (int i = 0; i < 6; ++i) {
+            auto q = p;
+            constexpr double step = 1e-6;
+            q[i] = p[i] + step;
+            const double high = triangleEnergy(q.data(), soup->basis[0]);
+            q[i] = p[i] - step;
+            const double low = triangleEnergy(q.data(), soup->basis[0]);
+            QVERIFY(std::abs(0.7 * (high - low) / (2 * step) - gradient[i]) <
+                    1e-6 * (1 + std::abs(gradient[i])));
+        }
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(h);
+        QVERIFY(solver.eigenvalues().minCoeff() > -1e-9);
+        // Turned over: no energy.
+        const std::array<double, 6> flipped{0, 0, 0, 1, 1, 0};
+        QVERIFY(std::isinf(triangleEnergy(flipped.data(), soup->basis[0])));
+    }
+
+    void segmentsCross()
+    {
+        Segments segments;
+        segments.addMoving(0, 1);
+        segments.addFixed(0, -1, 0, 1);
+        QVERIFY(segments.cross({-1, 0, 1, 0}));
+        QVERIFY(!segments.cross({-1, 0, -0.5, 0}));
+        QVERIFY(!segments.cross({-1, 0, 0, 0})); // touching
+        QVERIFY(!segments.cross({0, -1, 1, 0})); // at an end
+        std::vector<int> touched;
+        QVERIFY(segments.cross({-1, 0, 1, 0}, &touched));
+        QCOMPARE(touched, (std::vector<int>{0, 1}));
+    }
+
+    void firstCutsOpenEverySurface_data()
+    {
+        QTest::addColumn<int>("paths");
+        for (const char *name : {"sphere", "torus", "cube"}) {
+            for (const int paths : {0, 3})
+                QTest::addRow("%s %d", name, paths) << paths;
+        }
+    }
+    void firstCutsOpenEverySurface()
+    {
+        QFETCH(int, paths);
+        Snapshot snapshot;
+        snapshot.mesh =
+            meshNamed(QString::fromLatin1(QTest::currentDataTag()).section(QLatin1Char(' '), 0, 0));
+        const CutState state = startOf(graphOf(snapshot), paths);
+        QCOMPARE(problemWith(state), QString());
+        QCOMPARE(state.chartCount(), 1);
+        QVERIFY(state.loopsAreInOrder());
+    }
+
+    void searchNeverMakesThingsWorse_data()
+    {
+        QTest::addColumn<double>("mu");
+        for (const char *name : {"sphere", "torus", "cube"}) {
+            QTest::addRow("%s short", name) << 0.3;
+            QTest::addRow("%s long", name) << 0.01;
+        }
+    }
+    void searchNeverMakesThingsWorse()
+    {
+        QFETCH(double, mu);
+        Snapshot snapshot;
+        snapshot.mesh =
+            meshNamed(QString::fromLatin1(QTest::currentDataTag()).section(QLatin1Char(' '), 0, 0));
+        const auto graph = graphOf(snapshot);
+        CutState state = startOf(graph, 3);
+        SeamSearch search(state, 5, {mu, true});
+        search.relaxAll(30);
+        QCOMPARE(problemWith(state), QString());
+        double objective = state.objective(mu);
+        for (int i = 0; i < 100; ++i) {
+            if (i % 20 == 0)
+                search.polish(1);
+            else
+                search.tryLargeMove();
+            QVERIFY2(state.objective(mu) <= objective + 1e-12, qPrintable(QString::number(i)));
+            objective = state.objective(mu);
+            QCOMPARE(problemWith(state), QString());
+        }
+        int kept = 0;
+        for (const SeamSearch::Counts &count : search.counts)
+            kept += count.kept;
+        QVERIFY(kept > 0);
+    }
+
+    void longerSeamsWhereTheyAreCheap()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = test::sphere(10, 14);
+        OptimizeOptions options = littleEffort();
+        double length[2];
+        for (int i = 0; i < 2; ++i) {
+            options.maxDistortion = i == 0 ? 4.05 : 4.3;
+            const auto found = optimizeSeams(graphOf(snapshot), options);
+            QVERIFY(found.has_value());
+            const auto soup = Soup::build(snapshot.mesh);
+            QVERIFY(found->map.distortion(*soup) <= options.maxDistortion);
+            length[i] = found->map.seamLength(*soup);
+        }
+        QVERIFY2(length[0] > length[1], qPrintable(QStringLiteral("%1 %2").arg(length[0]).arg(length[1])));
+    }
+
+    void theSameOnAnyNumberOfThreads()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = test::torus(12, 8);
+        OptimizeOptions options = littleEffort();
+        const auto one = optimizeSeams(graphOf(snapshot), options);
+        options.threads = 3;
+        const auto three = optimizeSeams(graphOf(snapshot), options);
+        QVERIFY(one && three);
+        QVERIFY(one->map.x == three->map.x);
+        QVERIFY(one->map.cut == three->map.cut);
+        options.seed = 2;
+        QVERIFY(optimizeSeams(graphOf(snapshot), options)->map.x != one->map.x);
+    }
+
+    void steeringIsRespected()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = test::sphere(10, 14);
+        snapshot.pairState.assign(snapshot.mesh->cornerPairCount(), PairState::Free);
+        const int edges = static_cast<int>(snapshot.mesh->edgePairs.size());
+        Random random(3);
+        for (int i = 0; i < edges / 10; ++i) {
+            const int e = random.below(edges);
+            const PairState state = i % 10 == 0 ? PairState::Cut : PairState::Joined;
+            snapshot.pairState[2 * e] = snapshot.pairState[2 * e + 1] = state;
+        }
+        const auto graph = graphOf(snapshot);
+        const auto found = optimizeSeams(graph, littleEffort());
+        QVERIFY(found.has_value());
+        for (int e = 0; e < edges; ++e) {
+            QVERIFY(graph->rule[e] != SeamGraph::Rule::AlwaysCut || found->map.cut[e]);
+            QVERIFY(graph->rule[e] != SeamGraph::Rule::NeverCut || !found->map.cut[e]);
+        }
+    }
+
+    void aStopLeavesAValidMap()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = test::sphere(10, 14);
+        OptimizeOptions options = littleEffort();
+        std::atomic<bool> stop = true;
+        options.stop = &stop;
+        const auto found = optimizeSeams(graphOf(snapshot), options);
+        QVERIFY(found.has_value());
+        const auto soup = Soup::build(snapshot.mesh);
+        QCOMPARE(found->map.validate(*soup), std::string());
+        QVERIFY(!coversItself(*soup, found->map));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSeamSearch)
+#include "tst_seamsearch.moc"
