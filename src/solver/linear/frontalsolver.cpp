@@ -120,6 +120,7 @@ void FrontalSolver::makeTasks()
         }
     }
     mTasks = std::move(merged);
+    mScratch.resize(mTasks.size() + 1);
 }
 
 bool FrontalSolver::factorize(const Matrix &lower)
@@ -127,15 +128,13 @@ bool FrontalSolver::factorize(const Matrix &lower)
     mSmallest = smallestPivot * static_cast<float>(lower.diagonal().mean());
     std::atomic<bool> good = true;
     mTeam.run(static_cast<int>(mTasks.size()), [&](int i) {
-        Scratch scratch;
         for (int n = mTasks[i].begin; n < mTasks[i].end && good; ++n) {
-            if (!eliminate(lower, n, scratch))
+            if (!eliminate(lower, n, mScratch[i]))
                 good = false;
         }
     });
-    Scratch scratch;
     for (std::size_t i = 0; good && i < mTop.size(); ++i)
-        good = eliminate(lower, mTop[i], scratch);
+        good = eliminate(lower, mTop[i], mScratch.back());
     if (!good) {
         for (Floats &update : mUpdate)
             Floats().swap(update);
@@ -149,11 +148,15 @@ bool FrontalSolver::eliminate(const Matrix &lower, int node, Scratch &scratch)
     float *inverse = flat(mFactor) + l.inverse;
     std::fill(inverse, inverse + static_cast<std::ptrdiff_t>(l.pivots) * l.pivotStride, 0.0f);
     scratch.coupling.assign(lanesFor(static_cast<std::size_t>(l.pivots) * l.stride), Lanes{});
+    if (!scratch.spare.empty()) {
+        mUpdate[node] = std::move(scratch.spare.back());
+        scratch.spare.pop_back();
+    }
     mUpdate[node].assign(lanesFor(static_cast<std::size_t>(l.rows) * l.stride), Lanes{});
     addEntries(lower, node, flat(scratch.coupling));
     for (int c = mStructure.childBegin[node]; c < mStructure.childBegin[node + 1]; ++c) {
         addChild(mStructure.children[c], node, scratch);
-        Floats().swap(mUpdate[mStructure.children[c]]);
+        scratch.spare.push_back(std::move(mUpdate[mStructure.children[c]]));
     }
     for (int i = 1; i < l.pivots; ++i) {
         for (int j = 0; j < i; ++j)
@@ -279,13 +282,11 @@ void FrontalSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
     });
     for (const int n : mTop)
         forward(n);
-    Scratch scratch;
     for (auto n = mTop.rbegin(); n != mTop.rend(); ++n)
-        backward(*n, scratch);
+        backward(*n, mScratch.back());
     mTeam.run(tasks, [&](int i) {
-        Scratch own;
         for (int n = mTasks[i].end - 1; n >= mTasks[i].begin; --n)
-            backward(n, own);
+            backward(n, mScratch[i]);
     });
     x.resize(b.size());
     for (int n = 0; n < mStructure.nodeCount; ++n) {

@@ -46,6 +46,7 @@ private:
     struct Scratch
     {
         Floats coupling;     //!< B of a front
+        std::vector<Floats> spare; //!< memory of update matrices that have been taken
         Floats pivots, rows; //!< a part of the right-hand side
         std::vector<std::array<int, 3>> runs;
     };
@@ -63,6 +64,7 @@ private:
     ThreadTeam &mTeam;
     FrontalStructure mStructure;
     std::vector<Layout> mLayout;
+    std::vector<Scratch> mScratch;   //!< per task, and one for mTop
     std::vector<Task> mTasks;
     std::vector<int> mTop;       //!< supernodes above all tasks, ascending
     std::vector<Floats> mUpdate; //!< per supernode, its update matrix until its parent takes it

@@ -250,17 +250,6 @@ void makeSupernodes(const GroupTree &tree, FrontalStructure &s)
     }
 }
 
-//! Place of a node in a front; -1 when it is not in it.
-int placeIn(const FrontalStructure &s, const FrontalStructure::Supernode &node, int number)
-{
-    if (number < node.first + node.count)
-        return number >= node.first ? number - node.first : -1;
-    const auto begin = s.rows.begin() + node.rowBegin;
-    const auto end = begin + node.rowCount;
-    const auto found = std::lower_bound(begin, end, number);
-    return found != end && *found == number ? node.count + static_cast<int>(found - begin) : -1;
-}
-
 void placeChildren(FrontalStructure &s)
 {
     s.places.resize(s.rows.size());
@@ -319,12 +308,25 @@ void placeEntries(const LinearSolver::Matrix &lower, const Graph &graph, Frontal
     s.entries.resize(s.entryBegin.back());
     std::vector<int> next(s.entryBegin.begin(), s.entryBegin.end() - 1);
     visit([&](int row, int column, int first, int second) {
-        const int owner = ownerOf(row, column);
-        const FrontalStructure::Supernode &node = s.supernodes[owner];
-        const int a = placeIn(s, node, s.newNumber[row]);
-        const int b = placeIn(s, node, s.newNumber[column]);
-        s.entries[next[owner]++] = {first, second, std::min(a, b), std::max(a, b), b < a};
+        s.entries[next[ownerOf(row, column)]++] = {first, second, s.newNumber[row], s.newNumber[column],
+                                                   false};
     });
+    // From new numbers to places in the front of the owner.
+    std::vector<int> place(s.nodeCount);
+    for (std::size_t n = 0; n < s.supernodes.size(); ++n) {
+        const FrontalStructure::Supernode &node = s.supernodes[n];
+        for (int i = 0; i < node.count; ++i)
+            place[node.first + i] = i;
+        for (int i = 0; i < node.rowCount; ++i)
+            place[s.rows[node.rowBegin + i]] = node.count + i;
+        for (int e = s.entryBegin[n]; e < s.entryBegin[n + 1]; ++e) {
+            FrontalStructure::Entry &entry = s.entries[e];
+            const int a = place[entry.row], b = place[entry.column];
+            entry.row = std::min(a, b);
+            entry.column = std::max(a, b);
+            entry.transposed = b < a;
+        }
+    }
 }
 
 } // namespace

@@ -58,7 +58,7 @@ class HubDirection final : public NewtonDirection
 public:
     HubDirection(std::shared_ptr<const Soup> soup, std::vector<bool> held, ThreadTeam *team)
         : mSoup(std::move(soup)), mTeam(team ? team : &mAlone), mRank(vertexRanks(*mSoup->mesh)),
-          mSolver(std::make_unique<FrontalSolver>(*mTeam))
+          mFrontal(*mTeam)
     {
         const int triangles = mSoup->triangleCount();
         mExcessLimit = triangles > largeTriangleCount ? excessBeforeRefreshLarge : excessBeforeRefresh;
@@ -210,8 +210,8 @@ private:
             return;
         mMatrix.fill(*mSoup, blocks, mGroups, mSystems, mHubLinks);
         if (!mAnalyzed) {
-            mSolver = std::make_unique<FrontalSolver>(*mTeam);
-            mSolver->analyze(mMatrix.matrix(), LinearSolver::Order::Natural);
+            mFrontal.analyze(mMatrix.matrix(), LinearSolver::Order::Natural);
+            mSolver = &mFrontal;
             mAnalyzed = true;
         }
         double shift = 1e-7 * mMatrix.matrix().diagonal().mean();
@@ -222,7 +222,7 @@ private:
             if (attempt == 1) {
                 // Too ill-conditioned for single precision.
                 mAnalyzed = false;
-                mSolver = std::make_unique<CholmodSolver>();
+                mSolver = &mGeneral;
                 mSolver->analyze(mMatrix.matrix(), LinearSolver::Order::Natural);
             }
         }
@@ -347,8 +347,10 @@ private:
     int mExcess = 0, mExcessLimit = 0, mBaseline = -1;
     HubGroups mGroups;
     HubMatrix mMatrix;
-    std::unique_ptr<LinearSolver> mSolver;
-    bool mAnalyzed = false; //!< mSolver is a FrontalSolver that knows the pattern
+    FrontalSolver mFrontal;
+    CholmodSolver mGeneral;
+    LinearSolver *mSolver = nullptr;
+    bool mAnalyzed = false; //!< mSolver is mFrontal and knows the pattern
 
     std::vector<CornerLinks> mLinks;
     std::vector<HubLinks> mHubLinks;

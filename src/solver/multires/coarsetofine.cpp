@@ -188,22 +188,27 @@ SeamedMap fineMap(const Soup &soup, const MapRefiner &refiner)
 }
 
 //! Makes the carried map usable: whole, without overlaps, relaxed, at one texel density.
-bool settle(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, bool allowOverlaps,
+bool settle(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const UnwrapOptions &options,
             SeamedMap &map, const std::atomic<bool> *stop)
 {
     if (!map.validate(*soup).empty())
         map = closeTo(soup, snapshot, map.cut, map.x, stop);
-    if (!allowOverlaps && coversItself(*soup, map) && !removeOverlaps(*soup, snapshot, map))
-        return false;
     SeamedMap relaxed = map;
     relaxMap(soup, snapshot, relaxed, fineSteps, stop);
-    if (!allowOverlaps && coversItself(*soup, relaxed)) {
-        relaxed = map;
-        relaxWithoutOverlaps(soup, snapshot, relaxed, fineSteps, stop);
-        if (coversItself(*soup, relaxed))
-            relaxed = map;
+    if (options.allowOverlaps || !coversItself(*soup, relaxed)) {
+        map = std::move(relaxed);
+    } else {
+        // Relaxing went over itself: with barred boundaries, or with what it covers cut off.
+        if (coversItself(*soup, map) && !removeOverlaps(*soup, snapshot, map))
+            return false;
+        SeamedMap guarded = map;
+        relaxWithoutOverlaps(soup, snapshot, guarded, fineSteps, stop);
+        if (!coversItself(*soup, guarded))
+            map = std::move(guarded);
+        if ((options.lambda || map.distortion(*soup) > options.maxDistortion) &&
+            removeOverlaps(*soup, snapshot, relaxed) && relaxed.distortion(*soup) < map.distortion(*soup))
+            map = std::move(relaxed);
     }
-    map = std::move(relaxed);
     equalizeDensity(*soup, map);
     return true;
 }
@@ -241,7 +246,7 @@ std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const S
     carried.iterations = result.iterations;
     carried.lambda = result.lambda;
     carried.delta = result.delta;
-    if (!settle(soup, snapshot, options.allowOverlaps, carried.map, stop))
+    if (!settle(soup, snapshot, options, carried.map, stop))
         return std::nullopt;
     return carried;
 }

@@ -20,10 +20,7 @@ constexpr int repairRounds = 6;
 constexpr double straighter = 0.97;
 constexpr double roomy = 10;
 constexpr int straightenPasses = 20;
-//! Mean energy of a point on a side above which it had better leave the side.
-constexpr double flat = 100;
 constexpr int sweepsPerLevel = 3;
-constexpr int halvings = 40;
 
 } // namespace
 
@@ -90,24 +87,20 @@ bool MapRefiner::sectorOf(int corner)
 double MapRefiner::improve(int corner, int steps)
 {
     const bool closed = sectorOf(corner);
-    mSpokes.clear();
-    double area = 0;
+    mPointFan.clear();
     for (const int c : mAround) {
         const int a = ProgressiveMesh::next(c), b = ProgressiveMesh::previous(c);
-        addSpoke(mMesh.position(c), mMesh.position(a), mMesh.position(b), uv[a], uv[b]);
-        area += mSpokes.back().area;
+        addToFan(mMesh.position(c), mMesh.position(a), mMesh.position(b), uv[a], uv[b]);
     }
+    const double area = mPointFan.area();
     const Vec2 before = uv[corner];
     Vec2 p = before;
-    double value = energy(p);
+    double value = mPointFan.energy(p);
     if (!(area > 0) || !(value < infinite))
         return 0;
-    descend(p, value, steps);
-    const auto within = [&](const Spoke &s) {
-        return cross2(before, s.a, p) >= 0 && cross2(s.a, s.b, p) >= 0 && cross2(s.b, before, p) >= 0;
-    };
-    if (!closed && std::none_of(mSpokes.begin(), mSpokes.end(), within))
-        return energy(before) / area;
+    mPointFan.descend(p, value, steps);
+    if (!closed && !mPointFan.covers(before, p))
+        return mPointFan.energy(before) / area;
     for (const int c : mAround)
         uv[c] = p;
     return value / area;
@@ -170,9 +163,9 @@ bool MapRefiner::changeBank(int triangle)
         acrossA / 3 == triangle || acrossB / 3 == triangle)
         return false;
     const Vec2 placeA = uv[otherA], placeB = uv[otherB], placeW = uv[acrossA];
-    mSpokes.clear();
-    addSpoke(mMesh.position(w), mMesh.position(b), mMesh.position(a), placeB, placeA);
-    if (!(energy(placeW) < roomy * mSpokes[0].area))
+    mPointFan.clear();
+    addToFan(mMesh.position(w), mMesh.position(b), mMesh.position(a), placeB, placeA);
+    if (!(mPointFan.energy(placeW) < roomy * mPointFan.area()))
         return false;
     uv[a] = placeA;
     uv[b] = placeB;
@@ -182,160 +175,9 @@ bool MapRefiner::changeBank(int triangle)
     return true;
 }
 
-//! \param p,a3,b3 the triangle in space, counter-clockwise, p the point to be placed
-void MapRefiner::addSpoke(const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const Vec2 &a, const Vec2 &b)
+void MapRefiner::addToFan(const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const Vec2 &a, const Vec2 &b)
 {
-    // At rest: a at the origin, b on the x axis, p above it.
-    const Vec3 base = (b3 - a3) * mScale, side = (p - a3) * mScale;
-    const double length = base.norm();
-    Spoke spoke;
-    spoke.a = a;
-    spoke.b = b;
-    const double height = length > 0 ? base.cross(side).norm() / length : 0;
-    // Triangles without area must not count, only not fold.
-    if (!(height > 1e-6 * length)) {
-        spoke.length = 1;
-        spoke.along = 0.5;
-        spoke.height = 1;
-        spoke.area = 0;
-    } else {
-        spoke.length = length;
-        spoke.along = base.dot(side) / length;
-        spoke.height = height;
-        spoke.area = 0.5 * length * height;
-    }
-    mSpokes.push_back(spoke);
-}
-
-//! Area times symmetric Dirichlet energy of all spokes with the point at p.
-double MapRefiner::energy(const Vec2 &p, Vec2 *gradient) const
-{
-    double sum = 0;
-    if (gradient)
-        gradient->setZero();
-    for (const Spoke &s : mSpokes) {
-        // Columns of the Jacobian: along the base, and across it.
-        const Vec2 first = (s.b - s.a) / s.length;
-        const Vec2 second = (p - s.a - first * s.along) / s.height;
-        const double det = first.x() * second.y() - first.y() * second.x();
-        if (!(det > 0))
-            return infinite;
-        const double squares = first.squaredNorm() + second.squaredNorm(), inverse = 1 / (det * det);
-        sum += s.area * (squares + squares * inverse);
-        if (gradient) {
-            const Vec2 turned(-first.y(), first.x()); // of the determinant over `second`
-            *gradient +=
-                s.area / s.height * (2 * (1 + inverse) * second - 2 * squares * inverse / det * turned);
-        }
-    }
-    return sum;
-}
-
-//! Newton steps with a Hessian by differences.
-void MapRefiner::descend(Vec2 &p, double &value, int steps) const
-{
-    for (int step = 0; step < steps; ++step) {
-        Vec2 g, gu, gv;
-        energy(p, &g);
-        const double h = 1e-4 * std::sqrt((mSpokes[0].a - p).squaredNorm());
-        if (!(energy(p + Vec2(h, 0), &gu) < infinite) || !(energy(p + Vec2(0, h), &gv) < infinite))
-            return;
-        Eigen::Matrix2d hessian;
-        hessian.col(0) = (gu - g) / h;
-        hessian.col(1) = (gv - g) / h;
-        const double mixed = 0.5 * (hessian(0, 1) + hessian(1, 0));
-        hessian(0, 1) = hessian(1, 0) = mixed;
-        const double det = hessian.determinant(), trace = hessian.trace();
-        Vec2 move = -g / std::max(std::abs(trace), 1e-30);
-        if (det > 1e-6 * trace * trace && trace > 0)
-            move = Vec2(-(hessian(1, 1) * g.x() - mixed * g.y()) / det,
-                        -(hessian(0, 0) * g.y() - mixed * g.x()) / det);
-        double length = 1;
-        bool moved = false;
-        for (int i = 0; i < 8 && !moved; ++i, length *= 0.4) {
-            const double next = energy(p + length * move);
-            if (next < value) {
-                moved = value - next > 1e-6 * value;
-                p += length * move;
-                value = next;
-                break;
-            }
-        }
-        if (!moved)
-            return;
-    }
-}
-
-//! Near the kept point, in the middle of the angle that the polygon has there: sees all of it. Returns the
-//! energy.
-double MapRefiner::placeNear(const Vec2 &kept, bool hasFirst, Vec2 &place) const
-{
-    const Vec2 from = (hasFirst ? mSpokes.front().b : mSpokes.front().a) - kept;
-    double angle = 0;
-    for (const Spoke &s : mSpokes) {
-        const Vec2 u = s.a - kept, v = s.b - kept;
-        if (u.squaredNorm() > 0 && v.squaredNorm() > 0)
-            angle += std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
-    }
-    const Vec2 direction = Eigen::Rotation2Dd(0.5 * angle) * from;
-    double length = 0.5, value = infinite;
-    for (int i = 0; i < halvings && !(value < infinite); ++i, length *= 0.5) {
-        place = kept + length * direction;
-        value = energy(place);
-    }
-    return value;
-}
-
-Vec2 MapRefiner::placeInside(const Vec2 &kept, bool &good)
-{
-    // The spokes run around the point: a of each is b of the one before.
-    Vec2 mean = Vec2::Zero();
-    for (const Spoke &s : mSpokes)
-        mean += s.a / double(mSpokes.size());
-    Vec2 best = mean;
-    double value = energy(mean);
-    for (double share = 0.5; !(value < infinite) && share > 0.01; share *= 0.5) {
-        best = kept + share * (mean - kept);
-        value = energy(best);
-    }
-    if (!(value < infinite))
-        value = placeNear(kept, true, best);
-    good = value < infinite;
-    if (good)
-        descend(best, value, descentSteps);
-    return best;
-}
-
-Vec2 MapRefiner::placeOnSide(const Vec2 &kept, const Vec2 &end, double share, bool hasFirst, bool &good)
-{
-    Vec2 best = kept + share * (end - kept);
-    double value = infinite;
-    for (int i = 0; i < halvings; ++i, share *= 0.5) {
-        const Vec2 p = kept + share * (end - kept);
-        const double here = energy(p);
-        if (here < value) {
-            best = p;
-            value = here;
-        } else if (value < infinite) {
-            break;
-        }
-    }
-    // Where the angle is half a turn or more, the side does not see its own ends: then a notch.
-    double area = 0;
-    for (const Spoke &s : mSpokes)
-        area += s.area;
-    if (!(value < flat * area)) {
-        Vec2 notch;
-        double other = placeNear(kept, hasFirst, notch);
-        if (other < infinite)
-            descend(notch, other, descentSteps);
-        if (other < value) {
-            value = other;
-            best = notch;
-        }
-    }
-    good = value < infinite;
-    return best;
+    mPointFan.add(mScale * p, mScale * a3, mScale * b3, a, b);
 }
 
 bool MapRefiner::refineOne()
@@ -367,14 +209,14 @@ bool MapRefiner::refineOne()
     bool allGood = true;
     for (const Sector &sector : mSectors) {
         const Vec2 kept = keptUv[sector.begin];
-        mSpokes.clear();
+        mPointFan.clear();
         if (sector.hasFirst)
-            addSpoke(removed3, kept3, mMesh.position(next(fan.front())), kept, firstEnd);
+            addToFan(removed3, kept3, mMesh.position(next(fan.front())), kept, firstEnd);
         for (int i = sector.begin; i < sector.end; ++i)
-            addSpoke(removed3, mMesh.position(next(fan[i])), mMesh.position(previous(fan[i])),
+            addToFan(removed3, mMesh.position(next(fan[i])), mMesh.position(previous(fan[i])),
                      uv[next(fan[i])], uv[previous(fan[i])]);
         if (sector.hasLast)
-            addSpoke(removed3, mMesh.position(previous(fan.back())), kept3, lastEnd, kept);
+            addToFan(removed3, mMesh.position(previous(fan.back())), kept3, lastEnd, kept);
         Vec2 place = kept;
         bool good = true;
         const int begin = fan[sector.begin], end = fan[sector.end - 1];
@@ -383,11 +225,13 @@ bool MapRefiner::refineOne()
             return near + rest > 0 ? std::clamp(near / (near + rest), 0.05, 0.95) : 0.5;
         };
         if (sector.hasFirst && sector.hasLast)
-            place = placeInside(kept, good);
+            place = mPointFan.placeInside(kept, good);
         else if (sector.hasFirst)
-            place = placeOnSide(kept, uv[previous(end)], share(mMesh.position(previous(end))), true, good);
+            place = mPointFan.placeOnSide(kept, uv[previous(end)], share(mMesh.position(previous(end))), true,
+                                          good);
         else if (sector.hasLast)
-            place = placeOnSide(kept, uv[next(begin)], share(mMesh.position(next(begin))), false, good);
+            place =
+                mPointFan.placeOnSide(kept, uv[next(begin)], share(mMesh.position(next(begin))), false, good);
         allGood = allGood && good;
         for (int i = sector.begin; i < sector.end; ++i)
             uv[fan[i]] = place;

@@ -1,6 +1,7 @@
 // Takes collapses back inside a UV map: no triangle folds, no chart comes to cover itself.
 #pragma once
 
+#include "solver/multires/pointfan.h"
 #include "solver/multires/progressivemesh.h"
 #include "solver/soup.h"
 
@@ -37,22 +38,8 @@ private:
         int begin, end;         //!< corners of the fan
         bool hasFirst, hasLast; //!< with the triangle that comes back before, behind the fan
     };
-    //! A triangle around the point to be placed, counter-clockwise: point, a, b.
-    struct Spoke
-    {
-        Vec2 a, b;
-        double length, along,
-            height; //!< at rest: a at (0, 0), b at (length, 0), the point at (along, height)
-        double area;
-    };
-
     bool refineOne();
-    void addSpoke(const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const Vec2 &a, const Vec2 &b);
-    double energy(const Vec2 &p, Vec2 *gradient = nullptr) const;
-    Vec2 placeInside(const Vec2 &kept, bool &good);
-    double placeNear(const Vec2 &kept, bool hasFirst, Vec2 &place) const;
-    Vec2 placeOnSide(const Vec2 &kept, const Vec2 &end, double share, bool hasFirst, bool &good);
-    void descend(Vec2 &p, double &value, int steps) const;
+    void addToFan(const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const Vec2 &a, const Vec2 &b);
     void sweep();
     double costOf(int side) const;
     void straighten();
@@ -64,7 +51,7 @@ private:
     ProgressiveMesh &mMesh;
     double mScale;
     std::vector<Sector> mSectors;
-    std::vector<Spoke> mSpokes;
+    PointFan mPointFan;
     std::vector<int> mAround; //!< corners of a sector
 };
 

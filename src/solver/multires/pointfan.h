@@ -1,0 +1,50 @@
+// The triangles around one point of a map, and the best place for the point.
+#pragma once
+
+#include "model/types.h"
+
+#include <vector>
+
+namespace autocuts {
+
+//! Triangles (point, a, b), each counter-clockwise, b of one being a of the next. Their shapes in space say
+//! how much the map distorts them; triangles without area in space only must not fold.
+class PointFan
+{
+public:
+    void clear() { mSpokes.clear(); }
+    //! \param p,a3,b3 the triangle in space, in units of the map; p is the point
+    void add(const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const Vec2 &a, const Vec2 &b);
+
+    //! Area in space.
+    double area() const;
+    //! Area times symmetric Dirichlet energy with the point at p, infinite when a triangle folds.
+    double energy(const Vec2 &p, Vec2 *gradient = nullptr) const;
+    //! True when p lies in one of the triangles with the point at `from`.
+    bool covers(const Vec2 &from, const Vec2 &p) const;
+
+    //! Moves p downhill; value is energy(p) before and after.
+    void descend(Vec2 &p, double &value, int steps) const;
+    //! A place for a point that comes out of `kept`, a corner of the polygon around it that sees all of it.
+    //! \param good false when none was found
+    Vec2 placeInside(const Vec2 &kept, bool &good) const;
+    //! The same for a point on the outline: on the side from `kept` to `end` where that side sees the
+    //! polygon, else in a notch. \param hasFirst the first triangle begins at `kept` (else the last one ends
+    //! there)
+    Vec2 placeOnSide(const Vec2 &kept, const Vec2 &end, double share, bool hasFirst, bool &good) const;
+
+private:
+    struct Spoke
+    {
+        Vec2 a, b;
+        double length, along,
+            height; //!< at rest: a at (0, 0), b at (length, 0), the point at (along, height)
+        double area;
+    };
+
+    double placeNear(const Vec2 &kept, bool hasFirst, Vec2 &place) const;
+
+    std::vector<Spoke> mSpokes;
+};
+
+} // namespace autocuts
