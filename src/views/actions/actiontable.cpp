@@ -186,6 +186,8 @@ constexpr std::array uvTable{
                false, "", true},
     ActionInfo{"uv.ungroup", "UV/Islands", QT_TRANSLATE_NOOP("Actions", "Ungrou&p"), "", "Ctrl+Shift+G",
                QT_TRANSLATE_NOOP("Actions", "Let the selected islands move on their own"), NeedsIslands},
+    ActionInfo{"tool.select", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "&Select"), "tool-select", "Q",
+               QT_TRANSLATE_NOOP("Actions", "Select with the mouse"), NeedsDocument, true, "tool", true},
     ActionInfo{"uv.cancel", "UV", QT_TRANSLATE_NOOP("Actions", "Cancel job"), "cancel", "Esc",
                QT_TRANSLATE_NOOP("Actions", "End the running job and keep what it has"), NeedsJob, false, "",
                true},

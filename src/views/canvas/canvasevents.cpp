@@ -154,11 +154,13 @@ void Canvas::leaveEvent(QEvent *event)
 bool Canvas::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
-        // Keys of the preset, and Escape while a tool works, come here and not to an action.
+        // Keys of the preset, those of the tool, and Escape while it works, come here and not to an action.
         const auto *key = static_cast<QKeyEvent *>(event);
         const NavigationPreset preset = mContext.preferences.values().navigation;
-        const bool cancels = key->key() == Qt::Key_Escape && mTools.tool() && mTools.tool()->isBusy();
-        if (cancels || navigationKeyOf(preset, key->key(), key->modifiers()) != NavigationKey::None) {
+        const AbstractTool *tool = mTools.tool();
+        const bool cancels = tool && key->key() == Qt::Key_Escape && tool->isBusy();
+        if (cancels || (tool && mContent.mesh() && tool->wantsKey(*key)) ||
+            navigationKeyOf(preset, key->key(), key->modifiers()) != NavigationKey::None) {
             event->accept();
             return true;
         }

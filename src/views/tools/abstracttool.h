@@ -54,6 +54,8 @@ public:
     virtual void doubleClick(const ToolEvent &event) { press(event); }
     //! \returns true when the key was for the tool. Escape ends a gesture.
     virtual bool keyPress(const QKeyEvent &event, Canvas &canvas);
+    //! Keys that come to keyPress() and not to the action that has them.
+    virtual bool wantsKey(const QKeyEvent &) const { return false; }
     //! \returns true when the wheel was for the tool and not for the camera
     virtual bool wheel(const QWheelEvent &, Canvas &) { return false; }
 
@@ -63,6 +65,8 @@ public:
     virtual void cancel() {}
     //! False when mouse moves need no pick, as while a box is dragged.
     virtual bool wantsPicks() const { return true; }
+    //! False when what a click would select is not to be marked under the mouse.
+    virtual bool marksHover() const { return true; }
     virtual void drawOverlay(QPainter &, const Canvas &) {}
 
 Q_SIGNALS:
