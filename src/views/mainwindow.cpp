@@ -177,7 +177,7 @@ QToolBar *MainWindow::makeToolBar()
             continue;
         bar->addAction(action);
         const QString tool = QString::fromLatin1(info.id).section(QLatin1Char('.'), 1);
-        connect(action, &QAction::triggered, this, [this, tool] { mTools.setTool(tool); });
+        connect(action, &QAction::triggered, this, [this, tool] { mTools.choose(tool); });
     }
     const auto showTool = [this] {
         const QString id = QStringLiteral("tool.") + mTools.tool()->id();

@@ -62,6 +62,7 @@ void Canvas::mouseMoveEvent(QMouseEvent *event)
     endLostGestures(event->buttons());
     const QPointF moved = event->position() - mLastMouse;
     mLastMouse = event->position();
+    mTools.setMouse(this, mLastMouse);
     if (mNavigation != Navigation::None) {
         navigate(mNavigation, moved, mNavigationStart);
         update();
@@ -122,7 +123,9 @@ void Canvas::wheelEvent(QWheelEvent *event)
 void Canvas::keyPressEvent(QKeyEvent *event)
 {
     const NavigationPreset preset = mContext.preferences.values().navigation;
-    const NavigationKey key = navigationKeyOf(preset, event->key(), event->modifiers());
+    const bool toTool = mContent.mesh() && mTools.tool() && mTools.tool()->wantsKey(*event);
+    const NavigationKey key =
+        toTool ? NavigationKey::None : navigationKeyOf(preset, event->key(), event->modifiers());
     if (key == NavigationKey::FrameAll)
         frameAll();
     else if (key == NavigationKey::FrameSelection)
@@ -147,6 +150,7 @@ void Canvas::enterEvent(QEnterEvent *event)
 
 void Canvas::leaveEvent(QEvent *event)
 {
+    mTools.setMouse(nullptr, {});
     mContext.view.setHover({});
     QOpenGLWidget::leaveEvent(event);
 }

@@ -48,6 +48,8 @@ public:
 
     virtual void activate() {}
     virtual void deactivate() { cancel(); }
+    //! The user chose the tool, which is active, while the mouse is over a canvas.
+    virtual void chosen(Canvas &, const QPointF &) {}
     virtual void press(const ToolEvent &event) = 0;
     virtual void move(const ToolEvent &event) = 0;
     virtual void release(const ToolEvent &event) = 0;

@@ -1,5 +1,6 @@
 #include "views/tools/toolmanager.h"
 
+#include "views/canvas/canvas.h"
 #include "views/control/workspace.h"
 #include "views/tools/selecttool.h"
 
@@ -39,6 +40,19 @@ void ToolManager::setTool(const QString &id)
     Q_EMIT toolChanged();
     Q_EMIT hintChanged(mActive->hint());
     Q_EMIT overlayChanged();
+}
+
+void ToolManager::choose(const QString &id)
+{
+    setTool(id);
+    if (mMouseCanvas && mActive->id() == id && mMouseCanvas->content().mesh())
+        mActive->chosen(*mMouseCanvas, mMouse);
+}
+
+void ToolManager::setMouse(Canvas *canvas, const QPointF &position)
+{
+    mMouseCanvas = canvas;
+    mMouse = position;
 }
 
 } // namespace autocuts
