@@ -2,6 +2,7 @@
 
 #include "views/canvas/canvas.h"
 #include "views/control/workspace.h"
+#include "views/tools/islandtool.h"
 #include "views/tools/selecttool.h"
 
 #include <algorithm>
@@ -11,6 +12,9 @@ namespace autocuts {
 ToolManager::ToolManager(const CanvasContext &context, QObject *parent) : QObject(parent)
 {
     add(std::make_unique<SelectTool>(context));
+    add(std::make_unique<IslandTool>(context, QStringLiteral("move"), UvEdit::Move));
+    add(std::make_unique<IslandTool>(context, QStringLiteral("rotate"), UvEdit::Rotate));
+    add(std::make_unique<IslandTool>(context, QStringLiteral("scale"), UvEdit::Scale));
     mActive = mTools.front().get();
     mActive->activate();
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] { mActive->cancel(); });
