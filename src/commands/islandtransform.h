@@ -17,6 +17,8 @@ public:
 
     //! False when every island is locked.
     bool canMove() const { return !mCorners.empty(); }
+    //! Number of the gesture, for cancelGesture().
+    quint64 gesture() const { return mGesture; }
     //! The command that brings the islands from where they are now to where the whole gesture has them.
     //! \param transform from the UVs at the beginning, in texture space
     std::unique_ptr<SetUvs> command(const Eigen::Affine2d &transform) const;

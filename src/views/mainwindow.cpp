@@ -47,7 +47,7 @@ MainWindow::MainWindow(Preferences &preferences, const QString &recoveryFolder,
     : mPreferences(preferences), mQuestions(questions ? std::move(questions) : std::make_unique<Questions>()),
       mShownMap(mWorkspace), mActions(preferences), mSolver(mWorkspace, mShownMap), mMap(mWorkspace, mSolver),
       mFiles(mWorkspace, mSolver, preferences, recoveryFolder),
-      mTools({mWorkspace, mShownMap, mViewState, preferences, mMap})
+      mTools({mWorkspace, mShownMap, mViewState, preferences, mMap, mSolver})
 {
     mQuestions->setWindow(this);
     setWindowIcon(applicationIcon());
@@ -85,7 +85,7 @@ StudioContext MainWindow::context()
 
 void MainWindow::makeViews()
 {
-    const CanvasContext canvas{mWorkspace, mShownMap, mViewState, mPreferences, mMap};
+    const CanvasContext canvas{mWorkspace, mShownMap, mViewState, mPreferences, mMap, mSolver};
     mSplitter = new QSplitter(this);
     mSplitter->setObjectName(QStringLiteral("views"));
     mMeshView = new MeshView(canvas, mTools, mSplitter);
@@ -155,12 +155,37 @@ void MainWindow::makeMenus()
     bar->setMovable(false);
     fillToolBar(mActions, *bar);
     panels->insertAction(before, bar->toggleViewAction());
+    panels->insertAction(before, makeToolBar()->toggleViewAction());
     // All actions work wherever the focus is, also while the menu bar is hidden.
     addActions(QList<QAction *>(mActions.actions().begin(), mActions.actions().end()));
     connect(&mStudioActions->view(), &ViewActions::resetPanels, this,
             [this] { restoreState(mDefaultState); });
     connect(mActions.action("view.fullScreen"), &QAction::toggled, this,
             [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
+}
+
+//! The tools beside the views. An action "tool.x" chooses the tool "x".
+QToolBar *MainWindow::makeToolBar()
+{
+    auto *bar = new QToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("toolsToolBar"));
+    bar->setMovable(false);
+    addToolBar(Qt::LeftToolBarArea, bar);
+    for (QAction *action : mActions.actions()) {
+        const ActionInfo &info = mActions.info(action);
+        if (QLatin1String(info.group) != QLatin1String("tool"))
+            continue;
+        bar->addAction(action);
+        const QString tool = QString::fromLatin1(info.id).section(QLatin1Char('.'), 1);
+        connect(action, &QAction::triggered, this, [this, tool] { mTools.choose(tool); });
+    }
+    const auto showTool = [this] {
+        const QString id = QStringLiteral("tool.") + mTools.tool()->id();
+        mActions.action(id.toLatin1().constData())->setChecked(true);
+    };
+    connect(&mTools, &ToolManager::toolChanged, this, showTool);
+    showTool();
+    return bar;
 }
 
 void MainWindow::connectMessages()

@@ -17,6 +17,7 @@
 #include <memory>
 
 class QSplitter;
+class QToolBar;
 
 namespace autocuts {
 
@@ -54,6 +55,7 @@ private:
     void makeViews();
     void makePanels();
     void makeMenus();
+    QToolBar *makeToolBar();
     void connectMessages();
     void restoreLayout();
     void showTitle();

@@ -7,7 +7,7 @@ namespace autocuts::test {
 
 Canvases::Canvases()
     : preferences(folder.filePath(QStringLiteral("preferences.ini"))), shown(workspace),
-      solver(workspace, shown), map(workspace, solver), context{workspace, shown, view, preferences, map},
+      solver(workspace, shown), map(workspace, solver), context{workspace, shown, view, preferences, map, solver},
       tools(context), mesh(context, tools), uv(context, tools)
 {
     mesh.setGeometry(20, 20, 500, 500);

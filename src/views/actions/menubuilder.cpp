@@ -30,6 +30,7 @@ constexpr std::array menuTitles{
     MenuTitle{"UV/Start mode", QT_TRANSLATE_NOOP("Menus", "S&tart mode")},
     MenuTitle{"UV/Energy", QT_TRANSLATE_NOOP("Menus", "Ener&gy")},
     MenuTitle{"UV/Seam weighting", QT_TRANSLATE_NOOP("Menus", "Seam &weighting")},
+    MenuTitle{"UV/Tools", QT_TRANSLATE_NOOP("Menus", "Tools")},
     MenuTitle{"UV/Islands", QT_TRANSLATE_NOOP("Menus", "Islan&ds")},
     MenuTitle{"View", QT_TRANSLATE_NOOP("Menus", "&View")},
     MenuTitle{"View/Coloring", QT_TRANSLATE_NOOP("Menus", "&Colouring")},

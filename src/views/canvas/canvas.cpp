@@ -188,7 +188,7 @@ Canvas::HoverParts Canvas::hoverParts() const
     HoverParts parts;
     const Document *document = mContext.workspace.document();
     const Hover &hover = mContext.view.hover();
-    if (!document)
+    if (!document || (mTools.tool() && !mTools.tool()->marksHover()))
         return parts;
     const SoupTopology &topology = mContent.topology();
     const SelectionMode mode = document->selection().mode;

@@ -6,6 +6,7 @@ namespace autocuts {
 class MapController;
 class Preferences;
 class ShownMap;
+class SolverController;
 class ViewState;
 class Workspace;
 
@@ -17,6 +18,7 @@ struct CanvasContext
     ViewState &view;
     Preferences &preferences;
     MapController &map; //!< for the figures: flips and overlaps
+    SolverController &solver;
 };
 
 } // namespace autocuts

@@ -62,6 +62,7 @@ void Canvas::mouseMoveEvent(QMouseEvent *event)
     endLostGestures(event->buttons());
     const QPointF moved = event->position() - mLastMouse;
     mLastMouse = event->position();
+    mTools.setMouse(this, mLastMouse);
     if (mNavigation != Navigation::None) {
         navigate(mNavigation, moved, mNavigationStart);
         update();
@@ -122,7 +123,9 @@ void Canvas::wheelEvent(QWheelEvent *event)
 void Canvas::keyPressEvent(QKeyEvent *event)
 {
     const NavigationPreset preset = mContext.preferences.values().navigation;
-    const NavigationKey key = navigationKeyOf(preset, event->key(), event->modifiers());
+    const bool toTool = mContent.mesh() && mTools.tool() && mTools.tool()->wantsKey(*event);
+    const NavigationKey key =
+        toTool ? NavigationKey::None : navigationKeyOf(preset, event->key(), event->modifiers());
     if (key == NavigationKey::FrameAll)
         frameAll();
     else if (key == NavigationKey::FrameSelection)
@@ -147,6 +150,7 @@ void Canvas::enterEvent(QEnterEvent *event)
 
 void Canvas::leaveEvent(QEvent *event)
 {
+    mTools.setMouse(nullptr, {});
     mContext.view.setHover({});
     QOpenGLWidget::leaveEvent(event);
 }
@@ -154,11 +158,13 @@ void Canvas::leaveEvent(QEvent *event)
 bool Canvas::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
-        // Keys of the preset, and Escape while a tool works, come here and not to an action.
+        // Keys of the preset, those of the tool, and Escape while it works, come here and not to an action.
         const auto *key = static_cast<QKeyEvent *>(event);
         const NavigationPreset preset = mContext.preferences.values().navigation;
-        const bool cancels = key->key() == Qt::Key_Escape && mTools.tool() && mTools.tool()->isBusy();
-        if (cancels || navigationKeyOf(preset, key->key(), key->modifiers()) != NavigationKey::None) {
+        const AbstractTool *tool = mTools.tool();
+        const bool cancels = tool && key->key() == Qt::Key_Escape && tool->isBusy();
+        if (cancels || (tool && mContent.mesh() && tool->wantsKey(*key)) ||
+            navigationKeyOf(preset, key->key(), key->modifiers()) != NavigationKey::None) {
             event->accept();
             return true;
         }

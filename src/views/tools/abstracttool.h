@@ -48,12 +48,16 @@ public:
 
     virtual void activate() {}
     virtual void deactivate() { cancel(); }
+    //! The user chose the tool, which is active, while the mouse is over a canvas.
+    virtual void chosen(Canvas &, const QPointF &) {}
     virtual void press(const ToolEvent &event) = 0;
     virtual void move(const ToolEvent &event) = 0;
     virtual void release(const ToolEvent &event) = 0;
     virtual void doubleClick(const ToolEvent &event) { press(event); }
     //! \returns true when the key was for the tool. Escape ends a gesture.
     virtual bool keyPress(const QKeyEvent &event, Canvas &canvas);
+    //! Keys that come to keyPress() and not to the action that has them.
+    virtual bool wantsKey(const QKeyEvent &) const { return false; }
     //! \returns true when the wheel was for the tool and not for the camera
     virtual bool wheel(const QWheelEvent &, Canvas &) { return false; }
 
@@ -63,6 +67,8 @@ public:
     virtual void cancel() {}
     //! False when mouse moves need no pick, as while a box is dragged.
     virtual bool wantsPicks() const { return true; }
+    //! False when what a click would select is not to be marked under the mouse.
+    virtual bool marksHover() const { return true; }
     virtual void drawOverlay(QPainter &, const Canvas &) {}
 
 Q_SIGNALS:

@@ -1,6 +1,8 @@
 #include "views/tools/toolmanager.h"
 
+#include "views/canvas/canvas.h"
 #include "views/control/workspace.h"
+#include "views/tools/islandtool.h"
 #include "views/tools/selecttool.h"
 
 #include <algorithm>
@@ -10,6 +12,9 @@ namespace autocuts {
 ToolManager::ToolManager(const CanvasContext &context, QObject *parent) : QObject(parent)
 {
     add(std::make_unique<SelectTool>(context));
+    add(std::make_unique<IslandTool>(context, QStringLiteral("move"), UvEdit::Move));
+    add(std::make_unique<IslandTool>(context, QStringLiteral("rotate"), UvEdit::Rotate));
+    add(std::make_unique<IslandTool>(context, QStringLiteral("scale"), UvEdit::Scale));
     mActive = mTools.front().get();
     mActive->activate();
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] { mActive->cancel(); });
@@ -39,6 +44,19 @@ void ToolManager::setTool(const QString &id)
     Q_EMIT toolChanged();
     Q_EMIT hintChanged(mActive->hint());
     Q_EMIT overlayChanged();
+}
+
+void ToolManager::choose(const QString &id)
+{
+    setTool(id);
+    if (mMouseCanvas && mActive->id() == id && mMouseCanvas->content().mesh())
+        mActive->chosen(*mMouseCanvas, mMouse);
+}
+
+void ToolManager::setMouse(Canvas *canvas, const QPointF &position)
+{
+    mMouseCanvas = canvas;
+    mMouse = position;
 }
 
 } // namespace autocuts

@@ -4,6 +4,7 @@
 #include "views/tools/abstracttool.h"
 
 #include <QObject>
+#include <QPointer>
 
 #include <memory>
 #include <vector>
@@ -23,6 +24,10 @@ public:
     void add(std::unique_ptr<AbstractTool> tool);
     //! Ends the gesture of the active tool and activates another. Unknown ids are ignored.
     void setTool(const QString &id);
+    //! As setTool(), by the user's key or button: the tool may begin at once where the mouse is.
+    void choose(const QString &id);
+    //! Where the mouse is now. \param canvas null: over none
+    void setMouse(Canvas *canvas, const QPointF &position);
     AbstractTool *tool() const { return mActive; }
 
 Q_SIGNALS:
@@ -35,6 +40,8 @@ Q_SIGNALS:
 private:
     std::vector<std::unique_ptr<AbstractTool>> mTools;
     AbstractTool *mActive = nullptr;
+    QPointer<Canvas> mMouseCanvas; //!< that the mouse is over
+    QPointF mMouse;
 };
 
 } // namespace autocuts

@@ -1,0 +1,26 @@
+// The handles with which islands are moved, rotated and scaled.
+#pragma once
+
+#include "commands/setuvs.h"
+#include "views/gl/viewcolors.h"
+#include "views/tools/islanddrag.h"
+
+#include <QPointF>
+
+#include <optional>
+
+class QPainter;
+
+namespace autocuts {
+
+//! Length of the arrows and radius of the ring, logical pixels.
+inline constexpr double gizmoLength = 64;
+
+//! The handle under the mouse, named by what it does; nothing when there is none.
+//! \param edit Move, Rotate or Scale \param centre of the gizmo, pixels
+std::optional<DragAxis> gizmoPartAt(UvEdit edit, const QPointF &centre, const QPointF &mouse);
+//! \param marked handle to be drawn as held
+void drawIslandGizmo(QPainter &painter, UvEdit edit, const QPointF &centre, std::optional<DragAxis> marked,
+                     const ViewColors &colors);
+
+} // namespace autocuts

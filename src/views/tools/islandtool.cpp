@@ -1,0 +1,344 @@
+#include "views/tools/islandtool.h"
+
+#include "model/selectiontools.h"
+#include "views/actions/selecting.h"
+#include "views/canvas/uvview.h"
+#include "views/control/shownmap.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/tools/pickedelements.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+//! Moves shorter than this are clicks of an unsteady hand, logical pixels.
+constexpr double dragDistance = 4;
+
+} // namespace
+
+IslandTool::IslandTool(const CanvasContext &context, const QString &id, UvEdit edit, QObject *parent)
+    : AbstractTool(context, id, parent), mEdit(edit)
+{
+    // The transform belongs to a document and to its active UV set.
+    connect(&context.workspace, &Workspace::documentReplaced, this, &IslandTool::finish);
+    connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
+        if (event.type == ChangeEvent::Type::UvSet)
+            finish();
+    });
+    connect(&context.solver, &SolverController::stateChanged, this, [this] {
+        if (mState == State::Active)
+            finish();
+    });
+    // A solve that failed never settles.
+    connect(
+        &context.solver, &SolverController::stateChanged, this,
+        [this] {
+            const SolverController &solver = this->context().solver;
+            if (mState == State::Waiting && !solver.isRunning() && !solver.isSettling())
+                finish();
+        },
+        Qt::QueuedConnection);
+    connect(&context.workspace, &Workspace::selectionChanged, this, &AbstractTool::overlayChanged);
+}
+
+QString IslandTool::hint() const
+{
+    if (mState == State::Active)
+        return tr("%1   X or Y: one axis, digits: exact, Ctrl: snap, Enter: done, Escape: cancel")
+            .arg(mDrag.text());
+    if (mAllLocked)
+        return tr("The selected islands are locked");
+    switch (mEdit) {
+    case UvEdit::Rotate:
+        return tr("Rotate islands: drag an island or the ring, Ctrl turns by 15 degrees, with Alt by 90");
+    case UvEdit::Scale:
+        return tr("Scale islands: drag an island or a handle, Ctrl scales by tenths");
+    default:
+        return tr("Move islands: drag an island or an arrow, Ctrl snaps to the grid, with Shift to texels, "
+                  "with Alt to tiles");
+    }
+}
+
+void IslandTool::deactivate()
+{
+    cancel();
+    mAllLocked = false;
+    mHovered.reset();
+}
+
+void IslandTool::chosen(Canvas &canvas, const QPointF &position)
+{
+    auto *view = qobject_cast<UvView *>(&canvas);
+    if (!view || isBusy() || selectedIslands().empty())
+        return;
+    mByKey = true;
+    begin(*view, position, DragAxis::Both);
+}
+
+void IslandTool::press(const ToolEvent &event)
+{
+    if (event.button == Qt::RightButton && isBusy()) {
+        cancel();
+        return;
+    }
+    if (event.button != Qt::LeftButton)
+        return;
+    if (isBusy()) {
+        if (mByKey && mState == State::Waiting)
+            mConfirmed = true;
+        else if (mByKey)
+            finish();
+        return;
+    }
+    mAllLocked = false;
+    mByKey = mConfirmed = false;
+    mHovered = partAt(event);
+    mStart = event.position;
+    mView = qobject_cast<UvView *>(&event.canvas);
+    mState = State::Pressed;
+    mSelectOnRelease = false;
+    if (!mHovered)
+        select(event, true);
+}
+
+//! A press on an island that is not selected selects it, so that it can be dragged at once; what else a click
+//! selects waits for the release.
+void IslandTool::select(const ToolEvent &event, bool pressed)
+{
+    Document &document = *context().workspace.document();
+    const QList<int> face = event.pick.triangle >= 0
+                                ? QList<int>{document.mesh().triangleFace[event.pick.triangle]}
+                                : QList<int>();
+    const bool add = event.modifiers.testFlag(Qt::ShiftModifier);
+    const bool isNew = !face.isEmpty() && !isSelected(face.front());
+    if (pressed && !isNew) {
+        mSelectOnRelease = true;
+        return;
+    }
+    const Selection &current = document.selection();
+    const Selection picked = selectionOf(document, facesOfIslands(document.islands(), face), current.mode);
+    if (add && picked.isEmpty())
+        return;
+    document.setSelection(combined(current, picked, add ? Combine::Toggle : Combine::Replace));
+}
+
+void IslandTool::move(const ToolEvent &event)
+{
+    if (mState == State::Idle) {
+        const std::optional<DragAxis> part = partAt(event);
+        if (part != mHovered) {
+            mHovered = part;
+            Q_EMIT overlayChanged();
+        }
+        return;
+    }
+    if (&event.canvas != mView)
+        return;
+    const QPointF moved = event.position - mStart;
+    if (mState == State::Pressed) {
+        if (std::hypot(moved.x(), moved.y()) < dragDistance)
+            return;
+        begin(*mView, mStart, mHovered.value_or(DragAxis::Both));
+    }
+    if (mConfirmed || mState == State::Idle)
+        return;
+    const MapCamera &camera = mView->camera();
+    mDrag.current = camera.toUv(event.position);
+    mDrag.snap = snapOf(event.modifiers);
+    mDrag.snapStep = snapStep(mDrag.snap, camera, mDrag.textureSize);
+    if (mState == State::Active)
+        apply();
+}
+
+void IslandTool::release(const ToolEvent &event)
+{
+    if (event.button != Qt::LeftButton || mByKey)
+        return;
+    switch (mState) {
+    case State::Idle:
+        break;
+    case State::Pressed:
+        finish();
+        if (mSelectOnRelease)
+            select(event, false);
+        break;
+    case State::Waiting:
+        mConfirmed = true;
+        break;
+    case State::Active:
+        finish();
+        break;
+    }
+}
+
+void IslandTool::begin(UvView &view, const QPointF &position, DragAxis axis)
+{
+    mView = &view;
+    mConfirmed = false;
+    mState = State::Waiting;
+    const MapCamera &camera = view.camera();
+    mDrag = {};
+    mDrag.edit = mEdit;
+    mDrag.start = mDrag.current = camera.toUv(position);
+    mDrag.axis = axis;
+    mDrag.pixel = 1 / camera.scale();
+    mDrag.textureSize = context().workspace.document()->packingSettings().textureSize;
+    const int gesture = ++mGesture;
+    context().solver.whenSettled([self = QPointer(this), gesture] {
+        if (self && self->mState == State::Waiting && self->mGesture == gesture)
+            self->start();
+    });
+}
+
+void IslandTool::start()
+{
+    Document &document = *context().workspace.document();
+    auto transform = std::make_unique<IslandTransform>(document, mEdit, selectedIslands());
+    if (!transform->canMove()) {
+        mAllLocked = !selectedIslands().empty();
+        finish();
+        return;
+    }
+    mAllLocked = false;
+    mDrag.box = movableBox();
+    mTransform = std::move(transform);
+    mState = State::Active;
+    apply();
+    if (mConfirmed)
+        finish();
+}
+
+void IslandTool::apply()
+{
+    pushCommand(mTransform->command(mDrag.transform()));
+    Q_EMIT overlayChanged();
+    Q_EMIT hintChanged();
+}
+
+void IslandTool::finish()
+{
+    mTransform.reset();
+    mState = State::Idle;
+    Q_EMIT overlayChanged();
+    Q_EMIT hintChanged();
+}
+
+void IslandTool::cancel()
+{
+    if (mState == State::Active)
+        cancelGesture(*context().workspace.document(), mTransform->gesture());
+    finish();
+}
+
+//! The keys of actions would change what the gesture works on.
+bool IslandTool::wantsKey(const QKeyEvent &event) const
+{
+    return (mState == State::Waiting || mState == State::Active) &&
+           !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
+}
+
+bool IslandTool::keyPress(const QKeyEvent &event, Canvas &canvas)
+{
+    if (AbstractTool::keyPress(event, canvas))
+        return true;
+    if (!wantsKey(event))
+        return false;
+    if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
+        if (mState == State::Active)
+            finish();
+        mConfirmed = true;
+    } else if (mDrag.takeKey(event) && mState == State::Active) {
+        apply();
+    }
+    return true;
+}
+
+bool IslandTool::isSelected(int face) const
+{
+    const std::vector<int> islands = selectedIslands();
+    return std::binary_search(islands.begin(), islands.end(),
+                              context().workspace.document()->islands().islandOfFace(face));
+}
+
+std::vector<int> IslandTool::selectedIslands() const
+{
+    const Document &document = *context().workspace.document();
+    return document.islands().islandsOf(facesOf(document, document.selection()));
+}
+
+Eigen::AlignedBox2d IslandTool::movableBox() const
+{
+    const Document &document = *context().workspace.document();
+    Eigen::AlignedBox2d box;
+    for (int island : selectedIslands()) {
+        if (document.marks().flagsOf(document.islands().faces(island)).locked == 0)
+            box.extend(document.islands().box(island));
+    }
+    return box;
+}
+
+std::optional<DragAxis> IslandTool::partAt(const ToolEvent &event) const
+{
+    const auto *view = qobject_cast<const UvView *>(&event.canvas);
+    if (!view || context().shownMap.isLive())
+        return std::nullopt;
+    const Eigen::AlignedBox2d box = movableBox();
+    if (box.isEmpty())
+        return std::nullopt;
+    return gizmoPartAt(mEdit, view->camera().toScreen(box.center()), event.position);
+}
+
+void IslandTool::drawOverlay(QPainter &painter, const Canvas &canvas)
+{
+    const auto *view = qobject_cast<const UvView *>(&canvas);
+    if (!view || context().shownMap.isLive())
+        return;
+    const bool active = mState == State::Active;
+    if (active && view != mView)
+        return;
+    const Eigen::AlignedBox2d box = active ? mDrag.box : movableBox();
+    if (box.isEmpty())
+        return;
+    const Vec2 pivot = active ? Vec2(mDrag.transform() * mDrag.pivot()) : Vec2(box.center());
+    const QPointF centre = view->camera().toScreen(pivot);
+    if (active)
+        drawGuide(painter, *view, centre);
+    drawIslandGizmo(painter, mEdit, centre, active ? std::optional(mDrag.axis) : mHovered,
+                    canvas.content().colors());
+}
+
+//! The axis that the gesture is held to, and what it has done so far.
+void IslandTool::drawGuide(QPainter &painter, const UvView &view, const QPointF &centre) const
+{
+    const ViewColors &colors = view.content().colors();
+    if (mDrag.axis != DragAxis::Both && mEdit != UvEdit::Rotate) {
+        const bool x = mDrag.axis == DragAxis::X;
+        painter.setPen(QPen(colors.axes[x ? 0 : 1], 1, Qt::DashLine));
+        if (x)
+            painter.drawLine(QPointF(0, centre.y()), QPointF(view.width(), centre.y()));
+        else
+            painter.drawLine(QPointF(centre.x(), 0), QPointF(centre.x(), view.height()));
+    }
+    const QString text = mDrag.text();
+    const QFontMetrics metrics = painter.fontMetrics();
+    QRectF panel(centre + QPointF(18, gizmoLength / 2),
+                 QSizeF(metrics.horizontalAdvance(text) + 16, metrics.height() + 8));
+    const QRectF room = QRectF(view.rect()).adjusted(4, 4, -4, -4);
+    panel.moveLeft(
+        std::clamp(panel.left(), room.left(), std::max(room.left(), room.right() - panel.width())));
+    panel.moveTop(std::clamp(panel.top(), room.top(), std::max(room.top(), room.bottom() - panel.height())));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colors.panel);
+    painter.drawRoundedRect(panel, 4, 4);
+    painter.setPen(colors.text);
+    painter.drawText(panel, Qt::AlignCenter, text);
+}
+
+} // namespace autocuts

@@ -1,0 +1,70 @@
+// Moving, rotating and scaling islands with the mouse.
+#pragma once
+
+#include "commands/islandtransform.h"
+#include "views/tools/abstracttool.h"
+#include "views/tools/islandgizmo.h"
+
+#include <QPointer>
+
+namespace autocuts {
+
+class UvView;
+
+//! Transforms the islands of the selection in the UV view, by a drag of an island or of a handle, or at once
+//! when the key of the tool is pressed there: then the islands follow the mouse until a click or Enter.
+//! Numbers can be typed, X and Y hold the axis, Ctrl snaps, Escape and the right button cancel. A click
+//! selects islands. Locked islands stay. A live solve is paused first.
+class IslandTool final : public AbstractTool
+{
+    Q_OBJECT
+
+public:
+    //! \param edit Move, Rotate or Scale
+    IslandTool(const CanvasContext &context, const QString &id, UvEdit edit, QObject *parent = nullptr);
+
+    QString hint() const override;
+    void deactivate() override;
+    void chosen(Canvas &canvas, const QPointF &position) override;
+    void press(const ToolEvent &event) override;
+    void move(const ToolEvent &event) override;
+    void release(const ToolEvent &event) override;
+    bool wantsKey(const QKeyEvent &event) const override;
+    bool keyPress(const QKeyEvent &event, Canvas &canvas) override;
+    bool isBusy() const override { return mState != State::Idle; }
+    void cancel() override;
+    bool wantsPicks() const override { return mState == State::Idle; }
+    void drawOverlay(QPainter &painter, const Canvas &canvas) override;
+
+private:
+    //! Waiting: for the solver to put its map into the document.
+    enum class State { Idle, Pressed, Waiting, Active };
+
+    void begin(UvView &view, const QPointF &position, DragAxis axis);
+    void start();
+    void apply();
+    //! Ends the gesture and keeps what it did.
+    void finish();
+    void select(const ToolEvent &event, bool pressed);
+    bool isSelected(int face) const;
+    //! Of the islands of the selection that are not locked; empty when there is none.
+    Eigen::AlignedBox2d movableBox() const;
+    std::vector<int> selectedIslands() const;
+    std::optional<DragAxis> partAt(const ToolEvent &event) const;
+    void drawGuide(QPainter &painter, const UvView &view, const QPointF &centre) const;
+
+    const UvEdit mEdit;
+    State mState = State::Idle;
+    QPointer<UvView> mView; //!< where the gesture began
+    QPointF mStart;         //!< of the press
+    IslandDrag mDrag;
+    std::unique_ptr<IslandTransform> mTransform; //!< while Active
+    int mGesture = 0;                            //!< counts gestures
+    bool mByKey = false;                         //!< no button is held
+    bool mConfirmed = false;                     //!< while Waiting
+    bool mSelectOnRelease = false;
+    std::optional<DragAxis> mHovered;
+    bool mAllLocked = false; //!< why the last gesture did nothing
+};
+
+} // namespace autocuts

@@ -1,0 +1,390 @@
+// Moving, rotating and scaling islands with real mouse and key events in the UV view.
+#include "commands/editpins.h"
+#include "commands/setislandflags.h"
+#include "support/canvases.h"
+#include "support/editsupport.h"
+#include "views/tools/islanddrag.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QTest>
+
+using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
+using test::Canvases;
+
+class TestIslandTool : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        mStudio = std::make_unique<Canvases>();
+        mStudio->open(test::layoutDocument(test::grid(4)));
+        MapCamera camera;
+        camera.setCentre(Vec2(1, 0.5));
+        camera.setScale(200);
+        mStudio->uv.setCamera(camera);
+    }
+    void cleanup() { mStudio.reset(); }
+
+    void dragMovesTheIslandUnderTheMouse()
+    {
+        use(u"move"_s);
+        const UvMatrix before = document().uv();
+        drag(pixel({0.25, 0.3}), pixel({0.25, 0.3}) + QPoint(20, -40));
+        QCOMPARE(document().selection().faces, leftFaces);
+        const UvMatrix after = moved(before, leftFaces, Vec2(0.1, 0.2));
+        QVERIFY((document().uv() - after).cwiseAbs().maxCoeff() < 1e-12);
+        QCOMPARE(document().undoStack().count(), 1);
+        QCOMPARE(document().undoStack().undoText(), u"Move 1 island"_s);
+        const UvMatrix exact = document().uv();
+        document().undoStack().undo();
+        QVERIFY(document().uv() == before);
+        document().undoStack().redo();
+        QVERIFY(document().uv() == exact);
+        QVERIFY(!tool().isBusy());
+    }
+
+    void pinsTravelAlong()
+    {
+        pushCommand(
+            std::make_unique<EditPins>(document(), EditPins::Edit::Pin,
+                                       std::vector<UvPin>{{0, document().uv().row(0).transpose(), true, 1}}));
+        use(u"move"_s);
+        drag(pixel({0.25, 0.3}), pixel({0.25, 0.3}) + QPoint(20, 0));
+        QVERIFY((document().constraints().pin(0)->position - document().uv().row(0).transpose()).norm() <
+                1e-12);
+        QCOMPARE(document().undoStack().count(), 2);
+    }
+
+    void escapeAndRightButtonLeaveNoTrace()
+    {
+        use(u"move"_s);
+        const UvMatrix before = document().uv();
+        for (const bool byKey : {true, false}) {
+            const QPoint start = pixel({0.25, 0.3});
+            QTest::mousePress(&view(), Qt::LeftButton, {}, start);
+            mouse(start + QPoint(30, 30), Qt::LeftButton);
+            QVERIFY(document().uv() != before);
+            QVERIFY(tool().isBusy());
+            if (byKey)
+                QTest::keyClick(&view(), Qt::Key_Escape);
+            else
+                QTest::mousePress(&view(), Qt::RightButton, {}, start + QPoint(30, 30));
+            QVERIFY(document().uv() == before);
+            QCOMPARE(document().undoStack().count(), 0);
+            QVERIFY(!document().undoStack().canRedo());
+            mouse(start + QPoint(60, 60), Qt::LeftButton);
+            if (!byKey)
+                QTest::mouseRelease(&view(), Qt::RightButton, {}, start);
+            QTest::mouseRelease(&view(), Qt::LeftButton, {}, start + QPoint(60, 60));
+            QVERIFY(document().uv() == before);
+            QVERIFY(!tool().isBusy());
+        }
+    }
+
+    void gestureThatReturnsLeavesNoEntry()
+    {
+        use(u"move"_s);
+        const QPoint start = pixel({0.25, 0.3});
+        QTest::mousePress(&view(), Qt::LeftButton, {}, start);
+        mouse(start + QPoint(30, 30), Qt::LeftButton);
+        mouse(start, Qt::LeftButton);
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, start);
+        QCOMPARE(document().undoStack().count(), 0);
+    }
+
+    void keyBeginsWhereTheMouseIs()
+    {
+        selectFaces(leftFaces);
+        const UvMatrix before = document().uv();
+        for (const Qt::Key confirm : {Qt::Key_Enter, Qt::Key_Return, Qt::Key_unknown}) {
+            mouse({100, 100});
+            mStudio->tools.choose(u"move"_s);
+            QVERIFY(tool().isBusy());
+            mouse({140, 80});
+            QVERIFY((document().uv() - moved(before, leftFaces, Vec2(0.2, 0.1))).cwiseAbs().maxCoeff() <
+                    1e-12);
+            if (confirm == Qt::Key_unknown)
+                QTest::mouseClick(&view(), Qt::LeftButton, {}, {140, 80});
+            else
+                QTest::keyClick(&view(), confirm);
+            QVERIFY(!tool().isBusy());
+            QCOMPARE(document().selection().faces, leftFaces);
+            mouse({200, 200});
+            QCOMPARE(document().undoStack().index(), 1);
+            document().undoStack().undo();
+            QVERIFY(document().uv() == before);
+        }
+        // Over the other view the key only chooses the tool.
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(&view(), &leave);
+        Canvases::moveMouse(mStudio->mesh, {100, 100});
+        mStudio->tools.choose(u"scale"_s);
+        QCOMPARE(tool().id(), u"scale"_s);
+        QVERIFY(!tool().isBusy());
+    }
+
+    void keysOfTheGesture_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<QString>("keys");
+        QTest::addColumn<QPointF>("corner"); //!< where (0, 0) of the left island goes
+        const double texel = 1.0 / 2048;
+        QTest::newRow("x") << u"move"_s << u"X"_s << QPointF(0.2, 0);
+        QTest::newRow("y") << u"move"_s << u"Y"_s << QPointF(0, 0.1);
+        QTest::newRow("x twice") << u"move"_s << u"XX"_s << QPointF(0.2, 0.1);
+        QTest::newRow("number") << u"move"_s << u"64"_s << QPointF(64 * texel, 0);
+        QTest::newRow("number along y") << u"move"_s << u"-1.5Y"_s << QPointF(0, -1.5 * texel);
+        QTest::newRow("mended number") << u"move"_s << u"Y29<8"_s << QPointF(0, 28 * texel);
+        QTest::newRow("quarter turn") << u"rotate"_s << u"90"_s << QPointF(0.75, 0.25);
+        QTest::newRow("back") << u"rotate"_s << u"-90"_s << QPointF(-0.25, 0.75);
+        QTest::newRow("double") << u"scale"_s << u"2"_s << QPointF(-0.25, -0.5);
+        QTest::newRow("half of x") << u"scale"_s << u".5X"_s << QPointF(0.125, 0);
+        QTest::newRow("not negative") << u"scale"_s << u"-2"_s << QPointF(-0.25, -0.5);
+    }
+
+    void keysOfTheGesture()
+    {
+        QFETCH(QString, id);
+        QFETCH(QString, keys);
+        QFETCH(QPointF, corner);
+        PackingSettings settings = document().packingSettings();
+        QCOMPARE(settings.textureSize, 2048);
+        selectFaces(leftFaces);
+        const UvMatrix before = document().uv();
+        mouse({100, 100});
+        mStudio->tools.choose(id);
+        mouse({140, 80});
+        for (const QChar key : keys)
+            QTest::keyClick(&view(), key == u'<' ? Qt::Key_Backspace : Qt::Key(key.unicode()));
+        QTest::keyClick(&view(), Qt::Key_Return);
+        const Vec2 place = document().uv().row(cornerAt(before, {0, 0})).transpose();
+        QVERIFY2((place - Vec2(corner.x(), corner.y())).norm() < 1e-9,
+                 qPrintable(u"%1, %2"_s.arg(place.x()).arg(place.y())));
+        QCOMPARE(document().undoStack().count(), 1);
+        document().undoStack().undo();
+        QVERIFY(document().uv() == before);
+    }
+
+    void gizmoHoldsTheAxis()
+    {
+        use(u"move"_s);
+        selectFaces(leftFaces);
+        const UvMatrix before = document().uv();
+        const QPoint handle = pixel({0.25, 0.5}) + QPoint(50, 0);
+        drag(handle, handle + QPoint(40, 40));
+        QVERIFY((document().uv() - moved(before, leftFaces, Vec2(0.2, 0))).cwiseAbs().maxCoeff() < 1e-12);
+        document().undoStack().undo();
+        use(u"scale"_s);
+        const QPoint up = pixel({0.25, 0.5}) - QPoint(0, 60);
+        drag(up, up - QPoint(0, 60));
+        const Vec2 place = document().uv().row(cornerAt(before, {0, 0})).transpose();
+        QVERIFY((place - Vec2(0, -0.5)).norm() < 1e-9);
+        document().undoStack().undo();
+        use(u"rotate"_s);
+        const QPoint ring = pixel({0.25, 0.5}) + QPoint(64, 0);
+        drag(ring, pixel({0.25, 0.5}) + QPoint(-70, 0));
+        const Vec2 turned = document().uv().row(cornerAt(before, {0, 0})).transpose();
+        QVERIFY((turned - Vec2(0.5, 1)).norm() < 1e-9);
+    }
+
+    void snapping_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<int>("modifiers");
+        QTest::addColumn<QPoint>("way");
+        QTest::addColumn<QPointF>("corner");
+        const auto row = [](const char *name, const char *id, int modifiers, QPoint way, QPointF corner) {
+            QTest::newRow(name) << QString::fromLatin1(id) << modifiers << way << corner;
+        };
+        const int ctrl = Qt::ControlModifier, shift = Qt::ShiftModifier, alt = Qt::AltModifier;
+        row("tiles", "move", ctrl | alt, {130, -20}, {1, 0});
+        row("texels", "move", ctrl | shift, {33, -21},
+            {std::round(33 / 200.0 * 2048) / 2048, std::round(21 / 200.0 * 2048) / 2048});
+        row("quarters", "rotate", ctrl | alt, {-40, 40}, {-0.25, 0.75});
+        row("tenths", "scale", ctrl, {0, -21}, {-0.025, -0.05});
+    }
+
+    void snapping()
+    {
+        QFETCH(QString, id);
+        QFETCH(int, modifiers);
+        QFETCH(QPoint, way);
+        QFETCH(QPointF, corner);
+        selectFaces(leftFaces);
+        const UvMatrix before = document().uv();
+        const QPoint pivot = pixel({0.25, 0.5});
+        const QPoint start = id == u"scale"_s    ? pivot - QPoint(0, 200)
+                             : id == u"rotate"_s ? pivot + QPoint(40, 0)
+                                                 : pivot;
+        mouse(start);
+        mStudio->tools.choose(id);
+        mouse(start + way, Qt::NoButton, Qt::KeyboardModifiers(modifiers));
+        QTest::keyClick(&view(), Qt::Key_Return);
+        const Vec2 place = document().uv().row(cornerAt(before, {0, 0})).transpose();
+        QVERIFY2((place - Vec2(corner.x(), corner.y())).norm() < 1e-9,
+                 qPrintable(u"%1, %2"_s.arg(place.x()).arg(place.y())));
+    }
+
+    void gridSnapping()
+    {
+        // The drawn lines: one of the sides of the box lands on one.
+        MapCamera camera;
+        camera.setScale(200);
+        const double step = snapStep(SnapTo::Grid, camera, 2048);
+        QVERIFY(step > 0 && step <= 0.5);
+        const Eigen::AlignedBox2d box(Vec2(0.01, 0.02), Vec2(0.33, 0.74));
+        const Vec2 move = snappedMove(Vec2(0.111, 0.222), box, step);
+        for (int axis = 0; axis < 2; ++axis) {
+            const double low = (box.min() + move)[axis] / step, high = (box.max() + move)[axis] / step;
+            QVERIFY(std::abs(low - std::round(low)) < 1e-9 || std::abs(high - std::round(high)) < 1e-9);
+            QVERIFY(std::abs(move[axis] - Vec2(0.111, 0.222)[axis]) <= step / 2 + 1e-12);
+        }
+        QCOMPARE(snappedMove(Vec2(0.1, 0.2), box, 0), Vec2(0.1, 0.2));
+    }
+
+    void lockedIslandsStay()
+    {
+        pushCommand(
+            std::make_unique<SetIslandFlags>(document(), SetIslandFlags::Edit::Lock, std::vector<int>{0}));
+        const UvMatrix before = document().uv();
+        selectFaces(leftFaces);
+        mouse({100, 100});
+        mStudio->tools.choose(u"move"_s);
+        QVERIFY(!tool().isBusy());
+        QVERIFY(tool().hint().contains(u"locked"_s));
+        drag(pixel({0.25, 0.3}), pixel({0.5, 0.6}));
+        QVERIFY(document().uv() == before);
+        QCOMPARE(document().undoStack().count(), 1);
+        // With others only those move.
+        QList<int> all;
+        for (int face = 0; face < 16; ++face)
+            all << face;
+        selectFaces(all);
+        drag(pixel({0.25, 0.3}), pixel({0.25, 0.3}) + QPoint(20, -40));
+        QVERIFY((document().uv() - moved(before, rightFaces, Vec2(0.1, 0.2))).cwiseAbs().maxCoeff() < 1e-12);
+        document().undoStack().undo();
+        QVERIFY(document().uv() == before);
+    }
+
+    void clicksSelect()
+    {
+        use(u"move"_s);
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, pixel({0.25, 0.3}));
+        QCOMPARE(document().selection().faces, leftFaces);
+        QTest::mouseClick(&view(), Qt::LeftButton, Qt::ShiftModifier, pixel({1.75, 0.3}));
+        QCOMPARE(document().selection().faces.size(), 16);
+        QTest::mouseClick(&view(), Qt::LeftButton, Qt::ShiftModifier, pixel({1.75, 0.3}));
+        QCOMPARE(document().selection().faces, leftFaces);
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, pixel({1, -0.2}));
+        QVERIFY(document().selection().isEmpty());
+        QCOMPARE(document().undoStack().count(), 0);
+        mStudio->lookFromFront();
+        QTest::mouseClick(&mStudio->mesh, Qt::LeftButton, {}, Canvases::middle(mStudio->mesh, 0));
+        QCOMPARE(document().selection().faces, leftFaces);
+    }
+
+    void solverIsPausedFirst()
+    {
+        mStudio->solver.run();
+        QVERIFY(QTest::qWaitFor([this] { return mStudio->solver.status().iteration > 2; }, 60'000));
+        selectFaces(leftFaces);
+        mouse({100, 100});
+        mStudio->tools.choose(u"move"_s);
+        QVERIFY(tool().isBusy());
+        mouse({140, 80});
+        QVERIFY(QTest::qWaitFor(
+            [this] { return !mStudio->solver.isRunning() && !mStudio->solver.isSettling(); }, 60'000));
+        QCoreApplication::processEvents();
+        QVERIFY(tool().isBusy());
+        QCOMPARE(document().undoStack().undoText().section(u' ', 0, 0), u"Move"_s);
+        const UvMatrix there = document().uv();
+        QTest::keyClick(&view(), Qt::Key_Escape);
+        QVERIFY(document().uv() != there);
+        QCOMPARE(document().undoStack().undoText(), u"Solve"_s);
+    }
+
+    void otherDocumentEndsTheGesture()
+    {
+        selectFaces(leftFaces);
+        mouse({100, 100});
+        mStudio->tools.choose(u"move"_s);
+        mouse({140, 80});
+        mStudio->open(test::layoutDocument(test::grid(4)));
+        QVERIFY(!tool().isBusy());
+        QCOMPARE(document().undoStack().count(), 0);
+        selectFaces(leftFaces);
+        mStudio->tools.choose(u"move"_s);
+        mouse({140, 90});
+        mStudio->workspace.close();
+        QVERIFY(!tool().isBusy());
+        QVERIFY(!mStudio->uv.picture().isNull());
+    }
+
+    void gizmoIsDrawn()
+    {
+        const QImage without = view().picture();
+        selectFaces(leftFaces);
+        use(u"move"_s);
+        const QImage with = view().picture();
+        const QColor red = view().content().colors().axes[0];
+        const QPointF place = pixel({0.25, 0.5}) + QPoint(40, 0);
+        const auto at = [&](const QImage &image) { return image.pixelColor(place.toPoint()); };
+        QVERIFY(qAbs(at(with).red() - red.red()) < 40);
+        QVERIFY(at(with) != at(without));
+    }
+
+private:
+    Document &document() { return mStudio->document(); }
+    UvView &view() { return mStudio->uv; }
+    AbstractTool &tool() { return *mStudio->tools.tool(); }
+    void use(const QString &id)
+    {
+        mStudio->tools.setTool(id);
+        QCOMPARE(tool().id(), id);
+    }
+    QPoint pixel(const Vec2 &uv) { return view().camera().toScreen(uv).toPoint(); }
+    void mouse(const QPoint &place, Qt::MouseButtons buttons = Qt::NoButton,
+               Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+    {
+        QMouseEvent event(QEvent::MouseMove, place, view().mapToGlobal(place), Qt::NoButton, buttons,
+                          modifiers);
+        QCoreApplication::sendEvent(&view(), &event);
+    }
+    void drag(const QPoint &from, const QPoint &to)
+    {
+        QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+        mouse((from + to) / 2, Qt::LeftButton);
+        mouse(to, Qt::LeftButton);
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, to);
+    }
+    void selectFaces(const QList<int> &faces)
+    {
+        Selection selection;
+        selection.faces = faces;
+        document().setSelection(selection);
+    }
+    UvMatrix moved(UvMatrix uv, const QList<int> &faces, const Vec2 &by)
+    {
+        for (int face : faces) {
+            for (int c = document().mesh().faceStart[face]; c < document().mesh().faceStart[face + 1]; ++c)
+                uv.row(c) += by.transpose();
+        }
+        return uv;
+    }
+    static int cornerAt(const UvMatrix &uv, const Vec2 &place)
+    {
+        int row = -1;
+        (uv.rowwise() - place.transpose()).rowwise().norm().minCoeff(&row);
+        return row;
+    }
+
+    const QList<int> leftFaces{0, 1, 4, 5, 8, 9, 12, 13}, rightFaces{2, 3, 6, 7, 10, 11, 14, 15};
+    std::unique_ptr<Canvases> mStudio;
+};
+
+QTEST_MAIN(TestIslandTool)
+#include "tst_islandtool.moc"
