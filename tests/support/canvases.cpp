@@ -7,8 +7,9 @@ namespace autocuts::test {
 
 Canvases::Canvases()
     : preferences(folder.filePath(QStringLiteral("preferences.ini"))), shown(workspace),
-      solver(workspace, shown), map(workspace, solver), context{workspace, shown, view, preferences, map, solver},
-      tools(context), mesh(context, tools), uv(context, tools)
+      solver(workspace, shown),
+      map(workspace, solver), context{workspace, shown, view, preferences, map, solver}, tools(context),
+      mesh(context, tools), uv(context, tools)
 {
     mesh.setGeometry(20, 20, 500, 500);
     uv.setGeometry(560, 20, 500, 500);
@@ -54,10 +55,48 @@ void Canvases::select(SelectionMode mode)
     document().setSelection(selection);
 }
 
-void Canvases::moveMouse(Canvas &canvas, const QPoint &place, Qt::MouseButtons buttons)
+QPoint Canvases::middleOfEdge(const Canvas &canvas, int edge)
 {
-    QMouseEvent event(QEvent::MouseMove, place, canvas.mapToGlobal(place), Qt::NoButton, buttons,
-                      Qt::NoModifier);
+    const int side = canvas.content().topology().edgeSides[edge][0];
+    return place(canvas, {side, nextSoupCorner(side)});
+}
+
+int Canvases::edgeBetween(const Vec3 &a, const Vec3 &b)
+{
+    const MeshAdjacency &adjacency = document().adjacency();
+    const PositionMatrix &positions = document().mesh().positions;
+    for (int e = 0; e < adjacency.edgeCount(); ++e) {
+        const auto &ends = adjacency.edgeVertices(e);
+        const Vec3 p = positions.row(ends[0]), q = positions.row(ends[1]);
+        if (!adjacency.isDiagonal(e) && ((p == a && q == b) || (p == b && q == a)))
+            return e;
+    }
+    return -1;
+}
+
+void Canvases::moveMouse(Canvas &canvas, const QPoint &place, Qt::MouseButtons buttons,
+                         Qt::KeyboardModifiers modifiers)
+{
+    QMouseEvent event(QEvent::MouseMove, place, canvas.mapToGlobal(place), Qt::NoButton, buttons, modifiers);
+    QCoreApplication::sendEvent(&canvas, &event);
+}
+
+void Canvases::drag(Canvas &canvas, const QList<QPoint> &places, Qt::KeyboardModifiers modifiers)
+{
+    constexpr int steps = 5; // between two places
+    QTest::mousePress(&canvas, Qt::LeftButton, modifiers, places.first());
+    for (qsizetype i = 1; i < places.size(); ++i) {
+        for (int step = 1; step <= steps; ++step)
+            moveMouse(canvas, places[i - 1] + (places[i] - places[i - 1]) * step / steps, Qt::LeftButton,
+                      modifiers);
+    }
+    QTest::mouseRelease(&canvas, Qt::LeftButton, modifiers, places.last());
+}
+
+void Canvases::turnWheel(Canvas &canvas, const QPoint &place, int angle, Qt::KeyboardModifiers modifiers)
+{
+    QWheelEvent event(place, canvas.mapToGlobal(place), {}, {0, angle}, Qt::NoButton, modifiers,
+                      Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&canvas, &event);
 }
 

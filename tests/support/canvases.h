@@ -29,9 +29,18 @@ public:
     static QPoint place(const Canvas &canvas, std::initializer_list<int> soupCorners);
     //! Pixel of the middle of a triangle.
     static QPoint middle(const Canvas &canvas, int triangle);
+    //! Pixel of the middle of an edge, on its first side.
+    static QPoint middleOfEdge(const Canvas &canvas, int edge);
+    //! The edge between two vertices at these places of the model; -1 when there is none.
+    int edgeBetween(const Vec3 &a, const Vec3 &b);
     void select(SelectionMode mode);
     //! Moves the mouse over a canvas at once; the one of the screen would get there some time later.
-    static void moveMouse(Canvas &canvas, const QPoint &place, Qt::MouseButtons buttons = Qt::NoButton);
+    static void moveMouse(Canvas &canvas, const QPoint &place, Qt::MouseButtons buttons = Qt::NoButton,
+                          Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+    //! Presses the left button, moves in some steps through all places, and releases it at the last one.
+    static void drag(Canvas &canvas, const QList<QPoint> &places,
+                     Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+    static void turnWheel(Canvas &canvas, const QPoint &place, int angle, Qt::KeyboardModifiers modifiers);
 
     QTemporaryDir folder;
     Preferences preferences;

@@ -152,6 +152,8 @@ void Canvas::leaveEvent(QEvent *event)
 {
     mTools.setMouse(nullptr, {});
     mContext.view.setHover({});
+    if (mTools.tool())
+        mTools.tool()->leave();
     QOpenGLWidget::leaveEvent(event);
 }
 

@@ -18,6 +18,9 @@ namespace autocuts {
 
 class Canvas;
 
+//! Moves shorter than this are clicks of an unsteady hand, logical pixels.
+inline constexpr double dragDistance = 4;
+
 //! A mouse event with what is under the mouse in the canvas that it came from.
 struct ToolEvent
 {
@@ -54,6 +57,8 @@ public:
     virtual void move(const ToolEvent &event) = 0;
     virtual void release(const ToolEvent &event) = 0;
     virtual void doubleClick(const ToolEvent &event) { press(event); }
+    //! The mouse left the view.
+    virtual void leave() {}
     //! \returns true when the key was for the tool. Escape ends a gesture.
     virtual bool keyPress(const QKeyEvent &event, Canvas &canvas);
     //! Keys that come to keyPress() and not to the action that has them.

@@ -11,9 +11,6 @@ namespace autocuts {
 
 namespace {
 
-//! Moves shorter than this are clicks of an unsteady hand, logical pixels.
-constexpr double dragDistance = 4;
-
 Combine combineOf(Qt::KeyboardModifiers modifiers, Combine withShift)
 {
     if (modifiers.testFlag(Qt::ControlModifier))

@@ -3,6 +3,7 @@
 #include "views/canvas/canvas.h"
 #include "views/control/workspace.h"
 #include "views/tools/islandtool.h"
+#include "views/tools/seamtool.h"
 #include "views/tools/selecttool.h"
 
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace autocuts {
 ToolManager::ToolManager(const CanvasContext &context, QObject *parent) : QObject(parent)
 {
     add(std::make_unique<SelectTool>(context));
+    add(std::make_unique<SeamTool>(context, SeamTool::Kind::Cut));
+    add(std::make_unique<SeamTool>(context, SeamTool::Kind::Join));
     add(std::make_unique<IslandTool>(context, QStringLiteral("move"), UvEdit::Move));
     add(std::make_unique<IslandTool>(context, QStringLiteral("rotate"), UvEdit::Rotate));
     add(std::make_unique<IslandTool>(context, QStringLiteral("scale"), UvEdit::Scale));
