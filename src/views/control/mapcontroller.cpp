@@ -4,7 +4,7 @@
 #include "model/makesnapshot.h"
 #include "model/unionfind.h"
 #include "model/uvlayout.h"
-#include "solver/mapmaking.h"
+#include "solver/finalmap.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/overlap/separatemap.h"
 #include "solver/packing/islandgeometry.h"
@@ -289,19 +289,21 @@ void MapController::finish(double maxDistortion)
             const double *first = live->soupUv.data();
             solver.setCoordinates({first, first + live->soupUv.size()});
         }
-        MapMakingOptions options;
+        FinalMapOptions options;
         options.maxDistortion = maxDistortion;
+        options.threads = QThread::idealThreadCount();
         MapJobResult result;
         result.edit = UvEdit::Finish;
-        const std::optional<MadeMap> made = makeMap(solver, options, &control.stop());
-        if (!made) {
+        const std::optional<SeamedMap> map = makeFinalMap(
+            solver, options, &control.stop(), [&](double fraction) { control.setProgress(fraction); });
+        if (!map) {
             result.problem = translated("Finishing was cancelled: the map stays as it was");
             return result;
         }
-        result.uv = input.uvScale * cornerUv(solver.soup(), made->map);
+        result.uv = input.uvScale * cornerUv(solver.soup(), *map);
         result.message = translated("Finished: seams %1, distortion %2")
-                             .arg(made->map.seamLength(solver.soup()), 0, 'f', 3)
-                             .arg(made->map.distortion(solver.soup()), 0, 'f', 4);
+                             .arg(map->seamLength(solver.soup()), 0, 'f', 3)
+                             .arg(map->distortion(solver.soup()), 0, 'f', 4);
         return result;
     });
 }

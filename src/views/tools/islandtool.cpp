@@ -19,7 +19,6 @@ namespace autocuts {
 namespace {
 
 //! Moves shorter than this are clicks of an unsteady hand, logical pixels.
-constexpr double dragDistance = 4;
 
 } // namespace
 

@@ -1,0 +1,116 @@
+// The final map of a live solve: within the bound, without folds and overlaps, and what the user decided
+// holds.
+#include "solver/anneal.h"
+#include "solver/finalmap.h"
+#include "solver/overlapfree.h"
+#include "support/meshbuilders.h"
+
+#include <QTest>
+
+using namespace autocuts;
+
+namespace {
+
+//! A live solve that has gone some way.
+struct Solved : Solver
+{
+    explicit Solved(const Snapshot &given)
+    {
+        load(given);
+        annealSoup(*this, {.lambda = 0.05, .stepsPerLevel = 15}, nullptr);
+    }
+};
+
+Snapshot snapshotOf(const test::MeshPtr &mesh)
+{
+    Snapshot snapshot;
+    snapshot.mesh = mesh;
+    return snapshot;
+}
+
+} // namespace
+
+class TestFinalMap : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theSearchImprovesWhatTheSolveLeft_data()
+    {
+        QTest::addColumn<test::MeshPtr>("mesh");
+        QTest::newRow("sphere") << test::sphere(14, 18);
+        QTest::newRow("quads") << test::quadCube();
+        QTest::newRow("torus") << test::torus(16, 10);
+        QTest::newRow("dirty") << test::dirty();
+    }
+    void theSearchImprovesWhatTheSolveLeft()
+    {
+        QFETCH(test::MeshPtr, mesh);
+        const Solved solver(snapshotOf(mesh));
+        const double bound = 4.2;
+        const std::optional<MadeMap> made = makeMap(solver, {.maxDistortion = bound});
+        double progress = 0;
+        const std::optional<SeamedMap> map =
+            makeFinalMap(solver, {.maxDistortion = bound}, nullptr, [&](double fraction) {
+                QVERIFY(fraction >= progress && fraction <= 1);
+                progress = fraction;
+            });
+        QVERIFY(made && map);
+        QCOMPARE(map->validate(solver.soup()), std::string());
+        QVERIFY(!coversItself(solver.soup(), *map));
+        const bool madeFits = made->map.distortion(solver.soup()) <= bound;
+        QVERIFY(!madeFits || map->distortion(solver.soup()) <= bound);
+        if (madeFits)
+            QVERIFY(map->seamLength(solver.soup()) <= made->map.seamLength(solver.soup()));
+    }
+
+    void itDoesNotDependOnTheThreads()
+    {
+        const Solved solver(snapshotOf(test::sphere(12, 16)));
+        const auto one = makeFinalMap(solver, {.threads = 1});
+        const auto two = makeFinalMap(solver, {.threads = 2});
+        QVERIFY(one && two);
+        QVERIFY(one->cut == two->cut);
+        QVERIFY(one->x == two->x);
+    }
+
+    void forcedCutsAndJoinsHold()
+    {
+        Snapshot snapshot = snapshotOf(test::sphere(12, 16));
+        const MeshData &mesh = *snapshot.mesh;
+        snapshot.pairState.assign(mesh.cornerPairCount(), PairState::Free);
+        const std::vector<int> cut{20, 21}, joined{100, 140};
+        for (const int edge : cut)
+            snapshot.pairState[2 * edge] = snapshot.pairState[2 * edge + 1] = PairState::Cut;
+        for (const int edge : joined)
+            snapshot.pairState[2 * edge] = snapshot.pairState[2 * edge + 1] = PairState::Joined;
+        const Solved solver(snapshot);
+        const auto map = makeFinalMap(solver, {.maxDistortion = 4.3});
+        QVERIFY(map);
+        for (const int edge : cut)
+            QVERIFY(map->cut[edge]);
+        for (const int edge : joined)
+            QVERIFY(!map->cut[edge]);
+    }
+
+    void pinsAreLeftToTheSolver()
+    {
+        Snapshot snapshot = snapshotOf(test::sphere(10, 12));
+        snapshot.pins.push_back({0, Vec2(0.3, 0.2), false, 10});
+        const Solved solver(snapshot);
+        const auto made = makeMap(solver, {});
+        const auto map = makeFinalMap(solver, {});
+        QVERIFY(made && map);
+        QVERIFY(map->x == made->map.x);
+    }
+
+    void stoppedBeforeThereIsAMap()
+    {
+        const Solved solver(snapshotOf(test::sphere(10, 12)));
+        const std::atomic<bool> stop = true;
+        QVERIFY(!makeFinalMap(solver, {}, &stop));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFinalMap)
+#include "tst_finalmap.moc"
