@@ -254,9 +254,7 @@ void MapController::unwrap(UnwrapQuality quality, double maxDistortion)
         MapJobResult result;
         result.edit = UvEdit::Solve;
         result.uv = made.uv;
-        result.message = translated("Unwrapped: seams %1, distortion %2")
-                             .arg(made.seamLength, 0, 'f', 3)
-                             .arg(made.distortion, 0, 'f', 4);
+        result.message = translated("Unwrapped: distortion %1").arg(made.distortion, 0, 'f', 4);
         if (!made.packed)
             result.problem = noRoom(input.packing);
         else if (!made.withinBound)
@@ -301,9 +299,7 @@ void MapController::finish(double maxDistortion)
             return result;
         }
         result.uv = input.uvScale * cornerUv(solver.soup(), *map);
-        result.message = translated("Finished: seams %1, distortion %2")
-                             .arg(map->seamLength(solver.soup()), 0, 'f', 3)
-                             .arg(map->distortion(solver.soup()), 0, 'f', 4);
+        result.message = translated("Finished: distortion %1").arg(map->distortion(solver.soup()), 0, 'f', 4);
         return result;
     });
 }
