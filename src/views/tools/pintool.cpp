@@ -17,8 +17,6 @@ namespace autocuts {
 
 namespace {
 
-//! Moves shorter than this are clicks of an unsteady hand, logical pixels.
-constexpr double dragDistance = 4;
 const QColor draggedColor(0x3d8bff);
 
 bool isLocked(const Document &document, int corner)
@@ -113,27 +111,11 @@ void PinTool::move(const ToolEvent &event)
     if (&event.canvas != mCanvas)
         return;
     mEnd = event.position;
-    const SolverController &solver = context().solver;
     if (mState == State::Pressed && std::hypot((mEnd - mStart).x(), (mEnd - mStart).y()) >= dragDistance) {
         if (mPins.empty())
             mState = State::Box;
-        else if (!solver.isSettling()) {
-            Document &document = *context().workspace.document();
-            mState = State::Drag;
-            mLive = solver.isRunning();
-            mGesture = document.undoStack().newGesture();
-            std::set<int> corners; // of the vertices, pinned or not
-            for (const UvPin &pin : mPins) {
-                const int vertex = document.mesh().vertexWeld[document.mesh().cornerVertex[pin.corner]];
-                for (int corner : document.adjacency().vertexCorners(vertex)) {
-                    if ((document.uv().row(corner) - document.uv().row(pin.corner)).norm() < 1e-9)
-                        corners.insert(corner);
-                }
-                corners.insert(pin.corner);
-            }
-            mCorners.assign(corners.begin(), corners.end());
-            mUv = document.uv()(mCorners, Eigen::all);
-        }
+        else if (!context().solver.isSettling())
+            beginDrag();
     }
     if (mState == State::Drag) {
         const MapCamera &camera = static_cast<const UvView &>(event.canvas).camera();
@@ -141,6 +123,26 @@ void PinTool::move(const ToolEvent &event)
     }
     if (mState == State::Box)
         Q_EMIT overlayChanged();
+}
+
+void PinTool::beginDrag()
+{
+    Document &document = *context().workspace.document();
+    const MeshData &mesh = document.mesh();
+    mState = State::Drag;
+    mLive = context().solver.isRunning();
+    mGesture = document.undoStack().newGesture();
+    std::set<int> corners; // of the vertices, pinned or not
+    for (const UvPin &pin : mPins) {
+        corners.insert(pin.corner);
+        for (int corner :
+             document.adjacency().vertexCorners(mesh.vertexWeld[mesh.cornerVertex[pin.corner]])) {
+            if ((document.uv().row(corner) - document.uv().row(pin.corner)).norm() < 1e-9)
+                corners.insert(corner);
+        }
+    }
+    mCorners.assign(corners.begin(), corners.end());
+    mUv = document.uv()(mCorners, Eigen::all);
 }
 
 void PinTool::dragTo(const Vec2 &by)

@@ -44,6 +44,7 @@ private:
     void applyBox(const ToolEvent &event);
     //! The pins that a drag from here moves; none: it draws a box.
     void grab(const ToolEvent &event);
+    void beginDrag();
     void dragTo(const Vec2 &by);
     void drawPins(QPainter &painter, const UvView &view) const;
 

@@ -19,9 +19,6 @@ namespace autocuts {
 
 namespace {
 
-//! Moves shorter than this are clicks of an unsteady hand, logical pixels.
-constexpr double dragDistance = 4;
-
 bool isDrag(const QPointF &way)
 {
     return std::hypot(way.x(), way.y()) >= dragDistance;
