@@ -10,6 +10,7 @@
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/icons.h"
+#include "views/tools/pinning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,25 +28,6 @@ constexpr Choice<DistortionEnergy> energyChoices[] = {
     {"uv.energy.amips", DistortionEnergy::Amips}};
 constexpr Choice<SeamWeighting> weightingChoices[] = {{"uv.weighting.length", SeamWeighting::Length},
                                                       {"uv.weighting.count", SeamWeighting::Count}};
-
-//! The place of each corner in the map that is shown; the first soup corner counts.
-std::vector<UvPin> pinsAt(const MeshData &mesh, const UvMatrix &soupUv, const QList<int> &corners)
-{
-    std::vector<int> soupOfCorner(mesh.cornerCount(), -1);
-    for (int soup = mesh.soupCornerCount() - 1; soup >= 0; --soup)
-        soupOfCorner[mesh.cornerOfSoup(soup)] = soup;
-    std::vector<UvPin> pins;
-    for (int corner : corners) {
-        const int soup = soupOfCorner[corner];
-        if (soup < 0 || soup >= soupUv.rows() || !soupUv.row(soup).allFinite())
-            continue;
-        UvPin pin;
-        pin.corner = corner;
-        pin.position = soupUv.row(soup);
-        pins.push_back(pin);
-    }
-    return pins;
-}
 
 } // namespace
 

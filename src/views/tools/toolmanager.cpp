@@ -3,6 +3,8 @@
 #include "views/canvas/canvas.h"
 #include "views/control/workspace.h"
 #include "views/tools/islandtool.h"
+#include "views/tools/pintool.h"
+#include "views/tools/rectangletool.h"
 #include "views/tools/seamtool.h"
 #include "views/tools/selecttool.h"
 
@@ -18,6 +20,8 @@ ToolManager::ToolManager(const CanvasContext &context, QObject *parent) : QObjec
     add(std::make_unique<IslandTool>(context, QStringLiteral("move"), UvEdit::Move));
     add(std::make_unique<IslandTool>(context, QStringLiteral("rotate"), UvEdit::Rotate));
     add(std::make_unique<IslandTool>(context, QStringLiteral("scale"), UvEdit::Scale));
+    add(std::make_unique<PinTool>(context));
+    add(std::make_unique<RectangleTool>(context));
     mActive = mTools.front().get();
     mActive->activate();
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] { mActive->cancel(); });

@@ -1,0 +1,78 @@
+#include "views/tools/pinning.h"
+
+#include "model/document.h"
+#include "views/canvas/canvas.h"
+#include "views/canvas/uvview.h"
+#include "views/control/shownmap.h"
+
+namespace autocuts {
+
+namespace {
+
+//! So far apart, in pixels, corners of a vertex still count as one place while triangles are apart.
+constexpr double nearlyThere = 4;
+
+bool samePlace(const Vec2 &a, const Vec2 &b, double tolerance)
+{
+    return (a - b).cwiseAbs().maxCoeff() <= tolerance;
+}
+
+} // namespace
+
+std::vector<UvPin> pinsAt(const MeshData &mesh, const UvMatrix &soupUv, const QList<int> &corners)
+{
+    std::vector<int> soupOfCorner(mesh.cornerCount(), -1);
+    for (int soup = mesh.soupCornerCount() - 1; soup >= 0; --soup)
+        soupOfCorner[mesh.cornerOfSoup(soup)] = soup;
+    std::vector<UvPin> pins;
+    for (int corner : corners) {
+        const int soup = soupOfCorner[corner];
+        if (soup < 0 || soup >= soupUv.rows() || !soupUv.row(soup).allFinite())
+            continue;
+        UvPin pin;
+        pin.corner = corner;
+        pin.position = soupUv.row(soup);
+        pins.push_back(pin);
+    }
+    return pins;
+}
+
+std::vector<UvPin> pinsOfVertex(const Document &document, const Canvas &canvas, int soupCorner)
+{
+    const auto corners = document.adjacency().vertexCorners(document.mesh().vertexOfSoup(soupCorner));
+    const UvMatrix &uv = canvas.content().uv();
+    std::vector<UvPin> pins = pinsAt(document.mesh(), uv, {corners.begin(), corners.end()});
+    const auto *view = qobject_cast<const UvView *>(&canvas);
+    if (!view)
+        return pins;
+    const Vec2 place = uv.row(soupCorner);
+    const double tolerance = canvas.canvasContext().shownMap.isLive()
+                                 ? nearlyThere / view->camera().scale()
+                                 : 1e-9 * (1 + place.cwiseAbs().maxCoeff());
+    std::erase_if(pins, [&](const UvPin &pin) { return !samePlace(pin.position, place, tolerance); });
+    for (UvPin &pin : pins)
+        pin.position = place;
+    return pins;
+}
+
+std::vector<UvPin> pinsOfIslands(const Document &document, const UvMatrix &soupUv, const QList<int> &faces)
+{
+    const Islands &islands = document.islands();
+    const std::vector<int> corners = islands.corners(document.mesh(), islands.islandsOf(faces));
+    return pinsAt(document.mesh(), soupUv, {corners.begin(), corners.end()});
+}
+
+std::vector<UvPin> pinsWith(const Document &document, const UvPin &pin)
+{
+    const MeshData &mesh = document.mesh();
+    std::vector<UvPin> pins;
+    const int vertex = mesh.vertexWeld[mesh.cornerVertex[pin.corner]];
+    for (int corner : document.adjacency().vertexCorners(vertex)) {
+        const UvPin *other = document.constraints().pin(corner);
+        if (other && samePlace(other->position, pin.position, 1e-9 * (1 + pin.position.norm())))
+            pins.push_back(*other);
+    }
+    return pins;
+}
+
+} // namespace autocuts

@@ -1,0 +1,51 @@
+// The properties of a rectangle, in the UV view.
+#pragma once
+
+#include "commands/editrectangles.h"
+
+#include <QFrame>
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QLineEdit;
+class QToolButton;
+
+namespace autocuts {
+
+class Workspace;
+
+//! A small bar at the upper side of the view: colour, name, hard or soft, weight, assignment, removal.
+class RectangleBar final : public QFrame
+{
+    Q_OBJECT
+
+public:
+    RectangleBar(Workspace &workspace, QWidget *view);
+
+    //! Shows a rectangle; hides for 0.
+    void setRectangle(int id);
+    //! Puts the cursor into the name, all of it selected.
+    void editName();
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void addColors();
+    void refresh();
+    void place();
+    //! Null when it does not exist.
+    const LayoutRectangle *rectangle() const;
+    template <typename Change>
+    void edit(EditRectangles::Edit kind, Change change, quint64 gesture = 0);
+
+    Workspace &mWorkspace;
+    int mId = 0;
+    quint64 mGesture = 0; //!< of turning the weight
+    QToolButton *mColor, *mAssign, *mClear, *mRemove;
+    QLineEdit *mName;
+    QCheckBox *mHard;
+    QDoubleSpinBox *mWeight;
+};
+
+} // namespace autocuts

@@ -1,0 +1,75 @@
+// Drawing rectangles that islands should stay inside, and assigning islands to them.
+#pragma once
+
+#include "views/tools/abstracttool.h"
+#include "views/tools/rectangles.h"
+
+#include <QPointer>
+
+namespace autocuts {
+
+class RectangleBar;
+class UvView;
+
+//! Works in the UV view. A drag over empty space, or with Shift anywhere, draws a rectangle; a drag of an
+//! outline, a name or empty space inside moves one, handles resize the active one. A drag of an island, or of
+//! the selected ones, into a rectangle assigns its faces, out of all rectangles lets them go; locked islands
+//! are left as they are. A click makes a rectangle the active one, a double click renames it, Delete removes
+//! it. All of it also steers a running solve.
+class RectangleTool final : public AbstractTool
+{
+    Q_OBJECT
+
+public:
+    explicit RectangleTool(const CanvasContext &context, QObject *parent = nullptr);
+    ~RectangleTool() override;
+
+    QString hint() const override;
+    QCursor cursor() const override { return Qt::CrossCursor; }
+    void activate() override;
+    void deactivate() override;
+    void press(const ToolEvent &event) override;
+    void move(const ToolEvent &event) override;
+    void release(const ToolEvent &event) override;
+    void doubleClick(const ToolEvent &event) override;
+    bool wantsKey(const QKeyEvent &event) const override;
+    bool keyPress(const QKeyEvent &event, Canvas &canvas) override;
+    bool isBusy() const override { return mState != State::Idle; }
+    void cancel() override;
+    bool wantsPicks() const override { return mState == State::Idle; }
+    void drawOverlay(QPainter &painter, const Canvas &canvas) override;
+
+    //! The rectangle that the bar shows; 0 for none.
+    int active() const { return mActive; }
+
+private:
+    enum class State { Idle, Pressed, Edit, Assign };
+    //! What a press began.
+    enum class Intent { Draw, Change, Assign };
+
+    const std::vector<LayoutRectangle> &rectangles() const;
+    void setActive(int id);
+    void reset();
+    void beginDrag();
+    //! Adds the rectangle that is drawn.
+    void addRectangle();
+    void dragTo(const ToolEvent &event);
+    void assignAt(const QPointF &position);
+    //! The faces that a drag from a face assigns.
+    QList<int> facesDragged(int face) const;
+    void drawActive(QPainter &painter) const;
+    void drawAssignment(QPainter &painter) const;
+
+    State mState = State::Idle;
+    Intent mIntent = Intent::Draw;
+    QPointer<UvView> mView; //!< where the gesture began
+    QPointF mStart, mEnd;
+    RectangleGrip mGrip;
+    LayoutRectangle mBefore; //!< as the drag began
+    QList<int> mFaces;       //!< that are assigned
+    quint64 mGesture = 0;
+    int mActive = 0;
+    QPointer<RectangleBar> mBar; //!< owned by the view
+};
+
+} // namespace autocuts
