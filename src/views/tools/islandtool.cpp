@@ -16,12 +16,6 @@
 
 namespace autocuts {
 
-namespace {
-
-//! Moves shorter than this are clicks of an unsteady hand, logical pixels.
-
-} // namespace
-
 IslandTool::IslandTool(const CanvasContext &context, const QString &id, UvEdit edit, QObject *parent)
     : AbstractTool(context, id, parent), mEdit(edit)
 {
