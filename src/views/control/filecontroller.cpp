@@ -112,12 +112,16 @@ void FileController::openSample(const QString &name)
 
 void FileController::recover(const RecoverableSession &session)
 {
-    Result<LoadedProject> project = loadProject(session.file);
-    if (!project) {
-        Q_EMIT failed(project.error());
-        return;
-    }
-    adoptProject(std::move(project).value(), session.sessionPath, &session);
+    const bool started = mJobs.start(
+        tr("Recovering"), [file = session.file](JobControl &) { return loadProject(file); },
+        [this, session](Result<LoadedProject> project) {
+            if (project)
+                adoptProject(std::move(project).value(), session.sessionPath, &session);
+            else
+                Q_EMIT failed(project.error());
+        });
+    if (!started)
+        tellBusy(session.file);
 }
 
 void FileController::adopt(Scene scene)
@@ -298,6 +302,12 @@ void FileController::tellWritten(const Result<Done> &written, const QString &pat
         Q_EMIT done(tr("Wrote %1").arg(QFileInfo(path).fileName()));
     else
         Q_EMIT failed(written.error());
+}
+
+void FileController::saveForRecoveryNow()
+{
+    if (mAutosave)
+        mAutosave->saveNow();
 }
 
 void FileController::close()

@@ -57,6 +57,8 @@ public:
     void exportMesh(const QString &path);
     //! Writes a picture of the map, off the GUI thread. \param path .png or .svg
     void exportLayout(const QString &path, const LayoutOptions &options);
+    //! Autosaves at once instead of when it is due.
+    void saveForRecoveryNow();
     //! Ends the session in order.
     void close();
 

@@ -1,0 +1,229 @@
+// Files of the studio: opened and written off the GUI thread, recovered after a crash, never half done.
+#include "commands/setseamstate.h"
+#include "model/io/meshfile.h"
+#include "support/meshbuilders.h"
+#include "views/control/filecontroller.h"
+#include "views/control/shownmap.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/preferences/preferences.h"
+
+#include <QDir>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace autocuts;
+
+namespace {
+
+constexpr int patience = 60'000; //!< milliseconds
+
+//! What a window has for files, without the window.
+struct Desk
+{
+    explicit Desk(const QTemporaryDir &folder)
+        : preferences(folder.filePath(QStringLiteral("autocuts.ini"))),
+          files(workspace, solver, preferences, folder.filePath(QStringLiteral("recovery")))
+    {}
+
+    Workspace workspace;
+    ShownMap shown{workspace};
+    SolverController solver{workspace, shown};
+    Preferences preferences;
+    FileController files;
+    QSignalSpy opened{&files, &FileController::opened}, done{&files, &FileController::done},
+        failed{&files, &FileController::failed};
+
+    Document &document() { return *workspace.document(); }
+    bool rests()
+    {
+        return QTest::qWaitFor([this] { return !files.jobs().isBusy(); }, patience);
+    }
+    void cutAnEdge()
+    {
+        pushCommand(std::make_unique<SetSeamState>(document(), SetSeamState::Edit::Cut,
+                                                   IndexRanges::fromSorted(std::vector<int>{6, 7})));
+    }
+};
+
+} // namespace
+
+class TestFileController : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aSampleIsSavedAndOpenedAgain()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("Сцена 1.acproj"));
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        QCOMPARE(desk.opened.count(), 1);
+        desk.cutAnEdge();
+        QVERIFY(desk.workspace.isModified());
+        QVERIFY(desk.files.save(path));
+        QVERIFY(!desk.workspace.isModified());
+        QCOMPARE(desk.workspace.sessionPath(), path);
+        const DocumentState saved = desk.document().state();
+        desk.files.close();
+        QVERIFY(!desk.workspace.document());
+        desk.files.open(path);
+        QVERIFY(desk.rests());
+        QCOMPARE(desk.opened.count(), 2);
+        QVERIFY(desk.document().state() == saved);
+        QCOMPARE(desk.preferences.recentFiles(), QStringList{path});
+    }
+
+    void aFailedSaveKeepsTheOldFile()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        desk.cutAnEdge();
+        QVERIFY(!desk.files.save(folder.filePath(QStringLiteral("no such folder/a.acproj"))));
+        QCOMPARE(desk.failed.count(), 1);
+        QVERIFY(desk.workspace.isModified());
+        QVERIFY(desk.workspace.sessionPath().isEmpty());
+    }
+
+    void theDefaultsOfThePreferencesHold()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        PreferenceValues values = desk.preferences.values();
+        values.textureSize = 512;
+        values.margin = 3;
+        values.undoMemoryMb = 64;
+        desk.preferences.setValues(values);
+        desk.files.openSample(QStringLiteral("torus"));
+        QCOMPARE(desk.document().packingSettings().textureSize, 512);
+        QCOMPARE(desk.document().packingSettings().margin, 3);
+        QCOMPARE(desk.document().undoStack().memoryLimit(), qint64(64) * 1024 * 1024);
+    }
+
+    void aCrashedSessionComesBack()
+    {
+        QTemporaryDir folder;
+        const QString recovery = folder.filePath(QStringLiteral("recovery"));
+        const QString kept = folder.filePath(QStringLiteral("kept"));
+        QVERIFY(QDir().mkpath(kept));
+        DocumentState state;
+        {
+            Desk desk(folder);
+            desk.files.openSample(QStringLiteral("torus"));
+            QVERIFY(desk.files.save(folder.filePath(QStringLiteral("a.acproj"))));
+            desk.cutAnEdge();
+            desk.files.saveForRecoveryNow();
+            state = desk.document().state();
+            // What a crash would leave: the session ends in order here, so its file is put aside.
+            const QStringList files =
+                QDir(recovery).entryList({QStringLiteral("*.acproj")}, QDir::Files);
+            QCOMPARE(files.size(), 1);
+            QVERIFY(QFile::copy(recovery + QLatin1Char('/') + files.front(),
+                                kept + QLatin1Char('/') + files.front()));
+        }
+        QVERIFY(QDir(recovery).entryList({QStringLiteral("*.acproj")}, QDir::Files).isEmpty());
+        const QStringList left = QDir(kept).entryList(QDir::Files);
+        QVERIFY(QFile::rename(kept + QLatin1Char('/') + left.front(),
+                              recovery + QLatin1Char('/') + left.front()));
+
+        Desk desk(folder);
+        const std::vector<RecoverableSession> sessions = desk.files.recoverable();
+        QCOMPARE(sessions.size(), std::size_t(1));
+        QCOMPARE(sessions.front().sessionPath, folder.filePath(QStringLiteral("a.acproj")));
+        desk.files.recover(sessions.front());
+        QVERIFY(desk.rests());
+        QCOMPARE(desk.opened.count(), 1);
+        QVERIFY(desk.document().state().seams == state.seams);
+        QVERIFY(desk.workspace.isModified()); // it is saved nowhere else
+        QCOMPARE(desk.workspace.sessionPath(), sessions.front().sessionPath);
+    }
+
+    void aSolveInProgressIsInTheRecoveryFile()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        desk.solver.run();
+        QVERIFY(QTest::qWaitFor([&] { return desk.solver.status().iteration > 3; }, patience));
+        desk.files.saveForRecoveryNow();
+        const std::vector<QString> files = recoveryFiles(folder);
+        QCOMPARE(files.size(), std::size_t(1));
+        const Result<LoadedProject> project = loadProject(files.front());
+        QVERIFY(project);
+        QVERIFY(project->state.scene.uvSets.front().uv.allFinite());
+        QVERIFY(desk.solver.isRunning());
+        QVERIFY(!desk.document().uv().allFinite());
+    }
+
+    void aModelIsExchanged()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        const QString changed = folder.filePath(QStringLiteral("changed.obj"));
+        desk.files.exportMesh(changed);
+        QVERIFY(desk.rests());
+        desk.cutAnEdge();
+        const Seams seams = desk.document().seams();
+        desk.files.relink(changed);
+        QVERIFY(desk.rests());
+        QCOMPARE(desk.failed.count(), 0);
+        QVERIFY(desk.document().seams() == seams);
+        QVERIFY(desk.workspace.isModified());
+        desk.files.relink(folder.filePath(QStringLiteral("missing.obj")));
+        QVERIFY(desk.rests());
+        QCOMPARE(desk.failed.count(), 1);
+        QVERIFY(desk.document().seams() == seams);
+    }
+
+    void picturesAndMeshesAreWritten()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        LayoutOptions options;
+        options.size = 64;
+        for (const char *name : {"a.png", "a.svg"}) {
+            desk.files.exportLayout(folder.filePath(QLatin1String(name)), options);
+            QVERIFY(desk.rests());
+        }
+        QCOMPARE(QImage(folder.filePath(QStringLiteral("a.png"))).size(), QSize(64, 64));
+        QVERIFY(QFileInfo(folder.filePath(QStringLiteral("a.svg"))).size() > 100);
+        desk.files.exportMesh(folder.filePath(QStringLiteral("a.xyz")));
+        QVERIFY(desk.rests());
+        QCOMPARE(desk.failed.count(), 1);
+        QCOMPARE(desk.done.count(), 2);
+    }
+
+    void readingCanBeCancelled()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        const QString path = folder.filePath(QStringLiteral("t.obj"));
+        desk.files.exportMesh(path);
+        QVERIFY(desk.rests());
+        const Document *before = desk.workspace.document();
+        desk.files.open(path);
+        desk.files.jobs().cancel();
+        QVERIFY(!desk.files.jobs().isBusy());
+        QTest::qWait(200);
+        QCOMPARE(desk.workspace.document(), before);
+    }
+
+private:
+    static std::vector<QString> recoveryFiles(const QTemporaryDir &folder)
+    {
+        std::vector<QString> result;
+        const QDir recovery(folder.filePath(QStringLiteral("recovery")));
+        for (const QString &file : recovery.entryList({QStringLiteral("*.acproj")}, QDir::Files))
+            result.push_back(recovery.filePath(file));
+        return result;
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFileController)
+#include "tst_filecontroller.moc"
