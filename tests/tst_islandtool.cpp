@@ -3,6 +3,7 @@
 #include "commands/setislandflags.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
+#include "support/studiosession.h"
 #include "views/tools/islanddrag.h"
 
 #include <QKeyEvent>
@@ -322,6 +323,44 @@ private Q_SLOTS:
         mStudio->workspace.close();
         QVERIFY(!tool().isBusy());
         QVERIFY(!mStudio->uv.picture().isNull());
+    }
+
+    void keysOfActionsWaitForTheEnd()
+    {
+        test::StudioSession session;
+        session.context.workspace.open(test::layoutDocument(test::grid(4)), {});
+        UvView &map = session.window.uvView();
+        Selection selection;
+        selection.faces = leftFaces;
+        session.document()->setSelection(selection);
+        const auto press = [&map](Qt::Key key) {
+            QTest::keyClick(&map, key);
+            QCoreApplication::processEvents();
+        };
+        Canvases::moveMouse(map, {100, 100});
+        press(Qt::Key_G);
+        QCOMPARE(session.window.tools().tool()->id(), u"move"_s);
+        QVERIFY(session.action("tool.move")->isChecked());
+        QVERIFY(session.window.tools().tool()->isBusy());
+        for (const Qt::Key key : {Qt::Key_Space, Qt::Key_P, Qt::Key_A, Qt::Key_R})
+            press(key);
+        Canvases::moveMouse(map, {140, 100});
+        QVERIFY(session.window.tools().tool()->isBusy());
+        QVERIFY(!session.context.solver.isRunning() && !session.context.map.jobs().isBusy());
+        press(Qt::Key_Return);
+        QCOMPARE(session.document()->undoStack().count(), 1);
+        press(Qt::Key_R);
+        QCOMPARE(session.window.tools().tool()->id(), u"rotate"_s);
+        press(Qt::Key_Escape);
+        QVERIFY(!session.window.tools().tool()->isBusy());
+        QCOMPARE(session.document()->undoStack().count(), 1);
+        press(Qt::Key_Q);
+        QCOMPARE(session.window.tools().tool()->id(), u"select"_s);
+        // Without a selection there is nothing to begin with.
+        session.document()->setSelection({});
+        press(Qt::Key_S);
+        QCOMPARE(session.window.tools().tool()->id(), u"scale"_s);
+        QVERIFY(!session.window.tools().tool()->isBusy());
     }
 
     void gizmoIsDrawn()

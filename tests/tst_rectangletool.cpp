@@ -293,6 +293,14 @@ private Q_SLOTS:
         QVERIFY(name->isVisible());
         mStudio->tools.setTool(u"select"_s);
         QVERIFY(!name->isVisible());
+        document().undoStack().undo();
+        document().undoStack().redo();
+        QVERIFY(!name->isVisible());
+        mStudio->tools.setTool(u"rectangle"_s);
+        QCOMPARE(tool().active(), 0); // undo has removed it
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, pixel({1, 0.45}));
+        QVERIFY(name->isVisible());
+        mStudio->tools.setTool(u"pin"_s);
         mStudio->tools.setTool(u"rectangle"_s);
         QVERIFY(name->isVisible());
         QTest::mousePress(&view(), Qt::LeftButton, {}, pixel({0.6, 0.35}));

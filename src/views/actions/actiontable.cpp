@@ -213,7 +213,7 @@ constexpr std::array uvTable{
                QT_TRANSLATE_NOOP("Actions", "Pin and unpin by clicks and boxes, drag pins"), NeedsDocument,
                true, "tool", true},
     ActionInfo{"tool.rectangle", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "R&ectangles"), "tool-rectangle",
-               "B", QT_TRANSLATE_NOOP("Actions", "Draw rectangles in the map and assign islands to them"),
+               "E", QT_TRANSLATE_NOOP("Actions", "Draw rectangles in the map and assign islands to them"),
                NeedsDocument, true, "tool"},
     ActionInfo{"uv.cancel", "UV", QT_TRANSLATE_NOOP("Actions", "Cancel job"), "cancel", "Esc",
                QT_TRANSLATE_NOOP("Actions", "End the running job and keep what it has"), NeedsJob, false, "",

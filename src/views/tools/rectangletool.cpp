@@ -64,7 +64,7 @@ void RectangleTool::deactivate()
 {
     cancel();
     if (mBar)
-        mBar->hide();
+        mBar->setRectangle(0);
 }
 
 const std::vector<LayoutRectangle> &RectangleTool::rectangles() const
