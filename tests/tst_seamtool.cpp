@@ -1,4 +1,5 @@
 // Cutting and joining with the mouse, in both views.
+#include "commands/changesettings.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
 #include "views/tools/seamtool.h"
@@ -193,6 +194,9 @@ private Q_SLOTS:
     void gainIsToldWhileTheSolverRuns()
     {
         mStudio->open(std::make_unique<Document>(test::sceneOf(test::sphere(12, 16))));
+        SolveSettings settings = document().solveSettings();
+        settings.lambda = 0.9;
+        pushCommand(std::make_unique<ChangeSettings>(document(), settings));
         mStudio->solver.setMode(SolveMode::Manual);
         mStudio->solver.run();
         QTRY_VERIFY_WITH_TIMEOUT(mStudio->solver.status().iteration > 3, 20'000);
@@ -201,6 +205,12 @@ private Q_SLOTS:
         const double before = mStudio->solver.status().energy;
         gain.begin(mStudio->solver);
         const int start = mStudio->solver.status().iteration;
+        // The solver goes on from where it is, even when it had come to rest.
+        std::vector<int> edges;
+        for (int e = 0; e < 100; ++e)
+            edges.push_back(e);
+        pushCommand(std::make_unique<SetSeamState>(document(), SetSeamState::Edit::Cut,
+                                                   cornerPairsOfEdges(document().mesh(), edges)));
         QTRY_VERIFY_WITH_TIMEOUT(mStudio->solver.status().iteration > start, 20'000);
         QVERIFY(mStudio->solver.status().energy < before);
         QVERIFY2(gain.text(mStudio->solver).startsWith(u"Energy saved since the edit"_s),

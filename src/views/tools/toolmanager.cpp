@@ -3,6 +3,7 @@
 #include "views/canvas/canvas.h"
 #include "views/control/workspace.h"
 #include "views/tools/islandtool.h"
+#include "views/tools/painttool.h"
 #include "views/tools/pintool.h"
 #include "views/tools/rectangletool.h"
 #include "views/tools/seamtool.h"
@@ -17,6 +18,7 @@ ToolManager::ToolManager(const CanvasContext &context, QObject *parent) : QObjec
     add(std::make_unique<SelectTool>(context));
     add(std::make_unique<SeamTool>(context, SeamTool::Kind::Cut));
     add(std::make_unique<SeamTool>(context, SeamTool::Kind::Join));
+    add(std::make_unique<PaintTool>(context));
     add(std::make_unique<IslandTool>(context, QStringLiteral("move"), UvEdit::Move));
     add(std::make_unique<IslandTool>(context, QStringLiteral("rotate"), UvEdit::Rotate));
     add(std::make_unique<IslandTool>(context, QStringLiteral("scale"), UvEdit::Scale));

@@ -1,0 +1,114 @@
+#include "views/tools/brush.h"
+
+#include "views/canvas/canvas.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace autocuts {
+
+namespace {
+
+//! Collects the sides of faces that a brush touches.
+class Footprint
+{
+public:
+    Footprint(const Canvas &canvas, const QPointF &middle, double radius)
+        : mCanvas(canvas), mTopology(canvas.content().topology()), mMiddle(middle), mRadius(radius)
+    {}
+
+    //! Over the sides under the brush from face to face.
+    void flood(int face)
+    {
+        const bool front = isFront(face);
+        std::vector<int> queue{face};
+        std::unordered_set<int> seen{face};
+        for (std::size_t head = 0; head < queue.size(); ++head) {
+            for (int neighbour : addFace(queue[head])) {
+                if (seen.insert(neighbour).second && isFront(neighbour) == front)
+                    queue.push_back(neighbour);
+            }
+        }
+    }
+
+    //! \returns the faces beyond the sides that the brush touches
+    std::vector<int> addFace(int face)
+    {
+        std::vector<int> neighbours;
+        const auto &triangleFace = mCanvas.content().mesh()->triangleFace;
+        const auto pairCount = static_cast<int>(mCanvas.content().mesh()->edgePairs.size());
+        for (int s = 3 * mTopology.faceTriangle[face]; s < 3 * mTopology.faceTriangle[face + 1]; ++s) {
+            const int edge = mTopology.sideEdge[s];
+            if (edge < 0 || edge >= pairCount)
+                continue; // diagonals and boundaries
+            const double distance = distanceTo(s);
+            if (!(distance < mRadius))
+                continue;
+            touches.push_back({edge, distance});
+            for (int side : mTopology.edgeSides[edge]) {
+                if (triangleFace[side / 3] != face)
+                    neighbours.push_back(triangleFace[side / 3]);
+            }
+        }
+        return neighbours;
+    }
+
+    std::vector<BrushTouch> touches;
+
+private:
+    double distanceTo(int side) const
+    {
+        const auto a = mCanvas.screenOf(side), b = mCanvas.screenOf(nextSoupCorner(side));
+        if (!a || !b)
+            return mRadius;
+        return nearestOnSegment(mMiddle.x(), mMiddle.y(), a->x(), a->y(), b->x(), b->y()).distance;
+    }
+
+    bool isFront(int face) const
+    {
+        double area = 0;
+        for (int t = mTopology.faceTriangle[face]; t < mTopology.faceTriangle[face + 1]; ++t) {
+            const auto a = mCanvas.screenOf(3 * t), b = mCanvas.screenOf(3 * t + 1),
+                       c = mCanvas.screenOf(3 * t + 2);
+            if (a && b && c)
+                area += (b->x() - a->x()) * (c->y() - a->y()) - (b->y() - a->y()) * (c->x() - a->x());
+        }
+        return area < 0; // the y axis of the screen points down
+    }
+
+    const Canvas &mCanvas;
+    const SoupTopology &mTopology;
+    const QPointF mMiddle;
+    const double mRadius;
+};
+
+} // namespace
+
+double Brush::effectAt(double distance) const
+{
+    const double full = hardness * radius;
+    if (distance <= full)
+        return strength;
+    if (!(distance < radius))
+        return 0;
+    const double t = (radius - distance) / (radius - full);
+    return strength * t * t * (3 - 2 * t);
+}
+
+std::vector<BrushTouch> edgesUnderBrush(const Canvas &canvas, const QPointF &middle, const PickResult &pick,
+                                        double radius)
+{
+    const MeshData *mesh = canvas.content().mesh();
+    if (!mesh)
+        return {};
+    Footprint footprint(canvas, middle, radius);
+    if (canvas.kind() == Canvas::Kind::Map) {
+        for (int face = 0; face < mesh->faceCount(); ++face)
+            footprint.addFace(face);
+    } else if (pick.triangle >= 0) {
+        footprint.flood(mesh->triangleFace[pick.triangle]);
+    }
+    return std::move(footprint.touches);
+}
+
+} // namespace autocuts

@@ -1,0 +1,285 @@
+#include "views/tools/painttool.h"
+
+#include "commands/setseamweights.h"
+#include "views/canvas/canvas.h"
+#include "views/control/workspace.h"
+#include "views/tools/tooldrawing.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace autocuts {
+
+namespace {
+
+//! Weight of the strongest "Keep together".
+constexpr double strongest = 100;
+
+//! Where a weight stands between "attract cuts", -1, unpainted, 0, and "keep together", 1.
+double positionOf(double weight)
+{
+    return weight >= 1 ? std::log(weight) / std::log(strongest) : weight - 1;
+}
+
+double weightAt(double position)
+{
+    return position >= 0 ? std::pow(strongest, position) : 1 + position;
+}
+
+double targetOf(Paint paint)
+{
+    return paint == Paint::KeepTogether ? 1 : paint == Paint::AttractCuts ? -1 : 0;
+}
+
+QString nameOf(Paint paint)
+{
+    return paint == Paint::KeepTogether  ? PaintTool::tr("Keep together")
+           : paint == Paint::AttractCuts ? PaintTool::tr("Attract cuts")
+                                         : PaintTool::tr("Erase");
+}
+
+QColor colorOf(Paint paint, const ViewColors &colors)
+{
+    return paint == Paint::KeepTogether  ? QColor(230, 60, 50)
+           : paint == Paint::AttractCuts ? QColor(60, 120, 240)
+                                         : colors.text;
+}
+
+} // namespace
+
+PaintTool::PaintTool(const CanvasContext &context, QObject *parent)
+    : AbstractTool(context, QStringLiteral("paint"), parent)
+{
+    connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
+        mGesture = 0;
+        mMirror.reset();
+    });
+}
+
+QString PaintTool::hint() const
+{
+    return tr("Paint: %1, strength %2 %, hardness %3 %%4; 1-3 choose, Shift erases, Ctrl inverts; "
+              "Shift+wheel size, Ctrl+wheel strength, Alt+wheel hardness, X symmetry")
+        .arg(nameOf(mPaint))
+        .arg(std::lround(100 * mBrush.strength))
+        .arg(std::lround(100 * mBrush.hardness))
+        .arg(mSymmetric ? tr(", symmetric") : QString());
+}
+
+void PaintTool::activate()
+{
+    ViewOptions options = context().view.options();
+    mColored = options.coloring == Coloring::Plain;
+    if (!mColored)
+        return;
+    options.coloring = Coloring::PaintWeights;
+    context().view.setOptions(options);
+}
+
+void PaintTool::deactivate()
+{
+    cancel();
+    leave();
+    ViewOptions options = context().view.options();
+    if (!mColored || options.coloring != Coloring::PaintWeights)
+        return;
+    options.coloring = Coloring::Plain;
+    context().view.setOptions(options);
+}
+
+Paint PaintTool::paintFor(Qt::KeyboardModifiers modifiers) const
+{
+    if (modifiers.testFlag(Qt::ShiftModifier))
+        return Paint::Erase;
+    if (!modifiers.testFlag(Qt::ControlModifier) || mPaint == Paint::Erase)
+        return mPaint;
+    return mPaint == Paint::KeepTogether ? Paint::AttractCuts : Paint::KeepTogether;
+}
+
+void PaintTool::showBrush(const ToolEvent &event)
+{
+    mCanvas = &event.canvas;
+    mMouse = event.position;
+    mShown = mGesture != 0 ? mStroke : paintFor(event.modifiers);
+    Q_EMIT overlayChanged();
+}
+
+void PaintTool::press(const ToolEvent &event)
+{
+    if (event.button != Qt::LeftButton || mGesture != 0)
+        return;
+    Document &document = *context().workspace.document();
+    mGesture = document.undoStack().newGesture();
+    mStroke = paintFor(event.modifiers);
+    mBase = document.seams().weights;
+    mEffect.assign(document.mesh().edgePairs.size(), 0);
+    showBrush(event);
+    lay(edgesUnderBrush(event.canvas, event.position, event.pick, mBrush.radius));
+}
+
+void PaintTool::move(const ToolEvent &event)
+{
+    if (mGesture == 0) {
+        showBrush(event);
+    } else if (&event.canvas == mCanvas) {
+        strokeTo(event);
+        showBrush(event);
+    }
+}
+
+void PaintTool::strokeTo(const ToolEvent &event)
+{
+    // Quick strokes leave no gaps: dabs in between, but not so many that the brush falls behind.
+    constexpr int mostDabs = 8;
+    const QPointF way = event.position - mMouse;
+    const double length = std::hypot(way.x(), way.y());
+    const int dabs = std::clamp(static_cast<int>(std::ceil(length / (0.3 * mBrush.radius))), 1, mostDabs);
+    std::vector<BrushTouch> touches;
+    for (int i = 1; i <= dabs; ++i) {
+        const QPointF middle = mMouse + way * i / dabs;
+        const PickResult pick =
+            i == dabs || event.canvas.kind() == Canvas::Kind::Map ? event.pick : event.canvas.pick(middle);
+        const std::vector<BrushTouch> dab = edgesUnderBrush(event.canvas, middle, pick, mBrush.radius);
+        touches.insert(touches.end(), dab.begin(), dab.end());
+    }
+    lay(touches);
+}
+
+int PaintTool::mirrored(int edgePair)
+{
+    if (!mMirror)
+        mMirror.emplace(context().workspace.document()->state().scene.mesh);
+    return mMirror->mirrored(edgePair);
+}
+
+void PaintTool::lay(const std::vector<BrushTouch> &touches)
+{
+    std::map<int, double> painted; // new effects by edge pair
+    const auto add = [&](int edgePair, double effect) {
+        if (edgePair < 0 || effect <= mEffect[edgePair])
+            return;
+        mEffect[edgePair] = effect;
+        painted[edgePair] = effect;
+    };
+    for (const BrushTouch &touch : touches) {
+        const double effect = mBrush.effectAt(touch.distance);
+        add(touch.edgePair, effect);
+        if (mSymmetric)
+            add(mirrored(touch.edgePair), effect);
+    }
+    if (painted.empty())
+        return;
+    IndexRanges pairs;
+    std::vector<double> weights;
+    for (const auto &[edgePair, effect] : painted) {
+        for (int pair : {2 * edgePair, 2 * edgePair + 1}) {
+            const double from = positionOf(mBase[pair]);
+            pairs.append(pair);
+            weights.push_back(weightAt(from + effect * (targetOf(mStroke) - from)));
+        }
+    }
+    Document &document = *context().workspace.document();
+    auto command = std::make_unique<SetSeamWeights>(document, pairs, weights);
+    command->setGesture(mGesture);
+    pushCommand(std::move(command));
+}
+
+void PaintTool::release(const ToolEvent &event)
+{
+    if (event.button != Qt::LeftButton || mGesture == 0 || &event.canvas != mCanvas)
+        return;
+    strokeTo(event);
+    mGesture = 0;
+    showBrush(event);
+}
+
+void PaintTool::leave()
+{
+    if (mGesture != 0)
+        return;
+    mCanvas = nullptr;
+    Q_EMIT overlayChanged();
+}
+
+void PaintTool::cancel()
+{
+    if (mGesture == 0)
+        return;
+    if (Document *document = context().workspace.document())
+        cancelGesture(*document, mGesture);
+    mGesture = 0;
+    Q_EMIT overlayChanged();
+}
+
+bool PaintTool::wantsKey(const QKeyEvent &event) const
+{
+    return event.modifiers() == Qt::NoModifier &&
+           ((event.key() >= Qt::Key_1 && event.key() <= Qt::Key_3) || event.key() == Qt::Key_X);
+}
+
+bool PaintTool::keyPress(const QKeyEvent &event, Canvas &canvas)
+{
+    if (!wantsKey(event))
+        return AbstractTool::keyPress(event, canvas);
+    if (event.key() == Qt::Key_X)
+        mSymmetric = !mSymmetric;
+    else
+        mPaint = static_cast<Paint>(event.key() - Qt::Key_1);
+    if (mGesture == 0)
+        mShown = mPaint;
+    Q_EMIT hintChanged();
+    Q_EMIT overlayChanged();
+    return true;
+}
+
+bool PaintTool::wheel(const QWheelEvent &event, Canvas &)
+{
+    // Some platforms turn the wheel sideways while Alt is held.
+    const QPoint angle = event.angleDelta();
+    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
+    if (event.modifiers() == Qt::ShiftModifier)
+        mBrush.radius =
+            std::clamp(mBrush.radius * std::pow(1.15, notches), Brush::minRadius, Brush::maxRadius);
+    else if (event.modifiers() == Qt::ControlModifier)
+        mBrush.strength = std::clamp(mBrush.strength + 0.05 * notches, 0.05, 1.0);
+    else if (event.modifiers() == Qt::AltModifier)
+        mBrush.hardness = std::clamp(mBrush.hardness + 0.05 * notches, 0.0, 1.0);
+    else
+        return false;
+    Q_EMIT hintChanged();
+    Q_EMIT overlayChanged();
+    return true;
+}
+
+void PaintTool::drawOverlay(QPainter &painter, const Canvas &canvas)
+{
+    if (&canvas != mCanvas)
+        return;
+    const ViewColors &colors = canvas.content().colors();
+    const QColor color = colorOf(mShown, colors);
+    QColor fill = color;
+    fill.setAlphaF(static_cast<float>(0.25 * mBrush.strength));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colors.dark ? Qt::black : Qt::white, 3.5)); // seen on any ground
+    painter.drawEllipse(mMouse, mBrush.radius, mBrush.radius);
+    painter.setBrush(fill);
+    painter.setPen(QPen(color, 1.8));
+    painter.drawEllipse(mMouse, mBrush.radius, mBrush.radius);
+    if (mBrush.hardness > 0) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(color, 1, Qt::DotLine));
+        painter.drawEllipse(mMouse, mBrush.hardness * mBrush.radius, mBrush.hardness * mBrush.radius);
+    }
+    drawNote(painter, canvas,
+             tr("%1, %2 %%3")
+                 .arg(nameOf(mShown))
+                 .arg(std::lround(100 * mBrush.strength))
+                 .arg(mSymmetric ? tr(", symmetric about X") : QString()));
+}
+
+} // namespace autocuts
