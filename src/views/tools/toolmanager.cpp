@@ -6,6 +6,7 @@
 #include "views/tools/painttool.h"
 #include "views/tools/pintool.h"
 #include "views/tools/rectangletool.h"
+#include "views/tools/regiontool.h"
 #include "views/tools/seamtool.h"
 #include "views/tools/selecttool.h"
 
@@ -19,6 +20,7 @@ ToolManager::ToolManager(const CanvasContext &context, QObject *parent) : QObjec
     add(std::make_unique<SeamTool>(context, SeamTool::Kind::Cut));
     add(std::make_unique<SeamTool>(context, SeamTool::Kind::Join));
     add(std::make_unique<PaintTool>(context));
+    add(std::make_unique<RegionTool>(context));
     add(std::make_unique<IslandTool>(context, QStringLiteral("move"), UvEdit::Move));
     add(std::make_unique<IslandTool>(context, QStringLiteral("rotate"), UvEdit::Rotate));
     add(std::make_unique<IslandTool>(context, QStringLiteral("scale"), UvEdit::Scale));
