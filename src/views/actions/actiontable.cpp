@@ -194,7 +194,7 @@ constexpr std::array uvTable{
     ActionInfo{"tool.join", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "&Join edges"), "join", "Shift+J",
                QT_TRANSLATE_NOOP("Actions", "Keep edges, ways and loops together with the mouse"),
                NeedsDocument, true, "tool"},
-    ActionInfo{"tool.paint", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "Paint &weights"), "tool-paint", "B",
+    ActionInfo{"tool.paint", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "Paint &weights"), "tool-paint", "W",
                QT_TRANSLATE_NOOP("Actions", "Paint where seams are welcome and where not"), NeedsDocument,
                true, "tool"},
     ActionInfo{"tool.region", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "&Overlap region"), "overlap",
