@@ -34,7 +34,7 @@ OptimizeEffort effortFor(UnwrapQuality quality)
     case UnwrapQuality::Standard:
         return {8, 100, 2, 2000, 10};
     case UnwrapQuality::Best:
-        return {24, 250, 4, 7000, 10};
+        return {16, 200, 4, 5000, 10};
     }
     throw std::invalid_argument("unwrap: unknown quality");
 }
