@@ -30,11 +30,11 @@ OptimizeEffort effortFor(UnwrapQuality quality)
 {
     switch (quality) {
     case UnwrapQuality::Draft:
-        return {3, 0, 1, 150};
+        return {1, 0, 1, 20, 2};
     case UnwrapQuality::Standard:
-        return {8, 100, 2, 1500};
+        return {8, 100, 2, 2000, 10};
     case UnwrapQuality::Best:
-        return {24, 300, 5, 6000};
+        return {16, 200, 4, 5000, 10};
     }
     throw std::invalid_argument("unwrap: unknown quality");
 }
@@ -188,7 +188,7 @@ UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options, cons
     const bool given = snapshot.settings.start == StartMode::ExistingUv;
     if (!search)
         best = soupMap(options.quality);
-    else if (given || options.quality == UnwrapQuality::Best || isComplicated(*snapshot.mesh))
+    else if (given || isComplicated(*snapshot.mesh))
         best = soupMap(UnwrapQuality::Draft);
     if (search) {
         std::optional<Candidate> found =

@@ -52,7 +52,7 @@ void BlockCholesky::findRows()
     mRowIndex.resize(mPattern.size());
     mFactor.resize(mPattern.size());
     mPivot.resize(mCount);
-    mWork.assign(mCount, Block{});
+    mWork.assign(mCount, Rows{});
     mFilled.resize(mCount);
 }
 
@@ -72,28 +72,28 @@ bool BlockCholesky::factorize()
 {
     std::copy(mColumnStart.begin(), mColumnStart.end() - 1, mFilled.begin());
     for (int k = 0; k < mCount; ++k) {
-        for (int p = mRowStart[k]; p < mRowStart[k + 1]; ++p)
-            mWork[mColumn[p]] = mValue[p];
+        for (int p = mRowStart[k]; p < mRowStart[k + 1]; ++p) {
+            const Block &v = mValue[p];
+            mWork[mColumn[p]] = {Pair{v[0], v[1]}, Pair{v[2], v[3]}};
+        }
         double d00 = mDiagonal[k][0], d10 = mDiagonal[k][2], d11 = mDiagonal[k][3];
         for (int p = mPatternStart[k]; p < mPatternStart[k + 1]; ++p) {
             const int j = mPattern[p];
-            const Block y = mWork[j];
-            mWork[j] = Block{};
-            // mPivot holds the inverse of the lower triangular pivot block: 1/l00, -, l10 factor, 1/l11.
+            const Rows y = mWork[j];
+            mWork[j] = Rows{};
             const Block &q = mPivot[j];
-            const double a = y[0] * q[0], b = y[0] * q[2] + y[1] * q[3];
-            const double c = y[2] * q[0], d = y[2] * q[2] + y[3] * q[3];
+            const double a = y.first[0] * q[0], b = y.first[0] * q[2] + y.first[1] * q[3];
+            const double c = y.second[0] * q[0], d = y.second[0] * q[2] + y.second[1] * q[3];
+            const Pair aa{a, a}, bb{b, b}, cc{c, c}, dd{d, d};
             const int end = mFilled[j]++;
             for (int i = mColumnStart[j]; i < end; ++i) {
-                Block &w = mWork[mRowIndex[i]];
-                const Block &l = mFactor[i];
-                w[0] -= a * l[0] + b * l[1];
-                w[1] -= a * l[2] + b * l[3];
-                w[2] -= c * l[0] + d * l[1];
-                w[3] -= c * l[2] + d * l[3];
+                Rows &w = mWork[mRowIndex[i]];
+                const Columns &l = mFactor[i];
+                w.first -= aa * l.first + bb * l.second;
+                w.second -= cc * l.first + dd * l.second;
             }
             mRowIndex[end] = k;
-            mFactor[end] = {a, b, c, d};
+            mFactor[end] = {Pair{a, c}, Pair{b, d}};
             d00 -= a * a + b * b;
             d10 -= c * a + d * b;
             d11 -= c * c + d * d;
@@ -119,20 +119,22 @@ void BlockCholesky::solve(double *b) const
         const double v = b[2 * k] * q[2] + b[2 * k + 1] * q[3];
         b[2 * k] = u;
         b[2 * k + 1] = v;
+        const Pair uu{u, u}, vv{v, v};
         for (int i = mColumnStart[k]; i < mColumnStart[k + 1]; ++i) {
-            const Block &l = mFactor[i];
+            const Columns &l = mFactor[i];
             double *w = b + 2 * mRowIndex[i];
-            w[0] -= l[0] * u + l[1] * v;
-            w[1] -= l[2] * u + l[3] * v;
+            const Pair change = l.first * uu + l.second * vv;
+            w[0] -= change[0];
+            w[1] -= change[1];
         }
     }
     for (int k = mCount - 1; k >= 0; --k) {
         double u = b[2 * k], v = b[2 * k + 1];
         for (int i = mColumnStart[k]; i < mColumnStart[k + 1]; ++i) {
-            const Block &l = mFactor[i];
+            const Columns &l = mFactor[i];
             const double *w = b + 2 * mRowIndex[i];
-            u -= l[0] * w[0] + l[2] * w[1];
-            v -= l[1] * w[0] + l[3] * w[1];
+            u -= l.first[0] * w[0] + l.first[1] * w[1];
+            v -= l.second[0] * w[0] + l.second[1] * w[1];
         }
         const Block &q = mPivot[k];
         b[2 * k] = q[0] * u + q[2] * v;

@@ -34,6 +34,17 @@ public:
     void solve(double *b) const;
 
 private:
+    //! Two numbers that are added and multiplied together.
+    using Pair = double __attribute__((vector_size(2 * sizeof(double))));
+    struct Rows
+    {
+        Pair first, second; //!< of a 2 x 2 block
+    };
+    struct Columns
+    {
+        Pair first, second;
+    };
+
     void findRows();
 
     int mCount = 0;
@@ -42,7 +53,9 @@ private:
     std::vector<Block> mValue, mDiagonal;
     // The factor: the columns of each row in order of elimination, the rows of each column, the blocks.
     std::vector<int> mParent, mMark, mPatternStart, mPattern, mColumnStart, mRowIndex, mFilled;
-    std::vector<Block> mFactor, mPivot, mWork;
+    std::vector<Columns> mFactor;
+    std::vector<Rows> mWork;
+    std::vector<Block> mPivot; //!< inverses of the lower triangular diagonal blocks
 };
 
 } // namespace autocuts

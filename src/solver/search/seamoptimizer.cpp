@@ -18,7 +18,10 @@ constexpr double smallestMu = 0.005, largestMu = 1;
 //! What seams are worth near the bound in most maps, to rank those that are below and above it.
 constexpr double usualMu = 0.15, excessMu = 0.07;
 constexpr int fewestPaths = 5, mostPaths = 25;
-constexpr int squeezeRounds = 10, squeezeMoves = 20;
+constexpr double hopelessExcess = 1; // of the first map above the bound, for a flat one
+constexpr double leastMu = 1e-5;
+constexpr int boundRounds = 50, boundMoves = 8;
+constexpr int squeezeMoves = 20;
 constexpr int firstRelaxation = 60;     // steps
 constexpr double densityReserve = 0.01; // of the distortion above 4, for charts of equal density
 
@@ -63,6 +66,7 @@ public:
             mSearch.polish(1);
             mSearch.relaxAll(3);
             adaptMu(0.4);
+            report(0);
         }
         keepBest();
         report(0);
@@ -74,6 +78,7 @@ public:
         for (int i = 0; i < moves && !mSearch.stopped(); ++i) {
             mSearch.setHeat(firstHeat * (1 - double(i) / moves));
             mSearch.tryLargeMove();
+            report(1);
             if (i % interval == interval - 1) {
                 adaptMu(0.2);
                 if (i % (5 * interval) == 5 * interval - 1) {
@@ -82,7 +87,6 @@ public:
                     mState.updateEnergy();
                 }
                 keepBest();
-                report(interval);
             }
         }
     }
@@ -94,11 +98,7 @@ public:
             restoreBest();
             return;
         }
-        for (int i = 0; i < 40 && mState.energy > bound() && !mSearch.stopped(); ++i) {
-            mSearch.setMu(std::max(smallestMu, mSearch.mu() * (i < 10 ? 0.93 : 0.8)));
-            mSearch.polish(1);
-            mSearch.relaxAll(3);
-        }
+        meetBound();
         keepBest();
         restoreBest();
         mSearch.relaxAll(10);
@@ -107,25 +107,17 @@ public:
         // What room is left goes to the seams that cost least.
         mSearch.setCeiling(bound());
         mSearch.setHeat(0);
-        for (int i = 0; i < squeezeRounds && !mSearch.stopped(); ++i) {
-            mSearch.setMu(mSearch.mu() * 1.15);
+        for (int i = 0; i < mOptions.effort.squeezes && !mSearch.stopped(); ++i) {
+            mSearch.setMu(mSearch.mu() * std::pow(4.0, 1.0 / mOptions.effort.squeezes));
             mSearch.polish(1);
             for (int k = 0; k < squeezeMoves; ++k)
                 mSearch.tryLargeMove();
             if (mSearch.relaxAll(2) > 0)
                 keepBest();
+            report(0);
         }
         keepBest();
         restoreBest();
-    }
-
-    //! True when nothing is cut but what has to be, within the bound.
-    bool needsNoSeams() const
-    {
-        double forced = 0;
-        for (std::size_t e = 0; e < mBest.cut.size(); ++e)
-            forced += mGraph->rule[e] == SeamGraph::Rule::AlwaysCut ? mGraph->cost[e] : 0;
-        return fits() && mBest.cost <= forced;
     }
 
     CutState &best() { return mBest; }
@@ -134,6 +126,21 @@ public:
     bool fits() const { return mOptions.mu || mBest.energy <= bound(); }
 
 private:
+    //! Makes seams cheaper and cheaper until the bound holds.
+    void meetBound()
+    {
+        double mu = mSearch.mu();
+        mSearch.setHeat(0);
+        for (int i = 0; i < boundRounds && mState.energy > bound() && !mSearch.stopped(); ++i) {
+            mu = std::max(leastMu, mu * 0.85);
+            mSearch.setMu(mu);
+            mSearch.polish(1);
+            for (int k = 0; k < boundMoves; ++k)
+                mSearch.tryLargeMove();
+            mSearch.relaxAll(3);
+        }
+    }
+
     void report(int steps) const
     {
         if (mOptions.progress)
@@ -189,17 +196,48 @@ std::optional<CutState> usable(CutState state, const OptimizeOptions &options)
     return state;
 }
 
+//! The map without any cut, for surfaces that need none; nothing when that is not so.
+std::optional<OptimizedMap> flatMap(const std::shared_ptr<const SeamGraph> &graph,
+                                    const OptimizeOptions &options)
+{
+    const MeshData &mesh = *graph->soup->mesh;
+    SeamedMap map;
+    for (const SeamGraph::Rule rule : graph->rule)
+        map.cut.push_back(rule == SeamGraph::Rule::AlwaysCut);
+    const CutMesh whole(mesh, map.cut);
+    std::vector<bool> open(whole.chartCount, false);
+    for (int side = 0; side < mesh.soupCornerCount(); ++side) {
+        if (whole.neighbour[side] < 0)
+            open[whole.chart[side / 3]] = true;
+    }
+    if (std::find(open.begin(), open.end(), false) != open.end())
+        return std::nullopt;
+    map.x = tutteEmbedding(*graph->soup, whole);
+    if (!map.validate(*graph->soup).empty())
+        return std::nullopt;
+    std::optional<CutState> state = usable(CutState::from(graph, map), options);
+    if (!state)
+        return std::nullopt;
+    SeamTrial trial(*state);
+    for (int i = 0; i < firstRelaxation / 10; ++i) {
+        const double gained = trial.relaxAll(10, !options.allowOverlaps);
+        if (state->energy > options.maxDistortion + hopelessExcess)
+            return std::nullopt;
+        if (gained < 1e-6)
+            break;
+    }
+    if (state->energy > options.maxDistortion)
+        return std::nullopt;
+    return OptimizedMap{state->map(), 0, trial.patch().steps()};
+}
+
 std::optional<CutState> firstMap(const std::shared_ptr<const SeamGraph> &graph,
                                  const OptimizeOptions &options, int number)
 {
     // Numbers of paths spread evenly in the logarithm, whatever the number of seeds.
-    const double place = std::fmod(0.5 + 0.6180339887498949 * number, 1.0);
+    const double place = std::fmod(0.9 + 0.6180339887498949 * number, 1.0);
     SeedOptions seed;
     seed.paths = static_cast<int>(std::round(fewestPaths * std::pow(double(mostPaths) / fewestPaths, place)));
-    // A map without any cut where there are borders: flat meshes need no more.
-    const std::vector<bool> &border = graph->border;
-    if (number == 0 && std::find(border.begin(), border.end(), true) != border.end())
-        seed.paths = 0;
     seed.joinBorders = number % 2 == 1;
     seed.seed = options.seed * 1000 + static_cast<std::uint64_t>(number);
     seed.stop = options.stop;
@@ -217,6 +255,10 @@ std::optional<CutState> firstMap(const std::shared_ptr<const SeamGraph> &graph,
 std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph> &graph,
                                           const OptimizeOptions &options)
 {
+    if (!options.mu) {
+        if (std::optional<OptimizedMap> flat = flatMap(graph, options))
+            return flat;
+    }
     const OptimizeEffort &effort = options.effort;
     if (options.start)
         options.start(effort.seeds * effort.seedMoves + effort.finalists * effort.moves);
@@ -232,12 +274,8 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
             runs[i]->start();
         }
     };
-    begin(0);
-    if (runs[0] && runs[0]->needsNoSeams())
-        return OptimizedMap{runs[0]->best().map(), 0, runs[0]->searcher().steps()};
     parallelFor(effort.seeds + given, options.threads, [&](int i) {
-        if (i > 0)
-            begin(i);
+        begin(i);
         if (runs[i])
             runs[i]->search(effort.seedMoves);
     });

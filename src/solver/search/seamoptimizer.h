@@ -20,6 +20,7 @@ struct OptimizeEffort
     int seedMoves = 100; //!< large moves tried on each of them
     int finalists = 2;   //!< of these, so many go on
     int moves = 3000;    //!< large moves tried on each finalist
+    int squeezes = 10;   //!< rounds in which what is left of the bound is spent
 };
 
 struct OptimizeOptions
