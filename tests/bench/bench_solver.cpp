@@ -1,6 +1,7 @@
 // Measures the solver on OBJ files: cost of a step by part, time to an energy, latency after an edit, time to
 // a finished map, memory; the fast step against the exact one in the same run. CPU time throughout. Usage:
 // bench_solver MESH... [--threads N] [--json] [--subdivide N] [--no-exact] [--steps-only] [--map QUALITY]
+// [--quality]
 #include "bench/benchoptions.h"
 #include "bench/benchreport.h"
 #include "bench/solverbench.h"
@@ -25,6 +26,10 @@ bench::MeshReport measure(const std::string &file, const bench::Options &options
     report.mesh = file.substr(file.find_last_of('/') + 1);
     report.triangles = mesh->triangleCount();
     constexpr double lambda = 0.05;
+    if (options.quality) {
+        report.quality = bench::compareQuality(mesh, lambda, 5, options.threads);
+        return report;
+    }
     for (const double delta : {1e-3, 2.4e-4}) {
         const bench::WarmState state = bench::warmState(mesh, lambda, delta, options.threads);
         if (delta == 1e-3)

@@ -39,6 +39,8 @@ std::optional<Options> readOptions(const std::vector<std::string> &arguments, st
             options.json = true;
         } else if (argument == "--no-exact") {
             options.exact = false;
+        } else if (argument == "--quality") {
+            options.quality = true;
         } else if (argument == "--steps-only") {
             options.stepsOnly = true;
         } else if (argument == "--threads" || argument == "--subdivide") {

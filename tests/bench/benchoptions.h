@@ -11,7 +11,7 @@ namespace autocuts::bench {
 
 inline constexpr const char *usage =
     "usage: bench_solver MESH... [--threads N] [--json] [--subdivide N] [--no-exact] [--steps-only]\n"
-    "                    [--map draft|standard|best]\n";
+    "                    [--map draft|standard|best] [--quality]\n";
 
 struct Options
 {
@@ -21,6 +21,7 @@ struct Options
     bool json = false;
     bool exact = true; //!< compare with the exact solver
     bool stepsOnly = false;
+    bool quality = false;             //!< only compare the ends of the whole schedule
     std::optional<UnwrapQuality> map; //!< also make a whole map
 };
 

@@ -71,6 +71,10 @@ std::string asText(const MeshReport &r)
             delta, race.fast, race.fastSteps, race.exact, ratio(race.exact, race.fast));
     for (const EditResult &edit : r.edits)
         text += format("  %s: %.2f ms, %.1f steps\n", edit.edit.c_str(), edit.milliseconds, edit.stepRatio);
+    if (r.quality)
+        text += format("  end of the schedule: fast %.5f +- %.5f in %.1f s, exact %.5f +- %.5f in %.1f s\n",
+                       r.quality->fast, r.quality->fastError, r.quality->fastSeconds, r.quality->exact,
+                       r.quality->exactError, r.quality->exactSeconds);
     if (r.map)
         text += format("  map: %.1f s, distortion %.4f, seams %.3f\n", r.map->seconds, r.map->distortion,
                        r.map->seamLength);
@@ -104,6 +108,12 @@ std::string asJson(const std::vector<MeshReport> &reports, int threads)
             text += (k > 0 ? ", {\"edit\": " : "{\"edit\": ") + quoted(r.edits[k].edit) +
                     format(", \"ms\": %.6g, \"steps\": %.4g}", r.edits[k].milliseconds, r.edits[k].stepRatio);
         text += "]";
+        if (r.quality)
+            text += format(", \"quality\": {\"fast\": %.8g, \"fast_error\": %.3g, \"fast_seconds\": %.5g, "
+                           "\"exact\": %.8g, "
+                           "\"exact_error\": %.3g, \"exact_seconds\": %.5g}",
+                           r.quality->fast, r.quality->fastError, r.quality->fastSeconds, r.quality->exact,
+                           r.quality->exactError, r.quality->exactSeconds);
         if (r.map)
             text += format(", \"map_seconds\": %.6g, \"map_distortion\": %.8g, \"map_seam_norm\": %.8g",
                            r.map->seconds, r.map->distortion, r.map->seamLength);

@@ -23,6 +23,7 @@ struct MeshReport
     StepCost steps;
     std::vector<std::pair<double, RaceResult>> races; //!< per delta
     std::vector<EditResult> edits;
+    std::optional<QualityResult> quality;
     std::optional<MapReport> map;
     double memory = 0; //!< highest of the process until then, MB
 };

@@ -1,5 +1,6 @@
 #include "bench/solverbench.h"
 
+#include "solver/anneal.h"
 #include "solver/energy/distortion.h"
 #include "solver/energy/separation.h"
 #include "solver/linear/newtondirection.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <functional>
 
@@ -241,6 +243,37 @@ std::vector<EditResult> measureEdits(const WarmState &state, int threads)
         results.push_back({name, edited, edited / usual});
     }
     return results;
+}
+
+QualityResult compareQuality(const test::MeshPtr &mesh, double lambda, int seeds, int threads)
+{
+    QualityResult result;
+    const auto run = [&](SolverKind kind, double &mean, double &error, double &seconds) {
+        std::vector<double> energies;
+        const Time start = Time::now();
+        for (int seed = 1; seed <= seeds; ++seed) {
+            Snapshot snapshot;
+            snapshot.mesh = mesh;
+            snapshot.settings.solver = kind;
+            snapshot.settings.start = StartMode::Random;
+            snapshot.settings.seed = static_cast<unsigned>(seed);
+            Solver solver;
+            solver.setThreads(kind == SolverKind::Fast ? threads : 1);
+            solver.load(snapshot);
+            const int steps = kind == SolverKind::Fast ? 40 : 20;
+            energies.push_back(annealSoup(solver, {1, lambda, steps}, nullptr).energy);
+        }
+        seconds = (Time::now() - start).cpu;
+        double squares = 0;
+        for (const double energy : energies)
+            mean += energy / seeds;
+        for (const double energy : energies)
+            squares += (energy - mean) * (energy - mean);
+        error = seeds > 1 ? std::sqrt(squares / (seeds - 1) / seeds) : 0;
+    };
+    run(SolverKind::Fast, result.fast, result.fastError, result.fastSeconds);
+    run(SolverKind::Exact, result.exact, result.exactError, result.exactSeconds);
+    return result;
 }
 
 } // namespace autocuts::bench

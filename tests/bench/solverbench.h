@@ -62,4 +62,15 @@ struct EditResult
 //! Cuts, joins, paints, pins and boxes the hundredth part of the mesh nearest to one triangle.
 std::vector<EditResult> measureEdits(const WarmState &state, int threads);
 
+//! Energies at the end of the whole schedule from random starts, and their cost.
+struct QualityResult
+{
+    double fast = 0, exact = 0;           //!< means over the seeds
+    double fastError = 0, exactError = 0; //!< standard errors of the means
+    double fastSeconds = 0, exactSeconds = 0;
+};
+
+//! Anneals from `seeds` random starts with both solvers. The cheap one takes twice the steps.
+QualityResult compareQuality(const test::MeshPtr &mesh, double lambda, int seeds, int threads);
+
 } // namespace autocuts::bench

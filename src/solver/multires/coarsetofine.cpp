@@ -20,7 +20,7 @@ constexpr int largeMesh = 25'000;
 constexpr double leastReduction = 0.6;
 //! Share of the allowed distortion that the coarse map may use: the fine one usually gets lower because it
 //! bends more freely. The second is for where it does not.
-constexpr double coarseShares[] = {1.25, 0.7};
+constexpr double coarseShares[] = {1.4, 0.9};
 constexpr int fineSteps = 30;
 
 using PointPair = std::pair<int, int>;
