@@ -1,15 +1,13 @@
 // What an edit of the steering has brought so far while the solver runs.
 #pragma once
 
-#include "solver/worker.h"
+#include "views/control/solvercontroller.h"
 
 #include <QString>
 
 #include <optional>
 
 namespace autocuts {
-
-class SolverController;
 
 //! Remembers where a solve was at an edit and compares.
 class EnergyGain final
