@@ -101,13 +101,10 @@ std::vector<BrushTouch> edgesUnderBrush(const Canvas &canvas, const QPointF &mid
     const MeshData *mesh = canvas.content().mesh();
     if (!mesh)
         return {};
+    const int triangle = pick.triangle >= 0 ? pick.triangle : pick.side >= 0 ? pick.side / 3 : -1;
     Footprint footprint(canvas, middle, radius);
-    if (canvas.kind() == Canvas::Kind::Map) {
-        for (int face = 0; face < mesh->faceCount(); ++face)
-            footprint.addFace(face);
-    } else if (pick.triangle >= 0) {
-        footprint.flood(mesh->triangleFace[pick.triangle]);
-    }
+    if (triangle >= 0)
+        footprint.flood(mesh->triangleFace[triangle]);
     return std::move(footprint.touches);
 }
 

@@ -32,9 +32,9 @@ struct BrushTouch
     double distance = 0; //!< of its nearest point from the middle of the brush, logical pixels
 };
 
-//! What lies under a brush, in no particular order and without diagonals. On the model only what hangs
-//! together with the face in the middle and faces the viewer like that one; in the map everything.
-//! \param pick what is in the middle
+//! What lies under a brush, in no particular order and without diagonals: what hangs together with the face
+//! in the middle and is turned to the viewer like that one. So neither the back of the model is painted nor
+//! what lies below others in the map. \param pick what is in the middle
 std::vector<BrushTouch> edgesUnderBrush(const Canvas &canvas, const QPointF &middle, const PickResult &pick,
                                         double radius);
 

@@ -30,11 +30,8 @@ QString EnergyGain::text(const SolverController &solver) const
     const SolveStatus &now = solver.status();
     if (!mStart || now.iteration < mStart->iteration)
         return {};
-    const QString rest = Gain::tr("distortion %1 \u2192 %2, seams %3 \u2192 %4")
-                             .arg(mStart->distortion, 0, 'f', 3)
-                             .arg(now.distortion, 0, 'f', 3)
-                             .arg(mStart->seamLength, 0, 'f', 2)
-                             .arg(now.seamLength, 0, 'f', 2);
+    const QString rest =
+        Gain::tr("D %1 \u2192 %2").arg(mStart->distortion, 0, 'f', 3).arg(now.distortion, 0, 'f', 3);
     if (now.lambda != mStart->lambda || now.delta != mStart->delta || !(std::abs(mStart->energy) > 0))
         return Gain::tr("Since the edit: %1").arg(rest);
     const double saved = mStart->energy - now.energy;

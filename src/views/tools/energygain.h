@@ -16,7 +16,7 @@ public:
     //! An edit was made. Forgets the one before; nothing is remembered when nothing runs.
     void begin(const SolverController &solver);
     void clear() { mStart.reset(); }
-    //! One translated line: the energy saved and what became of distortion and seams; empty when nothing is
+    //! One translated line: the energy saved and what became of the distortion D; empty when nothing is
     //! remembered or the solve is another one. Energies of different lambda or delta, which the distortion
     //! budget chooses, cannot be compared: then only the latter.
     QString text(const SolverController &solver) const;

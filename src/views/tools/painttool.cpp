@@ -63,8 +63,9 @@ PaintTool::PaintTool(const CanvasContext &context, QObject *parent)
 
 QString PaintTool::hint() const
 {
-    return tr("Paint: %1, strength %2 %, hardness %3 %%4; 1-3 choose, Shift erases, Ctrl inverts; "
-              "Shift+wheel size, Ctrl+wheel strength, Alt+wheel hardness, X symmetry")
+    return tr("%1, %2 %, hardness %3 %%4: 1-3 choose, Shift erases, Ctrl inverts; wheel with Shift size, "
+              "Ctrl "
+              "strength, Alt hardness; X symmetry")
         .arg(nameOf(mPaint))
         .arg(std::lround(100 * mBrush.strength))
         .arg(std::lround(100 * mBrush.hardness))
@@ -142,8 +143,7 @@ void PaintTool::strokeTo(const ToolEvent &event)
     std::vector<BrushTouch> touches;
     for (int i = 1; i <= dabs; ++i) {
         const QPointF middle = mMouse + way * i / dabs;
-        const PickResult pick =
-            i == dabs || event.canvas.kind() == Canvas::Kind::Map ? event.pick : event.canvas.pick(middle);
+        const PickResult pick = i == dabs ? event.pick : event.canvas.pick(middle);
         const std::vector<BrushTouch> dab = edgesUnderBrush(event.canvas, middle, pick, mBrush.radius);
         touches.insert(touches.end(), dab.begin(), dab.end());
     }
