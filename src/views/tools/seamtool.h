@@ -2,8 +2,8 @@
 #pragma once
 
 #include "commands/setseamstate.h"
+#include "views/control/energygain.h"
 #include "views/tools/abstracttool.h"
-#include "views/tools/energygain.h"
 #include "views/tools/seampath.h"
 
 #include <QPointer>

@@ -1,4 +1,4 @@
-#include "views/tools/energygain.h"
+#include "views/control/energygain.h"
 
 #include "views/control/solvercontroller.h"
 
