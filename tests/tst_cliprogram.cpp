@@ -1,5 +1,6 @@
 // The program itself: exit codes, streams, signals, and everything that can be wrong with its files.
 #include "model/io/meshfile.h"
+#include "model/samples.h"
 #include "solver/metrics/uvmetrics.h"
 #include "support/cliruns.h"
 
@@ -128,7 +129,7 @@ private Q_SLOTS:
             QSKIP("script(1) is not installed");
         const QString in = file("p.obj", test::sheetObj(5));
         const QString command = QLatin1Char('"') + program() +
-                                QStringLiteral("\" unwrap --quality draft \"") + in +
+                                QStringLiteral("\" unwrap --quality draft --lambda 0.2 \"") + in +
                                 QStringLiteral("\" -o \"") + at("p_uv.obj") + QLatin1Char('"');
         const test::CliRun r =
             test::runProgram(QStringLiteral("/usr/bin/script"),
@@ -148,7 +149,7 @@ private Q_SLOTS:
     {
         QFETCH(int, signal);
         const QString in = at("s.obj"), out = at("s_uv.obj"), report = at("s.json");
-        QVERIFY(test::writeBytes(in, test::sheetObj(14)));
+        QVERIFY(writeMesh(makeSample(QStringLiteral("character")).value(), in));
         QProcess process;
         process.start(program(), {QStringLiteral("unwrap"), in, QStringLiteral("-o"), out,
                                   QStringLiteral("--report"), report, QStringLiteral("--quality=best")});
@@ -172,7 +173,7 @@ private Q_SLOTS:
     void aTimeLimitGivesTheBestMapSoFar()
     {
         const QString in = at("t.obj"), out = at("t_uv.obj"), report = at("t.json");
-        QVERIFY(test::writeBytes(in, test::sheetObj(14)));
+        QVERIFY(writeMesh(makeSample(QStringLiteral("character")).value(), in));
         const test::CliRun r = test::runProgram(
             program(), {QStringLiteral("unwrap"), in, QStringLiteral("-o"), out, QStringLiteral("--report"),
                         report, QStringLiteral("--quality=best"), QStringLiteral("--time-limit=0.05")});

@@ -270,7 +270,7 @@ private Q_SLOTS:
         crashed(studio.path("recovery/1.acproj"), studio.path("mine.acproj"));
         studio.actions.file().offerRecovery();
         QCOMPARE(dialogs, 1);
-        QVERIFY(studio.workspace.document());
+        QTRY_VERIFY(studio.workspace.document());
         QVERIFY(studio.workspace.isModified());
         QCOMPARE(studio.workspace.sessionPath(), studio.path("mine.acproj"));
     }
