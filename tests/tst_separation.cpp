@@ -1,0 +1,312 @@
+// Clean regions, and maps cut apart until nothing overlaps.
+#include "model/unionfind.h"
+#include "solver/overlap/cleanregion.h"
+#include "solver/overlap/maxflow.h"
+#include "solver/overlap/overlapseparation.h"
+#include "solver/random.h"
+#include "support/objuv.h"
+#include "support/overlapmaps.h"
+
+#include <QDir>
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+using namespace autocuts;
+
+namespace {
+
+//! Overlapping pairs left inside the charts of a cut, by brute force.
+int overlapsInCharts(const MeshData &mesh, const UvMatrix &soup, const std::vector<bool> &cut, double ratio)
+{
+    UnionFind sets(mesh.triangleCount());
+    for (std::size_t p = 0; p < cut.size(); ++p) {
+        if (!cut[p])
+            sets.unite(mesh.edgePairs[p].triangle[0], mesh.edgePairs[p].triangle[1]);
+    }
+    int count = 0;
+    for (const OverlapPair &pair : test::bruteForce(soup, ratio * totalUvArea(soup)))
+        count += sets.find(pair.first) == sets.find(pair.second);
+    return count;
+}
+
+int chartCount(const MeshData &mesh, const std::vector<bool> &cut)
+{
+    UnionFind sets(mesh.triangleCount());
+    for (std::size_t p = 0; p < cut.size(); ++p) {
+        if (!cut[p])
+            sets.unite(mesh.edgePairs[p].triangle[0], mesh.edgePairs[p].triangle[1]);
+    }
+    return sets.labels().second;
+}
+
+} // namespace
+
+class TestSeparation : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void maxFlowFindsTheSmallestCut()
+    {
+        // Random graphs small enough to try every cut.
+        for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+            Random random(seed);
+            const int n = 9;
+            std::vector<std::array<int, 3>> edges;
+            MaxFlow flow(n);
+            for (int i = 0; i < 20; ++i) {
+                const int a = random.below(n), b = random.below(n), capacity = 1 + random.below(9);
+                if (a == b)
+                    continue;
+                edges.push_back({a, b, capacity});
+                flow.addEdge(a, b, capacity);
+            }
+            flow.setSource(0);
+            flow.setSource(1);
+            flow.setSink(7);
+            flow.setSink(8);
+            int best = std::numeric_limits<int>::max();
+            for (int mask = 0; mask < 32; ++mask) {
+                const int side = 3 | mask << 2;
+                int cost = 0;
+                for (const auto &[a, b, capacity] : edges)
+                    cost += ((side >> a ^ side >> b) & 1) * capacity;
+                best = std::min(best, cost);
+            }
+            QCOMPARE(flow.run(), std::int64_t(best));
+            int cost = 0;
+            for (const auto &[a, b, capacity] : edges)
+                cost += flow.sourceSide()[a] != flow.sourceSide()[b] ? capacity : 0;
+            QCOMPARE(cost, best);
+            QVERIFY(flow.sourceSide()[0] && flow.sourceSide()[1] && !flow.sourceSide()[7] &&
+                    !flow.sourceSide()[8]);
+        }
+    }
+
+    void cleanRegionIsMaximal_data() { mapNames(); }
+
+    void cleanRegionIsMaximal()
+    {
+        QFETCH(int, index);
+        const test::OverlappingMap map = test::overlappingMaps()[index];
+        const MeshData &mesh = *map.mesh;
+        const UvMatrix soup = test::soupUv(mesh, map.uv);
+        const std::vector<bool> cut(mesh.edgePairs.size(), false);
+        const int seed = mesh.triangleCount() / 2;
+        const std::vector<int> region = cleanRegion(mesh, soup, cut, seed);
+        QVERIFY(std::binary_search(region.begin(), region.end(), seed));
+        OverlapOptions options;
+        options.totalArea = totalUvArea(soup);
+        QCOMPARE(findOverlapsAmong(soup, region, options).pairs.size(), std::size_t(0));
+        // No neighbouring polygon fits in.
+        const auto inside = [&](int t) { return std::binary_search(region.begin(), region.end(), t); };
+        for (const EdgePair &pair : mesh.edgePairs) {
+            QVERIFY(!pair.diagonal || inside(pair.triangle[0]) == inside(pair.triangle[1]));
+            if (inside(pair.triangle[0]) == inside(pair.triangle[1]))
+                continue;
+            std::vector<int> larger = region;
+            const int face =
+                mesh.triangleFace[inside(pair.triangle[0]) ? pair.triangle[1] : pair.triangle[0]];
+            for (int t = 0; t < mesh.triangleCount(); ++t) {
+                if (mesh.triangleFace[t] == face)
+                    larger.push_back(t);
+            }
+            QVERIFY(!findOverlapsAmong(soup, larger, options).pairs.empty());
+        }
+    }
+
+    void cleanRegionChecksItsInput()
+    {
+        const auto mesh = test::cube();
+        QVERIFY_THROWS_EXCEPTION(std::invalid_argument, cleanRegion(*mesh, UvMatrix(1, 2), {}, 0));
+    }
+
+    void separationLeavesNoOverlap_data() { mapNames(); }
+
+    void separationLeavesNoOverlap()
+    {
+        QFETCH(int, index);
+        const test::OverlappingMap map = test::overlappingMaps()[index];
+        const MeshData &mesh = *map.mesh;
+        const UvMatrix soup = test::soupUv(mesh, map.uv);
+        const std::vector<bool> before(mesh.edgePairs.size(), false);
+        for (const auto method : {SeparationMethod::MinCut, SeparationMethod::Greedy}) {
+            SeparationOptions options;
+            options.method = method;
+            const SeparationResult result = separateOverlaps(mesh, soup, before, {}, options);
+            QVERIFY(result.complete);
+            QCOMPARE(result.unresolvedPairs, 0);
+            QCOMPARE(result.overlapPairs,
+                     std::int64_t(overlapsInCharts(mesh, soup, before, options.minAreaRatio)));
+            QCOMPARE(overlapsInCharts(mesh, soup, result.cut, options.minAreaRatio), 0);
+            double length = 0;
+            for (std::size_t p = 0; p < result.cut.size(); ++p) {
+                QVERIFY(!(result.cut[p] && mesh.edgePairs[p].diagonal));
+                length += result.cut[p] ? mesh.edgePairs[p].length : 0;
+            }
+            QVERIFY(std::abs(length - result.newSeamLength) < 1e-9);
+            if (method == SeparationMethod::MinCut) {
+                const int charts = chartCount(mesh, result.cut);
+                QVERIFY2(charts <= map.mostCharts, qPrintable(QString::number(charts)));
+            }
+            QCOMPARE(separateOverlaps(mesh, soup, before, {}, options).cut, result.cut);
+        }
+    }
+
+    void layersAreCutOnce()
+    {
+        // Two and a half turns over a band two quads wide: one straight cut per turn is enough.
+        const auto mesh = test::strip(60, 2, true);
+        const UvMatrix uv = test::mapped(*mesh, test::along(
+                                                    [](double s) {
+                                                        return Vec2(std::cos(5 * std::numbers::pi * s),
+                                                                    std::sin(5 * std::numbers::pi * s));
+                                                    },
+                                                    0.3));
+        const SeparationResult result = separateOverlaps(
+            *mesh, test::soupUv(*mesh, uv), std::vector<bool>(mesh->edgePairs.size(), false), {});
+        QCOMPARE(chartCount(*mesh, result.cut), 3);
+        QCOMPARE(result.newSeams, 4);
+        QVERIFY(std::abs(result.newSeamLength - 4) < 1e-12);
+    }
+
+    void paintedEdgesAreAvoided()
+    {
+        // Two turns: a straight cut anywhere near the middle will do; only one place is cheap.
+        const auto mesh = test::strip(48, 2, true);
+        const UvMatrix uv = test::mapped(*mesh, test::along(
+                                                    [](double s) {
+                                                        return Vec2(std::cos(3 * std::numbers::pi * s),
+                                                                    std::sin(3 * std::numbers::pi * s));
+                                                    },
+                                                    0.3));
+        SeparationOptions options;
+        options.pairWeight.assign(mesh->edgePairs.size(), 1.0);
+        const double place = 22.0 / 48;
+        std::set<std::size_t> cheap;
+        for (std::size_t p = 0; p < mesh->edgePairs.size(); ++p) {
+            const EdgePair &pair = mesh->edgePairs[p];
+            const double a = mesh->cornerPosition(mesh->cornerOfSoup(pair.corner[0][0])).x();
+            const double b = mesh->cornerPosition(mesh->cornerOfSoup(pair.corner[1][0])).x();
+            if (std::abs(a - place) < 1e-9 && std::abs(b - place) < 1e-9) {
+                options.pairWeight[p] = 0.5;
+                cheap.insert(p);
+            }
+        }
+        QCOMPARE(cheap.size(), std::size_t(2));
+        const SeparationResult result = separateOverlaps(
+            *mesh, test::soupUv(*mesh, uv), std::vector<bool>(mesh->edgePairs.size(), false), {}, options);
+        QCOMPARE(result.newSeams, 2);
+        for (std::size_t p : cheap)
+            QVERIFY(result.cut[p]);
+    }
+
+    void protectedPairsAreNeverCut()
+    {
+        const test::OverlappingMap map = test::overlappingMaps()[0];
+        const MeshData &mesh = *map.mesh;
+        const UvMatrix soup = test::soupUv(mesh, map.uv);
+        const std::vector<bool> cut(mesh.edgePairs.size(), false);
+        Random random(5);
+        std::vector<bool> joined(mesh.edgePairs.size());
+        for (std::size_t p = 0; p < joined.size(); ++p)
+            joined[p] = random.below(3) == 0;
+        for (const auto method : {SeparationMethod::MinCut, SeparationMethod::Greedy}) {
+            SeparationOptions options;
+            options.method = method;
+            const SeparationResult result = separateOverlaps(mesh, soup, cut, joined, options);
+            for (std::size_t p = 0; p < joined.size(); ++p)
+                QVERIFY(!(joined[p] && result.cut[p]));
+            QCOMPARE(overlapsInCharts(mesh, soup, result.cut, 1e-10), result.unresolvedPairs);
+        }
+        // All joined: nothing can be done, and that is said.
+        joined.assign(joined.size(), true);
+        const SeparationResult stuck = separateOverlaps(mesh, soup, cut, joined);
+        QCOMPARE(stuck.newSeams, 0);
+        QCOMPARE(std::int64_t(stuck.unresolvedPairs), stuck.overlapPairs);
+        QVERIFY(stuck.unresolvedPairs > 0);
+    }
+
+    void cleanMapsAndStackedIslandsStay()
+    {
+        // Two separate squares with the same UVs overlap, but they are different charts already.
+        const auto two = test::polygonMesh(
+            {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {3, 0, 0}, {4, 0, 0}, {4, 1, 0}, {3, 1, 0}},
+            {{0, 1, 2, 3}, {4, 5, 6, 7}});
+        const UvMatrix uv =
+            test::mapped(*two, [](const Vec3 &p) { return Vec2(p.x() > 2 ? p.x() - 3 : p.x(), p.y()); });
+        const UvMatrix soup = test::soupUv(*two, uv);
+        QCOMPARE(findOverlaps(soup).pairs.size(), std::size_t(2));
+        const std::vector<bool> cut(two->edgePairs.size(), false);
+        const SeparationResult result = separateOverlaps(*two, soup, cut, {});
+        QCOMPARE(result.cut, cut);
+        QCOMPARE(result.overlapPairs, std::int64_t(0));
+    }
+
+    void cancelledSeparationCutsNothing()
+    {
+        const test::OverlappingMap map = test::overlappingMaps()[0];
+        const std::vector<bool> cut(map.mesh->edgePairs.size(), false);
+        const std::atomic<bool> cancel{true};
+        SeparationOptions options;
+        options.cancel = &cancel;
+        const SeparationResult result =
+            separateOverlaps(*map.mesh, test::soupUv(*map.mesh, map.uv), cut, {}, options);
+        QVERIFY(!result.complete);
+        QCOMPARE(result.cut, cut);
+    }
+
+    void realMeshFlattenedIsSeparated_data()
+    {
+        QTest::addColumn<QString>("file");
+        for (const char *file : {"organic/cathead.obj", "polygons/suzanne.obj", "polygons/horse_quad.obj",
+                                 "irregular/beetle.obj", "broken/zero_area_48.obj"})
+            QTest::newRow(file) << QString::fromLatin1(file);
+    }
+
+    void realMeshFlattenedIsSeparated()
+    {
+        // Projected onto a plane: the far side lies under the near side, mirrored, everywhere.
+        QFETCH(QString, file);
+        const std::string folder = test::meshFolder();
+        if (folder.empty())
+            QSKIP("no meshes: set AUTOCUTS_MESHES");
+        const test::ObjUv obj = test::readObjUv(folder + "/" + file.toStdString());
+        const MeshData &mesh = *obj.mesh;
+        const UvMatrix uv =
+            test::mapped(mesh, [](const Vec3 &p) { return Vec2(p.x() + 0.1 * p.z(), p.y() - 0.07 * p.z()); });
+        const UvMatrix soup = test::soupUv(mesh, uv);
+        for (const auto method : {SeparationMethod::MinCut, SeparationMethod::Greedy}) {
+            SeparationOptions options;
+            options.method = method;
+            const SeparationResult result =
+                separateOverlaps(mesh, soup, std::vector<bool>(mesh.edgePairs.size(), false), {}, options);
+            UnionFind sets(mesh.triangleCount());
+            for (std::size_t p = 0; p < result.cut.size(); ++p) {
+                QVERIFY(!(result.cut[p] && mesh.edgePairs[p].diagonal));
+                if (!result.cut[p])
+                    sets.unite(mesh.edgePairs[p].triangle[0], mesh.edgePairs[p].triangle[1]);
+            }
+            int left = 0;
+            for (const OverlapPair &pair : findOverlaps(soup).pairs)
+                left += sets.find(pair.first) == sets.find(pair.second);
+            QCOMPARE(left, result.unresolvedPairs);
+            QVERIFY(result.overlapPairs > 0);
+        }
+    }
+
+private:
+    static void mapNames()
+    {
+        QTest::addColumn<int>("index");
+        const auto maps = test::overlappingMaps();
+        for (int i = 0; i < static_cast<int>(maps.size()); ++i)
+            QTest::newRow(maps[i].name) << i;
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSeparation)
+#include "tst_separation.moc"
