@@ -4,6 +4,7 @@
 #include "model/io/meshdoctor.h"
 #include "model/io/savefile.h"
 #include "model/io/uvexport.h"
+#include "model/uvlayout.h"
 #include "solver/overlap/overlapfinder.h"
 
 #include <algorithm>
@@ -54,11 +55,8 @@ MapReport reportOf(const UvMetrics &m)
 
 std::vector<int> overlappingTriangles(const MeshData &mesh, const UvMatrix &uv)
 {
-    UvMatrix soup(mesh.soupCornerCount(), 2);
-    for (int c = 0; c < mesh.soupCornerCount(); ++c)
-        soup.row(c) = uv.row(mesh.cornerOfSoup(c));
     std::vector<int> result;
-    for (const OverlapPair &pair : findOverlaps(soup, {}).pairs) {
+    for (const OverlapPair &pair : findOverlaps(soupUv(mesh, uv), {}).pairs) {
         result.push_back(pair.first);
         result.push_back(pair.second);
     }

@@ -1,4 +1,5 @@
 // Overlaps: exact orientation, and the finder against brute force.
+#include "model/uvlayout.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/overlap/predicates.h"
 #include "solver/random.h"
@@ -160,7 +161,7 @@ private Q_SLOTS:
             corner.row(c) = place[mesh->cornerVertex[c]].transpose();
         OverlapOptions options;
         options.minAreaRatio = 0;
-        QCOMPARE(findOverlaps(test::soupUv(*mesh, corner), options).pairs.size(), std::size_t(0));
+        QCOMPARE(findOverlaps(soupUv(*mesh, corner), options).pairs.size(), std::size_t(0));
     }
 
     void turnedRegularGridHasNone()
@@ -170,7 +171,7 @@ private Q_SLOTS:
         const UvMatrix corner = test::mapped(*mesh, [](const Vec3 &p) {
             return Vec2(0.6 * p.x() - 0.3 * p.y() + 0.1, 0.3 * p.x() + 0.6 * p.y());
         });
-        QCOMPARE(findOverlaps(test::soupUv(*mesh, corner)).pairs.size(), std::size_t(0));
+        QCOMPARE(findOverlaps(soupUv(*mesh, corner)).pairs.size(), std::size_t(0));
     }
 
     void nearlyTouching_data()

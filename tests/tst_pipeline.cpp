@@ -1,5 +1,6 @@
 // The whole way from a mesh to a packed map: valid, within the bound, steerable, the same every time.
 #include "model/samples.h"
+#include "model/uvlayout.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/pipeline.h"
@@ -78,7 +79,7 @@ QString problemWith(const MeshData &mesh, const UvMatrix &uv, bool packed = true
         problems << QStringLiteral("%1 collapsed triangles").arg(m.symDirichletInfinite);
     if (!m.inUnitSquare)
         problems << QStringLiteral("outside of the unit square");
-    const std::size_t overlaps = packed ? findOverlaps(test::soupUv(mesh, uv), {}).pairs.size() : 0;
+    const std::size_t overlaps = packed ? findOverlaps(soupUv(mesh, uv), {}).pairs.size() : 0;
     if (overlaps > 0)
         problems << QStringLiteral("%1 overlaps").arg(overlaps);
     if (packed && m.charts > 1 && !(m.minGutterTexels >= margin * (1 - 1e-6)))

@@ -1,5 +1,6 @@
 // Clean regions, and maps cut apart until nothing overlaps.
 #include "model/unionfind.h"
+#include "model/uvlayout.h"
 #include "solver/overlap/cleanregion.h"
 #include "solver/overlap/maxflow.h"
 #include "solver/overlap/overlapseparation.h"
@@ -93,7 +94,7 @@ private Q_SLOTS:
         QFETCH(int, index);
         const test::OverlappingMap map = test::overlappingMaps()[index];
         const MeshData &mesh = *map.mesh;
-        const UvMatrix soup = test::soupUv(mesh, map.uv);
+        const UvMatrix soup = soupUv(mesh, map.uv);
         const std::vector<bool> cut(mesh.edgePairs.size(), false);
         const int seed = mesh.triangleCount() / 2;
         const std::vector<int> region = cleanRegion(mesh, soup, cut, seed);
@@ -131,7 +132,7 @@ private Q_SLOTS:
         QFETCH(int, index);
         const test::OverlappingMap map = test::overlappingMaps()[index];
         const MeshData &mesh = *map.mesh;
-        const UvMatrix soup = test::soupUv(mesh, map.uv);
+        const UvMatrix soup = soupUv(mesh, map.uv);
         const std::vector<bool> before(mesh.edgePairs.size(), false);
         for (const auto method : {SeparationMethod::MinCut, SeparationMethod::Greedy}) {
             SeparationOptions options;
@@ -166,8 +167,8 @@ private Q_SLOTS:
                                                                     std::sin(5 * std::numbers::pi * s));
                                                     },
                                                     0.3));
-        const SeparationResult result = separateOverlaps(
-            *mesh, test::soupUv(*mesh, uv), std::vector<bool>(mesh->edgePairs.size(), false), {});
+        const SeparationResult result =
+            separateOverlaps(*mesh, soupUv(*mesh, uv), std::vector<bool>(mesh->edgePairs.size(), false), {});
         QCOMPARE(chartCount(*mesh, result.cut), 3);
         QCOMPARE(result.newSeams, 4);
         QVERIFY(std::abs(result.newSeamLength - 4) < 1e-12);
@@ -198,7 +199,7 @@ private Q_SLOTS:
         }
         QCOMPARE(cheap.size(), std::size_t(2));
         const SeparationResult result = separateOverlaps(
-            *mesh, test::soupUv(*mesh, uv), std::vector<bool>(mesh->edgePairs.size(), false), {}, options);
+            *mesh, soupUv(*mesh, uv), std::vector<bool>(mesh->edgePairs.size(), false), {}, options);
         QCOMPARE(result.newSeams, 2);
         for (std::size_t p : cheap)
             QVERIFY(result.cut[p]);
@@ -208,7 +209,7 @@ private Q_SLOTS:
     {
         const test::OverlappingMap map = test::overlappingMaps()[0];
         const MeshData &mesh = *map.mesh;
-        const UvMatrix soup = test::soupUv(mesh, map.uv);
+        const UvMatrix soup = soupUv(mesh, map.uv);
         const std::vector<bool> cut(mesh.edgePairs.size(), false);
         Random random(5);
         std::vector<bool> joined(mesh.edgePairs.size());
@@ -238,7 +239,7 @@ private Q_SLOTS:
             {{0, 1, 2, 3}, {4, 5, 6, 7}});
         const UvMatrix uv =
             test::mapped(*two, [](const Vec3 &p) { return Vec2(p.x() > 2 ? p.x() - 3 : p.x(), p.y()); });
-        const UvMatrix soup = test::soupUv(*two, uv);
+        const UvMatrix soup = soupUv(*two, uv);
         QCOMPARE(findOverlaps(soup).pairs.size(), std::size_t(2));
         const std::vector<bool> cut(two->edgePairs.size(), false);
         const SeparationResult result = separateOverlaps(*two, soup, cut, {});
@@ -254,7 +255,7 @@ private Q_SLOTS:
         SeparationOptions options;
         options.cancel = &cancel;
         const SeparationResult result =
-            separateOverlaps(*map.mesh, test::soupUv(*map.mesh, map.uv), cut, {}, options);
+            separateOverlaps(*map.mesh, soupUv(*map.mesh, map.uv), cut, {}, options);
         QVERIFY(!result.complete);
         QCOMPARE(result.cut, cut);
     }
@@ -278,7 +279,7 @@ private Q_SLOTS:
         const MeshData &mesh = *obj.mesh;
         const UvMatrix uv =
             test::mapped(mesh, [](const Vec3 &p) { return Vec2(p.x() + 0.1 * p.z(), p.y() - 0.07 * p.z()); });
-        const UvMatrix soup = test::soupUv(mesh, uv);
+        const UvMatrix soup = soupUv(mesh, uv);
         for (const auto method : {SeparationMethod::MinCut, SeparationMethod::Greedy}) {
             SeparationOptions options;
             options.method = method;

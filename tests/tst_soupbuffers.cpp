@@ -1,4 +1,5 @@
 // What the graphics card is given: positions, UVs, colours and lines, heat-maps and their colours.
+#include "model/uvlayout.h"
 #include "solver/metrics/uvmetrics.h"
 #include "support/editsupport.h"
 #include "support/meshbuilders.h"
@@ -18,14 +19,6 @@ using namespace autocuts;
 using test::MeshPtr;
 
 namespace {
-
-UvMatrix soupUv(const MeshData &mesh, const UvMatrix &cornerUv)
-{
-    UvMatrix uv(mesh.soupCornerCount(), 2);
-    for (int s = 0; s < mesh.soupCornerCount(); ++s)
-        uv.row(s) = cornerUv.row(mesh.cornerOfSoup(s));
-    return uv;
-}
 
 //! UVs from x and y, squeezed and sheared so that all triangles are stretched differently.
 UvMatrix unevenLayout(const MeshData &mesh)

@@ -1,6 +1,7 @@
 #include "model/makesnapshot.h"
 
 #include "model/document.h"
+#include "model/uvlayout.h"
 
 namespace autocuts {
 
@@ -64,10 +65,7 @@ Snapshot makeSnapshot(const Document &document, std::optional<StartMode> start)
     snapshot.settingsRevision = document.settingsRevision();
     addConstraints(snapshot, document);
     if (snapshot.settings.start == StartMode::ExistingUv && hasUvs(document)) {
-        const UvMatrix &uv = document.uv();
-        snapshot.startUv.resize(snapshot.mesh->soupCornerCount(), 2);
-        for (int s = 0; s < snapshot.mesh->soupCornerCount(); ++s)
-            snapshot.startUv.row(s) = uv.row(snapshot.mesh->cornerOfSoup(s)) / document.uvScale();
+        snapshot.startUv = soupUv(*snapshot.mesh, document.uv()) / document.uvScale();
     }
     return snapshot;
 }

@@ -1,5 +1,7 @@
 #include "model/snapshot.h"
 
+#include "model/uvlayout.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -7,9 +9,7 @@ namespace autocuts {
 
 UvMatrix startUvFromCorners(const MeshData &mesh, const UvMatrix &uv)
 {
-    UvMatrix soup(mesh.soupCornerCount(), 2);
-    for (int c = 0; c < mesh.soupCornerCount(); ++c)
-        soup.row(c) = uv.row(mesh.cornerOfSoup(c));
+    UvMatrix soup = soupUv(mesh, uv);
     double area = 0;
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         const double twice = cross2(soup.row(3 * t), soup.row(3 * t + 1), soup.row(3 * t + 2));

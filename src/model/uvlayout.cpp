@@ -27,6 +27,14 @@ UvMatrix emptyLayout(const MeshData &mesh)
     return UvMatrix::Constant(mesh.cornerCount(), 2, std::numeric_limits<double>::quiet_NaN());
 }
 
+UvMatrix soupUv(const MeshData &mesh, const UvMatrix &uv)
+{
+    UvMatrix soup(mesh.soupCornerCount(), 2);
+    for (int s = 0; s < mesh.soupCornerCount(); ++s)
+        soup.row(s) = uv.row(mesh.cornerOfSoup(s));
+    return soup;
+}
+
 bool sameBits(const UvMatrix &a, const UvMatrix &b)
 {
     return a.rows() == b.rows() &&

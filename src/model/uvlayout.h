@@ -14,6 +14,8 @@ inline constexpr double defaultUvScale = 0.4;
 
 //! A layout in which no corner has a UV.
 UvMatrix emptyLayout(const MeshData &mesh);
+//! The UVs of the soup corners: one row each, from one row per corner. \pre uv has a row per corner
+UvMatrix soupUv(const MeshData &mesh, const UvMatrix &uv);
 //! True when the matrices have the same bits; rows without UVs are equal when their bits are.
 bool sameBits(const UvMatrix &a, const UvMatrix &b);
 //! The rows whose bits differ. \pre a and b have the same number of rows

@@ -95,14 +95,6 @@ ObjUv readObjUv(const std::string &path)
     return parseObjUv(text.str());
 }
 
-UvMatrix soupUv(const MeshData &mesh, const UvMatrix &cornerUv)
-{
-    UvMatrix soup(mesh.soupCornerCount(), 2);
-    for (int s = 0; s < mesh.soupCornerCount(); ++s)
-        soup.row(s) = cornerUv.row(mesh.cornerOfSoup(s));
-    return soup;
-}
-
 std::vector<bool> seamsOf(const MeshData &mesh, const UvMatrix &soup)
 {
     std::vector<bool> seam;

@@ -19,8 +19,6 @@ ObjUv parseObjUv(const std::string &text);
 //! Reads a file; an unreadable one gives an empty mesh.
 ObjUv readObjUv(const std::string &path);
 
-//! UVs of the soup corners from UVs of the polygon corners.
-UvMatrix soupUv(const MeshData &mesh, const UvMatrix &cornerUv);
 //! True for the edge pairs whose UVs differ at one end or both by more than 1e-6 of the UV box.
 std::vector<bool> seamsOf(const MeshData &mesh, const UvMatrix &soup);
 

@@ -1,5 +1,6 @@
 #include "solver/overlap/separatemap.h"
 
+#include "model/uvlayout.h"
 #include "solver/cutmesh.h"
 #include "solver/overlap/overlapseparation.h"
 
@@ -8,29 +9,17 @@ namespace autocuts {
 Separated separateMap(const MeshData &mesh, const UvMatrix &uv, const std::atomic<bool> *cancel)
 {
     const ChartMap before = findCharts(mesh, uv);
-    UvMatrix soup(mesh.soupCornerCount(), 2);
-    for (int c = 0; c < mesh.soupCornerCount(); ++c)
-        soup.row(c) = uv.row(mesh.cornerOfSoup(c));
+    const UvMatrix soup = soupUv(mesh, uv);
 
-    const Eigen::RowVector2d spread = [&] {
-        Eigen::RowVector2d low = Eigen::RowVector2d::Zero(), high = low;
-        bool any = false;
-        for (Eigen::Index i = 0; i < uv.rows(); ++i) {
-            if (!uv.row(i).allFinite())
-                continue;
-            low = any ? Eigen::RowVector2d(low.cwiseMin(uv.row(i))) : Eigen::RowVector2d(uv.row(i));
-            high = any ? Eigen::RowVector2d(high.cwiseMax(uv.row(i))) : Eigen::RowVector2d(uv.row(i));
-            any = true;
-        }
-        return Eigen::RowVector2d(high - low);
-    }();
-    const double tolerance = 1e-6 * spread.norm();
+    const Eigen::AlignedBox2d box = layoutBox(uv);
+    const double tolerance = box.isEmpty() ? 0 : 1e-6 * box.diagonal().norm();
     CutFlags cut(mesh.edgePairs.size(), false);
     for (std::size_t e = 0; e < cut.size(); ++e) {
         const EdgePair &pair = mesh.edgePairs[e];
         bool agree = true;
         for (int end = 0; end < 2; ++end)
-            agree = agree && (soup.row(pair.corner[end][0]) - soup.row(pair.corner[end][1])).norm() <= tolerance;
+            agree =
+                agree && (soup.row(pair.corner[end][0]) - soup.row(pair.corner[end][1])).norm() <= tolerance;
         cut[e] = !pair.diagonal && !agree;
     }
     SeparationOptions options;

@@ -135,14 +135,13 @@ MapFigures measured(const MeshData &mesh, const UvMatrix &uv, int textureSize, J
     options.textureSize = textureSize;
     options.cancel = &control.stop();
     figures.metrics = measureUv(mesh, uv, options);
-    UvMatrix soup(mesh.soupCornerCount(), 2);
-    for (int s = 0; s < mesh.soupCornerCount(); ++s)
-        soup.row(s) = uv.row(mesh.cornerOfSoup(s));
+    if (figures.metrics.overlapPairs == 0)
+        return figures;
     OverlapOptions overlapOptions;
     overlapOptions.cancel = &control.stop();
     overlapOptions.minAreaRatio = 1e-9; // as UvMetrics::overlapPairs
     overlapOptions.maxPairs = maxListedOverlaps;
-    OverlapList overlaps = findOverlaps(soup, overlapOptions);
+    OverlapList overlaps = findOverlaps(soupUv(mesh, uv), overlapOptions);
     std::stable_sort(overlaps.pairs.begin(), overlaps.pairs.end(),
                      [](const OverlapPair &a, const OverlapPair &b) { return a.area > b.area; });
     for (const OverlapPair &pair : overlaps.pairs) {
@@ -274,9 +273,7 @@ void MapController::finish(double maxDistortion)
         Snapshot snapshot = input.snapshot;
         if (!live) {
             snapshot.settings.start = StartMode::ExistingUv;
-            snapshot.startUv.resize(input.mesh().soupCornerCount(), 2);
-            for (int s = 0; s < input.mesh().soupCornerCount(); ++s)
-                snapshot.startUv.row(s) = input.uv.row(input.mesh().cornerOfSoup(s)) / input.uvScale;
+            snapshot.startUv = soupUv(input.mesh(), input.uv) / input.uvScale;
         } else {
             snapshot.settings.lambda = live->status.lambda;
             snapshot.settings.delta = live->status.delta;

@@ -1,5 +1,6 @@
 #include "views/control/shownmap.h"
 
+#include "model/uvlayout.h"
 #include "views/control/workspace.h"
 
 namespace autocuts {
@@ -65,21 +66,10 @@ void ShownMap::refresh() const
     if (!document)
         return;
     const MeshData &mesh = document->mesh();
-    for (int s = 0; s < mesh.soupCornerCount(); ++s)
-        mUv.row(s) = document->uv().row(mesh.cornerOfSoup(s));
+    mUv = soupUv(mesh, document->uv());
     // The same tolerance as findCharts().
-    double size = 0;
-    for (int c = 0; c < 2; ++c) {
-        double low = std::numeric_limits<double>::infinity(), high = -low;
-        for (Eigen::Index s = 0; s < mUv.rows(); ++s) {
-            if (std::isfinite(mUv(s, c))) {
-                low = std::min(low, mUv(s, c));
-                high = std::max(high, mUv(s, c));
-            }
-        }
-        size = std::hypot(size, high > low ? high - low : 0);
-    }
-    const double tolerance = 1e-6 * size;
+    const Eigen::AlignedBox2d box = layoutBox(document->uv());
+    const double tolerance = box.isEmpty() ? 0 : 1e-6 * box.diagonal().norm();
     for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
         const EdgePair &edge = mesh.edgePairs[e];
         if (edge.diagonal)
