@@ -15,6 +15,10 @@ constexpr double largestTask = 1.0 / 12;
 //! A pivot below this share of the mean diagonal means that the matrix is not positive definite.
 constexpr float smallestPivot = 1e-9f;
 
+//! How many supernodes ahead the factor is fetched, and from how many words on (smaller ones stay in caches).
+constexpr int prefetchDistance = 3;
+constexpr std::size_t prefetchFrom = 1'000'000;
+
 std::size_t lanesFor(std::size_t floats)
 {
     return (floats + frontLanes - 1) / frontLanes;
@@ -47,22 +51,27 @@ void FrontalSolver::analyze(const Matrix &lower, Order order)
         throw std::invalid_argument("FrontalSolver: an ordered matrix of 2 x 2 blocks is needed");
     mStructure = FrontalStructure::build(lower);
     mLayout.clear();
-    std::size_t factor = 0, carry = 0;
+    std::size_t inverse = 0, coupling = 0, scale = 0, carry = 0;
     for (const FrontalStructure::Supernode &node : mStructure.supernodes) {
         Layout l;
         l.pivots = 2 * node.count;
         l.pivotStride = paddedRow(l.pivots);
         l.rows = 2 * node.rowCount;
-        l.stride = paddedRow(l.rows);
-        l.inverse = factor;
-        factor += static_cast<std::size_t>(l.pivots) * l.pivotStride;
-        l.coupling = factor;
-        factor += static_cast<std::size_t>(l.pivots) * l.stride;
+        l.stride = (l.rows + packedLanes - 1) / packedLanes * packedLanes;
+        l.inverse = inverse;
+        inverse += static_cast<std::size_t>(l.pivots) * l.pivotStride;
+        l.coupling = coupling;
+        coupling += static_cast<std::size_t>(l.pivots) * l.stride / 2;
+        l.scale = scale;
+        scale += l.pivots;
         l.carry = carry;
         carry += l.stride;
         mLayout.push_back(l);
     }
-    mFactor.resize(lanesFor(factor));
+    mInverse.resize(lanesFor(inverse));
+    mCoupling.resize(coupling);
+    mScale.resize(scale);
+    mPrefetch = inverse + coupling > prefetchFrom;
     mCarry.resize(lanesFor(carry));
     mUpdate.assign(mStructure.supernodes.size(), {});
     mValues.assign(2 * static_cast<std::size_t>(mStructure.nodeCount), 0);
@@ -145,7 +154,7 @@ bool FrontalSolver::factorize(const Matrix &lower)
 bool FrontalSolver::eliminate(const Matrix &lower, int node, Scratch &scratch)
 {
     const Layout &l = mLayout[node];
-    float *inverse = flat(mFactor) + l.inverse;
+    float *inverse = flat(mInverse) + l.inverse;
     std::fill(inverse, inverse + static_cast<std::ptrdiff_t>(l.pivots) * l.pivotStride, 0.0f);
     scratch.coupling.assign(lanesFor(static_cast<std::size_t>(l.pivots) * l.stride), Lanes{});
     if (!scratch.spare.empty()) {
@@ -164,16 +173,20 @@ bool FrontalSolver::eliminate(const Matrix &lower, int node, Scratch &scratch)
     }
     if (!invertFront(inverse, l.pivots, l.pivotStride, mSmallest))
         return false;
-    float *coupling = flat(mFactor) + l.coupling;
-    multiplyFront(inverse, l.pivotStride, flat(scratch.coupling), coupling, l.pivots, l.rows, l.stride);
-    reduceFront(flat(scratch.coupling), coupling, l.pivots, l.rows, l.stride, flat(mUpdate[node]), l.stride);
+    scratch.solved.resize(scratch.coupling.size());
+    multiplyFront(inverse, l.pivotStride, flat(scratch.coupling), flat(scratch.solved), l.pivots, l.rows,
+                  l.stride);
+    reduceFront(flat(scratch.coupling), flat(scratch.solved), l.pivots, l.rows, l.stride, flat(mUpdate[node]),
+                l.stride);
+    packFront(flat(scratch.solved), l.pivots, l.stride, mCoupling.data() + l.coupling,
+              mScale.data() + l.scale);
     return true;
 }
 
 void FrontalSolver::addEntries(const Matrix &lower, int node, float *coupling)
 {
     const Layout &l = mLayout[node];
-    float *inverse = flat(mFactor) + l.inverse;
+    float *inverse = flat(mInverse) + l.inverse;
     const double *values = lower.valuePtr();
     for (int e = mStructure.entryBegin[node]; e < mStructure.entryBegin[node + 1]; ++e) {
         const FrontalStructure::Entry &entry = mStructure.entries[e];
@@ -210,7 +223,7 @@ void FrontalSolver::addChild(int child, int node, Scratch &scratch)
         i = end;
     }
     const float *update = flat(mUpdate[child]);
-    float *inverse = flat(mFactor) + to.inverse;
+    float *inverse = flat(mInverse) + to.inverse;
     float *coupling = flat(scratch.coupling), *own = flat(mUpdate[node]);
     for (std::size_t r = 0; r < scratch.runs.size(); ++r) {
         for (int i = scratch.runs[r][0]; i < scratch.runs[r][1]; ++i) {
@@ -247,11 +260,28 @@ void FrontalSolver::forward(int node)
             to[1] += from[2 * i + 1];
         }
     }
-    subtractTransposed(flat(mFactor) + l.coupling, l.pivots, l.rows, l.stride, own, carry);
+    subtractTransposed(mCoupling.data() + l.coupling, mScale.data() + l.scale, l.pivots, l.stride, own,
+                       carry);
+}
+
+//! Fetches the factor of a supernode: going back, the processor does not see by itself what comes next.
+void FrontalSolver::prefetch(int node) const
+{
+    constexpr std::size_t cacheLine = 64;
+    const auto fetch = [](const auto *begin, std::size_t count) {
+        const char *bytes = reinterpret_cast<const char *>(begin);
+        for (std::size_t i = 0; i < count * sizeof(*begin); i += cacheLine)
+            __builtin_prefetch(bytes + i);
+    };
+    const Layout &l = mLayout[node];
+    fetch(flat(mInverse) + l.inverse, static_cast<std::size_t>(l.pivots) * l.pivotStride);
+    fetch(mCoupling.data() + l.coupling, static_cast<std::size_t>(l.pivots) * l.stride / 2);
 }
 
 void FrontalSolver::backward(int node, Scratch &scratch)
 {
+    if (mPrefetch && node >= prefetchDistance)
+        prefetch(node - prefetchDistance);
     const Layout &l = mLayout[node];
     const FrontalStructure::Supernode &s = mStructure.supernodes[node];
     float *own = mValues.data() + 2 * static_cast<std::size_t>(s.first);
@@ -264,8 +294,8 @@ void FrontalSolver::backward(int node, Scratch &scratch)
         rows[2 * i] = mValues[2 * static_cast<std::size_t>(numbers[i])];
         rows[2 * i + 1] = mValues[2 * static_cast<std::size_t>(numbers[i]) + 1];
     }
-    solvePivots(flat(mFactor) + l.inverse, l.pivotStride, flat(mFactor) + l.coupling, l.stride, l.pivots,
-                l.rows, flat(scratch.pivots), rows, own);
+    solvePivots(flat(mInverse) + l.inverse, l.pivotStride, mCoupling.data() + l.coupling,
+                mScale.data() + l.scale, l.stride, l.pivots, flat(scratch.pivots), rows, own);
 }
 
 void FrontalSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)

@@ -13,8 +13,9 @@ namespace autocuts {
 
 //! Faster than a general library where fronts are small, as on meshes: supernodes of about sixteen nodes,
 //! explicit inverses of their pivot blocks (so that solving is products of dense matrices and vectors),
-//! single precision, independent subtrees on several threads. Residuals of about 1e-4 are usual: not for
-//! exact solutions. \pre the pattern is made of full 2 x 2 blocks (their lower triangles on the diagonal)
+//! single precision (what is read most with 16 bits an entry: solving is bound by memory), independent
+//! subtrees on several threads. Residuals of about 1e-3 are usual: not for exact solutions. \pre the pattern
+//! is made of full 2 x 2 blocks (their lower triangles on the diagonal)
 class FrontalSolver final : public LinearSolver
 {
 public:
@@ -27,15 +28,18 @@ public:
     void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) override;
 
 private:
-    using Floats = LaneVector; //!< aligned storage
+    using Floats = LaneVector;   //!< aligned storage
+    using Packed = std::int32_t; //!< see packFront()
 
     //! Where a supernode's parts lie, in floats.
     struct Layout
     {
         int pivots = 0, pivotStride = 0; //!< scalars; padded
         int rows = 0, stride = 0;
-        std::size_t inverse = 0, coupling = 0; //!< in mFactor: inverse of the pivots W, and T = W B
-        std::size_t carry = 0;                 //!< in mCarry: what solving passes on to the parent
+        std::size_t inverse = 0;  //!< in mInverse: of the pivots, W
+        std::size_t coupling = 0; //!< in mCoupling: T = W B, packed
+        std::size_t scale = 0;    //!< in mScale: of the rows of T
+        std::size_t carry = 0;    //!< in mCarry: what solving passes on to the parent
     };
     //! A run of supernodes that makes up one or some whole subtrees, worked on by one thread.
     struct Task
@@ -45,9 +49,9 @@ private:
     //! What one thread needs at a time.
     struct Scratch
     {
-        Floats coupling;     //!< B of a front
+        Floats coupling, solved;   //!< B of a front, and T = W B
         std::vector<Floats> spare; //!< memory of update matrices that have been taken
-        Floats pivots, rows; //!< a part of the right-hand side
+        Floats pivots, rows;       //!< a part of the right-hand side
         std::vector<std::array<int, 3>> runs;
     };
 
@@ -56,6 +60,7 @@ private:
     void addEntries(const Matrix &lower, int node, float *coupling);
     void addChild(int child, int node, Scratch &scratch);
     void forward(int node);
+    void prefetch(int node) const;
     void backward(int node, Scratch &scratch);
 
     static float *flat(Floats &v) { return reinterpret_cast<float *>(v.data()); }
@@ -64,13 +69,16 @@ private:
     ThreadTeam &mTeam;
     FrontalStructure mStructure;
     std::vector<Layout> mLayout;
-    std::vector<Scratch> mScratch;   //!< per task, and one for mTop
+    std::vector<Scratch> mScratch; //!< per task, and one for mTop
     std::vector<Task> mTasks;
     std::vector<int> mTop;       //!< supernodes above all tasks, ascending
     std::vector<Floats> mUpdate; //!< per supernode, its update matrix until its parent takes it
-    Floats mFactor, mCarry;
+    Floats mInverse, mCarry;
+    std::vector<Packed, LaneAllocator<Packed>> mCoupling;
+    std::vector<float> mScale;
     std::vector<float> mValues; //!< right-hand side, then solution, in the new numbers
     float mSmallest = 0;
+    bool mPrefetch = false; //!< the factor is larger than near caches
 };
 
 } // namespace autocuts

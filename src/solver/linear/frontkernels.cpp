@@ -2,9 +2,15 @@
 
 #include "solver/linear/simd.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace autocuts {
 
 namespace {
+
+//! What the largest entry of a packed row becomes.
+constexpr float packedLimit = 32767;
 
 using Lanes = float __attribute__((vector_size(frontLanes * sizeof(float)), may_alias));
 
@@ -18,9 +24,32 @@ inline const Lanes *lanes(const float *p)
     return reinterpret_cast<const Lanes *>(p);
 }
 
+using WholeLanes = std::int32_t __attribute__((vector_size(frontLanes * sizeof(std::int32_t)), may_alias));
+
+//! Sixteen entries of a packed row, 2^16 times too large: taking halves of words is quicker than widening.
+inline void unpack(const std::int32_t *p, Lanes &first, Lanes &second)
+{
+    const WholeLanes both = *reinterpret_cast<const WholeLanes *>(p);
+    first = __builtin_convertvector(both << 16, Lanes);
+    second = __builtin_convertvector(both & -65536, Lanes);
+}
+
 inline float sumOf(const Lanes &v)
 {
     return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+}
+
+//! Sums of four vectors at once, each added up as sumOf() does.
+inline void sumsOf(const Lanes &a, const Lanes &b, const Lanes &c, const Lanes &d, float *sums)
+{
+    using Order = int __attribute__((vector_size(sizeof(Lanes))));
+    constexpr Order evenPairs{0, 8, 1, 9, 4, 12, 5, 13}, oddPairs{2, 10, 3, 11, 6, 14, 7, 15};
+    constexpr Order lowHalves{0, 1, 8, 9, 4, 5, 12, 13}, highHalves{2, 3, 10, 11, 6, 7, 14, 15};
+    const Lanes ab = __builtin_shuffle(a, b, evenPairs) + __builtin_shuffle(a, b, oddPairs);
+    const Lanes cd = __builtin_shuffle(c, d, evenPairs) + __builtin_shuffle(c, d, oddPairs);
+    const Lanes all = __builtin_shuffle(ab, cd, lowHalves) + __builtin_shuffle(ab, cd, highHalves);
+    for (int i = 0; i < 4; ++i)
+        sums[i] = all[i] + all[i + 4];
 }
 
 } // namespace
@@ -152,53 +181,103 @@ void reduceFront(const float *b, const float *t, int p, int r, int stride, float
 }
 
 AUTOCUTS_CLONES
-void subtractTransposed(const float *t, int p, int r, int stride, const float *x, float *y)
+void packFront(const float *t, int p, int stride, std::int32_t *packed, float *scale)
 {
-    const int width = paddedRow(r) / frontLanes;
-    int j = 0;
-    for (; j + 4 <= width; j += 4) {
-        Lanes s0 = lanes(y)[j], s1 = lanes(y)[j + 1], s2 = lanes(y)[j + 2], s3 = lanes(y)[j + 3];
-        for (int k = 0; k < p; ++k) {
-            const Lanes *row = lanes(t + static_cast<std::ptrdiff_t>(k) * stride) + j;
-            s0 -= x[k] * row[0];
-            s1 -= x[k] * row[1];
-            s2 -= x[k] * row[2];
-            s3 -= x[k] * row[3];
+    const auto whole = [](float value) {
+        return static_cast<std::int32_t>(value + (value < 0 ? -0.5f : 0.5f));
+    };
+    for (int k = 0; k < p; ++k, t += stride) {
+        float largest = 0;
+        for (int j = 0; j < stride; ++j)
+            largest = std::max(largest, std::abs(t[j]));
+        scale[k] = largest / packedLimit / 65536;
+        const float inverse = largest > 0 ? packedLimit / largest : 0.0f;
+        for (int j = 0; j < stride; j += packedLanes) {
+            for (int i = j; i < j + frontLanes; ++i)
+                *packed++ = (whole(t[i] * inverse) & 65535) | whole(t[i + frontLanes] * inverse) * 65536;
         }
-        lanes(y)[j] = s0;
-        lanes(y)[j + 1] = s1;
-        lanes(y)[j + 2] = s2;
-        lanes(y)[j + 3] = s3;
-    }
-    for (; j < width; ++j) {
-        Lanes sum = lanes(y)[j];
-        for (int k = 0; k < p; ++k)
-            sum -= x[k] * lanes(t + static_cast<std::ptrdiff_t>(k) * stride)[j];
-        lanes(y)[j] = sum;
     }
 }
 
-AUTOCUTS_CLONES
-void solvePivots(const float *w, int wStride, const float *t, int stride, int p, int r, const float *x,
-                 const float *z, float *y)
+namespace {
+
+//! subtractTransposed() for 16 `Vectors` entries of y and the columns of t that belong to them.
+template <int Vectors>
+inline void subtractColumns(const std::int32_t *t, const float *scale, int p, int words, const float *x,
+                            float *y)
 {
-    const int pivotWidth = paddedRow(p) / frontLanes;
-    const int width = paddedRow(r) / frontLanes;
-    for (int k = 0; k < p; ++k) {
-        const Lanes *inverse = lanes(w + static_cast<std::ptrdiff_t>(k) * wStride);
-        const Lanes *row = lanes(t + static_cast<std::ptrdiff_t>(k) * stride);
-        Lanes even{}, odd{};
-        for (int j = 0; j < pivotWidth; ++j)
-            even += inverse[j] * lanes(x)[j];
-        int j = 0;
-        for (; j + 2 <= width; j += 2) {
-            even -= row[j] * lanes(z)[j];
-            odd -= row[j + 1] * lanes(z)[j + 1];
+    Lanes sum[2 * Vectors];
+    for (int i = 0; i < 2 * Vectors; ++i)
+        sum[i] = lanes(y)[i];
+    for (int k = 0; k < p; ++k, t += words) {
+        const float factor = x[k] * scale[k];
+        for (int i = 0; i < Vectors; ++i) {
+            Lanes first, second;
+            unpack(t + i * frontLanes, first, second);
+            sum[2 * i] -= factor * first;
+            sum[2 * i + 1] -= factor * second;
         }
-        if (j < width)
-            even -= row[j] * lanes(z)[j];
-        const Lanes total = even + odd;
-        y[k] = sumOf(total);
+    }
+    for (int i = 0; i < 2 * Vectors; ++i)
+        lanes(y)[i] = sum[i];
+}
+
+//! Scalar products of `Rows` neighbouring rows, w x - t z, not yet added up over the lanes.
+template <int Rows>
+inline void multiplyRows(const float *w, int wStride, const std::int32_t *t, const float *scale, int words,
+                         const float *x, const float *z, Lanes *sum)
+{
+    for (int i = 0; i < Rows; ++i)
+        sum[i] = Lanes{};
+    for (int j = 0; j < words; j += frontLanes) {
+        const Lanes firstRight = lanes(z + 2 * j)[0], secondRight = lanes(z + 2 * j)[1];
+        for (int i = 0; i < Rows; ++i) {
+            Lanes first, second;
+            unpack(t + static_cast<std::ptrdiff_t>(i) * words + j, first, second);
+            sum[i] -= first * firstRight;
+            sum[i] -= second * secondRight;
+        }
+    }
+    for (int i = 0; i < Rows; ++i)
+        sum[i] *= scale[i];
+    for (int j = 0; j < wStride; j += frontLanes) {
+        for (int i = 0; i < Rows; ++i)
+            sum[i] += *lanes(w + static_cast<std::ptrdiff_t>(i) * wStride + j) * *lanes(x + j);
+    }
+}
+
+} // namespace
+
+AUTOCUTS_CLONES
+void subtractTransposed(const std::int32_t *t, const float *scale, int p, int stride, const float *x,
+                        float *y)
+{
+    const int words = stride / 2;
+    int j = 0;
+    for (; j + 3 * frontLanes <= words; j += 3 * frontLanes)
+        subtractColumns<3>(t + j, scale, p, words, x, y + 2 * j);
+    if (words - j == 2 * frontLanes)
+        subtractColumns<2>(t + j, scale, p, words, x, y + 2 * j);
+    else if (words - j == frontLanes)
+        subtractColumns<1>(t + j, scale, p, words, x, y + 2 * j);
+}
+
+AUTOCUTS_CLONES
+void solvePivots(const float *w, int wStride, const std::int32_t *t, const float *scale, int stride, int p,
+                 const float *x, const float *z, float *y)
+{
+    const int words = stride / 2;
+    Lanes sum[4];
+    int k = 0;
+    for (; k + 4 <= p; k += 4) {
+        multiplyRows<4>(w + static_cast<std::ptrdiff_t>(k) * wStride, wStride,
+                        t + static_cast<std::ptrdiff_t>(k) * words, scale + k, words, x, z, sum);
+        sumsOf(sum[0], sum[1], sum[2], sum[3], y + k);
+    }
+    for (; k < p; ++k) {
+        multiplyRows<1>(w + static_cast<std::ptrdiff_t>(k) * wStride, wStride,
+                        t + static_cast<std::ptrdiff_t>(k) * words, scale + k, words, x, z, sum);
+        y[k] = sumOf(sum[0]);
     }
 }
 

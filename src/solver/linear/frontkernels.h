@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace autocuts {
 
@@ -24,11 +25,19 @@ void multiplyFront(const float *w, int wStride, const float *b, float *t, int p,
 //! c -= b^T t, upper triangle (and a little more) of the r x r matrix c; b and t are p x r.
 void reduceFront(const float *b, const float *t, int p, int r, int stride, float *c, int cStride);
 
-//! y -= t^T x with t p x r, the rows padded and y as long as a padded row.
-void subtractTransposed(const float *t, int p, int r, int stride, const float *x, float *y);
+//! Entries of a packed row come in groups of this many; so the rows of t have a stride that is a multiple.
+constexpr int packedLanes = 2 * frontLanes;
 
-//! y = w x - t z: w is p x p, t is p x r; x and z are as long as padded rows, zero behind their end.
-void solvePivots(const float *w, int wStride, const float *t, int stride, int p, int r, const float *x,
-                 const float *z, float *y);
+//! Halves the memory of t, p rows of `stride` floats: row k is 2^16 scale[k] times whole numbers of 16 bits,
+//! two in a word.
+void packFront(const float *t, int p, int stride, std::int32_t *packed, float *scale);
+
+//! y -= t^T x with a packed t of p rows; y is as long as a row.
+void subtractTransposed(const std::int32_t *t, const float *scale, int p, int stride, const float *x,
+                        float *y);
+
+//! y = w x - t z: w is p x p, t packed with p rows; x and z are as long as rows, zero behind their end.
+void solvePivots(const float *w, int wStride, const std::int32_t *t, const float *scale, int stride, int p,
+                 const float *x, const float *z, float *y);
 
 } // namespace autocuts

@@ -26,6 +26,10 @@ namespace {
 
 constexpr double residualTolerance = 0.3;
 constexpr int maxIterations = 60;
+//! Late iterations end when the last one brought less than this share of what all brought on average: the
+//! residual may stay long where little is to be gained (after Nash and Sofer 1990).
+constexpr double leastGain = 0.4;
+constexpr int lateIteration = 6;
 //! Refactor the hub matrix after this many iterations more than a fresh one would have needed.
 constexpr int excessBeforeRefresh = 18;
 constexpr int excessBeforeRefreshLarge = 12;
@@ -274,7 +278,7 @@ private:
         }
         std::fill(mSum.begin(), mSum.end(), Lanes{});
         std::fill(mSearch.begin(), mSearch.end(), Lanes{});
-        double rz = moveHubs();
+        double rz = moveHubs(), gained = 0;
         turnSearch(0);
         int iteration = 0;
         while (iteration < maxIterations && rz > 0) {
@@ -290,7 +294,10 @@ private:
                                      first, end);
             });
             ++iteration;
-            if (rest < residualTolerance * residualTolerance)
+            const double gain = rz * alpha;
+            gained += gain;
+            if (rest < residualTolerance * residualTolerance ||
+                (iteration >= lateIteration && iteration * gain < leastGain * gained))
                 break;
             const double next = moveHubs();
             turnSearch(static_cast<float>(next / rz));

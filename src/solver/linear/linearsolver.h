@@ -15,7 +15,7 @@ public:
 
     virtual ~LinearSolver() = default;
 
-    enum class Order { FillReducing, Natural };    //!< Natural: the caller has ordered the unknowns
+    enum class Order { FillReducing, Natural }; //!< Natural: the caller has ordered the unknowns
 
     //! Order and symbolic factorisation of the pattern of `lower`.
     //! \throws std::runtime_error when the library fails (out of memory)
