@@ -2,8 +2,9 @@
 //
 //   bench_latency MESH [SECONDS]
 //
-// Prints one line of JSON per phase: the gaps between turns of the event loop, in milliseconds. Drawing is
-// left out by switching the views' updates off, because software OpenGL says nothing about a real machine.
+// Prints one line of JSON per phase: the gaps between turns of the event loop, in milliseconds. First the
+// solver runs with both views drawn; then drawing is left out by switching the views' updates off, because
+// software OpenGL says nothing about the latency on a real machine.
 #include "support/studiosession.h"
 #include "views/actions/studioactions.h"
 #include "views/canvas/meshview.h"
@@ -95,8 +96,6 @@ int main(int argc, char *argv[])
     const int milliseconds = 1000 * arguments.value(2, QStringLiteral("10")).toInt();
 
     test::StudioSession studio;
-    studio.window.meshView().setUpdatesEnabled(false);
-    studio.window.uvView().setUpdatesEnabled(false);
     const auto &solver = studio.context.solver;
     const auto waited = [&](int time) {
         return [clock = QElapsedTimer(), time]() mutable {
@@ -116,11 +115,23 @@ int main(int argc, char *argv[])
         return 1;
     }
     out() << "{\"triangles\": " << studio.document()->mesh().triangleCount() << "}" << Qt::endl;
-    studio.context.solver.restart();
-    const int first = solver.status().iteration;
-    watchLoop("solve", waited(milliseconds));
-    out() << "{\"steps\": " << solver.status().iteration - first << ", \"seconds\": " << milliseconds / 1000
-          << ", \"steps_per_second\": " << solver.status().stepsPerSecond << "}" << Qt::endl;
+    int meshFrames = 0, uvFrames = 0;
+    QObject::connect(&studio.window.meshView(), &QOpenGLWidget::frameSwapped, [&] { ++meshFrames; });
+    QObject::connect(&studio.window.uvView(), &QOpenGLWidget::frameSwapped, [&] { ++uvFrames; });
+    const auto solve = [&](const char *phase) {
+        studio.context.solver.restart();
+        const int first = solver.status().iteration;
+        meshFrames = uvFrames = 0;
+        watchLoop(phase, waited(milliseconds));
+        const double seconds = 1e-3 * milliseconds;
+        out() << "{\"steps_per_second\": " << (solver.status().iteration - first) / seconds
+              << ", \"frames_per_second_3d\": " << meshFrames / seconds
+              << ", \"frames_per_second_uv\": " << uvFrames / seconds << "}" << Qt::endl;
+    };
+    solve("solve, both views drawn");
+    studio.window.meshView().setUpdatesEnabled(false);
+    studio.window.uvView().setUpdatesEnabled(false);
+    solve("solve");
     watchLoop("edit while solving", [&, wait = waited(milliseconds / 2), n = 0]() mutable {
         if (++n % 10 == 0)
             studio.action(n % 20 ? "uv.lambdaMore" : "uv.lambdaLess")->trigger();
