@@ -4,6 +4,7 @@
 #include "solver/energy/distortion.h"
 #include "solver/energy/separation.h"
 #include "solver/linear/newtondirection.h"
+#include "solver/minimizer.h"
 #include "solver/solver.h"
 
 #include <sys/resource.h>
@@ -50,31 +51,55 @@ double typical(int calls, const std::function<void()> &job)
     return median(times);
 }
 
-void measureParts(const WarmState &state, const Soup &soup, const std::shared_ptr<const Soup> &shared,
-                  StepCost &cost)
+//! The terms of the energy at a warm state.
+struct Energy
 {
-    const auto distortion = makeDistortionTerm(shared, DistortionEnergy::SymmetricDirichlet);
-    distortion->setFactor(1 - state.snapshot.settings.lambda);
-    SeparationTerm separation(shared);
-    separation.setFactor(state.snapshot.settings.lambda);
-    separation.setDelta(state.snapshot.settings.delta);
-    separation.setWeights(pairWeights(soup, state.snapshot));
+    std::unique_ptr<DistortionTerm> distortion;
+    SeparationTerm separation;
+
+    Energy(const WarmState &state, const std::shared_ptr<const Soup> &soup, ThreadTeam *team)
+        : distortion(makeDistortionTerm(soup, DistortionEnergy::SymmetricDirichlet, team)),
+          separation(soup, team)
+    {
+        distortion->setFactor(1 - state.snapshot.settings.lambda);
+        separation.setFactor(state.snapshot.settings.lambda);
+        separation.setDelta(state.snapshot.settings.delta);
+        separation.setWeights(pairWeights(*soup, state.snapshot));
+    }
+};
+
+void measureParts(const WarmState &state, const std::shared_ptr<const Soup> &soup, StepCost &cost)
+{
+    const Energy energy(state, soup, nullptr);
     double sum = 0;
-    cost.value = typical(5, [&] { sum += separation.value(state.x) + distortion->value(state.x); });
-    const auto direction = makeHubDirection(shared, {});
+    cost.value =
+        typical(5, [&] { sum += energy.separation.value(state.x) + energy.distortion->value(state.x); });
+    const auto direction = makeHubDirection(soup, {});
     HessianBlocks blocks;
     std::vector<double> gradient, move(state.x.size());
     cost.derivatives = typical(5, [&] {
-        blocks.resize(soup.triangleCount(), static_cast<int>(soup.pairCorners.size()),
+        blocks.resize(soup->triangleCount(), static_cast<int>(soup->pairCorners.size()),
                       direction->precision());
         gradient.assign(state.x.size(), 0.0);
-        distortion->addDerivatives(state.x, gradient, blocks);
-        separation.addDerivatives(state.x, gradient, blocks);
+        energy.distortion->addDerivatives(state.x, gradient, blocks);
+        energy.separation.addDerivatives(state.x, gradient, blocks);
     });
     // It uses the blocks up.
     std::vector<HessianBlocks> copies(6, blocks);
     std::size_t next = 0;
     cost.direction = typical(5, [&] { direction->compute(copies[next++], gradient, move); });
+}
+
+//! Runs `step`, which returns the energy, until `goal` is reached. Returns the number of steps, 0 when it is
+//! not reached in `most`.
+template <class Step>
+int stepsTo(double goal, int most, Step &&step)
+{
+    for (int i = 1; i <= most; ++i) {
+        if (step() <= goal)
+            return i;
+    }
+    return 0;
 }
 
 //! The hundredth part of the triangles nearest to triangle 0.
@@ -154,7 +179,7 @@ StepCost measureSteps(const WarmState &state, bool exact, int threads)
     }
     cost.fast = median(cpu);
     cost.fastWall = median(wall);
-    measureParts(state, *fast->sharedSoup(), fast->sharedSoup(), cost);
+    measureParts(state, fast->sharedSoup(), cost);
     if (exact) {
         const auto reference = loaded(state, SolverKind::Exact, 1);
         cost.exact = typical(large ? 2 : 5, [&] { reference->step(); });
@@ -171,15 +196,18 @@ RaceResult race(const WarmState &state, int steps, int threads)
         for (int i = 0; i < steps; ++i)
             goal = exact->step().energy;
     });
+    const int most = 20 * steps;
     const auto fast = loaded(state, SolverKind::Fast, threads);
-    result.fast = cpuMilliseconds([&] {
-        for (int i = 1; i <= 20 * steps; ++i) {
-            if (fast->step().energy <= goal) {
-                result.fastSteps = i;
-                break;
-            }
-        }
-    });
+    result.fast =
+        cpuMilliseconds([&] { result.fastSteps = stepsTo(goal, most, [&] { return fast->step().energy; }); });
+
+    const std::shared_ptr<const Soup> soup = fast->sharedSoup();
+    ThreadTeam team(threads);
+    const Energy energy(state, soup, &team);
+    Minimizer general(soup, makeHubDirection(soup, {}, &team, HubFactor::General), &team);
+    general.setTerms({energy.distortion.get(), &energy.separation});
+    std::vector<double> x = state.x;
+    result.general = cpuMilliseconds([&] { stepsTo(goal, most, [&] { return general.step(x).after; }); });
     return result;
 }
 

@@ -42,11 +42,11 @@ WarmState warmState(const test::MeshPtr &mesh, double lambda, double delta, int 
 
 StepCost measureSteps(const WarmState &state, bool exact, int threads);
 
-//! How long the fast and the exact solver need, from the same start, to the energy that `steps` exact steps
-//! reach.
+//! How long the solvers need, from the same start, to the energy that `steps` exact steps reach.
 struct RaceResult
 {
     double exact = 0, fast = 0; //!< CPU milliseconds
+    double general = 0;         //!< of the fast solver when CHOLMOD factorises its hub matrix
     int fastSteps = 0;          //!< 0: not reached
 };
 

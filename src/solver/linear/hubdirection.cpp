@@ -60,9 +60,9 @@ constexpr int blocksPerJob = jobSize / laneCount;
 class HubDirection final : public NewtonDirection
 {
 public:
-    HubDirection(std::shared_ptr<const Soup> soup, std::vector<bool> held, ThreadTeam *team)
+    HubDirection(std::shared_ptr<const Soup> soup, std::vector<bool> held, ThreadTeam *team, HubFactor factor)
         : mSoup(std::move(soup)), mTeam(team ? team : &mAlone), mRank(vertexRanks(*mSoup->mesh)),
-          mFrontal(*mTeam)
+          mFactor(factor), mFrontal(*mTeam)
     {
         const int triangles = mSoup->triangleCount();
         mExcessLimit = triangles > largeTriangleCount ? excessBeforeRefreshLarge : excessBeforeRefresh;
@@ -214,8 +214,8 @@ private:
             return;
         mMatrix.fill(*mSoup, blocks, mGroups, mSystems, mHubLinks);
         if (!mAnalyzed) {
-            mFrontal.analyze(mMatrix.matrix(), LinearSolver::Order::Natural);
-            mSolver = &mFrontal;
+            mSolver = mFactor == HubFactor::Frontal ? static_cast<LinearSolver *>(&mFrontal) : &mGeneral;
+            mSolver->analyze(mMatrix.matrix(), LinearSolver::Order::Natural);
             mAnalyzed = true;
         }
         double shift = 1e-7 * mMatrix.matrix().diagonal().mean();
@@ -354,10 +354,11 @@ private:
     int mExcess = 0, mExcessLimit = 0, mBaseline = -1;
     HubGroups mGroups;
     HubMatrix mMatrix;
+    HubFactor mFactor;
     FrontalSolver mFrontal;
     CholmodSolver mGeneral;
     LinearSolver *mSolver = nullptr;
-    bool mAnalyzed = false; //!< mSolver is mFrontal and knows the pattern
+    bool mAnalyzed = false; //!< mSolver is the wanted one and knows the pattern
 
     std::vector<CornerLinks> mLinks;
     std::vector<HubLinks> mHubLinks;
@@ -376,9 +377,9 @@ private:
 } // namespace
 
 std::unique_ptr<NewtonDirection> makeHubDirection(std::shared_ptr<const Soup> soup, std::vector<bool> held,
-                                                  ThreadTeam *team)
+                                                  ThreadTeam *team, HubFactor factor)
 {
-    return std::make_unique<HubDirection>(std::move(soup), std::move(held), team);
+    return std::make_unique<HubDirection>(std::move(soup), std::move(held), team, factor);
 }
 
 } // namespace autocuts

@@ -46,11 +46,15 @@ public:
 //! Exact Newton: assembles the sparse Hessian and solves it by Cholesky. The symbolic analysis is done once.
 std::unique_ptr<NewtonDirection> makeExactDirection(std::shared_ptr<const Soup> soup, UnknownMap map);
 
+//! What factorises the hub matrix: the own multifrontal solver, or CHOLMOD alone (to compare with).
+enum class HubFactor { Frontal, General };
+
 //! Truncated Newton: conjugate gradients on the same Hessian with the hub preconditioner, 20 to 40 times
 //! cheaper. Only for the soup (one unknown per corner).
 //! \param held per soup corner, true where it must not move; empty: none
 //! \param team threads to use, not owned; none: the calling one
 std::unique_ptr<NewtonDirection> makeHubDirection(std::shared_ptr<const Soup> soup, std::vector<bool> held,
-                                                  ThreadTeam *team = nullptr);
+                                                  ThreadTeam *team = nullptr,
+                                                  HubFactor factor = HubFactor::Frontal);
 
 } // namespace autocuts
