@@ -57,7 +57,8 @@ private Q_SLOTS:
         report.triangles = 12;
         report.steps.exact = 30;
         report.steps.fast = 2;
-        report.races = {{1e-3, {100, 5, 12}}, {2.4e-4, {100, 4, 11}}};
+        report.races = {{1e-3, {100, 5, 10, 12}}, {2.4e-4, {100, 4, 10, 11}}};
+        report.exactSoupMap = bench::MapReport{7, 4.1, 3};
         const auto json =
             QJsonDocument::fromJson(QByteArray::fromStdString(bench::asJson({report, report}, 2)));
         QVERIFY(json.isArray());
@@ -68,6 +69,8 @@ private Q_SLOTS:
         QCOMPARE(first[QStringLiteral("energy_ratio")].toDouble(), 20.0);
         QCOMPARE(first[QStringLiteral("step_ms_exact")].toDouble(), 30.0);
         QCOMPARE(first[QStringLiteral("step_ms_fast")].toDouble(), 2.0);
+        QCOMPARE(first[QStringLiteral("exact_soup_map_seconds")].toDouble(), 7.0);
+        QVERIFY(!first.contains(QStringLiteral("map_seconds")));
     }
 
     void subdividingKeepsTheSurface()

@@ -15,6 +15,25 @@ using namespace autocuts;
 
 namespace {
 
+//! Maps by the homotopy alone are made of meshes up to this size: larger ones take minutes.
+constexpr int largestSoupMap = 20'000;
+
+//! \param lambda balance of the homotopy; nothing: the automatic mode
+bench::MapReport finishedMap(const test::MeshPtr &mesh, const bench::Options &options, SolverKind solver,
+                             std::optional<double> lambda)
+{
+    Snapshot snapshot;
+    snapshot.mesh = mesh;
+    snapshot.settings.solver = solver;
+    UnwrapOptions unwrapping;
+    unwrapping.quality = lambda ? UnwrapQuality::Draft : *options.map;
+    unwrapping.lambda = lambda;
+    unwrapping.threads = options.threads;
+    const bench::Time start = bench::Time::now();
+    const UnwrapResult result = unwrap(snapshot, unwrapping);
+    return {(bench::Time::now() - start).cpu, result.distortion, result.seamLength};
+}
+
 bench::MeshReport measure(const std::string &file, const bench::Options &options)
 {
     bench::MeshReport report;
@@ -42,14 +61,12 @@ bench::MeshReport measure(const std::string &file, const bench::Options &options
             report.edits = bench::measureEdits(state, options.threads);
     }
     if (options.map) {
-        Snapshot snapshot;
-        snapshot.mesh = mesh;
-        UnwrapOptions unwrapping;
-        unwrapping.quality = *options.map;
-        unwrapping.threads = options.threads;
-        const bench::Time start = bench::Time::now();
-        const UnwrapResult result = unwrap(snapshot, unwrapping);
-        report.map = bench::MapReport{(bench::Time::now() - start).cpu, result.distortion, result.seamLength};
+        report.map = finishedMap(mesh, options, SolverKind::Fast, {});
+        if (mesh->triangleCount() <= largestSoupMap) {
+            report.soupMap = finishedMap(mesh, options, SolverKind::Fast, lambda);
+            if (options.exact)
+                report.exactSoupMap = finishedMap(mesh, options, SolverKind::Exact, lambda);
+        }
     }
     report.memory = bench::peakMemory();
     return report;

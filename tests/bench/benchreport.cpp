@@ -77,9 +77,12 @@ std::string asText(const MeshReport &r)
         text += format("  end of the schedule: fast %.5f +- %.5f in %.1f s, exact %.5f +- %.5f in %.1f s\n",
                        r.quality->fast, r.quality->fastError, r.quality->fastSeconds, r.quality->exact,
                        r.quality->exactError, r.quality->exactSeconds);
-    if (r.map)
-        text += format("  map: %.1f s, distortion %.4f, seams %.3f\n", r.map->seconds, r.map->distortion,
-                       r.map->seamLength);
+    for (const auto &[name, map] :
+         {std::pair{"map", &r.map}, {"map by the soup", &r.soupMap}, {"the same, exact", &r.exactSoupMap}}) {
+        if (*map)
+            text += format("  %s: %.1f s, distortion %.4f, seams %.3f\n", name, (*map)->seconds,
+                           (*map)->distortion, (*map)->seamLength);
+    }
     return text + format("  peak memory %.0f MB\n", r.memory);
 }
 
@@ -117,9 +120,12 @@ std::string asJson(const std::vector<MeshReport> &reports, int threads)
                            "\"exact_error\": %.3g, \"exact_seconds\": %.5g}",
                            r.quality->fast, r.quality->fastError, r.quality->fastSeconds, r.quality->exact,
                            r.quality->exactError, r.quality->exactSeconds);
-        if (r.map)
-            text += format(", \"map_seconds\": %.6g, \"map_distortion\": %.8g, \"map_seam_norm\": %.8g",
-                           r.map->seconds, r.map->distortion, r.map->seamLength);
+        for (const auto &[name, map] :
+             {std::pair{"map", &r.map}, {"soup_map", &r.soupMap}, {"exact_soup_map", &r.exactSoupMap}}) {
+            if (*map)
+                text += format(", \"%s_seconds\": %.6g, \"%s_distortion\": %.8g, \"%s_seam_norm\": %.8g",
+                               name, (*map)->seconds, name, (*map)->distortion, name, (*map)->seamLength);
+        }
         text += format(", \"peak_mb\": %.5g}", r.memory);
     }
     return text + "\n]\n";

@@ -25,6 +25,8 @@ struct MeshReport
     std::vector<EditResult> edits;
     std::optional<QualityResult> quality;
     std::optional<MapReport> map;
+    //! By the homotopy of the live solver alone, as the paper does it: with the fast and the exact step.
+    std::optional<MapReport> soupMap, exactSoupMap;
     double memory = 0; //!< highest of the process until then, MB
 };
 

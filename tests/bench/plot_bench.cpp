@@ -158,7 +158,8 @@ int main(int argc, char **argv)
     }
     const QJsonDocument document = QJsonDocument::fromJson(results.readAll());
     const QString folder = QString::fromLocal8Bit(argv[2]);
-    const QString exactColor = QStringLiteral("#888888"), fastColor = QStringLiteral("#DB2512");
+    const QString exactColor = QStringLiteral("#888888"), fastColor = QStringLiteral("#DB2512"),
+                  soupColor = QStringLiteral("#1F77B4");
     const std::vector<Plot> plots{
         {QStringLiteral("step_cost.svg"),
          QStringLiteral("One solver step"),
@@ -168,8 +169,9 @@ int main(int argc, char **argv)
         {QStringLiteral("map_time.svg"),
          QStringLiteral("Finished map"),
          QStringLiteral("CPU s"),
-         {{QStringLiteral("map_seconds_exact"), QStringLiteral("exact Newton"), exactColor},
-          {QStringLiteral("map_seconds"), QStringLiteral("fast"), fastColor}}}};
+         {{QStringLiteral("exact_soup_map_seconds"), QStringLiteral("soup, exact"), exactColor},
+          {QStringLiteral("soup_map_seconds"), QStringLiteral("soup, fast"), soupColor},
+          {QStringLiteral("map_seconds"), QStringLiteral("automatic"), fastColor}}}};
     for (const Plot &plot : plots) {
         const QString svg = drawn(plot, document.array());
         if (svg.isEmpty())
