@@ -64,6 +64,25 @@ private Q_SLOTS:
             QVERIFY(map->seamLength(solver.soup()) <= made->map.seamLength(solver.soup()));
     }
 
+    void chartsStayWhereTheyWere()
+    {
+        const Snapshot snapshot = snapshotOf(test::sphere(12, 16));
+        Solved solver(snapshot);
+        const auto middle = [](const std::vector<double> &x) {
+            Vec2 sum = Vec2::Zero();
+            for (std::size_t i = 0; i < x.size(); i += 2)
+                sum += Vec2(x[i], x[i + 1]);
+            return Vec2(2.0 / double(x.size()) * sum);
+        };
+        std::vector<double> moved = solver.coordinates();
+        for (std::size_t i = 0; i < moved.size(); i += 2)
+            moved[i] += 50;
+        solver.setCoordinates(moved);
+        const auto map = makeFinalMap(solver, {});
+        QVERIFY(map);
+        QVERIFY((middle(map->x) - middle(moved)).norm() < 1e-6);
+    }
+
     void itDoesNotDependOnTheThreads()
     {
         const Solved solver(snapshotOf(test::sphere(12, 16)));

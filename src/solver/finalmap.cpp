@@ -4,6 +4,7 @@
 #include "solver/search/seamoptimizer.h"
 
 #include <algorithm>
+#include <complex>
 #include <mutex>
 
 namespace autocuts {
@@ -12,6 +13,45 @@ namespace {
 
 //! Enough to mend what the live solve left over, few enough to keep what the artist saw.
 constexpr int searchMoves = 300;
+
+//! Turns and moves every chart, without scaling it, to where its corners were before, as nearly as it fits.
+void placeNear(const Soup &soup, SeamedMap &map, const std::vector<double> &before)
+{
+    using Complex = std::complex<double>;
+    const CutMesh charts(*soup.mesh, map.cut);
+    const int corners = soup.mesh->soupCornerCount();
+    const auto at = [](const std::vector<double> &x, int corner) {
+        return Complex(x[2 * static_cast<std::size_t>(corner)], x[2 * static_cast<std::size_t>(corner) + 1]);
+    };
+    struct Fit
+    {
+        double count = 0;
+        Complex centre, centreBefore, turn;
+    };
+    std::vector<Fit> fits(charts.chartCount);
+    for (int c = 0; c < corners; ++c) {
+        Fit &fit = fits[charts.chart[c / 3]];
+        fit.count += 1;
+        fit.centre += at(map.x, c);
+        fit.centreBefore += at(before, c);
+    }
+    for (Fit &fit : fits) {
+        fit.centre /= fit.count;
+        fit.centreBefore /= fit.count;
+    }
+    for (int c = 0; c < corners; ++c) {
+        Fit &fit = fits[charts.chart[c / 3]];
+        fit.turn += std::conj(at(map.x, c) - fit.centre) * (at(before, c) - fit.centreBefore);
+    }
+    for (Fit &fit : fits)
+        fit.turn = std::abs(fit.turn) > 0 ? fit.turn / std::abs(fit.turn) : Complex(1);
+    for (int c = 0; c < corners; ++c) {
+        const Fit &fit = fits[charts.chart[c / 3]];
+        const Complex place = fit.centreBefore + fit.turn * (at(map.x, c) - fit.centre);
+        map.x[2 * static_cast<std::size_t>(c)] = place.real();
+        map.x[2 * static_cast<std::size_t>(c) + 1] = place.imag();
+    }
+}
 
 } // namespace
 
@@ -50,6 +90,7 @@ std::optional<SeamedMap> makeFinalMap(const Solver &solver, const FinalMapOption
     const bool shorter = found->map.seamLength(soup) < made->map.seamLength(soup);
     if (coversItself(soup, found->map) || (fits == madeFits ? !shorter : madeFits))
         return made->map;
+    placeNear(soup, found->map, solver.coordinates());
     return std::move(found->map);
 }
 

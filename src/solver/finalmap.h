@@ -14,8 +14,8 @@ struct FinalMapOptions
 };
 
 //! makeMap(), and then the seam search from there: seams move, shorten and, where the bound needs it, grow.
-//! Maps with pins or rectangles are not searched, because the search knows neither. When `stop` becomes true
-//! the map so far is returned.
+//! Maps with pins or rectangles are not searched, because the search knows neither. Charts end up about where
+//! their triangles were; they may lie over each other. When `stop` becomes true the map so far is returned.
 //! \param progress told the part that is done, in [0, 1], from one thread at a time
 //! \returns nothing when stopped before there was a map
 std::optional<SeamedMap> makeFinalMap(const Solver &solver, const FinalMapOptions &options,
