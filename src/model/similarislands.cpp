@@ -157,10 +157,11 @@ private:
         const int other = sides[0] == face ? sides[1] : sides[0];
         if (other < 0 || other == face || mIslands.islandOfFace(other) != island)
             return -1;
-        int c = mMesh.faceStart[other];
-        while (mAdjacency.edgeOfCorner(c) != edge)
-            ++c;
-        return c;
+        for (int c = mMesh.faceStart[other]; c < mMesh.faceStart[other + 1]; ++c) {
+            if (mAdjacency.edgeOfCorner(c) == edge)
+                return c;
+        }
+        return -1;
     }
 
     bool cross(int corner)
