@@ -1,15 +1,13 @@
 #include "batch.h"
 
-#include "batchfiles.h"
+#include "batchpacking.h"
 #include "commands/replay.h"
 #include "mapreporting.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "model/io/savefile.h"
 #include "model/samples.h"
-#include "progressline.h"
 #include "solver/overlap/separatemap.h"
-#include "solver/packing/islandgeometry.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -24,9 +22,6 @@ namespace autocuts {
 namespace {
 
 using Command = CliOptions::Command;
-
-//! Effort of packing, in seconds, when a stop was requested.
-constexpr double hurriedPackEffort = 0.1;
 
 QString statusWord(const StopSource &stop)
 {
@@ -215,7 +210,7 @@ private:
         const UnwrapResult result = unwrap(snapshot.value(), mOptions.unwrap, &mStop.stop,
                                            [this](const UnwrapProgress &p) { mProgress.show(p); });
         if (mOptions.unwrap.pack && !result.packed)
-            return noRoom();
+            return packing().noRoom();
         setUv(scene, result.uv);
         Outcome outcome;
         outcome.iterations = result.iterations;
@@ -234,10 +229,7 @@ private:
             return noUvs();
         UvMatrix uv = scene.uvSets.front().uv;
         const MeshData &mesh = *scene.mesh;
-        const ChartMap charts = findCharts(mesh, uv);
-        if (!mOptions.unwrap.packing.keepScale)
-            equalizeTexelDensity(mesh, charts, uv);
-        if (const Result<Done> packed = packCharts(mesh, charts, uv); !packed)
+        if (const Result<Done> packed = packing().pack(mesh, findCharts(mesh, uv), uv); !packed)
             return packed.error();
         setUv(scene, uv);
         return Outcome{};
@@ -259,7 +251,7 @@ private:
             outcome.notes << QStringLiteral("there are no overlaps: the map stays as it is");
             return outcome;
         }
-        if (const Result<Done> packed = packCharts(mesh, separated.charts, uv); !packed)
+        if (const Result<Done> packed = packing().pack(mesh, separated.charts, uv); !packed)
             return packed.error();
         setUv(scene, uv);
         outcome.notes << QStringLiteral("edges cut to take overlaps apart: %1").arg(separated.newSeams);
@@ -269,32 +261,7 @@ private:
         return outcome;
     }
 
-    Error noRoom() const
-    {
-        if (mOptions.unwrap.packing.keepScale)
-            return {QStringLiteral("the islands do not fit at their size"), mOptions.input, 0,
-                    QStringLiteral("Leave --keep-scale out or use a smaller --margin")};
-        return {QStringLiteral("there is no room for the margins between the islands"), mOptions.input, 0,
-                QStringLiteral("Use a smaller --margin or a larger --texture-size")};
-    }
-
-    //! When a stop was requested before there was a layout, a quick one is made all the same.
-    Result<Done> packCharts(const MeshData &mesh, const ChartMap &charts, UvMatrix &uv)
-    {
-        PackSettings settings = mOptions.unwrap.packing;
-        const std::vector<PackIsland> islands = makePackIslands(mesh, uv, charts);
-        PackResult packed = packIslands(islands, settings, &mStop.stop, [this](double done) {
-            mProgress.show(QStringLiteral("packing %1 %").arg(100 * done, 0, 'f', 0));
-        });
-        if (!packed.complete && mStop.stop) {
-            settings.effort = std::min(settings.effort, hurriedPackEffort);
-            packed = packIslands(islands, settings);
-        }
-        if (!packed.complete)
-            return noRoom();
-        applyPlacements(packed, mesh, charts, uv);
-        return Done{};
-    }
+    BatchPacking packing() { return {mOptions, mFiles, mStop, mProgress}; }
 
     Error noUvs() const
     {

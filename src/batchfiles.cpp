@@ -73,6 +73,7 @@ PackingSettings packingSettingsOf(const CliOptions &options, PackingSettings set
     settings.textureSize = packing.textureSize;
     settings.margin = static_cast<int>(std::lround(packing.margin));
     settings.rotation = rotationOf(packing.rotation);
+    settings.udimTile = options.tile;
     if (options.command == CliOptions::Command::Pack)
         settings.keepScale = packing.keepScale;
     return settings;
@@ -131,6 +132,9 @@ void BatchFiles::mergeSettings(CliOptions &options)
     merge("--texture-size", packing.textureSize, settings.textureSize);
     merge("--margin", packing.margin, double(settings.margin));
     merge("--rotation", packing.rotation, rotationOf(settings.rotation));
+    merge("--tile", options.tile, settings.udimTile);
+    if (!options.hasRectangle())
+        options.setTile(options.tile);
     if (options.command == CliOptions::Command::Pack)
         merge("--keep-scale", packing.keepScale, settings.keepScale);
     pushCommand(
@@ -150,6 +154,21 @@ Result<Snapshot> BatchFiles::snapshot(const Scene &scene, const SolveSettings &s
     if (settings.start == StartMode::ExistingUv)
         snapshot.startUv = startUvFromCorners(*scene.mesh, scene.uvSets.front().uv);
     return snapshot;
+}
+
+IslandMarks BatchFiles::marks(const MeshData &mesh) const
+{
+    return mDocument ? mDocument->marks() : IslandMarks::none(mesh);
+}
+
+const LayoutRectangle *BatchFiles::rectangle(const QString &name) const
+{
+    if (!mDocument)
+        return nullptr;
+    const std::vector<LayoutRectangle> &all = mDocument->constraints().rectangles;
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const LayoutRectangle &r) { return r.name == name; });
+    return found == all.end() ? nullptr : &*found;
 }
 
 Result<Done> BatchFiles::write(const Scene &scene, const CliOptions &options)

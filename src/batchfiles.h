@@ -3,6 +3,8 @@
 
 #include "clioptions.h"
 #include "commands/journalrecorder.h"
+#include "model/constraints.h"
+#include "model/islands.h"
 #include "model/scene.h"
 
 #include <memory>
@@ -26,6 +28,11 @@ public:
 
     //! What the solver starts from: the session's steering, or none. \pre the scene is what read() gave
     Result<Snapshot> snapshot(const Scene &scene, const SolveSettings &settings) const;
+
+    //! What the session says of its islands; nothing without a session.
+    IslandMarks marks(const MeshData &mesh) const;
+    //! A rectangle of the session by its name; null when there is none.
+    const LayoutRectangle *rectangle(const QString &name) const;
 
     //! Writes the scene, of which only the first UV set has changed since it was read.
     //! \param options for the settings of a new session

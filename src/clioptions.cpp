@@ -1,8 +1,11 @@
 #include "clioptions.h"
 
+#include "solver/packing/packmap.h"
+
 #include <QThread>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -142,6 +145,8 @@ private:
                 {{"free", PackRotation::Free}, {"90", PackRotation::Quarter}, {"none", PackRotation::None}}));
         add("--pack-time", mapping, number(u.packing.effort, 0, 3600));
         add("--keep-scale", {Command::Pack}, flag(u.packing.keepScale, true));
+        add("--tile", mapping, integer(mOptions.tile, PackingSettings::firstTile, PackingSettings::lastTile));
+        add("--into", {Command::Pack}, [this](const QString &name) { return readRectangle(name); });
         add("--layout", mapping, text(mOptions.layout));
         add("--report", mapping, text(mOptions.report));
         add("--threads", mapping, integer(u.threads, 1, 1024));
@@ -238,6 +243,35 @@ private:
         };
     }
 
+    //! Four numbers, or the name of a rectangle.
+    Problem readRectangle(const QString &name)
+    {
+        const Result<QString> value = mArguments.value(name);
+        if (!value)
+            return value.error();
+        const QStringList parts = value.value().split(QLatin1Char(','));
+        bool allNumbers = parts.size() == 4;
+        std::vector<double> sides;
+        for (const QString &part : parts) {
+            bool ok = false;
+            sides.push_back(part.toDouble(&ok));
+            allNumbers = allNumbers && ok;
+        }
+        if (!allNumbers) {
+            mOptions.intoRectangle = value.value();
+            return std::nullopt;
+        }
+        constexpr double farthest = 1000;
+        const bool inRange =
+            std::all_of(sides.begin(), sides.end(), [](double side) { return std::abs(side) <= farthest; });
+        if (!inRange || !(sides[0] < sides[2]) || !(sides[1] < sides[3]))
+            return usageError(QStringLiteral("%1 takes left,bottom,right,top in UV units, not \"%2\"")
+                                  .arg(name, value.value()));
+        mOptions.unwrap.packing.lower = {sides[0], sides[1]};
+        mOptions.unwrap.packing.upper = {sides[2], sides[3]};
+        return std::nullopt;
+    }
+
     Problem parseArgument(const QString &argument)
     {
         if (!argument.startsWith(QLatin1Char('-')) || argument == QLatin1String("-")) {
@@ -290,6 +324,10 @@ private:
             return usageError(QStringLiteral("the margin of %1 texels is as wide as the whole texture of %2")
                                   .arg(packing.margin)
                                   .arg(packing.textureSize));
+        if (mOptions.hasRectangle() && mOptions.given.contains(QStringLiteral("--tile")))
+            return usageError(QStringLiteral("--into and --tile exclude each other"));
+        if (!mOptions.hasRectangle())
+            mOptions.setTile(mOptions.tile);
         mOptions.unwrap.packing.threads = mOptions.unwrap.threads;
         return mOptions;
     }
@@ -301,6 +339,13 @@ private:
 };
 
 } // namespace
+
+void CliOptions::setTile(int udim)
+{
+    tile = udim;
+    unwrap.packing.lower = tileCorner(udim);
+    unwrap.packing.upper = unwrap.packing.lower + Vec2::Ones();
+}
 
 Result<CliOptions> parseCommandLine(const QStringList &arguments)
 {
@@ -336,6 +381,9 @@ unwrap, pack, separate:
   --texture-size N     texels along each side of the unit square; also for check [2048]
   --margin N           texels between islands, half of it to the border [8]
   --rotation MODE      turns that packing may make: free, 90 or none [free]
+  --tile N             UDIM tile to pack into: 1001 is the unit square, ten tiles in a row [1001]
+  --into RECTANGLE     pack only, in place of a tile: left,bottom,right,top in UV units, or the name of a
+                       rectangle of the session, whose islands are packed while the others stay
   --keep-scale         pack only: keep the size of the islands
   --pack-time SECONDS  effort that goes into packing [0.5]
   --layout FILE        picture of the layout, .png or .svg

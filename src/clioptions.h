@@ -1,6 +1,7 @@
 // The options of the command line program.
 #pragma once
 
+#include "model/packingsettings.h"
 #include "model/result.h"
 #include "model/solvesettings.h"
 #include "solver/pipeline.h"
@@ -21,16 +22,22 @@ struct CliOptions
         return command == Command::Unwrap || command == Command::Pack || command == Command::Separate;
     }
 
+    bool hasRectangle() const { return given.contains(QStringLiteral("--into")); }
+    //! Packs into a UDIM tile.
+    void setTile(int udim);
+
     Command command = Command::Help;
     QString input;     //!< file; for Sample its name
     QStringList given; //!< names of all options as written
     QString output;    //!< -o
     SolveSettings settings;
-    UnwrapOptions unwrap;
-    QString layout;       //!< .png or .svg, empty for none
-    QString report;       //!< .json, empty for none
-    bool json = false;    //!< check: figures as JSON
-    double timeLimit = 0; //!< wall seconds, 0 for none
+    UnwrapOptions unwrap; //!< of the packing: the bin is that of --tile or --into
+    int tile = PackingSettings::firstTile;
+    QString intoRectangle; //!< pack: name of a rectangle of the session
+    QString layout;        //!< .png or .svg, empty for none
+    QString report;        //!< .json, empty for none
+    bool json = false;     //!< check: figures as JSON
+    double timeLimit = 0;  //!< wall seconds, 0 for none
     bool quiet = false;
 };
 

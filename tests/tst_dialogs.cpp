@@ -184,9 +184,14 @@ private Q_SLOTS:
         QCOMPARE(options.background, LayoutBackground::Transparent);
         QVERIFY(options.overlapping.empty());
         QCOMPARE(dialog.path(), folder.filePath(u"map.svg"_s));
+        QVERIFY(!options.fill && !options.seams && !options.islandColor && !options.seamColor);
         QVERIFY(!ExportLayoutDialog(4, folder.filePath(u"a.png"_s), {}, answers)
-                     .findChildren<QCheckBox *>()[1]
+                     .findChild<QCheckBox *>(u"overlaps"_s)
                      ->isEnabled());
+        dialog.findChild<QSpinBox *>(u"bleed"_s)->setValue(12);
+        dialog.findChild<QCheckBox *>(u"seamColor"_s)->setChecked(true);
+        QCOMPARE(dialog.options().bleed, 12);
+        QCOMPARE(dialog.options().seamColor, std::optional<QColor>(Qt::white));
     }
 
     void exportsAreWritten()

@@ -205,6 +205,10 @@ private Q_SLOTS:
         row("tiles", "move", ctrl | alt, {130, -20}, {1, 0});
         row("texels", "move", ctrl | shift, {33, -21},
             {std::round(33 / 200.0 * 2048) / 2048, std::round(21 / 200.0 * 2048) / 2048});
+        row("corner of an island", "move", shift, {196, -6}, {1, 0});
+        row("side of an island", "move", shift, {80, -199}, {0.4, 1});
+        row("margin of an island", "move", shift, {80, -204}, {0.4, 1 + 8.0 / 2048});
+        row("no island near", "move", shift, {80, -30}, {0.4, 0.15});
         row("quarters", "rotate", ctrl | alt, {-40, 40}, {-0.25, 0.75});
         row("tenths", "scale", ctrl, {0, -21}, {-0.025, -0.05});
     }

@@ -111,6 +111,51 @@ private Q_SLOTS:
         QCOMPARE(at(picture(obj, options), 0.7, 0.7), at(picture(obj, options), 0.8, 0.65));
     }
 
+    void bleedGoesBeyondTheOutline()
+    {
+        const test::ObjUv obj = twoSquares();
+        LayoutOptions options;
+        options.size = 512;
+        options.edges = options.seams = false;
+        for (const auto background : {LayoutBackground::Dark, LayoutBackground::Transparent}) {
+            options.background = background;
+            options.bleed = 0;
+            const QImage plain = picture(obj, options);
+            options.bleed = 20;
+            const QImage bled = picture(obj, options);
+            // 10 pixels, and 30, outside of the first square, which ends at 0.4.
+            const double near = 0.4 + 10.0 / 512, far = 0.4 + 30.0 / 512;
+            QCOMPARE(at(bled, near, 0.25), at(bled, 0.25, 0.25));
+            QCOMPARE(at(bled, 0.25, 0.25), at(plain, 0.25, 0.25));
+            QVERIFY(at(plain, near, 0.25) != at(plain, 0.25, 0.25));
+            QCOMPARE(at(bled, far, 0.25), at(plain, far, 0.25));
+        }
+        // A neighbour is never covered.
+        options.bleed = 256;
+        const QImage wide = picture(obj, options);
+        QVERIFY(at(wide, 0.25, 0.25) != at(wide, 0.8, 0.65));
+        QVERIFY(layoutSvg(*obj.mesh, obj.uv, options).value().contains("<g id=\"bleed\""));
+        options.bleed = 257;
+        QVERIFY(!layoutPng(*obj.mesh, obj.uv, options).ok());
+    }
+
+    void coloursAreChosen()
+    {
+        const test::ObjUv obj = twoSquares();
+        LayoutOptions options;
+        options.size = 2048;
+        options.islandColor = QColor(10, 20, 30);
+        options.seamColor = QColor(1, 255, 2);
+        const QImage image = picture(obj, options);
+        QCOMPARE(at(image, 0.25, 0.25), QColor(10, 20, 30));
+        QCOMPARE(at(image, 0.8, 0.65), QColor(10, 20, 30));
+        QCOMPARE(at(image, 0.1, 0.25), QColor(1, 255, 2));
+        options.fill = false;
+        QVERIFY(at(picture(obj, options), 0.25, 0.25) != QColor(10, 20, 30));
+        const QByteArray svg = layoutSvg(*obj.mesh, obj.uv, options).value();
+        QVERIFY(!svg.contains("<g id=\"islands\"") && svg.contains("#01ff02"));
+    }
+
     void overlapsAreHatched()
     {
         const test::ObjUv obj = twoSquares();

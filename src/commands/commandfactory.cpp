@@ -10,6 +10,7 @@
 #include "commands/setseamstate.h"
 #include "commands/setseamweights.h"
 #include "commands/setuvs.h"
+#include "commands/stackislands.h"
 
 #include <QCoreApplication>
 
@@ -20,7 +21,7 @@ using namespace Qt::Literals::StringLiterals;
 Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Document &document)
 {
     CborReader reader(map);
-    const auto id = static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::Reset)));
+    const auto id = static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::StackIslands)));
     switch (id) {
     case CommandId::SetSeamState:
         return SetSeamState::fromCbor(document, reader);
@@ -48,6 +49,8 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
         return SetIslandTag::fromCbor(document, reader);
     case CommandId::Reset:
         return Reset::fromCbor(document, reader);
+    case CommandId::StackIslands:
+        return StackIslands::fromCbor(document, reader);
     }
     return damagedCommand();
 }

@@ -16,7 +16,8 @@ enum class CommandId {
     DeleteUvSet = 10,
     SetIslandFlags = 11,
     SetIslandTag = 12,
-    Reset = 13
+    Reset = 13,
+    StackIslands = 14
 };
 
 } // namespace autocuts

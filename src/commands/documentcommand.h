@@ -59,6 +59,14 @@ protected:
     static void revertPart(DocumentCommand &part) { part.revert(); }
     static void compactPart(DocumentCommand &part) { part.compact(); }
     static qint64 bytesOfPart(const DocumentCommand &part) { return part.payloadBytes(); }
+    static void clearPart(DocumentCommand &part) { part.clearPayload(); }
+    static QString labelOfPart(const DocumentCommand &part) { return part.label(); }
+    static QCborMap payloadOfPart(const DocumentCommand &part)
+    {
+        QCborMap map;
+        part.writePayload(map);
+        return map;
+    }
 
     // The document's setters; see there.
     void setUvs(int uvSet, const IndexRanges &corners, const UvMatrix &values);

@@ -1,41 +1,76 @@
 #include "commands/islandtransform.h"
 
+#include <map>
+
 namespace autocuts {
 
 IslandTransform::IslandTransform(Document &document, UvEdit edit, const std::vector<int> &islands)
     : mDocument(document), mEdit(edit), mGesture(document.undoStack().newGesture())
 {
     const Islands &all = document.islands();
-    std::vector<int> movable;
     for (int island : islands) {
-        if (document.marks().flagsOf(all.faces(island)).locked == 0)
-            movable.push_back(island);
+        if (document.marks().flagsOf(all.faces(island)).locked != 0)
+            continue;
+        const std::vector<int> corners = all.corners(document.mesh(), {island});
+        mCorners.insert(mCorners.end(), corners.begin(), corners.end());
+        mOwner.insert(mOwner.end(), corners.size(), static_cast<int>(mIslands.size()));
+        mIslands.push_back(island);
     }
-    mIslandCount = static_cast<int>(movable.size());
-    mCorners = all.corners(document.mesh(), movable);
     mStart = document.uv()(mCorners, Eigen::all);
-    for (int corner : mCorners) {
-        if (const UvPin *pin = document.constraints().pin(corner))
+    for (std::size_t i = 0; i < mCorners.size(); ++i) {
+        if (const UvPin *pin = document.constraints().pin(mCorners[i])) {
             mPins.push_back(*pin);
+            mPinOwner.push_back(mOwner[i]);
+        }
     }
 }
 
 std::unique_ptr<SetUvs> IslandTransform::command(const Eigen::Affine2d &transform) const
 {
+    return command([&transform](int) { return transform; });
+}
+
+std::unique_ptr<SetUvs>
+IslandTransform::command(const std::function<Eigen::Affine2d(int island)> &transformOf) const
+{
+    std::vector<Eigen::Affine2d> transforms;
+    for (int island : mIslands)
+        transforms.push_back(transformOf(island));
     // The identity has to give back the very bits of the start, and a product would lose the sign of zero.
-    const bool identity = transform.matrix() == Eigen::Affine2d::Identity().matrix();
-    const auto moved = [&](const Vec2 &point) { return identity ? point : Vec2(transform * point); };
+    const auto moved = [&](int owner, const Vec2 &point) {
+        const Eigen::Affine2d &transform = transforms[owner];
+        const bool identity = transform.matrix() == Eigen::Affine2d::Identity().matrix();
+        return identity ? point : Vec2(transform * point);
+    };
     UvMatrix uv = mDocument.uv();
     for (std::size_t i = 0; i < mCorners.size(); ++i)
-        uv.row(mCorners[i]) = moved(mStart.row(static_cast<Eigen::Index>(i)).transpose()).transpose();
+        uv.row(mCorners[i]) =
+            moved(mOwner[i], mStart.row(static_cast<Eigen::Index>(i)).transpose()).transpose();
     UvEditExtras extras;
-    extras.count = mIslandCount;
+    extras.count = static_cast<int>(mIslands.size());
     extras.pins = mPins;
-    for (UvPin &pin : extras.pins)
-        pin.position = moved(pin.position);
+    for (std::size_t i = 0; i < mPins.size(); ++i)
+        extras.pins[i].position = moved(mPinOwner[i], mPins[i].position);
     auto command = std::make_unique<SetUvs>(mDocument, mEdit, uv, extras);
     command->setGesture(mGesture);
     return command;
+}
+
+std::unique_ptr<SetUvs> movePieces(Document &document, UvEdit edit, std::span<const IslandPiece> pieces,
+                                   std::span<const Eigen::Affine2d> transforms)
+{
+    std::map<int, std::size_t> pieceOf;
+    std::vector<int> islands;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        for (int island : pieces[p].islands) {
+            if (pieces[p].locked)
+                continue; // the others of its group stay with the one that has the lock
+            pieceOf[island] = p;
+            islands.push_back(island);
+        }
+    }
+    const IslandTransform transform(document, edit, islands);
+    return transform.command([&](int island) { return transforms[pieceOf.at(island)]; });
 }
 
 } // namespace autocuts

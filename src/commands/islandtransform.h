@@ -2,6 +2,9 @@
 #pragma once
 
 #include "commands/setuvs.h"
+#include "model/arrangement.h"
+
+#include <functional>
 
 namespace autocuts {
 
@@ -22,15 +25,24 @@ public:
     //! The command that brings the islands from where they are now to where the whole gesture has them.
     //! \param transform from the UVs at the beginning, in texture space
     std::unique_ptr<SetUvs> command(const Eigen::Affine2d &transform) const;
+    //! The same with a transform for each island. \param transformOf asked for islands that are not locked
+    std::unique_ptr<SetUvs> command(const std::function<Eigen::Affine2d(int island)> &transformOf) const;
 
 private:
     Document &mDocument;
     UvEdit mEdit;
     quint64 mGesture;
-    int mIslandCount = 0;
+    std::vector<int> mIslands; //!< that are not locked
     std::vector<int> mCorners;
+    std::vector<int> mOwner;  //!< per item of mCorners: place in mIslands
     UvMatrix mStart;          //!< one row per item of mCorners
     std::vector<UvPin> mPins; //!< at the beginning
+    std::vector<int> mPinOwner;
 };
+
+//! The command that moves pieces, each with its islands and pins; locked ones stay.
+//! \param transforms one per piece, texture space
+std::unique_ptr<SetUvs> movePieces(Document &document, UvEdit edit, std::span<const IslandPiece> pieces,
+                                   std::span<const Eigen::Affine2d> transforms);
 
 } // namespace autocuts

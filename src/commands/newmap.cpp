@@ -4,10 +4,11 @@
 
 namespace autocuts {
 
-std::unique_ptr<SetUvs> newMapCommand(Document &document, UvEdit edit, const UvMatrix &uv)
+std::unique_ptr<SetUvs> newMapCommand(Document &document, UvEdit edit, const UvMatrix &uv,
+                                      std::optional<int> count)
 {
     UvEditExtras extras;
-    extras.count = Islands(document.mesh(), uv).count();
+    extras.count = count ? *count : Islands(document.mesh(), uv).count();
     if (sameBits(uv, document.uv()))
         return std::make_unique<SetUvs>(document, edit, uv, extras);
     extras.scale = layoutScale(document.mesh(), uv);

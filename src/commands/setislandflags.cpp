@@ -70,6 +70,26 @@ SetIslandFlags::SetIslandFlags(Document &document, Edit edit, const std::vector<
     mDelta = XorDelta::between<IslandFlags>(flags.data(), IndexRanges::fromSorted(faces), values);
 }
 
+std::unique_ptr<SetIslandFlags> SetIslandFlags::stackEach(Document &document,
+                                                          const std::vector<std::vector<int>> &stacks)
+{
+    auto command = std::make_unique<SetIslandFlags>(document, Edit::Stack, std::vector<int>());
+    const std::vector<IslandFlags> &before = document.marks().faceFlags;
+    std::vector<IslandFlags> after = before;
+    for (const std::vector<int> &stack : stacks) {
+        // Looked for once more each time, so that the stacks differ.
+        const std::int32_t number = freeNumber(after, &IslandFlags::stack);
+        for (int island : stack) {
+            for (int face : document.islands().faces(island))
+                after[face].stack = number;
+        }
+        command->mCount += static_cast<int>(stack.size());
+    }
+    const IndexRanges all = IndexRanges::all(static_cast<int>(before.size()));
+    command->mDelta = XorDelta::between<IslandFlags>(before.data(), all, after);
+    return command;
+}
+
 std::unique_ptr<SetIslandFlags> SetIslandFlags::clearAll(Document &document)
 {
     auto command = std::make_unique<SetIslandFlags>(document, Edit::Clear, std::vector<int>());

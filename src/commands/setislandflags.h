@@ -20,6 +20,9 @@ public:
     CommandId commandId() const override { return CommandId::SetIslandFlags; }
     bool hasAnyChanges() const override { return !mDelta.isEmpty(); }
     static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+    //! Puts each list of islands into a stack of its own.
+    static std::unique_ptr<SetIslandFlags> stackEach(Document &document,
+                                                     const std::vector<std::vector<int>> &stacks);
     //! Clears the flags of all faces, in islands or not.
     static std::unique_ptr<SetIslandFlags> clearAll(Document &document);
 

@@ -78,6 +78,27 @@ QString SetUvs::label() const
     case UvEdit::Pack:
         return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Pack %n island"),
                            QT_TRANSLATE_NOOP("Undo Commands", "Pack %n islands"), mCount);
+    case UvEdit::Align:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Align %n island"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Align %n islands"), mCount);
+    case UvEdit::Distribute:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Distribute %n island"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Distribute %n islands"), mCount);
+    case UvEdit::Mirror:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Mirror %n island"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Mirror %n islands"), mCount);
+    case UvEdit::Orient:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Orient %n island"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Orient %n islands"), mCount);
+    case UvEdit::Scatter:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Randomise %n island"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Randomise %n islands"), mCount);
+    case UvEdit::Straighten:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Straighten %n chain of edges"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Straighten %n chains of edges"), mCount);
+    case UvEdit::Relax:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Relax %n face"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Relax %n faces"), mCount);
     case UvEdit::Solve:
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Solve"));
     case UvEdit::Finish:
@@ -118,7 +139,7 @@ void SetUvs::writePayload(QCborMap &map) const
 
 Result<std::unique_ptr<DocumentCommand>> SetUvs::fromCbor(Document &document, CborReader &reader)
 {
-    const UvEdit edit = reader.enumerator("edit"_L1, UvEdit::Clear);
+    const UvEdit edit = reader.enumerator("edit"_L1, UvEdit::Relax);
     const int uvSet = static_cast<int>(reader.integer("uvSet"_L1, 0, std::numeric_limits<int>::max()));
     UvEditExtras extras;
     extras.count = static_cast<int>(reader.integer("count"_L1, 0, std::numeric_limits<int>::max()));

@@ -8,8 +8,26 @@
 
 namespace autocuts {
 
-//! What an edit of UVs is called and which edits can merge.
-enum class UvEdit { Move, Rotate, Scale, Drag, Solve, Finish, Pack, Separate, Clear };
+//! What an edit of UVs is called and which edits can merge. Numbers stand in journals: new ones go to the
+//! end.
+enum class UvEdit {
+    Move,
+    Rotate,
+    Scale,
+    Drag,
+    Solve,
+    Finish,
+    Pack,
+    Separate,
+    Clear,
+    Align,
+    Distribute,
+    Mirror,
+    Orient,
+    Scatter,
+    Straighten,
+    Relax
+};
 
 //! What an edit of UVs changes besides them.
 struct UvEditExtras

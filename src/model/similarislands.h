@@ -21,4 +21,10 @@ enum class Similarity {
 std::vector<int> similarIslands(const MeshData &mesh, const MeshAdjacency &adjacency, const Islands &islands,
                                 int island, Similarity similarity);
 
+//! For every corner of island `to`, in the order of Islands::corners(), the corner of island `from` in its
+//! place, when `to` is a copy of `from` that is moved and turned but not mirrored: the same polygons with the
+//! same lengths, to within 1e-4 of the longest. Empty when it is not.
+std::vector<int> copiedCorners(const MeshData &mesh, const MeshAdjacency &adjacency, const Islands &islands,
+                               int from, int to);
+
 } // namespace autocuts

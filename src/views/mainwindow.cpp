@@ -192,6 +192,7 @@ void MainWindow::connectMessages()
 {
     const auto say = [this](const QString &message) { mStatusBar->showText(message); };
     connect(&mMap, &MapController::done, this, say);
+    connect(&mStudioActions->islands(), &IslandActions::said, this, say);
     connect(&mFiles, &FileController::done, this, say);
     connect(&mMap, &MapController::failed, this, say);
     connect(&mSolver, &SolverController::failed, this, [this](const QString &message) {

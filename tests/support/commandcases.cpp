@@ -5,6 +5,7 @@
 #include "commands/reset.h"
 #include "commands/setislandtag.h"
 #include "commands/setseamweights.h"
+#include "commands/stackislands.h"
 #include "support/editsupport.h"
 
 #include <cmath>
@@ -356,6 +357,11 @@ std::vector<Case> markCases()
          {u"flag 1: 2-2"_s},
          flags(Edit::Unlock, {0})},
         {"stack", flags(Edit::Stack, {0, 1}), "Stack 2 islands", {u"flag 2: 0-15"_s}, flags(Edit::Stack, {})},
+        {"stack copies",
+         [](Document &d) { return StackIslands::stack(d, StackIslands::copiesAmong(d, {0, 1}).stacks); },
+         "Stack 2 islands",
+         {},
+         [](Document &d) { return StackIslands::stack(d, {}); }},
         {"unstack", flags(Edit::Unstack, {1}), "Unstack 1 island", {}, flags(Edit::Unstack, {0})},
         {"group",
          flags(Edit::Group, {0}),

@@ -18,7 +18,8 @@ double meanEdgePixels(const LayoutPaths &paths, int size)
 } // namespace
 
 LayoutStyle::LayoutStyle(const LayoutPaths &paths, const LayoutOptions &options)
-    : seam(0xDB, 0x25, 0x12), mBackground(options.background)
+    : seam(options.seamColor.value_or(QColor(0xDB, 0x25, 0x12))), mBackground(options.background),
+      mIslandColor(options.islandColor)
 {
     const double unit = options.size / 1024.0;
     const bool light = mBackground == LayoutBackground::Light;
@@ -28,6 +29,8 @@ LayoutStyle::LayoutStyle(const LayoutPaths &paths, const LayoutOptions &options)
     frame = light ? QColor(0xB4, 0xB4, 0xAE) : QColor(0x6A, 0x70, 0x7A);
     const double density = std::clamp(meanEdgePixels(paths, options.size) / 14, 0.18, 1.0);
     edge = QColor(0x14, 0x1A, 0x22, static_cast<int>(std::lround(150 * density)));
+    if (options.edgeColor)
+        edge = *options.edgeColor;
     overlap = QColor(0xFF, 0x10, 0x3C);
     overlapTint = QColor(0xFF, 0x10, 0x3C, 70);
     edgeWidth = std::max(0.6, 0.75 * unit * std::sqrt(density));
@@ -39,6 +42,8 @@ LayoutStyle::LayoutStyle(const LayoutPaths &paths, const LayoutOptions &options)
 
 QColor LayoutStyle::islandColor(int chart) const
 {
+    if (mIslandColor)
+        return *mIslandColor;
     // Steps of the golden ratio around the colour circle, leaving out the reds that belong to the seams.
     const double turn = std::fmod(0.30 + chart * 0.6180339887498949, 1.0);
     const double hue = 0.08 + 0.82 * turn;
@@ -56,6 +61,8 @@ QString layoutOptionsProblem(const LayoutOptions &options)
 {
     if (options.size < 16 || options.size > 16384)
         return QStringLiteral("a layout picture of %1 pixels cannot be drawn").arg(options.size);
+    if (options.bleed < 0 || options.bleed > 256)
+        return QStringLiteral("islands cannot be drawn with a bleed of %1 pixels").arg(options.bleed);
     return {};
 }
 

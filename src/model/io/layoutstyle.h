@@ -23,6 +23,7 @@ struct LayoutStyle
 
 private:
     LayoutBackground mBackground;
+    std::optional<QColor> mIslandColor;
 };
 
 //! Null when the options are fine.

@@ -14,7 +14,7 @@ namespace {
 
 Error layoutError(const QString &message)
 {
-    return {message, {}, 0, QStringLiteral("Choose a size from 16 to 16384")};
+    return {message, {}, 0, QStringLiteral("Choose a size from 16 to 16384 and a bleed from 0 to 256")};
 }
 
 //! Draws the paths with a painter; pixels, v up.
@@ -27,14 +27,16 @@ public:
         mPainter.setRenderHint(QPainter::Antialiasing);
     }
 
-    void paint(bool edges)
+    void paint(const LayoutOptions &options)
     {
         paintFrame();
-        paintIslands();
-        if (edges)
+        if (options.fill)
+            paintIslands(options.bleed);
+        if (options.edges)
             paintEdges();
         paintOverlaps();
-        paintSeams();
+        if (options.seams)
+            paintSeams();
     }
 
 private:
@@ -61,10 +63,19 @@ private:
         mPainter.drawRect(QRectF(inset, inset, mSize - 2 * inset, mSize - 2 * inset));
     }
 
-    void paintIslands()
+    void paintIslands(int bleed)
     {
+        for (std::size_t i = 0; bleed > 0 && i < mPaths.islands.size(); ++i) {
+            const QColor color = mStyle.islandColor(static_cast<int>(i));
+            mPainter.strokePath(path(mPaths.islands[i]),
+                                QPen(color, 2.0 * bleed, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        }
+        // What bled into an island gives way to it; where nothing bleeds, islands may lie on each other.
+        if (bleed > 0)
+            mPainter.setCompositionMode(QPainter::CompositionMode_Source);
         for (std::size_t i = 0; i < mPaths.islands.size(); ++i)
             mPainter.fillPath(path(mPaths.islands[i]), mStyle.islandColor(static_cast<int>(i)));
+        mPainter.setCompositionMode(QPainter::CompositionMode_SourceOver);
     }
 
     void paintEdges()
@@ -121,7 +132,7 @@ public:
         : mPaths(paths), mStyle(style), mSize(size)
     {}
 
-    QByteArray write(bool edges)
+    QByteArray write(const LayoutOptions &options)
     {
         const QByteArray side = QByteArray::number(mSize);
         mText =
@@ -131,11 +142,15 @@ public:
         if (mStyle.background.alpha() > 0)
             mText += "<rect width=\"100%\" height=\"100%\" fill=\"" + color(mStyle.background) + "\"/>\n";
         writeFrame();
-        writeIslands();
-        if (edges)
+        if (options.fill && options.bleed > 0)
+            writeBleed(options.bleed);
+        if (options.fill)
+            writeIslands();
+        if (options.edges)
             writeEdges();
         writeOverlaps();
-        writeSeams();
+        if (options.seams)
+            writeSeams();
         mText += "</svg>\n";
         return mText;
     }
@@ -208,6 +223,19 @@ private:
                  "\" height=\"" + side + '"' + stroke(mStyle.frame, mStyle.frameWidth) + "/>\n";
     }
 
+    void writeBleed(int bleed)
+    {
+        mText += "<g id=\"bleed\" stroke-linejoin=\"round\">\n";
+        for (std::size_t i = 0; i < mPaths.islands.size(); ++i) {
+            if (mPaths.islands[i].empty())
+                continue;
+            mText += "<path" + stroke(mStyle.islandColor(static_cast<int>(i)), 2.0 * bleed) + " d=\"";
+            appendLoops(mPaths.islands[i]);
+            mText += "\"/>\n";
+        }
+        mText += "</g>\n";
+    }
+
     void writeIslands()
     {
         mText += "<g id=\"islands\" fill-rule=\"nonzero\">\n";
@@ -268,7 +296,7 @@ Result<QByteArray> layoutPng(const MeshData &mesh, const UvMatrix &uv, const Lay
     const LayoutPaths paths = layoutPaths(mesh, uv, options.overlapping);
     const LayoutStyle style(paths, options);
     image.fill(style.background);
-    LayoutPainter(image, paths, style).paint(options.edges);
+    LayoutPainter(image, paths, style).paint(options);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
@@ -283,7 +311,7 @@ Result<QByteArray> layoutSvg(const MeshData &mesh, const UvMatrix &uv, const Lay
     if (!problem.isNull())
         return layoutError(problem);
     const LayoutPaths paths = layoutPaths(mesh, uv, options.overlapping);
-    return SvgWriter(paths, LayoutStyle(paths, options), options.size).write(options.edges);
+    return SvgWriter(paths, LayoutStyle(paths, options), options.size).write(options);
 }
 
 } // namespace autocuts

@@ -1,6 +1,8 @@
 // The table of all actions, in the order of the menus.
 #include "views/actions/actiontable.h"
 
+#include "views/actions/layouttable.h"
+
 #include <QtGlobal>
 
 #include <array>
@@ -10,7 +12,6 @@ namespace autocuts {
 namespace {
 
 constexpr int NeedsIdleDocument = NeedsDocument | NeedsIdle;
-constexpr int NeedsIdleMap = NeedsDocument | NeedsUvs | NeedsIdle;
 constexpr int NeedsIslands = NeedsDocument | NeedsUvs | NeedsSelectedFaces;
 
 constexpr std::array fileTable{
@@ -186,8 +187,17 @@ constexpr std::array uvTable{
                false, "", true},
     ActionInfo{"uv.ungroup", "UV/Islands", QT_TRANSLATE_NOOP("Actions", "Ungrou&p"), "", "Ctrl+Shift+G",
                QT_TRANSLATE_NOOP("Actions", "Let the selected islands move on their own"), NeedsIslands},
+};
+
+constexpr std::array toolTable{
     ActionInfo{"tool.select", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "&Select"), "tool-select", "Q",
                QT_TRANSLATE_NOOP("Actions", "Select with the mouse"), NeedsDocument, true, "tool", true},
+    ActionInfo{"tool.lasso", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "&Lasso"), "tool-lasso", "Shift+Q",
+               QT_TRANSLATE_NOOP("Actions", "Select what a line drawn with the mouse encloses"),
+               NeedsDocument, true, "tool"},
+    ActionInfo{"tool.selectBrush", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "Select &by brush"),
+               "tool-select-paint", "B", QT_TRANSLATE_NOOP("Actions", "Select what a brush passes over"),
+               NeedsDocument, true, "tool"},
     ActionInfo{"tool.cut", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "C&ut edges"), "cut", "K",
                QT_TRANSLATE_NOOP("Actions", "Cut edges, ways and loops with the mouse"), NeedsDocument, true,
                "tool", true},
@@ -214,6 +224,10 @@ constexpr std::array uvTable{
                true, "tool", true},
     ActionInfo{"tool.rectangle", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "R&ectangles"), "tool-rectangle",
                "E", QT_TRANSLATE_NOOP("Actions", "Draw rectangles in the map and assign islands to them"),
+               NeedsDocument, true, "tool"},
+    ActionInfo{"tool.packBox", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "Pack i&nto a box"), "tool-pack-box",
+               "Ctrl+Alt+P",
+               QT_TRANSLATE_NOOP("Actions", "Drag a box in the map and pack the selected islands into it"),
                NeedsDocument, true, "tool"},
     ActionInfo{"uv.cancel", "UV", QT_TRANSLATE_NOOP("Actions", "Cancel job"), "cancel", "Esc",
                QT_TRANSLATE_NOOP("Actions", "End the running job and keep what it has"), NeedsJob, false, "",
@@ -261,6 +275,9 @@ constexpr std::array viewTable{
                QT_TRANSLATE_NOOP("Actions", "Change between no pattern, the checkerboard and the texture")},
     ActionInfo{"view.loadTexture", "View", QT_TRANSLATE_NOOP("Actions", "&Load texture..."), "texture",
                "Ctrl+T", QT_TRANSLATE_NOOP("Actions", "Choose the picture to show on the model")},
+    ActionInfo{"view.preview", "View", QT_TRANSLATE_NOOP("Actions", "Texture preview..."), "preview",
+               "Ctrl+Shift+T", QT_TRANSLATE_NOOP("Actions", "Show the model with a texture of a chosen size"),
+               NeedsDocument | NeedsUvs},
     ActionInfo{"view.smoothShading", "View", QT_TRANSLATE_NOOP("Actions", "S&mooth shading"), "shading", "",
                QT_TRANSLATE_NOOP("Actions", "Shade the model smoothly, or every face flat"), 0, true, "",
                true},
@@ -279,6 +296,11 @@ constexpr std::array viewTable{
                QT_TRANSLATE_NOOP("Actions", "Show the grid and the texture tiles"), 0, true},
     ActionInfo{"view.rulers", "View", QT_TRANSLATE_NOOP("Actions", "Rulers"), "", "",
                QT_TRANSLATE_NOOP("Actions", "Show rulers in texels in the UV view"), 0, true},
+    ActionInfo{"view.livePacking", "View", QT_TRANSLATE_NOOP("Actions", "Pack live"), "pack", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "While the solver runs, show its islands beside each other; the map "
+                                 "itself stays as it is"),
+               0, true},
     ActionInfo{"view.orthographic", "View", QT_TRANSLATE_NOOP("Actions", "&Orthographic"), "", "Num+5; 5",
                QT_TRANSLATE_NOOP("Actions", "Show the model without perspective"), 0, true},
     ActionInfo{"view.resetPanels", "View/Panels", QT_TRANSLATE_NOOP("Actions", "&Restore the arrangement"),
@@ -308,7 +330,8 @@ constexpr auto joined(const std::array<ActionInfo, Sizes> &...tables)
     return result;
 }
 
-constexpr auto wholeTable = joined(fileTable, editTable, selectTable, uvTable, viewTable, helpTable);
+constexpr auto wholeTable =
+    joined(fileTable, editTable, selectTable, uvTable, layoutTable, toolTable, viewTable, helpTable);
 
 } // namespace
 

@@ -5,6 +5,7 @@
 #include "views/actions/editactions.h"
 #include "views/actions/fileactions.h"
 #include "views/actions/helpactions.h"
+#include "views/actions/islandactions.h"
 #include "views/actions/selectactions.h"
 #include "views/actions/uvactions.h"
 #include "views/actions/viewactions.h"
@@ -18,10 +19,12 @@ public:
     //! \param questions asked over the window; outlives this
     StudioActions(const StudioContext &context, Questions &questions, const QString &recoveryFolder)
         : mFile(context, questions), mEdit(context, questions), mSelect(context), mUv(context),
-          mView(context, questions), mHelp(context, questions, recoveryFolder), mStates(context)
+          mIslands(context, questions), mView(context, questions), mHelp(context, questions, recoveryFolder),
+          mStates(context)
     {}
 
     FileActions &file() { return mFile; }
+    IslandActions &islands() { return mIslands; }
     ViewActions &view() { return mView; }
 
 private:
@@ -29,6 +32,7 @@ private:
     EditActions mEdit;
     SelectActions mSelect;
     UvActions mUv;
+    IslandActions mIslands;
     ViewActions mView;
     HelpActions mHelp;
     ActionStates mStates;

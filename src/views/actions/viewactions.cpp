@@ -2,6 +2,9 @@
 
 #include "views/actions/choice.h"
 #include "views/actions/questions.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/dialogs/previewdialog.h"
 #include "views/preferences/preferences.h"
 
 #include <QFileInfo>
@@ -18,6 +21,7 @@ struct Toggle
 };
 
 constexpr Toggle toggles[] = {{"view.smoothShading", &ViewOptions::smoothShading},
+                              {"view.livePacking", &ViewOptions::livePacking},
                               {"view.wireframe", &ViewOptions::wireframe},
                               {"view.seams", &ViewOptions::seams},
                               {"view.steering", &ViewOptions::steering},
@@ -90,6 +94,7 @@ void ViewActions::connectChoices()
     onTriggered("view.heatMap", [this] { nextHeatMap(); });
     onTriggered("view.texture", [this] { nextPattern(); });
     onTriggered("view.loadTexture", [this] { askTexture(); });
+    onTriggered("view.preview", [this] { showPreview(); });
 }
 
 void ViewActions::connectWindow()
@@ -139,6 +144,14 @@ void ViewActions::loadTexture(const QString &path)
     showOptions();
 }
 
+void ViewActions::showPreview()
+{
+    if (!mContext.workspace.document())
+        return;
+    PreviewDialog dialog(mContext, mQuestions);
+    mQuestions.run(dialog);
+}
+
 void ViewActions::nextHeatMap()
 {
     ViewOptions options = mContext.view.options();
@@ -171,6 +184,7 @@ void ViewActions::showOptions()
         mContext.actions.action(id)->setChecked(options.*field);
     showChoice(mContext.actions, colorings, options.coloring);
     showChoice(mContext.actions, patterns, options.pattern);
+    mContext.solver.setLivePacking(options.livePacking);
 }
 
 } // namespace autocuts

@@ -40,6 +40,7 @@ private:
     template <typename Change>
     void connectChange(const char *id, Change change);
     void askTexture();
+    void showPreview();
     void nextHeatMap();
     void nextPattern();
     void showOptions();

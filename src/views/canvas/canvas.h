@@ -38,7 +38,7 @@ public:
 
     //! What is at a place; also sees what is not painted yet.
     virtual PickResult pick(const QPointF &pixel) const = 0;
-    virtual BoxPick pickBox(const QRectF &box) const = 0;
+    virtual BoxPick pickBox(const PickRegion &region) const = 0;
     //! Where a soup corner is drawn; nothing when it has no place.
     virtual std::optional<QPointF> screenOf(int soupCorner) const = 0;
 

@@ -70,11 +70,12 @@ PickResult pickMap(const MeshData &mesh, const SoupTopology &topology, const UvM
 }
 
 BoxPick pickMapBox(const MeshData &mesh, const SoupTopology &topology, const UvMatrix &uv,
-                   const MapCamera &camera, const QRectF &box)
+                   const MapCamera &camera, const PickRegion &region)
 {
-    const Vec2 low = camera.toUv(box.bottomLeft()), high = camera.toUv(box.topRight());
+    const Vec2 low = camera.toUv(region.box.bottomLeft()), high = camera.toUv(region.box.topRight());
     const auto inside = [&](const Vec2 &p) {
-        return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
+        return (p.array() >= low.array()).all() && (p.array() <= high.array()).all() &&
+               (!region.inside || region.inside(camera.toScreen(p)));
     };
     BoxPick result;
     std::vector<bool> cornerInside(mesh.cornerCount()), edgeInside(topology.edgeSides.size());

@@ -5,9 +5,6 @@
 #include "views/canvas/picking.h"
 #include "views/gl/souptopology.h"
 
-#include <QPointF>
-#include <QRectF>
-
 namespace autocuts {
 
 //! Finds what is at a point of the map; where triangles overlap the one drawn last. \param uv one row per
@@ -15,6 +12,6 @@ namespace autocuts {
 PickResult pickMap(const MeshData &mesh, const SoupTopology &topology, const UvMatrix &uv,
                    const MapCamera &camera, const QPointF &pixel);
 BoxPick pickMapBox(const MeshData &mesh, const SoupTopology &topology, const UvMatrix &uv,
-                   const MapCamera &camera, const QRectF &box);
+                   const MapCamera &camera, const PickRegion &region);
 
 } // namespace autocuts

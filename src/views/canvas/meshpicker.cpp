@@ -182,10 +182,10 @@ Vec3 MeshPicker::faceCentre(int face) const
     return sum / area;
 }
 
-BoxPick MeshPicker::pickBox(const OrbitCamera &camera, const QRectF &box) const
+BoxPick MeshPicker::pickBox(const OrbitCamera &camera, const PickRegion &region) const
 {
     const OrbitProjector projector(camera);
-    DepthMap depths(box);
+    DepthMap depths(region.box);
     const Projection seen = project(camera);
     for (int t = 0; t < mMesh->triangleCount(); ++t) {
         const std::array<int, 3> v{vertex(3 * t), vertex(3 * t + 1), vertex(3 * t + 2)};
@@ -194,7 +194,8 @@ BoxPick MeshPicker::pickBox(const OrbitCamera &camera, const QRectF &box) const
     }
     const auto inside = [&](const Vec3 &point) {
         ScreenPoint place;
-        return projector.project(point, place) && box.contains(place.x, place.y) && depths.isVisible(place);
+        return projector.project(point, place) && region.contains({place.x, place.y}) &&
+               depths.isVisible(place);
     };
     BoxPick result;
     std::vector<bool> vertexInside(mMesh->vertexCount());

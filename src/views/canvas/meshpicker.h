@@ -6,9 +6,6 @@
 #include "views/gl/meshframe.h"
 #include "views/gl/souptopology.h"
 
-#include <QPointF>
-#include <QRectF>
-
 #include <memory>
 #include <vector>
 
@@ -22,7 +19,7 @@ public:
     MeshPicker(std::shared_ptr<const MeshData> mesh, const MeshFrame &frame, const SoupTopology &topology);
 
     PickResult pick(const OrbitCamera &camera, const QPointF &pixel) const;
-    BoxPick pickBox(const OrbitCamera &camera, const QRectF &box) const;
+    BoxPick pickBox(const OrbitCamera &camera, const PickRegion &region) const;
 
 private:
     struct Projection;

@@ -59,9 +59,9 @@ PickResult MeshView::pick(const QPointF &pixel) const
     return content().mesh() ? picker().pick(mCamera, pixel) : PickResult();
 }
 
-BoxPick MeshView::pickBox(const QRectF &box) const
+BoxPick MeshView::pickBox(const PickRegion &region) const
 {
-    return content().mesh() ? picker().pickBox(mCamera, box) : BoxPick();
+    return content().mesh() ? picker().pickBox(mCamera, region) : BoxPick();
 }
 
 std::optional<QPointF> MeshView::screenOf(int soupCorner) const

@@ -3,6 +3,11 @@
 
 #include "views/canvas/viewstate.h"
 
+#include <QPointF>
+#include <QRectF>
+
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace autocuts {
@@ -22,7 +27,20 @@ struct PickResult
     Hover hover() const { return {triangle, edge, corner}; }
 };
 
-//! What lies in a rectangle of a view, each list strictly rising: faces by their centres, edges by their
+//! A part of a view, in logical pixels.
+struct PickRegion
+{
+    QRectF box;
+    std::function<bool(const QPointF &)> inside; //!< asked for points of the box; null: all of it
+
+    PickRegion(const QRectF &whole) : box(whole) {} // a rectangle is a region as it is
+    PickRegion(const QRectF &around, std::function<bool(const QPointF &)> contains)
+        : box(around), inside(std::move(contains))
+    {}
+    bool contains(const QPointF &point) const { return box.contains(point) && (!inside || inside(point)); }
+};
+
+//! What lies in a region of a view, each list strictly rising: faces by their centres, edges by their
 //! middles. What is hidden behind other faces is not among it.
 struct BoxPick
 {

@@ -186,7 +186,7 @@ int SceneContent::refresh()
         rebuildFaces();
     if (parts & Sides)
         mSides = sideTexels({*own.mesh, own.topology, uv(), mContext.shownMap.separation(), document->seams(),
-                             mOptions, document->selection().edges});
+                             mOptions, shownSelection().edges});
     if (parts & Points)
         rebuildPoints();
     return parts;
@@ -220,7 +220,14 @@ void SceneContent::rebuildFaces()
         overlapping = mContext.map.figures()->overlapping;
     mFaces = faceTexels({*own.mesh, uv(), mOptions, mColors, mContext.preferences.values().colorBlindHeatMap,
                          mAsMap ? mColors.mapFill : mColors.model, stretch, islands, document.seams().weights,
-                         document.selection().faces, overlapping, flipped});
+                         shownSelection().faces, overlapping, flipped});
+}
+
+//! Empty when the selection is not to be seen.
+const Selection &SceneContent::shownSelection() const
+{
+    static const Selection none;
+    return mOptions.selection ? mContext.workspace.document()->selection() : none;
 }
 
 void SceneContent::rebuildPoints()
@@ -228,7 +235,7 @@ void SceneContent::rebuildPoints()
     const Document &document = *mContext.workspace.document();
     mPoints.clear();
     std::vector<QRgb> cornerColor(document.mesh().cornerCount(), 0);
-    for (int corner : document.selection().corners)
+    for (int corner : shownSelection().corners)
         cornerColor[corner] = mColors.selection.rgb();
     if (mOptions.steering) {
         for (const UvPin &pin : document.constraints().pins)

@@ -70,6 +70,7 @@ private:
     const MeshParts &meshParts() const;
     void rebuildFaces();
     void rebuildPoints();
+    const Selection &shownSelection() const;
 
     const CanvasContext mContext;
     const bool mAsMap;

@@ -41,10 +41,10 @@ PickResult UvView::pick(const QPointF &pixel) const
     return mesh ? pickMap(*mesh, content().topology(), content().uv(), mCamera, pixel) : PickResult();
 }
 
-BoxPick UvView::pickBox(const QRectF &box) const
+BoxPick UvView::pickBox(const PickRegion &region) const
 {
     const MeshData *mesh = content().mesh();
-    return mesh ? pickMapBox(*mesh, content().topology(), content().uv(), mCamera, box) : BoxPick();
+    return mesh ? pickMapBox(*mesh, content().topology(), content().uv(), mCamera, region) : BoxPick();
 }
 
 std::optional<QPointF> UvView::screenOf(int soupCorner) const

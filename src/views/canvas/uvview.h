@@ -19,7 +19,7 @@ public:
     void setCamera(const MapCamera &camera);
 
     PickResult pick(const QPointF &pixel) const override;
-    BoxPick pickBox(const QRectF &box) const override;
+    BoxPick pickBox(const PickRegion &region) const override;
     std::optional<QPointF> screenOf(int soupCorner) const override;
     void frameAll() override;
     void frameSelection() override;

@@ -13,6 +13,7 @@ template <typename Options, typename Visit>
 void visitFlags(Options &options, Visit visit)
 {
     visit("smoothShading"_L1, options.smoothShading);
+    visit("livePacking"_L1, options.livePacking);
     visit("wireframe"_L1, options.wireframe);
     visit("seams"_L1, options.seams);
     visit("steering"_L1, options.steering);

@@ -20,9 +20,11 @@ struct ViewOptions
     Coloring coloring = Coloring::Plain;
     Pattern pattern = Pattern::None;
     bool smoothShading = false;
-    bool wireframe = true; //!< edges of polygons; diagonals are never drawn
+    bool livePacking = false; //!< while solving, the islands are shown beside each other
+    bool wireframe = true;    //!< edges of polygons; diagonals are never drawn
     bool seams = true;     //!< seams of the map; while solving the separation energy as a red hue (figure 4)
     bool steering = true;  //!< forced cuts and joins, rectangles and pins
+    bool selection = true; //!< what is selected
     bool problems = true;  //!< flipped triangles, and overlaps hatched
     bool fillIslands = true;   //!< UV view
     bool grid = true;          //!< UV view: grid, unit square and tiles; 3D view: ground

@@ -5,6 +5,8 @@
 #include "solver/pipeline.h"
 #include "views/control/jobrunner.h"
 
+#include <Eigen/Geometry>
+#include <QList>
 #include <QObject>
 #include <QTimer>
 
@@ -15,7 +17,9 @@ namespace autocuts {
 
 class SolverController;
 class Workspace;
+struct MapInput;
 struct MapJobResult;
+struct PackTarget;
 
 //! The document's map in figures.
 struct MapFigures
@@ -52,10 +56,17 @@ public Q_SLOTS:
     //! Turns the live map, or else the document's, into a final one: definite seams, no overlaps.
     void finish(double maxDistortion);
     void pack(autocuts::PackScope scope);
+    //! Packs the islands of the faces into a box instead of a tile; the others are obstacles.
+    //! \param box texture space \param faces empty: those selected
+    void packInto(const Eigen::AlignedBox2d &box, const QList<int> &faces = {});
     //! Cuts islands that cover themselves and packs.
     void separateOverlaps();
     //! Every island at the same texel density. \pre nothing runs
     void equalizeDensity();
+    //! Makes the distortion of the selected faces small while all others stay. Pins and locks hold.
+    void relaxSelection();
+    //! Makes each chain of selected edges a straight line; the rest of its island follows.
+    void straightenSelection();
     void cancel() { mJobs.cancel(); }
 
 Q_SIGNALS:
@@ -67,11 +78,10 @@ Q_SIGNALS:
     void failed(const QString &message);
 
 private:
-    struct Input;
-
-    Input input() const;
-    void startJob(const QString &title, std::function<MapJobResult(const Input &, JobControl &)> work);
+    MapInput input() const;
+    void startJob(const QString &title, std::function<MapJobResult(const MapInput &, JobControl &)> work);
     void finishJob(std::uint64_t revision, const MapJobResult &result);
+    void startPacking(const PackTarget &target);
     void measure();
 
     Workspace &mWorkspace;

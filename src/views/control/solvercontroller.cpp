@@ -28,6 +28,7 @@ SolverController::SolverController(Workspace &workspace, ShownMap &shownMap, QOb
     connect(mWorker, &SolveWorker::failed, this, &SolverController::workerFailed);
     connect(&workspace, &Workspace::documentReplaced, this, &SolverController::documentReplaced);
     connect(&workspace, &Workspace::changed, this, &SolverController::documentChanged);
+    connect(&mPacker, &LivePacker::arranged, this, &SolverController::showResult);
     mSendSoon.setSingleShot(true);
     mSendSoon.setInterval(0);
     connect(&mSendSoon, &QTimer::timeout, this, &SolverController::sendSnapshot);
@@ -139,6 +140,7 @@ void SolverController::discard()
     mWorker->pause();
     mRun = 0;
     mResult.reset();
+    mPacker.reset();
     mWhenSettled.clear();
     mStatus = {};
     mTrace.clear();
@@ -152,6 +154,7 @@ void SolverController::begin(StartMode start)
     const Document &document = *mWorkspace.document();
     mRun = ++mLastRun;
     mResult.reset();
+    mPacker.reset();
     mStatus = {};
     mTrace.clear();
     mTraceStride = 1;
@@ -215,9 +218,30 @@ void SolverController::takeResult()
     mResult = result;
     mStatus = result->status;
     addToTrace(result->trace);
-    if (mRunning || mSettling)
-        mShownMap.showLive(mWorkspace.document()->uvScale() * result->soupUv, result->separation);
+    showResult();
     Q_EMIT statusChanged();
+}
+
+void SolverController::showResult()
+{
+    if (!mResult || !(mRunning || mSettling))
+        return;
+    const Document &document = *mWorkspace.document();
+    UvMatrix uv = document.uvScale() * mResult->soupUv;
+    if (mLivePacking)
+        mPacker.arrange(document.state().scene.mesh, document.constraints(), document.packingSettings(),
+                        mResult->separation, uv);
+    mShownMap.showLive(std::move(uv), mResult->separation);
+}
+
+void SolverController::setLivePacking(bool pack)
+{
+    if (pack == mLivePacking)
+        return;
+    mLivePacking = pack;
+    mPacker.reset();
+    showResult();
+    Q_EMIT stateChanged();
 }
 
 void SolverController::addToTrace(const std::vector<TracePoint> &points)

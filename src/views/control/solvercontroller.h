@@ -3,6 +3,7 @@
 
 #include "model/changeevent.h"
 #include "solver/worker.h"
+#include "views/control/livepacker.h"
 
 #include <QObject>
 #include <QThread>
@@ -54,6 +55,11 @@ public:
     //! The solver's map, when it is newer than the document's or the one that it was made from; else null.
     std::shared_ptr<const SolveResult> result() const { return mResult; }
 
+    //! While a solve runs its islands are shown beside each other (LivePacker). Changes neither the map nor
+    //! what becomes of it.
+    bool livePacking() const { return mLivePacking; }
+    void setLivePacking(bool pack);
+
     //! Pauses, and calls the function once the map is in the document: at once when nothing runs. Dropped
     //! when the solve fails or the document is replaced.
     void whenSettled(std::function<void()> then);
@@ -81,6 +87,7 @@ private:
     void documentReplaced();
     void documentChanged(const ChangeEvent &event);
     void takeResult();
+    void showResult();
     void takeSettled();
     void workerWaits(quint64 ticket);
     void workerFailed(const QString &message);
@@ -94,6 +101,8 @@ private:
     QThread mThread;
     SolveWorker *mWorker; //!< lives in mThread
     std::shared_ptr<const SolveResult> mResult;
+    LivePacker mPacker;
+    bool mLivePacking = false;
     SolveStatus mStatus;
     std::vector<TracePoint> mTrace;
     int mTraceStride = 1;

@@ -2,12 +2,14 @@
 
 #include "views/actions/questions.h"
 #include "views/dialogs/pathfield.h"
+#include "views/preferences/colorbutton.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
@@ -18,17 +20,18 @@ namespace autocuts {
 
 namespace {
 
-// Limits of LayoutOptions::size.
-constexpr int minSize = 16, maxSize = 16384;
+// Limits of LayoutOptions.
+constexpr int minSize = 16, maxSize = 16384, maxBleed = 256;
 
 } // namespace
 
 ExportLayoutDialog::ExportLayoutDialog(int size, const QString &path, std::vector<int> overlapping,
                                        Questions &questions)
     : QDialog(questions.window()), mOverlapping(std::move(overlapping)), mFormat(new QComboBox),
-      mBackground(new QComboBox), mSize(new QSpinBox), mEdges(new QCheckBox(tr("&Edges inside the islands"))),
-      mOverlaps(new QCheckBox(tr("Hatch &overlaps"))), mPath(new PathField(tr("Export layout"), questions)),
-      mProblem(new QLabel)
+      mBackground(new QComboBox), mSize(new QSpinBox), mBleed(new QSpinBox),
+      mFill(new QCheckBox(tr("F&ill the islands"))), mEdges(new QCheckBox(tr("&Edges inside the islands"))),
+      mSeams(new QCheckBox(tr("O&utlines of the islands"))), mOverlaps(new QCheckBox(tr("Hatch &overlaps"))),
+      mPath(new PathField(tr("Export layout"), questions)), mProblem(new QLabel)
 {
     setWindowTitle(tr("Export layout"));
     mFormat->addItem(tr("PNG, to paint over"), QStringLiteral("png"));
@@ -41,7 +44,16 @@ ExportLayoutDialog::ExportLayoutDialog(int size, const QString &path, std::vecto
     mSize->setRange(minSize, maxSize);
     mSize->setSuffix(tr(" px"));
     mSize->setValue(std::clamp(size, minSize, maxSize));
+    mBleed->setObjectName(QStringLiteral("bleed"));
+    mBleed->setRange(0, maxBleed);
+    mBleed->setSuffix(tr(" px"));
+    mBleed->setToolTip(tr("How far the fill of an island goes on beyond its outline; it never covers another "
+                          "island"));
+    mFill->setChecked(defaults.fill);
     mEdges->setChecked(defaults.edges);
+    mSeams->setChecked(defaults.seams);
+    connect(mFill, &QCheckBox::toggled, mBleed, &QWidget::setEnabled);
+    mOverlaps->setObjectName(QStringLiteral("overlaps"));
     mOverlaps->setEnabled(!mOverlapping.empty());
     mOverlaps->setChecked(!mOverlapping.empty());
     if (mOverlapping.empty())
@@ -53,9 +65,13 @@ ExportLayoutDialog::ExportLayoutDialog(int size, const QString &path, std::vecto
     form->addRow(tr("&Format:"), mFormat);
     form->addRow(tr("&Size:"), mSize);
     form->addRow(tr("Back&ground:"), mBackground);
+    form->addRow(tr("&Bleed:"), mBleed);
+    form->addRow(QString(), mFill);
     form->addRow(QString(), mEdges);
+    form->addRow(QString(), mSeams);
     form->addRow(QString(), mOverlaps);
-    form->addRow(tr("F&ile:"), mPath);
+    form->addRow(tr("Own colours:"), makeColors());
+    form->addRow(tr("Fi&le:"), mPath);
     form->addRow(QString(), mProblem);
     form->addRow(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &ExportLayoutDialog::accept);
@@ -64,6 +80,38 @@ ExportLayoutDialog::ExportLayoutDialog(int size, const QString &path, std::vecto
     connect(mPath, &PathField::pathChanged, this, &ExportLayoutDialog::showPath);
     mPath->setPath(path);
     showFormat();
+}
+
+ExportLayoutDialog::OwnColor ExportLayoutDialog::makeColor(const QString &text, const QString &name,
+                                                           const QColor &first)
+{
+    const OwnColor color{new QCheckBox(text), new ColorButton(text)};
+    color.box->setObjectName(name);
+    color.button->setColor(first);
+    color.button->setEnabled(false);
+    connect(color.box, &QCheckBox::toggled, color.button, &QWidget::setEnabled);
+    return color;
+}
+
+QWidget *ExportLayoutDialog::makeColors()
+{
+    mIslandColor = makeColor(tr("Isla&nds"), QStringLiteral("islandColor"), QColor(0x80, 0x80, 0x80));
+    mEdgeColor = makeColor(tr("E&dges"), QStringLiteral("edgeColor"), Qt::black);
+    mSeamColor = makeColor(tr("Ou&tlines"), QStringLiteral("seamColor"), Qt::white);
+    auto *box = new QWidget;
+    auto *grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    int row = 0;
+    for (const OwnColor &color : {mIslandColor, mEdgeColor, mSeamColor}) {
+        grid->addWidget(color.box, row, 0);
+        grid->addWidget(color.button, row++, 1);
+    }
+    return box;
+}
+
+std::optional<QColor> ExportLayoutDialog::chosen(const OwnColor &color)
+{
+    return color.box->isChecked() ? std::optional(color.button->color()) : std::nullopt;
 }
 
 QString ExportLayoutDialog::path() const
@@ -75,7 +123,13 @@ LayoutOptions ExportLayoutDialog::options() const
 {
     LayoutOptions options;
     options.size = mSize->value();
+    options.fill = mFill->isChecked();
     options.edges = mEdges->isChecked();
+    options.seams = mSeams->isChecked();
+    options.bleed = mBleed->value();
+    options.islandColor = chosen(mIslandColor);
+    options.edgeColor = chosen(mEdgeColor);
+    options.seamColor = chosen(mSeamColor);
     options.background = LayoutBackground(mBackground->currentData().toInt());
     if (mOverlaps->isChecked())
         options.overlapping = mOverlapping;

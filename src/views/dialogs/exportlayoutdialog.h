@@ -13,10 +13,11 @@ class QSpinBox;
 
 namespace autocuts {
 
+class ColorButton;
 class PathField;
 class Questions;
 
-//! Chooses format, size and looks.
+//! Chooses format, size, colours, bleed and what is drawn.
 class ExportLayoutDialog final : public QDialog
 {
     Q_OBJECT
@@ -32,13 +33,23 @@ public:
     void accept() override;
 
 private:
+    //! A colour that is used when its box is checked.
+    struct OwnColor
+    {
+        QCheckBox *box;
+        ColorButton *button;
+    };
+    OwnColor makeColor(const QString &text, const QString &name, const QColor &first);
+    QWidget *makeColors();
+    static std::optional<QColor> chosen(const OwnColor &color);
     void showFormat();
     void showPath();
 
     std::vector<int> mOverlapping;
     QComboBox *mFormat, *mBackground;
-    QSpinBox *mSize;
-    QCheckBox *mEdges, *mOverlaps;
+    QSpinBox *mSize, *mBleed;
+    QCheckBox *mFill, *mEdges, *mSeams, *mOverlaps;
+    OwnColor mIslandColor, mEdgeColor, mSeamColor;
     PathField *mPath;
     QLabel *mProblem;
     QPushButton *mExport;

@@ -33,6 +33,7 @@ QString iconName(int commandId)
         return u"texture"_s;
     case CommandId::SetIslandFlags:
     case CommandId::SetIslandTag:
+    case CommandId::StackIslands:
         return u"island"_s;
     case CommandId::ChangeSettings:
         return u"preferences"_s;

@@ -1,5 +1,7 @@
 #include "views/panels/islandfigures.h"
 
+#include "commands/islandtransform.h"
+
 #include <cmath>
 #include <limits>
 
@@ -63,33 +65,36 @@ std::vector<IslandFigures> islandFigures(const Document &document,
     return figures;
 }
 
+double meanTexelDensity(const Document &document, const std::vector<int> &islands)
+{
+    double sum = 0, area = 0;
+    const std::vector<IslandFigures> figures = islandFigures(document, {});
+    for (int island : islands) {
+        if (std::isfinite(figures[island].texelDensity)) {
+            sum += figures[island].areaShare * figures[island].texelDensity;
+            area += figures[island].areaShare;
+        }
+    }
+    return area > 0 ? sum / area : std::numeric_limits<double>::quiet_NaN();
+}
+
 std::unique_ptr<SetUvs> setTexelDensity(Document &document, const std::vector<int> &islands, double density)
 {
-    const MeshData &mesh = document.mesh();
     const std::vector<IslandSums> sums = sumsOf(document, {});
     const int textureSize = document.packingSettings().textureSize;
-    UvMatrix uv = document.uv();
-    UvEditExtras extras;
+    std::vector<int> scaled;
     for (int island : islands) {
-        const double present = sums[island].density(textureSize);
-        const bool locked = document.marks().flagsOf(document.islands().faces(island)).locked != 0;
-        if (locked || !(present > 0))
-            continue;
-        const Vec2 centre = document.islands().box(island).center();
-        for (int corner : document.islands().corners(mesh, {island})) {
-            const auto scaled = [&](const Vec2 &p) -> Vec2 {
-                return centre + density / present * (p - centre);
-            };
-            uv.row(corner) = scaled(uv.row(corner));
-            if (const UvPin *pin = document.constraints().pin(corner)) {
-                UvPin moved = *pin;
-                moved.position = scaled(pin->position);
-                extras.pins.push_back(moved);
-            }
-        }
-        ++extras.count;
+        if (sums[island].density(textureSize) > 0)
+            scaled.push_back(island);
     }
-    return std::make_unique<SetUvs>(document, UvEdit::Scale, uv, extras);
+    const IslandTransform transform(document, UvEdit::Scale, scaled);
+    return transform.command([&](int island) {
+        const Vec2 centre = document.islands().box(island).center();
+        Eigen::Affine2d result = Eigen::Affine2d::Identity();
+        result.linear() *= density / sums[island].density(textureSize);
+        result.translation() = centre - result.linear() * centre;
+        return result;
+    });
 }
 
 } // namespace autocuts

@@ -25,6 +25,9 @@ struct IslandFigures
 std::vector<IslandFigures> islandFigures(const Document &document,
                                          const std::vector<double> &triangleDistortion);
 
+//! Mean of the islands' texel densities by their areas; not a number without area.
+double meanTexelDensity(const Document &document, const std::vector<int> &islands);
+
 //! Scales islands about the middles of their boxes to a texel density; locked ones, and those without area,
 //! stay as they are. Pins travel along. \param density texels per unit of the model, > 0
 std::unique_ptr<SetUvs> setTexelDensity(Document &document, const std::vector<int> &islands, double density);

@@ -253,16 +253,9 @@ void IslandPanel::readDensity()
 {
     if (!document())
         return;
-    double sum = 0, area = 0;
-    const std::vector<IslandFigures> figures = islandFigures(*document(), {});
-    for (int island : selectedIslands()) {
-        if (std::isfinite(figures[island].texelDensity)) {
-            sum += figures[island].areaShare * figures[island].texelDensity;
-            area += figures[island].areaShare;
-        }
-    }
-    if (area > 0)
-        mDensity->setValue(sum / area);
+    const double density = meanTexelDensity(*document(), selectedIslands());
+    if (std::isfinite(density))
+        mDensity->setValue(density);
 }
 
 void IslandPanel::setDensity()

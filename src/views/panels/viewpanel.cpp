@@ -159,6 +159,8 @@ QWidget *ViewPanel::makeToggles()
          tr("Grid and tiles of the UV view, ground of the 3D view")},
         {tr("Rulers"), &ViewOptions::rulers, "view.rulers", tr("In the UV view, in texels")},
         {tr("Smooth shading"), &ViewOptions::smoothShading, "view.smoothShading", tr("In the 3D view")},
+        {tr("Pack live"), &ViewOptions::livePacking, "view.livePacking",
+         tr("While solving, show the islands beside each other")},
         {tr("Orthographic"), &ViewOptions::orthographic, "view.orthographic",
          tr("3D view without perspective")},
     };

@@ -73,8 +73,10 @@ Vec2 IslandDrag::displacement() const
         const double distance = *value / textureSize;
         return axis == DragAxis::Y ? Vec2(0, distance) : Vec2(distance, 0);
     }
-    Vec2 move = current - start;
-    if (snap == SnapTo::Tiles)
+    Vec2 move = mouseMove();
+    if (snap == SnapTo::Islands)
+        move += islandShift;
+    else if (snap == SnapTo::Tiles)
         move = snappedPoint(move, 1);
     else if (snap != SnapTo::Nothing)
         move = snappedMove(move, box, snapStep);
@@ -94,10 +96,10 @@ double IslandDrag::angle() const
         return 0;
     const double before = from.norm() < nearPivot * pixel ? 0 : std::atan2(from.y(), from.x());
     const double turned = (std::atan2(to.y(), to.x()) - before) * 180 / std::numbers::pi;
-    const double step = snap == SnapTo::Nothing  ? 0
-                        : snap == SnapTo::Grid   ? 15
-                        : snap == SnapTo::Texels ? 1
-                                                 : 90;
+    const double step = snap == SnapTo::Nothing || snap == SnapTo::Islands ? 0
+                        : snap == SnapTo::Grid                             ? 15
+                        : snap == SnapTo::Texels                           ? 1
+                                                                           : 90;
     return std::remainder(step > 0 ? roundedTo(turned, step) : turned, 360);
 }
 
@@ -111,7 +113,9 @@ double IslandDrag::factor() const
         if (reach.norm() < nearPivot * pixel)
             reach = Vec2(scaleLength * pixel, 0);
         value = 1 + (current - start).dot(reach) / reach.squaredNorm();
-        const double step = snap == SnapTo::Nothing ? 0 : snap == SnapTo::Texels ? 0.01 : 0.1;
+        const double step = snap == SnapTo::Nothing || snap == SnapTo::Islands ? 0
+                            : snap == SnapTo::Texels                           ? 0.01
+                                                                               : 0.1;
         if (step > 0)
             value = roundedTo(value, step);
     }

@@ -23,8 +23,9 @@ struct IslandDrag
     DragAxis axis = DragAxis::Both;
     QString typed; //!< a number that takes the place of the mouse: texels, degrees or a factor
     SnapTo snap = SnapTo::Nothing;
-    double snapStep = 0; //!< of Move
-    double pixel = 1;    //!< size of a pixel of the view at the start
+    double snapStep = 0;             //!< of Move
+    Vec2 islandShift = Vec2::Zero(); //!< of Move: what snapping to other islands adds
+    double pixel = 1;                //!< size of a pixel of the view at the start
     int textureSize = 1;
 
     //! Takes digits, point, minus, backspace, X and Y. \returns false when the key is none of them
@@ -33,6 +34,9 @@ struct IslandDrag
     Eigen::Affine2d transform() const;
     //! What transform() does, with its unit, translated.
     QString text() const;
+
+    //! Where the mouse has moved, before it snaps. \pre edit is Move
+    Vec2 mouseMove() const { return current - start; }
 
 private:
     Vec2 displacement() const;

@@ -44,7 +44,7 @@ IslandTool::IslandTool(const CanvasContext &context, const QString &id, UvEdit e
 QString IslandTool::hint() const
 {
     if (mState == State::Active)
-        return tr("%1   X or Y: one axis, digits: exact, Ctrl: snap, Enter: done, Escape: cancel")
+        return tr("%1   X or Y: one axis, digits: exact, Ctrl or Shift: snap, Enter: done, Escape: cancel")
             .arg(mDrag.text());
     if (mAllLocked)
         return tr("The selected islands are locked");
@@ -54,8 +54,8 @@ QString IslandTool::hint() const
     case UvEdit::Scale:
         return tr("Scale islands: drag an island or a handle, Ctrl scales by tenths");
     default:
-        return tr("Move islands: drag an island or an arrow, Ctrl snaps to the grid, with Shift to texels, "
-                  "with Alt to tiles");
+        return tr("Move islands: drag an island or an arrow, Shift snaps to other islands, Ctrl to the grid, "
+                  "Ctrl+Shift to texels, Ctrl+Alt to tiles");
     }
 }
 
@@ -146,8 +146,27 @@ void IslandTool::move(const ToolEvent &event)
     mDrag.current = camera.toUv(event.position);
     mDrag.snap = snapOf(event.modifiers);
     mDrag.snapStep = snapStep(mDrag.snap, camera, mDrag.textureSize);
+    snapToIslands();
     if (mState == State::Active)
         apply();
+}
+
+void IslandTool::snapToIslands()
+{
+    mSnapped = {};
+    mDrag.islandShift = Vec2::Zero();
+    if (mState != State::Active || mEdit != UvEdit::Move || mDrag.snap != SnapTo::Islands)
+        return;
+    if (!mSnap) {
+        const Document &document = *context().workspace.document();
+        std::vector<int> moving = selectedIslands();
+        std::erase_if(moving, [&](int island) {
+            return document.marks().flagsOf(document.islands().faces(island)).locked != 0;
+        });
+        mSnap = std::make_unique<IslandSnap>(document, moving, mDrag.box);
+    }
+    mSnapped = mSnap->snapped(mDrag.mouseMove(), pickRadius * mDrag.pixel);
+    mDrag.islandShift = mSnapped.move - mDrag.mouseMove();
 }
 
 void IslandTool::release(const ToolEvent &event)
@@ -218,6 +237,8 @@ void IslandTool::apply()
 void IslandTool::finish()
 {
     mTransform.reset();
+    mSnap.reset();
+    mSnapped = {};
     mState = State::Idle;
     Q_EMIT overlayChanged();
     Q_EMIT hintChanged();
@@ -301,10 +322,32 @@ void IslandTool::drawOverlay(QPainter &painter, const Canvas &canvas)
         return;
     const Vec2 pivot = active ? Vec2(mDrag.transform() * mDrag.pivot()) : Vec2(box.center());
     const QPointF centre = view->camera().toScreen(pivot);
-    if (active)
+    if (active) {
+        drawSnapped(painter, *view);
         drawGuide(painter, *view, centre);
+    }
     drawIslandGizmo(painter, mEdit, centre, active ? std::optional(mDrag.axis) : mHovered,
                     canvas.content().colors());
+}
+
+//! The sides and corners of other islands that the move has snapped to.
+void IslandTool::drawSnapped(QPainter &painter, const UvView &view) const
+{
+    const MapCamera &camera = view.camera();
+    painter.setPen(QPen(view.content().colors().selection, 1));
+    if (mSnapped.u) {
+        const double x = camera.toScreen({*mSnapped.u, 0}).x();
+        painter.drawLine(QPointF(x, 0), QPointF(x, view.height()));
+    }
+    if (mSnapped.v) {
+        const double y = camera.toScreen({0, *mSnapped.v}).y();
+        painter.drawLine(QPointF(0, y), QPointF(view.width(), y));
+    }
+    if (mSnapped.corner) {
+        painter.setPen(QPen(view.content().colors().selection, 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(camera.toScreen(*mSnapped.corner), 6, 6);
+    }
 }
 
 //! The axis that the gesture is held to, and what it has done so far.

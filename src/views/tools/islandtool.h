@@ -4,6 +4,7 @@
 #include "commands/islandtransform.h"
 #include "views/tools/abstracttool.h"
 #include "views/tools/islandgizmo.h"
+#include "views/tools/islandsnap.h"
 
 #include <QPointer>
 
@@ -51,6 +52,9 @@ private:
     Eigen::AlignedBox2d movableBox() const;
     std::vector<int> selectedIslands() const;
     std::optional<DragAxis> partAt(const ToolEvent &event) const;
+    //! Snaps the move to other islands while Shift is held.
+    void snapToIslands();
+    void drawSnapped(QPainter &painter, const UvView &view) const;
     void drawGuide(QPainter &painter, const UvView &view, const QPointF &centre) const;
 
     const UvEdit mEdit;
@@ -58,6 +62,8 @@ private:
     QPointer<UvView> mView; //!< where the gesture began
     QPointF mStart;         //!< of the press
     IslandDrag mDrag;
+    std::unique_ptr<IslandSnap> mSnap; //!< made when it is first asked for
+    IslandSnapResult mSnapped;
     std::unique_ptr<IslandTransform> mTransform; //!< while Active
     int mGesture = 0;                            //!< counts gestures
     bool mByKey = false;                         //!< no button is held

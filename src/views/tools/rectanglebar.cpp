@@ -68,12 +68,14 @@ RectangleBar::RectangleBar(Workspace &workspace, QWidget *view) : QFrame(view), 
     mWeight->setKeyboardTracking(false);
     mWeight->setToolTip(tr("How strongly faces are pulled into this rectangle, as a factor of beta"));
     mAssign = button(this, "rectangleAssign", u"island"_s, tr("Assign the selected faces"));
+    mPack = button(this, "rectanglePack", u"pack"_s,
+                   tr("Pack its islands into the rectangle, or the selected ones when it has none"));
     mClear = button(this, "rectangleClear", u"clear"_s, tr("Let all its faces go"));
     mRemove = button(this, "rectangleRemove", u"cancel"_s, tr("Remove the rectangle [Del]"));
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(6, 3, 6, 3);
     for (QWidget *widget :
-         std::initializer_list<QWidget *>{mColor, mName, mHard, mWeight, mAssign, mClear, mRemove})
+         std::initializer_list<QWidget *>{mColor, mName, mHard, mWeight, mAssign, mPack, mClear, mRemove})
         layout->addWidget(widget);
     addColors();
 
@@ -95,6 +97,7 @@ RectangleBar::RectangleBar(Workspace &workspace, QWidget *view) : QFrame(view), 
         if (Document *document = mWorkspace.document())
             pushCommand(assignFaces(*document, mId, facesOf(*document, document->selection())));
     });
+    connect(mPack, &QToolButton::clicked, this, [this] { Q_EMIT packRequested(mId); });
     connect(mClear, &QToolButton::clicked, this,
             [this] { edit(Edit::Assign, [](LayoutRectangle &r) { r.faces.clear(); }); });
     connect(mRemove, &QToolButton::clicked, this, [this] {

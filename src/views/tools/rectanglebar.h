@@ -27,6 +27,10 @@ public:
     //! Puts the cursor into the name, all of it selected.
     void editName();
 
+Q_SIGNALS:
+    //! The islands of the rectangle are to be packed into it.
+    void packRequested(int id);
+
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
@@ -42,7 +46,7 @@ private:
     Workspace &mWorkspace;
     int mId = 0;
     quint64 mGesture = 0; //!< of turning the weight
-    QToolButton *mColor, *mAssign, *mClear, *mRemove;
+    QToolButton *mColor, *mAssign, *mPack, *mClear, *mRemove;
     QLineEdit *mName;
     QCheckBox *mHard;
     QDoubleSpinBox *mWeight;

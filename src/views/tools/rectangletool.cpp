@@ -3,6 +3,7 @@
 #include "model/selectiontools.h"
 #include "views/actions/selecting.h"
 #include "views/canvas/uvview.h"
+#include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
 #include "views/gl/colormap.h"
@@ -75,8 +76,10 @@ const std::vector<LayoutRectangle> &RectangleTool::rectangles() const
 void RectangleTool::setActive(int id)
 {
     mActive = id;
-    if (!mBar && mView && id != 0)
+    if (!mBar && mView && id != 0) {
         mBar = new RectangleBar(context().workspace, mView);
+        connect(mBar, &RectangleBar::packRequested, this, &RectangleTool::pack);
+    }
     if (mBar)
         mBar->setRectangle(id);
     Q_EMIT hintChanged();
@@ -324,6 +327,14 @@ void RectangleTool::drawAssignment(QPainter &painter) const
     painter.drawLine(mStart, mEnd);
     painter.setBrush(color);
     painter.drawEllipse(mEnd, 5, 5);
+}
+
+void RectangleTool::pack(int id)
+{
+    const Document *document = context().workspace.document();
+    const LayoutRectangle *rectangle = document ? document->constraints().rectangle(id) : nullptr;
+    if (rectangle)
+        context().map.packInto({rectangle->lower, rectangle->upper}, rectangle->faces);
 }
 
 } // namespace autocuts

@@ -43,6 +43,8 @@ public:
     int active() const { return mActive; }
 
 private:
+    //! Packs the islands of a rectangle into it.
+    void pack(int id);
     enum class State { Idle, Pressed, Edit, Assign };
     //! What a press began.
     enum class Intent { Draw, Change, Assign };

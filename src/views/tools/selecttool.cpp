@@ -4,8 +4,10 @@
 #include "views/control/workspace.h"
 
 #include <QPainter>
+#include <QWheelEvent>
 
 #include <algorithm>
+#include <cmath>
 
 namespace autocuts {
 
@@ -20,28 +22,48 @@ Combine combineOf(Qt::KeyboardModifiers modifiers, Combine withShift)
 
 } // namespace
 
-SelectTool::SelectTool(const CanvasContext &context, QObject *parent)
-    : AbstractTool(context, QStringLiteral("select"), parent)
+SelectTool::SelectTool(const CanvasContext &context, const QString &id, SelectShape shape, QObject *parent)
+    : AbstractTool(context, id, parent), mShape(shape)
 {
-    connect(&context.workspace, &Workspace::documentReplaced, this,
-            [this] { mAnchorEdge = mAnchorCorner = -1; });
+    connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
+        mAnchorEdge = mAnchorCorner = -1;
+        mState = State::Idle; // a stroke must not be taken back in another document
+    });
     connect(&context.workspace, &Workspace::selectionChanged, this, &AbstractTool::hintChanged);
+}
+
+//! How a drag selects.
+QString SelectTool::gestureHint() const
+{
+    switch (mShape) {
+    case SelectShape::Lasso:
+        return tr("draw a lasso");
+    case SelectShape::Brush:
+        return tr("paint, Shift+wheel sizes");
+    case SelectShape::Box:
+        break;
+    }
+    return tr("drag a box");
 }
 
 QString SelectTool::hint() const
 {
     const Document *document = context().workspace.document();
+    const QString gesture = gestureHint();
     switch (document ? document->selection().mode : SelectionMode::Faces) {
     case SelectionMode::Vertices:
-        return tr("Select vertices: click or drag a box, Shift adds, Ctrl+click takes the shortest way");
+        return tr("Select vertices: click or %1, Shift adds, Ctrl+click takes the shortest way").arg(gesture);
     case SelectionMode::Edges:
-        return tr("Select edges: click or drag a box, Shift adds, Ctrl+click takes the shortest way, "
-                  "double-click a loop");
+        return tr("Select edges: click or %1, Shift adds, Ctrl+click takes the shortest way, "
+                  "double-click a loop")
+            .arg(gesture);
     case SelectionMode::Faces:
-        return tr("Select faces: click or drag a box, Shift adds, Ctrl takes away, double-click an island");
+        return tr("Select faces: click or %1, Shift adds, Ctrl takes away, double-click an island")
+            .arg(gesture);
     case SelectionMode::Islands:
-        return tr("Select islands: click or drag a box, Shift adds, Ctrl takes away, double-click a "
-                  "connected part");
+        return tr("Select islands: click or %1, Shift adds, Ctrl takes away, double-click a "
+                  "connected part")
+            .arg(gesture);
     }
     return {};
 }
@@ -53,20 +75,34 @@ void SelectTool::press(const ToolEvent &event)
     mState = State::Pressed;
     mCanvas = &event.canvas;
     mStart = mEnd = event.position;
+    mLasso = QPolygonF({mStart});
 }
 
 void SelectTool::move(const ToolEvent &event)
 {
+    if (mShape == SelectShape::Brush && (mState == State::Idle || &event.canvas == mCanvas)) {
+        mCanvas = &event.canvas;
+        mBrush = event.position;
+        Q_EMIT overlayChanged();
+    }
     if (mState == State::Idle || &event.canvas != mCanvas)
         return;
     mEnd = event.position;
     const QPointF moved = mEnd - mStart;
     if (mState == State::Pressed && std::hypot(moved.x(), moved.y()) >= dragDistance) {
-        mState = State::Box;
+        mState = State::Dragging;
         context().view.setHover({});
+        mBefore = context().workspace.document()->selection();
+        mStroke = {};
+        mStroke.mode = mBefore.mode;
     }
-    if (mState == State::Box)
-        Q_EMIT overlayChanged();
+    if (mState != State::Dragging)
+        return;
+    if (mShape == SelectShape::Brush)
+        paint(event);
+    else
+        mLasso << mEnd;
+    Q_EMIT overlayChanged();
 }
 
 void SelectTool::release(const ToolEvent &event)
@@ -74,15 +110,63 @@ void SelectTool::release(const ToolEvent &event)
     if (event.button != Qt::LeftButton || mState == State::Idle || &event.canvas != mCanvas)
         return;
     const State state = mState;
-    cancel();
+    mEnd = event.position;
+    mState = State::Idle;
+    Q_EMIT overlayChanged();
     if (state == State::Pressed) {
         click(event);
         return;
     }
+    if (mShape == SelectShape::Brush) {
+        paint(event);
+        return;
+    }
     Document &document = *context().workspace.document();
-    const BoxPick box = event.canvas.pickBox(QRectF(mStart, event.position).normalized());
-    document.setSelection(combined(document.selection(), pickedElements(document, box),
+    document.setSelection(combined(document.selection(),
+                                   pickedElements(document, event.canvas.pickBox(region())),
                                    combineOf(event.modifiers, Combine::Add)));
+}
+
+PickRegion SelectTool::region() const
+{
+    if (mShape != SelectShape::Lasso)
+        return QRectF(mStart, mEnd).normalized();
+    return {mLasso.boundingRect(),
+            [lasso = mLasso](const QPointF &p) { return lasso.containsPoint(p, Qt::OddEvenFill); }};
+}
+
+void SelectTool::paint(const ToolEvent &event)
+{
+    Document &document = *context().workspace.document();
+    const QPointF centre = event.position, reach(mRadius, mRadius);
+    const auto near = [centre, radius = mRadius](const QPointF &p) {
+        return std::hypot(p.x() - centre.x(), p.y() - centre.y()) <= radius;
+    };
+    BoxPick picked = event.canvas.pickBox({QRectF(centre - reach, centre + reach), near});
+    // The middle of a large face may be far from the brush that is on it.
+    if (const int triangle = event.canvas.pick(centre).triangle; triangle >= 0)
+        picked.faces.push_back(document.mesh().triangleFace[triangle]);
+    Selection touched = pickedElements(document, picked);
+    touched.normalize(document.mesh());
+    mStroke = combined(mStroke, touched, Combine::Add);
+    document.setSelection(combined(mBefore, mStroke, combineOf(event.modifiers, Combine::Add)));
+}
+
+bool SelectTool::wheel(const QWheelEvent &event, Canvas &)
+{
+    if (mShape != SelectShape::Brush || !event.modifiers().testFlag(Qt::ShiftModifier))
+        return false;
+    // Some systems turn the wheel sideways while Shift is held.
+    const int turned = event.angleDelta().y() != 0 ? event.angleDelta().y() : event.angleDelta().x();
+    mRadius = std::clamp(mRadius * std::pow(1.1, turned / 120.0), smallestRadius, largestRadius);
+    Q_EMIT overlayChanged();
+    return true;
+}
+
+void SelectTool::leave()
+{
+    mBrush.reset();
+    Q_EMIT overlayChanged();
 }
 
 void SelectTool::click(const ToolEvent &event)
@@ -139,20 +223,35 @@ void SelectTool::doubleClick(const ToolEvent &event)
 
 void SelectTool::cancel()
 {
+    if (mState == State::Dragging && mShape == SelectShape::Brush && context().workspace.document())
+        context().workspace.document()->setSelection(mBefore);
     mState = State::Idle;
     Q_EMIT overlayChanged();
 }
 
 void SelectTool::drawOverlay(QPainter &painter, const Canvas &canvas)
 {
-    if (mState != State::Box || &canvas != mCanvas)
+    if (&canvas != mCanvas)
         return;
     const QColor color = canvas.content().colors().selection;
     QColor fill = color;
     fill.setAlphaF(0.12f);
+    if (mShape == SelectShape::Brush) {
+        if (!mBrush)
+            return;
+        painter.setPen(QPen(color, 1));
+        painter.setBrush(mState == State::Dragging ? QBrush(fill) : QBrush());
+        painter.drawEllipse(*mBrush, mRadius, mRadius);
+        return;
+    }
+    if (mState != State::Dragging)
+        return;
     painter.setPen(QPen(color, 1, Qt::DashLine));
     painter.setBrush(fill);
-    painter.drawRect(QRectF(mStart, mEnd).normalized());
+    if (mShape == SelectShape::Lasso)
+        painter.drawPolygon(mLasso, Qt::OddEvenFill);
+    else
+        painter.drawRect(QRectF(mStart, mEnd).normalized());
 }
 
 } // namespace autocuts

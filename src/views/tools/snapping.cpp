@@ -9,7 +9,7 @@ namespace autocuts {
 SnapTo snapOf(Qt::KeyboardModifiers modifiers)
 {
     if (!modifiers.testFlag(Qt::ControlModifier))
-        return SnapTo::Nothing;
+        return modifiers == Qt::ShiftModifier ? SnapTo::Islands : SnapTo::Nothing;
     if (modifiers.testFlag(Qt::AltModifier))
         return SnapTo::Tiles;
     return modifiers.testFlag(Qt::ShiftModifier) ? SnapTo::Texels : SnapTo::Grid;
@@ -19,6 +19,7 @@ double snapStep(SnapTo snap, const MapCamera &camera, int textureSize)
 {
     switch (snap) {
     case SnapTo::Nothing:
+    case SnapTo::Islands:
         break;
     case SnapTo::Grid: {
         const MapGrid grid = MapGrid::of(camera, textureSize);

@@ -8,12 +8,13 @@
 
 namespace autocuts {
 
-//! Lines to snap to: those of the grid as it is drawn, every texel, every tile of the texture.
-enum class SnapTo { Nothing, Grid, Texels, Tiles };
+//! Lines to snap to: those of the grid as it is drawn, every texel, every tile of the texture; or other
+//! islands.
+enum class SnapTo { Nothing, Grid, Texels, Tiles, Islands };
 
-//! Ctrl: the grid; with Shift: texels; with Alt: tiles.
+//! Ctrl: the grid; with Shift: texels; with Alt: tiles. Shift alone: islands.
 SnapTo snapOf(Qt::KeyboardModifiers modifiers);
-//! Distance between the lines in texture space; 0: does not snap. \param textureSize texels per tile
+//! Distance between the lines in texture space; 0: does not snap to lines. \param textureSize texels per tile
 double snapStep(SnapTo snap, const MapCamera &camera, int textureSize);
 //! The nearest crossing of lines. \param step of snapStep()
 Vec2 snappedPoint(const Vec2 &point, double step);

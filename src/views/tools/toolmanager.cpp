@@ -3,6 +3,7 @@
 #include "views/canvas/canvas.h"
 #include "views/control/workspace.h"
 #include "views/tools/islandtool.h"
+#include "views/tools/packboxtool.h"
 #include "views/tools/painttool.h"
 #include "views/tools/pintool.h"
 #include "views/tools/rectangletool.h"
@@ -16,7 +17,9 @@ namespace autocuts {
 
 ToolManager::ToolManager(const CanvasContext &context, QObject *parent) : QObject(parent)
 {
-    add(std::make_unique<SelectTool>(context));
+    add(std::make_unique<SelectTool>(context, QStringLiteral("select"), SelectShape::Box));
+    add(std::make_unique<SelectTool>(context, QStringLiteral("lasso"), SelectShape::Lasso));
+    add(std::make_unique<SelectTool>(context, QStringLiteral("selectBrush"), SelectShape::Brush));
     add(std::make_unique<SeamTool>(context, SeamTool::Kind::Cut));
     add(std::make_unique<SeamTool>(context, SeamTool::Kind::Join));
     add(std::make_unique<PaintTool>(context));
@@ -26,6 +29,7 @@ ToolManager::ToolManager(const CanvasContext &context, QObject *parent) : QObjec
     add(std::make_unique<IslandTool>(context, QStringLiteral("scale"), UvEdit::Scale));
     add(std::make_unique<PinTool>(context));
     add(std::make_unique<RectangleTool>(context));
+    add(std::make_unique<PackBoxTool>(context));
     mActive = mTools.front().get();
     mActive->activate();
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] { mActive->cancel(); });

@@ -1,0 +1,191 @@
+#include "commands/stackislands.h"
+
+#include "commands/commandfactory.h"
+#include "model/similarislands.h"
+#include "model/uvlayout.h"
+
+#include <algorithm>
+#include <map>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! Room between islands that are laid beside the map, as a share of its width.
+constexpr double rowGap = 0.02;
+
+bool isLocked(const Document &document, int island)
+{
+    return document.marks().flagsOf(document.islands().faces(island)).locked != 0;
+}
+
+std::vector<int> copied(const Document &document, int from, int to)
+{
+    return copiedCorners(document.mesh(), document.adjacency(), document.islands(), from, to);
+}
+
+void move(UvMatrix &uv, std::vector<UvPin> &pins, const Document &document, int corner, const Vec2 &place)
+{
+    uv.row(corner) = place.transpose();
+    if (const UvPin *pin = document.constraints().pin(corner)) {
+        pins.push_back(*pin);
+        pins.back().position = place;
+    }
+}
+
+//! True when each box covers the middle of the other one.
+bool cover(const Eigen::AlignedBox2d &a, const Eigen::AlignedBox2d &b)
+{
+    return a.contains(b.center()) && b.contains(a.center());
+}
+
+} // namespace
+
+StackIslands::Found StackIslands::copiesAmong(const Document &document, const std::vector<int> &islands)
+{
+    std::vector<int> open = islands;
+    const auto similar = [&](int island) {
+        return similarIslands(document.mesh(), document.adjacency(), document.islands(), island,
+                              Similarity::Shape);
+    };
+    if (open.size() == 1)
+        open = similar(open.front());
+    // The locked ones first, then by number.
+    std::sort(open.begin(), open.end());
+    std::stable_partition(open.begin(), open.end(), [&](int i) { return isLocked(document, i); });
+    Found found;
+    while (!open.empty()) {
+        const int first = open.front();
+        open.erase(open.begin());
+        const std::vector<int> candidates = similar(first);
+        std::vector<int> stack{first}, others;
+        for (int island : open) {
+            const bool alike = std::binary_search(candidates.begin(), candidates.end(), island);
+            const bool isCopy = alike && !copied(document, first, island).empty();
+            found.mirrored += alike && !isCopy;
+            if (!isCopy)
+                others.push_back(island);
+            else if (!isLocked(document, island))
+                stack.push_back(island);
+        }
+        open = std::move(others);
+        if (stack.size() > 1)
+            found.stacks.push_back(std::move(stack));
+    }
+    return found;
+}
+
+std::unique_ptr<StackIslands> StackIslands::stack(Document &document,
+                                                  const std::vector<std::vector<int>> &stacks)
+{
+    UvMatrix uv = document.uv();
+    UvEditExtras extras;
+    for (const std::vector<int> &stack : stacks) {
+        for (std::size_t i = 1; i < stack.size(); ++i) {
+            const std::vector<int> corners = document.islands().corners(document.mesh(), {stack[i]});
+            const std::vector<int> sources = copied(document, stack.front(), stack[i]);
+            for (std::size_t c = 0; c < sources.size(); ++c)
+                move(uv, extras.pins, document, corners[c], document.uv().row(sources[c]).transpose());
+            ++extras.count;
+        }
+    }
+    std::sort(extras.pins.begin(), extras.pins.end(),
+              [](const UvPin &a, const UvPin &b) { return a.corner < b.corner; });
+    return std::make_unique<StackIslands>(document,
+                                          std::make_unique<SetUvs>(document, UvEdit::Move, uv, extras),
+                                          SetIslandFlags::stackEach(document, stacks));
+}
+
+std::unique_ptr<StackIslands> StackIslands::unstack(Document &document, const std::vector<int> &islands)
+{
+    const Islands &all = document.islands();
+    Eigen::AlignedBox2d map;
+    std::map<int, std::vector<int>> stacks;
+    for (int i = 0; i < all.count(); ++i) {
+        map.extend(all.box(i));
+        if (const int stack = document.marks().flagsOf(all.faces(i)).stack; stack != 0)
+            stacks[stack].push_back(i);
+    }
+    UvMatrix uv = document.uv();
+    UvEditExtras extras;
+    const double gap = map.isEmpty() ? 0 : rowGap * map.sizes().x();
+    double next = map.max().x() + gap;
+    for (const auto &[number, stack] : stacks) {
+        std::vector<int> staying;
+        for (int island : stack) {
+            const Eigen::AlignedBox2d &box = all.box(island);
+            const bool leaves =
+                std::find(islands.begin(), islands.end(), island) != islands.end() &&
+                !isLocked(document, island) &&
+                std::any_of(staying.begin(), staying.end(), [&](int s) { return cover(all.box(s), box); });
+            if (!leaves) {
+                staying.push_back(island);
+                continue;
+            }
+            const Vec2 way(next - box.min().x(), map.min().y() - box.min().y());
+            for (int corner : all.corners(document.mesh(), {island}))
+                move(uv, extras.pins, document, corner, Vec2(uv.row(corner).transpose() + way));
+            next += box.sizes().x() + gap;
+            ++extras.count;
+        }
+    }
+    std::sort(extras.pins.begin(), extras.pins.end(),
+              [](const UvPin &a, const UvPin &b) { return a.corner < b.corner; });
+    return std::make_unique<StackIslands>(
+        document, std::make_unique<SetUvs>(document, UvEdit::Move, uv, extras),
+        std::make_unique<SetIslandFlags>(document, SetIslandFlags::Edit::Unstack, islands));
+}
+
+StackIslands::StackIslands(Document &document, std::unique_ptr<SetUvs> uvs,
+                           std::unique_ptr<SetIslandFlags> flags)
+    : DocumentCommand(document), mUvs(std::move(uvs)), mFlags(std::move(flags))
+{}
+
+void StackIslands::apply()
+{
+    applyPart(*mUvs);
+    applyPart(*mFlags);
+}
+
+void StackIslands::revert()
+{
+    revertPart(*mFlags);
+    revertPart(*mUvs);
+}
+
+void StackIslands::clearPayload()
+{
+    clearPart(*mUvs);
+    clearPart(*mFlags);
+}
+
+void StackIslands::compact()
+{
+    compactPart(*mUvs);
+    compactPart(*mFlags);
+}
+
+void StackIslands::writePayload(QCborMap &map) const
+{
+    map["uvs"_L1] = payloadOfPart(*mUvs);
+    map["flags"_L1] = payloadOfPart(*mFlags);
+}
+
+Result<std::unique_ptr<DocumentCommand>> StackIslands::fromCbor(Document &document, CborReader &reader)
+{
+    CborReader uvReader(reader.map("uvs"_L1)), flagReader(reader.map("flags"_L1));
+    if (reader.failed())
+        return damagedCommand();
+    auto uvs = SetUvs::fromCbor(document, uvReader);
+    auto flags = SetIslandFlags::fromCbor(document, flagReader);
+    if (!uvs.ok() || !flags.ok())
+        return damagedCommand();
+    const auto part = [](auto &result) { return result.value().release(); };
+    return std::unique_ptr<DocumentCommand>(std::make_unique<StackIslands>(
+        document, std::unique_ptr<SetUvs>(static_cast<SetUvs *>(part(uvs))),
+        std::unique_ptr<SetIslandFlags>(static_cast<SetIslandFlags *>(part(flags)))));
+}
+
+} // namespace autocuts

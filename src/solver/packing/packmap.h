@@ -1,0 +1,19 @@
+// Packing the charts of a map: the one way that the window and the command line go.
+#pragma once
+
+#include "model/chart.h"
+#include "solver/packing/packing.h"
+
+namespace autocuts {
+
+//! Gives the charts one texel density unless their scale is to be kept, packs them and moves their UVs.
+//! \param uv one row per corner, UV units; stays as it is unless the result is complete
+//! \param locked per chart: obstacles; empty: none
+PackResult packMap(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &locked,
+                   const PackSettings &settings, UvMatrix &uv, const std::atomic<bool> *cancel = nullptr,
+                   const std::function<void(double)> &progress = {});
+
+//! Lower left corner of a UDIM tile: 1001 is the unit square, ten in a row.
+Vec2 tileCorner(int udim);
+
+} // namespace autocuts

@@ -1,0 +1,224 @@
+#include "views/actions/islandactions.h"
+
+#include "commands/islandtransform.h"
+#include "commands/stackislands.h"
+#include "views/actions/actionregistry.h"
+#include "views/actions/questions.h"
+#include "views/actions/selecting.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/dialogs/densitydialog.h"
+#include "views/dialogs/scatterdialog.h"
+#include "views/panels/islandfigures.h"
+
+#include <QAction>
+#include <QPointer>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace autocuts {
+
+namespace {
+
+std::vector<Vec2> pointsOf(const Document &document, const IslandPiece &piece)
+{
+    std::vector<Vec2> points;
+    for (int corner : document.islands().corners(document.mesh(), piece.islands))
+        points.push_back(document.uv().row(corner).transpose());
+    return points;
+}
+
+//! The selected edges of a piece as they lie in the map.
+std::vector<Vec2> selectedDirections(const Document &document, const IslandPiece &piece)
+{
+    const QList<int> &edges = document.selection().edges;
+    std::vector<Vec2> directions;
+    for (int island : piece.islands) {
+        for (int face : document.islands().faces(island)) {
+            const int first = document.mesh().faceStart[face], end = document.mesh().faceStart[face + 1];
+            for (int c = first; c < end; ++c) {
+                if (!std::binary_search(edges.begin(), edges.end(), document.adjacency().edgeOfCorner(c)))
+                    continue;
+                const int next = c + 1 < end ? c + 1 : first;
+                directions.push_back((document.uv().row(next) - document.uv().row(c)).transpose());
+            }
+        }
+    }
+    return directions;
+}
+
+//! One transform per piece.
+template <typename Function>
+std::vector<Eigen::Affine2d> each(const std::vector<IslandPiece> &pieces, Function function)
+{
+    std::vector<Eigen::Affine2d> result;
+    std::transform(pieces.begin(), pieces.end(), std::back_inserter(result), function);
+    return result;
+}
+
+} // namespace
+
+IslandActions::IslandActions(const StudioContext &context, Questions &questions, QObject *parent)
+    : QObject(parent), mContext(context), mQuestions(questions)
+{
+    mRanges.move = 0.05;
+    mRanges.angle = std::numbers::pi / 6;
+    mRanges.scale = 0.1;
+    connectMoves();
+    connectTurns();
+    connectStacks();
+    connectDialogs();
+}
+
+void IslandActions::onTriggered(const char *id, const std::function<void(Document &)> &function)
+{
+    connect(mContext.actions.action(id), &QAction::triggered, this, [this, function] {
+        if (!mContext.workspace.document())
+            return;
+        mContext.solver.whenSettled([self = QPointer(this), function] {
+            Document *document = self ? self->mContext.workspace.document() : nullptr;
+            if (document && !self->mContext.map.jobs().isBusy())
+                function(*document);
+        });
+    });
+}
+
+std::vector<int> IslandActions::selectedIslands(const Document &document) const
+{
+    return document.islands().islandsOf(facesOf(document, document.selection()));
+}
+
+void IslandActions::onPieces(const char *id, UvEdit edit,
+                             const std::function<Transforms(const Document &, const Pieces &)> &transforms)
+{
+    onTriggered(id, [this, edit, transforms](Document &document) {
+        const Pieces pieces = islandPieces(document.islands(), document.marks(), selectedIslands(document));
+        if (pieces.empty())
+            return;
+        const bool allLocked =
+            std::all_of(pieces.begin(), pieces.end(), [](const IslandPiece &p) { return p.locked; });
+        if (pushCommand(movePieces(document, edit, pieces, transforms(document, pieces))))
+            Q_EMIT said(document.undoStack().undoText());
+        else
+            Q_EMIT said(allLocked ? tr("The selected islands are locked")
+                                  : tr("Nothing to do: the islands lie that way already"));
+    });
+}
+
+void IslandActions::connectMoves()
+{
+    const auto align = [this](const char *id, AlignTo to) {
+        onPieces(id, UvEdit::Align,
+                 [to](const Document &, const Pieces &pieces) { return alignedPieces(pieces, to); });
+    };
+    align("uv.alignLeft", AlignTo::Left);
+    align("uv.alignRight", AlignTo::Right);
+    align("uv.alignTop", AlignTo::Top);
+    align("uv.alignBottom", AlignTo::Bottom);
+    align("uv.alignCentreU", AlignTo::CentreU);
+    align("uv.alignCentreV", AlignTo::CentreV);
+    const auto distribute = [this](const char *id, Distribute how) {
+        onPieces(id, UvEdit::Distribute, [this, how](const Document &, const Pieces &pieces) {
+            if (pieces.size() < 3)
+                Q_EMIT said(tr("Select three islands or more to distribute them"));
+            return distributedPieces(pieces, how);
+        });
+    };
+    distribute("uv.distributeU", Distribute::CentresU);
+    distribute("uv.distributeV", Distribute::CentresV);
+    distribute("uv.distributeGapsU", Distribute::GapsU);
+    distribute("uv.distributeGapsV", Distribute::GapsV);
+}
+
+void IslandActions::connectTurns()
+{
+    for (const int axis : {0, 1}) {
+        onPieces(axis == 0 ? "uv.mirrorU" : "uv.mirrorV", UvEdit::Mirror,
+                 [axis](const Document &, const Pieces &pieces) {
+                     return each(pieces, [axis](const IslandPiece &p) { return mirroredPiece(p, axis); });
+                 });
+    }
+    onPieces("uv.orientBox", UvEdit::Orient, [](const Document &document, const Pieces &pieces) {
+        return each(pieces, [&](const IslandPiece &piece) {
+            return turnedPiece(piece, turnToSmallestBox(pointsOf(document, piece)));
+        });
+    });
+    onPieces("uv.orientEdges", UvEdit::Orient, [](const Document &document, const Pieces &pieces) {
+        return each(pieces, [&](const IslandPiece &piece) {
+            return turnedPiece(piece, turnToDirections(selectedDirections(document, piece)));
+        });
+    });
+    connect(mContext.actions.action("uv.straighten"), &QAction::triggered, &mContext.map,
+            &MapController::straightenSelection);
+    connect(mContext.actions.action("uv.relax"), &QAction::triggered, &mContext.map,
+            &MapController::relaxSelection);
+}
+
+void IslandActions::connectStacks()
+{
+    onTriggered("uv.stackCopies", [this](Document &document) { stack(document); });
+    onTriggered("uv.unstackCopies", [this](Document &document) { unstack(document); });
+}
+
+void IslandActions::stack(Document &document)
+{
+    const std::vector<int> islands = selectedIslands(document);
+    if (islands.empty())
+        return;
+    const StackIslands::Found found = StackIslands::copiesAmong(document, islands);
+    if (found.stacks.empty()) {
+        Q_EMIT said(found.mirrored > 0
+                        ? tr("The islands are mirror images of each other: mirrored copies are not stacked")
+                        : tr("No two of the islands are copies of each other"));
+        return;
+    }
+    pushCommand(StackIslands::stack(document, found.stacks));
+    QString message = document.undoStack().undoText();
+    if (found.mirrored > 0)
+        message += tr(", mirror images left out: %1").arg(found.mirrored);
+    Q_EMIT said(message);
+}
+
+void IslandActions::unstack(Document &document)
+{
+    const std::vector<int> islands = selectedIslands(document);
+    if (islands.empty())
+        return;
+    if (pushCommand(StackIslands::unstack(document, islands)))
+        Q_EMIT said(document.undoStack().undoText());
+    else
+        Q_EMIT said(tr("The islands are in no stack"));
+}
+
+void IslandActions::connectDialogs()
+{
+    onTriggered("uv.scatter", [this](Document &document) { askScatter(document); });
+    onTriggered("uv.densitySet", [this](Document &document) { askDensity(document); });
+}
+
+void IslandActions::askScatter(Document &document)
+{
+    ScatterDialog dialog(mRanges, document.packingSettings().textureSize, mQuestions.window());
+    if (mQuestions.run(dialog) != QDialog::Accepted)
+        return;
+    mRanges = dialog.ranges();
+    const Pieces pieces = islandPieces(document.islands(), document.marks(), selectedIslands(document));
+    if (pushCommand(movePieces(document, UvEdit::Scatter, pieces, scatteredPieces(pieces, mRanges))))
+        Q_EMIT said(document.undoStack().undoText());
+}
+
+void IslandActions::askDensity(Document &document)
+{
+    const std::vector<int> islands = selectedIslands(document);
+    DensityDialog dialog(meanTexelDensity(document, islands), document.packingSettings().textureSize,
+                         mQuestions.window());
+    if (mQuestions.run(dialog) != QDialog::Accepted)
+        return;
+    if (pushCommand(setTexelDensity(document, islands, dialog.density())))
+        Q_EMIT said(document.undoStack().undoText());
+}
+
+} // namespace autocuts

@@ -1,0 +1,139 @@
+#include "model/chart.h"
+#include "model/edgechains.h"
+#include "solver/localsolve.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/mapjobs.h"
+
+#include <algorithm>
+
+namespace autocuts {
+
+namespace {
+
+QString translated(const char *text)
+{
+    return MapController::tr(text);
+}
+
+//! Pins hold their points.
+LocalProblem localProblem(const Constraints &constraints, const UvTopology &topology)
+{
+    LocalProblem problem;
+    problem.pointOfCorner = topology.cornerRoot;
+    for (const UvPin &pin : constraints.pins)
+        problem.held.push_back(topology.cornerRoot[pin.corner]);
+    return problem;
+}
+
+int faceOfCorner(const MeshData &mesh, int corner)
+{
+    const auto next = std::upper_bound(mesh.faceStart.begin(), mesh.faceStart.end(), corner);
+    return static_cast<int>(next - mesh.faceStart.begin()) - 1;
+}
+
+//! All faces of the islands of these faces that are not locked, rising.
+std::vector<int> freeIslands(const MeshData &mesh, const UvTopology &topology, const IslandMarks &marks,
+                             const QList<int> &faces)
+{
+    const auto chartFaces = topology.charts.faces();
+    std::vector<bool> wanted(chartFaces.size());
+    for (int face : faces) {
+        const int chart = topology.charts.faceChart[face];
+        if (chart >= 0 && marks.flagsOf(chartFaces[chart]).locked == 0)
+            wanted[chart] = true;
+    }
+    std::vector<int> result;
+    for (int face = 0; face < mesh.faceCount(); ++face) {
+        const int chart = topology.charts.faceChart[face];
+        if (chart >= 0 && wanted[chart])
+            result.push_back(face);
+    }
+    return result;
+}
+
+MapJobResult localResult(const LocalSolution &solution, UvEdit edit, int count)
+{
+    MapJobResult result;
+    result.edit = edit;
+    result.count = count;
+    switch (solution.outcome) {
+    case LocalSolution::Outcome::Solved:
+        result.uv = solution.uv;
+        break;
+    case LocalSolution::Outcome::Empty:
+        result.problem = solution.foldedFaces > 0
+                             ? translated("The faces are turned over in the map and cannot be solved")
+                             : translated("Nothing can move: select more faces, or remove pins and locks");
+        break;
+    case LocalSolution::Outcome::Stuck:
+        result.problem = translated("The chain cannot be made straight without turning faces over");
+        break;
+    case LocalSolution::Outcome::Cancelled:
+        result.problem = translated("Cancelled: the map stays as it was");
+        break;
+    }
+    return result;
+}
+
+} // namespace
+
+MapJobResult relaxJob(const MapInput &input, JobControl &control)
+{
+    const MeshData &mesh = input.mesh();
+    const UvTopology topology = findUvTopology(mesh, input.uv);
+    LocalProblem problem = localProblem(input.constraints, topology);
+    const std::vector<int> islands = freeIslands(mesh, topology, input.marks, input.selectedFaces);
+    problem.reference = islands;
+    std::vector<bool> moves(mesh.faceCount());
+    for (int face : input.selectedFaces)
+        moves[face] = std::binary_search(islands.begin(), islands.end(), face);
+    for (int face = 0; face < mesh.faceCount(); ++face) {
+        if (moves[face]) {
+            problem.faces.push_back(face);
+            continue;
+        }
+        for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c)
+            problem.held.push_back(topology.cornerRoot[c]);
+    }
+    const LocalSolution solution = solveLocally(mesh, input.uv, problem, &control.stop(),
+                                                [&](double fraction) { control.setProgress(fraction); });
+    MapJobResult result = localResult(solution, UvEdit::Relax, static_cast<int>(problem.faces.size()));
+    if (result.problem.isEmpty())
+        result.message = translated("Relaxed: distortion %1 before, %2 now")
+                             .arg(solution.before, 0, 'f', 4)
+                             .arg(solution.after, 0, 'f', 4);
+    return result;
+}
+
+MapJobResult straightenJob(const MapInput &input, JobControl &control)
+{
+    const MeshData &mesh = input.mesh();
+    const UvTopology topology = findUvTopology(mesh, input.uv);
+    const UvChains found = findUvChains(mesh, MeshAdjacency(mesh), topology, input.selectedEdges);
+    LocalProblem problem = localProblem(input.constraints, topology);
+    QList<int> faces;
+    for (const UvChain &chain : found.chains) {
+        for (const auto &target : straightened(chain, input.uv))
+            problem.targets.push_back(target);
+        for (int point : chain.points)
+            faces << faceOfCorner(mesh, point);
+    }
+    problem.faces = freeIslands(mesh, topology, input.marks, faces);
+    if (problem.targets.empty() || problem.faces.empty()) {
+        MapJobResult result;
+        result.problem = translated("Select edges that follow each other: a loop without ends, a fork or "
+                                    "a locked island cannot be straightened");
+        return result;
+    }
+    const LocalSolution solution = solveLocally(mesh, input.uv, problem, &control.stop(),
+                                                [&](double fraction) { control.setProgress(fraction); });
+    MapJobResult result = localResult(solution, UvEdit::Straighten, static_cast<int>(found.chains.size()));
+    if (result.problem.isEmpty())
+        result.message = translated("Chains made straight: %1, distortion %2 before, %3 now")
+                             .arg(found.chains.size())
+                             .arg(solution.before, 0, 'f', 4)
+                             .arg(solution.after, 0, 'f', 4);
+    return result;
+}
+
+} // namespace autocuts

@@ -1,0 +1,216 @@
+#include "views/control/mapjobs.h"
+
+#include "model/rigidpieces.h"
+#include "model/uvlayout.h"
+#include "solver/finalmap.h"
+#include "solver/overlap/separatemap.h"
+#include "solver/packing/islandgeometry.h"
+#include "solver/packing/packmap.h"
+#include "solver/worker.h"
+#include "views/control/mapcontroller.h"
+
+#include <QThread>
+
+#include <algorithm>
+
+namespace autocuts {
+
+namespace {
+
+QString translated(const char *text)
+{
+    return MapController::tr(text);
+}
+
+PackSettings packSettings(const PackingSettings &packing)
+{
+    PackSettings settings;
+    settings.lower = tileCorner(packing.udimTile);
+    settings.upper = settings.lower + Vec2::Ones();
+    settings.textureSize = packing.textureSize;
+    settings.margin = packing.margin;
+    switch (packing.rotation) {
+    case PackingSettings::Rotation::None:
+        settings.rotation = PackRotation::None;
+        break;
+    case PackingSettings::Rotation::Quarter:
+        settings.rotation = PackRotation::Quarter;
+        break;
+    case PackingSettings::Rotation::Free:
+        settings.rotation = PackRotation::Free;
+        break;
+    }
+    settings.keepScale = packing.keepScale;
+    settings.threads = QThread::idealThreadCount();
+    return settings;
+}
+
+//! Packs the charts; the locked ones, and when only some are to be packed the others, stay where they are.
+//! Returns false when there is no room.
+bool packInto(UvMatrix &uv, const MeshData &mesh, const ChartMap &charts, const IslandMarks &marks,
+              const std::vector<bool> &movable, const PackSettings &settings, JobControl &control)
+{
+    const RigidPieces rigid = rigidPieces(charts, marks, movable);
+    return packMap(mesh, rigid.pieces, rigid.locked, settings, uv, &control.stop(),
+                   [&](double fraction) { control.setProgress(fraction); })
+        .complete;
+}
+
+int packedCharts(const ChartMap &charts, const std::vector<bool> &movable)
+{
+    std::vector<bool> packed(charts.count);
+    for (std::size_t f = 0; f < movable.size(); ++f) {
+        if (charts.faceChart[f] >= 0 && movable[f])
+            packed[charts.faceChart[f]] = true;
+    }
+    return static_cast<int>(std::count(packed.begin(), packed.end(), true));
+}
+
+QString noRoom(const PackingSettings &packing)
+{
+    return packing.keepScale
+               ? translated("The islands do not fit at their size: switch off \"Keep scale\" or use a "
+                            "smaller margin")
+               : translated("There is no room for the margins: use a smaller margin or a larger texture");
+}
+
+} // namespace
+
+MapJobResult unwrapJob(const MapInput &input, UnwrapQuality quality, double maxDistortion,
+                       JobControl &control)
+{
+    UnwrapOptions options;
+    options.quality = quality;
+    options.maxDistortion = maxDistortion;
+    options.packing = packSettings(input.packing);
+    options.packing.keepScale = false;
+    options.threads = QThread::idealThreadCount();
+    const UnwrapResult made =
+        unwrap(input.snapshot, options, &control.stop(), [&](const UnwrapProgress &progress) {
+            control.setProgress(progress.fraction);
+            if (progress.seamLength > 0)
+                control.setStage(translated("best so far: seams %1, distortion %2")
+                                     .arg(progress.seamLength, 0, 'f', 2)
+                                     .arg(progress.distortion, 0, 'f', 3));
+        });
+    MapJobResult result;
+    result.edit = UvEdit::Solve;
+    result.uv = made.uv;
+    result.message = translated("Unwrapped: distortion %1").arg(made.distortion, 0, 'f', 4);
+    if (!made.packed)
+        result.problem = noRoom(input.packing);
+    else if (!made.withinBound)
+        result.problem =
+            translated("The distortion of %1 is above the bound of %2: allow more, or remove joins")
+                .arg(made.distortion, 0, 'f', 4)
+                .arg(maxDistortion, 0, 'f', 4);
+    return result;
+}
+
+MapJobResult finishMapJob(const MapInput &input, const std::shared_ptr<const SolveResult> &live,
+                          double maxDistortion, JobControl &control)
+{
+    Snapshot snapshot = input.snapshot;
+    if (!live) {
+        snapshot.settings.start = StartMode::ExistingUv;
+        snapshot.startUv = soupUv(input.mesh(), input.uv) / input.uvScale;
+    } else {
+        snapshot.settings.lambda = live->status.lambda;
+        snapshot.settings.delta = live->status.delta;
+    }
+    Solver solver;
+    solver.load(snapshot);
+    if (live) {
+        const double *first = live->soupUv.data();
+        solver.setCoordinates({first, first + live->soupUv.size()});
+    }
+    FinalMapOptions options;
+    options.maxDistortion = maxDistortion;
+    options.threads = QThread::idealThreadCount();
+    MapJobResult result;
+    result.edit = UvEdit::Finish;
+    const std::optional<SeamedMap> map = makeFinalMap(
+        solver, options, &control.stop(), [&](double fraction) { control.setProgress(fraction); });
+    if (!map) {
+        result.problem = translated("Finishing was cancelled: the map stays as it was");
+        return result;
+    }
+    result.uv = input.uvScale * cornerUv(solver.soup(), *map);
+    result.message = translated("Finished: distortion %1").arg(map->distortion(solver.soup()), 0, 'f', 4);
+    return result;
+}
+
+MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl &control)
+{
+    const MeshData &mesh = input.mesh();
+    const ChartMap charts = findCharts(mesh, input.uv);
+    std::vector<bool> movable(mesh.faceCount(), target.all);
+    for (int face : target.faces.isEmpty() ? input.selectedFaces : target.faces)
+        movable[face] = true;
+    if (std::find(movable.begin(), movable.end(), true) == movable.end()) {
+        MapJobResult result;
+        result.problem = translated("Select the islands to pack first");
+        return result;
+    }
+    PackSettings settings = packSettings(input.packing);
+    if (target.box) {
+        settings.lower = target.box->min();
+        settings.upper = target.box->max();
+    }
+    MapJobResult result;
+    result.uv = input.uv;
+    if (packInto(result.uv, mesh, charts, input.marks, movable, settings, control)) {
+        result.message = translated("Islands packed: %1").arg(packedCharts(charts, movable));
+    } else {
+        result.uv.resize(0, 2);
+        result.problem = control.stop() ? translated("Packing was cancelled: the map stays as it was")
+                         : target.box
+                             ? translated("There is no room in the rectangle: draw a larger one or use "
+                                          "a smaller margin")
+                             : noRoom(input.packing);
+    }
+    return result;
+}
+
+MapJobResult separateJob(const MapInput &input, JobControl &control)
+{
+    const MeshData &mesh = input.mesh();
+    const Separated separated = separateMap(mesh, input.uv, &control.stop());
+    MapJobResult result;
+    result.edit = UvEdit::Separate;
+    if (!separated.complete) {
+        result.problem = translated("Separating was cancelled: the map stays as it was");
+        return result;
+    }
+    result.uv = input.uv;
+    const std::vector<bool> all(mesh.faceCount(), true);
+    if (!packInto(result.uv, mesh, separated.charts, input.marks, all, packSettings(input.packing),
+                  control)) {
+        result.uv.resize(0, 2);
+        result.problem = noRoom(input.packing);
+        return result;
+    }
+    result.message = translated("Separated, edges cut: %1").arg(separated.newSeams);
+    if (separated.unresolvedPairs > 0)
+        result.problem = translated("Overlaps inside single polygons, which stay whole: %1")
+                             .arg(separated.unresolvedPairs);
+    return result;
+}
+
+MapJobResult equalizeJob(const MapInput &input)
+{
+    const MeshData &mesh = input.mesh();
+    const ChartMap charts = findCharts(mesh, input.uv);
+    const auto faces = charts.faces();
+    std::vector<bool> locked(charts.count);
+    for (int c = 0; c < charts.count; ++c)
+        locked[c] = input.marks.flagsOf(faces[c]).locked != 0;
+    MapJobResult result;
+    result.edit = UvEdit::Scale;
+    result.uv = input.uv;
+    equalizeTexelDensity(mesh, charts, result.uv, locked);
+    result.message = translated("All islands have the same texel density");
+    return result;
+}
+
+} // namespace autocuts

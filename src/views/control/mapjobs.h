@@ -1,0 +1,68 @@
+// The work on whole maps that MapController starts: functions of a copy of the document.
+#pragma once
+
+#include "commands/setuvs.h"
+#include "model/constraints.h"
+#include "model/islands.h"
+#include "model/packingsettings.h"
+#include "model/snapshot.h"
+#include "solver/pipeline.h"
+#include "views/control/jobrunner.h"
+
+#include <Eigen/Geometry>
+
+#include <memory>
+#include <optional>
+
+namespace autocuts {
+
+struct SolveResult;
+
+//! What a job gets to see.
+struct MapInput
+{
+    Snapshot snapshot;
+    UvMatrix uv; //!< per corner, texture space
+    double uvScale = 1;
+    PackingSettings packing;
+    IslandMarks marks;
+    Constraints constraints;
+    QList<int> selectedFaces;
+    std::vector<int> selectedEdges;
+    std::uint64_t revision = 0; //!< Workspace::uvRevision()
+
+    const MeshData &mesh() const { return *snapshot.mesh; }
+};
+
+//! What a job gives back.
+struct MapJobResult
+{
+    UvEdit edit = UvEdit::Pack;
+    UvMatrix uv;              //!< per corner, texture space; no rows: the map stays as it is
+    QString message;          //!< what was done
+    QString problem;          //!< what could not be done
+    std::optional<int> count; //!< for the text in the history
+};
+
+//! Which islands are packed, and where to.
+struct PackTarget
+{
+    bool all = true;                        //!< else those of `faces`; the others are obstacles
+    QList<int> faces;                       //!< empty: those selected
+    std::optional<Eigen::AlignedBox2d> box; //!< texture space; none: the tile of the settings
+};
+
+MapJobResult unwrapJob(const MapInput &input, UnwrapQuality quality, double maxDistortion,
+                       JobControl &control);
+//! \param live the solver's own state, which knows more than the map that was made from it; may be null
+MapJobResult finishMapJob(const MapInput &input, const std::shared_ptr<const SolveResult> &live,
+                          double maxDistortion, JobControl &control);
+MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl &control);
+MapJobResult separateJob(const MapInput &input, JobControl &control);
+MapJobResult equalizeJob(const MapInput &input);
+//! Solves for the selected faces while all others stay.
+MapJobResult relaxJob(const MapInput &input, JobControl &control);
+//! Makes the chains of selected edges straight lines; the rest of their islands follows.
+MapJobResult straightenJob(const MapInput &input, JobControl &control);
+
+} // namespace autocuts

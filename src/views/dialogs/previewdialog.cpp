@@ -1,0 +1,195 @@
+#include "views/dialogs/previewdialog.h"
+
+#include "model/io/uvexport.h"
+#include "views/actions/questions.h"
+#include "views/canvas/meshview.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/workspace.h"
+#include "views/preferences/preferences.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFile>
+#include <QHBoxLayout>
+#include <QImageReader>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+constexpr int smallest = 64, largest = 4096;
+//! Texels along the side of a square of the checkerboard.
+constexpr int squareTexels = 16;
+
+//! The picture as a texture of this size would have it. \returns what went wrong
+QString resample(const QString &from, int size, const QString &to)
+{
+    QImageReader reader(from);
+    reader.setAutoTransform(true);
+    const QImage image = reader.read();
+    if (image.isNull())
+        return reader.errorString();
+    const QImage scaled = image.scaled(size, size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    return scaled.save(to) ? QString() : PreviewDialog::tr("The picture could not be made");
+}
+
+QString drawLayout(const MeshData &mesh, const UvMatrix &uv, int size, const QString &to)
+{
+    LayoutOptions options;
+    options.size = size;
+    const Result<QByteArray> picture = layoutPng(mesh, uv, options);
+    if (!picture)
+        return picture.error().message;
+    QFile file(to);
+    const bool written = file.open(QIODevice::WriteOnly) && file.write(picture.value()) > 0;
+    return written ? QString() : file.errorString();
+}
+
+} // namespace
+
+PreviewDialog::PreviewDialog(const StudioContext &context, Questions &questions)
+    : QDialog(questions.window()), mContext(context), mQuestions(questions),
+      mTexturePath(context.view.options().texturePath),
+      mCanvasContext{context.workspace,   context.shownMap, mState,
+                     context.preferences, context.map,      context.solver},
+      mTools(mCanvasContext), mView(new MeshView(mCanvasContext, mTools)), mPicture(new QComboBox),
+      mSize(new QComboBox), mSeams(new QCheckBox(tr("&Seams"))), mRemark(new QLabel)
+{
+    setWindowTitle(tr("Texture preview"));
+    mView->setMinimumSize(480, 420);
+    auto *layout = new QVBoxLayout(this);
+    layout->addWidget(makeControls());
+    layout->addWidget(mView, 1);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    auto *save = buttons->addButton(tr("Save &picture..."), QDialogButtonBox::ActionRole);
+    layout->addWidget(buttons);
+    connect(save, &QPushButton::clicked, this, &PreviewDialog::save);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(mPicture, &QComboBox::activated, this, &PreviewDialog::choosePicture);
+    connect(mSize, &QComboBox::currentIndexChanged, this, &PreviewDialog::refresh);
+    connect(mSeams, &QCheckBox::toggled, this, &PreviewDialog::refresh);
+    connect(&mJobs, &JobRunner::failed, mRemark, &QLabel::setText);
+    resize(900, 760);
+    refresh();
+}
+
+PreviewDialog::~PreviewDialog()
+{
+    delete mView; // before the tools, which it knows
+}
+
+QWidget *PreviewDialog::makeControls()
+{
+    mPicture->setObjectName("picture"_L1);
+    mPicture->addItem(tr("Checkerboard"), int(Picture::Checkerboard));
+    mPicture->addItem(tr("Texture"), int(Picture::Texture));
+    mPicture->addItem(tr("Picture of the layout"), int(Picture::Layout));
+    mPicture->setCurrentIndex(mTexturePath.isEmpty() ? 0 : 1);
+    mSize->setObjectName("size"_L1);
+    mSize->setToolTip(tr("Texels along one side of the texture"));
+    for (int size = smallest; size <= largest; size *= 2)
+        mSize->addItem(tr("%1 px").arg(size), size);
+    const int wanted = std::min(mContext.workspace.document()->packingSettings().textureSize, largest);
+    mSize->setCurrentIndex(std::max(0, mSize->findData(wanted)));
+    auto *choose = new QPushButton(tr("&Load texture..."));
+    connect(choose, &QPushButton::clicked, this, &PreviewDialog::browse);
+    auto *row = new QWidget;
+    auto *layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    for (QWidget *widget : std::initializer_list<QWidget *>{mPicture, mSize, choose, mSeams})
+        layout->addWidget(widget);
+    layout->addWidget(mRemark, 1);
+    return row;
+}
+
+PreviewDialog::Picture PreviewDialog::picture() const
+{
+    return Picture(mPicture->currentData().toInt());
+}
+
+int PreviewDialog::size() const
+{
+    return mSize->currentData().toInt();
+}
+
+void PreviewDialog::choosePicture()
+{
+    if (picture() == Picture::Texture && mTexturePath.isEmpty())
+        browse();
+    refresh();
+}
+
+void PreviewDialog::browse()
+{
+    const QString path = mQuestions.fileToOpen(
+        tr("Load texture"), mContext.preferences.lastFolder(),
+        {tr("Pictures (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.tga *.webp)"), tr("All files (*)")});
+    if (!path.isEmpty())
+        mTexturePath = path;
+    mPicture->setCurrentIndex(
+        mPicture->findData(int(mTexturePath.isEmpty() ? Picture::Checkerboard : Picture::Texture)));
+    refresh();
+}
+
+void PreviewDialog::refresh()
+{
+    mJobs.abandon();
+    mRemark->clear();
+    ViewOptions options;
+    options.wireframe = options.grid = options.steering = options.selection = options.problems = false;
+    options.smoothShading = true;
+    options.seams = mSeams->isChecked();
+    options.pattern = Pattern::Checker;
+    options.checkerSize = std::max(1.0, double(size()) / squareTexels);
+    mState.setOptions(options);
+    if (picture() == Picture::Checkerboard) {
+        mRemark->setText(tr("Squares of %1 texels").arg(squareTexels));
+        return;
+    }
+    const bool isLayout = picture() == Picture::Layout;
+    const QString to = mFolder.filePath(u"%1-%2-%3.png"_s.arg(isLayout ? u"layout"_s : u"texture"_s)
+                                            .arg(size())
+                                            .arg(qHash(isLayout ? QString() : mTexturePath)));
+    if (QFile::exists(to)) {
+        showTexture(to);
+        return;
+    }
+    mRemark->setText(tr("Making the picture..."));
+    const Document &document = *mContext.workspace.document();
+    mJobs.start(
+        windowTitle(),
+        [=, from = mTexturePath, side = size(), mesh = document.state().scene.mesh, uv = document.uv()](
+            JobControl &) { return isLayout ? drawLayout(*mesh, uv, side, to) : resample(from, side, to); },
+        [this, to](const QString &problem) {
+            mRemark->setText(problem);
+            if (problem.isEmpty())
+                showTexture(to);
+        });
+}
+
+void PreviewDialog::showTexture(const QString &path)
+{
+    ViewOptions options = mState.options();
+    options.pattern = Pattern::Texture;
+    options.texturePath = path;
+    mState.setOptions(options);
+}
+
+void PreviewDialog::save()
+{
+    const QString path = mQuestions.fileToSave(tr("Save picture"), mContext.preferences.lastFolder(),
+                                               {tr("PNG picture (*.png)")});
+    if (!path.isEmpty() && !mView->picture().save(path))
+        mQuestions.showError({tr("The picture could not be written"), path, 0,
+                              tr("Choose another folder, and a name that ends with .png")});
+}
+
+} // namespace autocuts

@@ -1,0 +1,114 @@
+// Islands shown beside each other while the solver runs.
+#include "commands/editpins.h"
+#include "support/pieces.h"
+#include "views/control/livepacker.h"
+#include "views/control/shownmap.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+
+#include "model/uvlayout.h"
+
+#include <QTest>
+
+using namespace autocuts;
+
+namespace {
+
+constexpr int patience = 60'000; //!< milliseconds
+
+Eigen::AlignedBox2d boxOf(const UvMatrix &soup, int part)
+{
+    Eigen::AlignedBox2d box;
+    const int corners = 6 * test::partFaces;
+    for (int c = part * corners; c < (part + 1) * corners; ++c)
+        box.extend(Vec2(soup.row(c).transpose()));
+    return box;
+}
+
+bool apart(const UvMatrix &soup, int parts)
+{
+    for (int a = 0; a < parts; ++a) {
+        for (int b = 0; b < a; ++b) {
+            const Eigen::AlignedBox2d common = boxOf(soup, a).intersection(boxOf(soup, b));
+            if (!common.isEmpty() && common.volume() > 0.5 * boxOf(soup, a).volume())
+                return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+class TestLivePacker : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void piecesAreLaidApart()
+    {
+        const auto document = test::partsDocument({{}, {}, {}});
+        const MeshData &mesh = document->mesh();
+        const UvMatrix soup = soupUv(mesh, document->uv());
+        std::vector<bool> held(mesh.faceCount());
+        held[4] = true; // of the second part
+        const std::vector<float> joined(mesh.cornerPairCount(), 0.1f);
+        const std::atomic<bool> stop = false;
+        const auto made =
+            LivePacker::makeArrangement(mesh, held, document->packingSettings(), joined, soup, stop);
+        QVERIFY(made);
+        QCOMPARE(made->middle.size(), std::size_t(3));
+        QCOMPARE(made->held, (std::vector<char>{0, 1, 0}));
+        QVERIFY((made->middle[1] - boxOf(soup, 1).center()).norm() < 1e-12);
+        UvMatrix moved = soup;
+        for (int t = 0; t < mesh.triangleCount(); ++t)
+            moved.middleRows(3 * t, 3).rowwise() +=
+                (made->middle[made->piece[t]] - boxOf(soup, made->piece[t]).center()).transpose();
+        QVERIFY(apart(moved, 3) && !apart(soup, 3));
+        // A cut inside a part makes another piece of it; too many pieces, or one, are left alone.
+        const std::vector<float> open(mesh.cornerPairCount(), 0.9f);
+        const auto more =
+            LivePacker::makeArrangement(mesh, held, document->packingSettings(), open, soup, stop);
+        QVERIFY(more);
+        QCOMPARE(more->middle.size(), std::size_t(9));
+        const auto one = test::partsDocument({{}});
+        QVERIFY(!LivePacker::makeArrangement(one->mesh(), std::vector<bool>(3), one->packingSettings(),
+                                             std::vector<float>(one->mesh().cornerPairCount()),
+                                             soupUv(one->mesh(), one->uv()), stop));
+    }
+
+    void nothingButTheViewChanges()
+    {
+        Workspace workspace;
+        ShownMap shown(workspace);
+        SolverController solver(workspace, shown);
+        workspace.open(test::partsDocument({{}, {}, {}, {}}), {});
+        Document &document = *workspace.document();
+        const UvMatrix before = document.uv();
+        solver.setMode(SolveMode::Manual);
+        QVERIFY(!solver.livePacking());
+        solver.setLivePacking(true);
+        solver.run();
+        QVERIFY(QTest::qWaitFor([&] { return shown.isLive() && apart(shown.uv(), 4); }, patience));
+        QVERIFY(solver.result());
+        QVERIFY(!apart(solver.result()->soupUv, 4));
+        QCOMPARE(document.undoStack().count(), 0);
+        // Each triangle is only moved, and those of one part alike.
+        const UvMatrix way = shown.uv() - document.uvScale() * solver.result()->soupUv;
+        for (int c = 0; c < way.rows(); ++c)
+            QVERIFY((way.row(c) - way.row(c / (6 * test::partFaces) * 6 * test::partFaces)).norm() < 1e-9);
+        solver.setLivePacking(false);
+        QVERIFY(!apart(shown.uv(), 4));
+        solver.setLivePacking(true);
+        solver.pause();
+        QVERIFY(QTest::qWaitFor([&] { return !solver.isSettling(); }, patience));
+        QVERIFY(!shown.isLive());
+        QVERIFY(!apart(soupUv(document.mesh(), document.uv()), 4));
+        QVERIFY(document.undoStack().count() <= 1);
+        while (document.undoStack().canUndo())
+            document.undoStack().undo();
+        QVERIFY(document.uv() == before);
+    }
+};
+
+QTEST_MAIN(TestLivePacker)
+#include "tst_livepacker.moc"
