@@ -253,8 +253,8 @@ private Q_SLOTS:
     void theRunningSolveAttaches()
     {
         setRadius(0.7);
-        runAt(0.3, 0.01);
         const int soup = soupAt({0.5, 1}), partner = soupAt({1.5, 1});
+        runAt(0.3, 1e-4);
         const int entries = document().undoStack().count();
         const QPoint start = pixel(mStudio->shown.uv().row(soup).transpose());
         const QPoint end = pixel(mStudio->shown.uv().row(partner).transpose()) - QPoint(5, 3);

@@ -1,6 +1,5 @@
 #include "views/tools/dragtool.h"
 
-#include "commands/setseamstate.h"
 #include "commands/setuvs.h"
 #include "views/canvas/uvview.h"
 #include "views/control/shownmap.h"
@@ -23,8 +22,8 @@ namespace {
 constexpr double minRadius = 10, maxRadius = 2000;
 //! A dragged corner snaps to its partner at this distance, pixels, or at half of the gap when that is less.
 constexpr double snapDistance = 12;
-//! Springs of what is pulled and of what stays, against an energy in which a vertex has a stiffness near 1.
-constexpr double pullWeight = 100, stayWeight = 0.1;
+//! Results of the solver in which joined gaps should be shut.
+constexpr int shuttingResults = 60;
 const QColor dragColor(0x3d8bff), snapColor(0x2fbf71);
 
 } // namespace
@@ -33,7 +32,10 @@ DragTool::DragTool(const CanvasContext &context, QObject *parent)
     : AbstractTool(context, QStringLiteral("drag"), parent)
 {
     // What is dragged belongs to a document, to its active UV set and to how it is shown.
-    connect(&context.workspace, &Workspace::documentReplaced, this, &DragTool::reset);
+    connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
+        mShutting.clear();
+        reset();
+    });
     connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
         if (event.type == ChangeEvent::Type::UvSet)
             reset();
@@ -41,8 +43,10 @@ DragTool::DragTool(const CanvasContext &context, QObject *parent)
     connect(&context.solver, &SolverController::stateChanged, this, [this] {
         if (mState == State::Drag)
             reset();
+        mShutting.clear();
         Q_EMIT hintChanged();
     });
+    connect(&context.solver, &SolverController::statusChanged, this, &DragTool::letGoWhenShut);
     connect(&context.workspace, &Workspace::selectionChanged, this, &AbstractTool::hintChanged);
 }
 
@@ -114,6 +118,7 @@ void DragTool::begin()
     mSeparation = context().shownMap.separation();
     mGesture = document.undoStack().newGesture();
     mWay.setZero();
+    mShutting.clear(); // the new pulls take the place of those
     mState = State::Drag;
     updateReach();
     findGaps();
@@ -201,20 +206,6 @@ std::vector<DragTool::Gap> DragTool::snap(Vec2 &way) const
     return closed;
 }
 
-//! What is dragged is pulled, what is outside the circle is held where it was.
-void DragTool::pull(const Vec2 &way)
-{
-    std::vector<Pin> pulls;
-    for (int corner : mReach.corners) {
-        const Vec2 place = mUv.row(corner);
-        if (mReach.weight[corner] == 1)
-            pulls.push_back({corner, place + way, false, pullWeight});
-        else if (mReach.weight[corner] == 0)
-            pulls.push_back({corner, place, false, stayWeight});
-    }
-    context().solver.setPulls(std::move(pulls));
-}
-
 //! Corrects the ways of the corners of closed gaps, so that they end exactly at their partners.
 void DragTool::closeGaps(UvMatrix &ways) const
 {
@@ -274,36 +265,12 @@ void DragTool::release(const ToolEvent &event)
         apply();
         if (mLive) {
             keepSeams();
-            context().solver.setPulls({});
+            mPatience = shuttingResults;
+            if (mShutting.empty())
+                letGo();
         }
     }
     reset();
-}
-
-void DragTool::keepSeams()
-{
-    Document &document = *context().workspace.document();
-    const MeshData &mesh = document.mesh();
-    const std::vector<float> &separation = context().shownMap.separation();
-    const auto isInCircle = [&](int pair) {
-        const auto &corners = mesh.edgePairs[pair / 2].corner[pair % 2];
-        return mReach.weight[corners[0]] > 0 || mReach.weight[corners[1]] > 0;
-    };
-    std::vector<int> joined;
-    for (const Gap &gap : mClosed)
-        joined.push_back(gap.pair);
-    std::sort(joined.begin(), joined.end());
-    joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
-    IndexRanges pairs;
-    for (int pair : joined)
-        pairs.append(pair);
-    for (int pair = 0; joined.empty() && pair < mesh.cornerPairCount(); ++pair) {
-        if (mSeparation[pair] < 0.5f && separation[pair] >= 0.5f && isInCircle(pair) &&
-            document.seams().states[pair] == PairState::Free)
-            pairs.append(pair);
-    }
-    const auto edit = joined.empty() ? SetSeamState::Edit::Cut : SetSeamState::Edit::Join;
-    pushCommand(std::make_unique<SetSeamState>(document, edit, pairs));
 }
 
 void DragTool::select(const ToolEvent &event)

@@ -59,6 +59,9 @@ private:
     void closeGaps(UvMatrix &ways) const;
     //! What the solver did to the map under the pull is kept as cuts or joins.
     void keepSeams();
+    //! Lets go of the solve once the joined gaps are shut; far apart their springs would not close them.
+    void letGoWhenShut();
+    void letGo();
     void select(const ToolEvent &event);
     void reset();
     void drawDrag(QPainter &painter, const UvView &view) const;
@@ -79,6 +82,9 @@ private:
     std::vector<Gap> mGaps, mClosed; //!< that could be closed, and are at present
     Vec2 mWay = Vec2::Zero();        //!< that the handles have gone
     quint64 mGesture = 0;
+
+    std::vector<int> mShutting; //!< corner pairs that the drag before joined and that are still apart
+    int mPatience = 0;          //!< results to wait for them
 };
 
 } // namespace autocuts
