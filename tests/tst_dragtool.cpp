@@ -273,6 +273,24 @@ private Q_SLOTS:
         QCOMPARE(std::count(states.begin(), states.end(), PairState::Joined), 0);
     }
 
+    //! In budget mode the solver would end by itself; not while it is pulled at.
+    void aPullKeepsTheSolveRunning()
+    {
+        openOneIsland(test::grid(32, 0.6));
+        setRadius(0.3);
+        mStudio->solver.setMode(SolveMode::Budget);
+        mStudio->solver.run();
+        QVERIFY(QTest::qWaitFor([this] { return mStudio->solver.status().iteration > 2; }, 20'000));
+        const int soup = soupAt({0.5, 1});
+        const QPoint start = pixel(mStudio->shown.uv().row(soup).transpose());
+        pressAndPull(start, start + QPoint(10, -30));
+        QTest::qWait(1500);
+        const bool ran = mStudio->solver.isRunning();
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, start + QPoint(10, -30));
+        QVERIFY(ran);
+        QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isRunning() && !mStudio->solver.isSettling(), 30'000);
+    }
+
     void escapeLetsGoOfTheRunningSolve()
     {
         openOneIsland();
@@ -299,9 +317,9 @@ private:
     QPoint pixel(const Vec2 &uv) { return view().camera().toScreen(uv).toPoint(); }
     void drag(const Vec2 &from, const Vec2 &to) { Canvases::drag(view(), {pixel(from), pixel(to)}); }
     UvMatrix splitUv() { return test::splitLayout(document().mesh()); }
-    void openOneIsland()
+    void openOneIsland(const test::MeshPtr &mesh = test::grid(8))
     {
-        Scene scene = test::sceneOf(test::grid(8));
+        Scene scene = test::sceneOf(mesh);
         UvMatrix uv(scene.mesh->cornerCount(), 2);
         for (int c = 0; c < scene.mesh->cornerCount(); ++c)
             uv.row(c) = scene.mesh->cornerPosition(c).head<2>();

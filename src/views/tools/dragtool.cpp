@@ -13,7 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <set>
 
 namespace autocuts {
 
@@ -235,6 +235,10 @@ void DragTool::moveCorners(const Vec2 &way)
     mWay = share * way;
     UvMatrix uv = mCornerUv;
     UvEditExtras extras;
+    std::set<int> vertices;
+    for (int handle : mHandles)
+        vertices.insert(mesh.vertexOfSoup(handle));
+    extras.count = static_cast<int>(vertices.size());
     std::vector<bool> moved(mesh.cornerCount());
     for (int soup : mReach.corners) {
         const int corner = mesh.cornerOfSoup(soup);
@@ -242,7 +246,6 @@ void DragTool::moveCorners(const Vec2 &way)
             continue;
         moved[corner] = true;
         uv.row(corner) += share * ways.row(soup);
-        extras.count += mReach.weight[soup] == 1;
         const UvPin *pin = document.constraints().pin(corner);
         if (pin) {
             extras.pins.push_back(*pin);
