@@ -292,8 +292,9 @@ private Q_SLOTS:
         QCOMPARE(document().selection().faces, leftFaces);
     }
 
-    void solverIsPausedFirst()
+    void solverIsPausedAndGoesOn()
     {
+        mStudio->solver.setMode(SolveMode::Manual);
         mStudio->solver.run();
         QVERIFY(QTest::qWaitFor([this] { return mStudio->solver.status().iteration > 2; }, 60'000));
         selectFaces(leftFaces);
@@ -310,6 +311,27 @@ private Q_SLOTS:
         QTest::keyClick(&view(), Qt::Key_Escape);
         QVERIFY(document().uv() != there);
         QCOMPARE(document().undoStack().undoText(), u"Solve"_s);
+        QVERIFY(mStudio->solver.isRunning()); // on from where it was
+        // After a gesture that moved something it goes on from there.
+        const auto middle = [this] { return mStudio->shown.uv().topRows(3).colwise().mean().eval(); };
+        mStudio->tools.choose(u"move"_s);
+        QVERIFY(QTest::qWaitFor(
+            [this] { return !mStudio->solver.isRunning() && !mStudio->solver.isSettling(); }, 60'000));
+        QCoreApplication::processEvents();
+        mouse({140, 180});
+        const Eigen::RowVector2d moved = middle();
+        QTest::keyClick(&view(), Qt::Key_Return);
+        QVERIFY(!tool().isBusy());
+        QVERIFY(mStudio->solver.isRunning());
+        QVERIFY(QTest::qWaitFor([this] { return mStudio->solver.result() != nullptr; }, 60'000));
+        QVERIFY((middle() - moved).norm() < 0.2);
+        mStudio->solver.pause();
+        QVERIFY(QTest::qWaitFor([this] { return !mStudio->solver.isSettling(); }, 60'000));
+        // A solve that rested goes on resting.
+        mStudio->tools.choose(u"move"_s);
+        mouse({150, 150});
+        QTest::keyClick(&view(), Qt::Key_Return);
+        QVERIFY(!mStudio->solver.isRunning());
     }
 
     void otherDocumentEndsTheGesture()

@@ -1,4 +1,5 @@
 // Painting seam weights with the brush, in both views.
+#include "commands/setuvs.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
 #include "views/tools/painttool.h"
@@ -95,6 +96,34 @@ private Q_SLOTS:
             before = now;
         }
         QVERIFY(before > 90);
+    }
+
+    void noGapOfTheMapIsCrossed()
+    {
+        // The right half of the map lies a little apart.
+        const MeshData &mesh = document().mesh();
+        UvMatrix uv = document().uv();
+        for (int c = 0; c < mesh.cornerCount(); ++c) {
+            const int face = document().adjacency().faceOfCorner(c);
+            double middle = 0;
+            for (int k = mesh.faceStart[face]; k < mesh.faceStart[face + 1]; ++k)
+                middle += mesh.cornerPosition(k).x() / (mesh.faceStart[face + 1] - mesh.faceStart[face]);
+            if (middle > 0)
+                uv(c, 0) += 0.02;
+        }
+        pushCommand(std::make_unique<SetUvs>(document(), UvEdit::Move, uv));
+        Canvas &view = mStudio->uv;
+        for (int i = 0; i < 4; ++i)
+            Canvases::turnWheel(view, {100, 100}, 2 * 120, Qt::ShiftModifier);
+        const QPoint place = at(view, -0.1, 0.5);
+        Canvases::drag(view, {place, place - QPoint(3, 0)});
+        QVERIFY(document().seams().weights[2 * across(3, 4)] > 1); // ends at the gap
+        QCOMPARE(document().seams().weights[2 * across(4, 4)], 1.0);
+        // The model has no gap.
+        document().undoStack().undo();
+        const QPoint there = at(mStudio->mesh, -0.1, 0.5);
+        Canvases::drag(mStudio->mesh, {there, there - QPoint(3, 0)});
+        QVERIFY(document().seams().weights[2 * across(4, 4)] > 1);
     }
 
     void erasingBringsBackUnpainted()

@@ -363,6 +363,12 @@ private Q_SLOTS:
         click(bench.panel, "previous"); // around to the last
         QCOMPARE(list->currentIndex().row(), list->model()->rowCount() - 1);
         QCOMPARE(frames.count(), 2);
+        bench.actions.setMet(NeedsOverlaps);
+        bench.actions.action("select.nextOverlap")->trigger(); // from the menu
+        QCOMPARE(list->currentIndex().row(), 0);
+        bench.actions.action("select.previousOverlap")->trigger();
+        QCOMPARE(list->currentIndex().row(), list->model()->rowCount() - 1);
+        QCOMPARE(frames.count(), 4);
 
         click(bench.panel, "separate");
         QTRY_VERIFY_WITH_TIMEOUT(!bench.map.jobs().isBusy(), test::panelPatience);

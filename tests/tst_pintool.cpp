@@ -1,5 +1,6 @@
 // Pinning, unpinning and dragging pins with real mouse and key events.
 #include "commands/setislandflags.h"
+#include "model/uvlayout.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
 
@@ -162,7 +163,7 @@ private Q_SLOTS:
     void draggedPinsAreBlue()
     {
         click({0.25, 0.25});
-        const QPoint start = pixel({0.25, 0.25}), end = start + QPoint(-80, 30);
+        const QPoint start = pixel({0.25, 0.25}), end = start + QPoint(-30, 12);
         QTest::mousePress(&view(), Qt::LeftButton, {}, start);
         Canvases::moveMouse(view(), end, Qt::LeftButton);
         const QColor color = view().picture().pixelColor(end);
@@ -170,6 +171,26 @@ private Q_SLOTS:
         QTest::mouseRelease(&view(), Qt::LeftButton, {}, end);
         const QColor after = view().picture().pixelColor(end);
         QVERIFY2(after.green() > after.blue(), qPrintable(after.name()));
+    }
+
+    void noTriangleTurnsOver()
+    {
+        click({0.25, 0.25});
+        const UvMatrix before = document().uv();
+        for (const Vec2 &way : {Vec2(1, 0.3), Vec2(-0.5, 2), Vec2(-3, -3)}) {
+            drag(pixel({0.25, 0.25}), pixel(Vec2(0.25, 0.25) + way));
+            QVERIFY(!(document().uv() == before));
+            const UvMatrix soup = soupUv(document().mesh(), document().uv());
+            for (Eigen::Index s = 0; s < soup.rows(); s += 3) {
+                const RowVec p = soup.row(s + 1) - soup.row(s), q = soup.row(s + 2) - soup.row(s);
+                QVERIFY(p.x() * q.y() - p.y() * q.x() > 0);
+            }
+            // The pin stays at its vertex.
+            for (const UvPin &pin : pins())
+                QVERIFY((document().uv().row(pin.corner).transpose() - pin.position).norm() < 1e-12);
+            document().undoStack().undo();
+            QVERIFY(document().uv() == before);
+        }
     }
 
     void pinsOfLockedIslandsStay()

@@ -100,7 +100,7 @@ private Q_SLOTS:
         dragFace(20, {100, 0});
         QVERIFY(document().state() == before);
         clickFace(20);
-        QTest::mouseClick(&mStudio->uv, Qt::LeftButton, {}, {4, 490});
+        clickAt(mStudio->uv, {4, 490});
         QVERIFY(document().selection().isEmpty());
         clickFace(20);
         Canvases::drag(mStudio->mesh, {Canvases::middle(mStudio->mesh, 20), {10, 10}});
@@ -134,7 +134,7 @@ private Q_SLOTS:
         const QPoint place = Canvases::middle(mStudio->mesh, 90);
         const int triangle = mStudio->mesh.pick(place).triangle;
         QVERIFY(triangle >= 0);
-        QTest::mouseClick(&mStudio->mesh, Qt::LeftButton, {}, place);
+        clickAt(mStudio->mesh, place);
         QVERIFY(document().selection().faces.contains(document().mesh().triangleFace[triangle]));
         QVERIFY(document().selection().faces.size() >= 30);
     }
@@ -151,13 +151,36 @@ private Q_SLOTS:
         QVERIFY(!mStudio->shown.isLive());
         QVERIFY(!document().selection().faces.isEmpty());
         QVERIFY(document().islands().count() >= 1);
+        // It goes on when the region has been moved.
+        const UvMatrix before = document().uv();
+        mStudio->uv.frameAll();
+        dragFace(20, {30, 10});
+        QVERIFY(!(document().uv() == before));
+        QVERIFY(mStudio->solver.isRunning());
+        mStudio->solver.pause();
+        QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isSettling(), 20'000);
+    }
+
+    void escapeEndsTheSearch()
+    {
+        QTest::mouseClick(&mStudio->uv, Qt::LeftButton, {}, placeOf(20));
+        AbstractTool &tool = *mStudio->tools.tool();
+        QVERIFY(tool.isBusy());
+        QCOMPARE(mStudio->uv.cursor().shape(), Qt::BusyCursor);
+        QTest::keyClick(&mStudio->uv, Qt::Key_Escape);
+        QVERIFY(!tool.isBusy());
+        QCOMPARE(mStudio->uv.cursor().shape(), Qt::ArrowCursor);
+        QTest::qWait(200);
+        QVERIFY(document().selection().isEmpty());
+        clickFace(20);
+        QVERIFY(!document().selection().isEmpty());
     }
 
     void mapsWithoutUvs()
     {
         mStudio->open(std::make_unique<Document>(test::sceneOf(test::grid(4))));
         mStudio->lookFromFront();
-        QTest::mouseClick(&mStudio->mesh, Qt::LeftButton, {}, Canvases::middle(mStudio->mesh, 3));
+        clickAt(mStudio->mesh, Canvases::middle(mStudio->mesh, 3));
         QVERIFY(document().selection().isEmpty());
         Canvases::drag(mStudio->uv, {{200, 200}, {300, 300}});
         QCOMPARE(document().undoStack().count(), 0);
@@ -168,7 +191,13 @@ private:
     int overlaps() { return static_cast<int>(measureUv(document().mesh(), document().uv()).overlapPairs); }
     //! The middle of a face in the map.
     QPoint placeOf(int face) { return Canvases::place(mStudio->uv, {6 * face, 6 * face + 1, 6 * face + 2}); }
-    void clickFace(int face) { QTest::mouseClick(&mStudio->uv, Qt::LeftButton, {}, placeOf(face)); }
+    //! Clicks and waits for the region.
+    void clickAt(Canvas &canvas, const QPoint &place)
+    {
+        QTest::mouseClick(&canvas, Qt::LeftButton, {}, place);
+        QVERIFY(QTest::qWaitFor([this] { return !mStudio->tools.tool()->isBusy(); }, 20'000));
+    }
+    void clickFace(int face) { clickAt(mStudio->uv, placeOf(face)); }
     void dragFace(int face, const QPoint &way)
     {
         Canvases::drag(mStudio->uv, {placeOf(face), placeOf(face) + way});

@@ -2,6 +2,7 @@
 #include "model/unionfind.h"
 #include "model/uvlayout.h"
 #include "solver/overlap/cleanregion.h"
+#include "solver/overlap/cleansplit.h"
 #include "solver/overlap/maxflow.h"
 #include "solver/overlap/overlapseparation.h"
 #include "solver/random.h"
@@ -117,6 +118,48 @@ private Q_SLOTS:
             }
             QVERIFY(!findOverlapsAmong(soup, larger, options).pairs.empty());
         }
+    }
+
+    void cleanHalfLeavesTheRestClean_data() { mapNames(); }
+
+    void cleanHalfLeavesTheRestClean()
+    {
+        QFETCH(int, index);
+        const test::OverlappingMap map = test::overlappingMaps()[index];
+        const MeshData &mesh = *map.mesh;
+        const UvMatrix soup = soupUv(mesh, map.uv);
+        const std::vector<bool> cut(mesh.edgePairs.size(), false);
+        const int seed = mesh.triangleCount() / 2;
+        const std::vector<int> half = cleanHalf(mesh, soup, cut, seed);
+        OverlapOptions options;
+        options.totalArea = totalUvArea(soup);
+        QCOMPARE(half.empty(), !twoLayersSuffice(mesh, findOverlaps(soup, options).pairs));
+        if (half.empty())
+            return;
+        QVERIFY(std::binary_search(half.begin(), half.end(), seed));
+        std::vector<int> rest;
+        for (int t = 0; t < mesh.triangleCount(); ++t) {
+            if (!std::binary_search(half.begin(), half.end(), t))
+                rest.push_back(t);
+        }
+        QCOMPARE(findOverlapsAmong(soup, half, options).pairs.size(), std::size_t(0));
+        QCOMPARE(findOverlapsAmong(soup, rest, options).pairs.size(), std::size_t(0));
+        const auto inside = [&](int t) { return std::binary_search(half.begin(), half.end(), t); };
+        for (const EdgePair &pair : mesh.edgePairs)
+            QVERIFY(!pair.diagonal || inside(pair.triangle[0]) == inside(pair.triangle[1]));
+        const std::atomic<bool> cancel = true;
+        options.cancel = &cancel;
+        QVERIFY(cleanHalf(mesh, soup, cut, seed, options).empty());
+    }
+
+    void cleanHalfOfACleanChartIsAllOfIt()
+    {
+        const auto mesh = test::grid(4);
+        const UvMatrix soup =
+            soupUv(*mesh, test::mapped(*mesh, [](const Vec3 &p) { return Vec2(p.x(), p.y()); }));
+        const std::vector<bool> cut(mesh->edgePairs.size(), false);
+        QCOMPARE(cleanHalf(*mesh, soup, cut, 5).size(), std::size_t(mesh->triangleCount()));
+        QVERIFY_THROWS_EXCEPTION(std::invalid_argument, cleanHalf(*mesh, UvMatrix(1, 2), {}, 0));
     }
 
     void cleanRegionChecksItsInput()
@@ -300,6 +343,26 @@ private Q_SLOTS:
     }
 
 private:
+    //! Whether the polygons of a mesh can be told apart in two sets without overlaps.
+    static bool twoLayersSuffice(const MeshData &mesh, const std::vector<OverlapPair> &overlaps)
+    {
+        // Every polygon once in either set: none may hang together with itself in the other.
+        const int count = mesh.faceCount();
+        UnionFind sets(2 * count);
+        for (const OverlapPair &pair : overlaps) {
+            const int a = mesh.triangleFace[pair.first], b = mesh.triangleFace[pair.second];
+            if (a == b)
+                continue;
+            sets.unite(a, count + b);
+            sets.unite(b, count + a);
+        }
+        for (int face = 0; face < count; ++face) {
+            if (sets.find(face) == sets.find(count + face))
+                return false;
+        }
+        return true;
+    }
+
     static void mapNames()
     {
         QTest::addColumn<int>("index");

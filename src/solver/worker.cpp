@@ -45,19 +45,30 @@ void SolveWorker::order(Change &&change)
     QMetaObject::invokeMethod(this, &SolveWorker::work, Qt::QueuedConnection);
 }
 
-void SolveWorker::start(quint64 run, std::shared_ptr<const Snapshot> snapshot, const Vec2 &centre)
+void SolveWorker::start(quint64 run, std::shared_ptr<const Snapshot> snapshot, const Vec2 &centre, bool warm)
 {
     order([&](Orders &orders) {
         orders.run = run;
         orders.snapshot = std::move(snapshot);
+        orders.pulled = false;
+        orders.warm = warm;
+        orders.back.reset();
         orders.centre = centre;
         orders.settle = false;
     });
 }
 
-void SolveWorker::update(std::shared_ptr<const Snapshot> snapshot)
+void SolveWorker::update(std::shared_ptr<const Snapshot> snapshot, bool pulled)
 {
-    order([&](Orders &orders) { orders.snapshot = std::move(snapshot); });
+    order([&](Orders &orders) {
+        orders.snapshot = std::move(snapshot);
+        orders.pulled = pulled;
+    });
+}
+
+void SolveWorker::takeBack(std::shared_ptr<const SolveResult> result)
+{
+    order([&](Orders &orders) { orders.back = std::move(result); });
 }
 
 void SolveWorker::setMode(SolveMode mode, double maxDistortion)
@@ -142,7 +153,8 @@ void SolveWorker::obey(Orders orders)
         begin(orders);
     } else if (orders.snapshot && mSolver) {
         mSnapshot = std::move(orders.snapshot);
-        if (mSchedule)
+        mPulled = orders.pulled;
+        if (mSchedule && !mPulled)
             mSchedule->reheat();
         updateSolver(true);
         if (mIdle && !orders.steps) {
@@ -151,6 +163,11 @@ void SolveWorker::obey(Orders orders)
         }
     } else if (orders.mode && mSolver) {
         updateSolver(false);
+    }
+    if (orders.back && mSolver && orders.back->run == mRun) {
+        const double *first = orders.back->soupUv.data();
+        mSolver->setCoordinates({first, first + orders.back->soupUv.size()});
+        mLast.energy = 0;
     }
     if (orders.settle)
         mMustSettle = true;
@@ -178,7 +195,7 @@ void SolveWorker::begin(const Orders &orders)
     mStatus = {};
     mLast = {};
     mTrace.clear();
-    mMustSettle = false;
+    mMustSettle = mPulled = false;
     mSolver = std::make_unique<Solver>();
     mSolver->load(*mSnapshot);
     if (mSnapshot->settings.start != StartMode::ExistingUv) {
@@ -190,6 +207,10 @@ void SolveWorker::begin(const Orders &orders)
         mSolver->setCoordinates(std::move(x));
     }
     updateSolver(false);
+    if (orders.warm && mSchedule) {
+        mSchedule->reheat();
+        updateSolver(false);
+    }
     giveResult();
 }
 
@@ -221,7 +242,7 @@ void SolveWorker::step()
                       static_cast<float>(mLast.separation), static_cast<float>(mStatus.delta)});
     if (mStepsLeft > 0)
         --mStepsLeft;
-    if (mMode == SolveMode::Budget) {
+    if (mMode == SolveMode::Budget && !mPulled) {
         mStatus.converged = !mSchedule->report(mLast);
         if (!mStatus.converged)
             updateSolver(false);

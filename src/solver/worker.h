@@ -68,9 +68,14 @@ public:
     //! Begins a solve and forgets the one before.
     //! \param run any number but 0, given back with the results
     //! \param centre where the map is laid when it does not start from existing UVs, solver units
-    void start(quint64 run, std::shared_ptr<const Snapshot> snapshot, const Vec2 &centre);
+    //! \param warm the map has been solved before: in budget mode it is warmed up only
+    void start(quint64 run, std::shared_ptr<const Snapshot> snapshot, const Vec2 &centre, bool warm = false);
     //! Other settings or steering for the same mesh; the map goes on from where it is.
-    void update(std::shared_ptr<const Snapshot> snapshot);
+    //! \param pulled the user pulls at the map: in budget mode lambda and delta stay as they are until a
+    //! snapshot that is not pulled
+    void update(std::shared_ptr<const Snapshot> snapshot, bool pulled = false);
+    //! Takes the map back to a result of the same run.
+    void takeBack(std::shared_ptr<const SolveResult> result);
     void setMode(SolveMode mode, double maxDistortion);
     //! Steps until told to stop. \returns a ticket that waiting() will name
     quint64 run() { return runSteps(-1); }
@@ -90,8 +95,8 @@ Q_SIGNALS:
     void resultReady();
     //! A settled map is waiting.
     void settled();
-    //! The solve stopped by itself: it converged or the steps asked for are done. \param ticket of the last order
-    //! to run that was obeyed: a later one may be on its way
+    //! The solve stopped by itself: it converged or the steps asked for are done. \param ticket of the last
+    //! order to run that was obeyed: a later one may be on its way
     void waiting(quint64 ticket);
     //! \param message untranslated, one line
     void failed(const QString &message);
@@ -102,6 +107,8 @@ private:
     {
         quint64 run = 0; //!< not 0: begin with the snapshot
         std::shared_ptr<const Snapshot> snapshot;
+        bool pulled = false, warm = false;
+        std::shared_ptr<const SolveResult> back; //!< the map to go on from
         Vec2 centre = Vec2::Zero();
         std::optional<int> steps; //!< 0: pause
         quint64 ticket = 0;
@@ -141,6 +148,7 @@ private:
     std::vector<TracePoint> mTrace;
     quint64 mRun = 0, mTicket = 0;
     int mStepsLeft = 0; //!< negative: until told to stop
+    bool mPulled = false;
     bool mMustSettle = false;
     bool mIdle = false; //!< converged while running: the next snapshot makes it run again
 };

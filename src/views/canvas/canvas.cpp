@@ -45,6 +45,10 @@ Canvas::Canvas(Kind kind, const CanvasContext &context, ToolManager &tools, QWid
     });
     connect(&tools, &ToolManager::overlayChanged, this, qOverload<>(&QWidget::update));
     connect(&tools, &ToolManager::toolChanged, this, &Canvas::updateCursor);
+    connect(&tools, &ToolManager::hintChanged, this, [this] {
+        if (mNavigation == Navigation::None)
+            updateCursor(); // it may say what the tool does at present
+    });
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
         mNavigation = Navigation::None;
         mToolPressed = false;

@@ -2,25 +2,37 @@
 
 #include "model/document.h"
 #include "solver/overlap/cleanregion.h"
+#include "solver/overlap/cleansplit.h"
 #include "views/control/shownmap.h"
 
 namespace autocuts {
 
-QList<int> cleanFaces(const Document &document, const ShownMap &shownMap, int triangle)
+MapWithSeams::MapWithSeams(const Document &document, const ShownMap &shownMap)
+    : mesh(document.state().scene.mesh), soupUv(shownMap.uv()), cut(mesh->edgePairs.size())
 {
-    const MeshData &mesh = document.mesh();
-    if (!shownMap.uv().middleRows(3 * triangle, 3).allFinite())
-        return {};
-    std::vector<bool> cut(mesh.edgePairs.size());
     for (std::size_t e = 0; e < cut.size(); ++e)
-        cut[e] = !mesh.edgePairs[e].diagonal && shownMap.isSeam(static_cast<int>(e));
-    QList<int> faces;
-    for (int t : cleanRegion(mesh, shownMap.uv(), cut, triangle)) {
+        cut[e] = !mesh->edgePairs[e].diagonal && shownMap.isSeam(static_cast<int>(e));
+}
+
+CleanPart cleanPart(const MapWithSeams &map, int triangle, const std::atomic<bool> *cancel)
+{
+    if (!map.soupUv.middleRows(3 * triangle, 3).allFinite())
+        return {};
+    OverlapOptions options;
+    options.cancel = cancel;
+    std::vector<int> triangles = cleanHalf(*map.mesh, map.soupUv, map.cut, triangle, options);
+    CleanPart part;
+    part.restIsClean = !triangles.empty();
+    if (triangles.empty())
+        triangles = cleanRegion(*map.mesh, map.soupUv, map.cut, triangle, options);
+    if (cancel && *cancel)
+        return {};
+    for (int t : triangles) {
         // The triangles of a face follow each other.
-        if (faces.isEmpty() || faces.last() != mesh.triangleFace[t])
-            faces << mesh.triangleFace[t];
+        if (part.faces.isEmpty() || part.faces.last() != map.mesh->triangleFace[t])
+            part.faces << map.mesh->triangleFace[t];
     }
-    return faces;
+    return part;
 }
 
 } // namespace autocuts

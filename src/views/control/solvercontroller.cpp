@@ -81,6 +81,32 @@ void SolverController::whenSettled(std::function<void()> then)
         then();
 }
 
+void SolverController::setPulls(std::vector<Pin> pulls)
+{
+    if (!mRunning || (pulls.empty() && mPulls.empty()))
+        return;
+    if (mPulls.empty())
+        mBeforePulls = mResult;
+    mPulls = std::move(pulls);
+    mSendSoon.start();
+}
+
+void SolverController::cancelPulls()
+{
+    if (mPulls.empty())
+        return;
+    setPulls({});
+    if (mBeforePulls)
+        mWorker->takeBack(mBeforePulls);
+}
+
+void SolverController::goOn()
+{
+    if (mRun == 0 && !mRunning && mWorkspace.document())
+        begin(StartMode::ExistingUv, true);
+    run();
+}
+
 void SolverController::run()
 {
     const Document *document = mWorkspace.document();
@@ -149,7 +175,7 @@ void SolverController::discard()
     Q_EMIT statusChanged();
 }
 
-void SolverController::begin(StartMode start)
+void SolverController::begin(StartMode start, bool warm)
 {
     const Document &document = *mWorkspace.document();
     mRun = ++mLastRun;
@@ -161,7 +187,7 @@ void SolverController::begin(StartMode start)
     mWorker->setMode(mMode, mMaxDistortion);
     // The map comes to lie in the middle of the unit square.
     const Vec2 centre = Vec2::Constant(0.5 / document.uvScale());
-    mWorker->start(mRun, std::make_shared<const Snapshot>(makeSnapshot(document, start)), centre);
+    mWorker->start(mRun, std::make_shared<const Snapshot>(makeSnapshot(document, start)), centre, warm);
     Q_EMIT statusChanged();
 }
 
@@ -171,6 +197,10 @@ void SolverController::setRunning(bool running, bool settling)
         return;
     mRunning = running;
     mSettling = settling;
+    if (!mRunning && !mPulls.empty()) {
+        mPulls.clear();
+        mSendSoon.start(); // a run that goes on later does so without them
+    }
     Q_EMIT stateChanged();
 }
 
@@ -206,8 +236,14 @@ void SolverController::documentChanged(const ChangeEvent &event)
 
 void SolverController::sendSnapshot()
 {
-    if (mRun != 0 && mWorkspace.document())
-        mWorker->update(std::make_shared<const Snapshot>(makeSnapshot(*mWorkspace.document())));
+    if (mRun == 0 || !mWorkspace.document())
+        return;
+    Snapshot snapshot = makeSnapshot(*mWorkspace.document());
+    for (Pin pull : mPulls) {
+        pull.target /= mWorkspace.document()->uvScale();
+        snapshot.pins.push_back(pull);
+    }
+    mWorker->update(std::make_shared<const Snapshot>(std::move(snapshot)), !mPulls.empty());
 }
 
 void SolverController::takeResult()
@@ -263,7 +299,7 @@ void SolverController::workerWaits(quint64 ticket)
     if (ticket != mTicket)
         return; // it has been told to run since
     takeResult();
-    if (mRunning && !(mStatus.converged && mMode == SolveMode::Manual && !mStepping))
+    if (mRunning && mPulls.empty() && !(mStatus.converged && mMode == SolveMode::Manual && !mStepping))
         pause();
 }
 

@@ -64,6 +64,16 @@ public:
     //! when the solve fails or the document is replaced.
     void whenSettled(std::function<void()> then);
 
+    //! Pulls soup corners of the running solve to places with springs. They belong to a gesture, not to the
+    //! document; the run goes on, without an end of its own, until they are let go by an empty list. What
+    //! ends the run ends them. \param pulls soft, targets in texture space
+    void setPulls(std::vector<Pin> pulls);
+    //! Lets go and takes the map back to where it was when the pulls began.
+    void cancelPulls();
+
+    //! As run(), for tools that paused the solve and moved the map by hand: it goes on from there.
+    void goOn();
+
 public Q_SLOTS:
     void run();
     void pause();
@@ -91,7 +101,7 @@ private:
     void takeSettled();
     void workerWaits(quint64 ticket);
     void workerFailed(const QString &message);
-    void begin(StartMode start);
+    void begin(StartMode start, bool warm = false);
     void setRunning(bool running, bool settling);
     void sendSnapshot();
     void addToTrace(const std::vector<TracePoint> &points);
@@ -111,6 +121,8 @@ private:
     quint64 mLastRun = 0, mTicket = 0;
     quint64 mRun = 0; //!< of the worker's state; 0: it has none that fits the document
     std::vector<std::function<void()>> mWhenSettled;
+    std::vector<Pin> mPulls;
+    std::shared_ptr<const SolveResult> mBeforePulls;
     QTimer mSendSoon; //!< one snapshot for all edits of one turn of the event loop
     bool mRunning = false, mSettling = false, mStepping = false, mPushing = false;
 };

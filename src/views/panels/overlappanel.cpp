@@ -1,5 +1,6 @@
 #include "views/panels/overlappanel.h"
 
+#include "views/actions/actionregistry.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
@@ -94,12 +95,15 @@ QWidget *OverlapPanel::makeButtons()
     mNext = makeButton(tr("Next"), "next"_L1);
     mSelectFlipped = makeButton(tr("Select flipped"), "selectFlipped"_L1);
     mSeparate = makeButton(tr("Separate all"), "separate"_L1);
-    mPrevious->setToolTip(tr("Select the overlap before, and show it"));
-    mNext->setToolTip(tr("Select the next overlap, and show it"));
+    explain(mPrevious, tr("Select the overlap before, and show it"), {"select.previousOverlap"});
+    explain(mNext, tr("Select the next overlap, and show it"), {"select.nextOverlap"});
     explain(mSelectFlipped, tr("Select the faces of flipped triangles, and show them"), {"select.flipped"});
     explain(mSeparate, tr("Cut islands that cover themselves, and pack"), {"uv.separate"});
     connect(mPrevious, &QPushButton::clicked, this, [this] { step(-1); });
     connect(mNext, &QPushButton::clicked, this, [this] { step(1); });
+    connect(context().actions.action("select.previousOverlap"), &QAction::triggered, this,
+            [this] { step(-1); });
+    connect(context().actions.action("select.nextOverlap"), &QAction::triggered, this, [this] { step(1); });
     connect(mSelectFlipped, &QPushButton::clicked, this, &OverlapPanel::selectFlipped);
     connect(mSeparate, &QPushButton::clicked, &context().map, &MapController::separateOverlaps);
     auto *box = new QWidget;

@@ -1,6 +1,7 @@
 #include "views/tools/brush.h"
 
 #include "views/canvas/canvas.h"
+#include "views/control/shownmap.h"
 
 #include <algorithm>
 #include <unordered_set>
@@ -45,6 +46,8 @@ public:
             if (!(distance < mRadius))
                 continue;
             touches.push_back({edge, distance});
+            if (mCanvas.kind() == Canvas::Kind::Map && mCanvas.canvasContext().shownMap.isSeam(edge))
+                continue;
             for (int side : mTopology.edgeSides[edge]) {
                 if (triangleFace[side / 3] != face)
                     neighbours.push_back(triangleFace[side / 3]);

@@ -34,7 +34,7 @@ struct BrushTouch
 
 //! What lies under a brush, in no particular order and without diagonals: what hangs together with the face
 //! in the middle and is turned to the viewer like that one. So neither the back of the model is painted nor
-//! what lies below others in the map. \param pick what is in the middle
+//! what lies below others in the map, and there no gap is crossed. \param pick what is in the middle
 std::vector<BrushTouch> edgesUnderBrush(const Canvas &canvas, const QPointF &middle, const PickResult &pick,
                                         double radius);
 

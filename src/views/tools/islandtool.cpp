@@ -20,7 +20,10 @@ IslandTool::IslandTool(const CanvasContext &context, const QString &id, UvEdit e
     : AbstractTool(context, id, parent), mEdit(edit)
 {
     // The transform belongs to a document and to its active UV set.
-    connect(&context.workspace, &Workspace::documentReplaced, this, &IslandTool::finish);
+    connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
+        mGoOn = false;
+        finish();
+    });
     connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
         if (event.type == ChangeEvent::Type::UvSet)
             finish();
@@ -34,8 +37,10 @@ IslandTool::IslandTool(const CanvasContext &context, const QString &id, UvEdit e
         &context.solver, &SolverController::stateChanged, this,
         [this] {
             const SolverController &solver = this->context().solver;
-            if (mState == State::Waiting && !solver.isRunning() && !solver.isSettling())
+            if (mState == State::Waiting && !solver.isRunning() && !solver.isSettling()) {
+                mGoOn = false;
                 finish();
+            }
         },
         Qt::QueuedConnection);
     connect(&context.workspace, &Workspace::selectionChanged, this, &AbstractTool::overlayChanged);
@@ -195,6 +200,7 @@ void IslandTool::begin(UvView &view, const QPointF &position, DragAxis axis)
     mView = &view;
     mConfirmed = false;
     mState = State::Waiting;
+    mGoOn = context().solver.isRunning();
     const MapCamera &camera = view.camera();
     mDrag = {};
     mDrag.edit = mEdit;
@@ -240,6 +246,8 @@ void IslandTool::finish()
     mSnap.reset();
     mSnapped = {};
     mState = State::Idle;
+    if (std::exchange(mGoOn, false))
+        context().solver.goOn();
     Q_EMIT overlayChanged();
     Q_EMIT hintChanged();
 }

@@ -15,7 +15,7 @@ class UvView;
 //! Transforms the islands of the selection in the UV view, by a drag of an island or of a handle, or at once
 //! when the key of the tool is pressed there: then the islands follow the mouse until a click or Enter.
 //! Numbers can be typed, X and Y hold the axis, Ctrl snaps, Escape and the right button cancel. A click
-//! selects islands. Locked islands stay. A live solve is paused first.
+//! selects islands. Locked islands stay. A live solve is paused first and goes on after the gesture.
 class IslandTool final : public AbstractTool
 {
     Q_OBJECT
@@ -68,6 +68,7 @@ private:
     int mGesture = 0;                            //!< counts gestures
     bool mByKey = false;                         //!< no button is held
     bool mConfirmed = false;                     //!< while Waiting
+    bool mGoOn = false;                          //!< the solver ran before the gesture
     bool mSelectOnRelease = false;
     std::optional<DragAxis> mHovered;
     bool mAllLocked = false; //!< why the last gesture did nothing

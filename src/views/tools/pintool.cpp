@@ -1,10 +1,12 @@
 #include "views/tools/pintool.h"
 
 #include "commands/setuvs.h"
+#include "model/uvlayout.h"
 #include "views/canvas/uvview.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
+#include "views/tools/dragreach.h"
 #include "views/tools/pinning.h"
 
 #include <QPainter>
@@ -143,21 +145,34 @@ void PinTool::beginDrag()
     }
     mCorners.assign(corners.begin(), corners.end());
     mUv = document.uv()(mCorners, Eigen::all);
+    mSoupUv = soupUv(mesh, document.uv());
+}
+
+//! The part of the way that turns no triangle over.
+Vec2 PinTool::wayWithoutFlips(const Vec2 &by) const
+{
+    const MeshData &mesh = context().workspace.document()->mesh();
+    UvMatrix ways = UvMatrix::Zero(mSoupUv.rows(), 2);
+    for (int s = 0; s < mesh.soupCornerCount(); ++s) {
+        if (std::binary_search(mCorners.begin(), mCorners.end(), mesh.cornerOfSoup(s)))
+            ways.row(s) = by;
+    }
+    return shareWithoutFlips(mSoupUv, ways) * by;
 }
 
 void PinTool::dragTo(const Vec2 &by)
 {
     Document &document = *context().workspace.document();
-    mBy = by;
+    mBy = mLive ? by : wayWithoutFlips(by);
     std::vector<UvPin> pins = mPins;
     for (UvPin &pin : pins)
-        pin.position += by;
+        pin.position += mBy;
     std::unique_ptr<DocumentCommand> command;
     if (mLive) {
         command = std::make_unique<EditPins>(document, EditPins::Edit::Move, pins);
     } else {
         UvMatrix uv = document.uv();
-        uv(mCorners, Eigen::all) = mUv.rowwise() + by.transpose();
+        uv(mCorners, Eigen::all) = mUv.rowwise() + mBy.transpose();
         UvEditExtras extras;
         extras.count = static_cast<int>(mPins.size());
         extras.pins = std::move(pins);

@@ -12,8 +12,8 @@ class UvView;
 
 //! Pins vertices, or in the mode of islands whole islands. A click pins or unpins; Shift makes the pins soft,
 //! or pinned ones the other kind; a drag over empty space pins what is in a box, with Ctrl it unpins. In the
-//! UV view a drag of a pin moves it: while a solve runs the map follows, else the pinned vertex moves along.
-//! Pins of locked islands stay.
+//! UV view a drag of a pin moves it: while a solve runs the map follows, else the pinned vertex moves along,
+//! as far as no triangle turns over. Pins of locked islands stay.
 class PinTool final : public AbstractTool
 {
     Q_OBJECT
@@ -46,6 +46,7 @@ private:
     void grab(const ToolEvent &event);
     void beginDrag();
     void dragTo(const Vec2 &by);
+    Vec2 wayWithoutFlips(const Vec2 &by) const;
     void drawPins(QPainter &painter, const UvView &view) const;
 
     State mState = State::Idle;
@@ -55,6 +56,7 @@ private:
     std::vector<UvPin> mPins;  //!< that are dragged, as they were
     std::vector<int> mCorners; //!< that move along while no solve runs
     UvMatrix mUv;              //!< of mCorners, as it was
+    UvMatrix mSoupUv;          //!< of all soup corners, as it was
     Vec2 mBy = Vec2::Zero();
     bool mLive = false; //!< a solve runs during the drag
     quint64 mGesture = 0;

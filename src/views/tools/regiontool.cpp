@@ -40,11 +40,29 @@ RegionTool::RegionTool(const CanvasContext &context, QObject *parent)
     : AbstractTool(context, QStringLiteral("region"), parent)
 {
     connect(&context.workspace, &Workspace::selectionChanged, this, &AbstractTool::hintChanged);
+    connect(&context.workspace, &Workspace::documentReplaced, this, [this] { mGoOn = false; });
+    connect(&mSearch, &JobRunner::failed, this, [this] { setState(State::Idle); });
+}
+
+QCursor RegionTool::cursor() const
+{
+    return mState == State::Searching ? Qt::BusyCursor : Qt::ArrowCursor;
+}
+
+void RegionTool::setState(State state)
+{
+    mState = state;
+    Q_EMIT hintChanged(); // and with it the cursor
 }
 
 QString RegionTool::hint() const
 {
     const Document *document = context().workspace.document();
+    if (mState == State::Searching)
+        return tr("Looking for the largest part without overlaps; Escape: cancel");
+    if (document && !document->selection().faces.isEmpty() && !mOneIsEnough)
+        return tr("Overlap region: drag it away, then click the rest, which still covers itself; no single "
+                  "region takes all overlaps away");
     return document && !document->selection().faces.isEmpty()
                ? tr("Overlap region: drag the selection away in the UV view; click elsewhere for another "
                     "region, Shift adds")
@@ -53,9 +71,11 @@ QString RegionTool::hint() const
 
 void RegionTool::press(const ToolEvent &event)
 {
+    if (mState == State::Searching)
+        cancel();
     if (event.button != Qt::LeftButton || mState != State::Idle)
         return;
-    mState = State::Pressed;
+    setState(State::Pressed);
     mCanvas = &event.canvas;
     mStart = event.position;
     mTriangle = event.pick.triangle;
@@ -63,11 +83,12 @@ void RegionTool::press(const ToolEvent &event)
 
 void RegionTool::move(const ToolEvent &event)
 {
-    if (mState == State::Idle || &event.canvas != mCanvas)
+    if (mState == State::Idle || mState == State::Searching || &event.canvas != mCanvas)
         return;
     const QPointF moved = event.position - mStart;
     if (mState == State::Pressed && std::hypot(moved.x(), moved.y()) >= dragDistance) {
         mState = State::Waiting;
+        mGoOn = mGoOn || context().solver.isRunning();
         context().solver.whenSettled([this] { begin(); });
     }
     if (mState == State::Moving)
@@ -114,25 +135,55 @@ void RegionTool::moveTo(const QPointF &position)
 
 void RegionTool::release(const ToolEvent &event)
 {
-    if (event.button != Qt::LeftButton || mState == State::Idle || &event.canvas != mCanvas)
+    if (event.button != Qt::LeftButton || mState == State::Idle || mState == State::Searching ||
+        &event.canvas != mCanvas)
         return;
-    const State state = std::exchange(mState, State::Idle);
+    const State state = mState;
+    if (state == State::Pressed) {
+        const bool add = event.modifiers.testFlag(Qt::ShiftModifier);
+        mGoOn = mGoOn || context().solver.isRunning();
+        setState(State::Searching);
+        context().solver.whenSettled([this, triangle = mTriangle, add, number = ++mSearches] {
+            if (number == mSearches && mState == State::Searching)
+                search(triangle, add);
+        });
+        return;
+    }
+    setState(State::Idle);
     if (state == State::Moving) {
         moveTo(event.position);
         mGesture = 0;
-    } else if (state == State::Pressed) {
-        const bool add = event.modifiers.testFlag(Qt::ShiftModifier);
-        context().solver.whenSettled([this, triangle = mTriangle, add] { select(triangle, add); });
+        if (std::exchange(mGoOn, false))
+            context().solver.goOn();
     }
 }
 
-void RegionTool::select(int triangle, bool add)
+void RegionTool::search(int triangle, bool add)
+{
+    if (triangle < 0) {
+        setState(State::Idle);
+        mOneIsEnough = true;
+        select({}, add);
+        return;
+    }
+    mSearch.start(
+        tr("Looking for a region"),
+        [map = MapWithSeams(*context().workspace.document(), context().shownMap),
+         triangle](JobControl &control) { return cleanPart(map, triangle, &control.stop()); },
+        [this, add, revision = context().workspace.uvRevision()](const CleanPart &part) {
+            setState(State::Idle);
+            mOneIsEnough = part.restIsClean;
+            if (revision == context().workspace.uvRevision())
+                select(part.faces, add);
+        });
+}
+
+void RegionTool::select(const QList<int> &faces, bool add)
 {
     Document &document = *context().workspace.document();
     Selection region;
     region.mode = SelectionMode::Faces;
-    if (triangle >= 0)
-        region.faces = cleanFaces(document, context().shownMap, triangle);
+    region.faces = faces;
     Selection current = document.selection();
     current.mode = SelectionMode::Faces;
     document.setSelection(combined(current, region, add ? Combine::Add : Combine::Replace));
@@ -143,7 +194,8 @@ void RegionTool::cancel()
     Document *document = context().workspace.document();
     if (mState == State::Moving && document)
         cancelGesture(*document, mGesture);
-    mState = State::Idle;
+    mSearch.abandon();
+    setState(State::Idle);
     mGesture = 0;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/types.h"
+#include "views/control/jobrunner.h"
 #include "views/tools/abstracttool.h"
 
 #include <QPointer>
@@ -12,9 +13,10 @@ namespace autocuts {
 
 class UvView;
 
-//! The overlap tool (paper, figure 9): a click selects the largest region around it that does not cover
-//! itself, dragging what is selected in the map moves it away as an island of its own. A live solve is paused
-//! first. What is locked stays.
+//! The overlap tool (paper, figure 9): a click selects a region around it that does not cover itself, if
+//! possible so that the rest of the island does not either; dragging what is selected in the map moves it
+//! away as an island of its own. The region is searched off the GUI thread; Escape ends that. A live solve is
+//! paused first and goes on after the drag. What is locked stays.
 class RegionTool final : public AbstractTool
 {
     Q_OBJECT
@@ -23,22 +25,29 @@ public:
     explicit RegionTool(const CanvasContext &context, QObject *parent = nullptr);
 
     QString hint() const override;
+    QCursor cursor() const override;
     void press(const ToolEvent &event) override;
     void move(const ToolEvent &event) override;
     void release(const ToolEvent &event) override;
     bool isBusy() const override { return mState != State::Idle; }
     void cancel() override;
-    bool wantsPicks() const override { return mState == State::Idle; }
+    bool wantsPicks() const override { return mState == State::Idle || mState == State::Searching; }
 
 private:
-    enum class State { Idle, Pressed, Waiting, Moving };
+    enum class State { Idle, Pressed, Searching, Waiting, Moving };
 
-    void select(int triangle, bool add);
+    void search(int triangle, bool add);
+    void select(const QList<int> &faces, bool add);
+    void setState(State state);
     //! The solver rests: what is selected begins to move.
     void begin();
     void moveTo(const QPointF &position);
 
     State mState = State::Idle;
+    JobRunner mSearch{JobRunner::OnCancel::LetGo};
+    int mSearches = 0;        //!< counts them
+    bool mOneIsEnough = true; //!< the rest of the island that was clicked does not cover itself
+    bool mGoOn = false;       //!< the solver ran when the tool came
     QPointer<Canvas> mCanvas; //!< where the gesture began
     QPointF mStart;
     int mTriangle = -1; //!< pressed

@@ -2,6 +2,7 @@
 
 #include "views/canvas/canvas.h"
 #include "views/control/workspace.h"
+#include "views/tools/dragtool.h"
 #include "views/tools/islandtool.h"
 #include "views/tools/packboxtool.h"
 #include "views/tools/painttool.h"
@@ -27,6 +28,7 @@ ToolManager::ToolManager(const CanvasContext &context, QObject *parent) : QObjec
     add(std::make_unique<IslandTool>(context, QStringLiteral("move"), UvEdit::Move));
     add(std::make_unique<IslandTool>(context, QStringLiteral("rotate"), UvEdit::Rotate));
     add(std::make_unique<IslandTool>(context, QStringLiteral("scale"), UvEdit::Scale));
+    add(std::make_unique<DragTool>(context));
     add(std::make_unique<PinTool>(context));
     add(std::make_unique<RectangleTool>(context));
     add(std::make_unique<PackBoxTool>(context));

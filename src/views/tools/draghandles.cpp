@@ -1,0 +1,118 @@
+#include "views/tools/draghandles.h"
+
+#include "model/document.h"
+#include "views/actions/selecting.h"
+#include "views/canvas/uvview.h"
+#include "views/control/shownmap.h"
+#include "views/gl/souptopology.h"
+#include "views/tools/dragreach.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace autocuts {
+
+namespace {
+
+//! So far apart, in pixels, corners of a vertex still count as one place while triangles are apart.
+constexpr double nearlyThere = 4;
+
+//! Adds all soup corners of a vertex that are drawn where one of them is.
+void addVertex(const Document &document, const UvView &view, const ShownMap &map, int soupCorner,
+               std::set<int> &handles)
+{
+    const UvMatrix &uv = map.uv();
+    const SoupTopology &topology = view.content().topology();
+    const double tolerance = map.isLive() ? nearlyThere / view.camera().scale()
+                                          : 1e-9 * (1 + uv.row(soupCorner).cwiseAbs().maxCoeff());
+    for (int corner : document.adjacency().vertexCorners(document.mesh().vertexOfSoup(soupCorner))) {
+        const int face = document.adjacency().faceOfCorner(corner);
+        for (int s = 3 * topology.faceTriangle[face]; s < 3 * topology.faceTriangle[face + 1]; ++s) {
+            if (document.mesh().cornerOfSoup(s) == corner &&
+                (uv.row(s) - uv.row(soupCorner)).cwiseAbs().maxCoeff() <= tolerance)
+                handles.insert(s);
+        }
+    }
+}
+
+std::vector<int> cornersOfFaces(const UvView &view, const QList<int> &faces)
+{
+    const SoupTopology &topology = view.content().topology();
+    std::vector<int> corners;
+    for (int face : faces) {
+        for (int s = 3 * topology.faceTriangle[face]; s < 3 * topology.faceTriangle[face + 1]; ++s)
+            corners.push_back(s);
+    }
+    return corners;
+}
+
+template <typename List>
+bool has(const List &list, int value)
+{
+    return std::binary_search(list.begin(), list.end(), value);
+}
+
+std::vector<int> vertexHandles(const Document &document, const UvView &view, const ShownMap &map,
+                               const PickResult &pick)
+{
+    std::set<int> handles;
+    if (pick.soupCorner < 0)
+        return {};
+    addVertex(document, view, map, pick.soupCorner, handles);
+    const MeshData &mesh = document.mesh();
+    const QList<int> &selected = document.selection().corners;
+    if (has(selected, pick.corner)) {
+        for (int s = 0; s < mesh.soupCornerCount(); ++s) {
+            if (has(selected, mesh.cornerOfSoup(s)))
+                handles.insert(s);
+        }
+    }
+    return {handles.begin(), handles.end()};
+}
+
+std::vector<int> edgeHandles(const Document &document, const UvView &view, const ShownMap &map,
+                             const PickResult &pick)
+{
+    std::set<int> handles;
+    if (pick.side < 0)
+        return {};
+    const auto addSide = [&](int side) {
+        addVertex(document, view, map, side, handles);
+        addVertex(document, view, map, nextSoupCorner(side), handles);
+    };
+    addSide(pick.side);
+    const QList<int> &selected = document.selection().edges;
+    if (has(selected, pick.edge)) {
+        for (int edge : selected) {
+            for (int side : view.content().topology().edgeSides[edge]) {
+                if (side >= 0)
+                    addSide(side);
+            }
+        }
+    }
+    return {handles.begin(), handles.end()};
+}
+
+} // namespace
+
+std::vector<int> dragHandles(const Document &document, const UvView &view, const ShownMap &map,
+                             const PickResult &pick)
+{
+    const Selection &selection = document.selection();
+    if (selection.mode == SelectionMode::Vertices)
+        return vertexHandles(document, view, map, pick);
+    if (selection.mode == SelectionMode::Edges)
+        return edgeHandles(document, view, map, pick);
+    if (pick.triangle < 0)
+        return {};
+    const MeshData &mesh = document.mesh();
+    const int face = mesh.triangleFace[pick.triangle];
+    const std::vector<int> faces =
+        cornersOfFaces(view, has(selection.faces, face) ? selection.faces : QList<int>{face});
+    if (selection.mode == SelectionMode::Faces)
+        return faces;
+    return dragReach(mesh, map.uv(), map.separation(), faces, 0).corners;
+}
+
+} // namespace autocuts

@@ -1,0 +1,153 @@
+#include "views/tools/dragreach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace autocuts {
+
+namespace {
+
+//! Spreads over the soup from the dragged corners.
+class Spreading
+{
+public:
+    Spreading(const MeshData &mesh, const UvMatrix &soupUv, const std::vector<float> &separation)
+        : mUv(soupUv), mPartners(mesh.soupCornerCount(), {-1, -1})
+    {
+        for (int pair = 0; pair < mesh.cornerPairCount(); ++pair) {
+            if (separation[pair] >= 0.5f)
+                continue;
+            const auto [a, b] = mesh.edgePairs[pair / 2].corner[pair % 2];
+            addPartner(a, b);
+            addPartner(b, a);
+        }
+    }
+
+    //! Everything that hangs together with the handles, rising.
+    std::vector<int> pieces(const std::vector<int> &handles) const
+    {
+        std::vector<int> found;
+        std::vector<bool> seen(mPartners.size());
+        const auto visit = [&](int corner) {
+            if (!seen[corner])
+                found.push_back(corner);
+            seen[corner] = true;
+        };
+        for (int handle : handles)
+            visit(handle);
+        for (std::size_t head = 0; head < found.size(); ++head)
+            forNeighbours(found[head], visit);
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+    //! Distance of every soup corner from the handle that is nearest on the way, infinite beyond the radius.
+    std::vector<double> distances(const std::vector<int> &handles, double radius) const
+    {
+        using Entry = std::pair<double, int>;
+        std::vector<double> distance(mPartners.size(), std::numeric_limits<double>::infinity());
+        std::vector<int> source(mPartners.size(), -1);
+        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+        for (int handle : handles) {
+            distance[handle] = 0;
+            source[handle] = handle;
+            queue.emplace(0.0, handle);
+        }
+        while (!queue.empty()) {
+            const auto [from, corner] = queue.top();
+            queue.pop();
+            if (from > distance[corner])
+                continue;
+            const auto reach = [&](int next) {
+                const double way = (mUv.row(next) - mUv.row(source[corner])).norm();
+                if (!(way < radius) || !(way < distance[next]))
+                    return;
+                distance[next] = way;
+                source[next] = source[corner];
+                queue.emplace(way, next);
+            };
+            forNeighbours(corner, reach);
+        }
+        return distance;
+    }
+
+private:
+    void addPartner(int corner, int partner)
+    {
+        std::array<int, 2> &known = mPartners[corner];
+        known[known[0] < 0 ? 0 : 1] = partner;
+    }
+
+    template <typename Visit>
+    void forNeighbours(int corner, const Visit &visit) const
+    {
+        const int first = corner - corner % 3;
+        visit(first + (corner + 1) % 3);
+        visit(first + (corner + 2) % 3);
+        for (int partner : mPartners[corner]) {
+            if (partner >= 0)
+                visit(partner);
+        }
+    }
+
+    const UvMatrix &mUv;
+    std::vector<std::array<int, 2>> mPartners; //!< across the closed pairs; -1: none
+};
+
+} // namespace
+
+DragReach dragReach(const MeshData &mesh, const UvMatrix &soupUv, const std::vector<float> &separation,
+                    const std::vector<int> &handles, double radius)
+{
+    std::vector<int> start;
+    std::copy_if(handles.begin(), handles.end(), std::back_inserter(start),
+                 [&](int handle) { return soupUv.row(handle).allFinite(); });
+    const Spreading spreading(mesh, soupUv, separation);
+    DragReach reach;
+    reach.corners = spreading.pieces(start);
+    reach.weight.assign(mesh.soupCornerCount(), 0);
+    const std::vector<double> distance = spreading.distances(start, radius);
+    for (int corner : reach.corners) {
+        if (distance[corner] == 0) {
+            reach.weight[corner] = 1;
+        } else if (distance[corner] < radius) {
+            const double share = distance[corner] / radius;
+            reach.weight[corner] = (1 - share * share) * (1 - share * share);
+        }
+    }
+    return reach;
+}
+
+double shareWithoutFlips(const UvMatrix &soupUv, const UvMatrix &ways)
+{
+    constexpr double keptArea = 0.01;
+    double share = 1;
+    const auto cross = [](const Vec2 &a, const Vec2 &b) { return a.x() * b.y() - a.y() * b.x(); };
+    for (Eigen::Index first = 0; first < soupUv.rows(); first += 3) {
+        if (ways.middleRows(first, 3).isZero(0))
+            continue;
+        const Vec2 p = soupUv.row(first + 1) - soupUv.row(first),
+                   q = soupUv.row(first + 2) - soupUv.row(first);
+        const Vec2 dp = ways.row(first + 1) - ways.row(first), dq = ways.row(first + 2) - ways.row(first);
+        // The area is a parabola along the way: area(t) = area + slope t + bend t^2, turned so that it starts
+        // above 0 and is lowered by what must be left.
+        const double area = cross(p, q);
+        const double side = area < 0 ? -1 : 1;
+        const double height = (1 - keptArea) * std::abs(area);
+        const double slope = side * (cross(dp, q) + cross(p, dq));
+        const double bend = side * cross(dp, dq);
+        const double root = slope * slope - 4 * bend * height;
+        if (!(height > 0) || !(root >= 0))
+            continue;
+        const double half = -0.5 * (slope + std::copysign(std::sqrt(root), slope));
+        for (double t : {half / bend, height / half}) {
+            if (t > 0 && t < share)
+                share = t;
+        }
+    }
+    return share;
+}
+
+} // namespace autocuts

@@ -1,0 +1,366 @@
+#include "views/tools/dragtool.h"
+
+#include "commands/setuvs.h"
+#include "views/canvas/uvview.h"
+#include "views/control/shownmap.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/tools/draghandles.h"
+#include "views/tools/pickedelements.h"
+
+#include <QPainter>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace autocuts {
+
+namespace {
+
+constexpr double minRadius = 10, maxRadius = 2000;
+//! A dragged corner snaps to its partner at this distance, pixels, or at half of the gap when that is less.
+constexpr double snapDistance = 12;
+//! Results of the solver in which joined gaps should be shut.
+constexpr int shuttingResults = 60;
+const QColor dragColor(0x3d8bff), snapColor(0x2fbf71);
+
+} // namespace
+
+DragTool::DragTool(const CanvasContext &context, QObject *parent)
+    : AbstractTool(context, QStringLiteral("drag"), parent)
+{
+    // What is dragged belongs to a document, to its active UV set and to how it is shown.
+    connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
+        mShutting.clear();
+        reset();
+    });
+    connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
+        if (event.type == ChangeEvent::Type::UvSet)
+            reset();
+    });
+    connect(&context.solver, &SolverController::stateChanged, this, [this] {
+        if (mState == State::Drag)
+            reset();
+        mShutting.clear();
+        Q_EMIT hintChanged();
+    });
+    connect(&context.solver, &SolverController::statusChanged, this, &DragTool::letGoWhenShut);
+    connect(&context.workspace, &Workspace::selectionChanged, this, &AbstractTool::hintChanged);
+}
+
+QString DragTool::hint() const
+{
+    const Document *document = context().workspace.document();
+    const SelectionMode mode = document ? document->selection().mode : SelectionMode::Faces;
+    const QString what = mode == SelectionMode::Vertices ? tr("vertices")
+                         : mode == SelectionMode::Edges  ? tr("edges")
+                         : mode == SelectionMode::Faces  ? tr("faces")
+                                                         : tr("islands");
+    return context().solver.isRunning()
+               ? tr("Drag %1 in the UV view: the map follows, tears and joins; Shift+wheel: circle, Escape: "
+                    "cancel")
+                     .arg(what)
+               : tr("Drag %1 in the UV view: what is in the circle follows; Shift+wheel: circle, Escape: "
+                    "cancel")
+                     .arg(what);
+}
+
+//! Whole pieces move without a circle.
+bool DragTool::reachesAround() const
+{
+    const Document *document = context().workspace.document();
+    return document && document->selection().mode != SelectionMode::Islands;
+}
+
+void DragTool::press(const ToolEvent &event)
+{
+    if (event.button == Qt::RightButton && isBusy())
+        cancel();
+    auto *view = qobject_cast<UvView *>(&event.canvas);
+    if (event.button != Qt::LeftButton || isBusy() || !view)
+        return;
+    mState = State::Pressed;
+    mView = view;
+    mStart = mMouse = event.position;
+    mPick = event.pick;
+}
+
+void DragTool::move(const ToolEvent &event)
+{
+    if (mState == State::Idle) {
+        mView = qobject_cast<UvView *>(&event.canvas);
+        mMouse = event.position;
+        Q_EMIT overlayChanged();
+        return;
+    }
+    if (&event.canvas != mView)
+        return;
+    mMouse = event.position;
+    if (mState == State::Pressed && std::hypot((mMouse - mStart).x(), (mMouse - mStart).y()) >= dragDistance)
+        begin();
+    if (mState == State::Drag)
+        apply();
+}
+
+void DragTool::begin()
+{
+    Document &document = *context().workspace.document();
+    mHandles = dragHandles(document, *mView, context().shownMap, mPick);
+    if (mHandles.empty() || context().solver.isSettling()) {
+        reset();
+        return;
+    }
+    mLive = context().solver.isRunning();
+    mUv = context().shownMap.uv();
+    mCornerUv = document.uv();
+    mSeparation = context().shownMap.separation();
+    mGesture = document.undoStack().newGesture();
+    mWay.setZero();
+    mShutting.clear(); // the new pulls take the place of those
+    mState = State::Drag;
+    updateReach();
+    findGaps();
+}
+
+void DragTool::updateReach()
+{
+    const Document &document = *context().workspace.document();
+    const MeshData &mesh = document.mesh();
+    const double radius = reachesAround() ? mRadius / mView->camera().scale() : 0;
+    mReach = dragReach(mesh, mUv, mSeparation, mHandles, radius);
+    if (mLive)
+        return;
+    const Islands &islands = document.islands();
+    std::vector<bool> locked(islands.count());
+    for (int island = 0; island < islands.count(); ++island)
+        locked[island] = document.marks().flagsOf(islands.faces(island)).locked != 0;
+    for (int corner : mReach.corners) {
+        const int island = islands.islandOfFace(mesh.triangleFace[corner / 3]);
+        const bool pinned =
+            mReach.weight[corner] < 1 && document.constraints().pin(mesh.cornerOfSoup(corner));
+        if (pinned || (island >= 0 && locked[island]))
+            mReach.weight[corner] = 0;
+    }
+}
+
+void DragTool::findGaps()
+{
+    const MeshData &mesh = context().workspace.document()->mesh();
+    const double scale = mView->camera().scale();
+    mGaps.clear();
+    mClosed.clear();
+    for (int pair = 0; pair < mesh.cornerPairCount(); ++pair) {
+        const EdgePair &edge = mesh.edgePairs[pair / 2];
+        if (edge.diagonal || mSeparation[pair] < 0.5f)
+            continue;
+        for (int side : {0, 1}) {
+            const int corner = edge.corner[pair % 2][side], partner = edge.corner[pair % 2][1 - side];
+            const double width = scale * (mUv.row(corner) - mUv.row(partner)).norm();
+            if (mReach.weight[corner] == 1 && mReach.weight[partner] < 1 && std::isfinite(width))
+                mGaps.push_back({pair, corner, partner, width});
+        }
+    }
+}
+
+void DragTool::apply()
+{
+    const MapCamera &camera = mView->camera();
+    Vec2 way = camera.toUv(mMouse) - camera.toUv(mStart);
+    mClosed = snap(way);
+    mWay = way;
+    if (mLive)
+        pull(way);
+    else
+        moveCorners(way);
+    Q_EMIT overlayChanged();
+}
+
+//! The partner may be in the circle too and then comes along in part.
+Vec2 DragTool::wayThatCloses(const Gap &gap) const
+{
+    if (mLive)
+        return context().shownMap.uv().row(gap.partner) - mUv.row(gap.corner);
+    return (mUv.row(gap.partner) - mUv.row(gap.corner)) / (1 - mReach.weight[gap.partner]);
+}
+
+std::vector<DragTool::Gap> DragTool::snap(Vec2 &way) const
+{
+    const double scale = mView->camera().scale();
+    const auto isNear = [&](const Gap &gap) {
+        const double left = scale * (wayThatCloses(gap) - way).norm() * (1 - mReach.weight[gap.partner]);
+        return left < std::min(snapDistance, 0.5 * gap.width);
+    };
+    const Gap *nearest = nullptr;
+    for (const Gap &gap : mGaps) {
+        if (isNear(gap) &&
+            (!nearest || (wayThatCloses(gap) - way).norm() < (wayThatCloses(*nearest) - way).norm()))
+            nearest = &gap;
+    }
+    std::vector<Gap> closed;
+    if (!nearest)
+        return closed;
+    way = wayThatCloses(*nearest);
+    std::copy_if(mGaps.begin(), mGaps.end(), std::back_inserter(closed), isNear);
+    return closed;
+}
+
+//! Corrects the ways of the corners of closed gaps, so that they end exactly at their partners.
+void DragTool::closeGaps(UvMatrix &ways) const
+{
+    const MeshData &mesh = context().workspace.document()->mesh();
+    for (const Gap &gap : mClosed) {
+        const Eigen::RowVector2d end = mUv.row(gap.partner) + ways.row(gap.partner);
+        const double tolerance = 1e-9 * (1 + end.cwiseAbs().maxCoeff());
+        for (int handle : mHandles) {
+            if (mesh.vertexOfSoup(handle) == mesh.vertexOfSoup(gap.corner) &&
+                (mUv.row(handle) - mUv.row(gap.corner)).cwiseAbs().maxCoeff() <= tolerance)
+                ways.row(handle) = end - mUv.row(handle);
+        }
+    }
+}
+
+void DragTool::moveCorners(const Vec2 &way)
+{
+    Document &document = *context().workspace.document();
+    const MeshData &mesh = document.mesh();
+    UvMatrix ways = UvMatrix::Zero(mUv.rows(), 2);
+    for (int corner : mReach.corners)
+        ways.row(corner) = mReach.weight[corner] * way.transpose();
+    closeGaps(ways);
+    const double share = shareWithoutFlips(mUv, ways);
+    if (share < 1)
+        mClosed.clear();
+    mWay = share * way;
+    UvMatrix uv = mCornerUv;
+    UvEditExtras extras;
+    std::set<int> vertices;
+    for (int handle : mHandles)
+        vertices.insert(mesh.vertexOfSoup(handle));
+    extras.count = static_cast<int>(vertices.size());
+    std::vector<bool> moved(mesh.cornerCount());
+    for (int soup : mReach.corners) {
+        const int corner = mesh.cornerOfSoup(soup);
+        if (mReach.weight[soup] == 0 || moved[corner])
+            continue;
+        moved[corner] = true;
+        uv.row(corner) += share * ways.row(soup);
+        const UvPin *pin = document.constraints().pin(corner);
+        if (pin) {
+            extras.pins.push_back(*pin);
+            extras.pins.back().position = uv.row(corner);
+        }
+    }
+    auto command = std::make_unique<SetUvs>(document, UvEdit::Drag, uv, extras);
+    command->setGesture(mGesture);
+    pushCommand(std::move(command));
+}
+
+void DragTool::release(const ToolEvent &event)
+{
+    if (event.button != Qt::LeftButton || mState == State::Idle || &event.canvas != mView)
+        return;
+    mMouse = event.position;
+    if (mState == State::Pressed) {
+        select(event);
+    } else {
+        apply();
+        if (mLive) {
+            keepSeams();
+            mPatience = shuttingResults;
+            if (mShutting.empty())
+                letGo();
+        }
+    }
+    reset();
+}
+
+void DragTool::select(const ToolEvent &event)
+{
+    Document &document = *context().workspace.document();
+    const Selection picked = pickedElements(document, event.canvas, mPick);
+    const bool add = event.modifiers.testFlag(Qt::ShiftModifier);
+    if (add && picked.isEmpty())
+        return;
+    document.setSelection(combined(document.selection(), picked, add ? Combine::Toggle : Combine::Replace));
+}
+
+void DragTool::leave()
+{
+    if (isBusy())
+        return;
+    mView = nullptr;
+    Q_EMIT overlayChanged();
+}
+
+bool DragTool::wheel(const QWheelEvent &event, Canvas &)
+{
+    if (event.modifiers() != Qt::ShiftModifier)
+        return false;
+    // Some platforms turn the wheel sideways while Shift is held.
+    const QPoint angle = event.angleDelta();
+    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
+    mRadius = std::clamp(mRadius * std::pow(1.15, notches), minRadius, maxRadius);
+    if (mState == State::Drag) {
+        updateReach();
+        findGaps();
+        apply();
+    }
+    Q_EMIT overlayChanged();
+    return true;
+}
+
+void DragTool::reset()
+{
+    mState = State::Idle;
+    mHandles.clear();
+    mReach = {};
+    mGaps.clear();
+    mClosed.clear();
+    Q_EMIT overlayChanged();
+}
+
+void DragTool::cancel()
+{
+    if (mState == State::Drag && mLive)
+        context().solver.cancelPulls();
+    else if (mState == State::Drag)
+        cancelGesture(*context().workspace.document(), mGesture);
+    reset();
+}
+
+void DragTool::drawOverlay(QPainter &painter, const Canvas &canvas)
+{
+    if (&canvas != mView)
+        return;
+    const ViewColors &colors = canvas.content().colors();
+    painter.setBrush(Qt::NoBrush);
+    if (reachesAround()) {
+        const QPointF middle = mState == State::Drag ? mStart : mMouse;
+        painter.setPen(QPen(colors.dark ? Qt::black : Qt::white, 3)); // seen on any ground
+        painter.drawEllipse(middle, mRadius, mRadius);
+        painter.setPen(QPen(dragColor, 1.2, mState == State::Drag ? Qt::DashLine : Qt::SolidLine));
+        painter.drawEllipse(middle, mRadius, mRadius);
+    }
+    if (mState == State::Drag)
+        drawDrag(painter, *mView);
+}
+
+//! Where what is dragged has gone, and rings around the corners that snapped.
+void DragTool::drawDrag(QPainter &painter, const UvView &view) const
+{
+    const double scale = view.camera().scale();
+    const QPointF end = mStart + QPointF(scale * mWay.x(), -scale * mWay.y());
+    painter.setPen(QPen(dragColor, 1.2, Qt::DashLine));
+    painter.drawLine(mStart, end);
+    painter.setPen(QPen(Qt::white, 1));
+    painter.setBrush(dragColor);
+    painter.drawEllipse(end, 5, 5);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(snapColor, 2.5));
+    for (const Gap &gap : mClosed)
+        painter.drawEllipse(view.camera().toScreen(mUv.row(gap.corner).transpose() + mWay), 9, 9);
+}
+
+} // namespace autocuts

@@ -1,0 +1,77 @@
+// The drag tool while a solve runs.
+#include "commands/setseamstate.h"
+#include "views/control/shownmap.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/tools/dragtool.h"
+
+#include <algorithm>
+
+namespace autocuts {
+
+namespace {
+
+//! Springs of what is pulled and of what stays, against an energy in which a vertex has a stiffness near 1.
+constexpr double pullWeight = 100, stayWeight = 0.1;
+
+} // namespace
+
+//! What is dragged is pulled, what is outside the circle is held where it was.
+void DragTool::pull(const Vec2 &way)
+{
+    std::vector<Pin> pulls;
+    for (int corner : mReach.corners) {
+        const Vec2 place = mUv.row(corner);
+        if (mReach.weight[corner] == 1)
+            pulls.push_back({corner, place + way, false, pullWeight});
+        else if (mReach.weight[corner] == 0)
+            pulls.push_back({corner, place, false, stayWeight});
+    }
+    context().solver.setPulls(std::move(pulls));
+}
+
+void DragTool::keepSeams()
+{
+    Document &document = *context().workspace.document();
+    const MeshData &mesh = document.mesh();
+    const std::vector<float> &separation = context().shownMap.separation();
+    const auto isInCircle = [&](int pair) {
+        const auto &corners = mesh.edgePairs[pair / 2].corner[pair % 2];
+        return mReach.weight[corners[0]] > 0 || mReach.weight[corners[1]] > 0;
+    };
+    std::vector<int> joined;
+    for (const Gap &gap : mClosed)
+        joined.push_back(gap.pair);
+    std::sort(joined.begin(), joined.end());
+    joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
+    IndexRanges pairs;
+    for (int pair : joined)
+        pairs.append(pair);
+    for (int pair = 0; joined.empty() && pair < mesh.cornerPairCount(); ++pair) {
+        if (mSeparation[pair] < 0.5f && separation[pair] >= 0.5f && isInCircle(pair) &&
+            document.seams().states[pair] == PairState::Free)
+            pairs.append(pair);
+    }
+    mShutting = joined;
+    const auto edit = joined.empty() ? SetSeamState::Edit::Cut : SetSeamState::Edit::Join;
+    pushCommand(std::make_unique<SetSeamState>(document, edit, pairs));
+}
+
+void DragTool::letGoWhenShut()
+{
+    if (mShutting.empty() || mState == State::Drag)
+        return;
+    const std::vector<float> &separation = context().shownMap.separation();
+    const auto isOpen = [&](int pair) { return separation[pair] >= 0.5f; };
+    const bool waits = --mPatience > 0 && !context().solver.status().converged;
+    if (!waits || !std::any_of(mShutting.begin(), mShutting.end(), isOpen))
+        letGo();
+}
+
+void DragTool::letGo()
+{
+    mShutting.clear();
+    context().solver.setPulls({});
+}
+
+} // namespace autocuts

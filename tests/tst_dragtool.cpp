@@ -1,0 +1,389 @@
+// Pulling at the map with real mouse, wheel and key events, with and without a running solve.
+#include "commands/changesettings.h"
+#include "commands/editpins.h"
+#include "commands/setislandflags.h"
+#include "model/uvlayout.h"
+#include "support/canvases.h"
+#include "support/editsupport.h"
+#include "views/tools/dragtool.h"
+
+#include <QTest>
+
+using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
+using test::Canvases;
+
+Q_DECLARE_METATYPE(autocuts::SelectionMode)
+
+class TestDragTool : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        mStudio = std::make_unique<Canvases>();
+        mStudio->open(test::layoutDocument(test::grid(8)));
+        MapCamera camera;
+        camera.setCentre(Vec2(1, 0.5));
+        camera.setScale(200);
+        view().setCamera(camera);
+        mStudio->tools.setTool(u"drag"_s);
+        QCOMPARE(mStudio->tools.tool()->id(), u"drag"_s);
+        mStudio->select(SelectionMode::Vertices);
+    }
+    void cleanup() { mStudio.reset(); }
+
+    void whatIsInTheCircleFollows()
+    {
+        setRadius(0.3);
+        const double radius = tool().radius() / 200;
+        QVERIFY(radius > 0.28 && radius < 0.32);
+        const DocumentState before = test::withoutSelection(document().state());
+        const UvMatrix uv = document().uv();
+        drag({0.25, 0.5}, {0.3, 0.45});
+        QCOMPARE(document().undoStack().count(), 1);
+        for (int c = 0; c < uv.rows(); ++c) {
+            const double distance = (uv.row(c) - Row(0.25, 0.5)).norm();
+            const Row way = document().uv().row(c) - uv.row(c);
+            if (distance > radius || uv(c, 0) > 1) {
+                QCOMPARE(way.norm(), 0.0);
+            } else {
+                const double share = 1 - distance * distance / (radius * radius);
+                QVERIFY((way - share * share * Row(0.05, -0.05)).norm() < 1e-9);
+            }
+        }
+        QCOMPARE(document().islands().count(), 2);
+        const DocumentState after = test::withoutSelection(document().state());
+        document().undoStack().undo();
+        QVERIFY(test::withoutSelection(document().state()) == before);
+        document().undoStack().redo();
+        QVERIFY(test::withoutSelection(document().state()) == after);
+        QCOMPARE(document().validate(), QString());
+    }
+
+    void theWheelChangesTheCircleDuringADrag()
+    {
+        setRadius(0.1);
+        const QPoint start = pixel({0.25, 0.5});
+        QTest::mousePress(&view(), Qt::LeftButton, {}, start);
+        Canvases::moveMouse(view(), start + QPoint(0, -8), Qt::LeftButton);
+        const UvMatrix narrow = document().uv();
+        Canvases::turnWheel(view(), start, 120 * 8, Qt::ShiftModifier);
+        QVERIFY(tool().radius() > 50);
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, start + QPoint(0, -8));
+        QVERIFY(moved(document().uv(), narrow) > 4);
+        QCOMPARE(document().undoStack().count(), 1);
+        const double radius = tool().radius();
+        Canvases::turnWheel(view(), start, 120, {}); // zooms
+        QCOMPARE(tool().radius(), radius);
+    }
+
+    void noTriangleTurnsOver_data()
+    {
+        QTest::addColumn<SelectionMode>("mode");
+        QTest::addColumn<double>("radius");
+        QTest::newRow("vertex") << SelectionMode::Vertices << 0.05;
+        QTest::newRow("vertex and around") << SelectionMode::Vertices << 0.4;
+        QTest::newRow("edge") << SelectionMode::Edges << 0.2;
+        QTest::newRow("face") << SelectionMode::Faces << 0.2;
+    }
+
+    void noTriangleTurnsOver()
+    {
+        QFETCH(SelectionMode, mode);
+        QFETCH(double, radius);
+        mStudio->select(mode);
+        setRadius(radius);
+        for (const Vec2 &way : {Vec2(2, 1), Vec2(-1, 3), Vec2(0, -2), Vec2(-5, -5)}) {
+            const UvMatrix before = document().uv();
+            drag({0.25 + (mode == SelectionMode::Vertices ? 0 : 0.06), 0.5}, Vec2(0.25, 0.5) + way);
+            QVERIFY(moved(document().uv(), before) > 0);
+            QVERIFY(smallestArea() > 0);
+            document().undoStack().undo();
+            QVERIFY(document().uv() == before);
+        }
+    }
+
+    void islandsMoveWhole()
+    {
+        mStudio->select(SelectionMode::Islands);
+        const UvMatrix before = document().uv();
+        drag({0.3, 0.3}, {0.1, 0.4});
+        for (int c = 0; c < before.rows(); ++c) {
+            const Row way = document().uv().row(c) - before.row(c);
+            QVERIFY((way - (before(c, 0) > 1 ? Row(0, 0) : Row(-0.2, 0.1))).norm() < 1e-9);
+        }
+        QCOMPARE(document().undoStack().count(), 1);
+        document().undoStack().undo();
+        QVERIFY(document().uv() == before);
+    }
+
+    void cornersSnapToTheirPartners()
+    {
+        // All partners of the border, by a drag of the whole island.
+        mStudio->select(SelectionMode::Islands);
+        const QPoint start = pixel({0.3, 0.3});
+        Canvases::drag(view(), {start, start + QPoint(195, 6)});
+        QCOMPARE(document().islands().count(), 1);
+        QCOMPARE(document().undoStack().count(), 1);
+        document().undoStack().undo();
+        QCOMPARE(document().islands().count(), 2);
+        document().undoStack().redo();
+        QCOMPARE(document().islands().count(), 1);
+        document().undoStack().undo();
+        // Not from further away.
+        Canvases::drag(view(), {start, start + QPoint(180, 6)});
+        QCOMPARE(document().islands().count(), 2);
+        document().undoStack().undo();
+        // One vertex alone.
+        mStudio->select(SelectionMode::Vertices);
+        setRadius(0.7);
+        const QPoint corner = pixel({0.5, 1});
+        Canvases::drag(view(), {corner, corner + QPoint(194, 0)});
+        const int soup = soupAt({0.4999, 0.0});
+        QVERIFY(soup >= 0);
+        QVERIFY(moved(document().uv(), splitUv()) > 0);
+        QCOMPARE((document().uv().rowwise() - Row(1.5, 1)).rowwise().norm().minCoeff(), 0.0);
+        QVERIFY(smallestArea() > 0);
+    }
+
+    void lockedIslandsAndPinsStay()
+    {
+        const UvMatrix before = document().uv();
+        UvPin pin;
+        for (int c = 0; c < before.rows(); ++c) {
+            if ((before.row(c) - Row(0.25, 0.625)).norm() < 1e-9)
+                pin.corner = c;
+        }
+        pin.position = before.row(pin.corner);
+        pushCommand(std::make_unique<EditPins>(document(), EditPins::Edit::Pin, std::vector{pin}));
+        setRadius(0.3);
+        drag({0.25, 0.5}, {0.29, 0.46});
+        QVERIFY(moved(document().uv(), before) > 4);
+        QCOMPARE(document().uv().row(pin.corner), before.row(pin.corner));
+        document().undoStack().undo();
+        pushCommand(std::make_unique<SetIslandFlags>(document(), SetIslandFlags::Edit::Lock, std::vector{0}));
+        drag({0.25, 0.5}, {0.3, 0.5});
+        QVERIFY(document().uv() == before);
+        QCOMPARE(document().undoStack().count(), 2);
+        // A pinned vertex takes its pin along.
+        pushCommand(
+            std::make_unique<SetIslandFlags>(document(), SetIslandFlags::Edit::Unlock, std::vector{0}));
+        drag({0.25, 0.625}, {0.25, 0.675});
+        QVERIFY((document().constraints().pins[0].position - Vec2(0.25, 0.675)).norm() < 1e-9);
+    }
+
+    void escapeLeavesNoTrace()
+    {
+        const DocumentState before = document().state();
+        const QPoint start = pixel({0.25, 0.5});
+        QTest::mousePress(&view(), Qt::LeftButton, {}, start);
+        Canvases::moveMouse(view(), start + QPoint(10, 10), Qt::LeftButton);
+        QVERIFY(!(document().state() == before));
+        QTest::keyClick(&view(), Qt::Key_Escape);
+        QVERIFY(document().state() == before);
+        Canvases::moveMouse(view(), start + QPoint(20, 10), Qt::LeftButton);
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, start + QPoint(20, 10));
+        QVERIFY(document().state() == before);
+        QCOMPARE(document().undoStack().count(), 0);
+    }
+
+    void clicksSelect()
+    {
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, pixel({0.25, 0.5}));
+        QCOMPARE(document().selection().corners.size(), 4);
+        QTest::mouseClick(&view(), Qt::LeftButton, Qt::ShiftModifier, pixel({0.25, 0.25}));
+        QCOMPARE(document().selection().corners.size(), 8);
+        QCOMPARE(document().undoStack().count(), 0);
+        // What is selected moves together.
+        const UvMatrix before = document().uv();
+        setRadius(0.05);
+        drag({0.25, 0.5}, {0.27, 0.5});
+        QCOMPARE(moved(document().uv(), before), 8);
+    }
+
+    void theRunningSolveDeformsOrTears_data()
+    {
+        QTest::addColumn<double>("delta");
+        QTest::addColumn<bool>("tears");
+        QTest::newRow("smooth") << 4.0 << false;
+        QTest::newRow("sharp") << 0.004 << true;
+    }
+
+    //! Paper, "tear-up gesture": the same pull, with delta large and small.
+    void theRunningSolveDeformsOrTears()
+    {
+        QFETCH(double, delta);
+        QFETCH(bool, tears);
+        openOneIsland();
+        setRadius(0.3);
+        runAt(0.05, delta);
+        const int soup = soupAt({0.5, 1});
+        const UvMatrix before = document().uv();
+        const int entries = document().undoStack().count();
+        const Row from = mStudio->shown.uv().row(soup);
+        const QPoint start = pixel(from.transpose()), end = start - QPoint(0, 110);
+        pressAndPull(start, end);
+        QTRY_VERIFY_WITH_TIMEOUT((mStudio->shown.uv().row(soup) - from - Row(0, 0.55)).norm() < 0.02, 20'000);
+        const auto open = [this] {
+            const std::vector<float> &separation = mStudio->shown.separation();
+            return std::count_if(separation.begin(), separation.end(), [](float s) { return s >= 0.5f; });
+        };
+        if (tears)
+            QTRY_VERIFY_WITH_TIMEOUT(open() >= 4, 20'000);
+        else
+            QCOMPARE(open(), 0);
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, end);
+        QVERIFY(mStudio->solver.isRunning());
+        QVERIFY(document().uv() == before);
+        QCOMPARE(document().undoStack().count(), entries + tears);
+        const std::vector<PairState> states = document().seams().states;
+        QCOMPARE(std::count(states.begin(), states.end(), PairState::Cut) >= 4, tears);
+        QCOMPARE(document().validate(), QString());
+        if (tears) {
+            document().undoStack().undo();
+            QVERIFY(std::count(document().seams().states.begin(), document().seams().states.end(),
+                               PairState::Cut) == 0);
+            document().undoStack().redo();
+            QCOMPARE(document().seams().states, states);
+        }
+    }
+
+    void theRunningSolveAttaches()
+    {
+        setRadius(0.7);
+        const int soup = soupAt({0.5, 1}), partner = soupAt({1.5, 1});
+        runAt(0.3, 1e-4);
+        const int entries = document().undoStack().count();
+        const QPoint start = pixel(mStudio->shown.uv().row(soup).transpose());
+        const QPoint end = pixel(mStudio->shown.uv().row(partner).transpose()) - QPoint(5, 3);
+        pressAndPull(start, end);
+        // The other island comes nearer too.
+        const QPoint there = pixel(mStudio->shown.uv().row(partner).transpose()) - QPoint(5, 3);
+        Canvases::moveMouse(view(), there, Qt::LeftButton);
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, there);
+        QCOMPARE(document().undoStack().count(), entries + 1);
+        const std::vector<PairState> &states = document().seams().states;
+        QCOMPARE(std::count(states.begin(), states.end(), PairState::Joined), 1);
+        QVERIFY(mStudio->solver.isRunning());
+        QTRY_VERIFY_WITH_TIMEOUT(
+            (mStudio->shown.uv().row(soup) - mStudio->shown.uv().row(partner)).norm() < 0.02, 20'000);
+        document().undoStack().undo();
+        QCOMPARE(std::count(states.begin(), states.end(), PairState::Joined), 0);
+    }
+
+    //! In budget mode the solver would end by itself; not while it is pulled at.
+    void aPullKeepsTheSolveRunning()
+    {
+        openOneIsland(test::grid(32, 0.6));
+        setRadius(0.3);
+        mStudio->solver.setMode(SolveMode::Budget);
+        mStudio->solver.run();
+        QVERIFY(QTest::qWaitFor([this] { return mStudio->solver.status().iteration > 2; }, 20'000));
+        const int soup = soupAt({0.5, 1});
+        const QPoint start = pixel(mStudio->shown.uv().row(soup).transpose());
+        pressAndPull(start, start + QPoint(10, -30));
+        QTest::qWait(1500);
+        const bool ran = mStudio->solver.isRunning();
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, start + QPoint(10, -30));
+        QVERIFY(ran);
+        QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isRunning() && !mStudio->solver.isSettling(), 30'000);
+    }
+
+    void escapeLetsGoOfTheRunningSolve()
+    {
+        openOneIsland();
+        setRadius(0.3);
+        runAt(0.05, 0.004);
+        const int soup = soupAt({0.5, 1});
+        const int entries = document().undoStack().count();
+        const Row from = mStudio->shown.uv().row(soup);
+        const QPoint start = pixel(from.transpose()), end = start - QPoint(0, 110);
+        pressAndPull(start, end);
+        QTRY_VERIFY_WITH_TIMEOUT((mStudio->shown.uv().row(soup) - from - Row(0, 0.55)).norm() < 0.02, 20'000);
+        QTest::keyClick(&view(), Qt::Key_Escape);
+        QTRY_VERIFY_WITH_TIMEOUT((mStudio->shown.uv().row(soup) - from).norm() < 0.02, 20'000);
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, end);
+        QVERIFY(mStudio->solver.isRunning());
+        QCOMPARE(document().undoStack().count(), entries);
+    }
+
+private:
+    using Row = Eigen::RowVector2d;
+    Document &document() { return mStudio->document(); }
+    UvView &view() { return mStudio->uv; }
+    DragTool &tool() { return *qobject_cast<DragTool *>(mStudio->tools.tool()); }
+    QPoint pixel(const Vec2 &uv) { return view().camera().toScreen(uv).toPoint(); }
+    void drag(const Vec2 &from, const Vec2 &to) { Canvases::drag(view(), {pixel(from), pixel(to)}); }
+    UvMatrix splitUv() { return test::splitLayout(document().mesh()); }
+    void openOneIsland(const test::MeshPtr &mesh = test::grid(8))
+    {
+        Scene scene = test::sceneOf(mesh);
+        UvMatrix uv(scene.mesh->cornerCount(), 2);
+        for (int c = 0; c < scene.mesh->cornerCount(); ++c)
+            uv.row(c) = scene.mesh->cornerPosition(c).head<2>();
+        scene.uvSets = {{u"UV"_s, uv}};
+        const MapCamera camera = view().camera();
+        mStudio->open(std::make_unique<Document>(std::move(scene)));
+        view().setCamera(camera);
+        mStudio->select(SelectionMode::Vertices);
+    }
+    //! By the wheel, to the nearest notch.
+    void setRadius(double uv)
+    {
+        const double notches = std::log(uv * 200 / tool().radius()) / std::log(1.15);
+        Canvases::turnWheel(view(), {250, 250}, static_cast<int>(std::lround(120 * notches)),
+                            Qt::ShiftModifier);
+    }
+    static int moved(const UvMatrix &a, const UvMatrix &b)
+    {
+        return static_cast<int>(((a - b).rowwise().norm().array() > 0).count());
+    }
+    double smallestArea()
+    {
+        const UvMatrix soup = soupUv(document().mesh(), document().uv());
+        double least = 1;
+        for (Eigen::Index s = 0; s < soup.rows(); s += 3) {
+            const Row p = soup.row(s + 1) - soup.row(s), q = soup.row(s + 2) - soup.row(s);
+            least = std::min(least, p.x() * q.y() - p.y() * q.x());
+        }
+        return least;
+    }
+    int soupAt(const Vec2 &uv)
+    {
+        int row = -1;
+        (mStudio->shown.uv().rowwise() - uv.transpose()).rowwise().norm().minCoeff(&row);
+        return row;
+    }
+    void runAt(double lambda, double delta)
+    {
+        SolveSettings settings = document().solveSettings();
+        settings.lambda = lambda;
+        settings.delta = delta;
+        pushCommand(std::make_unique<ChangeSettings>(document(), settings));
+        mStudio->solver.setMode(SolveMode::Manual);
+        mStudio->solver.run();
+        QVERIFY(QTest::qWaitFor([this] { return mStudio->solver.status().iteration > 2; }, 60'000));
+    }
+    //! In small steps, so that the solver keeps up.
+    void pressAndPull(const QPoint &from, const QPoint &to)
+    {
+        QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+        for (int step = 1; step <= 10; ++step) {
+            Canvases::moveMouse(view(), from + (to - from) * step / 10, Qt::LeftButton);
+            const int iteration = mStudio->solver.status().iteration;
+            QVERIFY(QTest::qWaitFor(
+                [&] {
+                    return mStudio->solver.status().iteration > iteration + 2 ||
+                           mStudio->solver.status().converged;
+                },
+                60'000));
+        }
+    }
+
+    std::unique_ptr<Canvases> mStudio;
+};
+
+QTEST_MAIN(TestDragTool)
+#include "tst_dragtool.moc"
