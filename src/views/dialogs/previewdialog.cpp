@@ -7,6 +7,7 @@
 #include "views/control/workspace.h"
 #include "views/preferences/preferences.h"
 
+#include <QBuffer>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -15,6 +16,7 @@
 #include <QImageReader>
 #include <QLabel>
 #include <QPushButton>
+#include <QSaveFile>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -29,6 +31,14 @@ constexpr int smallest = 64, largest = 4096;
 //! Texels along the side of a square of the checkerboard.
 constexpr int squareTexels = 16;
 
+//! The file is there as a whole or not at all: another job may look for it. \returns what went wrong
+QString written(const QByteArray &bytes, const QString &to)
+{
+    QSaveFile file(to);
+    const bool done = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
+    return done ? QString() : file.errorString();
+}
+
 //! The picture as a texture of this size would have it. \returns what went wrong
 QString resample(const QString &from, int size, const QString &to)
 {
@@ -38,7 +48,11 @@ QString resample(const QString &from, int size, const QString &to)
     if (image.isNull())
         return reader.errorString();
     const QImage scaled = image.scaled(size, size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-    return scaled.save(to) ? QString() : PreviewDialog::tr("The picture could not be made");
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    return scaled.save(&buffer, "PNG") ? written(bytes, to)
+                                       : PreviewDialog::tr("The picture could not be made");
 }
 
 QString drawLayout(const MeshData &mesh, const UvMatrix &uv, int size, const QString &to)
@@ -48,9 +62,7 @@ QString drawLayout(const MeshData &mesh, const UvMatrix &uv, int size, const QSt
     const Result<QByteArray> picture = layoutPng(mesh, uv, options);
     if (!picture)
         return picture.error().message;
-    QFile file(to);
-    const bool written = file.open(QIODevice::WriteOnly) && file.write(picture.value()) > 0;
-    return written ? QString() : file.errorString();
+    return written(picture.value(), to);
 }
 
 } // namespace
@@ -124,7 +136,8 @@ void PreviewDialog::choosePicture()
 {
     if (picture() == Picture::Texture && mTexturePath.isEmpty())
         browse();
-    refresh();
+    else
+        refresh();
 }
 
 void PreviewDialog::browse()
