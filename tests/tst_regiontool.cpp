@@ -15,14 +15,13 @@ using test::Canvases;
 
 namespace {
 
-//! A strip of 2 x 32 quads around one and a half turns of a ring: one island, a third of it lies twice.
-std::unique_ptr<Document> spiral()
+//! A strip of quads around a ring, 32 to a turn; of one and a half turns a third lies twice.
+std::unique_ptr<Document> spiral(int count = 48)
 {
-    constexpr int count = 48;
     std::vector<Vec3> points;
     std::vector<std::vector<int>> faces;
     for (int i = 0; i <= count; ++i) {
-        const double angle = 3 * std::numbers::pi * i / count;
+        const double angle = 2 * std::numbers::pi * i / 32;
         for (double radius : {0.6, 1.0})
             points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.4 * i / count);
         if (i < count)
@@ -159,6 +158,20 @@ private Q_SLOTS:
         QVERIFY(mStudio->solver.isRunning());
         mStudio->solver.pause();
         QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isSettling(), 20'000);
+    }
+
+    //! Three layers do not come apart in two: the tool says so and takes what it can.
+    void moreThanTwoLayersAreTold()
+    {
+        clickFace(20);
+        QVERIFY(!mStudio->tools.tool()->hint().contains(u"no single region"_s));
+        mStudio->open(spiral(80)); // two and a half turns
+        const int before = overlaps();
+        clickFace(40);
+        QVERIFY(mStudio->tools.tool()->hint().contains(u"no single region"_s));
+        dragFace(40, {220, -30});
+        QVERIFY(overlaps() < before);
+        QVERIFY(overlaps() > 0);
     }
 
     void escapeEndsTheSearch()

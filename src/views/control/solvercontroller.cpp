@@ -96,6 +96,8 @@ void SolverController::cancelPulls()
     if (mPulls.empty())
         return;
     setPulls({});
+    mSendSoon.stop();
+    sendSnapshot(); // before the map is taken back, which would be pulled away again
     if (mBeforePulls)
         mWorker->takeBack(mBeforePulls);
 }
