@@ -23,6 +23,7 @@ constexpr double hopelessExcess = 1; // of the first map above the bound, for a 
 constexpr double leastMu = 1e-5;
 constexpr int boundRounds = 50, boundMoves = 8;
 constexpr int squeezeMoves = 20;
+constexpr int firstTries = 3;
 constexpr int firstRelaxation = 60;     // steps
 constexpr double firstTolerance = 1e-2; // of the energy, in ten steps
 constexpr double densityReserve = 0.01; // of the distortion above 4, for charts of equal density
@@ -247,8 +248,9 @@ int keepMostPromising(std::vector<std::unique_ptr<Run>> &runs, int count)
     return iterations;
 }
 
-std::optional<CutState> firstMap(const std::shared_ptr<const SeamGraph> &graph,
-                                 const OptimizeOptions &options, int number)
+//! \param number of the seed; each gives another map, and some give none
+std::optional<CutState> tryFirstMap(const std::shared_ptr<const SeamGraph> &graph,
+                                    const OptimizeOptions &options, int number)
 {
     // From many paths to few, spread evenly in the logarithm whatever the number of seeds.
     const double place = std::fmod(0.1 + 0.6180339887498949 * number, 1.0);
@@ -264,6 +266,15 @@ std::optional<CutState> firstMap(const std::shared_ptr<const SeamGraph> &graph,
     if (!map.validate(*graph->soup).empty())
         return std::nullopt;
     return usable(CutState::from(graph, map), options);
+}
+
+std::optional<CutState> firstMap(const std::shared_ptr<const SeamGraph> &graph,
+                                 const OptimizeOptions &options, int number)
+{
+    std::optional<CutState> state;
+    for (int i = 0; i < firstTries && !state; ++i)
+        state = tryFirstMap(graph, options, number + i * options.effort.seeds);
+    return state;
 }
 
 } // namespace
