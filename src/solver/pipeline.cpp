@@ -46,7 +46,7 @@ OptimizeEffort effortFor(UnwrapQuality quality, int triangles)
     OptimizeEffort effort = fullEffort(quality);
     if (quality == UnwrapQuality::Best)
         return effort;
-    const double share = std::clamp(std::sqrt(triangles / fullEffortTriangles), 0.4, 1.0);
+    const double share = std::clamp(std::sqrt(triangles / fullEffortTriangles), 0.5, 1.0);
     for (OptimizeEffort::Round &round : effort.rounds)
         round.moves = static_cast<int>(share * round.moves);
     return effort;

@@ -26,6 +26,8 @@ constexpr int squeezeMoves = 20;
 constexpr int firstTries = 3;
 constexpr int firstRelaxation = 60;     // steps
 constexpr double firstTolerance = 1e-2; // of the energy, in ten steps
+constexpr int firstPolishes = 4;
+constexpr double fastFall = 0.25;       // of the energy above the bound, in one polish
 constexpr double densityReserve = 0.01; // of the distortion above 4, for charts of equal density
 
 //! One map on its way to the bound.
@@ -65,10 +67,13 @@ public:
         }
         mBest = mState;
         mBestScore = score();
-        for (int i = 0; i < 3 && !mSearch.stopped(); ++i) {
+        for (int i = 0; i < firstPolishes && !mSearch.stopped(); ++i) {
+            const double before = mState.energy;
             mSearch.polish(1);
             mSearch.relaxAll(3);
-            adaptMu(0.4);
+            // Cheap seams would spoil a map that is still on its way.
+            if (before - mState.energy < fastFall * (mState.energy - bound()) || mState.energy < bound())
+                adaptMu(0.4);
             report(0);
         }
         keepBest();
