@@ -40,15 +40,19 @@ OptimizeEffort fullEffort(UnwrapQuality quality)
     throw std::invalid_argument("unwrap: unknown quality");
 }
 
-//! Small meshes have few seams to choose from: fewer moves exhaust them.
+//! Small meshes have few seams to choose from: fewer moves exhaust them, and other starts help more.
 OptimizeEffort effortFor(UnwrapQuality quality, int triangles)
 {
     OptimizeEffort effort = fullEffort(quality);
-    if (quality == UnwrapQuality::Best)
+    if (quality != UnwrapQuality::Standard)
         return effort;
-    const double share = std::clamp(std::sqrt(triangles / fullEffortTriangles), 0.5, 1.0);
-    for (OptimizeEffort::Round &round : effort.rounds)
+    const double share = std::clamp(std::sqrt(triangles / fullEffortTriangles), 0.4, 1.0);
+    const auto more = [share](int count) { return static_cast<int>(std::lround(count / share)); };
+    effort.seeds = more(effort.seeds);
+    for (OptimizeEffort::Round &round : effort.rounds) {
         round.moves = static_cast<int>(share * round.moves);
+        round.survivors = more(round.survivors);
+    }
     return effort;
 }
 
