@@ -13,7 +13,9 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace autocuts;
 
@@ -66,7 +68,7 @@ QString problemWith(const CutState &state)
 OptimizeOptions littleEffort()
 {
     OptimizeOptions options;
-    options.effort = {3, 20, 2, 60};
+    options.effort = {3, {{20, 2}, {60, 1}}, 10};
     return options;
 }
 
@@ -214,21 +216,63 @@ private Q_SLOTS:
         QVERIFY(kept > 0);
     }
 
-    void longerSeamsWhereTheyAreCheap()
+    void firstCutsStopWhereLittleShrinks()
     {
         Snapshot snapshot;
         snapshot.mesh = test::sphere(10, 14);
+        const auto graph = graphOf(snapshot);
+        const auto edges = [&](double shrinkage) {
+            SeedOptions options;
+            options.shrinkage = shrinkage;
+            const std::vector<char> cut = fewCuts(*graph, options);
+            return std::count(cut.begin(), cut.end(), 1);
+        };
+        SeedOptions none;
+        none.paths = 0;
+        const std::vector<char> opened = fewCuts(*graph, none);
+        QCOMPARE(edges(1000), std::count(opened.begin(), opened.end(), 1));
+        QVERIFY(edges(0.1) > edges(1000));
+    }
+
+    void longerSeamsWhereTheyAreCheap_data()
+    {
+        QTest::addColumn<QString>("mesh");
+        QTest::newRow("sphere") << QStringLiteral("sphere");
+        QTest::newRow("torus") << QStringLiteral("torus");
+    }
+    void longerSeamsWhereTheyAreCheap()
+    {
+        QFETCH(QString, mesh);
+        Snapshot snapshot;
+        snapshot.mesh = meshNamed(mesh);
+        const auto soup = Soup::build(snapshot.mesh);
         OptimizeOptions options = littleEffort();
-        double length[2];
-        for (int i = 0; i < 2; ++i) {
-            options.maxDistortion = i == 0 ? 4.05 : 4.3;
+        double before = std::numeric_limits<double>::infinity();
+        for (const double bound : {4.05, 4.1, 4.2, 4.5}) {
+            options.maxDistortion = bound;
             const auto found = optimizeSeams(graphOf(snapshot), options);
             QVERIFY(found.has_value());
-            const auto soup = Soup::build(snapshot.mesh);
-            QVERIFY(found->map.distortion(*soup) <= options.maxDistortion);
-            length[i] = found->map.seamLength(*soup);
+            QVERIFY(found->map.distortion(*soup) <= bound);
+            QVERIFY(!coversItself(*soup, found->map));
+            const double length = found->map.seamLength(*soup);
+            QVERIFY2(length < before,
+                     qPrintable(QStringLiteral("%1 at %2, %3 before").arg(length).arg(bound).arg(before)));
+            before = length;
         }
-        QVERIFY2(length[0] > length[1], qPrintable(QStringLiteral("%1 %2").arg(length[0]).arg(length[1])));
+    }
+
+    void everyRoundTriesItsMoves()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = test::sphere(10, 14);
+        OptimizeOptions options;
+        options.effort = {4, {{10, 3}, {20, 2}, {30, 1}}, 1};
+        int announced = 0, done = 0;
+        options.start = [&](int steps) { announced = steps; };
+        options.progress = [&](int steps, double, double) { done += steps; };
+        QVERIFY(optimizeSeams(graphOf(snapshot), options).has_value());
+        QCOMPARE(announced, 4 * 10 + 3 * 20 + 2 * 30);
+        QCOMPARE(done, announced);
     }
 
     void theSameOnAnyNumberOfThreads()

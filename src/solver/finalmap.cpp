@@ -66,7 +66,7 @@ std::optional<SeamedMap> makeFinalMap(const Solver &solver, const FinalMapOption
     const Soup &soup = solver.soup();
     OptimizeOptions search;
     search.maxDistortion = options.maxDistortion;
-    search.effort = {0, 0, 1, searchMoves};
+    search.effort = {0, {{searchMoves, 1}}};
     search.given.push_back(made->map);
     search.seed = snapshot.settings.seed;
     search.threads = options.threads;

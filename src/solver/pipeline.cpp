@@ -17,6 +17,7 @@ namespace autocuts {
 namespace {
 
 constexpr double hurriedPackEffort = 0.1;
+constexpr double fullEffortTriangles = 2000;
 
 //! The seam search knows seams, weights and the symmetric Dirichlet energy; what else steers the solver, and
 //! a fixed balance, is for the soup.
@@ -26,17 +27,33 @@ bool canSearch(const Snapshot &snapshot, const UnwrapOptions &options)
            snapshot.settings.energy == DistortionEnergy::SymmetricDirichlet;
 }
 
-OptimizeEffort effortFor(UnwrapQuality quality)
+OptimizeEffort fullEffort(UnwrapQuality quality)
 {
     switch (quality) {
     case UnwrapQuality::Draft:
-        return {1, 0, 1, 20, 2};
+        return {1, {{25, 1}}, 0};
     case UnwrapQuality::Standard:
-        return {8, 100, 2, 2000, 10};
+        return {10, {{80, 5}, {200, 2}, {1300, 1}}, 10};
     case UnwrapQuality::Best:
-        return {16, 200, 4, 5000, 10};
+        return {24, {{100, 12}, {300, 6}, {800, 3}, {2000, 1}}, 10};
     }
     throw std::invalid_argument("unwrap: unknown quality");
+}
+
+//! Small meshes have few seams to choose from: fewer moves exhaust them, and other starts help more.
+OptimizeEffort effortFor(UnwrapQuality quality, int triangles)
+{
+    OptimizeEffort effort = fullEffort(quality);
+    if (quality != UnwrapQuality::Standard)
+        return effort;
+    const double share = std::clamp(std::sqrt(triangles / fullEffortTriangles), 0.4, 1.0);
+    const auto more = [share](int count) { return static_cast<int>(std::lround(count / share)); };
+    effort.seeds = more(effort.seeds);
+    for (OptimizeEffort::Round &round : effort.rounds) {
+        round.moves = static_cast<int>(share * round.moves);
+        round.survivors = more(round.survivors);
+    }
+    return effort;
 }
 
 //! True when the surface is more than one piece without handles and with one border at most: then the few
@@ -58,7 +75,7 @@ std::optional<Candidate> searchedMap(const std::shared_ptr<const Soup> &soup, co
     OptimizeOptions search;
     search.maxDistortion = options.maxDistortion;
     search.allowOverlaps = options.allowOverlaps;
-    search.effort = effortFor(options.quality);
+    search.effort = effortFor(options.quality, snapshot.mesh->triangleCount());
     if (other)
         search.given.push_back(other->map);
     search.seed = snapshot.settings.seed;
@@ -108,6 +125,8 @@ void place(const Soup &soup, const SeamedMap &map, const UnwrapOptions &options,
     const std::vector<PackIsland> islands = makePackIslands(mesh, result.uv, charts);
     PackSettings settings = options.packing;
     settings.threads = options.threads;
+    if (options.quality == UnwrapQuality::Draft)
+        settings.effort = std::min(settings.effort, hurriedPackEffort);
     const auto pack = [&](const std::atomic<bool> *cancel) {
         return packIslands(islands, settings, cancel, [&](double done) {
             ranking.stage(UnwrapStage::Packing,

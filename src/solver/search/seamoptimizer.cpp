@@ -17,12 +17,17 @@ constexpr double firstMu = 0.1;
 constexpr double smallestMu = 0.005, largestMu = 1;
 //! What seams are worth near the bound in most maps, to rank those that are below and above it.
 constexpr double usualMu = 0.15, excessMu = 0.07;
-constexpr int fewestPaths = 5, mostPaths = 25;
+//! Where the first cuts stop. Round shapes do best with few, limbs get theirs in any case.
+constexpr double leastShrinkage = 0.7, mostShrinkage = 5;
 constexpr double hopelessExcess = 1; // of the first map above the bound, for a flat one
 constexpr double leastMu = 1e-5;
 constexpr int boundRounds = 50, boundMoves = 8;
 constexpr int squeezeMoves = 20;
+constexpr int firstTries = 3;
 constexpr int firstRelaxation = 60;     // steps
+constexpr double firstTolerance = 1e-2; // of the energy, in ten steps
+constexpr int firstPolishes = 4;
+constexpr double fastFall = 0.25;       // of the energy above the bound, in one polish
 constexpr double densityReserve = 0.01; // of the distortion above 4, for charts of equal density
 
 //! One map on its way to the bound.
@@ -57,15 +62,18 @@ public:
     {
         // Even in a hurry: before this the map is badly distorted.
         for (int i = 0; i < firstRelaxation / 10; ++i) {
-            if (mSearch.relaxAll(10) < 1e-4 || mSearch.stopped())
+            if (mSearch.relaxAll(10) < firstTolerance || mSearch.stopped())
                 break;
         }
         mBest = mState;
         mBestScore = score();
-        for (int i = 0; i < 3 && !mSearch.stopped(); ++i) {
+        for (int i = 0; i < firstPolishes && !mSearch.stopped(); ++i) {
+            const double before = mState.energy;
             mSearch.polish(1);
             mSearch.relaxAll(3);
-            adaptMu(0.4);
+            // Cheap seams would spoil a map that is still on its way.
+            if (before - mState.energy < fastFall * (mState.energy - bound()) || mState.energy < bound())
+                adaptMu(0.4);
             report(0);
         }
         keepBest();
@@ -138,6 +146,7 @@ private:
             for (int k = 0; k < boundMoves; ++k)
                 mSearch.tryLargeMove();
             mSearch.relaxAll(3);
+            report(0);
         }
     }
 
@@ -231,13 +240,27 @@ std::optional<OptimizedMap> flatMap(const std::shared_ptr<const SeamGraph> &grap
     return OptimizedMap{state->map(), 0, trial.patch().steps()};
 }
 
-std::optional<CutState> firstMap(const std::shared_ptr<const SeamGraph> &graph,
-                                 const OptimizeOptions &options, int number)
+//! Ends the runs that promise least; returns the Newton steps that they have taken.
+int keepMostPromising(std::vector<std::unique_ptr<Run>> &runs, int count)
 {
-    // Numbers of paths spread evenly in the logarithm, whatever the number of seeds.
-    const double place = std::fmod(0.9 + 0.6180339887498949 * number, 1.0);
+    std::stable_sort(runs.begin(), runs.end(),
+                     [](const auto &a, const auto &b) { return a->expectedCost() < b->expectedCost(); });
+    int iterations = 0;
+    while (static_cast<int>(runs.size()) > count) {
+        iterations += runs.back()->searcher().steps();
+        runs.pop_back();
+    }
+    return iterations;
+}
+
+//! \param number of the seed; each gives another map, and some give none
+std::optional<CutState> tryFirstMap(const std::shared_ptr<const SeamGraph> &graph,
+                                    const OptimizeOptions &options, int number)
+{
+    // From many paths to few, spread evenly in the logarithm whatever the number of seeds.
+    const double place = std::fmod(0.1 + 0.6180339887498949 * number, 1.0);
     SeedOptions seed;
-    seed.paths = static_cast<int>(std::round(fewestPaths * std::pow(double(mostPaths) / fewestPaths, place)));
+    seed.shrinkage = leastShrinkage * std::pow(mostShrinkage / leastShrinkage, place);
     seed.joinBorders = number % 2 == 1;
     seed.seed = options.seed * 1000 + static_cast<std::uint64_t>(number);
     seed.stop = options.stop;
@@ -250,6 +273,15 @@ std::optional<CutState> firstMap(const std::shared_ptr<const SeamGraph> &graph,
     return usable(CutState::from(graph, map), options);
 }
 
+std::optional<CutState> firstMap(const std::shared_ptr<const SeamGraph> &graph,
+                                 const OptimizeOptions &options, int number)
+{
+    std::optional<CutState> state;
+    for (int i = 0; i < firstTries && !state; ++i)
+        state = tryFirstMap(graph, options, number + i * options.effort.seeds);
+    return state;
+}
+
 } // namespace
 
 std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph> &graph,
@@ -260,10 +292,16 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
             return flat;
     }
     const OptimizeEffort &effort = options.effort;
-    if (options.start)
-        options.start(effort.seeds * effort.seedMoves + effort.finalists * effort.moves);
-    int iterations = 0;
     const int given = static_cast<int>(options.given.size());
+    if (options.start) {
+        int steps = 0, running = effort.seeds + given;
+        for (const OptimizeEffort::Round &round : effort.rounds) {
+            steps += running * round.moves;
+            running = std::min(running, round.survivors);
+        }
+        options.start(steps);
+    }
+    int iterations = 0;
     std::vector<std::unique_ptr<Run>> runs(effort.seeds + given);
     const auto begin = [&](int i) {
         std::optional<CutState> state =
@@ -274,24 +312,23 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
             runs[i]->start();
         }
     };
-    parallelFor(effort.seeds + given, options.threads, [&](int i) {
-        begin(i);
-        if (runs[i])
-            runs[i]->search(effort.seedMoves);
-    });
-    std::erase_if(runs, [](const auto &run) { return !run; });
-    if (runs.empty())
-        return std::nullopt;
-    std::stable_sort(runs.begin(), runs.end(),
-                     [](const auto &a, const auto &b) { return a->expectedCost() < b->expectedCost(); });
-    const int finalists = std::min<int>(effort.finalists, static_cast<int>(runs.size()));
-    for (std::size_t i = finalists; i < runs.size(); ++i)
-        iterations += runs[i]->searcher().steps();
-    runs.resize(finalists);
-    parallelFor(finalists, options.threads, [&](int i) {
-        runs[i]->search(effort.moves);
-        runs[i]->finish();
-    });
+    for (std::size_t round = 0; round < effort.rounds.size(); ++round) {
+        if (round > 0)
+            iterations += keepMostPromising(runs, effort.rounds[round - 1].survivors);
+        const bool last = round + 1 == effort.rounds.size();
+        parallelFor(static_cast<int>(runs.size()), options.threads, [&](int i) {
+            if (round == 0)
+                begin(i);
+            if (!runs[i])
+                return;
+            runs[i]->search(effort.rounds[round].moves);
+            if (last)
+                runs[i]->finish();
+        });
+        std::erase_if(runs, [](const auto &run) { return !run; });
+        if (runs.empty())
+            return std::nullopt;
+    }
     for (const auto &run : runs)
         iterations += run->searcher().steps();
     const auto better = [](const std::unique_ptr<Run> &a, const std::unique_ptr<Run> &b) {

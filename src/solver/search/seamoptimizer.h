@@ -13,14 +13,18 @@
 
 namespace autocuts {
 
-//! How much is tried.
+//! How much is tried. All starts take part in the first round, its survivors in the second, and so on. Those
+//! in the last round are taken to the bound, and the best wins.
 struct OptimizeEffort
 {
-    int seeds = 8;       //!< different first cuts
-    int seedMoves = 100; //!< large moves tried on each of them
-    int finalists = 2;   //!< of these, so many go on
-    int moves = 3000;    //!< large moves tried on each finalist
-    int squeezes = 10;   //!< rounds in which what is left of the bound is spent
+    struct Round
+    {
+        int moves = 0;     //!< large moves tried on each run
+        int survivors = 1; //!< so many of the most promising go on
+    };
+    int seeds = 8; //!< different first cuts
+    std::vector<Round> rounds{{100, 2}, {2000, 1}};
+    int squeezes = 10; //!< times that what is left of the bound is spent
 };
 
 struct OptimizeOptions

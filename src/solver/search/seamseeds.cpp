@@ -12,10 +12,6 @@ namespace autocuts {
 
 namespace {
 
-//! A point is worth a path when the embedding shrinks its surroundings by this, natural logarithm of the
-//! area.
-constexpr double worthwhileShrinkage = 0.7;
-
 //! Distances over uncut edges from some points; -1 where nothing leads.
 std::vector<double> distances(const SeamGraph &graph, const std::vector<double> &cost,
                               const std::vector<int> &from, std::vector<int> &via)
@@ -225,7 +221,7 @@ std::vector<char> fewCuts(const SeamGraph &graph, const SeedOptions &options)
         for (int c = 0; c < mesh.soupCornerCount(); ++c) {
             int &w = worst[state.chart[c / 3]];
             const int v = graph.vertex[c];
-            if (!onSeam[v] && shrunk[v] > worthwhileShrinkage && (w < 0 || shrunk[v] > shrunk[w]))
+            if (!onSeam[v] && shrunk[v] > options.shrinkage && (w < 0 || shrunk[v] > shrunk[w]))
                 w = v;
         }
         bool any = false;

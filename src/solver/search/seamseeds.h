@@ -12,7 +12,8 @@ namespace autocuts {
 
 struct SeedOptions
 {
-    int paths = 12;           //!< seams added to each chart at most
+    int paths = 25;           //!< seams added to each chart at most
+    double shrinkage = 0.7;   //!< points that the embedding shrinks less get no path: logarithm of the area
     bool joinBorders = false; //!< first of all, paths between the borders of each chart
     std::uint64_t seed = 1;   //!< of the random factors on the lengths of the edges
     const std::atomic<bool> *stop = nullptr;

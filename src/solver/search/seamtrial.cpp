@@ -19,6 +19,8 @@ constexpr int stepsPerSpring = 3;
 //! Share of the whole that a chart must have.
 constexpr double smallestChart = 0.005;
 constexpr int guardedSteps = 10;
+//! So many relaxations bar contacts from the start after one that had to.
+constexpr int stayGuarded = 3;
 
 //! Least-squares rigid motion of `moving` onto `fixed`.
 class RigidFit
@@ -363,8 +365,13 @@ void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool gu
     mPatch.join(mState, mState.x);
     PatchLimits limits;
     limits.steps = steps;
+    // Where the free way led over itself it will do so again for a while.
+    limits.guarded = guarded && mGuardedFor > 0;
     mPatch.minimize(limits);
-    if (guarded && mPatch.crossesItself()) {
+    if (limits.guarded) {
+        --mGuardedFor;
+    } else if (guarded && mPatch.crossesItself()) {
+        mGuardedFor = stayGuarded;
         mPatch.join(mState, mState.x);
         limits.guarded = true;
         mPatch.minimize(limits);

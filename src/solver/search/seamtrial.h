@@ -66,6 +66,7 @@ private:
     double mLastGain = 0;
     std::vector<double> mOldX, mOldEnergy; //!< of the patch, before keep()
     double mOldSum = 0;
+    int mGuardedFor = 0;           //!< so many relaxations need not try the free way
     bool mTopologyChanged = false; //!< the state's topology is that of the change
 };
 
