@@ -60,6 +60,7 @@ public:
             if (mSearch.relaxAll(10) < 1e-4 || mSearch.stopped())
                 break;
         }
+        mSearch.absorbSmallCharts();
         mBest = mState;
         mBestScore = score();
         for (int i = 0; i < 3 && !mSearch.stopped(); ++i) {
@@ -98,6 +99,7 @@ public:
             restoreBest();
             return;
         }
+        mSearch.absorbSmallCharts();
         meetBound();
         keepBest();
         restoreBest();
