@@ -26,8 +26,8 @@ void normalize(const MeshData &mesh, std::vector<double> &factors)
         if (!mesh.edgePairs[e].diagonal)
             most = std::max(most, factors[e]);
     }
-    for (double &factor : factors)
-        factor = most > 0 ? factor / most : 1;
+    for (std::size_t e = 0; e < factors.size(); ++e)
+        factors[e] = most > 0 && !mesh.edgePairs[e].diagonal ? factors[e] / most : 1;
 }
 
 } // namespace
