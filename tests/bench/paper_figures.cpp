@@ -256,8 +256,7 @@ void Gallery::propagatedCut()
 {
     constexpr double lambda = 0.4;
     constexpr int tries = 12;
-    const Model model =
-        this->model(QStringLiteral("organic/planck1.obj"), QStringLiteral("character"));
+    const Model model = this->model(QStringLiteral("organic/planck1.obj"), QStringLiteral("character"));
     Solver solver;
     solver.load(snapshotOf(model));
     annealSoup(solver, {.lambda = lambda, .stepsPerLevel = slowSteps}, nullptr);
