@@ -216,6 +216,11 @@ private:
         outcome.iterations = result.iterations;
         outcome.lambda = result.lambda;
         outcome.delta = result.delta;
+        if (result.symmetry == 0.0)
+            outcome.warnings << QStringLiteral("the mesh is not symmetric: nor are the cuts");
+        else if (result.symmetry)
+            outcome.notes
+                << QStringLiteral("symmetric part of the seams: %1 %").arg(100 * *result.symmetry, 0, 'f', 1);
         if (!result.withinBound)
             outcome.warnings << QStringLiteral("the distortion is %1, above the bound of %2")
                                     .arg(result.distortion, 0, 'g', 6)

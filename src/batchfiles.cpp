@@ -124,6 +124,10 @@ void BatchFiles::mergeSettings(CliOptions &options)
     merge("--energy", options.settings.energy, solve.energy);
     merge("--solver", options.settings.solver, solve.solver);
     merge("--seed", options.settings.seed, solve.seed);
+    merge("--creases", options.settings.creases, solve.creases);
+    merge("--crease-strength", options.settings.creaseStrength, solve.creaseStrength);
+    merge("--visibility", options.settings.visibility, solve.visibility);
+    merge("--symmetry", options.settings.symmetry, solve.symmetry);
     options.settings.lambda = solve.lambda;
     options.settings.delta = solve.delta;
     options.settings.boxWeight = solve.boxWeight;

@@ -131,6 +131,12 @@ private:
                                               {"amips", DistortionEnergy::Amips}}));
         add("--solver", unwrap,
             choice(mOptions.settings.solver, {{"fast", SolverKind::Fast}, {"exact", SolverKind::Exact}}));
+        add("--creases", unwrap,
+            choice(mOptions.settings.creases,
+                   {{"off", CreaseMode::Off}, {"auto", CreaseMode::Auto}, {"on", CreaseMode::On}}));
+        add("--crease-strength", unwrap, number(mOptions.settings.creaseStrength, 0, 1));
+        add("--visibility", unwrap, number(mOptions.settings.visibility, 0, 1));
+        add("--symmetry", unwrap, flag(mOptions.settings.symmetry, true));
         add("--quality", unwrap,
             choice(u.quality, {{"draft", UnwrapQuality::Draft},
                                {"standard", UnwrapQuality::Standard},
@@ -377,6 +383,10 @@ unwrap:
   --allow-overlaps     do not cut islands that cover themselves
   --solver MODE        fast or exact [fast]
   --quality MODE       draft, standard or best [standard]
+  --creases MODE       seams along sharp edges: off, on, or auto (on meshes that have creases) [auto]
+  --crease-strength X  part of its cost that a seam on a sharp edge saves, 0 to 1 [0.8]
+  --visibility X       seams rather where they are hidden, 0 (no matter) to 1 [0]
+  --symmetry           symmetric cuts on symmetric meshes
 unwrap, pack, separate:
   --texture-size N     texels along each side of the unit square; also for check [2048]
   --margin N           texels between islands, half of it to the border [8]

@@ -39,6 +39,10 @@ private Q_SLOTS:
         QCOMPARE(o.settings.weighting, SeamWeighting::Length);
         QCOMPARE(o.settings.energy, DistortionEnergy::SymmetricDirichlet);
         QCOMPARE(o.settings.solver, SolverKind::Fast);
+        QCOMPARE(o.settings.creases, CreaseMode::Auto);
+        QCOMPARE(o.settings.creaseStrength, 0.8);
+        QCOMPARE(o.settings.visibility, 0.0);
+        QVERIFY(!o.settings.symmetry);
         QCOMPARE(o.unwrap.quality, UnwrapQuality::Standard);
         QVERIFY(!o.unwrap.allowOverlaps);
         QVERIFY(o.unwrap.pack);
@@ -57,7 +61,8 @@ private Q_SLOTS:
         const CliOptions o = parsed(
             "unwrap --max-distortion 4.25 --init tutte --weights count --energy amips --allow-overlaps "
             "--no-pack --texture-size 1024 --margin 2.5 --rotation 90 --pack-time 3 --solver exact --quality "
-            "best --layout l.svg --report r.json --threads 3 --time-limit 12.5 --seed 7 --quiet -o out.obj "
+            "best --creases on --crease-strength 0.5 --visibility 0.25 --symmetry --layout l.svg --report "
+            "r.json --threads 3 --time-limit 12.5 --seed 7 --quiet -o out.obj "
             "in.obj");
         QCOMPARE(o.input, QStringLiteral("in.obj"));
         QCOMPARE(o.output, QStringLiteral("out.obj"));
@@ -72,6 +77,10 @@ private Q_SLOTS:
         QCOMPARE(o.unwrap.packing.rotation, PackRotation::Quarter);
         QCOMPARE(o.unwrap.packing.effort, 3.0);
         QCOMPARE(o.settings.solver, SolverKind::Exact);
+        QCOMPARE(o.settings.creases, CreaseMode::On);
+        QCOMPARE(o.settings.creaseStrength, 0.5);
+        QCOMPARE(o.settings.visibility, 0.25);
+        QVERIFY(o.settings.symmetry);
         QCOMPARE(o.unwrap.quality, UnwrapQuality::Best);
         QCOMPARE(o.layout, QStringLiteral("l.svg"));
         QCOMPARE(o.report, QStringLiteral("r.json"));
@@ -93,6 +102,8 @@ private Q_SLOTS:
                                  "unwrap a -o b --energy symmetric-dirichlet",
                                  "unwrap a -o b --solver fast",
                                  "unwrap a -o b --quality draft",
+                                 "unwrap a -o b --creases off",
+                                 "unwrap a -o b --creases auto",
                                  "unwrap a -o b --quality standard",
                                  "unwrap a -o b --rotation free",
                                  "unwrap a -o b --rotation none",

@@ -7,6 +7,7 @@
 #include "views/panels/sliderspin.h"
 #include "views/panels/solverpanel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -213,6 +214,32 @@ private Q_SLOTS:
         typeInto(child<QAbstractSpinBox>(bench.panel, "boxWeight"), QStringLiteral("12.5"));
         QCOMPARE(bench.settings().seed, 77u);
         QCOMPARE(bench.settings().boxWeight, 12.5);
+    }
+
+    void whereSeamsShouldRun()
+    {
+        SolverBench bench;
+        auto *const creases = child<QComboBox>(bench.panel, "creases");
+        QCOMPARE(creases->currentData().toInt(), int(CreaseMode::Auto));
+        creases->setFocus();
+        QTest::keyClick(creases, Qt::Key_Down);
+        QCOMPARE(bench.settings().creases, CreaseMode::On);
+        typeInto(child<SliderSpin>(bench.panel, "creaseStrength")->spinBox(), QStringLiteral("0.5"));
+        typeInto(child<SliderSpin>(bench.panel, "visibility")->spinBox(), QStringLiteral("0.75"));
+        QCOMPARE(bench.settings().creaseStrength, 0.5);
+        QCOMPARE(bench.settings().visibility, 0.75);
+        auto *const symmetry = child<QCheckBox>(bench.panel, "symmetry");
+        symmetry->setFocus();
+        QTest::keyClick(symmetry, Qt::Key_Space);
+        QVERIFY(bench.settings().symmetry);
+        QCOMPARE(bench.stack().count(), 4);
+        while (bench.stack().canUndo())
+            bench.stack().undo();
+        QVERIFY(bench.settings() == SolveSettings());
+        QVERIFY(test::isUpToDate(bench.panel));
+        QCOMPARE(creases->currentData().toInt(), int(CreaseMode::Auto));
+        QCOMPARE(child<SliderSpin>(bench.panel, "visibility")->value(), 0.0);
+        QVERIFY(!symmetry->isChecked());
     }
 
     void theBudgetTakesOverLambdaAndDelta()

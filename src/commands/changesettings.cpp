@@ -29,6 +29,14 @@ const char *solveText(int properties)
         return QT_TRANSLATE_NOOP("Undo Commands", "Change solver");
     case SeedProperty:
         return QT_TRANSLATE_NOOP("Undo Commands", "Change seed");
+    case CreasesProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change seams on creases");
+    case CreaseStrengthProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change weight of creases");
+    case VisibilityProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change hiding of seams");
+    case SymmetryProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change symmetry of cuts");
     default:
         return nullptr;
     }

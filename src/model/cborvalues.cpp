@@ -202,7 +202,11 @@ QCborMap toCbor(const SolveSettings &settings)
             {"weighting"_L1, static_cast<int>(settings.weighting)},
             {"start"_L1, static_cast<int>(settings.start)},
             {"solver"_L1, static_cast<int>(settings.solver)},
-            {"seed"_L1, qint64(settings.seed)}};
+            {"seed"_L1, qint64(settings.seed)},
+            {"creases"_L1, static_cast<int>(settings.creases)},
+            {"creaseStrength"_L1, settings.creaseStrength},
+            {"visibility"_L1, settings.visibility},
+            {"symmetry"_L1, settings.symmetry}};
 }
 
 SolveSettings readSolveSettings(CborReader &reader)
@@ -224,6 +228,11 @@ SolveSettings readSolveSettings(CborReader &reader)
     read("seed"_L1, settings.seed, [&] {
         return static_cast<unsigned>(reader.integer("seed"_L1, 0, std::numeric_limits<unsigned>::max()));
     });
+    read("creases"_L1, settings.creases, [&] { return reader.enumerator("creases"_L1, CreaseMode::On); });
+    read("creaseStrength"_L1, settings.creaseStrength,
+         [&] { return reader.number("creaseStrength"_L1, 0, 1); });
+    read("visibility"_L1, settings.visibility, [&] { return reader.number("visibility"_L1, 0, 1); });
+    read("symmetry"_L1, settings.symmetry, [&] { return reader.boolean("symmetry"_L1); });
     if (!isValid(settings))
         reader.fail();
     return settings;

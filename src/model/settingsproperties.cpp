@@ -10,7 +10,11 @@ int differences(const SolveSettings &a, const SolveSettings &b)
            (a.boxWeight != b.boxWeight ? BoxWeightProperty : 0) |
            (a.energy != b.energy ? EnergyProperty : 0) |
            (a.weighting != b.weighting ? WeightingProperty : 0) | (a.start != b.start ? StartProperty : 0) |
-           (a.solver != b.solver ? SolverProperty : 0) | (a.seed != b.seed ? SeedProperty : 0);
+           (a.solver != b.solver ? SolverProperty : 0) | (a.seed != b.seed ? SeedProperty : 0) |
+           (a.creases != b.creases ? CreasesProperty : 0) |
+           (a.creaseStrength != b.creaseStrength ? CreaseStrengthProperty : 0) |
+           (a.visibility != b.visibility ? VisibilityProperty : 0) |
+           (a.symmetry != b.symmetry ? SymmetryProperty : 0);
 }
 
 int differences(const PackingSettings &a, const PackingSettings &b)
@@ -28,7 +32,9 @@ bool isValid(const SolveSettings &settings)
            settings.delta > 0 && std::isfinite(settings.boxWeight) && settings.boxWeight >= 0 &&
            inRange(settings.energy, DistortionEnergy::Amips) &&
            inRange(settings.weighting, SeamWeighting::Count) &&
-           inRange(settings.start, StartMode::ExistingUv) && inRange(settings.solver, SolverKind::Exact);
+           inRange(settings.start, StartMode::ExistingUv) && inRange(settings.solver, SolverKind::Exact) &&
+           inRange(settings.creases, CreaseMode::On) && inRange(settings.creaseStrength, 1.0) &&
+           inRange(settings.visibility, 1.0);
 }
 
 } // namespace autocuts

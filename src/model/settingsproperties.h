@@ -15,7 +15,11 @@ enum SolveProperty {
     WeightingProperty = 1 << 4,
     StartProperty = 1 << 5,
     SolverProperty = 1 << 6,
-    SeedProperty = 1 << 7
+    SeedProperty = 1 << 7,
+    CreasesProperty = 1 << 8,
+    CreaseStrengthProperty = 1 << 9,
+    VisibilityProperty = 1 << 10,
+    SymmetryProperty = 1 << 11
 };
 
 //! The fields of PackingSettings.

@@ -48,6 +48,12 @@ struct Snapshot
     UvMatrix startUv;                   //!< per soup corner, for StartMode::ExistingUv; else empty
     std::uint64_t topologyRevision = 0; //!< changes with the mesh and with what is cut
     std::uint64_t settingsRevision = 0; //!< changes with everything else
+
+    //! Factor on the cost of a seam along an edge: the mean of its corner pairs' weights.
+    double edgeWeight(std::size_t edge) const
+    {
+        return pairWeight.empty() ? 1 : 0.5 * (pairWeight[2 * edge] + pairWeight[2 * edge + 1]);
+    }
 };
 
 //! Start UVs for StartMode::ExistingUv: the corners' UVs, scaled so that their area is pi like the mesh's.

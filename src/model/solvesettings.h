@@ -7,6 +7,7 @@ enum class DistortionEnergy { SymmetricDirichlet, Amips };
 enum class StartMode { Rigid, Tutte, Random, ExistingUv };
 enum class SeamWeighting { Length, Count };
 enum class SolverKind { Fast, Exact };
+enum class CreaseMode { Off, Auto, On };
 
 //! Parameters of the energy (1 - lambda) D + lambda S (paper, Eq. 1) and of how it is minimised.
 struct SolveSettings
@@ -19,6 +20,11 @@ struct SolveSettings
     StartMode start = StartMode::Rigid;
     SolverKind solver = SolverKind::Fast;
     unsigned seed = 1;
+    // Where seams should rather run. These count for every way of cutting.
+    CreaseMode creases = CreaseMode::Auto; //!< seams along sharp edges; Auto: on meshes that have creases
+    double creaseStrength = 0.8;           //!< part of the cost that a seam on a sharp edge saves, in [0, 1]
+    double visibility = 0;                 //!< how much rather seams lie where they are hidden, in [0, 1]
+    bool symmetry = false;                 //!< symmetric cuts on symmetric meshes (automatic map only)
 
     bool operator==(const SolveSettings &) const = default;
 };

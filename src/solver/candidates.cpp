@@ -1,20 +1,45 @@
 #include "solver/candidates.h"
 
+#include "solver/search/cutstate.h"
+
 #include <algorithm>
 
 namespace autocuts {
+
+void Candidate::measure(const Soup &soup, const Snapshot &snapshot)
+{
+    distortion = map.distortion(soup);
+    seamLength = map.seamLength(soup);
+    seamCost = map.seamCost(soup, snapshot);
+    const MeshData &mesh = *soup.mesh;
+    const CutMesh charts(mesh, map.cut);
+    std::vector<double> area(charts.chartCount, 0);
+    for (int t = 0; t < mesh.triangleCount(); ++t)
+        area[charts.chart[t]] += soup.weight[t];
+    std::vector<bool> isSmallPart(charts.chartCount, false);
+    for (const EdgePair &pair : mesh.edgePairs) {
+        const int one = charts.chart[pair.triangle[0]], other = charts.chart[pair.triangle[1]];
+        for (const int c : {one, other}) {
+            if (one != other && area[c] < CutState::smallestChart)
+                isSmallPart[c] = true;
+        }
+    }
+    smallCharts = static_cast<int>(std::count(isSmallPart.begin(), isSmallPart.end(), true));
+}
 
 bool Ranking::better(const Candidate &a, const Candidate &b) const
 {
     if (mOptions.lambda) {
         const double mu = *mOptions.lambda / std::max(1 - *mOptions.lambda, 1e-9);
-        return a.distortion + mu * a.seamLength < b.distortion + mu * b.seamLength;
+        return a.distortion + mu * a.seamCost < b.distortion + mu * b.seamCost;
     }
     const bool aFits = a.distortion <= mOptions.maxDistortion;
     const bool bFits = b.distortion <= mOptions.maxDistortion;
     if (aFits != bFits)
         return aFits;
-    return aFits ? a.seamLength < b.seamLength : a.distortion < b.distortion;
+    if (aFits && a.smallCharts != b.smallCharts)
+        return a.smallCharts < b.smallCharts;
+    return aFits ? a.seamCost < b.seamCost : a.distortion < b.distortion;
 }
 
 void Ranking::setTotal(int steps)

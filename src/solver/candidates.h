@@ -15,7 +15,11 @@ namespace autocuts {
 struct Candidate
 {
     SeamedMap map;
-    double distortion = 0, seamLength = 0, lambda = 0, delta = 0;
+    double distortion = 0, seamLength = 0, seamCost = 0, lambda = 0, delta = 0;
+    int smallCharts = 0; //!< below CutState::smallestChart and not whole pieces of the mesh
+
+    //! Sets distortion, length, cost and the number of small charts.
+    void measure(const Soup &soup, const Snapshot &snapshot);
 };
 
 //! Compares candidates and reports progress; shared between threads.
@@ -26,7 +30,8 @@ public:
         : mOptions(options), mReport(report)
     {}
 
-    //! Shorter seams win among those within the bound, lower distortion outside of it.
+    //! Among those within the bound fewer small charts win, then cheaper seams; lower distortion outside of
+    //! it.
     bool better(const Candidate &a, const Candidate &b) const;
 
     //! Sets how many steps the whole job has.

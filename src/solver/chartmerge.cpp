@@ -261,7 +261,7 @@ private:
         double gain = 0;
         for (const int e : edges) {
             trial.cut[e] = false;
-            gain += mSoup->pairLength[2 * static_cast<std::size_t>(e)];
+            gain += mSnapshot.edgeWeight(e) * mSoup->pairLength[2 * static_cast<std::size_t>(e)];
         }
         const CutMesh joined(mMesh, trial.cut);
         if (!snapSeam(joined, edges, trial.x))

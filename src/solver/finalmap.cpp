@@ -87,8 +87,8 @@ std::optional<SeamedMap> makeFinalMap(const Solver &solver, const FinalMapOption
     equalizeDensity(soup, found->map);
     const bool fits = found->map.distortion(soup) <= options.maxDistortion;
     const bool madeFits = made->map.distortion(soup) <= options.maxDistortion;
-    const bool shorter = found->map.seamLength(soup) < made->map.seamLength(soup);
-    if (coversItself(soup, found->map) || (fits == madeFits ? !shorter : madeFits))
+    const bool cheaper = found->map.seamCost(soup, snapshot) < made->map.seamCost(soup, snapshot);
+    if (coversItself(soup, found->map) || (fits == madeFits ? !cheaper : madeFits))
         return made->map;
     placeNear(soup, found->map, solver.coordinates());
     return std::move(found->map);

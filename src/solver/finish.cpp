@@ -20,7 +20,7 @@ constexpr double smallestDeterminant = 1e-6;
 //! A spring is a separation with a delta far beyond any distance.
 constexpr double springDelta = 1e6;
 constexpr double firstSpring = 0.3;
-constexpr int springLevels = 5;    // 0.3, 3, ... 3000
+constexpr int springLevels = 5; // 0.3, 3, ... 3000
 constexpr int stepsPerSpring = 4;
 constexpr double stall = 1e-7;
 
@@ -77,8 +77,7 @@ struct ShapeTerms
     ShapeTerms(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot)
         : distortion(makeDistortionTerm(soup, snapshot.settings.energy)), pins(stiffened(snapshot.pins)),
           boxes(snapshot.rectangles, snapshot.settings.boxWeight)
-    {
-    }
+    {}
 
     std::vector<const EnergyTerm *> all() const { return {distortion.get(), &pins, &boxes}; }
 
@@ -124,8 +123,8 @@ bool pullTogether(const std::shared_ptr<const Soup> &soup, const Snapshot &snaps
 
 //! Cuts the edges of the bad triangles' faces and of some rings of faces around them; joined ones only when
 //! `force`. Returns true when that cut any.
-bool release(const MeshData &mesh, const Snapshot &snapshot, const std::vector<int> &bad, int rings, bool force,
-             CutFlags &cut)
+bool release(const MeshData &mesh, const Snapshot &snapshot, const std::vector<int> &bad, int rings,
+             bool force, CutFlags &cut)
 {
     std::vector<bool> face(mesh.faceCount(), false);
     for (const int t : bad)
@@ -141,7 +140,8 @@ bool release(const MeshData &mesh, const Snapshot &snapshot, const std::vector<i
     bool changed = false;
     for (std::size_t e = 0; e < cut.size(); ++e) {
         const EdgePair &pair = mesh.edgePairs[e];
-        if (cut[e] || pair.diagonal || (!force && (isJoined(snapshot, 2 * e) || isJoined(snapshot, 2 * e + 1))))
+        if (cut[e] || pair.diagonal ||
+            (!force && (isJoined(snapshot, 2 * e) || isJoined(snapshot, 2 * e + 1))))
             continue;
         if (face[mesh.triangleFace[pair.triangle[0]]] || face[mesh.triangleFace[pair.triangle[1]]]) {
             cut[e] = true;
@@ -185,6 +185,17 @@ double SeamedMap::seamLength(const Soup &soup) const
     return sum;
 }
 
+double SeamedMap::seamCost(const Soup &soup, const Snapshot &snapshot) const
+{
+    const bool counts = snapshot.settings.weighting == SeamWeighting::Count;
+    double sum = 0;
+    for (std::size_t e = 0; e < cut.size(); ++e) {
+        if (cut[e])
+            sum += snapshot.edgeWeight(e) * (counts ? soup.meanEdgeLength : soup.pairLength[2 * e]);
+    }
+    return sum;
+}
+
 std::string SeamedMap::validate(const Soup &soup) const
 {
     const MeshData &mesh = *soup.mesh;
@@ -200,7 +211,8 @@ std::string SeamedMap::validate(const Soup &soup) const
         int &f = first[state.uvVertex[c]];
         if (f < 0)
             f = static_cast<int>(c);
-        if (x[2 * c] != x[2 * static_cast<std::size_t>(f)] || x[2 * c + 1] != x[2 * static_cast<std::size_t>(f) + 1])
+        if (x[2 * c] != x[2 * static_cast<std::size_t>(f)] ||
+            x[2 * c + 1] != x[2 * static_cast<std::size_t>(f) + 1])
             return "two corners of one UV vertex are apart";
     }
     for (int t = 0; t < soup.triangleCount(); ++t) {
@@ -224,11 +236,11 @@ SeamedMap closeTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snaps
             return map;
         }
         bad = badTriangles(*soup, snap);
-        // Each round cuts more, and wider as they go on without success; in the end every polygon is on its own
-        // and lies there undistorted.
+        // Each round cuts more, and wider as they go on without success; in the end every polygon is on its
+        // own and lies there undistorted.
         const int rings = round / 4;
-        if (!release(mesh, snapshot, bad, rings, false, cut)
-            && !release(mesh, snapshot, bad, rings, true, cut)) {
+        if (!release(mesh, snapshot, bad, rings, false, cut) &&
+            !release(mesh, snapshot, bad, rings, true, cut)) {
             for (const int t : bad) {
                 for (int i = 0; i < 6; ++i)
                     x[6 * static_cast<std::size_t>(t) + i] = soup->restShape[t][i];
@@ -246,9 +258,8 @@ SeamedMap finishMap(const std::shared_ptr<const Soup> &soup, const Snapshot &sna
     SeparationTerm separation(soup);
     separation.setDelta(snapshot.settings.delta);
     const auto merges = [&](std::size_t pair) {
-        return !isCut(snapshot, pair)
-               && (isJoined(snapshot, pair)
-                   || separation.separation(x, static_cast<int>(pair)) < mergeSeparation);
+        return !isCut(snapshot, pair) && (isJoined(snapshot, pair) ||
+                                          separation.separation(x, static_cast<int>(pair)) < mergeSeparation);
     };
     CutFlags cut(mesh.edgePairs.size());
     for (std::size_t e = 0; e < cut.size(); ++e)

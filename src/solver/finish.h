@@ -24,6 +24,8 @@ struct SeamedMap
     double distortion(const Soup &soup) const;
     //! 3D length of the seams in solver units: seam_norm. Diagonals are never seams.
     double seamLength(const Soup &soup) const;
+    //! What a solve makes small: their length or count, each edge times its weight.
+    double seamCost(const Soup &soup, const Snapshot &snapshot) const;
     //! Empty when all invariants hold, else the first broken one.
     std::string validate(const Soup &soup) const;
 };

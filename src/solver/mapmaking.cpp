@@ -166,7 +166,7 @@ bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
     if (!snapshot.pairWeight.empty()) {
         options.pairWeight.resize(map.cut.size());
         for (std::size_t e = 0; e < map.cut.size(); ++e)
-            options.pairWeight[e] = 0.5 * (snapshot.pairWeight[2 * e] + snapshot.pairWeight[2 * e + 1]);
+            options.pairWeight[e] = snapshot.edgeWeight(e);
     }
     SeparationResult result =
         separateOverlaps(*soup.mesh, soupUv(map.x), map.cut, protectedEdges(snapshot), options);

@@ -5,6 +5,7 @@
 #include "solver/multires/coarsetofine.h"
 #include "solver/overlapfree.h"
 #include "solver/packing/islandgeometry.h"
+#include "solver/preference/seampreference.h"
 #include "solver/search/seamoptimizer.h"
 #include "solver/soupchains.h"
 
@@ -70,7 +71,8 @@ bool isComplicated(const MeshData &mesh)
 //! \param other a map found otherwise, to start from as well
 std::optional<Candidate> searchedMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
                                      const UnwrapOptions &options, const std::optional<Candidate> &other,
-                                     Ranking &ranking, const std::atomic<bool> *stop, int &iterations)
+                                     const MeshSymmetry *symmetry, Ranking &ranking,
+                                     const std::atomic<bool> *stop, int &iterations)
 {
     OptimizeOptions search;
     search.maxDistortion = options.maxDistortion;
@@ -86,7 +88,7 @@ std::optional<Candidate> searchedMap(const std::shared_ptr<const Soup> &soup, co
         ranking.found(distortion, seamLength);
         ranking.stepDone(steps);
     };
-    std::optional<OptimizedMap> found = optimizeSeams(SeamGraph::build(soup, snapshot), search);
+    std::optional<OptimizedMap> found = optimizeSeams(SeamGraph::build(soup, snapshot, symmetry), search);
     if (!found)
         return std::nullopt;
     Candidate candidate;
@@ -94,8 +96,7 @@ std::optional<Candidate> searchedMap(const std::shared_ptr<const Soup> &soup, co
     equalizeDensity(*soup, candidate.map);
     if (!options.allowOverlaps && coversItself(*soup, candidate.map))
         return std::nullopt;
-    candidate.distortion = candidate.map.distortion(*soup);
-    candidate.seamLength = candidate.map.seamLength(*soup);
+    candidate.measure(*soup, snapshot);
     candidate.lambda = found->mu / (1 + found->mu);
     iterations += found->iterations;
     return candidate;
@@ -173,6 +174,8 @@ std::optional<UnwrapResult> unwrapLarge(const std::shared_ptr<const Soup> &soup,
         return std::nullopt;
     UnwrapResult result;
     result.iterations = carried->iterations;
+    if (snapshot.settings.symmetry)
+        result.symmetry = 0;
     result.cut = carried->map.cut;
     result.distortion = carried->map.distortion(*soup);
     result.seamLength = carried->map.seamLength(*soup);
@@ -187,13 +190,23 @@ std::optional<UnwrapResult> unwrapLarge(const std::shared_ptr<const Soup> &soup,
 
 } // namespace
 
-UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options, const std::atomic<bool> *stop,
+UnwrapResult unwrap(const Snapshot &given, const UnwrapOptions &options, const std::atomic<bool> *stop,
                     const std::function<void(const UnwrapProgress &)> &progress)
 {
     checkOptions(options);
-    const std::shared_ptr<const Soup> soup = Soup::build(snapshot.mesh);
-    if (std::optional<UnwrapResult> large = unwrapLarge(soup, snapshot, options, stop, progress))
-        return std::move(*large);
+    const std::shared_ptr<const Soup> soup = Soup::build(given.mesh);
+    Snapshot snapshot = given;
+    // A coarser mesh has sharper edges: whether these are creases is seen in the mesh itself.
+    snapshot.settings.creases = decided(snapshot.settings.creases, *snapshot.mesh);
+    std::optional<MeshSymmetry> symmetry;
+    if (snapshot.settings.symmetry && canSearch(snapshot, options))
+        symmetry = findSymmetry(*snapshot.mesh);
+    // A coarser mesh would not be symmetric.
+    if (!symmetry) {
+        if (std::optional<UnwrapResult> large = unwrapLarge(soup, snapshot, options, stop, progress))
+            return std::move(*large);
+    }
+    snapshot = SeamPreference().applied(snapshot, options.threads);
     Ranking ranking(options, progress);
     UnwrapResult result;
     const bool search = canSearch(snapshot, options);
@@ -203,15 +216,19 @@ UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options, cons
         return bestOfSoupChains(snapshot, how, ranking, stop, result.iterations);
     };
     std::optional<Candidate> best;
+    const auto fits = [&] { return best && best->distortion <= options.maxDistortion; };
+    if (symmetry)
+        best = searchedMap(soup, snapshot, options, {}, &*symmetry, ranking, stop, result.iterations);
+    const bool isSymmetric = fits() || (best && stop && stop->load());
     // The soup starts from a given map, and from anything.
-    const bool given = snapshot.settings.start == StartMode::ExistingUv;
+    const bool fromUvs = snapshot.settings.start == StartMode::ExistingUv;
     if (!search)
         best = soupMap(options.quality);
-    else if (given || isComplicated(*snapshot.mesh))
+    else if (!isSymmetric && (fromUvs || isComplicated(*snapshot.mesh)))
         best = soupMap(UnwrapQuality::Draft);
-    if (search) {
+    if (search && !isSymmetric) {
         std::optional<Candidate> found =
-            searchedMap(soup, snapshot, options, best, ranking, stop, result.iterations);
+            searchedMap(soup, snapshot, options, best, nullptr, ranking, stop, result.iterations);
         if (!best || (found && ranking.better(*found, *best)))
             best = std::move(found);
         const bool stopped = stop && stop->load();
@@ -222,6 +239,8 @@ UnwrapResult unwrap(const Snapshot &snapshot, const UnwrapOptions &options, cons
         }
     }
     result.cut = best->map.cut;
+    if (snapshot.settings.symmetry)
+        result.symmetry = symmetry ? symmetricShare(*snapshot.mesh, *symmetry, result.cut) : 0;
     result.distortion = best->distortion;
     result.seamLength = best->seamLength;
     result.lambda = best->lambda;

@@ -45,7 +45,9 @@ struct UnwrapResult
     double lambda = 0, delta = 0;
     bool stopped = false;    //!< cut short by `stop`: the best map until then
     bool withinBound = true; //!< false when the bound could not be reached
-    bool packed = false;     //!< false when packing was not asked for or there is no room for the margins
+    //! Where it was asked for: share of the seam length that is symmetric; 0 where the mesh is not.
+    std::optional<double> symmetry;
+    bool packed = false; //!< false when packing was not asked for or there is no room for the margins
 };
 
 //! Makes the UV map. Deterministic unless stopped. When `stop` becomes true the job ends early with the best

@@ -129,8 +129,7 @@ ChainResult runChain(const Snapshot &start, const ChainPlan &plan, std::optional
         budget.report(made->seedDistortion);
         Candidate candidate;
         candidate.map = std::move(made->map);
-        candidate.distortion = candidate.map.distortion(solver.soup());
-        candidate.seamLength = candidate.map.seamLength(solver.soup());
+        candidate.measure(solver.soup(), snapshot);
         candidate.lambda = solver.snapshot().settings.lambda;
         candidate.delta = solver.snapshot().settings.delta;
         ranking.found(candidate.distortion, candidate.seamLength);

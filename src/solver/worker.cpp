@@ -152,7 +152,7 @@ void SolveWorker::obey(Orders orders)
     if (orders.run != 0) {
         begin(orders);
     } else if (orders.snapshot && mSolver) {
-        mSnapshot = std::move(orders.snapshot);
+        mSnapshot = std::make_shared<const Snapshot>(mPreference.applied(*orders.snapshot));
         mPulled = orders.pulled;
         if (mSchedule && !mPulled)
             mSchedule->reheat();
@@ -190,7 +190,7 @@ void SolveWorker::obey(Orders orders)
 void SolveWorker::begin(const Orders &orders)
 {
     mRun = orders.run;
-    mSnapshot = orders.snapshot;
+    mSnapshot = std::make_shared<const Snapshot>(mPreference.applied(*orders.snapshot));
     mSchedule.reset();
     mStatus = {};
     mLast = {};

@@ -3,6 +3,7 @@
 
 #include "model/snapshot.h"
 #include "solver/liveschedule.h"
+#include "solver/preference/seampreference.h"
 #include "solver/solver.h"
 
 #include <QObject>
@@ -137,8 +138,9 @@ private:
 
     // Of the worker's thread.
     std::unique_ptr<Solver> mSolver;
-    std::shared_ptr<const Snapshot> mSnapshot;
-    std::optional<LiveSchedule> mSchedule; //!< in budget mode
+    SeamPreference mPreference;
+    std::shared_ptr<const Snapshot> mSnapshot; //!< with the preferences in its weights
+    std::optional<LiveSchedule> mSchedule;     //!< in budget mode
     SolveMode mMode = SolveMode::Manual;
     double mMaxDistortion = 4.1;
     SolveStatus mStatus;

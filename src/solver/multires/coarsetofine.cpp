@@ -3,6 +3,7 @@
 #include "solver/mapmaking.h"
 #include "solver/multires/maprefiner.h"
 #include "solver/overlapfree.h"
+#include "solver/preference/seampreference.h"
 
 #include <algorithm>
 #include <cmath>
@@ -222,6 +223,7 @@ std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const S
     ProgressiveMesh mesh(*soup->mesh, decided);
     const Decisions decisions = decisionsOf(snapshot, mesh, decided);
     const std::vector<double> weights = pointWeights(snapshot, mesh);
+    std::vector<double> preferred = pointWeights(SeamPreference().applied(snapshot, options.threads), mesh);
     mesh.coarsen(coarseTriangles);
     if (mesh.triangleCount() > leastReduction * soup->triangleCount())
         return std::nullopt;
@@ -237,7 +239,7 @@ std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const S
     MapRefiner refiner(mesh, soup->scale);
     refiner.uv.assign(soup->mesh->soupCornerCount(), Vec2::Zero());
     refiner.cut.assign(soup->mesh->soupCornerCount(), 0);
-    refiner.pointCost = weights;
+    refiner.pointCost = std::move(preferred);
     refiner.mayStraighten = decisions.empty();
     setCoarseMap(*coarse, result, triangles, mesh, refiner);
     refiner.refineTo(soup->triangleCount());

@@ -43,6 +43,17 @@ int CutState::cutsAt(int v) const
     return count;
 }
 
+int CutState::smallParts() const
+{
+    std::vector<char> isSmall(chartCount(), 0);
+    for (const int side : boundary) {
+        const int own = chart[side / 3], other = graph->across[side];
+        if (other >= 0 && chart[other / 3] != own && chartArea[own] < smallestChart)
+            isSmall[own] = 1;
+    }
+    return static_cast<int>(std::count(isSmall.begin(), isSmall.end(), 1));
+}
+
 void CutState::updateTopology()
 {
     const int sides = 3 * graph->triangleCount();

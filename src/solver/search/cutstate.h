@@ -13,6 +13,9 @@ namespace autocuts {
 //! vertex have bitwise equal coordinates; no triangle is turned over. The charts lie apart from each other.
 struct CutState
 {
+    //! Share of the whole that a chart must have unless it is a whole piece of the mesh.
+    static constexpr double smallestChart = 0.005;
+
     std::shared_ptr<const SeamGraph> graph;
     std::vector<char> cut;              //!< per edge pair
     std::vector<double> x;              //!< per soup corner, see Soup
@@ -34,6 +37,8 @@ struct CutState
     {
         return {x[2 * static_cast<std::size_t>(corner)], x[2 * static_cast<std::size_t>(corner) + 1]};
     }
+    //! Number of charts below smallestChart that are not whole pieces of the mesh.
+    int smallParts() const;
     //! Number of cut edges at a point of the surface.
     int cutsAt(int v) const;
 

@@ -33,9 +33,40 @@ std::vector<int> eliminationOrder(const SeamGraph &graph)
     return eliminationRanks(pattern);
 }
 
+//! What is wanted of one side is wanted of the other.
+void mirrorGraph(const MeshData &mesh, const MeshSymmetry &symmetry, SeamGraph &graph)
+{
+    graph.mirror = symmetry.mirrorEdge;
+    graph.onPlane.assign(graph.vertexCount, false);
+    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
+        const int v = mesh.vertexOfSoup(c);
+        if (symmetry.mirrorVertex[v] == v)
+            graph.onPlane[graph.vertex[c]] = true;
+    }
+    const std::vector<double> cost = graph.cost;
+    const std::vector<SeamGraph::Rule> rule = graph.rule;
+    for (std::size_t e = 0; e < cost.size(); ++e) {
+        const int other = graph.mirror[e];
+        if (other < 0)
+            continue;
+        graph.cost[e] = 0.5 * (cost[e] + cost[other]);
+        if (rule[e] == SeamGraph::Rule::Free)
+            graph.rule[e] = rule[other];
+    }
+}
+
 } // namespace
 
-std::shared_ptr<const SeamGraph> SeamGraph::build(std::shared_ptr<const Soup> soup, const Snapshot &snapshot)
+void SeamGraph::makeSymmetric(CutFlags &cut) const
+{
+    for (std::size_t e = 0; e < mirror.size(); ++e) {
+        if (cut[e] && mirror[e] >= 0 && rule[mirror[e]] != Rule::NeverCut)
+            cut[mirror[e]] = true;
+    }
+}
+
+std::shared_ptr<const SeamGraph> SeamGraph::build(std::shared_ptr<const Soup> soup, const Snapshot &snapshot,
+                                                  const MeshSymmetry *symmetry)
 {
     auto graph = std::make_shared<SeamGraph>();
     const MeshData &mesh = *soup->mesh;
@@ -51,11 +82,9 @@ std::shared_ptr<const SeamGraph> SeamGraph::build(std::shared_ptr<const Soup> so
             graph->edgeOf[3 * pair.triangle[which] + pair.side(which)] = static_cast<int>(e);
         graph->ends.push_back({whole.uvVertex[pair.corner[0][0]], whole.uvVertex[pair.corner[1][0]]});
         graph->length.push_back(soup->pairLength[2 * e]);
-        double weight = snapshot.settings.weighting == SeamWeighting::Count ? soup->meanEdgeLength
-                                                                            : soup->pairLength[2 * e];
-        if (!snapshot.pairWeight.empty())
-            weight *= 0.5 * (snapshot.pairWeight[2 * e] + snapshot.pairWeight[2 * e + 1]);
-        graph->cost.push_back(weight);
+        const double weight = snapshot.settings.weighting == SeamWeighting::Count ? soup->meanEdgeLength
+                                                                                  : soup->pairLength[2 * e];
+        graph->cost.push_back(weight * snapshot.edgeWeight(e));
         graph->rule.push_back(ruleOf(snapshot, e));
         for (const int v : graph->ends.back())
             ++degree[v];
@@ -75,6 +104,8 @@ std::shared_ptr<const SeamGraph> SeamGraph::build(std::shared_ptr<const Soup> so
             graph->border[whole.uvVertex[side]] =
                 graph->border[whole.uvVertex[side / 3 * 3 + (side + 1) % 3]] = true;
     }
+    if (symmetry)
+        mirrorGraph(mesh, *symmetry, *graph);
     graph->soup = std::move(soup);
     graph->rank = eliminationOrder(*graph);
     return graph;

@@ -3,6 +3,7 @@
 
 #include "model/snapshot.h"
 #include "solver/cutmesh.h"
+#include "solver/preference/meshsymmetry.h"
 #include "solver/soup.h"
 
 #include <cstdint>
@@ -27,10 +28,19 @@ struct SeamGraph
     std::vector<double> cost;             //!< per edge pair, length times painted weight
     std::vector<Rule> rule;               //!< per edge pair
     std::vector<bool> border;             //!< per point: on an open side
-    std::vector<int> rank;                //!< per point: place in an order of elimination with little fill
+    //! Per edge pair: the one that is always cut and closed together with it, itself on the plane of
+    //! symmetry, -1 without one; empty when cuts need not be symmetric.
+    std::vector<int> mirror;
+    std::vector<bool> onPlane; //!< per point: on the plane of symmetry; empty like mirror
+    std::vector<int> rank;     //!< per point: place in an order of elimination with little fill
 
-    static std::shared_ptr<const SeamGraph> build(std::shared_ptr<const Soup> soup, const Snapshot &snapshot);
+    //! \param symmetry that the cuts shall have, null for none
+    static std::shared_ptr<const SeamGraph> build(std::shared_ptr<const Soup> soup, const Snapshot &snapshot,
+                                                  const MeshSymmetry *symmetry = nullptr);
 
+    bool isMirrored() const { return !mirror.empty(); }
+    //! Cuts the mirror images of all cut edges as well.
+    void makeSymmetric(CutFlags &cut) const;
     int triangleCount() const { return soup->triangleCount(); }
     std::span<const int> edgesAt(int v) const
     {

@@ -65,6 +65,7 @@ public:
             if (mSearch.relaxAll(10) < firstTolerance || mSearch.stopped())
                 break;
         }
+        mSearch.absorbSmallCharts();
         mBest = mState;
         mBestScore = score();
         for (int i = 0; i < firstPolishes && !mSearch.stopped(); ++i) {
@@ -106,6 +107,7 @@ public:
             restoreBest();
             return;
         }
+        mSearch.absorbSmallCharts();
         meetBound();
         keepBest();
         restoreBest();

@@ -9,8 +9,6 @@ namespace autocuts {
 
 namespace {
 
-constexpr int smallPatch = 110;
-constexpr int mediumPatch = 450;
 constexpr int zipLookAhead = 3;
 constexpr int disturbedTriangles = 60; // nearest to a change
 constexpr double leastGain = 2e-6;
@@ -32,12 +30,13 @@ void SeamSearch::setMu(double mu)
     mMu = mu;
 }
 
-bool SeamSearch::attempt(Move move, const SeamChange &change, int size, int steps, double minGain)
+bool SeamSearch::attempt(Move move, const SeamChange &asked, int size, int steps, double minGain)
 {
     ++counts[move].tried;
+    const SeamChange change = withMirrorImages(asked);
     TrialTerms terms;
     terms.mu = mMu;
-    terms.patchSize = size;
+    terms.patchSize = mState.graph->isMirrored() ? 2 * size : size;
     terms.steps = steps;
     terms.minGain = minGain;
     terms.guarded = mOptions.guarded;

@@ -36,6 +36,8 @@ public:
     //! One random larger change: another way for a part of a seam, one less, one more. Returns true when
     //! kept.
     bool tryLargeMove();
+    //! Joins charts below CutState::smallestChart to their neighbours, whatever it costs below the ceiling.
+    void absorbSmallCharts();
     double relaxAll(int steps) { return mTrial.relaxAll(steps, mOptions.guarded); }
     //! Replaces the map under search. \pre of the same mesh
     void restore(const CutState &state);
@@ -48,13 +50,21 @@ public:
     {
         int tried = 0, kept = 0;
     };
-    enum Move { Zip, Split, Window, Remove, Regraft, Add, MoveCount };
+    enum Move { Zip, Split, Window, Remove, Regraft, Add, Absorb, MoveCount };
     std::array<Counts, MoveCount> counts{};
 
 private:
+    static constexpr int smallPatch = 110, mediumPatch = 450; // triangles
+
     int zipEnds();
     int splitBoundary(int most);
-    bool attempt(Move move, const SeamChange &change, int size, int steps, double minGain);
+    bool attempt(Move move, const SeamChange &asked, int size, int steps, double minGain);
+    SeamChange withMirrorImages(const SeamChange &change) const;
+    std::vector<std::vector<int>> seamsAround(int chart) const;
+    bool absorb(int chart);
+    std::vector<int> regionAcross(int chart, int edge) const;
+    void cutApart(const std::vector<int> &edges);
+    bool grow(int chart);
     SeamChange windowChange();
     SeamChange removeChange();
     SeamChange regraftChange();

@@ -12,9 +12,25 @@ namespace autocuts {
 
 namespace {
 
+//! Where a path may run on a mirrored mesh.
+enum class Way { Any, OneSide, AlongPlane };
+
+//! True when a path that has come to point v may go on along edge e.
+bool mayTake(const SeamGraph &graph, Way way, int e, int v, bool isStart)
+{
+    if (graph.rule[e] == SeamGraph::Rule::NeverCut)
+        return false;
+    if (way == Way::Any)
+        return true;
+    const bool onPlane = graph.onPlane[graph.ends[e][0]] && graph.onPlane[graph.ends[e][1]];
+    if (way == Way::AlongPlane)
+        return onPlane;
+    return (isStart || !graph.onPlane[v]) && (onPlane || graph.mirror[e] != e);
+}
+
 //! Distances over uncut edges from some points; -1 where nothing leads.
 std::vector<double> distances(const SeamGraph &graph, const std::vector<double> &cost,
-                              const std::vector<int> &from, std::vector<int> &via)
+                              const std::vector<int> &from, std::vector<int> &via, Way way = Way::Any)
 {
     std::vector<double> distance(graph.vertexCount, -1);
     via.assign(graph.vertexCount, -1);
@@ -30,7 +46,7 @@ std::vector<double> distances(const SeamGraph &graph, const std::vector<double> 
         if (d > distance[v])
             continue;
         for (const int e : graph.edgesAt(v)) {
-            if (graph.rule[e] == SeamGraph::Rule::NeverCut)
+            if (!mayTake(graph, way, e, v, d == 0))
                 continue;
             const int w = graph.farEnd(e, v);
             const double there = d + cost[e];
@@ -64,12 +80,59 @@ std::vector<double> noisyCosts(const SeamGraph &graph, Random &random)
             noise += std::sin(wave[i].dot(p) + phase[i]);
         cost[e] = graph.cost[e] * std::exp(0.15 * noise + 0.2 * random.uniform(-1, 1)) + 1e-9;
     }
+    for (std::size_t e = 0; e < graph.mirror.size(); ++e) {
+        if (graph.mirror[e] >= 0)
+            cost[e] = cost[std::min(static_cast<int>(e), graph.mirror[e])];
+    }
     return cost;
 }
 
 int farthest(const std::vector<double> &distance)
 {
     return static_cast<int>(std::max_element(distance.begin(), distance.end()) - distance.begin());
+}
+
+//! Cuts a path that ends at v; returns its number of edges.
+int cutPath(const SeamGraph &graph, const std::vector<int> &via, int v, CutFlags &cut)
+{
+    int edges = 0;
+    for (; via[v] >= 0; v = graph.farEnd(via[v], v), ++edges)
+        cut[via[v]] = true;
+    return edges;
+}
+
+//! True when a chart has a cut that does not part it from another one.
+bool isCutInside(const SeamGraph &graph, const std::vector<int> &chart, int c, const CutFlags &cut)
+{
+    const std::vector<EdgePair> &pairs = graph.soup->mesh->edgePairs;
+    for (std::size_t e = 0; e < cut.size(); ++e) {
+        if (cut[e] && chart[pairs[e].triangle[0]] == c && chart[pairs[e].triangle[1]] == c)
+            return true;
+    }
+    return false;
+}
+
+//! Opens a closed chart symmetrically: along the plane, or from a point on it to both sides. Returns the
+//! number of edges of one side; 0 when no point of the chart is on the plane.
+int openAcrossPlane(const SeamGraph &graph, const std::vector<double> &cost, const std::vector<int> &points,
+                    Random &random, CutFlags &cut)
+{
+    std::vector<int> onPlane;
+    std::copy_if(points.begin(), points.end(), std::back_inserter(onPlane),
+                 [&](int v) { return graph.onPlane[v]; });
+    if (onPlane.empty())
+        return 0;
+    std::vector<int> via;
+    const int any = onPlane[random.below(static_cast<int>(onPlane.size()))];
+    const bool along = random.uniform() < 0.5;
+    const int start = farthest(distances(graph, cost, {any}, via, Way::AlongPlane));
+    int edges = 0;
+    if (along)
+        edges = cutPath(graph, via, farthest(distances(graph, cost, {start}, via, Way::AlongPlane)), cut);
+    if (edges < 2)
+        edges = cutPath(graph, via, farthest(distances(graph, cost, {any}, via, Way::OneSide)), cut);
+    graph.makeSymmetric(cut);
+    return edges;
 }
 
 //! Opens closed charts along a path and those with handles to disks.
@@ -106,8 +169,9 @@ void openCharts(const SeamGraph &graph, const std::vector<double> &cost, Random 
                 cut[e] = disks[e];
         }
     }
+    graph.makeSymmetric(cut);
     for (int c = 0; c < state.chartCount; ++c) {
-        if (loops[c] > 0 || handles[c])
+        if (loops[c] > 0 || handles[c] || (graph.isMirrored() && isCutInside(graph, state.chart, c, cut)))
             continue;
         std::vector<int> via;
         int start = graph.vertex[first[c]];
@@ -118,21 +182,18 @@ void openCharts(const SeamGraph &graph, const std::vector<double> &cost, Random 
             if (around[v] >= 0)
                 points.push_back(v);
         }
+        if (graph.isMirrored() && openAcrossPlane(graph, cost, points, random, cut) > 0)
+            continue;
         start =
             farthest(distances(graph, cost, {points[random.below(static_cast<int>(points.size()))]}, via));
-        int v = farthest(distances(graph, cost, {start}, via));
-        int edges = 0;
-        for (; v != start; v = graph.farEnd(via[v], v)) {
-            cut[via[v]] = true;
-            ++edges;
-        }
-        if (edges < 2) {
+        if (cutPath(graph, via, farthest(distances(graph, cost, {start}, via)), cut) < 2) {
             const CutFlags disks = cutToDisks(mesh, cut);
             for (std::size_t e = 0; e < cut.size(); ++e) {
                 if (state.chart[mesh.edgePairs[e].triangle[0]] == c)
                     cut[e] = disks[e];
             }
         }
+        graph.makeSymmetric(cut);
     }
 }
 
@@ -172,9 +233,10 @@ void joinBorders(const SeamGraph &graph, const std::vector<double> &cost, CutFla
                 nearest = v;
         }
         joined[i] = true;
-        for (int v = nearest; v >= 0 && via[v] >= 0; v = graph.farEnd(via[v], v))
-            cut[via[v]] = true;
+        if (nearest >= 0)
+            cutPath(graph, via, nearest, cut);
     }
+    graph.makeSymmetric(cut);
 }
 
 //! Per point of the surface: logarithm of its area over that in the embedding.
@@ -192,6 +254,30 @@ std::vector<double> shrinkage(const SeamGraph &graph, const std::vector<double> 
     for (int v = 0; v < graph.vertexCount; ++v)
         area[v] = std::log(area[v] / std::max(mapped[v], 1e-300));
     return area;
+}
+
+//! Cuts the shortest path from a point to the nearest seam or border; on a mirrored mesh, if it can, without
+//! crossing the plane, where it would meet its own image. Returns false when there is none.
+bool joinToSeam(const SeamGraph &graph, const std::vector<double> &cost, int v,
+                const std::vector<bool> &onSeam, CutFlags &cut)
+{
+    std::vector<Way> ways{Way::Any};
+    if (graph.isMirrored())
+        ways = {graph.onPlane[v] ? Way::AlongPlane : Way::OneSide, Way::Any};
+    for (const Way way : ways) {
+        std::vector<int> via;
+        const std::vector<double> distance = distances(graph, cost, {v}, via, way);
+        int nearest = -1;
+        for (int w = 0; w < graph.vertexCount; ++w) {
+            if (onSeam[w] && distance[w] >= 0 && (nearest < 0 || distance[w] < distance[nearest]))
+                nearest = w;
+        }
+        if (nearest >= 0) {
+            cutPath(graph, via, nearest, cut);
+            return true;
+        }
+    }
+    return false;
 }
 
 } // namespace
@@ -228,19 +314,9 @@ std::vector<char> fewCuts(const SeamGraph &graph, const SeedOptions &options)
         for (const int v : worst) {
             if (v < 0)
                 continue;
-            std::vector<int> via;
-            const std::vector<double> distance = distances(graph, cost, {v}, via);
-            int nearest = -1;
-            for (int w = 0; w < graph.vertexCount; ++w) {
-                if (onSeam[w] && distance[w] >= 0 && (nearest < 0 || distance[w] < distance[nearest]))
-                    nearest = w;
-            }
-            if (nearest < 0)
-                continue;
-            any = true;
-            for (int w = nearest; w != v; w = graph.farEnd(via[w], w))
-                cut[via[w]] = true;
+            any |= joinToSeam(graph, cost, v, onSeam, cut);
         }
+        graph.makeSymmetric(cut);
         if (!any)
             break;
     }

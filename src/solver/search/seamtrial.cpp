@@ -16,8 +16,6 @@ constexpr double smallestStart = 0.02;
 constexpr double firstSpring = 0.3;
 constexpr int springLevels = 5;
 constexpr int stepsPerSpring = 3;
-//! Share of the whole that a chart must have.
-constexpr double smallestChart = 0.005;
 constexpr int guardedSteps = 10;
 //! So many relaxations bar contacts from the start after one that had to.
 constexpr int stayGuarded = 3;
@@ -124,7 +122,8 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
     if (!mayChange(asked))
         return false;
     SeamChange change = asked;
-    const std::vector<double> oldCharts = mState.chartArea;
+    const int oldCharts = mState.chartCount();
+    const int oldSmallParts = mState.smallParts();
     mTopologyChanged = false;
     setFlags(change.open, true);
     setFlags(change.close, false);
@@ -144,7 +143,7 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
         const double after = solve(change, terms, before, costGain);
         mLastGain = before - after + terms.mu * costGain;
         const bool fits = after <= before || mState.energy + after - before <= terms.ceiling;
-        accepted = fits && mLastGain > terms.minGain && (change.open.empty() || keepsCharts(oldCharts));
+        accepted = fits && mLastGain > terms.minGain && (change.open.empty() || keepsCharts(oldSmallParts));
     }
     if (accepted) {
         keep();
@@ -157,7 +156,7 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
         }
     }
     if (accepted) {
-        if (mState.chartCount() > static_cast<int>(oldCharts.size())) {
+        if (mState.chartCount() > oldCharts) {
             mState.spreadCharts();
             mX = mState.x;
         }
@@ -330,16 +329,12 @@ void SeamTrial::alignPieces(const std::vector<int> &close)
     }
 }
 
-//! False when opening edges has split off a chart that is too small to keep.
-bool SeamTrial::keepsCharts(const std::vector<double> &old)
+//! False when opening edges has made a chart too small to keep.
+bool SeamTrial::keepsCharts(int oldSmallParts)
 {
     mTopologyChanged = true;
     mState.updateTopology();
-    const auto smallest = [](const std::vector<double> &area) {
-        return *std::min_element(area.begin(), area.end());
-    };
-    return mState.chartCount() <= static_cast<int>(old.size()) ||
-           smallest(mState.chartArea) >= std::min(smallestChart, smallest(old));
+    return mState.smallParts() <= oldSmallParts;
 }
 
 double SeamTrial::relaxAll(int steps, bool guarded)

@@ -57,7 +57,7 @@ private:
     void relaxChart(const std::vector<int> &triangles, int steps, bool guarded);
     void keep();
     void undo();
-    bool keepsCharts(const std::vector<double> &old);
+    bool keepsCharts(int oldSmallParts);
     std::vector<int> seedsOf(const SeamChange &change) const;
 
     CutState &mState;

@@ -6,6 +6,7 @@
 #include "solver/overlap/separatemap.h"
 #include "solver/packing/islandgeometry.h"
 #include "solver/packing/packmap.h"
+#include "solver/preference/seampreference.h"
 #include "solver/worker.h"
 #include "views/control/mapcontroller.h"
 
@@ -119,7 +120,7 @@ MapJobResult finishMapJob(const MapInput &input, const std::shared_ptr<const Sol
         snapshot.settings.delta = live->status.delta;
     }
     Solver solver;
-    solver.load(snapshot);
+    solver.load(SeamPreference().applied(snapshot));
     if (live) {
         const double *first = live->soupUv.data();
         solver.setCoordinates({first, first + live->soupUv.size()});

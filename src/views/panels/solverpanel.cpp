@@ -8,6 +8,7 @@
 #include "views/panels/convergencegraph.h"
 #include "views/panels/deltaspinbox.h"
 #include "views/panels/numbertext.h"
+#include "views/panels/seampreferenceform.h"
 #include "views/panels/sliderspin.h"
 #include "views/panels/solversettingsform.h"
 
@@ -48,6 +49,14 @@ SolverPanel::SolverPanel(const StudioContext &context, QWidget *parent)
     layout->addWidget(makeReadOut());
     layout->addWidget(makeHeading(tr("Final map")));
     layout->addWidget(makeFinishRow());
+    layout->addWidget(makeHeading(tr("Automatic")));
+    mPreference = new SeamPreferenceForm;
+    mPreference->setObjectName("preference"_L1);
+    connect(mPreference, &SeamPreferenceForm::edited, this,
+            [this](const std::function<void(SolveSettings &)> &edit, bool first) {
+                changeSolveSettings(edit, gestureFor(first));
+            });
+    layout->addWidget(mPreference);
     layout->addWidget(makeHeading(tr("Settings")));
     auto *settings = new SolverSettingsForm;
     settings->setObjectName("settings"_L1);
@@ -233,6 +242,7 @@ void SolverPanel::refresh()
 {
     const SolveSettings settings = document() ? document()->solveSettings() : SolveSettings();
     showEnergyBalance(settings);
+    mPreference->setSettings(settings);
     content()->findChild<SolverSettingsForm *>()->setSettings(settings);
     showState();
     showStatus();

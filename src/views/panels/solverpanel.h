@@ -15,6 +15,7 @@ class QRadioButton;
 namespace autocuts {
 
 class ConvergenceGraph;
+class SeamPreferenceForm;
 class SliderSpin;
 
 //! Runs the solver, sets lambda and delta or the distortion budget, shows how it converges, and makes the
@@ -48,6 +49,7 @@ private:
     SliderSpin *mLambda = nullptr, *mDelta = nullptr;
     QPushButton *mHalve = nullptr, *mDouble = nullptr;
     ConvergenceGraph *mGraph = nullptr;
+    SeamPreferenceForm *mPreference = nullptr;
     QLabel *mState = nullptr;
     std::vector<QLabel *> mFigures; //!< in the order of the read-out
     QComboBox *mQuality = nullptr;

@@ -1,0 +1,98 @@
+#include "solver/preference/creases.h"
+
+#include "model/polygon.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace autocuts {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double sharpAngle = 40 * degree, smoothAngle = 15 * degree;
+constexpr double roughShare = 0.2;   // of the edges around a crease, at most
+constexpr double creaseShare = 0.01; // of all edges
+constexpr double clearShare = 0.7;   // of the sharp edges
+constexpr double rampBegin = 20 * degree, rampEnd = 60 * degree;
+constexpr double leastFactor = 1e-3; // a seam is never for nothing
+
+std::vector<Vec3> faceNormals(const MeshData &mesh)
+{
+    std::vector<Vec3> normals(mesh.faceCount());
+    std::vector<Vec3> points;
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        points.clear();
+        for (int c = mesh.faceStart[f]; c < mesh.faceStart[f + 1]; ++c)
+            points.push_back(mesh.cornerPosition(c) - mesh.cornerPosition(mesh.faceStart[f]));
+        normals[f] = polygonNormal(points).stableNormalized();
+    }
+    return normals;
+}
+
+} // namespace
+
+std::vector<double> dihedralAngles(const MeshData &mesh)
+{
+    const std::vector<Vec3> normals = faceNormals(mesh);
+    std::vector<double> angles;
+    angles.reserve(mesh.edgePairs.size());
+    for (const EdgePair &pair : mesh.edgePairs) {
+        const Vec3 &a = normals[mesh.triangleFace[pair.triangle[0]]];
+        const Vec3 &b = normals[mesh.triangleFace[pair.triangle[1]]];
+        angles.push_back(pair.diagonal ? 0 : std::atan2(a.cross(b).norm(), a.dot(b)));
+    }
+    return angles;
+}
+
+std::vector<bool> creases(const MeshData &mesh, const std::vector<double> &angles)
+{
+    // Lengths of all edges at each vertex and of those that are neither smooth nor sharp.
+    std::vector<double> all(mesh.vertexCount(), 0), rough(mesh.vertexCount(), 0);
+    const auto isRough = [&](std::size_t e) { return angles[e] >= smoothAngle && angles[e] < sharpAngle; };
+    for (std::size_t e = 0; e < angles.size(); ++e) {
+        const EdgePair &pair = mesh.edgePairs[e];
+        for (int end = 0; end < 2 && !pair.diagonal; ++end) {
+            const int v = mesh.vertexOfSoup(pair.corner[end][0]);
+            all[v] += pair.length;
+            rough[v] += isRough(e) ? pair.length : 0;
+        }
+    }
+    std::vector<bool> result(angles.size(), false);
+    for (std::size_t e = 0; e < angles.size(); ++e) {
+        const EdgePair &pair = mesh.edgePairs[e];
+        const int a = mesh.vertexOfSoup(pair.corner[0][0]), b = mesh.vertexOfSoup(pair.corner[1][0]);
+        result[e] = angles[e] >= sharpAngle &&
+                    rough[a] + rough[b] <= roughShare * (all[a] + all[b] - 2 * pair.length);
+    }
+    return result;
+}
+
+bool isHardSurface(const MeshData &mesh)
+{
+    const std::vector<double> angles = dihedralAngles(mesh);
+    const std::vector<bool> crease = creases(mesh, angles);
+    double total = 0, sharp = 0, clear = 0;
+    for (std::size_t e = 0; e < angles.size(); ++e) {
+        const double length = mesh.edgePairs[e].diagonal ? 0 : mesh.edgePairs[e].length;
+        total += length;
+        sharp += angles[e] >= sharpAngle ? length : 0;
+        clear += crease[e] ? length : 0;
+    }
+    return clear > 0 && clear >= creaseShare * total && clear >= clearShare * sharp;
+}
+
+std::vector<double> creaseFactors(const MeshData &mesh, double strength)
+{
+    std::vector<double> factors = dihedralAngles(mesh);
+    for (double &factor : factors) {
+        const double sharpness = std::clamp((factor - rampBegin) / (rampEnd - rampBegin), 0.0, 1.0);
+        factor = std::max(leastFactor, 1 - strength * sharpness);
+    }
+    return factors;
+}
+
+} // namespace autocuts

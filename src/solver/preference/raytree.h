@@ -1,0 +1,41 @@
+// Bounding-box tree in space that tells whether a ray meets a mesh.
+#pragma once
+
+#include "model/meshdata.h"
+
+#include <vector>
+
+namespace autocuts {
+
+//! The triangles of a mesh, split at the median of the longest side of their boxes.
+class RayTree
+{
+public:
+    explicit RayTree(const MeshData &mesh);
+
+    //! True when a ray meets a triangle from either side. \param direction need not be a unit vector
+    bool isHit(const Vec3 &from, const Vec3 &direction) const;
+    //! Diagonal of the box around the mesh.
+    double size() const { return mNodes.empty() ? 0 : (mNodes[0].high - mNodes[0].low).norm(); }
+
+private:
+    struct Node
+    {
+        Vec3 low, high;
+        int first = 0, count = 0; //!< range in mTriangles; count > 0 in leaves only
+        int right = 0;            //!< second child; the first one follows its parent directly
+    };
+    struct Triangle
+    {
+        Vec3 corner, toSecond, toThird;
+        Vec3 middle() const { return 3 * corner + toSecond + toThird; } //!< times three
+    };
+
+    void build(int begin, int end);
+    static bool meets(const Triangle &triangle, const Vec3 &from, const Vec3 &direction);
+
+    std::vector<Triangle> mTriangles;
+    std::vector<Node> mNodes;
+};
+
+} // namespace autocuts

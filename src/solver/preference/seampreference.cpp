@@ -1,0 +1,76 @@
+#include "solver/preference/seampreference.h"
+
+#include "solver/preference/creases.h"
+#include "solver/preference/openness.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+//! At full strength a seam in the open is so many times dearer than a hidden one, natural logarithm.
+constexpr double visibilityRange = 3;
+
+bool sameAims(const SolveSettings &a, const SolveSettings &b)
+{
+    return a.creases == b.creases && a.creaseStrength == b.creaseStrength && a.visibility == b.visibility;
+}
+
+//! The dearest edge costs what it is long, so that the balance against the distortion keeps its scale.
+void normalize(const MeshData &mesh, std::vector<double> &factors)
+{
+    double most = 0;
+    for (std::size_t e = 0; e < factors.size(); ++e) {
+        if (!mesh.edgePairs[e].diagonal)
+            most = std::max(most, factors[e]);
+    }
+    for (std::size_t e = 0; e < factors.size(); ++e)
+        factors[e] = most > 0 && !mesh.edgePairs[e].diagonal ? factors[e] / most : 1;
+}
+
+} // namespace
+
+CreaseMode decided(CreaseMode mode, const MeshData &mesh)
+{
+    if (mode != CreaseMode::Auto)
+        return mode;
+    return isHardSurface(mesh) ? CreaseMode::On : CreaseMode::Off;
+}
+
+const std::vector<double> &SeamPreference::factors(const Snapshot &snapshot, int threads)
+{
+    const SolveSettings &settings = snapshot.settings;
+    if (mMesh == snapshot.mesh && sameAims(settings, mSettings))
+        return mFactors;
+    mMesh = snapshot.mesh;
+    mSettings = settings;
+    mFactors.clear();
+    if (settings.creaseStrength > 0 && decided(settings.creases, *mMesh) == CreaseMode::On)
+        mFactors = creaseFactors(*mMesh, settings.creaseStrength);
+    if (settings.visibility > 0) {
+        const std::vector<double> openness = edgeOpenness(*mMesh, threads);
+        mFactors.resize(openness.size(), 1);
+        for (std::size_t e = 0; e < openness.size(); ++e)
+            mFactors[e] *= std::exp(-visibilityRange * settings.visibility * (1 - openness[e]));
+    }
+    normalize(*mMesh, mFactors);
+    return mFactors;
+}
+
+Snapshot SeamPreference::applied(const Snapshot &snapshot, int threads)
+{
+    Snapshot result = snapshot;
+    const std::vector<double> &factor = factors(snapshot, threads);
+    if (factor.empty())
+        return result;
+    result.pairWeight.resize(2 * factor.size(), 1);
+    for (std::size_t e = 0; e < factor.size(); ++e) {
+        result.pairWeight[2 * e] *= factor[e];
+        result.pairWeight[2 * e + 1] *= factor[e];
+    }
+    return result;
+}
+
+} // namespace autocuts

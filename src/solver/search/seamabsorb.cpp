@@ -1,0 +1,202 @@
+// What a seam search does with charts that are too small to keep, and the mirror images of its changes.
+#include "solver/search/seamsearch.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace autocuts {
+
+namespace {
+
+constexpr int absorbSteps = 12;
+constexpr double grownShare = 1.1; // of the smallest chart
+constexpr int edgesPerNeighbour = 6; // that are tried
+constexpr int mostPatch = 3000; // triangles around a chart that is absorbed
+constexpr double anyGain = -std::numeric_limits<double>::infinity();
+
+bool contains(const std::vector<int> &edges, int e)
+{
+    return std::find(edges.begin(), edges.end(), e) != edges.end();
+}
+
+} // namespace
+
+//! Adds the mirror images. What would open on one side and close on the other asks for something impossible, so
+//! that the trial refuses it.
+SeamChange SeamSearch::withMirrorImages(const SeamChange &change) const
+{
+    const std::vector<int> &mirror = mState.graph->mirror;
+    SeamChange both = change;
+    if (mirror.empty())
+        return both;
+    for (const int e : change.open) {
+        const int m = mirror[e];
+        if (m >= 0 && !contains(both.open, m) && (!mState.cut[m] || contains(change.close, m)))
+            both.open.push_back(m);
+    }
+    for (const int e : change.close) {
+        const int m = mirror[e];
+        if (m >= 0 && mState.cut[m] && !contains(both.close, m))
+            both.close.push_back(m);
+    }
+    return both;
+}
+
+//! The seams of a chart with each of its neighbours, the most length first.
+std::vector<std::vector<int>> SeamSearch::seamsAround(int chart) const
+{
+    const SeamGraph &graph = *mState.graph;
+    std::map<int, std::pair<double, std::vector<int>>> byNeighbour;
+    for (const int side : mState.boundary) {
+        const int e = graph.edgeOf[side];
+        if (mState.chart[side / 3] != chart || e < 0 || graph.rule[e] == SeamGraph::Rule::AlwaysCut)
+            continue;
+        const int other = mState.chart[graph.across[side] / 3];
+        if (other == chart)
+            continue;
+        byNeighbour[other].first -= graph.length[e];
+        byNeighbour[other].second.push_back(e);
+    }
+    std::vector<std::pair<double, std::vector<int>>> sorted;
+    for (auto &[other, seam] : byNeighbour)
+        sorted.push_back(std::move(seam));
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto &a, const auto &b) { return a.first < b.first; });
+    std::vector<std::vector<int>> result;
+    for (auto &[length, edges] : sorted)
+        result.push_back(std::move(edges));
+    return result;
+}
+
+//! Joins a chart to one of its neighbours, along as much of their common seam as can be closed.
+bool SeamSearch::absorb(int chart)
+{
+    const int triangles = static_cast<int>(std::count(mState.chart.begin(), mState.chart.end(), chart));
+    const int size = std::min(3 * triangles + mediumPatch, mostPatch);
+    for (const std::vector<int> &seam : seamsAround(chart)) {
+        for (std::size_t length = seam.size(); length > 0; length /= 2) {
+            for (std::size_t first = 0; first + length <= seam.size(); first += length) {
+                const auto begin = seam.begin() + static_cast<std::ptrdiff_t>(first);
+                const SeamChange change{{}, {begin, begin + static_cast<std::ptrdiff_t>(length)}};
+                if (attempt(Absorb, change, size, absorbSteps, anyGain))
+                    return true;
+                if (stopped())
+                    return false;
+            }
+        }
+    }
+    return false;
+}
+
+//! Triangles next to a seam edge, nearest first, in the chart on the other side: so many that they and the chart
+//! together are large enough. Polygons stay whole. Nothing reaches beyond the line through the edge, where the
+//! chart will lie.
+std::vector<int> SeamSearch::regionAcross(int chart, int edge) const
+{
+    const SeamGraph &graph = *mState.graph;
+    const EdgePair &pair = graph.soup->mesh->edgePairs[edge];
+    const int there = mState.chart[pair.triangle[0]] == chart ? 1 : 0;
+    std::vector<int> region{pair.triangle[there]};
+    const int along = 3 * pair.triangle[there] + pair.side(there);
+    const Vec2 from = mState.at(along), to = mState.at(along / 3 * 3 + (along + 1) % 3);
+    const auto isInFront = [&](int t) {
+        const double least = -1e-9 * (to - from).squaredNorm();
+        return cross2(from, to, mState.at(3 * t)) >= least && cross2(from, to, mState.at(3 * t + 1)) >= least &&
+               cross2(from, to, mState.at(3 * t + 2)) >= least;
+    };
+    std::set<int> seen(region.begin(), region.end());
+    double area = mState.chartArea[chart];
+    const auto addNeighbours = [&](int t, bool ofPolygon) {
+        for (int side = 3 * t; side < 3 * t + 3; ++side) {
+            if (mState.isCutSide(side))
+                continue;
+            const bool inside = graph.rule[graph.edgeOf[side]] == SeamGraph::Rule::NeverCut;
+            const int next = graph.across[side] / 3;
+            if (inside == ofPolygon && (inside || isInFront(next)) && seen.insert(next).second)
+                region.push_back(next);
+        }
+    };
+    std::size_t whole = 0; // what cannot be parted from these is in the region
+    for (std::size_t at = 0; at < region.size(); ++at) {
+        for (; whole < region.size(); ++whole) {
+            addNeighbours(region[whole], true);
+            area += graph.soup->weight[region[whole]];
+        }
+        if (area >= grownShare * CutState::smallestChart)
+            break;
+        addNeighbours(region[at], false);
+    }
+    return region;
+}
+
+//! Cuts edges that part charts; these move apart, else nothing moves.
+void SeamSearch::cutApart(const std::vector<int> &edges)
+{
+    CutState apart = mState;
+    for (const int e : edges)
+        apart.cut[e] = 1;
+    apart.updateTopology();
+    apart.spreadCharts();
+    restore(apart);
+}
+
+//! Makes a chart large enough with a part of a neighbour: that part is cut off, then joined to it.
+bool SeamSearch::grow(int chart)
+{
+    const int before = mState.smallParts();
+    const CutState saved = mState;
+    std::vector<int> edges;
+    for (const std::vector<int> &seam : seamsAround(chart)) {
+        for (std::size_t i = 0; i < seam.size(); i += 1 + seam.size() / edgesPerNeighbour)
+            edges.push_back(seam[i]);
+    }
+    for (const int edge : edges) {
+        const std::vector<int> region = regionAcross(chart, edge);
+        const std::set<int> inside(region.begin(), region.end());
+        SeamChange split, join;
+        for (const int t : region) {
+            for (int side = 3 * t; side < 3 * t + 3; ++side) {
+                const int e = mState.graph->edgeOf[side];
+                if (e < 0 || inside.count(mState.graph->across[side] / 3))
+                    continue;
+                if (!mState.cut[e])
+                    split.open.push_back(e);
+                else if (mState.chart[mState.graph->across[side] / 3] == chart)
+                    join.close.push_back(e);
+            }
+        }
+        cutApart(withMirrorImages(split).open);
+        const int size = std::min(3 * static_cast<int>(region.size()) + mediumPatch, mostPatch);
+        if ((attempt(Absorb, join, size, absorbSteps, anyGain) ||
+             attempt(Absorb, {{}, {edge}}, size, absorbSteps, anyGain)) &&
+            mState.smallParts() < before)
+            return true;
+        restore(saved);
+        if (stopped())
+            break;
+    }
+    return false;
+}
+
+void SeamSearch::absorbSmallCharts()
+{
+    std::set<int> failed; // by their first triangles
+    while (!stopped() && mState.smallParts() > 0) {
+        std::vector<int> first(mState.chartCount(), -1);
+        for (int t = mState.graph->triangleCount() - 1; t >= 0; --t)
+            first[mState.chart[t]] = t;
+        int smallest = -1;
+        for (int c = 0; c < mState.chartCount(); ++c) {
+            if (mState.chartArea[c] < CutState::smallestChart && !failed.count(first[c]) &&
+                (smallest < 0 || mState.chartArea[c] < mState.chartArea[smallest]))
+                smallest = c;
+        }
+        if (smallest < 0)
+            return;
+        if (!absorb(smallest) && !grow(smallest))
+            failed.insert(first[smallest]);
+    }
+}
+
+} // namespace autocuts

@@ -1,0 +1,312 @@
+// Where seams should rather run: along creases, in hidden places, symmetrically; and no chart too small.
+#include "model/cborvalues.h"
+#include "model/io/meshfile.h"
+#include "model/samples.h"
+#include "solver/pipeline.h"
+#include "solver/preference/creases.h"
+#include "solver/preference/meshsymmetry.h"
+#include "solver/preference/openness.h"
+#include "solver/preference/seampreference.h"
+#include "solver/search/seamsearch.h"
+#include "solver/search/seamseeds.h"
+#include "solver/tutte.h"
+#include "support/meshbuilders.h"
+
+#include <Eigen/Geometry>
+
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+
+using namespace autocuts;
+using test::MeshPtr;
+
+namespace {
+
+MeshPtr sample(const char *name)
+{
+    return makeSample(QString::fromLatin1(name)).value().mesh;
+}
+
+//! The mesh with its points moved.
+MeshPtr moved(const MeshData &mesh, const std::function<Vec3(const Vec3 &)> &move)
+{
+    PositionMatrix positions = mesh.positions;
+    for (Eigen::Index v = 0; v < positions.rows(); ++v)
+        positions.row(v) = move(positions.row(v));
+    return MeshData::build(positions, mesh.faceStart, mesh.cornerVertex, mesh.faceObject);
+}
+
+UnwrapResult draft(const MeshPtr &mesh, const SolveSettings &settings, int threads = 2)
+{
+    Snapshot snapshot;
+    snapshot.mesh = mesh;
+    snapshot.settings = settings;
+    UnwrapOptions options;
+    options.quality = UnwrapQuality::Draft;
+    options.pack = false;
+    options.threads = threads;
+    return unwrap(snapshot, options);
+}
+
+//! Share of the seam length with both ends on the cube's edges or one mesh edge away from them. The sample's
+//! bumps leave the cube's edges where they are: two coordinates there are 1 or -1.
+double shareAtCubeEdges(const MeshData &mesh, const CutFlags &cut)
+{
+    std::vector<bool> near(mesh.vertexCount(), false);
+    const auto isOnEdge = [&](int v) {
+        int count = 0;
+        for (int i = 0; i < 3; ++i)
+            count += std::abs(std::abs(mesh.positions(v, i)) - 1) < 1e-9;
+        return count >= 2;
+    };
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        for (int k = 0; k < 3; ++k) {
+            if (isOnEdge(mesh.vertexOfSoup(3 * t + k))) {
+                for (int j = 0; j < 3; ++j)
+                    near[mesh.vertexOfSoup(3 * t + j)] = true;
+            }
+        }
+    }
+    double all = 0, there = 0;
+    for (std::size_t e = 0; e < cut.size(); ++e) {
+        const EdgePair &pair = mesh.edgePairs[e];
+        all += cut[e] ? pair.length : 0;
+        if (cut[e] && near[mesh.vertexOfSoup(pair.corner[0][0])] &&
+            near[mesh.vertexOfSoup(pair.corner[1][0])])
+            there += pair.length;
+    }
+    return there / all;
+}
+
+double meanOpenness(const MeshData &mesh, const CutFlags &cut)
+{
+    const std::vector<double> openness = edgeOpenness(mesh, 2);
+    double all = 0, sum = 0;
+    for (std::size_t e = 0; e < cut.size(); ++e) {
+        all += cut[e] ? mesh.edgePairs[e].length : 0;
+        sum += cut[e] ? mesh.edgePairs[e].length * openness[e] : 0;
+    }
+    return sum / all;
+}
+
+} // namespace
+
+class TestPreference : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void anglesAreThoseOfThePolygons()
+    {
+        for (const double angle : dihedralAngles(*test::quadCube()))
+            QVERIFY(angle == 0 || std::abs(angle - std::numbers::pi / 2) < 1e-12);
+        // A quad that is bent along its diagonal, beside another one.
+        const MeshPtr bent = test::polygonMesh(
+            {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}, {2, 0, 0}, {2, 1, 1}}, {{0, 1, 2, 3}, {1, 4, 5, 2}});
+        const std::vector<double> angles = dihedralAngles(*bent);
+        for (std::size_t e = 0; e < angles.size(); ++e)
+            QCOMPARE(angles[e] == 0, bent->edgePairs[e].diagonal);
+    }
+
+    void hardSurfacesAreTold_data()
+    {
+        QTest::addColumn<MeshPtr>("mesh");
+        QTest::addColumn<bool>("hard");
+        QTest::newRow("bumpycube") << sample("bumpycube") << true;
+        QTest::newRow("machine") << sample("machine") << true;
+        QTest::newRow("cube") << test::cube() << true;
+        QTest::newRow("character") << sample("character") << false;
+        QTest::newRow("torus") << sample("torus") << false;
+        QTest::newRow("sphere") << test::sphere(12, 16) << false;
+        QTest::newRow("one triangle") << test::triangle() << false;
+        const std::string folder = test::meshFolder();
+        if (folder.empty())
+            return;
+        for (const char *name : {"cow_param_closed", "gargoyle_i_f10000", "girl1", "octopus", "bishop_part"})
+            QTest::newRow(name)
+                << readMesh(QString::fromStdString(folder + "/organic/" + name + ".obj")).value().mesh
+                << false;
+        QTest::newRow("truck")
+            << readMesh(QString::fromStdString(folder + "/irregular/truck.obj")).value().mesh << true;
+    }
+    void hardSurfacesAreTold()
+    {
+        QFETCH(MeshPtr, mesh);
+        QFETCH(bool, hard);
+        QCOMPARE(isHardSurface(*mesh), hard);
+        QCOMPARE(decided(CreaseMode::Auto, *mesh), hard ? CreaseMode::On : CreaseMode::Off);
+    }
+
+    void weightsMultiplyIntoThePaintedOnes()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = sample("bumpycube");
+        snapshot.pairWeight.assign(snapshot.mesh->cornerPairCount(), 3.0);
+        SeamPreference preference;
+        const std::vector<double> angles = dihedralAngles(*snapshot.mesh);
+        const Snapshot weighted = preference.applied(snapshot);
+        for (std::size_t e = 0; e < angles.size(); ++e) {
+            const double expected = angles[e] > 1.2 ? 3 * 0.2 : 3;
+            if (angles[e] > 1.2 || angles[e] < 0.3)
+                QVERIFY(std::abs(weighted.edgeWeight(e) - expected) < 1e-12);
+        }
+        snapshot.settings.creases = CreaseMode::Off;
+        QVERIFY(preference.applied(snapshot).pairWeight == snapshot.pairWeight);
+        snapshot.settings.creases = CreaseMode::On;
+        snapshot.settings.creaseStrength = 0;
+        QVERIFY(preference.applied(snapshot).pairWeight == snapshot.pairWeight);
+    }
+
+    void cutsFollowTheCubesEdges()
+    {
+        const MeshPtr mesh = sample("bumpycube");
+        SolveSettings settings;
+        const UnwrapResult with = draft(mesh, settings);
+        QVERIFY(with.distortion <= 4.1);
+        QVERIFY(shareAtCubeEdges(*mesh, with.cut) >= 0.9);
+        settings.creases = CreaseMode::Off;
+        QVERIFY(shareAtCubeEdges(*mesh, draft(mesh, settings).cut) < 0.9);
+    }
+
+    void opennessIsWhatIsSeen()
+    {
+        // A floor and a wall: from their common edge a quarter of space is seen.
+        const MeshPtr corner = test::polygonMesh(
+            {{0, 0, 0}, {0, 1, 0}, {9, 0, 0}, {9, 1, 0}, {0, 0, 9}, {0, 1, 9}}, {{0, 2, 3, 1}, {0, 1, 5, 4}});
+        const std::vector<double> openness = vertexOpenness(*corner);
+        QVERIFY(std::abs(openness[0] - std::sqrt(0.5)) < 0.3); // half of the rays fly past the ends
+        QVERIFY(openness[2] > 0.9);
+        for (const double open : vertexOpenness(*test::grid(6)))
+            QCOMPARE(open, 1.0);
+        for (const double open : vertexOpenness(*test::cube()))
+            QCOMPARE(open, 1.0);
+        const MeshPtr character = sample("character");
+        const std::vector<double> one = vertexOpenness(*character, 1);
+        QVERIFY(one == vertexOpenness(*character, 3));
+        QVERIFY(*std::min_element(one.begin(), one.end()) < 0.5);
+        QVERIFY(*std::max_element(one.begin(), one.end()) > 0.95);
+    }
+
+    void seamsGoWhereTheyAreHidden()
+    {
+        const MeshPtr mesh = sample("character");
+        SolveSettings settings;
+        const UnwrapResult open = draft(mesh, settings);
+        settings.visibility = 1;
+        const UnwrapResult hidden = draft(mesh, settings);
+        QVERIFY(hidden.distortion <= 4.1);
+        QVERIFY(meanOpenness(*mesh, hidden.cut) < meanOpenness(*mesh, open.cut) - 0.05);
+    }
+
+    void symmetryIsFound_data()
+    {
+        QTest::addColumn<MeshPtr>("mesh");
+        QTest::addColumn<Vec3>("normal"); // zero: not symmetric
+        const MeshPtr character = sample("character");
+        const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, -1).normalized());
+        QTest::newRow("character") << character << Vec3(1, 0, 0);
+        QTest::newRow("turned") << moved(*character, [&](const Vec3 &p) { return Vec3(turn * p); })
+                                << Vec3(turn * Vec3(1, 0, 0));
+        QTest::newRow("far away") << moved(*character, [&](const Vec3 &p) {
+            return Vec3(p + Vec3(1e4, 3, 7));
+        }) << Vec3(1, 0, 0);
+        QTest::newRow("sheared") << moved(*character, [](const Vec3 &p) {
+            return Vec3(p.x() + 0.3 * p.y() + 0.2 * p.z() * p.z(), p.y(), p.z() + 0.1 * p.x());
+        }) << Vec3(0, 0, 0);
+        QTest::newRow("one triangle") << test::triangle() << Vec3(0, 0, 0);
+    }
+    void symmetryIsFound()
+    {
+        QFETCH(MeshPtr, mesh);
+        QFETCH(Vec3, normal);
+        const std::optional<MeshSymmetry> found = findSymmetry(*mesh);
+        QCOMPARE(found.has_value(), normal.norm() > 0.5);
+        if (!found)
+            return;
+        QVERIFY(std::abs(found->normal.dot(normal)) > 1 - 1e-6);
+        for (std::size_t e = 0; e < found->mirrorEdge.size(); ++e) {
+            const int other = found->mirrorEdge[e];
+            QVERIFY(other < 0 || found->mirrorEdge[other] == static_cast<int>(e));
+            QVERIFY(other < 0 || std::abs(mesh->edgePairs[e].length - mesh->edgePairs[other].length) < 1e-3);
+        }
+    }
+
+    void cutsAreSymmetric()
+    {
+        const MeshPtr mesh = sample("character");
+        SolveSettings settings;
+        settings.symmetry = true;
+        const UnwrapResult result = draft(mesh, settings);
+        QVERIFY(result.distortion <= 4.1);
+        QVERIFY(result.symmetry && *result.symmetry > 0.99);
+        QCOMPARE(*result.symmetry, symmetricShare(*mesh, *findSymmetry(*mesh), result.cut));
+        QVERIFY(draft(mesh, settings, 1).uv == result.uv);
+        settings.symmetry = false;
+        const UnwrapResult other = draft(mesh, settings);
+        QVERIFY(!other.symmetry);
+        QVERIFY(symmetricShare(*mesh, *findSymmetry(*mesh), other.cut) < 0.9);
+    }
+
+    void whatIsNotSymmetricIsSaid()
+    {
+        const MeshPtr sheared = moved(*test::sphere(10, 12), [](const Vec3 &p) {
+            return Vec3(p.x() + 0.4 * p.y() * p.z(), p.y() + 0.2 * p.x() * p.x(), p.z() * (1 + 0.3 * p.z()));
+        });
+        SolveSettings settings;
+        settings.symmetry = true;
+        QCOMPARE(draft(sheared, settings).symmetry, std::optional(0.0));
+    }
+
+    void smallChartsAreAbsorbed()
+    {
+        Snapshot snapshot;
+        snapshot.mesh = test::sphere(30, 40);
+        const auto soup = Soup::build(snapshot.mesh);
+        const auto graph = SeamGraph::build(soup, snapshot);
+        SeamedMap map;
+        const std::vector<char> cut = fewCuts(*graph, {.paths = 4});
+        map.cut.assign(cut.begin(), cut.end());
+        for (const int t : {100, 900, 2000}) {
+            for (int k = 0; k < 3; ++k)
+                map.cut[graph->edgeOf[3 * t + k]] = true;
+        }
+        map.x = tutteEmbedding(*soup, CutMesh(*snapshot.mesh, map.cut));
+        QCOMPARE(map.validate(*soup), std::string());
+        CutState state = CutState::from(graph, map);
+        SeamSearch search(state, 1, {});
+        search.relaxAll(30);
+        const int before = state.smallParts();
+        QVERIFY(before >= 3);
+        search.absorbSmallCharts();
+        QCOMPARE(state.smallParts(), 0);
+        QCOMPARE(state.map().validate(*soup), std::string());
+        QVERIFY(state.loopsAreInOrder() && !state.boundariesOverlap());
+    }
+
+    void settingsAreSaved()
+    {
+        SolveSettings settings;
+        settings.creases = CreaseMode::On;
+        settings.creaseStrength = 0.25;
+        settings.visibility = 0.5;
+        settings.symmetry = true;
+        CborReader reader(toCbor(settings));
+        QVERIFY(readSolveSettings(reader) == settings);
+        QVERIFY(!reader.failed());
+        for (const char *name : {"creaseStrength", "visibility"}) {
+            QCborMap map = toCbor(settings);
+            map[QLatin1StringView(name)] = 1.5;
+            CborReader bad(map);
+            readSolveSettings(bad);
+            QVERIFY(bad.failed());
+        }
+        // Sessions of before know nothing of it.
+        CborReader old(QCborMap{});
+        QVERIFY(readSolveSettings(old) == SolveSettings());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPreference)
+#include "tst_preference.moc"
