@@ -103,8 +103,8 @@ std::string problemWithForeign(const Include &i)
     }
     if (startsWith(i.header, "assimp/") && !startsWith(path, "model/io/assimp"))
         return "Assimp belongs to model/io/assimp*";
-    if (startsWith(i.header, "OpenMesh/") && path != "model/meshdata.cpp")
-        return "OpenMesh belongs to model/meshdata.cpp";
+    if (startsWith(i.header, "OpenMesh/") && path != "solver/multires/edgecollapses.cpp")
+        return "OpenMesh belongs to solver/multires/edgecollapses.cpp";
     if ((startsWith(i.header, "cholmod") || startsWith(i.header, "suitesparse/")) &&
         !startsWith(path, "solver/linear/"))
         return "CHOLMOD belongs to solver/linear/";
@@ -161,6 +161,7 @@ private Q_SLOTS:
         row("model/scene.h", "QWidget", false);
         row("model/scene.cpp", "assimp/scene.h", false);
         row("model/scene.cpp", "OpenMesh/Core/IO/MeshIO.hh", false);
+        row("solver/multires/progressivemesh.cpp", "OpenMesh/Core/Mesh/Traits.hh", false);
         row("solver/newton.cpp", "cholmod.h", false);
     }
 

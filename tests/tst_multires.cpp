@@ -1,12 +1,15 @@
 // Coarse meshes and the way back: collapses and their undoing, maps carried from a coarse mesh to the fine
 // one.
 #include "solver/multires/coarsetofine.h"
+#include "solver/multires/edgecollapses.h"
 #include "solver/multires/maprefiner.h"
 #include "solver/overlapfree.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
 
+#include <cmath>
+#include <numbers>
 #include <set>
 
 using namespace autocuts;
@@ -45,6 +48,52 @@ std::vector<int> stateOf(const ProgressiveMesh &mesh, int triangles)
     return state;
 }
 
+//! Whether neighbours know each other and share the ends of the side between them.
+bool isWhole(const ProgressiveMesh &mesh, int triangles)
+{
+    const auto ends = [&](int side) -> std::pair<int, int> {
+        return std::minmax(mesh.point(side), mesh.point(ProgressiveMesh::next(side)));
+    };
+    for (int side = 0; side < 3 * triangles; ++side) {
+        const int other = mesh.isAlive(side / 3) ? mesh.across(side) : -1;
+        if (other >= 0 &&
+            (!mesh.isAlive(other / 3) || mesh.across(other) != side || ends(other) != ends(side)))
+            return false;
+    }
+    return true;
+}
+
+//! A flat hexagon around point 6. Nothing but point 6 may be collapsed.
+struct Hexagon
+{
+    std::vector<Vec3> position;
+    std::vector<int> point, across;
+    std::vector<bool> alive, locked;
+
+    Hexagon()
+    {
+        for (int i = 0; i < 6; ++i) {
+            position.emplace_back(std::cos(i * std::numbers::pi / 3), std::sin(i * std::numbers::pi / 3), 0);
+            add(6, i, (i + 1) % 6);
+            across[3 * i] = 3 * ((i + 5) % 6) + 2;
+            across[3 * i + 2] = 3 * ((i + 1) % 6);
+        }
+        position.emplace_back(0.1, 0, 0);
+        locked.assign(7, true);
+        locked[6] = false;
+    }
+    void add(int a, int b, int c)
+    {
+        point.insert(point.end(), {a, b, c});
+        across.insert(across.end(), 3, -1);
+        alive.push_back(true);
+    }
+    std::vector<HalfEdgeCollapse> collapses() const
+    {
+        return edgeCollapses({position, point, across, alive, locked}, 1);
+    }
+};
+
 CoarseUnwrap draft()
 {
     return [](const Snapshot &snapshot, const UnwrapOptions &options) { return unwrap(snapshot, options); };
@@ -74,6 +123,7 @@ private Q_SLOTS:
         const int full = progressive.triangleCount();
         for (int goal = full - 1; goal > 4; goal = goal * 2 / 3) {
             progressive.coarsen(goal);
+            QVERIFY(isWhole(progressive, full));
             if (progressive.triangleCount() > goal)
                 break;
         }
@@ -115,6 +165,35 @@ private Q_SLOTS:
             const int a = 3 * triangles[pair.triangle[0]] + pair.side(0);
             QCOMPARE(progressive.across(a), 3 * triangles[pair.triangle[1]] + pair.side(1));
         }
+    }
+
+    void pointsInsideAreCollapsed()
+    {
+        const auto collapses = Hexagon().collapses();
+        QCOMPARE(collapses.size(), std::size_t(1));
+        QCOMPARE(collapses[0].removed, 6);
+        QCOMPARE(collapses[0].kept, 0); // the nearest
+    }
+
+    void whatIsNoHalfEdgeMeshStays_data()
+    {
+        QTest::addColumn<QString>("fault");
+        for (const char *fault : {"degenerate", "doubled", "turned over", "torn"})
+            QTest::newRow(fault) << QString::fromLatin1(fault);
+    }
+    void whatIsNoHalfEdgeMeshStays()
+    {
+        QFETCH(QString, fault);
+        Hexagon hexagon;
+        if (fault == QLatin1String("degenerate"))
+            hexagon.add(6, 6, 2);
+        else if (fault == QLatin1String("doubled"))
+            hexagon.add(6, 2, 3);
+        else if (fault == QLatin1String("turned over"))
+            std::swap(hexagon.point[7], hexagon.point[8]);
+        else
+            hexagon.across[0] = hexagon.across[17] = -1; // at the same place, yet not next to each other
+        QVERIFY(hexagon.collapses().empty());
     }
 
     void lockedEdgesStay()

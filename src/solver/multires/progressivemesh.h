@@ -9,11 +9,10 @@
 
 namespace autocuts {
 
-//! Half-edge collapses (one end of an edge moves onto the other) in the order of a quadric error (Garland and
-//! Heckbert 1997), so that vertices of the coarse surface are vertices of the fine one. Works on the surface
-//! that the edge pairs make: its points are fans of triangles, whatever the vertices of the mesh do, so any
-//! mesh is a manifold with borders here. Triangles keep their numbers; a *side* is 3 t + k and runs from
-//! corner k to the next.
+//! Half-edge collapses (one end of an edge moves onto the other), so that vertices of the coarse surface are
+//! vertices of the fine one; edgeCollapses() chooses them. Works on the surface that the edge pairs make: its
+//! points are fans of triangles, whatever the vertices of the mesh do, so any mesh is a manifold with borders
+//! here. Triangles keep their numbers; a *side* is 3 t + k and runs from corner k to the next.
 class ProgressiveMesh
 {
 public:
@@ -51,39 +50,19 @@ public:
     std::shared_ptr<const MeshData> extract(std::vector<int> &triangles) const;
 
 private:
-    //! Symmetric 4 x 4 matrix of a sum of squared distances to planes.
-    using Quadric = std::array<double, 10>;
-    struct Candidate
-    {
-        double cost;
-        int removed, kept;
-        std::uint32_t stamp;
-        bool operator<(const Candidate &o) const; //!< the queue gives the cheapest first
-    };
-
     void findPoints(const MeshData &mesh);
-    void addQuadrics();
-    bool fanOf(int corner, std::vector<int> &corners) const;
-    bool ringOf(int point, std::vector<int> &corners) const;
-    void propose(int point);
-    bool allowed(int removed, int kept, double &cost);
-    bool collapse(int removed, int kept);
-    double errorOf(const Quadric &q, const Vec3 &p) const;
+    void ringOf(int point);
+    void collapse(int removed, int kept);
 
-    std::vector<int> mPoint, mAcross, mCornerOf; //!< mCornerOf: some living corner of each point
-    std::vector<bool> mAlive, mLocked, mGone;
+    std::vector<int> mPoint, mAcross;
+    std::vector<bool> mAlive, mLocked;
     std::vector<Vec3> mPosition;
     std::vector<int> mObject; //!< per triangle
     int mCount = 0;
-    double mMeanArea = 0;
     std::vector<Collapse> mCollapses;
     std::vector<int> mFan;
-    std::vector<Quadric> mQuadric;
-    std::vector<std::uint32_t> mStamp;
-    std::vector<Candidate> mQueue;
-    std::vector<int> mMark;
-    int mMarkRound = 0;
-    std::vector<int> mRing, mOtherRing; //!< scratch
+    std::vector<int> mCornerOf; //!< while collapsing: some living corner of each point
+    std::vector<int> mRing;     //!< scratch
 };
 
 } // namespace autocuts
