@@ -240,8 +240,9 @@ private Q_SLOTS:
     void oneRegionTakesTheOverlapsAway_data()
     {
         QTest::addColumn<QString>("mesh");
-        QTest::newRow("camel_simple") << u"organic/camel_simple.obj"_s;
         QTest::newRow("horse_quad") << u"polygons/horse_quad.obj"_s;
+        QTest::newRow("bimba") << u"organic/bimba_i_f10000.obj"_s;
+        QTest::newRow("hand") << u"organic/hand_1_i_f5000.obj"_s;
     }
 
     void oneRegionTakesTheOverlapsAway()

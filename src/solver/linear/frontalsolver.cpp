@@ -174,8 +174,7 @@ bool FrontalSolver::eliminate(const Matrix &lower, int node, Scratch &scratch)
     if (!invertFront(inverse, l.pivots, l.pivotStride, mSmallest))
         return false;
     scratch.solved.resize(scratch.coupling.size());
-    multiplyFront(inverse, l.pivotStride, flat(scratch.coupling), flat(scratch.solved), l.pivots, l.rows,
-                  l.stride);
+    multiplyFront(inverse, l.pivotStride, flat(scratch.coupling), flat(scratch.solved), l.pivots, l.stride);
     reduceFront(flat(scratch.coupling), flat(scratch.solved), l.pivots, l.rows, l.stride, flat(mUpdate[node]),
                 l.stride);
     packFront(flat(scratch.solved), l.pivots, l.stride, mCoupling.data() + l.coupling,

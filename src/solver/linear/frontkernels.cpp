@@ -84,9 +84,9 @@ bool invertFront(float *a, int n, int stride, float smallest)
 }
 
 AUTOCUTS_CLONES
-void multiplyFront(const float *w, int wStride, const float *b, float *t, int p, int r, int stride)
+void multiplyFront(const float *w, int wStride, const float *b, float *t, int p, int stride)
 {
-    const int width = paddedRow(r) / frontLanes;
+    const int width = stride / frontLanes;
     int i = 0;
     for (; i + 4 <= p; i += 4) {
         const float *w0 = w + static_cast<std::ptrdiff_t>(i) * wStride;

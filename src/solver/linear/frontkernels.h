@@ -19,8 +19,8 @@ constexpr int paddedRow(int n)
 //! false when a pivot is not above `smallest`.
 bool invertFront(float *a, int n, int stride, float smallest);
 
-//! t = w b: w is p x p, b and t are p x r.
-void multiplyFront(const float *w, int wStride, const float *b, float *t, int p, int r, int stride);
+//! t = w b: w is p x p, b and t have p rows and are filled up to the stride.
+void multiplyFront(const float *w, int wStride, const float *b, float *t, int p, int stride);
 
 //! c -= b^T t, upper triangle (and a little more) of the r x r matrix c; b and t are p x r.
 void reduceFront(const float *b, const float *t, int p, int r, int stride, float *c, int cStride);

@@ -3,6 +3,7 @@
 #include "model/rigidpieces.h"
 #include "model/uvlayout.h"
 #include "solver/finalmap.h"
+#include "solver/overlap/overlapfinder.h"
 #include "solver/overlap/separatemap.h"
 #include "solver/packing/islandgeometry.h"
 #include "solver/packing/packmap.h"
@@ -65,6 +66,15 @@ int packedCharts(const ChartMap &charts, const std::vector<bool> &movable)
             packed[charts.faceChart[f]] = true;
     }
     return static_cast<int>(std::count(packed.begin(), packed.end(), true));
+}
+
+//! True when all islands lie in the unit square and none over another.
+bool lieFree(const MeshData &mesh, const UvMatrix &uv, JobControl &control)
+{
+    OverlapOptions options;
+    options.maxPairs = 1;
+    options.cancel = &control.stop();
+    return uv.minCoeff() >= 0 && uv.maxCoeff() <= 1 && findOverlaps(soupUv(mesh, uv), options).pairs.empty();
 }
 
 QString noRoom(const PackingSettings &packing)
@@ -138,6 +148,15 @@ MapJobResult finishMapJob(const MapInput &input, const std::shared_ptr<const Sol
     }
     result.uv = input.uvScale * cornerUv(solver.soup(), *map);
     result.message = translated("Finished: distortion %1").arg(map->distortion(solver.soup()), 0, 'f', 4);
+    // Islands that grew or were cut off may lie over others. Pins and rectangles say where islands belong.
+    const MeshData &mesh = input.mesh();
+    if (snapshot.pins.empty() && snapshot.rectangles.empty() && !lieFree(mesh, result.uv, control)) {
+        const std::vector<bool> all(mesh.faceCount(), true);
+        if (!packInto(result.uv, mesh, findCharts(mesh, result.uv), IslandMarks::none(mesh), all,
+                      packSettings(input.packing), control) &&
+            !control.stop())
+            result.problem = noRoom(input.packing);
+    }
     return result;
 }
 

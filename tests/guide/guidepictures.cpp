@@ -1,0 +1,296 @@
+// Takes the pictures of docs/guide.md from the real studio, worked with by events.
+//
+//   guide_pictures FOLDER
+//
+// Each picture shows a view before and after: rows 24 to 39 of what the paper's artist does, and the window
+// as a whole. scripts/guide runs it.
+#include "support/artist.h"
+#include "support/canvases.h"
+#include "views/canvas/meshview.h"
+#include "views/canvas/uvview.h"
+#include "views/theme.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QPainter>
+#include <QSurfaceFormat>
+
+#include <cstdio>
+
+using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+constexpr int jpegQuality = 86;
+constexpr int gap = 6; // pixels between before and after
+
+class Guide
+{
+public:
+    explicit Guide(const QString &folder) : mFolder(folder) {}
+
+    //! Returns the first problem; empty: none.
+    QString takeAll()
+    {
+        for (const auto step :
+             {&Guide::unwrapping, &Guide::steeringBySeams, &Guide::painting, &Guide::dragging, &Guide::boxing,
+              &Guide::overlaps, &Guide::arranging, &Guide::looking}) {
+            // A window of its own: no step depends on the one before.
+            mArtist = std::make_unique<test::Artist>(QSize(1600, 900));
+            (this->*step)();
+            if (!mProblem.isEmpty())
+                break;
+        }
+        return mProblem;
+    }
+
+private:
+    test::StudioSession &studio() { return mArtist->studio; }
+    Document &document() { return mArtist->document(); }
+    Canvas &model() { return mArtist->model(); }
+    Canvas &map() { return mArtist->map(); }
+
+    void settle()
+    {
+        QTest::qWait(400);
+        // The mouse leaves no marks behind.
+        QCoreApplication::processEvents();
+    }
+    void save(const QImage &image, const QString &name)
+    {
+        if (!image.save(mFolder.filePath(name + u".jpg"_s), nullptr, jpegQuality) && mProblem.isEmpty())
+            mProblem = u"cannot write "_s + mFolder.filePath(name + u".jpg"_s);
+    }
+    void window(const QString &name)
+    {
+        settle();
+        save(studio().window.grab().toImage(), name);
+    }
+    QImage both()
+    {
+        settle();
+        return beside(model().picture(), map().picture());
+    }
+    static QImage beside(const QImage &left, const QImage &right)
+    {
+        QImage image(left.width() + gap + right.width(), std::max(left.height(), right.height()),
+                     QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        painter.drawImage(0, 0, left);
+        painter.drawImage(left.width() + gap, 0, right);
+        return image;
+    }
+    //! A view before and after some work.
+    template <class Work>
+    void pair(const QString &name, Canvas &canvas, Work work)
+    {
+        settle();
+        const QImage before = canvas.picture();
+        work();
+        settle();
+        save(beside(before, canvas.picture()), name);
+    }
+    void sample(const char *action)
+    {
+        studio().action(action)->trigger();
+        if (!studio().document() && mProblem.isEmpty())
+            mProblem = u"no sample"_s;
+    }
+    void solve(int steps)
+    {
+        studio().press(Qt::Key_Space);
+        if (!studio().runsTo(studio().context.solver.status().iteration + steps) && mProblem.isEmpty())
+            mProblem = u"the solver does not run"_s;
+    }
+    void pause()
+    {
+        if (studio().context.solver.isRunning())
+            studio().press(Qt::Key_Space);
+        studio().solverRests();
+    }
+    void frame() { studio().action("view.frameAll")->trigger(); }
+
+    //! Row 24.
+    void unwrapping()
+    {
+        window(u"start"_s);
+        sample("file.sample.bumpycube");
+        solve(40);
+        window(u"solving"_s);
+        pause();
+        mArtist->runJob("uv.unwrap");
+        frame();
+        studio().action("view.pattern.checker")->trigger();
+        window(u"unwrapped"_s);
+    }
+
+    //! Rows 25 to 27.
+    void steeringBySeams()
+    {
+        sample("file.sample.character");
+        mArtist->runJob("uv.unwrap");
+        frame();
+        const QList<QPoint> edges = mArtist->edgesOn(model(), 40);
+        mArtist->use("tool.cut");
+        pair(u"cut"_s, model(), [&] {
+            mArtist->doubleClick("", model(), edges[22]);
+            solve(60);
+            pause();
+        });
+        mArtist->use("tool.join");
+        pair(u"join"_s, model(), [&] {
+            mArtist->doubleClick("", model(), edges[30]);
+            solve(60);
+            pause();
+        });
+    }
+
+    //! Rows 28 and 29.
+    void painting()
+    {
+        sample("file.sample.character");
+        studio().action("view.coloring.paint")->trigger();
+        mArtist->use("tool.paint");
+        const QList<QPoint> places = mArtist->placesOn(model(), 24);
+        pair(u"paint"_s, model(), [&] {
+            QTest::keyClick(&model(), Qt::Key_1);
+            mArtist->drag("", model(), {places[4], places[6], places[8], places[7]});
+            QTest::keyClick(&model(), Qt::Key_2);
+            mArtist->drag("", model(), {places[16], places[19]});
+        });
+    }
+
+    //! Rows 30, 31 and 37.
+    void dragging()
+    {
+        sample("file.sample.bumpycube");
+        mArtist->runJob("uv.unwrap");
+        frame();
+        mArtist->use("select.faces");
+        mArtist->use("tool.drag");
+        const QList<QPoint> places = mArtist->placesOn(map(), 12);
+        pair(u"drag"_s, map(), [&] { mArtist->drag("", map(), {places[3], places[3] + QPoint(-30, -20)}); });
+        mArtist->use("tool.pin");
+        pair(u"pins"_s, map(), [&] {
+            for (const int i : {0, 4, 8, 11}) {
+                const int corner = 3 * map().pick(places[i]).triangle;
+                if (const auto place = corner >= 0 ? map().screenOf(corner) : std::nullopt)
+                    mArtist->click("", map(), place->toPoint());
+            }
+        });
+    }
+
+    //! Rows 32 to 34.
+    void boxing()
+    {
+        sample("file.sample.character");
+        mArtist->runJob("uv.unwrap");
+        studio().action("view.coloring.islands")->trigger();
+        frame();
+        mArtist->use("tool.rectangle");
+        const QPoint lower = mArtist->pixelOf({0.1, 1.05}), upper = mArtist->pixelOf({0.9, 1.3});
+        pair(u"rectangle"_s, map(), [&] {
+            mArtist->drag("", map(), {lower, upper});
+            mArtist->drag("", map(), {mArtist->placesOn(map(), 9)[4], (lower + upper) / 2});
+            solve(120);
+            pause();
+        });
+    }
+
+    //! Rows 35 and 36.
+    void overlaps()
+    {
+        sample("file.sample.character");
+        studio().action("uv.budget")->trigger();
+        for (int i = 0; i < 12; ++i)
+            studio().press(Qt::Key_Right);
+        solve(60);
+        for (int i = 0; i < 9; ++i)
+            studio().press(Qt::Key_Down);
+        solve(200);
+        pause();
+        frame();
+        studio().measured();
+        mArtist->use("tool.region");
+        pair(u"region"_s, map(), [&] {
+            const QPoint place = mArtist->placesOn(map(), 9)[4];
+            mArtist->click("", map(), place);
+            (void)QTest::qWaitFor([&] { return !document().selection().faces.isEmpty(); }, test::patience);
+            mArtist->drag("", map(), {place, mArtist->emptyPlace(60)});
+            studio().measured();
+        });
+        pair(u"separate"_s, map(), [&] {
+            mArtist->runJob("uv.separate");
+            frame();
+        });
+    }
+
+    //! Row 38.
+    void arranging()
+    {
+        sample("file.sample.machine");
+        mArtist->runJob("uv.unwrap");
+        studio().action("view.coloring.islands")->trigger();
+        frame();
+        mArtist->use("select.islands");
+        studio().action("select.all")->trigger();
+        pair(u"pack"_s, map(), [&] {
+            studio().action("uv.alignLeft")->trigger();
+            settle();
+            mArtist->runJob("uv.pack");
+        });
+    }
+
+    //! Row 39, and the heat-map.
+    void looking()
+    {
+        sample("file.sample.bumpycube");
+        studio().action("uv.budget")->trigger();
+        for (int i = 0; i < 8; ++i)
+            studio().press(Qt::Key_Right);
+        solve(40);
+        for (int i = 0; i < 5; ++i)
+            studio().press(Qt::Key_Down);
+        solve(30);
+        frame();
+        save(both(), u"tension"_s);
+        pause();
+        mArtist->runJob("uv.unwrap");
+        frame();
+        studio().action("view.coloring.signedStretch")->trigger();
+        save(both(), u"stretch"_s);
+    }
+
+    QDir mFolder;
+    std::unique_ptr<test::Artist> mArtist;
+    QString mProblem;
+};
+
+} // namespace
+
+int main(int argc, char *argv[])
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setSamples(4);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication application(argc, argv);
+    applyTheme(application, Theme::Dark);
+    if (QApplication::arguments().size() != 2) {
+        std::fputs("usage: guide_pictures FOLDER\n", stderr);
+        return 2;
+    }
+    const QString folder = QApplication::arguments()[1];
+    if (!QDir().mkpath(folder)) {
+        std::fprintf(stderr, "guide_pictures: cannot make %s\n", qPrintable(folder));
+        return 1;
+    }
+    const QString problem = Guide(folder).takeAll();
+    if (!problem.isEmpty())
+        std::fprintf(stderr, "guide_pictures: %s\n", qPrintable(problem));
+    return problem.isEmpty() ? 0 : 1;
+}
