@@ -100,7 +100,8 @@ private:
     }
     void solve(int steps)
     {
-        studio().press(Qt::Key_Space);
+        if (!studio().context.solver.isRunning())
+            studio().press(Qt::Key_Space);
         if (!studio().runsTo(studio().context.solver.status().iteration + steps) && mProblem.isEmpty())
             mProblem = u"the solver does not run"_s;
     }

@@ -26,10 +26,8 @@ public:
              {&Session::open, &Session::cutAndJoin, &Session::paint, &Session::solve,
               &Session::takeARegionOut, &Session::finish, &Session::steerInTheMap, &Session::arrange,
               &Session::pin, &Session::box, &Session::pack, &Session::keep, &Session::takeAllBack}) {
-            if (mProblem.isEmpty()) {
+            if (mProblem.isEmpty())
                 (this->*step)();
-                if (hasUvs(document())) { const auto &u=document().uv(); fprintf(stderr,"BOX %g %g .. %g %g\n",u.col(0).minCoeff(),u.col(1).minCoeff(),u.col(0).maxCoeff(),u.col(1).maxCoeff()); }
-            }
         }
         return mProblem;
     }
@@ -68,7 +66,7 @@ private:
     void open()
     {
         require(mArtist.open(mFile), u"not opened"_s);
-        mEntries = 0;
+        mHadMap = mProblem.isEmpty() && hasUvs(document());
     }
 
     void cutAndJoin()
@@ -84,8 +82,8 @@ private:
         requireEntry(u"cut"_s);
         mArtist.use("tool.join");
         mArtist.hover("join: hover", mArtist.model(), edges);
-        mArtist.doubleClick("join: double-click", mArtist.model(), edges[14]);
-        require(edgesIn(PairState::Joined) > 0, u"a loop should be joined"_s);
+        mArtist.click("join: click", mArtist.model(), edges[14]);
+        require(edgesIn(PairState::Joined) == 1, u"one edge should be joined"_s);
         requireEntry(u"join"_s);
     }
 
@@ -181,17 +179,23 @@ private:
 
     void pin()
     {
+        mArtist.use("select.vertices");
         mArtist.use("tool.pin");
         mArtist.hover("pin: hover", mArtist.map(), mArtist.edgesOn(mArtist.map(), hovers));
-        const int corner = mArtist.map().pick(mArtist.placesOn(mArtist.map(), 3)[1]).triangle * 3;
-        const auto place = mArtist.map().screenOf(corner);
+        std::optional<QPoint> place;
+        for (const QPoint &inside : mArtist.placesOn(mArtist.map(), hovers)) {
+            const auto corner = mArtist.map().screenOf(3 * mArtist.map().pick(inside).triangle);
+            if (!place && corner && mArtist.map().rect().contains(corner->toPoint()) &&
+                mArtist.map().pick(*corner).soupCorner >= 0)
+                place = corner->toPoint();
+        }
         require(place.has_value(), u"no corner is seen"_s);
         if (!mProblem.isEmpty())
             return;
-        mArtist.click("pin: click", mArtist.map(), place->toPoint());
+        mArtist.click("pin: click", mArtist.map(), *place);
         require(!document().constraints().pins.empty(), u"nothing is pinned"_s);
         requireEntry(u"pin"_s);
-        mArtist.click("pin: click", mArtist.map(), place->toPoint());
+        mArtist.click("pin: click", mArtist.map(), *place);
         require(document().constraints().pins.empty(), u"still pinned"_s);
         requireEntry(u"unpin"_s);
     }

@@ -157,6 +157,11 @@ MapJobResult finishMapJob(const MapInput &input, const std::shared_ptr<const Sol
             !control.stop())
             result.problem = noRoom(input.packing);
     }
+    const bool joins = std::find(snapshot.pairState.begin(), snapshot.pairState.end(), PairState::Joined) !=
+                       snapshot.pairState.end();
+    if (joins && result.problem.isEmpty() && !findOverlaps(soupUv(mesh, result.uv)).pairs.empty())
+        result.problem = translated("The map still covers itself: joined edges hold it together there. Clear "
+                                    "some joins and finish again");
     return result;
 }
 
