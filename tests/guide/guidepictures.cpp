@@ -111,6 +111,12 @@ private:
             studio().press(Qt::Key_Space);
         studio().solverRests();
     }
+    //! Lets the solver come to rest by itself, as it does within a distortion budget.
+    void solveToRest()
+    {
+        solve(1);
+        studio().solverRests();
+    }
     void frame() { studio().action("view.frameAll")->trigger(); }
 
     //! Row 24.
@@ -137,14 +143,12 @@ private:
         mArtist->use("tool.cut");
         pair(u"cut"_s, model(), [&] {
             mArtist->doubleClick("", model(), edges[22]);
-            solve(60);
-            pause();
+            solveToRest();
         });
         mArtist->use("tool.join");
         pair(u"join"_s, model(), [&] {
             mArtist->doubleClick("", model(), edges[30]);
-            solve(60);
-            pause();
+            solveToRest();
         });
     }
 
@@ -195,8 +199,7 @@ private:
         pair(u"rectangle"_s, map(), [&] {
             mArtist->drag("", map(), {lower, upper});
             mArtist->drag("", map(), {mArtist->placesOn(map(), 9)[4], (lower + upper) / 2});
-            solve(120);
-            pause();
+            solveToRest();
         });
     }
 
@@ -205,12 +208,13 @@ private:
     {
         sample("file.sample.character");
         studio().action("uv.budget")->trigger();
-        for (int i = 0; i < 12; ++i)
+        for (int i = 0; i < 6; ++i)
             studio().press(Qt::Key_Right);
-        solve(60);
-        for (int i = 0; i < 9; ++i)
+        for (int i = 0; i < 12; ++i) {
+            solve(40);
             studio().press(Qt::Key_Down);
-        solve(200);
+        }
+        solve(100);
         pause();
         frame();
         studio().measured();
@@ -237,10 +241,11 @@ private:
         frame();
         mArtist->use("select.islands");
         studio().action("select.all")->trigger();
+        studio().action("uv.alignLeft")->trigger();
+        frame();
         pair(u"pack"_s, map(), [&] {
-            studio().action("uv.alignLeft")->trigger();
-            settle();
             mArtist->runJob("uv.pack");
+            frame();
         });
     }
 
