@@ -3,7 +3,6 @@
 #include "solver/overlap/unitgraph.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace autocuts {
 
@@ -32,20 +31,7 @@ void growRegion(const UnitGraph &graph, int seed, int from, int to, std::vector<
 std::vector<int> cleanRegion(const MeshData &mesh, const UvMatrix &soupUv, const std::vector<bool> &cut,
                              int seedTriangle, const OverlapOptions &options)
 {
-    if (soupUv.rows() != mesh.soupCornerCount() || cut.size() != mesh.edgePairs.size() || seedTriangle < 0 ||
-        seedTriangle >= mesh.triangleCount())
-        throw std::invalid_argument("cleanRegion: a size does not fit the mesh");
-    const std::vector<int> chart = chartsOfCut(mesh, cut);
-    std::vector<int> triangles;
-    for (int t = 0; t < mesh.triangleCount(); ++t) {
-        if (chart[t] == chart[seedTriangle])
-            triangles.push_back(t);
-    }
-    OverlapOptions relative = options;
-    if (!(relative.totalArea > 0))
-        relative.totalArea = totalUvArea(soupUv);
-    const OverlapList overlaps = findOverlapsAmong(soupUv, triangles, relative);
-    const UnitGraph graph = makeUnitGraph(mesh, cut, {}, overlaps.pairs);
+    const UnitGraph graph = conflictsOfChart(mesh, soupUv, cut, seedTriangle, options).graph;
     std::vector<int> part(graph.unitCount, 0);
     growRegion(graph, graph.unitOfTriangle[seedTriangle], 0, 1, part);
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 
 namespace autocuts {
 
@@ -136,25 +135,12 @@ private:
 std::vector<int> cleanHalf(const MeshData &mesh, const UvMatrix &soupUv, const std::vector<bool> &cut,
                            int seedTriangle, const OverlapOptions &options)
 {
-    if (soupUv.rows() != mesh.soupCornerCount() || cut.size() != mesh.edgePairs.size() || seedTriangle < 0 ||
-        seedTriangle >= mesh.triangleCount())
-        throw std::invalid_argument("cleanHalf: a size does not fit the mesh");
     const auto isCancelled = [&] {
         return options.cancel && options.cancel->load(std::memory_order_relaxed);
     };
-    const std::vector<int> chart = chartsOfCut(mesh, cut);
-    std::vector<int> triangles;
-    for (int t = 0; t < mesh.triangleCount(); ++t) {
-        if (chart[t] == chart[seedTriangle])
-            triangles.push_back(t);
-    }
-    OverlapOptions relative = options;
-    if (!(relative.totalArea > 0))
-        relative.totalArea = totalUvArea(soupUv);
-    const OverlapList overlaps = findOverlapsAmong(soupUv, triangles, relative);
-    if (!overlaps.complete)
+    auto [triangles, graph, complete] = conflictsOfChart(mesh, soupUv, cut, seedTriangle, options);
+    if (!complete)
         return {};
-    const UnitGraph graph = makeUnitGraph(mesh, cut, {}, overlaps.pairs);
     std::vector<int> members;
     for (int t : triangles) {
         if (members.empty() || members.back() != graph.unitOfTriangle[t])

@@ -11,9 +11,9 @@ namespace autocuts {
 struct Separated
 {
     ChartMap charts;
-    int newSeams = 0;           //!< edges cut
-    int unresolvedPairs = 0;    //!< overlaps inside single polygons
-    bool complete = true;       //!< false when cancelled: then nothing was cut
+    int newSeams = 0;        //!< edges cut
+    int unresolvedPairs = 0; //!< overlaps inside single polygons
+    bool complete = true;    //!< false when cancelled: then nothing was cut
 };
 
 //! Cuts the charts of a map that cover themselves. \param uv one row per corner; a non-finite row means that

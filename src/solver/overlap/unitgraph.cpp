@@ -3,6 +3,7 @@
 #include "model/unionfind.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <tuple>
 
 namespace autocuts {
@@ -94,6 +95,27 @@ std::vector<int> chartsOfCut(const MeshData &mesh, const std::vector<bool> &cut)
             sets.unite(mesh.edgePairs[p].triangle[0], mesh.edgePairs[p].triangle[1]);
     }
     return sets.labels().first;
+}
+
+ChartConflicts conflictsOfChart(const MeshData &mesh, const UvMatrix &soupUv, const std::vector<bool> &cut,
+                                int seedTriangle, const OverlapOptions &options)
+{
+    if (soupUv.rows() != mesh.soupCornerCount() || cut.size() != mesh.edgePairs.size() || seedTriangle < 0 ||
+        seedTriangle >= mesh.triangleCount())
+        throw std::invalid_argument("conflictsOfChart: a size does not fit the mesh");
+    ChartConflicts result;
+    const std::vector<int> chart = chartsOfCut(mesh, cut);
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        if (chart[t] == chart[seedTriangle])
+            result.triangles.push_back(t);
+    }
+    OverlapOptions relative = options;
+    if (!(relative.totalArea > 0))
+        relative.totalArea = totalUvArea(soupUv);
+    const OverlapList overlaps = findOverlapsAmong(soupUv, result.triangles, relative);
+    result.complete = overlaps.complete;
+    result.graph = makeUnitGraph(mesh, cut, {}, overlaps.pairs);
+    return result;
 }
 
 } // namespace autocuts

@@ -62,4 +62,17 @@ UnitGraph makeUnitGraph(const MeshData &mesh, const std::vector<bool> &cut,
 //! Chart of every triangle: components over uncut edge pairs, numbered by their first triangles.
 std::vector<int> chartsOfCut(const MeshData &mesh, const std::vector<bool> &cut);
 
+//! Who overlaps whom within one chart.
+struct ChartConflicts
+{
+    std::vector<int> triangles; //!< of the chart, rising
+    UnitGraph graph;            //!< of the whole mesh, with the conflicts of these triangles
+    bool complete = true;       //!< false when cancelled
+};
+
+//! \param soupUv three rows per triangle \param seedTriangle some triangle of the chart
+//! \throws std::invalid_argument when a size does not fit the mesh
+ChartConflicts conflictsOfChart(const MeshData &mesh, const UvMatrix &soupUv, const std::vector<bool> &cut,
+                                int seedTriangle, const OverlapOptions &options);
+
 } // namespace autocuts
