@@ -22,12 +22,7 @@ class TestDragTool : public QObject
 private Q_SLOTS:
     void init()
     {
-        mStudio = std::make_unique<Canvases>();
-        mStudio->open(test::layoutDocument(test::grid(8)));
-        MapCamera camera;
-        camera.setCentre(Vec2(1, 0.5));
-        camera.setScale(200);
-        view().setCamera(camera);
+        mStudio = Canvases::onGrid(8);
         mStudio->tools.setTool(u"drag"_s);
         QCOMPARE(mStudio->tools.tool()->id(), u"drag"_s);
         mStudio->select(SelectionMode::Vertices);

@@ -15,12 +15,7 @@ class TestSelectShapes : public QObject
 private Q_SLOTS:
     void init()
     {
-        mStudio = std::make_unique<Canvases>();
-        mStudio->open(test::layoutDocument(test::grid(4)));
-        MapCamera camera;
-        camera.setCentre(Vec2(1, 0.5));
-        camera.setScale(200);
-        mStudio->uv.setCamera(camera);
+        mStudio = Canvases::onGrid(4);
         mStudio->lookFromFront();
     }
     void cleanup() { mStudio.reset(); }

@@ -1,5 +1,7 @@
 #include "support/canvases.h"
 
+#include "support/editsupport.h"
+
 #include <QMouseEvent>
 #include <QTest>
 
@@ -18,6 +20,17 @@ Canvases::Canvases()
         if (!QTest::qWaitForWindowExposed(canvas))
             qFatal("no window");
     }
+}
+
+std::unique_ptr<Canvases> Canvases::onGrid(int quadsPerSide)
+{
+    auto canvases = std::make_unique<Canvases>();
+    canvases->open(layoutDocument(grid(quadsPerSide)));
+    MapCamera camera;
+    camera.setCentre(Vec2(1, 0.5));
+    camera.setScale(200);
+    canvases->uv.setCamera(camera);
+    return canvases;
 }
 
 Document &Canvases::open(std::unique_ptr<Document> document)

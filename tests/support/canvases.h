@@ -20,6 +20,8 @@ class Canvases
 public:
     Canvases();
 
+    //! On a grid of quads in two islands, of which the map shows 200 pixels per unit.
+    static std::unique_ptr<Canvases> onGrid(int quadsPerSide);
     //! Opens a document and waits until it is drawn.
     Document &open(std::unique_ptr<Document> document);
     Document &document() { return *workspace.document(); }
