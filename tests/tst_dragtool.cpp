@@ -271,7 +271,7 @@ private Q_SLOTS:
     //! In budget mode the solver would end by itself; not while it is pulled at.
     void aPullKeepsTheSolveRunning()
     {
-        openOneIsland(test::grid(32, 0.6));
+        openOneIsland(test::grid(64, 0.6)); // large enough not to be done before the pull
         setRadius(0.3);
         mStudio->solver.setMode(SolveMode::Budget);
         mStudio->solver.run();
