@@ -173,10 +173,13 @@ private:
         sample("file.sample.bumpycube");
         mArtist->runJob("uv.unwrap");
         frame();
-        mArtist->use("select.faces");
+        mArtist->use("select.vertices");
         mArtist->use("tool.drag");
+        pair(u"drag"_s, map(), [&] {
+            const QPoint rim = mArtist->placesOn(map(), 400).first();
+            mArtist->drag("", map(), {rim, rim + QPoint(-60, -120)});
+        });
         const QList<QPoint> places = mArtist->placesOn(map(), 12);
-        pair(u"drag"_s, map(), [&] { mArtist->drag("", map(), {places[3], places[3] + QPoint(-30, -20)}); });
         mArtist->use("tool.pin");
         pair(u"pins"_s, map(), [&] {
             for (const int i : {0, 4, 8, 11}) {
