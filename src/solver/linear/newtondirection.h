@@ -49,7 +49,7 @@ std::unique_ptr<NewtonDirection> makeExactDirection(std::shared_ptr<const Soup> 
 //! What factorises the hub matrix: the own multifrontal solver, or CHOLMOD alone (to compare with).
 enum class HubFactor { Frontal, General };
 
-//! Truncated Newton: conjugate gradients on the same Hessian with the hub preconditioner, 20 to 40 times
+//! Truncated Newton: conjugate gradients on the same Hessian with the hub preconditioner, about 20 times
 //! cheaper. Only for the soup (one unknown per corner).
 //! \param held per soup corner, true where it must not move; empty: none
 //! \param team threads to use, not owned; none: the calling one
