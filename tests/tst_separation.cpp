@@ -44,6 +44,19 @@ int chartCount(const MeshData &mesh, const std::vector<bool> &cut)
     return sets.labels().second;
 }
 
+//! A map that overlaps itself, without cuts, and a triangle to begin at.
+struct UncutMap
+{
+    explicit UncutMap(int index)
+        : mesh(test::overlappingMaps()[index].mesh), soup(soupUv(*mesh, test::overlappingMaps()[index].uv)),
+          cut(mesh->edgePairs.size(), false), seed(mesh->triangleCount() / 2)
+    {}
+    test::MeshPtr mesh;
+    UvMatrix soup;
+    std::vector<bool> cut;
+    int seed;
+};
+
 } // namespace
 
 class TestSeparation : public QObject
@@ -93,16 +106,13 @@ private Q_SLOTS:
     void cleanRegionIsMaximal()
     {
         QFETCH(int, index);
-        const test::OverlappingMap map = test::overlappingMaps()[index];
+        const UncutMap map(index);
         const MeshData &mesh = *map.mesh;
-        const UvMatrix soup = soupUv(mesh, map.uv);
-        const std::vector<bool> cut(mesh.edgePairs.size(), false);
-        const int seed = mesh.triangleCount() / 2;
-        const std::vector<int> region = cleanRegion(mesh, soup, cut, seed);
-        QVERIFY(std::binary_search(region.begin(), region.end(), seed));
+        const std::vector<int> region = cleanRegion(mesh, map.soup, map.cut, map.seed);
+        QVERIFY(std::binary_search(region.begin(), region.end(), map.seed));
         OverlapOptions options;
-        options.totalArea = totalUvArea(soup);
-        QCOMPARE(findOverlapsAmong(soup, region, options).pairs.size(), std::size_t(0));
+        options.totalArea = totalUvArea(map.soup);
+        QCOMPARE(findOverlapsAmong(map.soup, region, options).pairs.size(), std::size_t(0));
         // No neighbouring polygon fits in.
         const auto inside = [&](int t) { return std::binary_search(region.begin(), region.end(), t); };
         for (const EdgePair &pair : mesh.edgePairs) {
@@ -116,7 +126,7 @@ private Q_SLOTS:
                 if (mesh.triangleFace[t] == face)
                     larger.push_back(t);
             }
-            QVERIFY(!findOverlapsAmong(soup, larger, options).pairs.empty());
+            QVERIFY(!findOverlapsAmong(map.soup, larger, options).pairs.empty());
         }
     }
 
@@ -125,31 +135,28 @@ private Q_SLOTS:
     void cleanHalfLeavesTheRestClean()
     {
         QFETCH(int, index);
-        const test::OverlappingMap map = test::overlappingMaps()[index];
+        const UncutMap map(index);
         const MeshData &mesh = *map.mesh;
-        const UvMatrix soup = soupUv(mesh, map.uv);
-        const std::vector<bool> cut(mesh.edgePairs.size(), false);
-        const int seed = mesh.triangleCount() / 2;
-        const std::vector<int> half = cleanHalf(mesh, soup, cut, seed);
+        const std::vector<int> half = cleanHalf(mesh, map.soup, map.cut, map.seed);
         OverlapOptions options;
-        options.totalArea = totalUvArea(soup);
-        QCOMPARE(half.empty(), !twoLayersSuffice(mesh, findOverlaps(soup, options).pairs));
+        options.totalArea = totalUvArea(map.soup);
+        QCOMPARE(half.empty(), !twoLayersSuffice(mesh, findOverlaps(map.soup, options).pairs));
         if (half.empty())
             return;
-        QVERIFY(std::binary_search(half.begin(), half.end(), seed));
+        QVERIFY(std::binary_search(half.begin(), half.end(), map.seed));
         std::vector<int> rest;
         for (int t = 0; t < mesh.triangleCount(); ++t) {
             if (!std::binary_search(half.begin(), half.end(), t))
                 rest.push_back(t);
         }
-        QCOMPARE(findOverlapsAmong(soup, half, options).pairs.size(), std::size_t(0));
-        QCOMPARE(findOverlapsAmong(soup, rest, options).pairs.size(), std::size_t(0));
+        QCOMPARE(findOverlapsAmong(map.soup, half, options).pairs.size(), std::size_t(0));
+        QCOMPARE(findOverlapsAmong(map.soup, rest, options).pairs.size(), std::size_t(0));
         const auto inside = [&](int t) { return std::binary_search(half.begin(), half.end(), t); };
         for (const EdgePair &pair : mesh.edgePairs)
             QVERIFY(!pair.diagonal || inside(pair.triangle[0]) == inside(pair.triangle[1]));
         const std::atomic<bool> cancel = true;
         options.cancel = &cancel;
-        QVERIFY(cleanHalf(mesh, soup, cut, seed, options).empty());
+        QVERIFY(cleanHalf(mesh, map.soup, map.cut, map.seed, options).empty());
     }
 
     void cleanHalfOfACleanChartIsAllOfIt()
