@@ -2,10 +2,15 @@
 // holds.
 #include "solver/anneal.h"
 #include "solver/finalmap.h"
+#include "solver/liveschedule.h"
 #include "solver/overlapfree.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 using namespace autocuts;
 
@@ -110,6 +115,54 @@ private Q_SLOTS:
             QVERIFY(map->cut[edge]);
         for (const int edge : joined)
             QVERIFY(!map->cut[edge]);
+    }
+
+    void aPausedSolveIsTakenToItsEnd()
+    {
+        Snapshot snapshot = snapshotOf(test::sphere(12, 16));
+        snapshot.settings.lambda = 0.05;
+        snapshot.settings.delta = 0.25;
+        Solver solver;
+        solver.load(snapshot);
+        for (int i = 0; i < 5; ++i)
+            solver.step();
+        const double bound = 4.2;
+        int steps = 0;
+        const std::atomic<bool> stop = true;
+        QVERIFY(!runToTheEnd(solver, bound, &stop));
+        QVERIFY(runToTheEnd(solver, bound, nullptr, [&] { ++steps; }));
+        QVERIFY(steps > 50);
+        QVERIFY(solver.snapshot().settings.lambda != 0.05);
+        QCOMPARE(solver.snapshot().settings.delta, finalDelta(solver.soup()));
+        const auto made = makeMap(solver, {.maxDistortion = bound});
+        QVERIFY(made && made->seedDistortion < bound + 0.1);
+    }
+
+    void joinedPolygonsThatCoverThemselvesAreUnfolded()
+    {
+        // Two squares side by side, spread so far about the corner that they share that their ends overlap.
+        Snapshot snapshot =
+            snapshotOf(test::polygonMesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, -1, 0}, {1, -1, 0}},
+                                         {{0, 1, 2, 3}, {0, 4, 5, 1}}));
+        const MeshData &mesh = *snapshot.mesh;
+        snapshot.pairState.assign(mesh.cornerPairCount(), PairState::Joined);
+        const auto soup = Soup::build(snapshot.mesh);
+        const double degrees[] = {0, 0, 100, 200, -200, -100};
+        SeamedMap map;
+        map.cut.assign(mesh.edgePairs.size(), false);
+        for (int c = 0; c < mesh.soupCornerCount(); ++c) {
+            const int vertex = mesh.cornerVertex[mesh.cornerOfSoup(c)];
+            const double angle = degrees[vertex] * std::numbers::pi / 180;
+            map.x.push_back(vertex == 0 ? 0 : std::cos(angle));
+            map.x.push_back(vertex == 0 ? 0 : std::sin(angle));
+        }
+        QCOMPARE(map.validate(*soup), std::string());
+        QVERIFY(coversItself(*soup, map));
+        QVERIFY(removeOverlaps(*soup, snapshot, map, nullptr));
+        QCOMPARE(map.validate(*soup), std::string());
+        QVERIFY(!coversItself(*soup, map));
+        QVERIFY(std::find(map.cut.begin(), map.cut.end(), true) == map.cut.end());
+        QVERIFY(map.distortion(*soup) < 4.001);
     }
 
     void pinsAreLeftToTheSolver()

@@ -86,11 +86,18 @@ private Q_SLOTS:
         QVERIFY(!studio.document().uv().allFinite());
     }
 
+    void finishingMakesALiveMapFinal_data()
+    {
+        QTest::addColumn<int>("steps");
+        QTest::newRow("paused at once") << 3; // all is torn then
+        QTest::newRow("paused on the way") << 60;
+    }
     void finishingMakesALiveMapFinal()
     {
+        QFETCH(int, steps);
         Studio studio;
         studio.solver.run();
-        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > 60; }, patience));
+        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > steps; }, patience));
         studio.map.finish(4.5);
         QVERIFY(studio.ends());
         QCOMPARE(studio.failed.count(), 0);
@@ -99,7 +106,26 @@ private Q_SLOTS:
         QVERIFY(!studio.shown.isLive());
         QVERIFY(studio.measures());
         QCOMPARE(studio.map.figures()->metrics.flipped, 0);
-        QCOMPARE(studio.map.figures()->metrics.overlapPairsSameChart, 0);
+        QCOMPARE(studio.map.figures()->metrics.overlapPairs, 0);
+        QVERIFY(studio.map.figures()->metrics.symDirichlet <= 4.5);
+    }
+
+    void finishingAMapDoesNotMakeItWorse()
+    {
+        Studio studio;
+        studio.map.unwrap(UnwrapQuality::Draft, 4.2);
+        QVERIFY(studio.ends());
+        QVERIFY(studio.measures());
+        const double seams = studio.map.figures()->metrics.seamNorm;
+        studio.done.clear();
+        studio.map.finish(4.2);
+        QVERIFY(studio.ends());
+        QVERIFY(studio.measures());
+        const UvMetrics &metrics = studio.map.figures()->metrics;
+        QVERIFY2(metrics.seamNorm <= seams * (1 + 1e-9),
+                 qPrintable(QString::number(metrics.seamNorm / seams)));
+        QVERIFY(metrics.symDirichlet <= 4.2);
+        QCOMPARE(metrics.overlapPairs, 0);
     }
 
     void overlapsAreFoundAndTakenApart()

@@ -49,6 +49,12 @@ struct Snapshot
     std::uint64_t topologyRevision = 0; //!< changes with the mesh and with what is cut
     std::uint64_t settingsRevision = 0; //!< changes with everything else
 
+    //! True when the user joined a side of the edge.
+    bool isJoined(std::size_t edge) const
+    {
+        return !pairState.empty() &&
+               (pairState[2 * edge] == PairState::Joined || pairState[2 * edge + 1] == PairState::Joined);
+    }
     //! Factor on the cost of a seam along an edge: the mean of its corner pairs' weights.
     double edgeWeight(std::size_t edge) const
     {

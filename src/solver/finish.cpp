@@ -57,11 +57,6 @@ std::vector<int> badTriangles(const Soup &soup, const std::vector<double> &x)
     return bad;
 }
 
-bool isJoined(const Snapshot &snapshot, std::size_t pair)
-{
-    return !snapshot.pairState.empty() && snapshot.pairState[pair] == PairState::Joined;
-}
-
 bool isCut(const Snapshot &snapshot, std::size_t pair)
 {
     return !snapshot.pairState.empty() && snapshot.pairState[pair] == PairState::Cut;
@@ -140,8 +135,7 @@ bool release(const MeshData &mesh, const Snapshot &snapshot, const std::vector<i
     bool changed = false;
     for (std::size_t e = 0; e < cut.size(); ++e) {
         const EdgePair &pair = mesh.edgePairs[e];
-        if (cut[e] || pair.diagonal ||
-            (!force && (isJoined(snapshot, 2 * e) || isJoined(snapshot, 2 * e + 1))))
+        if (cut[e] || pair.diagonal || (!force && snapshot.isJoined(e)))
             continue;
         if (face[mesh.triangleFace[pair.triangle[0]]] || face[mesh.triangleFace[pair.triangle[1]]]) {
             cut[e] = true;
@@ -258,7 +252,7 @@ SeamedMap finishMap(const std::shared_ptr<const Soup> &soup, const Snapshot &sna
     SeparationTerm separation(soup);
     separation.setDelta(snapshot.settings.delta);
     const auto merges = [&](std::size_t pair) {
-        return !isCut(snapshot, pair) && (isJoined(snapshot, pair) ||
+        return !isCut(snapshot, pair) && (snapshot.isJoined(pair / 2) ||
                                           separation.separation(x, static_cast<int>(pair)) < mergeSeparation);
     };
     CutFlags cut(mesh.edgePairs.size());

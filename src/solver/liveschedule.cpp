@@ -27,6 +27,15 @@ void LiveSchedule::apply(SolveSettings &settings) const
     settings.delta = levels()[mLevel];
 }
 
+void LiveSchedule::resume(double lambda, double delta)
+{
+    mBudget = DistortionBudget(mBound, lambda);
+    mRound = mStep = 0;
+    mLevel = 0;
+    while (mLevel + 1 < mLevels.size() && mLevels[mLevel] > delta)
+        ++mLevel;
+}
+
 void LiveSchedule::reheat()
 {
     mRound = 1;
@@ -51,6 +60,27 @@ bool LiveSchedule::report(const StepResult &step)
         return false;
     }
     mLevel = 0;
+    return true;
+}
+
+bool runToTheEnd(Solver &solver, double maxDistortion, const std::atomic<bool> *stop,
+                 const std::function<void()> &onStep)
+{
+    Snapshot snapshot = solver.snapshot();
+    LiveSchedule schedule(solver.soup(), maxDistortion);
+    schedule.resume(snapshot.settings.lambda, snapshot.settings.delta);
+    do {
+        if (stop && stop->load(std::memory_order_relaxed))
+            return false;
+        SolveSettings settings = snapshot.settings;
+        schedule.apply(settings);
+        if (settings != snapshot.settings) {
+            snapshot.settings = settings;
+            solver.update(snapshot);
+        }
+        if (onStep)
+            onStep();
+    } while (schedule.report(solver.step()));
     return true;
 }
 

@@ -4,6 +4,8 @@
 #include "solver/budget.h"
 #include "solver/solver.h"
 
+#include <atomic>
+#include <functional>
 #include <vector>
 
 namespace autocuts {
@@ -21,6 +23,8 @@ public:
 
     //! Puts lambda and delta of the next step into the settings.
     void apply(SolveSettings &settings) const;
+    //! Goes on with a run that had come to these values.
+    void resume(double lambda, double delta);
     //! The steering changed: warms up a little and looks for the balance again.
     void reheat();
     //! Tells what the step gave. \returns false when the bound is reached and nothing is left to do
@@ -36,5 +40,10 @@ private:
     int mStep = 0, mRound = 0;
     double mEnergy = 0;
 };
+
+//! Takes the steps that are left of a run that was paused at the lambda and delta of the solver.
+//! \param onStep called after each step \returns false when stopped
+bool runToTheEnd(Solver &solver, double maxDistortion, const std::atomic<bool> *stop = nullptr,
+                 const std::function<void()> &onStep = {});
 
 } // namespace autocuts

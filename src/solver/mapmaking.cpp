@@ -1,13 +1,10 @@
 #include "solver/mapmaking.h"
 
-#include "model/polygon.h"
 #include "solver/chartmerge.h"
-#include "solver/overlap/overlapfinder.h"
+#include "solver/foldedunits.h"
 #include "solver/overlap/overlapseparation.h"
 #include "solver/overlapfree.h"
 #include "solver/packing/islandgeometry.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <vector>
@@ -20,22 +17,6 @@ constexpr int relaxSteps = 60;
 constexpr int mergeRounds = 4;
 constexpr double densityReserve = 0.01; // of the distortion above 4
 constexpr int mergeWork = 500'000;      // tries times triangles
-
-//! Corner pairs that must not be cut: those that the user joined.
-std::vector<bool> protectedEdges(const Snapshot &snapshot)
-{
-    std::vector<bool> joined(snapshot.mesh->edgePairs.size(), false);
-    for (std::size_t p = 0; p < snapshot.pairState.size(); ++p) {
-        if (snapshot.pairState[p] == PairState::Joined)
-            joined[p / 2] = true;
-    }
-    return joined;
-}
-
-UvMatrix soupUv(const std::vector<double> &x)
-{
-    return Eigen::Map<const UvMatrix>(x.data(), static_cast<Eigen::Index>(x.size() / 2), 2);
-}
 
 //! Relaxes a map as far as it may: without covering itself, unless that is allowed.
 void relaxAsAllowed(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, bool allowOverlaps,
@@ -71,46 +52,6 @@ void shortenSeams(const std::shared_ptr<const Soup> &soup, const Snapshot &snaps
             break;
         relaxAsAllowed(soup, snapshot, options.allowOverlaps, map, stop);
     }
-}
-
-//! Puts the polygons that lie on themselves in UV flat as they are in 3D, as charts of their own. That helps
-//! unless they do so in 3D too.
-void layFoldedFacesFlat(const Soup &soup, SeamedMap &map)
-{
-    const MeshData &mesh = *soup.mesh;
-    std::vector<bool> folded(mesh.faceCount(), false);
-    visitOverlaps(soupUv(map.x), {}, [&](int a, int b, double) {
-        if (mesh.triangleFace[a] == mesh.triangleFace[b])
-            folded[mesh.triangleFace[a]] = true;
-        return true;
-    });
-    SeamedMap flat = map;
-    for (int t = 0; t < mesh.triangleCount(); ++t) {
-        const int face = mesh.triangleFace[t];
-        if (!folded[face])
-            continue;
-        std::vector<Vec3> points;
-        for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c)
-            points.push_back(mesh.cornerPosition(c) - mesh.cornerPosition(mesh.faceStart[face]));
-        const Vec3 normal = polygonNormal(points).stableNormalized();
-        const Vec3 u = normal.unitOrthogonal();
-        const Vec3 v = normal.cross(u);
-        for (int k = 0; k < 3; ++k) {
-            const Vec3 &p = points[mesh.triangles[t][k] - mesh.faceStart[face]];
-            const std::size_t at = 6 * static_cast<std::size_t>(t) + 2 * static_cast<std::size_t>(k);
-            flat.x[at] = soup.scale * p.dot(u);
-            flat.x[at + 1] = soup.scale * p.dot(v);
-        }
-        if (!(jacobianDeterminant(soup, flat.x.data(), t) > 0))
-            return;
-    }
-    for (std::size_t e = 0; e < flat.cut.size(); ++e) {
-        const EdgePair &pair = mesh.edgePairs[e];
-        if (!pair.diagonal &&
-            (folded[mesh.triangleFace[pair.triangle[0]]] || folded[mesh.triangleFace[pair.triangle[1]]]))
-            flat.cut[e] = true;
-    }
-    map = std::move(flat);
 }
 
 } // namespace
@@ -168,13 +109,15 @@ bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
         for (std::size_t e = 0; e < map.cut.size(); ++e)
             options.pairWeight[e] = snapshot.edgeWeight(e);
     }
-    SeparationResult result =
-        separateOverlaps(*soup.mesh, soupUv(map.x), map.cut, protectedEdges(snapshot), options);
+    std::vector<bool> joined(map.cut.size());
+    for (std::size_t e = 0; e < map.cut.size(); ++e)
+        joined[e] = snapshot.isJoined(e);
+    SeparationResult result = separateOverlaps(*soup.mesh, rowsOf(map.x), map.cut, joined, options);
     if (!result.complete)
         return false;
     map.cut = std::move(result.cut);
     if (result.unresolvedPairs > 0)
-        layFoldedFacesFlat(soup, map);
+        unfoldUnits(soup, snapshot, map, cancel);
     return true;
 }
 

@@ -23,9 +23,8 @@ constexpr double stall = 1e-6;
 bool coversItself(const Soup &soup, const SeamedMap &map)
 {
     const CutMesh state(*soup.mesh, map.cut);
-    const UvMatrix uv = Eigen::Map<const UvMatrix>(map.x.data(), soup.mesh->soupCornerCount(), 2);
     bool found = false;
-    visitOverlaps(uv, {}, [&](int a, int b, double) {
+    visitOverlaps(rowsOf(map.x), {}, [&](int a, int b, double) {
         found = state.chart[a] == state.chart[b];
         return !found;
     });

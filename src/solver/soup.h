@@ -43,6 +43,12 @@ struct Soup
     static std::shared_ptr<const Soup> build(std::shared_ptr<const MeshData> mesh);
 };
 
+//! The coordinates as one row per soup corner.
+inline UvMatrix rowsOf(const std::vector<double> &x)
+{
+    return Eigen::Map<const UvMatrix>(x.data(), static_cast<Eigen::Index>(x.size() / 2), 2);
+}
+
 //! Determinant of the Jacobian of triangle t at x: signed area in UV over area at rest.
 inline double jacobianDeterminant(const Soup &soup, const double *x, int t)
 {

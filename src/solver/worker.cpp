@@ -24,11 +24,6 @@ double secondsBetween(Clock::time_point from, Clock::time_point to)
     return std::chrono::duration<double>(to - from).count();
 }
 
-UvMatrix rowsOf(const std::vector<double> &x)
-{
-    return Eigen::Map<const UvMatrix>(x.data(), static_cast<Eigen::Index>(x.size() / 2), 2);
-}
-
 } // namespace
 
 SolveWorker::SolveWorker() = default;

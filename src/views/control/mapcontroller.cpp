@@ -135,10 +135,11 @@ void MapController::unwrap(UnwrapQuality quality, double maxDistortion)
 
 void MapController::finish(double maxDistortion)
 {
-    startJob(tr("Finishing"),
-             [live = mSolver.result(), maxDistortion](const MapInput &input, JobControl &control) {
-                 return finishMapJob(input, live, maxDistortion, control);
-             });
+    LiveSolve live{mSolver.result()};
+    live.hasMoreToDo = live.result && mSolver.mode() == SolveMode::Budget && !live.result->status.converged;
+    startJob(tr("Finishing"), [live, maxDistortion](const MapInput &input, JobControl &control) {
+        return finishMapJob(input, live, maxDistortion, control);
+    });
 }
 
 void MapController::pack(PackScope scope)

@@ -3,6 +3,7 @@
 #include "model/rigidpieces.h"
 #include "model/uvlayout.h"
 #include "solver/finalmap.h"
+#include "solver/liveschedule.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/overlap/separatemap.h"
 #include "solver/packing/islandgeometry.h"
@@ -18,6 +19,11 @@
 namespace autocuts {
 
 namespace {
+
+//! Corners of a finished map that are no farther apart than this belong together, squared solver units.
+constexpr double touchingDelta = 1e-9;
+//! A live solve often takes about so many steps.
+constexpr double usualSteps = 1000;
 
 QString translated(const char *text)
 {
@@ -118,30 +124,43 @@ MapJobResult unwrapJob(const MapInput &input, UnwrapQuality quality, double maxD
     return result;
 }
 
-MapJobResult finishMapJob(const MapInput &input, const std::shared_ptr<const SolveResult> &live,
-                          double maxDistortion, JobControl &control)
+MapJobResult finishMapJob(const MapInput &input, const LiveSolve &live, double maxDistortion,
+                          JobControl &control)
 {
     Snapshot snapshot = input.snapshot;
-    if (!live) {
+    if (!live.result) {
         snapshot.settings.start = StartMode::ExistingUv;
         snapshot.startUv = soupUv(input.mesh(), input.uv) / input.uvScale;
+        snapshot.settings.delta = touchingDelta;
     } else {
-        snapshot.settings.lambda = live->status.lambda;
-        snapshot.settings.delta = live->status.delta;
+        snapshot.settings.lambda = live.result->status.lambda;
+        snapshot.settings.delta = live.result->status.delta;
     }
     Solver solver;
     solver.load(SeamPreference().applied(snapshot));
-    if (live) {
-        const double *first = live->soupUv.data();
-        solver.setCoordinates({first, first + live->soupUv.size()});
+    if (live.result) {
+        const double *first = live.result->soupUv.data();
+        solver.setCoordinates({first, first + live.result->soupUv.size()});
+    }
+    double begun = 0;
+    if (live.hasMoreToDo) {
+        control.setStage(translated("solving to the end"));
+        int steps = 0;
+        runToTheEnd(solver, maxDistortion, &control.stop(), [&] {
+            ++steps;
+            begun = 0.5 * steps / (steps + usualSteps); // their number is not known
+            control.setProgress(begun);
+        });
+        control.setStage({});
     }
     FinalMapOptions options;
     options.maxDistortion = maxDistortion;
     options.threads = QThread::idealThreadCount();
     MapJobResult result;
     result.edit = UvEdit::Finish;
-    const std::optional<SeamedMap> map = makeFinalMap(
-        solver, options, &control.stop(), [&](double fraction) { control.setProgress(fraction); });
+    const std::optional<SeamedMap> map = makeFinalMap(solver, options, &control.stop(), [&](double fraction) {
+        control.setProgress(begun + (1 - begun) * fraction);
+    });
     if (!map) {
         result.problem = translated("Finishing was cancelled: the map stays as it was");
         return result;
@@ -157,8 +176,8 @@ MapJobResult finishMapJob(const MapInput &input, const std::shared_ptr<const Sol
             !control.stop())
             result.problem = noRoom(input.packing);
     }
-    const bool joins = std::find(snapshot.pairState.begin(), snapshot.pairState.end(), PairState::Joined) !=
-                       snapshot.pairState.end();
+    const auto &states = snapshot.pairState;
+    const bool joins = std::find(states.begin(), states.end(), PairState::Joined) != states.end();
     if (joins && result.problem.isEmpty() && !findOverlaps(soupUv(mesh, result.uv)).pairs.empty())
         result.problem = translated("The map still covers itself: joined edges hold it together there. Clear "
                                     "some joins and finish again");

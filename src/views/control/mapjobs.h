@@ -52,11 +52,18 @@ struct PackTarget
     std::optional<Eigen::AlignedBox2d> box; //!< texture space; none: the tile of the settings
 };
 
+//! The solver's own state, which knows more than the map that was made from it.
+struct LiveSolve
+{
+    std::shared_ptr<const SolveResult> result; //!< null when the map was edited since
+    bool hasMoreToDo = false;                  //!< paused before the schedule came to its end
+};
+
 MapJobResult unwrapJob(const MapInput &input, UnwrapQuality quality, double maxDistortion,
                        JobControl &control);
-//! \param live the solver's own state, which knows more than the map that was made from it; may be null
-MapJobResult finishMapJob(const MapInput &input, const std::shared_ptr<const SolveResult> &live,
-                          double maxDistortion, JobControl &control);
+//! Without a live solve the seams are those of the map; one that was paused early is taken to its end first.
+MapJobResult finishMapJob(const MapInput &input, const LiveSolve &live, double maxDistortion,
+                          JobControl &control);
 MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl &control);
 MapJobResult separateJob(const MapInput &input, JobControl &control);
 MapJobResult equalizeJob(const MapInput &input);

@@ -102,20 +102,13 @@ void SolverController::cancelPulls()
         mWorker->takeBack(mBeforePulls);
 }
 
-void SolverController::goOn()
-{
-    if (mRun == 0 && !mRunning && mWorkspace.document())
-        begin(StartMode::ExistingUv, true);
-    run();
-}
-
 void SolverController::run()
 {
     const Document *document = mWorkspace.document();
     if (!document || mRunning)
         return;
     if (mRun == 0)
-        begin(hasUvs(*document) ? StartMode::ExistingUv : document->solveSettings().start);
+        beginWhereTheMapIs();
     mStepping = false;
     setRunning(true, false);
     mTicket = mWorker->run();
@@ -143,7 +136,7 @@ void SolverController::step()
     if (!document)
         return;
     if (mRun == 0)
-        begin(hasUvs(*document) ? StartMode::ExistingUv : document->solveSettings().start);
+        beginWhereTheMapIs();
     // The end of the step is told by waiting(), which then settles the map.
     mStepping = true;
     setRunning(true, false);
@@ -175,6 +168,14 @@ void SolverController::discard()
     mShownMap.showDocument();
     setRunning(false, false);
     Q_EMIT statusChanged();
+}
+
+//! A map that is there is refined, not made anew.
+void SolverController::beginWhereTheMapIs()
+{
+    const Document &document = *mWorkspace.document();
+    const bool map = hasUvs(document);
+    begin(map ? StartMode::ExistingUv : document.solveSettings().start, map);
 }
 
 void SolverController::begin(StartMode start, bool warm)

@@ -71,9 +71,6 @@ public:
     //! Lets go and takes the map back to where it was when the pulls began.
     void cancelPulls();
 
-    //! As run(), for tools that paused the solve and moved the map by hand: it goes on from there.
-    void goOn();
-
 public Q_SLOTS:
     void run();
     void pause();
@@ -102,6 +99,7 @@ private:
     void workerWaits(quint64 ticket);
     void workerFailed(const QString &message);
     void begin(StartMode start, bool warm = false);
+    void beginWhereTheMapIs();
     void setRunning(bool running, bool settling);
     void sendSnapshot();
     void addToTrace(const std::vector<TracePoint> &points);

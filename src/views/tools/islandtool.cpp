@@ -247,7 +247,7 @@ void IslandTool::finish()
     mSnapped = {};
     mState = State::Idle;
     if (std::exchange(mGoOn, false))
-        context().solver.goOn();
+        context().solver.run();
     Q_EMIT overlayChanged();
     Q_EMIT hintChanged();
 }

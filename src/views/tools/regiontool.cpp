@@ -154,7 +154,7 @@ void RegionTool::release(const ToolEvent &event)
         moveTo(event.position);
         mGesture = 0;
         if (std::exchange(mGoOn, false))
-            context().solver.goOn();
+            context().solver.run();
     }
 }
 
