@@ -32,7 +32,7 @@ OptimizeEffort fullEffort(UnwrapQuality quality)
 {
     switch (quality) {
     case UnwrapQuality::Draft:
-        return {1, {{25, 1}}, 0};
+        return {1, {{0, 1}, {25, 1}}, 0, 0.5, 16};
     case UnwrapQuality::Standard:
         return {10, {{80, 5}, {200, 2}, {1300, 1}}, 10};
     case UnwrapQuality::Best:
@@ -41,13 +41,16 @@ OptimizeEffort fullEffort(UnwrapQuality quality)
     throw std::invalid_argument("unwrap: unknown quality");
 }
 
-//! Small meshes have few seams to choose from: fewer moves exhaust them, and other starts help more.
+//! Small meshes have few seams to choose from: fewer moves exhaust them, and other starts help more. A draft
+//! of them can afford to choose among starts.
 OptimizeEffort effortFor(UnwrapQuality quality, int triangles)
 {
     OptimizeEffort effort = fullEffort(quality);
+    const double share = std::clamp(std::sqrt(triangles / fullEffortTriangles), 0.4, 1.0);
+    if (quality == UnwrapQuality::Draft)
+        effort.seeds = static_cast<int>(std::lround(1 / (share * share)));
     if (quality != UnwrapQuality::Standard)
         return effort;
-    const double share = std::clamp(std::sqrt(triangles / fullEffortTriangles), 0.4, 1.0);
     const auto more = [share](int count) { return static_cast<int>(std::lround(count / share)); };
     effort.seeds = more(effort.seeds);
     for (OptimizeEffort::Round &round : effort.rounds) {

@@ -47,6 +47,9 @@ public:
     {
         if (const auto setThreads = function<void(int)>("openblas_set_num_threads"))
             setThreads(1);
+        // Its threads would poll for work for a while, which no one gives them.
+        if (const auto endThreads = function<int()>("blas_thread_shutdown_"))
+            endThreads();
         // OpenBLAS built without threads does not lock its buffers: two threads in it give wrong numbers.
         if (const auto parallel = function<int()>("openblas_get_parallel"))
             mThreadSafe = parallel() != 0;

@@ -21,7 +21,7 @@ constexpr double usualMu = 0.15, excessMu = 0.07;
 constexpr double leastShrinkage = 0.7, mostShrinkage = 5;
 constexpr double hopelessExcess = 1; // of the first map above the bound, for a flat one
 constexpr double leastMu = 1e-5;
-constexpr int boundRounds = 50, boundMoves = 8;
+constexpr int boundRounds = 50;
 constexpr int squeezeMoves = 20;
 constexpr int firstTries = 3;
 constexpr int firstRelaxation = 60;     // steps
@@ -142,10 +142,10 @@ private:
         double mu = mSearch.mu();
         mSearch.setHeat(0);
         for (int i = 0; i < boundRounds && mState.energy > bound() && !mSearch.stopped(); ++i) {
-            mu = std::max(leastMu, mu * 0.85);
+            mu = std::max(leastMu, mu * mOptions.effort.boundFall);
             mSearch.setMu(mu);
             mSearch.polish(1);
-            for (int k = 0; k < boundMoves; ++k)
+            for (int k = 0; k < mOptions.effort.boundMoves; ++k)
                 mSearch.tryLargeMove();
             mSearch.relaxAll(3);
             report(0);

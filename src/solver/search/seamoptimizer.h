@@ -25,6 +25,10 @@ struct OptimizeEffort
     int seeds = 8; //!< different first cuts
     std::vector<Round> rounds{{100, 2}, {2000, 1}};
     int squeezes = 10; //!< times that what is left of the bound is spent
+    //! Above the bound the worth of seams falls by this factor, time after time, with so many large moves
+    //! each.
+    double boundFall = 0.85;
+    int boundMoves = 8;
 };
 
 struct OptimizeOptions
