@@ -21,6 +21,7 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 constexpr int progressWidth = 140, widestSelection = 260;
+constexpr int settleDelay = 120; // milliseconds
 
 double selectedArea(const Document &document)
 {
@@ -97,6 +98,12 @@ StatusBar::StatusBar(const StudioContext &context, QWidget *parent)
     connect(&mMessageTimer, &QTimer::timeout, this, [this] { showText({}, 0); });
     mRefreshTimer.setSingleShot(true);
     connect(&mRefreshTimer, &QTimer::timeout, this, &StatusBar::refresh);
+    mIslandsRest.setSingleShot(true);
+    mIslandsRest.setInterval(settleDelay);
+    connect(&mIslandsRest, &QTimer::timeout, this, [this] {
+        mSelectionStale = true;
+        refresh();
+    });
     connectAll();
     refresh();
     showJob();
@@ -151,7 +158,8 @@ void StatusBar::connectAll()
         refreshSoon();
     });
     connect(&mContext.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
-        mSelectionStale = mSelectionStale || event.type == ChangeEvent::Type::Uv;
+        if (event.type == ChangeEvent::Type::Uv)
+            mIslandsRest.start(); // finding them costs too much for every event of a drag
         refreshSoon();
     });
     connect(&mContext.solver, &SolverController::statusChanged, this, &StatusBar::refreshSoon);

@@ -66,6 +66,7 @@ private:
     StudioContext mContext;
     QString mHint, mMessage;
     QTimer mMessageTimer, mRefreshTimer;
+    QTimer mIslandsRest; //!< runs while the map is being edited
     bool mSelectionStale = true;
     ElidedLabel *mText, *mSelection;
     FigureStrip *mFigures;

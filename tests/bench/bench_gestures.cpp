@@ -3,7 +3,7 @@
 //   bench_gestures MESH
 //
 // Prints a line for each gesture: events, median and worst, in milliseconds. Drawing is left out by switching
-// the views' updates off, because software OpenGL says nothing about a real machine.
+// the window's updates off, because software OpenGL says nothing about a real machine.
 #include "support/artistsession.h"
 #include "views/canvas/canvas.h"
 
@@ -22,8 +22,7 @@ int main(int argc, char *argv[])
         return 2;
     }
     test::Artist artist({1400, 900});
-    artist.model().setUpdatesEnabled(false);
-    artist.map().setUpdatesEnabled(false);
+    artist.studio.window.setUpdatesEnabled(false);
     const QString problem = test::runArtistSession(artist, QApplication::arguments()[1]);
     for (const auto &[gesture, times] : artist.times()) {
         std::vector<double> sorted = times;

@@ -1,5 +1,6 @@
 #include "views/panels/packpanel.h"
 
+#include "model/makesnapshot.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
@@ -166,7 +167,7 @@ void PackPanel::refresh()
     if (!document())
         return;
     const bool idle = !context().map.jobs().isBusy();
-    const bool hasMap = document()->islands().count() > 0;
+    const bool hasMap = hasUvs(*document());
     mPack->setEnabled(idle && hasMap);
     mPackSelection->setEnabled(idle && hasMap && !document()->selection().faces.isEmpty());
 }
