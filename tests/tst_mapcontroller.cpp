@@ -1,4 +1,5 @@
 // Jobs on whole maps: results come back as commands, edits meanwhile win, cancel keeps what there is.
+#include "commands/editrectangles.h"
 #include "commands/setislandflags.h"
 #include "commands/setuvs.h"
 #include "model/samples.h"
@@ -108,6 +109,34 @@ private Q_SLOTS:
         QCOMPARE(studio.map.figures()->metrics.flipped, 0);
         QCOMPARE(studio.map.figures()->metrics.overlapPairs, 0);
         QVERIFY(studio.map.figures()->metrics.symDirichlet <= 4.5);
+    }
+
+    //! The seam search knows no rectangles: the solve itself has to get to its end.
+    void finishingASolveIntoARectangle()
+    {
+        Studio studio;
+        LayoutRectangle box;
+        box.lower = Vec2(0.1, 0.3);
+        box.upper = Vec2(0.9, 0.7);
+        for (int face = 0; face < studio.document().mesh().faceCount(); ++face)
+            box.faces << face;
+        pushCommand(EditRectangles::add(studio.document(), box));
+        studio.solver.run();
+        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > 10; }, patience));
+        studio.map.finish(4.3);
+        QVERIFY(studio.ends());
+        QCOMPARE(studio.failed.count(), 0);
+        QVERIFY(studio.measures());
+        const UvMetrics &metrics = studio.map.figures()->metrics;
+        QCOMPARE(metrics.flipped, 0);
+        QCOMPARE(metrics.overlapPairsSameChart, 0);
+        QVERIFY2(metrics.charts <= 8, qPrintable(QString::number(metrics.charts)));
+        const UvMatrix &uv = studio.document().uv();
+        const double side = (box.upper - box.lower).minCoeff();
+        for (int axis = 0; axis < 2; ++axis) {
+            QVERIFY(uv.col(axis).minCoeff() > box.lower[axis] - 0.01 * side);
+            QVERIFY(uv.col(axis).maxCoeff() < box.upper[axis] + 0.01 * side);
+        }
     }
 
     void finishingAMapDoesNotMakeItWorse()
