@@ -291,6 +291,8 @@ private Q_SLOTS:
         openOneIsland();
         setRadius(0.3);
         runAt(0.05, 0.004);
+        // Until then the map moves by itself.
+        QVERIFY(QTest::qWaitFor([this] { return mStudio->solver.status().converged; }, 60'000));
         const int soup = soupAt({0.5, 1});
         const int entries = document().undoStack().count();
         const Row from = mStudio->shown.uv().row(soup);

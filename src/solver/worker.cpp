@@ -53,17 +53,15 @@ void SolveWorker::start(quint64 run, std::shared_ptr<const Snapshot> snapshot, c
     });
 }
 
-void SolveWorker::update(std::shared_ptr<const Snapshot> snapshot, bool pulled)
+void SolveWorker::update(std::shared_ptr<const Snapshot> snapshot, bool pulled,
+                         std::shared_ptr<const SolveResult> back)
 {
     order([&](Orders &orders) {
         orders.snapshot = std::move(snapshot);
         orders.pulled = pulled;
+        if (back)
+            orders.back = std::move(back);
     });
-}
-
-void SolveWorker::takeBack(std::shared_ptr<const SolveResult> result)
-{
-    order([&](Orders &orders) { orders.back = std::move(result); });
 }
 
 void SolveWorker::setMode(SolveMode mode, double maxDistortion)

@@ -74,9 +74,9 @@ public:
     //! Other settings or steering for the same mesh; the map goes on from where it is.
     //! \param pulled the user pulls at the map: in budget mode lambda and delta stay as they are until a
     //! snapshot that is not pulled
-    void update(std::shared_ptr<const Snapshot> snapshot, bool pulled = false);
-    //! Takes the map back to a result of the same run.
-    void takeBack(std::shared_ptr<const SolveResult> result);
+    //! \param back a result of the same run that the map is taken back to first
+    void update(std::shared_ptr<const Snapshot> snapshot, bool pulled = false,
+                std::shared_ptr<const SolveResult> back = nullptr);
     void setMode(SolveMode mode, double maxDistortion);
     //! Steps until told to stop. \returns a ticket that waiting() will name
     quint64 run() { return runSteps(-1); }

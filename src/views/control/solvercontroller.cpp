@@ -31,7 +31,7 @@ SolverController::SolverController(Workspace &workspace, ShownMap &shownMap, QOb
     connect(&mPacker, &LivePacker::arranged, this, &SolverController::showResult);
     mSendSoon.setSingleShot(true);
     mSendSoon.setInterval(0);
-    connect(&mSendSoon, &QTimer::timeout, this, &SolverController::sendSnapshot);
+    connect(&mSendSoon, &QTimer::timeout, this, [this] { sendSnapshot(); });
     mThread.start();
 }
 
@@ -97,9 +97,8 @@ void SolverController::cancelPulls()
         return;
     setPulls({});
     mSendSoon.stop();
-    sendSnapshot(); // before the map is taken back, which would be pulled away again
-    if (mBeforePulls)
-        mWorker->takeBack(mBeforePulls);
+    // Together: in between, a solve without pulls could come to rest where it was pulled to.
+    sendSnapshot(mBeforePulls);
 }
 
 void SolverController::run()
@@ -237,7 +236,7 @@ void SolverController::documentChanged(const ChangeEvent &event)
     }
 }
 
-void SolverController::sendSnapshot()
+void SolverController::sendSnapshot(const std::shared_ptr<const SolveResult> &back)
 {
     if (mRun == 0 || !mWorkspace.document())
         return;
@@ -246,7 +245,7 @@ void SolverController::sendSnapshot()
         pull.target /= mWorkspace.document()->uvScale();
         snapshot.pins.push_back(pull);
     }
-    mWorker->update(std::make_shared<const Snapshot>(std::move(snapshot)), !mPulls.empty());
+    mWorker->update(std::make_shared<const Snapshot>(std::move(snapshot)), !mPulls.empty(), back);
 }
 
 void SolverController::takeResult()

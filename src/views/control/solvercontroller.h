@@ -101,7 +101,7 @@ private:
     void begin(StartMode start, bool warm = false);
     void beginWhereTheMapIs();
     void setRunning(bool running, bool settling);
-    void sendSnapshot();
+    void sendSnapshot(const std::shared_ptr<const SolveResult> &back = nullptr);
     void addToTrace(const std::vector<TracePoint> &points);
 
     Workspace &mWorkspace;
