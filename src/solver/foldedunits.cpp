@@ -1,6 +1,5 @@
 #include "solver/foldedunits.h"
 
-#include "model/unionfind.h"
 #include "solver/localsolve.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/tutte.h"

@@ -42,7 +42,7 @@ private:
 };
 
 //! Takes the steps that are left of a run that was paused at the lambda and delta of the solver.
-//! \param onStep called after each step \returns false when stopped
+//! \param onStep called before each step \returns false when stopped
 bool runToTheEnd(Solver &solver, double maxDistortion, const std::atomic<bool> *stop = nullptr,
                  const std::function<void()> &onStep = {});
 
