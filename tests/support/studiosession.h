@@ -41,8 +41,8 @@ struct StudioSession
     }
     bool solverRests()
     {
-        return QTest::qWaitFor(
-            [this] { return !context.solver.isRunning() && !context.solver.isSettling(); }, patience);
+        return QTest::qWaitFor([this] { return !context.solver.isRunning() && !context.solver.isSettling(); },
+                               patience);
     }
     bool jobsRest()
     {
@@ -59,9 +59,14 @@ struct StudioSession
     {
         return QTest::qWaitFor([this] { return context.map.figuresAreFresh(); }, patience);
     }
+    //! Or until the solver has nothing left to gain and waits for an edit.
     bool runsTo(int iteration)
     {
-        return QTest::qWaitFor([=, this] { return context.solver.status().iteration >= iteration; }, patience);
+        const auto isThere = [=, this] {
+            const SolveStatus &status = context.solver.status();
+            return status.iteration >= iteration || status.converged;
+        };
+        return QTest::qWaitFor(isThere, patience);
     }
 };
 
