@@ -118,6 +118,7 @@ private Q_SLOTS:
         LayoutRectangle box;
         box.lower = Vec2(0.1, 0.3);
         box.upper = Vec2(0.9, 0.7);
+        box.weight = 100; // as in the paper's figure 8; a weak box may be left by more
         for (int face = 0; face < studio.document().mesh().faceCount(); ++face)
             box.faces << face;
         pushCommand(EditRectangles::add(studio.document(), box));
