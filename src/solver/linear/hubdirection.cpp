@@ -69,7 +69,6 @@ public:
         mBlocks = (triangles + laneCount - 1) / laneCount;
         mSystems.resize(mBlocks);
         mHubLinks.resize(mBlocks);
-        mHubOfSlot.resize(6 * laneCount * static_cast<std::size_t>(mBlocks));
         for (auto *vector : {&mResidual, &mSearch, &mProduct, &mSum})
             vector->assign(6 * static_cast<std::size_t>(mBlocks), Lanes{});
         linkCorners();
@@ -78,7 +77,7 @@ public:
             for (std::size_t c = 0; c < held.size(); ++c) {
                 if (held[c])
                     flat(mMovable)[slotOf(static_cast<int>(c))] =
-                        flat(mMovable)[slotOf(static_cast<int>(c)) + laneCount] = 0;
+                        flat(mMovable)[slotOf(static_cast<int>(c)) + 1] = 0;
             }
         }
     }
@@ -105,12 +104,6 @@ public:
     }
 
 private:
-    //! Place of a corner's u in the flat view of a vector of Lanes; v is laneCount further.
-    static int slotOf(int corner)
-    {
-        const int t = corner / 3;
-        return (t / laneCount * 6 + 2 * (corner % 3)) * laneCount + t % laneCount;
-    }
     static float *flat(LaneVector &v) { return reinterpret_cast<float *>(v.data()); }
     const Lanes *movable() const { return mMovable.empty() ? nullptr : mMovable.data(); }
 
@@ -168,18 +161,27 @@ private:
 
     void linkHubs()
     {
-        std::fill(mHubOfSlot.begin(), mHubOfSlot.end(), mGroups.count);
         std::vector<int> place(mGroups.corners.size());
         for (std::size_t i = 0; i < place.size(); ++i)
             place[mGroups.corners[i]] = static_cast<int>(i);
         for (int t = 0; t < mBlocks * laneCount; ++t) {
+            HubLinks &links = mHubLinks[t / laneCount];
+            const int lane = t % laneCount;
+            links.within[lane] = links.holding[lane] = 0;
             for (int k = 0; k < 3; ++k) {
                 const int corner = 3 * t + k;
                 const bool real = t < mSoup->triangleCount();
-                int &hub = mHubLinks[t / laneCount].hub[k][t % laneCount];
-                hub = real && mGroups.hub[corner] >= 0 ? mGroups.hub[corner] : mGroups.count;
-                mHubOfSlot[slotOf(corner)] = hub;
-                mHubLinks[t / laneCount].place[k][t % laneCount] = real ? place[corner] : corner;
+                const int hub = real ? mGroups.hub[corner] : -1;
+                links.hub[k][lane] = 2 * (hub >= 0 ? hub : mGroups.count);
+                links.place[k][lane] = 2 * (real ? place[corner] : corner);
+                for (int side = 0; real && side < 2; ++side) {
+                    const int partner = mSoup->partners[corner].corner[side];
+                    if (partner < 0)
+                        continue;
+                    const int other = mGroups.hub[partner], bit = 1 << (2 * k + side);
+                    links.within[lane] |= hub >= 0 && hub == other ? bit : 0;
+                    links.holding[lane] |= hub < 0 || other < 0 ? bit : 0;
+                }
             }
         }
         mLoads.assign(6 * static_cast<std::size_t>(mBlocks) * laneCount, 0.0f);
@@ -194,17 +196,13 @@ private:
         mPairs.push_back(0);
         const Lanes *ground = nullptr;
         if (!blocks.ground.empty()) {
-            mGround.assign(6 * static_cast<std::size_t>(mBlocks), Lanes{});
-            for (int c = 0; c < mSoup->mesh->soupCornerCount(); ++c) {
-                for (int axis = 0; axis < 2; ++axis)
-                    flat(mGround)[slotOf(c) + axis * laneCount] =
-                        static_cast<float>(blocks.ground[2 * static_cast<std::size_t>(c) + axis]);
-            }
+            mGround.resize(6 * static_cast<std::size_t>(mBlocks));
+            toSlots(blocks.ground.data(), 1, mSoup->triangleCount(), mGround.data(), 0, mBlocks);
             ground = mGround.data();
         }
         overBlocks([&](int first, int end) {
-            prepareBlocks(mLinks.data(), mPairs.data(), mHubOfSlot.data(), mGroups.count, ground, movable(),
-                          blocks.lanes.data(), mSystems.data(), mHubLinks.data(), first, end);
+            prepareBlocks(mLinks.data(), mPairs.data(), ground, movable(), blocks.lanes.data(),
+                          mSystems.data(), mHubLinks.data(), first, end);
         });
     }
 
@@ -277,7 +275,6 @@ private:
             return 0;
         }
         std::fill(mSum.begin(), mSum.end(), Lanes{});
-        std::fill(mSearch.begin(), mSearch.end(), Lanes{});
         double rz = moveHubs(), gained = 0;
         turnSearch(0);
         int iteration = 0;
@@ -304,12 +301,7 @@ private:
             rz = next;
         }
         overBlocks([&](int first, int end) {
-            const float *x = flat(mSum);
-            for (int c = 3 * laneCount * first;
-                 c < std::min(3 * laneCount * end, mSoup->mesh->soupCornerCount()); ++c) {
-                direction[2 * static_cast<std::size_t>(c)] = norm * x[slotOf(c)];
-                direction[2 * static_cast<std::size_t>(c) + 1] = norm * x[slotOf(c) + laneCount];
-            }
+            fromSlots(mSum.data(), norm, mSoup->triangleCount(), direction.data(), first, end);
         });
         return iteration;
     }
@@ -330,13 +322,7 @@ private:
             return 0;
         const double scale = -1 / norm;
         overBlocks([&](int first, int end) {
-            float *r = flat(mResidual);
-            for (int c = 3 * laneCount * first;
-                 c < std::min(3 * laneCount * end, mSoup->mesh->soupCornerCount()); ++c) {
-                r[slotOf(c)] = static_cast<float>(scale * gradient[2 * static_cast<std::size_t>(c)]);
-                r[slotOf(c) + laneCount] =
-                    static_cast<float>(scale * gradient[2 * static_cast<std::size_t>(c) + 1]);
-            }
+            toSlots(gradient.data(), scale, mSoup->triangleCount(), mResidual.data(), first, end);
             if (movable()) {
                 for (int i = 6 * first; i < 6 * end; ++i)
                     mResidual[i] *= mMovable[i];
@@ -363,7 +349,6 @@ private:
     std::vector<CornerLinks> mLinks;
     std::vector<HubLinks> mHubLinks;
     std::vector<BlockSystem> mSystems;
-    std::vector<int> mHubOfSlot;
     std::vector<float> mPairs; //!< spring constants, and a zero
     LaneVector mMovable;       //!< 0 where a corner is held, else 1; empty when none is
     LaneVector mGround;

@@ -9,8 +9,16 @@ namespace autocuts {
 
 using LaneInts = std::array<int, laneCount>;
 
-//! How the corners of eight triangles hang together with others. Coordinates lie in a flat vector of floats,
-//! six Lanes per block; a *slot* is the place of a corner's u in it, its v is laneCount further.
+//! Where a corner's u lies in a vector of coordinates, read as floats; its v is the next one. Six Lanes per
+//! eight triangles, two per corner, in an order that one shuffle per axis takes apart.
+int slotOf(int corner);
+
+//! Coordinates of all corners, in their order, to the layout of slotOf() and back, times `scale`.
+//! \param triangles how many there are; the last block may have fewer than eight
+void toSlots(const double *coordinates, double scale, int triangles, Lanes *slots, int first, int end);
+void fromSlots(const Lanes *slots, double scale, int triangles, double *coordinates, int first, int end);
+
+//! How the corners of eight triangles hang together with others.
 struct CornerLinks
 {
     LaneInts partner[6]; //!< per corner and side (2 k + side): the partner's slot, the own one at a border
@@ -20,8 +28,10 @@ struct CornerLinks
 //! How the corners of eight triangles hang on hubs.
 struct alignas(laneAlignment) HubLinks
 {
-    LaneInts hub[3];   //!< per corner; the number of hubs (an entry at rest) for a corner on its own
-    LaneInts place[3]; //!< of the corner's load in the list that is ordered by hubs
+    LaneInts hub[3];   //!< per corner, twice the number of its hub; for a corner on its own, of one at rest
+    LaneInts place[3]; //!< twice the place of the corner in the list that is ordered by hubs
+    LaneInts within;   //!< bit 2 k + side: the link is to a corner of the same hub
+    LaneInts holding;  //!< bit 2 k + side: at least one end of the link is on its own
     Lanes star[3];     //!< spring constant between corner and hub
 };
 
@@ -44,15 +54,14 @@ double advanceBlocks(float alpha, const Lanes *p, const Lanes *q, Lanes *x, Lane
 double loadHubs(const BlockSystem *systems, const HubLinks *hubs, const Lanes *r, float *loads, int first,
                 int end);
 
-//! p = z + beta p with z = inverse * (r + star * u), u the places of the hubs.
+//! p = z + beta p with z = inverse * (r + star * u), u the places of the hubs; p is not read when beta is 0.
 void pullCorners(const BlockSystem *systems, const HubLinks *hubs, const Lanes *r, const float *u,
                  const Lanes *movable, float beta, Lanes *p, int first, int end);
 
 //! Fills the systems of blocks first to end and adds the springs and `ground` to the diagonals of the
-//! Hessians. \param pairs spring constant per corner pair, and a zero \param hubOfSlot hub at the slot of
-//! each corner, hubCount for none \param ground,movable coordinates in the layout of p, or null
-void prepareBlocks(const CornerLinks *links, const float *pairs, const int *hubOfSlot, int hubCount,
-                   const Lanes *ground, const Lanes *movable, LaneMatrix *hessian, BlockSystem *systems,
-                   HubLinks *hubs, int first, int end);
+//! Hessians. \param pairs spring constant per corner pair, and a zero
+//! \param ground,movable coordinates in the layout of p, or null
+void prepareBlocks(const CornerLinks *links, const float *pairs, const Lanes *ground, const Lanes *movable,
+                   LaneMatrix *hessian, BlockSystem *systems, HubLinks *hubs, int first, int end);
 
 } // namespace autocuts
