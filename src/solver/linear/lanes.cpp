@@ -2,47 +2,52 @@
 
 #include "solver/linear/simd.h"
 
-#include <cmath>
-
 namespace autocuts {
 
 AUTOCUTS_CLONES
 void invertLanes(const LaneMatrix &a, LaneMatrix &inverse)
 {
-    Lanes l[6][6];
-    Lanes r[6]; // 1 / diagonal of l
+    constexpr float leastPivot = 1e-30f;
+    // a = L D L^T with a unit diagonal of L, of which the inverse is W: a^-1 = W^T D^-1 W.
+    Lanes l[6][6], w[6][6];
+    Lanes r[6]; // 1 / D
     int at = 0;
     for (int i = 0; i < 6; ++i) {
-        for (int j = 0; j <= i; ++j) {
-            Lanes sum = a[at++];
+        Lanes scaled[6]; // row i of L D
+        for (int j = 0; j < i; ++j) {
+            scaled[j] = a[at++];
             for (int k = 0; k < j; ++k)
-                sum -= l[i][k] * l[j][k];
-            if (i != j) {
-                l[i][j] = sum * r[j];
-                continue;
-            }
-            for (int lane = 0; lane < laneCount; ++lane)
-                r[i][lane] = 1 / std::sqrt(sum[lane] > 1e-30f ? sum[lane] : 1e-30f);
+                scaled[j] -= scaled[k] * l[j][k];
         }
+        Lanes pivot = a[at++];
+        for (int j = 0; j < i; ++j) {
+            l[i][j] = scaled[j] * r[j];
+            pivot -= scaled[j] * l[i][j];
+        }
+        r[i] = 1 / (pivot > leastPivot ? pivot : Lanes{} + leastPivot);
     }
-    Lanes w[6][6]; // inverse of l
     for (int j = 0; j < 6; ++j) {
-        w[j][j] = r[j];
         for (int i = j + 1; i < 6; ++i) {
-            Lanes sum = l[i][j] * w[j][j];
+            w[i][j] = -l[i][j];
             for (int k = j + 1; k < i; ++k)
-                sum += l[i][k] * w[k][j];
-            w[i][j] = -sum * r[i];
+                w[i][j] -= l[i][k] * w[k][j];
         }
     }
     at = 0;
     for (int i = 0; i < 6; ++i) {
-        for (int j = 0; j <= i; ++j) {
-            Lanes sum = w[i][i] * w[i][j];
+        Lanes column[6]; // of D^-1 W
+        for (int k = i + 1; k < 6; ++k)
+            column[k] = r[k] * w[k][i];
+        for (int j = 0; j < i; ++j) {
+            Lanes sum = r[i] * w[i][j];
             for (int k = i + 1; k < 6; ++k)
-                sum += w[k][i] * w[k][j];
+                sum += column[k] * w[k][j];
             inverse[at++] = sum;
         }
+        Lanes sum = r[i];
+        for (int k = i + 1; k < 6; ++k)
+            sum += column[k] * w[k][i];
+        inverse[at++] = sum;
     }
 }
 

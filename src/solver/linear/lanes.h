@@ -43,7 +43,7 @@ struct alignas(laneAlignment) LaneMatrix
     const Lanes &operator[](int i) const { return entry[i]; }
 };
 
-//! Inverses of eight positive definite matrices, by Cholesky. A pivot that is not positive counts as tiny.
+//! Inverses of eight positive definite matrices, as L D L^T. A pivot that is not positive counts as tiny.
 void invertLanes(const LaneMatrix &a, LaneMatrix &inverse);
 
 //! y = A x for eight matrices; x and y are six vectors.
