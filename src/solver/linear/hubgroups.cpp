@@ -9,10 +9,11 @@ namespace autocuts {
 
 namespace {
 
-//! Share of pairs that may have opened within their hubs before the groups are made anew.
-constexpr double openTolerated = 0.01;
-//! Share of pairs that may have closed outside of hubs.
-constexpr double closedTolerated = 0.0002;
+//! Pairs that may have opened within their hubs, and as many that may have closed between hubs, before the
+//! groups are made anew. Each slows the conjugate gradients down by as much, whatever the size of the mesh.
+constexpr int changesTolerated = 64;
+//! On small meshes, this share of all pairs instead.
+constexpr double shareTolerated = 0.01;
 
 //! Calls visit(row, column) with row > column for every pair of hubs that the triangles and the springs tie
 //! together.
@@ -85,8 +86,8 @@ bool HubGroups::stillFit(const Soup &soup, const HessianBlocks &blocks) const
         closed += blocks.pairClosed[p] && !together;
         opened += together && !blocks.pairClosed[p];
     }
-    const double pairs = double(soup.pairCorners.size());
-    return closed <= closedTolerated * pairs && opened <= openTolerated * pairs;
+    const double tolerated = std::min<double>(changesTolerated, shareTolerated * soup.pairCorners.size());
+    return closed <= tolerated && opened <= tolerated;
 }
 
 void HubMatrix::setPattern(const Soup &soup, const HubGroups &groups)
