@@ -53,31 +53,17 @@ test::MeshPtr severalParts()
     return test::polygonMesh(points, faces);
 }
 
-test::MeshPtr meshNamed(const QString &name)
+test::MeshPtr cutMeshNamed(const QString &name)
 {
-    if (name == QLatin1String("triangle"))
-        return test::triangle();
-    if (name == QLatin1String("cube"))
-        return test::cube();
-    if (name == QLatin1String("quad cube"))
-        return test::quadCube();
-    if (name == QLatin1String("sphere"))
-        return test::sphere(8, 10);
-    if (name == QLatin1String("torus"))
-        return test::torus(9, 7);
-    if (name == QLatin1String("grid"))
-        return test::grid(5, 0.3);
     if (name == QLatin1String("one hole"))
         return gridWithHoles(5, {12});
     if (name == QLatin1String("holes that touch"))
         return gridWithHoles(6, {7, 14, 28});
     if (name == QLatin1String("parts"))
         return severalParts();
-    if (name == QLatin1String("dirty"))
-        return test::dirty();
     if (name == QLatin1String("handles"))
         return makeSample(QStringLiteral("torus")).value().mesh;
-    return makeSample(name).value().mesh;
+    return test::meshNamed(name);
 }
 
 void addMeshes()
@@ -222,7 +208,7 @@ private Q_SLOTS:
     void cutToDisksGivesOneDiskPerComponent_data() { addMeshes(); }
     void cutToDisksGivesOneDiskPerComponent()
     {
-        const auto mesh = meshNamed(QString::fromLatin1(QTest::currentDataTag()));
+        const auto mesh = cutMeshNamed(QString::fromLatin1(QTest::currentDataTag()));
         QFETCH(int, components);
         if (components >= 0)
             QCOMPARE(mesh->componentCount, components);
@@ -265,7 +251,7 @@ private Q_SLOTS:
     void tutteMapsDisksWithoutAFlip()
     {
         QFETCH(bool, open);
-        const auto mesh = meshNamed(QString::fromLatin1(QTest::currentDataTag()));
+        const auto mesh = cutMeshNamed(QString::fromLatin1(QTest::currentDataTag()));
         const auto soup = Soup::build(mesh);
         const CutFlags cut = open ? cutToDisks(*mesh) : CutFlags(mesh->edgePairs.size(), false);
         const CutMesh state(*mesh, cut);

@@ -1,8 +1,8 @@
 // From the soup to a map with definite seams: what is merged, what is cut, and the figures of the result.
 #include "solver/anneal.h"
 #include "solver/finish.h"
-#include "solver/metrics/uvmetrics.h"
 #include "solver/mapmaking.h"
+#include "solver/metrics/uvmetrics.h"
 #include "solver/pipeline.h"
 #include "solver/solver.h"
 #include "support/meshbuilders.h"
@@ -16,23 +16,6 @@ using namespace autocuts;
 
 namespace {
 
-test::MeshPtr meshNamed(const QString &name)
-{
-    if (name == QLatin1String("triangle"))
-        return test::triangle();
-    if (name == QLatin1String("cube"))
-        return test::cube();
-    if (name == QLatin1String("quad cube"))
-        return test::quadCube();
-    if (name == QLatin1String("sphere"))
-        return test::sphere(6, 8);
-    if (name == QLatin1String("torus"))
-        return test::torus(8, 6);
-    if (name == QLatin1String("grid"))
-        return test::grid(4, 0.5);
-    return test::dirty();
-}
-
 void addMeshes()
 {
     QTest::addColumn<int>("steps"); // per level of the homotopy; few steps leave more to repair
@@ -45,7 +28,7 @@ void addMeshes()
 test::MeshPtr currentMesh()
 {
     const QString tag = QString::fromLatin1(QTest::currentDataTag());
-    return meshNamed(tag.left(tag.lastIndexOf(QLatin1Char(' '))));
+    return test::meshNamed(tag.left(tag.lastIndexOf(QLatin1Char(' '))));
 }
 
 //! A solver after a run of the homotopy, short or long.

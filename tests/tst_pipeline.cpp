@@ -1,5 +1,4 @@
 // The whole way from a mesh to a packed map: valid, within the bound, steerable, the same every time.
-#include "model/samples.h"
 #include "model/uvlayout.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/overlap/overlapfinder.h"
@@ -19,28 +18,14 @@ namespace {
 
 constexpr double margin = 8;
 
-test::MeshPtr meshNamed(const QString &name)
+test::MeshPtr pipelineMesh(const QString &name)
 {
-    if (name == QLatin1String("triangle"))
-        return test::triangle();
     if (name == QLatin1String("two triangles")) // apart from each other
         return test::polygonMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {5, 2, 0}, {5, 0, 2}},
                                  {{0, 1, 2}, {3, 4, 5}});
     if (name == QLatin1String("square of two"))
         return test::polygonMesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
-    if (name == QLatin1String("cube"))
-        return test::cube();
-    if (name == QLatin1String("quad cube"))
-        return test::quadCube();
-    if (name == QLatin1String("sphere"))
-        return test::sphere(6, 8);
-    if (name == QLatin1String("torus"))
-        return test::torus(8, 6);
-    if (name == QLatin1String("grid"))
-        return test::grid(4, 0.3);
-    if (name == QLatin1String("dirty"))
-        return test::dirty();
-    return makeSample(name).value().mesh;
+    return test::meshNamed(name);
 }
 
 Snapshot snapshotOf(const test::MeshPtr &mesh)
@@ -161,7 +146,7 @@ private Q_SLOTS:
     void mapsAreValid()
     {
         QFETCH(bool, fans);
-        const auto mesh = meshNamed(QString::fromLatin1(QTest::currentDataTag()));
+        const auto mesh = pipelineMesh(QString::fromLatin1(QTest::currentDataTag()));
         const UnwrapOptions options = draft();
         const UnwrapResult result = unwrap(snapshotOf(mesh), options);
         QCOMPARE(problemWith(*mesh, result.uv), QString());
@@ -186,7 +171,7 @@ private Q_SLOTS:
     void flatMeshesNeedNoSeam()
     {
         for (const char *name : {"triangle", "square of two", "grid"}) {
-            const auto mesh = meshNamed(QString::fromLatin1(name));
+            const auto mesh = pipelineMesh(QString::fromLatin1(name));
             const UnwrapResult result = unwrap(snapshotOf(mesh), draft());
             QCOMPARE(result.seamLength, 0.0);
             QVERIFY(result.distortion >= 4 - 1e-9);
@@ -211,7 +196,7 @@ private Q_SLOTS:
     void theSameEveryTimeOnAnyNumberOfThreads()
     {
         for (const char *name : {"quad cube", "torus"}) {
-            const auto mesh = meshNamed(QString::fromLatin1(name));
+            const auto mesh = pipelineMesh(QString::fromLatin1(name));
             UnwrapOptions options = draft();
             options.quality = UnwrapQuality::Standard; // more than one chain
             options.maxDistortion = 4.3;
@@ -238,7 +223,7 @@ private Q_SLOTS:
     {
         QFETCH(int, calls);
         const QString tag = QString::fromLatin1(QTest::currentDataTag());
-        const auto mesh = meshNamed(tag.left(tag.lastIndexOf(QLatin1Char(' '))));
+        const auto mesh = pipelineMesh(tag.left(tag.lastIndexOf(QLatin1Char(' '))));
         std::atomic<bool> stop = calls == 0;
         int seen = 0;
         const UnwrapResult result = unwrap(snapshotOf(mesh), draft(), &stop, [&](const UnwrapProgress &) {

@@ -72,7 +72,9 @@ std::optional<MadeMap> makeMap(const Solver &solver, const MapMakingOptions &opt
     }
     result.seedDistortion = result.map.distortion(*soup);
     shortenSeams(soup, snapshot, options, result.map, cancel);
-    equalizeDensity(*soup, result.map);
+    // Pins and rectangles say how large their islands are.
+    if (snapshot.pins.empty() && snapshot.rectangles.empty())
+        equalizeDensity(*soup, result.map);
     if (cancelled())
         return std::nullopt;
     return result;

@@ -25,8 +25,8 @@ struct MadeMap
 };
 
 //! The definite map that the solver's state stands for: finished, relaxed, without overlaps inside a chart
-//! unless they are allowed, shortened seams, every chart at the texel density of the whole. \returns nothing
-//! when cancelled
+//! unless they are allowed, shortened seams, and without pins and rectangles every chart at the texel density
+//! of the whole. \returns nothing when cancelled
 std::optional<MadeMap> makeMap(const Solver &solver, const MapMakingOptions &options,
                                const std::atomic<bool> *cancel = nullptr);
 

@@ -1,5 +1,7 @@
 #include "support/meshbuilders.h"
 
+#include "model/samples.h"
+
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -135,6 +137,25 @@ MeshPtr dirty()
                                 {13, 10, 11}, // wound the wrong way
                                 {0, 3, 3},    // a side of no length
                                 {2, 1, 0}});  // no height
+}
+
+MeshPtr meshNamed(const QString &name)
+{
+    if (name == QLatin1String("triangle"))
+        return triangle();
+    if (name == QLatin1String("cube"))
+        return cube();
+    if (name == QLatin1String("quad cube"))
+        return quadCube();
+    if (name == QLatin1String("grid"))
+        return grid(5, 0.3);
+    if (name == QLatin1String("sphere"))
+        return sphere(6, 8);
+    if (name == QLatin1String("torus"))
+        return torus(8, 6);
+    if (name == QLatin1String("dirty"))
+        return dirty();
+    return makeSample(name).value().mesh;
 }
 
 std::string meshFolder()

@@ -3,6 +3,8 @@
 
 #include "model/meshdata.h"
 
+#include <QString>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,6 +31,10 @@ MeshPtr torus(int major, int minor);
 //! Triangles and quads with everything wrong at once, far from the origin: a non-manifold edge of four faces,
 //! a duplicated and a flipped face, two degenerate triangles, an isolated vertex and a double of a vertex.
 MeshPtr dirty();
+
+//! One of these by its name, for rows of tests: "triangle", "cube", "quad cube", "grid" (bulged), "sphere",
+//! "torus" or "dirty"; of any other name, the sample that makeSample() has.
+MeshPtr meshNamed(const QString &name);
 
 //! Where the real meshes are: $AUTOCUTS_MESHES or ../shared/meshes beside the checkout; empty when absent.
 std::string meshFolder();
