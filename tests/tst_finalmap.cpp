@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -86,6 +87,24 @@ private Q_SLOTS:
         const auto map = makeFinalMap(solver, {});
         QVERIFY(map);
         QVERIFY((middle(map->x) - middle(moved)).norm() < 1e-6);
+    }
+
+    //! Two triangles of one size; pins want twice the area for the second one.
+    void pinsDecideHowLargeIslandsAre()
+    {
+        Snapshot snapshot = snapshotOf(test::polygonMesh(
+            {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}}));
+        const std::array<Vec2, 3> places{Vec2(5, 0), Vec2(7.5, 0), Vec2(5, 2.5)};
+        for (int k = 0; k < 3; ++k)
+            snapshot.pins.push_back({3 + k, places[k], true});
+        const Solved solver(snapshot);
+        const auto map = makeFinalMap(solver, {.maxDistortion = 5});
+        QVERIFY(map);
+        for (int k = 0; k < 3; ++k) {
+            const Vec2 at(map->x[6 + 2 * static_cast<std::size_t>(k)],
+                          map->x[7 + 2 * static_cast<std::size_t>(k)]);
+            QVERIFY2((at - places[k]).norm() < 0.02, qPrintable(QString::number((at - places[k]).norm())));
+        }
     }
 
     void itDoesNotDependOnTheThreads()
