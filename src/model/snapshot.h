@@ -49,6 +49,8 @@ struct Snapshot
     std::uint64_t topologyRevision = 0; //!< changes with the mesh and with what is cut
     std::uint64_t settingsRevision = 0; //!< changes with everything else
 
+    //! True when pins or rectangles say where islands lie and how large they are.
+    bool placesIslands() const { return !pins.empty() || !rectangles.empty(); }
     //! True when the user joined a side of the edge.
     bool isJoined(std::size_t edge) const
     {

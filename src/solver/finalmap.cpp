@@ -61,7 +61,7 @@ std::optional<SeamedMap> makeFinalMap(const Solver &solver, const FinalMapOption
 {
     const Snapshot &snapshot = solver.snapshot();
     std::optional<MadeMap> made = makeMap(solver, {.maxDistortion = options.maxDistortion}, stop);
-    if (!made || !snapshot.pins.empty() || !snapshot.rectangles.empty())
+    if (!made || snapshot.placesIslands())
         return made ? std::optional(std::move(made->map)) : std::nullopt;
     const Soup &soup = solver.soup();
     OptimizeOptions search;

@@ -72,8 +72,7 @@ std::optional<MadeMap> makeMap(const Solver &solver, const MapMakingOptions &opt
     }
     result.seedDistortion = result.map.distortion(*soup);
     shortenSeams(soup, snapshot, options, result.map, cancel);
-    // Pins and rectangles say how large their islands are.
-    if (snapshot.pins.empty() && snapshot.rectangles.empty())
+    if (!snapshot.placesIslands())
         equalizeDensity(*soup, result.map);
     if (cancelled())
         return std::nullopt;

@@ -24,7 +24,7 @@ constexpr double fullEffortTriangles = 2000;
 //! a fixed balance, is for the soup.
 bool canSearch(const Snapshot &snapshot, const UnwrapOptions &options)
 {
-    return !options.lambda && snapshot.pins.empty() && snapshot.rectangles.empty() &&
+    return !options.lambda && !snapshot.placesIslands() &&
            snapshot.settings.energy == DistortionEnergy::SymmetricDirichlet;
 }
 

@@ -45,7 +45,7 @@ StepCost measureSteps(const WarmState &state, bool exact, int threads);
 //! How long the solvers need, from the same start, to the energy that `steps` exact steps reach.
 struct RaceResult
 {
-    double exact = 0, fast = 0; //!< CPU milliseconds
+    double exact = 0, fast = 0; //!< CPU milliseconds; of the fast one, the median of several races
     double general = 0;         //!< of the fast solver when CHOLMOD factorises its hub matrix
     int fastSteps = 0;          //!< 0: not reached
 };

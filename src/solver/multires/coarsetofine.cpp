@@ -257,8 +257,8 @@ std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const S
 
 bool suitsCoarseToFine(const Snapshot &snapshot)
 {
-    return snapshot.mesh->triangleCount() > largeMesh && snapshot.pins.empty() &&
-           snapshot.rectangles.empty() && snapshot.settings.start != StartMode::ExistingUv;
+    return snapshot.mesh->triangleCount() > largeMesh && !snapshot.placesIslands() &&
+           snapshot.settings.start != StartMode::ExistingUv;
 }
 
 std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,

@@ -169,7 +169,7 @@ MapJobResult finishMapJob(const MapInput &input, const LiveSolve &live, double m
     result.message = translated("Finished: distortion %1").arg(map->distortion(solver.soup()), 0, 'f', 4);
     // Islands that grew or were cut off may lie over others. Pins and rectangles say where islands belong.
     const MeshData &mesh = input.mesh();
-    if (snapshot.pins.empty() && snapshot.rectangles.empty() && !lieFree(mesh, result.uv, control)) {
+    if (!snapshot.placesIslands() && !lieFree(mesh, result.uv, control)) {
         const std::vector<bool> all(mesh.faceCount(), true);
         if (!packInto(result.uv, mesh, findCharts(mesh, result.uv), IslandMarks::none(mesh), all,
                       packSettings(input.packing), control) &&
