@@ -114,37 +114,23 @@ struct JacobianHessian
     }
 };
 
-//! Spreads the Jacobian's Hessian over the corners. Moving all three does nothing: the rows of corner 0
-//! follow.
-inline void spread(const JacobianHessian &k, const Lanes *g, const Lanes *h, LaneMatrix &out)
+//! The same over the edge vectors. g and h: gradients of the corners 1 and 2.
+inline void overEdges(const JacobianHessian &k, const Lanes *g, const Lanes *h, EdgeMatrix &out)
 {
     Lanes a[4], b[4], c[4]; // corners 1-1, 2-1, 2-2
     k.between(g, g, a);
     k.between(h, g, b);
     k.between(h, h, c);
-    const Lanes p0 = -(a[0] + b[0]), p1 = -(a[1] + b[1]), p2 = -(a[2] + b[2]), p3 = -(a[3] + b[3]); // 1-0
-    const Lanes q0 = -(b[0] + c[0]), q1 = -(b[2] + c[1]), q2 = -(b[1] + c[2]), q3 = -(b[3] + c[3]); // 0-2
-    out[0] = -(p0 + q0);
-    out[1] = -(p1 + q1);
-    out[2] = -(p3 + q3);
-    out[3] = p0;
-    out[4] = p2;
-    out[5] = a[0];
-    out[6] = p1;
-    out[7] = p3;
-    out[8] = a[1];
-    out[9] = a[3];
-    out[10] = q0;
-    out[11] = q2;
-    out[12] = b[0];
-    out[13] = b[1];
-    out[14] = c[0];
-    out[15] = q1;
-    out[16] = q3;
-    out[17] = b[2];
-    out[18] = b[3];
-    out[19] = c[1];
-    out[20] = c[3];
+    out[0] = a[0];
+    out[1] = b[0];
+    out[2] = c[0];
+    out[3] = a[2];
+    out[4] = b[1];
+    out[5] = a[3];
+    out[6] = b[2];
+    out[7] = c[2];
+    out[8] = b[3];
+    out[9] = c[3];
 }
 
 } // namespace
@@ -179,7 +165,7 @@ double dirichletSum(const DirichletBlock *blocks, const double *x, int triangles
 
 AUTOCUTS_CLONES
 double dirichletDerivatives(const DirichletBlock *blocks, const double *x, int triangles, double factor,
-                            double *gradient, LaneMatrix *hessian)
+                            double *gradient, EdgeMatrix *hessian)
 {
     DoubleLanes sum{}, smallest = DoubleLanes{} + 1;
     for (int t = 0; t < triangles; t += laneCount) {
@@ -250,7 +236,7 @@ double dirichletDerivatives(const DirichletBlock *blocks, const double *x, int t
         k.add(curvature2, second);
         k.add(turning, twist);
         k.add(flipping, shear);
-        spread(k, b, b + 2, hessian[t / laneCount]);
+        overEdges(k, b, b + 2, hessian[t / laneCount]);
     }
     return total(sum, smallest);
 }

@@ -27,7 +27,7 @@ double dirichletSum(const DirichletBlock *blocks, const double *x, int triangles
 //! The same sum; adds factor times the gradient to `gradient` and writes factor times the positive
 //! semidefinite Hessian to `hessian`, one matrix per block.
 double dirichletDerivatives(const DirichletBlock *blocks, const double *x, int triangles, double factor,
-                            double *gradient, LaneMatrix *hessian);
+                            double *gradient, EdgeMatrix *hessian);
 
 //! Smallest step, up to `limit`, at which one of the triangles at x loses its area along `direction`.
 double flipFreeStep(const double *x, const double *direction, int triangles, double limit);

@@ -44,6 +44,10 @@ inline void modeVector(const Soup::Basis &b, double m00, double m01, double m10,
     }
 }
 
+//! Where the entries of an EdgeMatrix are found in a triangle's block: moving all three corners does nothing,
+//! so the rows of the corners 1 and 2 say all.
+constexpr std::array<int, 10> overEdges{5, 12, 14, 8, 13, 9, 17, 19, 18, 20};
+
 template <class Density>
 class IsotropicTerm : public DistortionTerm
 {
@@ -72,8 +76,9 @@ public:
                            for (int i = 0; i < 21; ++i)
                                blocks.triangle[t][i] += block[i];
                        } else {
-                           for (int i = 0; i < 21; ++i)
-                               blocks.single(t, i) = static_cast<float>(block[i]);
+                           for (int i = 0; i < 10; ++i)
+                               blocks.lanes[t / laneCount][i][t % laneCount] =
+                                   static_cast<float>(block[overEdges[i]]);
                        }
                    }
                    return sumOf(x, first, end);

@@ -19,9 +19,9 @@ struct HessianBlocks
 
     //! Double: lower triangle of the 6 x 6 block of each triangle, row by row: (0,0) (1,0) (1,1) (2,0) ...
     std::vector<std::array<double, 21>> triangle;
-    //! Single: the same for eight triangles at a time, zero behind the last one. Written by the distortion
-    //! alone.
-    std::vector<LaneMatrix> lanes;
+    //! Single: the same over the edge vectors of eight triangles at a time (moving a triangle costs nothing),
+    //! zero behind the last one. Written by the distortion alone.
+    std::vector<EdgeMatrix> lanes;
     std::vector<double> pair;             //!< spring constant w of each corner pair: w / 2 * |x_a - x_b|^2
     std::vector<std::uint8_t> pairClosed; //!< 1 where the pair is all but joined (a hint for preconditioners)
     int triangleCount = 0;
@@ -44,12 +44,6 @@ struct HessianBlocks
     {
         ground.resize(6 * static_cast<std::size_t>(triangleCount), 0.0);
         return ground;
-    }
-
-    //! Entry of the lower triangle of triangle t's block in single precision.
-    float &single(int t, int entry)
-    {
-        return reinterpret_cast<float *>(&lanes[t / laneCount][entry])[t % laneCount];
     }
 };
 

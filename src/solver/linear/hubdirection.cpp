@@ -67,8 +67,8 @@ public:
         const int triangles = mSoup->triangleCount();
         mExcessLimit = triangles > largeTriangleCount ? excessBeforeRefreshLarge : excessBeforeRefresh;
         mBlocks = (triangles + laneCount - 1) / laneCount;
-        mSystems.resize(mBlocks);
-        mHubLinks.resize(mBlocks);
+        mSprings.resize(mBlocks);
+        mInverses.resize(mBlocks);
         for (auto *vector : {&mResidual, &mSearch, &mProduct, &mSum})
             vector->assign(6 * static_cast<std::size_t>(mBlocks), Lanes{});
         linkCorners();
@@ -106,6 +106,7 @@ public:
 private:
     static float *flat(LaneVector &v) { return reinterpret_cast<float *>(v.data()); }
     const Lanes *movable() const { return mMovable.empty() ? nullptr : mMovable.data(); }
+    const Lanes *ground() const { return mGround.empty() ? nullptr : mGround.data(); }
 
     template <class Job>
     void overBlocks(Job &&job)
@@ -127,13 +128,14 @@ private:
 
     void linkCorners()
     {
-        mLinks.resize(mBlocks);
+        mLinks.partner.resize(mBlocks);
+        mLinks.pair.resize(mBlocks);
         const int pairs = static_cast<int>(mSoup->pairCorners.size());
         for (int t = 0; t < mBlocks * laneCount; ++t) {
             for (int i = 0; i < 6; ++i) {
                 const int corner = 3 * t + i / 2;
-                int &partner = mLinks[t / laneCount].partner[i][t % laneCount];
-                int &pair = mLinks[t / laneCount].pair[i][t % laneCount];
+                int &partner = mLinks.partner[t / laneCount][i][t % laneCount];
+                int &pair = mLinks.pair[t / laneCount][i][t % laneCount];
                 partner = slotOf(corner);
                 pair = pairs;
                 if (t < mSoup->triangleCount() && mSoup->partners[corner].pair[i % 2] >= 0) {
@@ -164,23 +166,24 @@ private:
         std::vector<int> place(mGroups.corners.size());
         for (std::size_t i = 0; i < place.size(); ++i)
             place[mGroups.corners[i]] = static_cast<int>(i);
+        mHubLinks.hub.resize(mBlocks);
+        mHubLinks.place.resize(mBlocks);
+        mHubLinks.kind.assign(mBlocks, {});
         for (int t = 0; t < mBlocks * laneCount; ++t) {
-            HubLinks &links = mHubLinks[t / laneCount];
-            const int lane = t % laneCount;
-            links.within[lane] = links.holding[lane] = 0;
+            const int block = t / laneCount, lane = t % laneCount;
             for (int k = 0; k < 3; ++k) {
                 const int corner = 3 * t + k;
                 const bool real = t < mSoup->triangleCount();
                 const int hub = real ? mGroups.hub[corner] : -1;
-                links.hub[k][lane] = 2 * (hub >= 0 ? hub : mGroups.count);
-                links.place[k][lane] = 2 * (real ? place[corner] : corner);
+                mHubLinks.hub[block][k][lane] = 2 * (hub >= 0 ? hub : mGroups.count);
+                mHubLinks.place[block][k][lane] = 2 * (real ? place[corner] : corner);
                 for (int side = 0; real && side < 2; ++side) {
                     const int partner = mSoup->partners[corner].corner[side];
                     if (partner < 0)
                         continue;
                     const int other = mGroups.hub[partner], bit = 1 << (2 * k + side);
-                    links.within[lane] |= hub >= 0 && hub == other ? bit : 0;
-                    links.holding[lane] |= hub < 0 || other < 0 ? bit : 0;
+                    mHubLinks.kind[block].within[lane] |= hub >= 0 && hub == other ? bit : 0;
+                    mHubLinks.kind[block].holding[lane] |= hub < 0 || other < 0 ? bit : 0;
                 }
             }
         }
@@ -189,20 +192,19 @@ private:
         mHubLoad.resize(2 * mGroups.count);
     }
 
-    //! The systems of the triangles, and the Hessians complete with springs and ground.
-    void prepare(HessianBlocks &blocks)
+    //! The systems of the triangles.
+    void prepare(const HessianBlocks &blocks)
     {
         mPairs.assign(blocks.pair.begin(), blocks.pair.end());
         mPairs.push_back(0);
-        const Lanes *ground = nullptr;
+        mGround.clear();
         if (!blocks.ground.empty()) {
             mGround.resize(6 * static_cast<std::size_t>(mBlocks));
             toSlots(blocks.ground.data(), 1, mSoup->triangleCount(), mGround.data(), 0, mBlocks);
-            ground = mGround.data();
         }
         overBlocks([&](int first, int end) {
-            prepareBlocks(mLinks.data(), mPairs.data(), ground, movable(), blocks.lanes.data(),
-                          mSystems.data(), mHubLinks.data(), first, end);
+            prepareBlocks(blocks.lanes.data(), mLinks.pair.data(), mHubLinks.kind.data(), mPairs.data(),
+                          ground(), movable(), mSprings.data(), mInverses.data(), first, end);
         });
     }
 
@@ -210,7 +212,7 @@ private:
     {
         if (mGroups.count == 0)
             return;
-        mMatrix.fill(*mSoup, blocks, mGroups, mSystems, mHubLinks);
+        mMatrix.fill(*mSoup, blocks, mGroups, mInverses);
         if (!mAnalyzed) {
             mSolver = mFactor == HubFactor::Frontal ? static_cast<LinearSolver *>(&mFrontal) : &mGeneral;
             mSolver->analyze(mMatrix.matrix(), LinearSolver::Order::Natural);
@@ -235,7 +237,8 @@ private:
     double moveHubs()
     {
         double product = sumOverBlocks([&](int first, int end) {
-            return loadHubs(mSystems.data(), mHubLinks.data(), mResidual.data(), mLoads.data(), first, end);
+            return loadHubs(mInverses.data(), mHubLinks.place.data(), mResidual.data(), mLoads.data(), first,
+                            end);
         });
         if (mGroups.count == 0)
             return product;
@@ -256,17 +259,17 @@ private:
         return product + mHubLoad.dot(mHubMove);
     }
 
-    //! Second half: p = z + beta p.
-    void turnSearch(float beta)
+    //! Second half: p = z + beta p, after x += alpha p.
+    void turnSearch(float alpha, float beta)
     {
         overBlocks([&](int first, int end) {
-            pullCorners(mSystems.data(), mHubLinks.data(), mResidual.data(), mPulls.data(), movable(), beta,
-                        mSearch.data(), first, end);
+            pullCorners(mInverses.data(), mHubLinks.hub.data(), mResidual.data(), mPulls.data(), movable(),
+                        alpha, beta, mSum.data(), mSearch.data(), first, end);
         });
     }
 
     //! Returns the number of iterations.
-    int conjugateGradients(const std::vector<LaneMatrix> &hessian, std::span<const double> gradient,
+    int conjugateGradients(const std::vector<EdgeMatrix> &hessian, std::span<const double> gradient,
                            std::span<double> direction)
     {
         const double norm = loadResidual(gradient);
@@ -274,21 +277,20 @@ private:
             std::fill(direction.begin(), direction.end(), 0.0);
             return 0;
         }
-        std::fill(mSum.begin(), mSum.end(), Lanes{});
         double rz = moveHubs(), gained = 0;
-        turnSearch(0);
+        turnSearch(0, 0);
         int iteration = 0;
+        float alpha = 0;
         while (iteration < maxIterations && rz > 0) {
             const double curvature = sumOverBlocks([&](int first, int end) {
-                return multiplyBlocks(hessian.data(), mSystems.data(), mLinks.data(), mSearch.data(),
-                                      movable(), mProduct.data(), first, end);
+                return multiplyBlocks(hessian.data(), mSprings.data(), mLinks.partner.data(), mSearch.data(),
+                                      ground(), movable(), mProduct.data(), first, end);
             });
             if (!(curvature > 0))
                 break;
-            const float alpha = static_cast<float>(rz / curvature);
+            alpha = static_cast<float>(rz / curvature);
             const double rest = sumOverBlocks([&](int first, int end) {
-                return advanceBlocks(alpha, mSearch.data(), mProduct.data(), mSum.data(), mResidual.data(),
-                                     first, end);
+                return advanceBlocks(alpha, mProduct.data(), mResidual.data(), first, end);
             });
             ++iteration;
             const double gain = rz * alpha;
@@ -297,11 +299,13 @@ private:
                 (iteration >= lateIteration && iteration * gain < leastGain * gained))
                 break;
             const double next = moveHubs();
-            turnSearch(static_cast<float>(next / rz));
+            turnSearch(alpha, static_cast<float>(next / rz));
+            alpha = 0;
             rz = next;
         }
         overBlocks([&](int first, int end) {
-            fromSlots(mSum.data(), norm, mSoup->triangleCount(), direction.data(), first, end);
+            fromSlots(mSum.data(), alpha, mSearch.data(), norm, mSoup->triangleCount(), direction.data(),
+                      first, end);
         });
         return iteration;
     }
@@ -346,9 +350,10 @@ private:
     LinearSolver *mSolver = nullptr;
     bool mAnalyzed = false; //!< mSolver is the wanted one and knows the pattern
 
-    std::vector<CornerLinks> mLinks;
-    std::vector<HubLinks> mHubLinks;
-    std::vector<BlockSystem> mSystems;
+    CornerLinks mLinks;
+    HubLinks mHubLinks;
+    std::vector<LinkSprings> mSprings;
+    std::vector<BlockInverse> mInverses;
     std::vector<float> mPairs; //!< spring constants, and a zero
     LaneVector mMovable;       //!< 0 where a corner is held, else 1; empty when none is
     LaneVector mGround;

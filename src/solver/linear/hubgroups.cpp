@@ -140,24 +140,39 @@ double *HubMatrix::secondColumn(int place, int column)
 }
 
 //! \returns how many of `places` belong to the triangle
-int HubMatrix::addTriangle(const int *hub, const int *places, const BlockSystem &system,
-                           const HubLinks &links, int lane)
+int HubMatrix::addTriangle(const int *hub, const int *places, const BlockInverse &inverse, int lane)
 {
     double *values = mMatrix.valuePtr();
     const int *outer = mMatrix.outerIndexPtr();
-    const float star[3] = {links.star[0][lane], links.star[1][lane], links.star[2][lane]};
-    // Entry of -D S^-1 D at coordinates i and j of the triangle.
-    const auto entry = [&](int i, int j) {
-        const int high = std::max(i, j), low = std::min(i, j);
-        return -double(star[i / 2]) * system.inverse[high * (high + 1) / 2 + low][lane] * star[j / 2];
-    };
+    // -D S^-1 D = -D diag(give) D + F E^T C E F with F = D diag(give).
+    float share[6], stiffness[10], edges[6][6];
+    for (int i = 0; i < 6; ++i)
+        share[i] = inverse.star[i / 2][lane] * inverse.give[i][lane];
+    for (int i = 0; i < 10; ++i)
+        stiffness[i] = inverse.stiffness[i][lane];
+    constexpr int place[4] = {2, 4, 3, 5}; // of an edge's end among the coordinates
+    int at = 0;
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j <= i; ++j)
+            edges[place[i]][place[j]] = edges[place[j]][place[i]] = stiffness[at++];
+    }
+    for (int axis = 0; axis < 2; ++axis) {
+        for (int i = 2; i < 6; ++i)
+            edges[axis][i] = edges[i][axis] = -(edges[2 + axis][i] + edges[4 + axis][i]);
+    }
+    for (int axis = 0; axis < 2; ++axis) {
+        for (int i = 0; i < 2; ++i)
+            edges[axis][i] = -(edges[2 + axis][i] + edges[4 + axis][i]);
+    }
+    const auto entry = [&](int i, int j) { return double(share[i]) * edges[i][j] * share[j]; };
     for (int a = 0; a < 3; ++a) {
         if (hub[a] < 0)
             continue;
         double *diagonal = values + outer[2 * hub[a]];
-        diagonal[0] += star[a] + entry(2 * a, 2 * a);
+        const float star = inverse.star[a][lane];
+        diagonal[0] += star * (1 - double(share[2 * a])) + entry(2 * a, 2 * a);
         diagonal[1] += entry(2 * a + 1, 2 * a);
-        values[outer[2 * hub[a] + 1]] += star[a] + entry(2 * a + 1, 2 * a + 1);
+        values[outer[2 * hub[a] + 1]] += star * (1 - double(share[2 * a + 1])) + entry(2 * a + 1, 2 * a + 1);
     }
     int used = 0;
     for (int a = 0; a < 3; ++a) {
@@ -184,15 +199,15 @@ int HubMatrix::addTriangle(const int *hub, const int *places, const BlockSystem 
 }
 
 void HubMatrix::fill(const Soup &soup, const HessianBlocks &blocks, const HubGroups &groups,
-                     const std::vector<BlockSystem> &systems, const std::vector<HubLinks> &links)
+                     const std::vector<BlockInverse> &inverses)
 {
     double *values = mMatrix.valuePtr();
     const int *outer = mMatrix.outerIndexPtr();
     std::fill(values, values + mMatrix.nonZeros(), 0.0);
     const int *place = mPlaces.data();
     for (int t = 0; t < soup.triangleCount(); ++t)
-        place += addTriangle(&groups.hub[3 * static_cast<std::size_t>(t)], place, systems[t / laneCount],
-                             links[t / laneCount], t % laneCount);
+        place += addTriangle(&groups.hub[3 * static_cast<std::size_t>(t)], place, inverses[t / laneCount],
+                             t % laneCount);
     for (std::size_t p = 0; p < soup.pairCorners.size(); ++p) {
         const int a = groups.hub[soup.pairCorners[p][0]], b = groups.hub[soup.pairCorners[p][1]];
         if (a < 0 || b < 0 || a == b)

@@ -32,14 +32,13 @@ public:
     void setPattern(const Soup &soup, const HubGroups &groups);
     //! \pre the pattern is that of `groups`
     void fill(const Soup &soup, const HessianBlocks &blocks, const HubGroups &groups,
-              const std::vector<BlockSystem> &systems, const std::vector<HubLinks> &links);
+              const std::vector<BlockInverse> &inverses);
     void addToDiagonal(double shift);
     const LinearSolver::Matrix &matrix() const { return mMatrix; }
 
 private:
     double *secondColumn(int place, int column);
-    int addTriangle(const int *hub, const int *places, const BlockSystem &system, const HubLinks &links,
-                    int lane);
+    int addTriangle(const int *hub, const int *places, const BlockInverse &inverse, int lane);
 
     LinearSolver::Matrix mMatrix;
     std::vector<int> mPlaces; //!< of the blocks below the diagonal that triangles and pairs add to

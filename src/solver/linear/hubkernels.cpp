@@ -125,39 +125,43 @@ void toSlots(const double *coordinates, double scale, int triangles, Lanes *slot
     });
 }
 
-void fromSlots(const Lanes *slots, double scale, int triangles, double *coordinates, int first, int end)
+void fromSlots(const Lanes *x, float alpha, const Lanes *p, double scale, int triangles, double *coordinates,
+               int first, int end)
 {
-    visitSlots(triangles, first, end,
-               [&](std::ptrdiff_t slot, std::ptrdiff_t i) { coordinates[i] = scale * flat(slots)[slot]; });
+    visitSlots(triangles, first, end, [&](std::ptrdiff_t slot, std::ptrdiff_t i) {
+        coordinates[i] = scale * (flat(x)[slot] + alpha * flat(p)[slot]);
+    });
 }
 
 AUTOCUTS_CLONES
-double multiplyBlocks(const LaneMatrix *hessian, const BlockSystem *systems, const CornerLinks *links,
-                      const Lanes *p, const Lanes *movable, Lanes *q, int first, int end)
+double multiplyBlocks(const EdgeMatrix *hessian, const LinkSprings *springs, const LinkInts *partners,
+                      const Lanes *p, const Lanes *ground, const Lanes *movable, Lanes *q, int first, int end)
 {
     DoubleLanes sum{};
     for (int b = first; b < end; ++b) {
         const std::ptrdiff_t at = 6 * static_cast<std::ptrdiff_t>(b);
+        const Lanes *w = springs[b].link;
         Lanes own[6], result[6];
         takeApart(p + at, own);
-        multiplyLanes(hessian[b], own, result);
-        for (int i = 0; i < 6; ++i) {
-            const Lanes &w = systems[b].link[i];
-            Lanes u, v;
-            gatherPairs(flat(p), links[b].partner[i], u, v);
-            result[i / 2 * 2] -= w * u;
-            result[i / 2 * 2 + 1] -= w * v;
+        multiplyEdges(hessian[b], own, result);
+        for (int k = 0; k < 6; k += 2) {
+            Lanes u1, v1, u2, v2;
+            gatherPairs(flat(p), partners[b][k], u1, v1);
+            gatherPairs(flat(p), partners[b][k + 1], u2, v2);
+            result[k] += w[k] * (own[k] - u1) + w[k + 1] * (own[k] - u2);
+            result[k + 1] += w[k] * (own[k + 1] - v1) + w[k + 1] * (own[k + 1] - v2);
         }
         Lanes part{};
         for (int i = 0; i < 6; i += 2) {
             Lanes *out = q + at + i;
             putTogether(result[i], result[i + 1], out[0], out[1]);
-            if (movable) {
-                out[0] *= movable[at + i];
-                out[1] *= movable[at + i + 1];
+            for (int h = 0; h < 2; ++h) {
+                if (ground)
+                    out[h] += ground[at + i + h] * p[at + i + h];
+                if (movable)
+                    out[h] *= movable[at + i + h];
+                part += p[at + i + h] * out[h];
             }
-            part += p[at + i] * out[0];
-            part += p[at + i + 1] * out[1];
         }
         accumulate(part, sum);
     }
@@ -165,13 +169,12 @@ double multiplyBlocks(const LaneMatrix *hessian, const BlockSystem *systems, con
 }
 
 AUTOCUTS_CLONES
-double advanceBlocks(float alpha, const Lanes *p, const Lanes *q, Lanes *x, Lanes *r, int first, int end)
+double advanceBlocks(float alpha, const Lanes *q, Lanes *r, int first, int end)
 {
     DoubleLanes sum{};
     for (std::ptrdiff_t b = first; b < end; ++b) {
         Lanes part{};
         for (std::ptrdiff_t i = 6 * b; i < 6 * b + 6; ++i) {
-            x[i] += alpha * p[i];
             r[i] -= alpha * q[i];
             part += r[i] * r[i];
         }
@@ -180,28 +183,45 @@ double advanceBlocks(float alpha, const Lanes *p, const Lanes *q, Lanes *x, Lane
     return total(sum);
 }
 
+namespace {
+
+//! y = S^-1 r.
+inline void solveBlock(const BlockInverse &s, const Lanes *r, Lanes *y)
+{
+    Lanes moved[6], back[6];
+    for (int i = 0; i < 6; ++i)
+        moved[i] = s.give[i] * r[i];
+    multiplyEdges(s.stiffness, moved, back);
+    for (int i = 0; i < 6; ++i)
+        y[i] = s.give[i] * (r[i] - back[i]);
+}
+
+} // namespace
+
 AUTOCUTS_CLONES
-double loadHubs(const BlockSystem *systems, const HubLinks *hubs, const Lanes *r, float *loads, int first,
-                int end)
+double loadHubs(const BlockInverse *inverses, const CornerInts *places, const Lanes *r, float *loads,
+                int first, int end)
 {
     DoubleLanes sum{};
     for (int b = first; b < end; ++b) {
         Lanes own[6], y[6];
         takeApart(r + 6 * static_cast<std::ptrdiff_t>(b), own);
-        multiplyLanes(systems[b].inverse, own, y);
+        solveBlock(inverses[b], own, y);
         Lanes part = own[0] * y[0];
         for (int i = 1; i < 6; ++i)
             part += own[i] * y[i];
         accumulate(part, sum);
-        for (int k = 0; k < 3; ++k)
-            scatterPairs(hubs[b].star[k] * y[2 * k], hubs[b].star[k] * y[2 * k + 1], hubs[b].place[k], loads);
+        for (int k = 0; k < 3; ++k) {
+            const Lanes &star = inverses[b].star[k];
+            scatterPairs(star * y[2 * k], star * y[2 * k + 1], places[b][k], loads);
+        }
     }
     return total(sum);
 }
 
 AUTOCUTS_CLONES
-void pullCorners(const BlockSystem *systems, const HubLinks *hubs, const Lanes *r, const float *u,
-                 const Lanes *movable, float beta, Lanes *p, int first, int end)
+void pullCorners(const BlockInverse *inverses, const CornerInts *hubs, const Lanes *r, const float *u,
+                 const Lanes *movable, float alpha, float beta, Lanes *x, Lanes *p, int first, int end)
 {
     for (int b = first; b < end; ++b) {
         const std::ptrdiff_t at = 6 * static_cast<std::ptrdiff_t>(b);
@@ -209,65 +229,123 @@ void pullCorners(const BlockSystem *systems, const HubLinks *hubs, const Lanes *
         takeApart(r + at, pulled);
         for (int k = 0; k < 3; ++k) {
             Lanes hubU, hubV;
-            gatherPairs(u, hubs[b].hub[k], hubU, hubV);
-            pulled[2 * k] += hubs[b].star[k] * hubU;
-            pulled[2 * k + 1] += hubs[b].star[k] * hubV;
+            gatherPairs(u, hubs[b][k], hubU, hubV);
+            pulled[2 * k] += inverses[b].star[k] * hubU;
+            pulled[2 * k + 1] += inverses[b].star[k] * hubV;
         }
-        multiplyLanes(systems[b].inverse, pulled, z);
+        solveBlock(inverses[b], pulled, z);
         for (int i = 0; i < 6; i += 2) {
-            Lanes *out = p + at + i;
             Lanes zs[2];
             putTogether(z[i], z[i + 1], zs[0], zs[1]);
             for (int h = 0; h < 2; ++h) {
-                const Lanes free = movable ? zs[h] * movable[at + i + h] : zs[h];
-                out[h] = beta == 0 ? free : free + beta * out[h];
+                const std::ptrdiff_t c = at + i + h;
+                const Lanes free = movable ? zs[h] * movable[c] : zs[h];
+                if (beta == 0) {
+                    p[c] = free;
+                    x[c] = Lanes{};
+                    continue;
+                }
+                x[c] += alpha * p[c];
+                p[c] = free + beta * p[c];
             }
         }
     }
 }
 
-AUTOCUTS_CLONES
-void prepareBlocks(const CornerLinks *links, const float *pairs, const Lanes *ground, const Lanes *movable,
-                   LaneMatrix *hessian, BlockSystem *systems, HubLinks *hubs, int first, int end)
+namespace {
+
+//! C of BlockInverse from K.
+inline void stiffen(const EdgeMatrix &k, const Lanes *give, EdgeMatrix &c)
 {
-    constexpr std::array<int, 6> diagonalEntry{0, 2, 5, 9, 14, 20};
+    // E diag(give) E^T = U^T D U per axis, U = [1 turn; 0 1]: with K' = U K U^T and T = (K' + D^-1)^-1,
+    // U C U^T = (K'^-1 + D)^-1 = K' T D^-1 = D^-1 - D^-1 T D^-1. The first form keeps its digits where the
+    // triangle is soft against what holds it, the second where it is stiff.
+    Lanes turn[2], hold[4]; // hold = D^-1
+    for (int axis = 0; axis < 2; ++axis) {
+        const Lanes a = give[axis], b = give[2 + axis], e = give[4 + axis];
+        const Lanes sum = a + b;
+        turn[axis] = a / sum;
+        hold[2 * axis] = 1 / sum;
+        hold[2 * axis + 1] = 1 / (e + a * b / sum);
+    }
+    const auto shear = [&k](const Lanes &tu, const Lanes &tv, const EdgeMatrix &from, EdgeMatrix &to) {
+        to[2] = from[2];
+        to[1] = from[1] + tu * from[2];
+        to[0] = from[0] + tu * (from[1] + to[1]);
+        to[7] = from[7];
+        to[4] = from[4] + tv * from[7];
+        to[6] = from[6] + tu * from[7];
+        to[3] = from[3] + tu * from[4] + tv * to[6];
+        to[9] = from[9];
+        to[8] = from[8] + tv * from[9];
+        to[5] = from[5] + tv * (from[8] + to[8]);
+    };
+    EdgeMatrix sheared, held, t, result;
+    shear(turn[0], turn[1], k, sheared);
+    held = sheared;
+    constexpr std::array<int, 4> diagonalEntry{0, 2, 5, 9};
+    Lanes softness{}; // trace of K' D
+    for (int i = 0; i < 4; ++i) {
+        held[diagonalEntry[i]] += hold[i];
+        softness += sheared[diagonalEntry[i]] / hold[i];
+    }
+    invertLanes(held, t);
+    const auto entry = [](const EdgeMatrix &m, int i, int j) -> const Lanes & {
+        return i < j ? m[j * (j + 1) / 2 + i] : m[i * (i + 1) / 2 + j];
+    };
+    int at = 0;
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j <= i; ++j, ++at) {
+            Lanes soft = entry(sheared, i, 0) * entry(t, 0, j);
+            for (int m = 1; m < 4; ++m)
+                soft += entry(sheared, i, m) * entry(t, m, j);
+            const Lanes less = hold[i] * t[at];
+            const Lanes stiff = i == j ? hold[i] * (1 - less) : -less * hold[j];
+            result[at] = softness < 1 ? soft * hold[j] : stiff;
+        }
+    }
+    shear(-turn[0], -turn[1], result, c);
+}
+
+} // namespace
+
+AUTOCUTS_CLONES
+void prepareBlocks(const EdgeMatrix *hessian, const LinkInts *pairNumbers, const LinkKinds *kinds,
+                   const float *pairs, const Lanes *ground, const Lanes *movable, LinkSprings *springs,
+                   BlockInverse *inverses, int first, int end)
+{
     const Lanes zero{};
     for (int b = first; b < end; ++b) {
         const std::ptrdiff_t at = 6 * static_cast<std::ptrdiff_t>(b);
-        LaneMatrix &own = hessian[b];
-        LaneMatrix s = own;
-        Lanes trace{}, grounds[6]{}, moves[6];
-        for (const int d : diagonalEntry)
-            trace += own[d];
+        const EdgeMatrix &own = hessian[b];
+        // Over the corners; behind the last triangle there is nothing at all.
+        const Lanes trace = 2 * (own[0] + own[1] + own[2] + own[5] + own[8] + own[9]);
+        const Lanes least = trace == 0 ? zero + 1 : leastHold * trace;
+        Lanes grounds[6]{}, moves[6];
         if (ground)
             takeApart(ground + at, grounds);
         if (movable)
             takeApart(movable + at, moves);
         IntLanes within, holding;
-        load(hubs[b].within, within);
-        load(hubs[b].holding, holding);
+        load(kinds[b].within, within);
+        load(kinds[b].holding, holding);
         for (int k = 0; k < 3; ++k) {
-            Lanes star{}, hold{}, sum{};
+            Lanes star{}, hold = least;
             for (int i = 2 * k; i < 2 * k + 2; ++i) {
-                Lanes &w = systems[b].link[i];
-                gather(pairs, links[b].pair[i], w);
+                Lanes &w = springs[b].link[i];
+                gather(pairs, pairNumbers[b][i], w);
                 star += (within & 1 << i) != 0 ? w : zero;
                 hold += (holding & 1 << i) != 0 ? w : zero;
-                sum += w;
             }
-            hubs[b].star[k] = star;
+            inverses[b].star[k] = star;
             for (int i = 2 * k; i < 2 * k + 2; ++i) {
-                Lanes add = leastHold * trace + star + hold + grounds[i];
+                Lanes all = star + hold + grounds[i];
                 if (movable)
-                    add += (1 - moves[i]) * fixedHold * (trace + 1);
-                s[diagonalEntry[i]] += add;
-                own[diagonalEntry[i]] += sum + grounds[i];
+                    all += (1 - moves[i]) * fixedHold * (trace + 1);
+                inverses[b].give[i] = 1 / all;
             }
         }
-        // Behind the last triangle there is nothing at all.
-        for (const int d : diagonalEntry)
-            s[d] = trace == 0 ? s[d] + 1 : s[d];
-        invertLanes(s, systems[b].inverse);
+        stiffen(own, inverses[b].give, inverses[b].stiffness);
     }
 }
 

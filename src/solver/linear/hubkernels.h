@@ -4,6 +4,7 @@
 #include "solver/linear/lanes.h"
 
 #include <array>
+#include <vector>
 
 namespace autocuts {
 
@@ -13,55 +14,78 @@ using LaneInts = std::array<int, laneCount>;
 //! eight triangles, two per corner, in an order that one shuffle per axis takes apart.
 int slotOf(int corner);
 
-//! Coordinates of all corners, in their order, to the layout of slotOf() and back, times `scale`.
-//! \param triangles how many there are; the last block may have fewer than eight
+//! Coordinates of all corners, in their order, to the layout of slotOf(), times `scale`; and back, those of
+//! x + alpha p. \param triangles how many there are; the last block may have fewer than eight
 void toSlots(const double *coordinates, double scale, int triangles, Lanes *slots, int first, int end);
-void fromSlots(const Lanes *slots, double scale, int triangles, double *coordinates, int first, int end);
+void fromSlots(const Lanes *x, float alpha, const Lanes *p, double scale, int triangles, double *coordinates,
+               int first, int end);
+
+//! For the two sides of each of eight triangles' corners (2 k + side), what belongs to the link there.
+using LinkInts = std::array<LaneInts, 6>;
+//! For each of the three corners of eight triangles.
+using CornerInts = std::array<LaneInts, 3>;
 
 //! How the corners of eight triangles hang together with others.
+struct LinkKinds
+{
+    LaneInts within;  //!< bit 2 k + side: the link is to a corner of the same hub
+    LaneInts holding; //!< bit 2 k + side: at least one end of the link is on its own
+};
+
+//! What never changes: kept apart, because each loop reads only some of it.
 struct CornerLinks
 {
-    LaneInts partner[6]; //!< per corner and side (2 k + side): the partner's slot, the own one at a border
-    LaneInts pair[6];    //!< the corner pair; the number of pairs (an entry without weight) at a border
+    std::vector<LinkInts> partner; //!< the partner's slot, the own one at a border
+    std::vector<LinkInts>
+        pair; //!< the corner pair; the number of pairs (an entry without weight) at a border
 };
 
-//! How the corners of eight triangles hang on hubs.
-struct alignas(laneAlignment) HubLinks
+//! How corners hang on hubs; changes with the groups.
+struct HubLinks
 {
-    LaneInts hub[3];   //!< per corner, twice the number of its hub; for a corner on its own, of one at rest
-    LaneInts place[3]; //!< twice the place of the corner in the list that is ordered by hubs
-    LaneInts within;   //!< bit 2 k + side: the link is to a corner of the same hub
-    LaneInts holding;  //!< bit 2 k + side: at least one end of the link is on its own
-    Lanes star[3];     //!< spring constant between corner and hub
+    std::vector<CornerInts> hub;   //!< twice the number of the hub; for a corner on its own, of one at rest
+    std::vector<CornerInts> place; //!< twice the place of the corner in the list that is ordered by hubs
+    std::vector<LinkKinds> kind;
 };
 
-//! The triangles' part of a linear system: everything that one product needs.
-struct alignas(laneAlignment) BlockSystem
+//! Spring constants to the partners of the corners of eight triangles.
+struct alignas(laneAlignment) LinkSprings
 {
-    LaneMatrix inverse; //!< of the triangles, their springs to hubs and what holds them
-    Lanes link[6];      //!< spring constants to the partners
+    Lanes link[6];
+};
+
+//! S^-1 for eight triangles: S = E^T K E + diag(1 / give) over their corners, K over the edge vectors, has
+//! the inverse diag(give) - diag(give) E^T C E diag(give) with C = (K^-1 + E diag(give) E^T)^-1.
+struct alignas(laneAlignment) BlockInverse
+{
+    EdgeMatrix stiffness; //!< C
+    Lanes give[6];        //!< per coordinate: what a unit load moves it by, held by its springs alone
+    Lanes star[3];        //!< spring constant between corner and hub
 };
 
 //! q = H p for blocks first to end; returns p . q over them.
-//! \param movable factors 0 or 1 per coordinate, null when nothing is held
-double multiplyBlocks(const LaneMatrix *hessian, const BlockSystem *systems, const CornerLinks *links,
-                      const Lanes *p, const Lanes *movable, Lanes *q, int first, int end);
+//! \param ground added to the diagonal; in the layout of p, as `movable`: 0 or 1. Both null when there is
+//! none
+double multiplyBlocks(const EdgeMatrix *hessian, const LinkSprings *springs, const LinkInts *partners,
+                      const Lanes *p, const Lanes *ground, const Lanes *movable, Lanes *q, int first,
+                      int end);
 
-//! x += alpha p, r -= alpha q; returns r . r.
-double advanceBlocks(float alpha, const Lanes *p, const Lanes *q, Lanes *x, Lanes *r, int first, int end);
+//! r -= alpha q; returns r . r.
+double advanceBlocks(float alpha, const Lanes *q, Lanes *r, int first, int end);
 
-//! Loads of the corners on their hubs: star * y with y = inverse * r; returns r . y.
-double loadHubs(const BlockSystem *systems, const HubLinks *hubs, const Lanes *r, float *loads, int first,
-                int end);
+//! Loads of the corners on their hubs: star * y with y = S^-1 r; returns r . y.
+double loadHubs(const BlockInverse *inverses, const CornerInts *places, const Lanes *r, float *loads,
+                int first, int end);
 
-//! p = z + beta p with z = inverse * (r + star * u), u the places of the hubs; p is not read when beta is 0.
-void pullCorners(const BlockSystem *systems, const HubLinks *hubs, const Lanes *r, const float *u,
-                 const Lanes *movable, float beta, Lanes *p, int first, int end);
+//! x += alpha p, p = z + beta p with z = S^-1 (r + star * u), u the places of the hubs; x and p are not read
+//! when beta is 0.
+void pullCorners(const BlockInverse *inverses, const CornerInts *hubs, const Lanes *r, const float *u,
+                 const Lanes *movable, float alpha, float beta, Lanes *x, Lanes *p, int first, int end);
 
-//! Fills the systems of blocks first to end and adds the springs and `ground` to the diagonals of the
-//! Hessians. \param pairs spring constant per corner pair, and a zero
-//! \param ground,movable coordinates in the layout of p, or null
-void prepareBlocks(const CornerLinks *links, const float *pairs, const Lanes *ground, const Lanes *movable,
-                   LaneMatrix *hessian, BlockSystem *systems, HubLinks *hubs, int first, int end);
+//! Fills the springs and the inverses of blocks first to end. \param pairs spring constant per corner pair,
+//! and a zero
+void prepareBlocks(const EdgeMatrix *hessian, const LinkInts *pairNumbers, const LinkKinds *kinds,
+                   const float *pairs, const Lanes *ground, const Lanes *movable, LinkSprings *springs,
+                   BlockInverse *inverses, int first, int end);
 
 } // namespace autocuts

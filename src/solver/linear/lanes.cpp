@@ -5,15 +5,15 @@
 namespace autocuts {
 
 AUTOCUTS_CLONES
-void invertLanes(const LaneMatrix &a, LaneMatrix &inverse)
+void invertLanes(const EdgeMatrix &a, EdgeMatrix &inverse)
 {
     constexpr float leastPivot = 1e-30f;
     // a = L D L^T with a unit diagonal of L, of which the inverse is W: a^-1 = W^T D^-1 W.
-    Lanes l[6][6], w[6][6];
-    Lanes r[6]; // 1 / D
+    Lanes l[4][4], w[4][4];
+    Lanes r[4]; // 1 / D
     int at = 0;
-    for (int i = 0; i < 6; ++i) {
-        Lanes scaled[6]; // row i of L D
+    for (int i = 0; i < 4; ++i) {
+        Lanes scaled[4]; // row i of L D
         for (int j = 0; j < i; ++j) {
             scaled[j] = a[at++];
             for (int k = 0; k < j; ++k)
@@ -26,26 +26,26 @@ void invertLanes(const LaneMatrix &a, LaneMatrix &inverse)
         }
         r[i] = 1 / (pivot > leastPivot ? pivot : Lanes{} + leastPivot);
     }
-    for (int j = 0; j < 6; ++j) {
-        for (int i = j + 1; i < 6; ++i) {
+    for (int j = 0; j < 4; ++j) {
+        for (int i = j + 1; i < 4; ++i) {
             w[i][j] = -l[i][j];
             for (int k = j + 1; k < i; ++k)
                 w[i][j] -= l[i][k] * w[k][j];
         }
     }
     at = 0;
-    for (int i = 0; i < 6; ++i) {
-        Lanes column[6]; // of D^-1 W
-        for (int k = i + 1; k < 6; ++k)
+    for (int i = 0; i < 4; ++i) {
+        Lanes column[4]; // of D^-1 W
+        for (int k = i + 1; k < 4; ++k)
             column[k] = r[k] * w[k][i];
         for (int j = 0; j < i; ++j) {
             Lanes sum = r[i] * w[i][j];
-            for (int k = i + 1; k < 6; ++k)
+            for (int k = i + 1; k < 4; ++k)
                 sum += column[k] * w[k][j];
             inverse[at++] = sum;
         }
         Lanes sum = r[i];
-        for (int k = i + 1; k < 6; ++k)
+        for (int k = i + 1; k < 4; ++k)
             sum += column[k] * w[k][i];
         inverse[at++] = sum;
     }

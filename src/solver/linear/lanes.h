@@ -34,27 +34,29 @@ struct LaneAllocator
 
 using LaneVector = std::vector<Lanes, LaneAllocator<Lanes>>;
 
-//! Lower triangles of eight symmetric 6 x 6 matrices, packed row by row.
-struct alignas(laneAlignment) LaneMatrix
+//! Eight symmetric 4 x 4 matrices over the edge vectors of as many triangles, in the order u1 - u0, u2 - u0,
+//! v1 - v0, v2 - v0. Lower triangles, packed row by row.
+struct alignas(laneAlignment) EdgeMatrix
 {
-    Lanes entry[21];
+    Lanes entry[10];
 
     Lanes &operator[](int i) { return entry[i]; }
     const Lanes &operator[](int i) const { return entry[i]; }
 };
 
 //! Inverses of eight positive definite matrices, as L D L^T. A pivot that is not positive counts as tiny.
-void invertLanes(const LaneMatrix &a, LaneMatrix &inverse);
+void invertLanes(const EdgeMatrix &a, EdgeMatrix &inverse);
 
-//! y = A x for eight matrices; x and y are six vectors.
-inline void multiplyLanes(const LaneMatrix &a, const Lanes *x, Lanes *y)
+//! y = E^T A E x for eight matrices, E the map from corners (u0 v0 u1 v1 u2 v2) to edge vectors.
+inline void multiplyEdges(const EdgeMatrix &a, const Lanes *x, Lanes *y)
 {
-    y[0] = a[0] * x[0] + a[1] * x[1] + a[3] * x[2] + a[6] * x[3] + a[10] * x[4] + a[15] * x[5];
-    y[1] = a[1] * x[0] + a[2] * x[1] + a[4] * x[2] + a[7] * x[3] + a[11] * x[4] + a[16] * x[5];
-    y[2] = a[3] * x[0] + a[4] * x[1] + a[5] * x[2] + a[8] * x[3] + a[12] * x[4] + a[17] * x[5];
-    y[3] = a[6] * x[0] + a[7] * x[1] + a[8] * x[2] + a[9] * x[3] + a[13] * x[4] + a[18] * x[5];
-    y[4] = a[10] * x[0] + a[11] * x[1] + a[12] * x[2] + a[13] * x[3] + a[14] * x[4] + a[19] * x[5];
-    y[5] = a[15] * x[0] + a[16] * x[1] + a[17] * x[2] + a[18] * x[3] + a[19] * x[4] + a[20] * x[5];
+    const Lanes e0 = x[2] - x[0], e1 = x[4] - x[0], e2 = x[3] - x[1], e3 = x[5] - x[1];
+    y[2] = a[0] * e0 + a[1] * e1 + a[3] * e2 + a[6] * e3;
+    y[4] = a[1] * e0 + a[2] * e1 + a[4] * e2 + a[7] * e3;
+    y[3] = a[3] * e0 + a[4] * e1 + a[5] * e2 + a[8] * e3;
+    y[5] = a[6] * e0 + a[7] * e1 + a[8] * e2 + a[9] * e3;
+    y[0] = -(y[2] + y[4]);
+    y[1] = -(y[3] + y[5]);
 }
 
 } // namespace autocuts
