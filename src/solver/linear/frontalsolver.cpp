@@ -51,7 +51,7 @@ void FrontalSolver::analyze(const Matrix &lower, Order order)
         throw std::invalid_argument("FrontalSolver: an ordered matrix of 2 x 2 blocks is needed");
     mStructure = FrontalStructure::build(lower);
     mLayout.clear();
-    std::size_t inverse = 0, coupling = 0, scale = 0, carry = 0;
+    std::size_t inverse = 0, coupling = 0;
     for (const FrontalStructure::Supernode &node : mStructure.supernodes) {
         Layout l;
         l.pivots = 2 * node.count;
@@ -62,20 +62,15 @@ void FrontalSolver::analyze(const Matrix &lower, Order order)
         inverse += static_cast<std::size_t>(l.pivots) * l.pivotStride;
         l.coupling = coupling;
         coupling += static_cast<std::size_t>(l.pivots) * l.stride / 2;
-        l.scale = scale;
-        scale += l.pivots;
-        l.carry = carry;
-        carry += l.stride;
         mLayout.push_back(l);
     }
     mInverse.resize(lanesFor(inverse));
     mCoupling.resize(coupling);
-    mScale.resize(scale);
     mPrefetch = inverse + coupling > prefetchFrom;
-    mCarry.resize(lanesFor(carry));
     mUpdate.assign(mStructure.supernodes.size(), {});
     mValues.assign(2 * static_cast<std::size_t>(mStructure.nodeCount), 0);
     makeTasks();
+    makeFronts();
 }
 
 void FrontalSolver::makeTasks()
@@ -132,6 +127,49 @@ void FrontalSolver::makeTasks()
     mScratch.resize(mTasks.size() + 1);
 }
 
+void FrontalSolver::makeFronts()
+{
+    const int count = static_cast<int>(mStructure.supernodes.size());
+    std::vector<int> placeInTop(mStructure.nodeCount, -1);
+    mTopNodes.clear();
+    for (const int n : mTop) {
+        const FrontalStructure::Supernode &s = mStructure.supernodes[n];
+        for (int i = s.first; i < s.first + s.count; ++i) {
+            placeInTop[i] = static_cast<int>(mTopNodes.size());
+            mTopNodes.push_back(i);
+        }
+    }
+    mOutside.assign(mStructure.rows.size(), -1);
+    mFronts.resize(count);
+    int longest = 0;
+    for (int n = 0; n < count; ++n) {
+        const FrontalStructure::Supernode &s = mStructure.supernodes[n];
+        const Layout &l = mLayout[n];
+        const bool inTop = placeInTop[s.first] >= 0;
+        int inside = 0;
+        while (inside < s.rowCount && (inTop || placeInTop[mStructure.rows[s.rowBegin + inside]] < 0))
+            ++inside;
+        for (int i = inside; i < s.rowCount; ++i)
+            mOutside[s.rowBegin + i] = placeInTop[mStructure.rows[s.rowBegin + i]];
+        mFronts[n] = {2 * s.first,
+                      l.pivots,
+                      l.pivotStride,
+                      l.stride,
+                      s.rowCount,
+                      inside,
+                      mStructure.rows.data() + s.rowBegin,
+                      mOutside.data() + s.rowBegin + inside,
+                      flat(mInverse) + l.inverse,
+                      mCoupling.data() + l.coupling};
+        longest = std::max(longest, l.stride);
+    }
+    mTopFronts.clear();
+    for (const int n : mTop)
+        mTopFronts.push_back(mFronts[n]);
+    for (Scratch &scratch : mScratch)
+        scratch.row.resize(lanesFor(longest));
+}
+
 bool FrontalSolver::factorize(const Matrix &lower)
 {
     mSmallest = smallestPivot * static_cast<float>(lower.diagonal().mean());
@@ -177,8 +215,7 @@ bool FrontalSolver::eliminate(const Matrix &lower, int node, Scratch &scratch)
     multiplyFront(inverse, l.pivotStride, flat(scratch.coupling), flat(scratch.solved), l.pivots, l.stride);
     reduceFront(flat(scratch.coupling), flat(scratch.solved), l.pivots, l.rows, l.stride, flat(mUpdate[node]),
                 l.stride);
-    packFront(flat(scratch.solved), l.pivots, l.stride, mCoupling.data() + l.coupling,
-              mScale.data() + l.scale);
+    packFront(flat(scratch.solved), l.pivots, l.stride, mCoupling.data() + l.coupling);
     return true;
 }
 
@@ -241,62 +278,6 @@ void FrontalSolver::addChild(int child, int node, Scratch &scratch)
     }
 }
 
-void FrontalSolver::forward(int node)
-{
-    const Layout &l = mLayout[node];
-    const FrontalStructure::Supernode &s = mStructure.supernodes[node];
-    float *own = mValues.data() + 2 * static_cast<std::size_t>(s.first);
-    float *carry = flat(mCarry) + l.carry;
-    std::fill(carry, carry + l.stride, 0.0f);
-    for (int c = mStructure.childBegin[node]; c < mStructure.childBegin[node + 1]; ++c) {
-        const int child = mStructure.children[c];
-        const FrontalStructure::Supernode &source = mStructure.supernodes[child];
-        const float *from = flat(mCarry) + mLayout[child].carry;
-        const int *places = mStructure.places.data() + source.rowBegin;
-        for (int i = 0; i < source.rowCount; ++i) {
-            float *to = places[i] < s.count ? own + 2 * places[i] : carry + 2 * (places[i] - s.count);
-            to[0] += from[2 * i];
-            to[1] += from[2 * i + 1];
-        }
-    }
-    subtractTransposed(mCoupling.data() + l.coupling, mScale.data() + l.scale, l.pivots, l.stride, own,
-                       carry);
-}
-
-//! Fetches the factor of a supernode: going back, the processor does not see by itself what comes next.
-void FrontalSolver::prefetch(int node) const
-{
-    constexpr std::size_t cacheLine = 64;
-    const auto fetch = [](const auto *begin, std::size_t count) {
-        const char *bytes = reinterpret_cast<const char *>(begin);
-        for (std::size_t i = 0; i < count * sizeof(*begin); i += cacheLine)
-            __builtin_prefetch(bytes + i);
-    };
-    const Layout &l = mLayout[node];
-    fetch(flat(mInverse) + l.inverse, static_cast<std::size_t>(l.pivots) * l.pivotStride);
-    fetch(mCoupling.data() + l.coupling, static_cast<std::size_t>(l.pivots) * l.stride / 2);
-}
-
-void FrontalSolver::backward(int node, Scratch &scratch)
-{
-    if (mPrefetch && node >= prefetchDistance)
-        prefetch(node - prefetchDistance);
-    const Layout &l = mLayout[node];
-    const FrontalStructure::Supernode &s = mStructure.supernodes[node];
-    float *own = mValues.data() + 2 * static_cast<std::size_t>(s.first);
-    scratch.pivots.assign(lanesFor(l.pivotStride), Lanes{});
-    scratch.rows.assign(lanesFor(l.stride), Lanes{});
-    std::copy(own, own + l.pivots, flat(scratch.pivots));
-    float *rows = flat(scratch.rows);
-    const int *numbers = mStructure.rows.data() + s.rowBegin;
-    for (int i = 0; i < s.rowCount; ++i) {
-        rows[2 * i] = mValues[2 * static_cast<std::size_t>(numbers[i])];
-        rows[2 * i + 1] = mValues[2 * static_cast<std::size_t>(numbers[i]) + 1];
-    }
-    solvePivots(flat(mInverse) + l.inverse, l.pivotStride, mCoupling.data() + l.coupling,
-                mScale.data() + l.scale, l.stride, l.pivots, flat(scratch.pivots), rows, own);
-}
-
 void FrontalSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
 {
     for (int n = 0; n < mStructure.nodeCount; ++n) {
@@ -304,18 +285,27 @@ void FrontalSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
         to[0] = static_cast<float>(b[2 * n]);
         to[1] = static_cast<float>(b[2 * n + 1]);
     }
-    const int tasks = static_cast<int>(mTasks.size());
+    const int tasks = static_cast<int>(mTasks.size()), top = static_cast<int>(mTopFronts.size());
+    const int ahead = mPrefetch ? prefetchDistance : 0;
     mTeam.run(tasks, [&](int i) {
-        for (int n = mTasks[i].begin; n < mTasks[i].end; ++n)
-            forward(n);
+        Scratch &own = mScratch[i];
+        own.outside.assign(lanesFor(2 * mTopNodes.size()), Lanes{});
+        solveForward(mFronts.data(), mTasks[i].begin, mTasks[i].end, mValues.data(), flat(own.outside),
+                     flat(own.row));
     });
-    for (const int n : mTop)
-        forward(n);
-    for (auto n = mTop.rbegin(); n != mTop.rend(); ++n)
-        backward(*n, mScratch.back());
+    for (int i = 0; i < tasks; ++i) {
+        const float *outside = flat(mScratch[i].outside);
+        for (const int n : mTopNodes) {
+            mValues[2 * static_cast<std::size_t>(n)] += *outside++;
+            mValues[2 * static_cast<std::size_t>(n) + 1] += *outside++;
+        }
+    }
+    float *row = flat(mScratch.back().row);
+    solveForward(mTopFronts.data(), 0, top, mValues.data(), nullptr, row);
+    solveBackward(mTopFronts.data(), 0, top, ahead, mValues.data(), row);
     mTeam.run(tasks, [&](int i) {
-        for (int n = mTasks[i].end - 1; n >= mTasks[i].begin; --n)
-            backward(n, mScratch[i]);
+        solveBackward(mFronts.data(), mTasks[i].begin, mTasks[i].end, ahead, mValues.data(),
+                      flat(mScratch[i].row));
     });
     x.resize(b.size());
     for (int n = 0; n < mStructure.nodeCount; ++n) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/linear/frontalstructure.h"
+#include "solver/linear/frontkernels.h"
 #include "solver/linear/lanes.h"
 #include "solver/linear/linearsolver.h"
 #include "solver/parallel.h"
@@ -38,8 +39,6 @@ private:
         int rows = 0, stride = 0;
         std::size_t inverse = 0;  //!< in mInverse: of the pivots, W
         std::size_t coupling = 0; //!< in mCoupling: T = W B, packed
-        std::size_t scale = 0;    //!< in mScale: of the rows of T
-        std::size_t carry = 0;    //!< in mCarry: what solving passes on to the parent
     };
     //! A run of supernodes that makes up one or some whole subtrees, worked on by one thread.
     struct Task
@@ -51,17 +50,16 @@ private:
     {
         Floats coupling, solved;   //!< B of a front, and T = W B
         std::vector<Floats> spare; //!< memory of update matrices that have been taken
-        Floats pivots, rows;       //!< a part of the right-hand side
+        Floats row;                //!< as long as the longest row of T
+        Floats outside;            //!< what solving passes on to the nodes of mTop
         std::vector<std::array<int, 3>> runs;
     };
 
     void makeTasks();
+    void makeFronts();
     bool eliminate(const Matrix &lower, int node, Scratch &scratch);
     void addEntries(const Matrix &lower, int node, float *coupling);
     void addChild(int child, int node, Scratch &scratch);
-    void forward(int node);
-    void prefetch(int node) const;
-    void backward(int node, Scratch &scratch);
 
     static float *flat(Floats &v) { return reinterpret_cast<float *>(v.data()); }
     static const float *flat(const Floats &v) { return reinterpret_cast<const float *>(v.data()); }
@@ -73,9 +71,12 @@ private:
     std::vector<Task> mTasks;
     std::vector<int> mTop;       //!< supernodes above all tasks, ascending
     std::vector<Floats> mUpdate; //!< per supernode, its update matrix until its parent takes it
-    Floats mInverse, mCarry;
+    Floats mInverse;
     std::vector<Packed, LaneAllocator<Packed>> mCoupling;
-    std::vector<float> mScale;
+    std::vector<PackedFront> mFronts; //!< per supernode
+    std::vector<PackedFront> mTopFronts;
+    std::vector<int> mTopNodes; //!< eliminated by mTop
+    std::vector<int> mOutside;  //!< places in mTopNodes of rows outside the own task
     std::vector<float> mValues; //!< right-hand side, then solution, in the new numbers
     float mSmallest = 0;
     bool mPrefetch = false; //!< the factor is larger than near caches

@@ -1,5 +1,7 @@
 #include "solver/linear/frontalstructure.h"
 
+#include "solver/linear/frontkernels.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -8,7 +10,7 @@ namespace autocuts {
 namespace {
 
 //! Most nodes that a supernode eliminates, and as many as are always worth merging.
-constexpr int mostNodes = 16;
+constexpr int mostNodes = largestFront / 2;
 constexpr int fewNodes = 4;
 //! Share of zeros in a front that merging supernodes may bring in.
 constexpr double zerosAllowed = 0.25;

@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace autocuts {
 
 namespace {
-
-//! What the largest entry of a packed row becomes.
-constexpr float packedLimit = 32767;
 
 using Lanes = float __attribute__((vector_size(frontLanes * sizeof(float)), may_alias));
 
@@ -26,12 +24,12 @@ inline const Lanes *lanes(const float *p)
 
 using WholeLanes = std::int32_t __attribute__((vector_size(frontLanes * sizeof(std::int32_t)), may_alias));
 
-//! Sixteen entries of a packed row, 2^16 times too large: taking halves of words is quicker than widening.
+//! Sixteen entries of a packed row.
 inline void unpack(const std::int32_t *p, Lanes &first, Lanes &second)
 {
     const WholeLanes both = *reinterpret_cast<const WholeLanes *>(p);
-    first = __builtin_convertvector(both << 16, Lanes);
-    second = __builtin_convertvector(both & -65536, Lanes);
+    first = reinterpret_cast<Lanes>(both << 16);
+    second = reinterpret_cast<Lanes>(both & -65536);
 }
 
 inline float sumOf(const Lanes &v)
@@ -181,41 +179,36 @@ void reduceFront(const float *b, const float *t, int p, int r, int stride, float
 }
 
 AUTOCUTS_CLONES
-void packFront(const float *t, int p, int stride, std::int32_t *packed, float *scale)
+void packFront(const float *t, int p, int stride, std::int32_t *packed)
 {
-    const auto whole = [](float value) {
-        return static_cast<std::int32_t>(value + (value < 0 ? -0.5f : 0.5f));
+    const auto bits = [](float value) {
+        std::uint32_t result;
+        std::memcpy(&result, &value, sizeof result);
+        return result;
     };
-    for (int k = 0; k < p; ++k, t += stride) {
-        float largest = 0;
-        for (int j = 0; j < stride; ++j)
-            largest = std::max(largest, std::abs(t[j]));
-        scale[k] = largest / packedLimit / 65536;
-        const float inverse = largest > 0 ? packedLimit / largest : 0.0f;
-        for (int j = 0; j < stride; j += packedLanes) {
-            for (int i = j; i < j + frontLanes; ++i)
-                *packed++ = (whole(t[i] * inverse) & 65535) | whole(t[i + frontLanes] * inverse) * 65536;
+    for (std::ptrdiff_t j = 0; j < static_cast<std::ptrdiff_t>(p) * stride; j += packedLanes) {
+        for (std::ptrdiff_t i = j; i < j + frontLanes; ++i) {
+            const std::uint32_t first = (bits(t[i]) + 0x8000) >> 16;
+            const std::uint32_t second = (bits(t[i + frontLanes]) + 0x8000) & 0xffff0000;
+            *packed++ = static_cast<std::int32_t>(second | first);
         }
     }
 }
 
 namespace {
 
-//! subtractTransposed() for 16 `Vectors` entries of y and the columns of t that belong to them.
+//! 16 `Vectors` entries of t^T x, for as many columns of t.
 template <int Vectors>
-inline void subtractColumns(const std::int32_t *t, const float *scale, int p, int words, const float *x,
-                            float *y)
+inline void transposedColumns(const std::int32_t *t, int p, int words, const float *x, float *y)
 {
-    Lanes sum[2 * Vectors];
-    for (int i = 0; i < 2 * Vectors; ++i)
-        sum[i] = lanes(y)[i];
+    Lanes sum[2 * Vectors]{};
     for (int k = 0; k < p; ++k, t += words) {
-        const float factor = x[k] * scale[k];
+        const float factor = x[k];
         for (int i = 0; i < Vectors; ++i) {
             Lanes first, second;
             unpack(t + i * frontLanes, first, second);
-            sum[2 * i] -= factor * first;
-            sum[2 * i + 1] -= factor * second;
+            sum[2 * i] += factor * first;
+            sum[2 * i + 1] += factor * second;
         }
     }
     for (int i = 0; i < 2 * Vectors; ++i)
@@ -224,8 +217,8 @@ inline void subtractColumns(const std::int32_t *t, const float *scale, int p, in
 
 //! Scalar products of `Rows` neighbouring rows, w x - t z, not yet added up over the lanes.
 template <int Rows>
-inline void multiplyRows(const float *w, int wStride, const std::int32_t *t, const float *scale, int words,
-                         const float *x, const float *z, Lanes *sum)
+inline void multiplyRows(const float *w, int wStride, const std::int32_t *t, int words, const float *x,
+                         const float *z, Lanes *sum)
 {
     for (int i = 0; i < Rows; ++i)
         sum[i] = Lanes{};
@@ -238,46 +231,95 @@ inline void multiplyRows(const float *w, int wStride, const std::int32_t *t, con
             sum[i] -= second * secondRight;
         }
     }
-    for (int i = 0; i < Rows; ++i)
-        sum[i] *= scale[i];
     for (int j = 0; j < wStride; j += frontLanes) {
         for (int i = 0; i < Rows; ++i)
             sum[i] += *lanes(w + static_cast<std::ptrdiff_t>(i) * wStride + j) * *lanes(x + j);
     }
 }
 
+//! Both scalars of a node, moved as one.
+inline void copyNode(const float *from, float *to)
+{
+    std::memcpy(to, from, 2 * sizeof(float));
+}
+
+inline void subtractNode(const float *from, float *to)
+{
+    using Node = float __attribute__((vector_size(2 * sizeof(float))));
+    Node less, all;
+    std::memcpy(&less, from, sizeof less);
+    std::memcpy(&all, to, sizeof all);
+    all -= less;
+    std::memcpy(to, &all, sizeof all);
+}
+
+template <class T>
+inline void fetch(const T *begin, std::ptrdiff_t count)
+{
+    constexpr std::ptrdiff_t cacheLine = 64 / sizeof(T);
+    for (std::ptrdiff_t i = 0; i < count; i += cacheLine)
+        __builtin_prefetch(begin + i);
+}
+
 } // namespace
 
 AUTOCUTS_CLONES
-void subtractTransposed(const std::int32_t *t, const float *scale, int p, int stride, const float *x,
-                        float *y)
+void solveForward(const PackedFront *fronts, int first, int end, float *x, float *outside, float *scratch)
 {
-    const int words = stride / 2;
-    int j = 0;
-    for (; j + 3 * frontLanes <= words; j += 3 * frontLanes)
-        subtractColumns<3>(t + j, scale, p, words, x, y + 2 * j);
-    if (words - j == 2 * frontLanes)
-        subtractColumns<2>(t + j, scale, p, words, x, y + 2 * j);
-    else if (words - j == frontLanes)
-        subtractColumns<1>(t + j, scale, p, words, x, y + 2 * j);
+    for (int n = first; n < end; ++n) {
+        const PackedFront &f = fronts[n];
+        const float *own = x + f.first;
+        const int words = f.stride / 2;
+        int j = 0;
+        for (; j + 3 * frontLanes <= words; j += 3 * frontLanes)
+            transposedColumns<3>(f.coupling + j, f.pivots, words, own, scratch + 2 * j);
+        if (words - j == 2 * frontLanes)
+            transposedColumns<2>(f.coupling + j, f.pivots, words, own, scratch + 2 * j);
+        else if (words - j == frontLanes)
+            transposedColumns<1>(f.coupling + j, f.pivots, words, own, scratch + 2 * j);
+        for (int i = 0; i < f.inside; ++i)
+            subtractNode(scratch + 2 * i, x + 2 * static_cast<std::ptrdiff_t>(f.numbers[i]));
+        for (int i = f.inside; i < f.rows; ++i)
+            subtractNode(scratch + 2 * i, outside + 2 * static_cast<std::ptrdiff_t>(f.outside[i - f.inside]));
+    }
 }
 
 AUTOCUTS_CLONES
-void solvePivots(const float *w, int wStride, const std::int32_t *t, const float *scale, int stride, int p,
-                 const float *x, const float *z, float *y)
+void solveBackward(const PackedFront *fronts, int first, int end, int prefetchAhead, float *x, float *scratch)
 {
-    const int words = stride / 2;
-    Lanes sum[4];
-    int k = 0;
-    for (; k + 4 <= p; k += 4) {
-        multiplyRows<4>(w + static_cast<std::ptrdiff_t>(k) * wStride, wStride,
-                        t + static_cast<std::ptrdiff_t>(k) * words, scale + k, words, x, z, sum);
-        sumsOf(sum[0], sum[1], sum[2], sum[3], y + k);
-    }
-    for (; k < p; ++k) {
-        multiplyRows<1>(w + static_cast<std::ptrdiff_t>(k) * wStride, wStride,
-                        t + static_cast<std::ptrdiff_t>(k) * words, scale + k, words, x, z, sum);
-        y[k] = sumOf(sum[0]);
+    alignas(Lanes) float own[largestFront] = {}, solved[largestFront];
+    for (int n = end - 1; n >= first; --n) {
+        if (prefetchAhead > 0 && n >= prefetchAhead) {
+            // Going back, the processor does not see by itself what comes next.
+            const PackedFront &next = fronts[n - prefetchAhead];
+            fetch(next.inverse, static_cast<std::ptrdiff_t>(next.pivots) * next.pivotStride);
+            fetch(next.coupling, static_cast<std::ptrdiff_t>(next.pivots) * next.stride / 2);
+        }
+        const PackedFront &f = fronts[n];
+        const int words = f.stride / 2;
+        // Behind the last row there are zeros in t, which must not meet what is no number.
+        if (words > 0)
+            lanes(scratch + f.stride)[-2] = lanes(scratch + f.stride)[-1] = Lanes{};
+        for (int i = 0; i < f.rows; ++i)
+            copyNode(x + 2 * static_cast<std::ptrdiff_t>(f.numbers[i]), scratch + 2 * i);
+        lanes(own + f.pivotStride)[-1] = Lanes{};
+        for (int i = 0; i < f.pivots; i += 2)
+            copyNode(x + f.first + i, own + i);
+        Lanes sum[4];
+        int k = 0;
+        for (; k + 4 <= f.pivots; k += 4) {
+            multiplyRows<4>(f.inverse + static_cast<std::ptrdiff_t>(k) * f.pivotStride, f.pivotStride,
+                            f.coupling + static_cast<std::ptrdiff_t>(k) * words, words, own, scratch, sum);
+            sumsOf(sum[0], sum[1], sum[2], sum[3], solved + k);
+        }
+        if (k < f.pivots) {
+            multiplyRows<2>(f.inverse + static_cast<std::ptrdiff_t>(k) * f.pivotStride, f.pivotStride,
+                            f.coupling + static_cast<std::ptrdiff_t>(k) * words, words, own, scratch, sum);
+            solved[k] = sumOf(sum[0]);
+            solved[k + 1] = sumOf(sum[1]);
+        }
+        for (int i = 0; i < f.pivots; i += 2)
+            copyNode(solved + i, x + f.first + i);
     }
 }
 

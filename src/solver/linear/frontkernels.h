@@ -28,16 +28,34 @@ void reduceFront(const float *b, const float *t, int p, int r, int stride, float
 //! Entries of a packed row come in groups of this many; so the rows of t have a stride that is a multiple.
 constexpr int packedLanes = 2 * frontLanes;
 
-//! Halves the memory of t, p rows of `stride` floats: row k is 2^16 scale[k] times whole numbers of 16 bits,
-//! two in a word.
-void packFront(const float *t, int p, int stride, std::int32_t *packed, float *scale);
+//! Halves the memory of t, p rows of `stride` floats: two entries share a word, each with seven bits behind
+//! the point (1 / 256 of itself is the largest error).
+void packFront(const float *t, int p, int stride, std::int32_t *packed);
 
-//! y -= t^T x with a packed t of p rows; y is as long as a row.
-void subtractTransposed(const std::int32_t *t, const float *scale, int p, int stride, const float *x,
-                        float *y);
+//! Most scalars that a supernode eliminates.
+constexpr int largestFront = 32;
 
-//! y = w x - t z: w is p x p, t packed with p rows; x and z are as long as rows, zero behind their end.
-void solvePivots(const float *w, int wStride, const std::int32_t *t, const float *scale, int stride, int p,
-                 const float *x, const float *z, float *y);
+//! What solving needs of a supernode that eliminates `pivots` scalars: W, the inverse of their block, and
+//! T = W B, packed.
+struct PackedFront
+{
+    int first = 0; //!< of its scalars in the vector of unknowns
+    int pivots = 0, pivotStride = 0, stride = 0;
+    int rows = 0;                 //!< nodes (two scalars each) that T couples to
+    int inside = 0;               //!< as many of them, the first, lie in the vector of unknowns
+    const int *numbers = nullptr; //!< where the nodes lie there
+    const int *outside = nullptr; //!< where those behind the first `inside` lie in the other vector
+    const float *inverse = nullptr;
+    const std::int32_t *coupling = nullptr;
+};
+
+//! For fronts first to end in this order: the rows' unknowns, in x or in `outside`, minus T^T times the own.
+//! \param scratch memory for the longest row
+void solveForward(const PackedFront *fronts, int first, int end, float *x, float *outside, float *scratch);
+
+//! For fronts end - 1 down to first: own unknowns = W times themselves - T times the rows' unknowns.
+//! \param prefetchAhead how many fronts ahead the factor is fetched; none: 0
+void solveBackward(const PackedFront *fronts, int first, int end, int prefetchAhead, float *x,
+                   float *scratch);
 
 } // namespace autocuts
