@@ -58,6 +58,7 @@ void FrontalSolver::analyze(const Matrix &lower, Order order)
         l.pivotStride = paddedRow(l.pivots);
         l.rows = 2 * node.rowCount;
         l.stride = (l.rows + packedLanes - 1) / packedLanes * packedLanes;
+        l.updateStride = paddedRow(l.rows);
         l.inverse = inverse;
         inverse += static_cast<std::size_t>(l.pivots) * l.pivotStride;
         l.coupling = coupling;
@@ -199,12 +200,13 @@ bool FrontalSolver::eliminate(const Matrix &lower, int node, Scratch &scratch)
         mUpdate[node] = std::move(scratch.spare.back());
         scratch.spare.pop_back();
     }
-    mUpdate[node].assign(lanesFor(static_cast<std::size_t>(l.rows) * l.stride), Lanes{});
+    Floats &update = mUpdate[node];
+    update.resize(std::max(update.size(), lanesFor(static_cast<std::size_t>(l.rows) * l.updateStride)));
     addEntries(lower, node, flat(scratch.coupling));
-    for (int c = mStructure.childBegin[node]; c < mStructure.childBegin[node + 1]; ++c) {
-        addChild(mStructure.children[c], node, scratch);
-        scratch.spare.push_back(std::move(mUpdate[mStructure.children[c]]));
-    }
+    const int *begin = mStructure.children.data() + mStructure.childBegin[node];
+    const int *end = mStructure.children.data() + mStructure.childBegin[node + 1];
+    for (const int *child = begin; child != end; ++child)
+        addPivotRows(*child, node, flat(scratch.coupling));
     for (int i = 1; i < l.pivots; ++i) {
         for (int j = 0; j < i; ++j)
             inverse[i * l.pivotStride + j] = inverse[j * l.pivotStride + i];
@@ -213,8 +215,12 @@ bool FrontalSolver::eliminate(const Matrix &lower, int node, Scratch &scratch)
         return false;
     scratch.solved.resize(scratch.coupling.size());
     multiplyFront(inverse, l.pivotStride, flat(scratch.coupling), flat(scratch.solved), l.pivots, l.stride);
-    reduceFront(flat(scratch.coupling), flat(scratch.solved), l.pivots, l.rows, l.stride, flat(mUpdate[node]),
-                l.stride);
+    reduceFront(flat(scratch.coupling), flat(scratch.solved), l.pivots, l.rows, l.stride, flat(update),
+                l.updateStride);
+    for (const int *child = begin; child != end; ++child) {
+        addOtherRows(*child, node);
+        scratch.spare.push_back(std::move(mUpdate[*child]));
+    }
     packFront(flat(scratch.solved), l.pivots, l.stride, mCoupling.data() + l.coupling);
     return true;
 }
@@ -242,40 +248,31 @@ void FrontalSolver::addEntries(const Matrix &lower, int node, float *coupling)
     }
 }
 
-//! Adds the upper triangle of a child's update matrix to the front.
-void FrontalSolver::addChild(int child, int node, Scratch &scratch)
+//! Adds those rows of a child's update matrix that the node eliminates.
+void FrontalSolver::addPivotRows(int child, int node, float *coupling)
 {
     const Layout &from = mLayout[child], &to = mLayout[node];
-    const FrontalStructure::Supernode &source = mStructure.supernodes[child];
-    const int *places = mStructure.places.data() + source.rowBegin;
-    const int pivotNodes = to.pivots / 2;
-    // Runs of neighbouring places: first row of the child, end, place of the first; in scalars.
-    scratch.runs.clear();
-    for (int i = 0; i < source.rowCount;) {
-        int end = i + 1;
-        while (end < source.rowCount && places[end] == places[end - 1] + 1 && places[end] != pivotNodes)
-            ++end;
-        scratch.runs.push_back({2 * i, 2 * end, 2 * places[i]});
-        i = end;
-    }
-    const float *update = flat(mUpdate[child]);
-    float *inverse = flat(mInverse) + to.inverse;
-    float *coupling = flat(scratch.coupling), *own = flat(mUpdate[node]);
-    for (std::size_t r = 0; r < scratch.runs.size(); ++r) {
-        for (int i = scratch.runs[r][0]; i < scratch.runs[r][1]; ++i) {
-            const int row = scratch.runs[r][2] + i - scratch.runs[r][0];
-            const float *line = update + static_cast<std::ptrdiff_t>(i) * from.stride;
-            float *inPivots = row < to.pivots ? inverse + row * to.pivotStride : nullptr;
-            float *inRows = row < to.pivots ? coupling + row * to.stride
-                                            : own + static_cast<std::ptrdiff_t>(row - to.pivots) * to.stride;
-            for (std::size_t q = r; q < scratch.runs.size(); ++q) {
-                const auto [begin, end, place] = scratch.runs[q];
-                float *target = place < to.pivots ? inPivots + place : inRows + (place - to.pivots);
-                for (int j = std::max(begin, i); j < end; ++j)
-                    target[j - begin] += line[j];
-            }
-        }
-    }
+    const FrontRun *runs = mStructure.runs.data() + mStructure.runBegin[child];
+    const int count = mStructure.runBegin[child + 1] - mStructure.runBegin[child];
+    int end = 0;
+    while (end < count && runs[end].place < to.pivots)
+        ++end;
+    addUpdate(flat(mUpdate[child]), from.updateStride, runs, 0, end, count, to.pivots,
+              flat(mInverse) + to.inverse, to.pivotStride, coupling, to.stride);
+}
+
+//! Adds the others, which go on to the node's own update matrix.
+void FrontalSolver::addOtherRows(int child, int node)
+{
+    const Layout &from = mLayout[child], &to = mLayout[node];
+    const FrontRun *runs = mStructure.runs.data() + mStructure.runBegin[child];
+    const int count = mStructure.runBegin[child + 1] - mStructure.runBegin[child];
+    int first = 0;
+    while (first < count && runs[first].place < to.pivots)
+        ++first;
+    float *own = flat(mUpdate[node]) - static_cast<std::ptrdiff_t>(to.pivots) * to.updateStride;
+    addUpdate(flat(mUpdate[child]), from.updateStride, runs, first, count, count, to.pivots, nullptr, 0, own,
+              to.updateStride);
 }
 
 void FrontalSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)

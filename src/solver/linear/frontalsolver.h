@@ -7,7 +7,6 @@
 #include "solver/linear/linearsolver.h"
 #include "solver/parallel.h"
 
-#include <array>
 #include <vector>
 
 namespace autocuts {
@@ -36,7 +35,8 @@ private:
     struct Layout
     {
         int pivots = 0, pivotStride = 0; //!< scalars; padded
-        int rows = 0, stride = 0;
+        int rows = 0, stride = 0;        //!< scalars; padded as rows of T
+        int updateStride = 0;
         std::size_t inverse = 0;  //!< in mInverse: of the pivots, W
         std::size_t coupling = 0; //!< in mCoupling: T = W B, packed
     };
@@ -52,14 +52,14 @@ private:
         std::vector<Floats> spare; //!< memory of update matrices that have been taken
         Floats row;                //!< as long as the longest row of T
         Floats outside;            //!< what solving passes on to the nodes of mTop
-        std::vector<std::array<int, 3>> runs;
     };
 
     void makeTasks();
     void makeFronts();
     bool eliminate(const Matrix &lower, int node, Scratch &scratch);
     void addEntries(const Matrix &lower, int node, float *coupling);
-    void addChild(int child, int node, Scratch &scratch);
+    void addPivotRows(int child, int node, float *coupling);
+    void addOtherRows(int child, int node);
 
     static float *flat(Floats &v) { return reinterpret_cast<float *>(v.data()); }
     static const float *flat(const Floats &v) { return reinterpret_cast<const float *>(v.data()); }

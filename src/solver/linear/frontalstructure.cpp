@@ -1,7 +1,5 @@
 #include "solver/linear/frontalstructure.h"
 
-#include "solver/linear/frontkernels.h"
-
 #include <algorithm>
 #include <numeric>
 
@@ -254,25 +252,29 @@ void makeSupernodes(const GroupTree &tree, FrontalStructure &s)
 
 void placeChildren(FrontalStructure &s)
 {
-    s.places.resize(s.rows.size());
     s.childBegin.assign(s.supernodes.size() + 1, 0);
+    s.runBegin.assign(1, 0);
     for (const auto &node : s.supernodes) {
-        if (node.parent < 0)
-            continue;
-        ++s.childBegin[node.parent + 1];
-        const FrontalStructure::Supernode &parent = s.supernodes[node.parent];
-        // Both lists ascend: one pass.
-        int at = parent.rowBegin;
-        for (int i = node.rowBegin; i < node.rowBegin + node.rowCount; ++i) {
-            const int number = s.rows[i];
-            if (number < parent.first + parent.count) {
-                s.places[i] = number - parent.first;
-                continue;
+        if (node.parent >= 0) {
+            ++s.childBegin[node.parent + 1];
+            const FrontalStructure::Supernode &parent = s.supernodes[node.parent];
+            // Both lists ascend: one pass.
+            int at = parent.rowBegin, next = -1; // place that would continue the run
+            for (int i = 0; i < node.rowCount; ++i) {
+                const int number = s.rows[node.rowBegin + i];
+                int place = number - parent.first;
+                if (place >= parent.count) {
+                    while (s.rows[at] != number)
+                        ++at;
+                    place = parent.count + at - parent.rowBegin;
+                }
+                if (place != next || place == parent.count)
+                    s.runs.push_back({2 * i, 2 * i, 2 * place});
+                s.runs.back().end = 2 * i + 2;
+                next = place + 1;
             }
-            while (s.rows[at] != number)
-                ++at;
-            s.places[i] = parent.count + at - parent.rowBegin;
         }
+        s.runBegin.push_back(static_cast<int>(s.runs.size()));
     }
     std::partial_sum(s.childBegin.begin(), s.childBegin.end(), s.childBegin.begin());
     s.children.resize(s.childBegin.back());

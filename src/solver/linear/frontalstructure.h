@@ -2,6 +2,7 @@
 // together.
 #pragma once
 
+#include "solver/linear/frontkernels.h"
 #include "solver/linear/linearsolver.h"
 
 #include <vector>
@@ -30,7 +31,8 @@ struct FrontalStructure
     std::vector<int> newNumber;            //!< per node
     std::vector<Supernode> supernodes;     //!< children first
     std::vector<int> rows;                 //!< nodes, ascending in the new numbers
-    std::vector<int> places;               //!< where each of these is in the parent's front, in nodes
+    std::vector<int> runBegin;             //!< per supernode, and the end
+    std::vector<FrontRun> runs;            //!< of its rows in the parent's front
     std::vector<int> childBegin, children; //!< per supernode, ascending
     std::vector<int> entryBegin;           //!< per supernode
     std::vector<Entry> entries;

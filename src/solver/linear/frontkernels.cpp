@@ -52,33 +52,59 @@ inline void sumsOf(const Lanes &a, const Lanes &b, const Lanes &c, const Lanes &
 
 } // namespace
 
-AUTOCUTS_CLONES
-bool invertFront(float *a, int n, int stride, float smallest)
+namespace {
+
+using LaneNumbers = std::int32_t __attribute__((vector_size(frontLanes * sizeof(std::int32_t))));
+
+//! invertFront() for rows of `Width` vectors.
+template <int Width>
+inline bool invertRows(float *a, int n, int stride, float smallest)
 {
+    constexpr LaneNumbers number{0, 1, 2, 3, 4, 5, 6, 7};
     // Gauss-Jordan without a choice of pivots, which positive definite matrices do not need.
-    const int width = paddedRow(n) / frontLanes;
     for (int k = 0; k < n; ++k) {
         float *row = a + static_cast<std::ptrdiff_t>(k) * stride;
         const float pivot = row[k];
         if (!(pivot > smallest))
             return false;
         const float inverse = 1 / pivot;
-        row[k] = 1;
-        Lanes *scaled = lanes(row);
-        for (int j = 0; j < width; ++j)
-            scaled[j] *= inverse;
+        // Column k: the pivot becomes its inverse, the others start at zero. By masks: a float written alone
+        // and read at once as a part of a vector makes the processor wait.
+        LaneNumbers own[Width];
+        Lanes scaled[Width];
+        for (int j = 0; j < Width; ++j) {
+            own[j] = number == k - j * frontLanes;
+            scaled[j] = inverse * (own[j] ? Lanes{} + 1 : lanes(row)[j]);
+        }
         for (int i = 0; i < n; ++i) {
             if (i == k)
                 continue;
             float *other = a + static_cast<std::ptrdiff_t>(i) * stride;
             const float factor = other[k];
-            other[k] = 0;
-            Lanes *target = lanes(other);
-            for (int j = 0; j < width; ++j)
-                target[j] -= factor * scaled[j];
+            for (int j = 0; j < Width; ++j)
+                lanes(other)[j] = (own[j] ? Lanes{} : lanes(other)[j]) - factor * scaled[j];
         }
+        for (int j = 0; j < Width; ++j)
+            lanes(row)[j] = scaled[j];
     }
     return true;
+}
+
+} // namespace
+
+AUTOCUTS_CLONES
+bool invertFront(float *a, int n, int stride, float smallest)
+{
+    switch (paddedRow(n) / frontLanes) {
+    case 1:
+        return invertRows<1>(a, n, stride, smallest);
+    case 2:
+        return invertRows<2>(a, n, stride, smallest);
+    case 3:
+        return invertRows<3>(a, n, stride, smallest);
+    default:
+        return invertRows<4>(a, n, stride, smallest);
+    }
 }
 
 AUTOCUTS_CLONES
@@ -141,14 +167,14 @@ void reduceFront(const float *b, const float *t, int p, int r, int stride, float
                 s31 += factor[3] * t1;
             }
             const std::ptrdiff_t step = cStride;
-            lanes(out)[j] -= s00;
-            lanes(out)[j + 1] -= s01;
-            lanes(out + step)[j] -= s10;
-            lanes(out + step)[j + 1] -= s11;
-            lanes(out + 2 * step)[j] -= s20;
-            lanes(out + 2 * step)[j + 1] -= s21;
-            lanes(out + 3 * step)[j] -= s30;
-            lanes(out + 3 * step)[j + 1] -= s31;
+            lanes(out)[j] = -s00;
+            lanes(out)[j + 1] = -s01;
+            lanes(out + step)[j] = -s10;
+            lanes(out + step)[j + 1] = -s11;
+            lanes(out + 2 * step)[j] = -s20;
+            lanes(out + 2 * step)[j + 1] = -s21;
+            lanes(out + 3 * step)[j] = -s30;
+            lanes(out + 3 * step)[j + 1] = -s31;
         }
         for (; j < width; ++j) {
             Lanes s0{}, s1{}, s2{}, s3{};
@@ -161,10 +187,10 @@ void reduceFront(const float *b, const float *t, int p, int r, int stride, float
                 s3 += factor[3] * row;
             }
             const std::ptrdiff_t step = cStride;
-            lanes(out)[j] -= s0;
-            lanes(out + step)[j] -= s1;
-            lanes(out + 2 * step)[j] -= s2;
-            lanes(out + 3 * step)[j] -= s3;
+            lanes(out)[j] = -s0;
+            lanes(out + step)[j] = -s1;
+            lanes(out + 2 * step)[j] = -s2;
+            lanes(out + 3 * step)[j] = -s3;
         }
     }
     for (; i < r; ++i) {
@@ -173,7 +199,61 @@ void reduceFront(const float *b, const float *t, int p, int r, int stride, float
             for (int k = 0; k < p; ++k)
                 sum += b[static_cast<std::ptrdiff_t>(k) * stride + i] *
                        lanes(t + static_cast<std::ptrdiff_t>(k) * stride)[j];
-            lanes(c + static_cast<std::ptrdiff_t>(i) * cStride)[j] -= sum;
+            lanes(c + static_cast<std::ptrdiff_t>(i) * cStride)[j] = -sum;
+        }
+    }
+}
+
+namespace {
+
+using TwoLanes = float __attribute__((vector_size(2 * sizeof(float))));
+using FourLanes = float __attribute__((vector_size(4 * sizeof(float))));
+using EightLanes = float __attribute__((vector_size(8 * sizeof(float))));
+
+//! to += from, for as many floats as a Vector has; anywhere in memory.
+template <class Vector>
+inline void addFloats(const float *from, float *to)
+{
+    Vector more, sum;
+    std::memcpy(&more, from, sizeof more);
+    std::memcpy(&sum, to, sizeof sum);
+    sum += more;
+    std::memcpy(to, &sum, sizeof sum);
+}
+
+//! An even number of floats.
+inline void addRow(const float *from, float *to, int count)
+{
+    int j = 0;
+    for (; j + 8 <= count; j += 8)
+        addFloats<EightLanes>(from + j, to + j);
+    if (j + 4 <= count) {
+        addFloats<FourLanes>(from + j, to + j);
+        j += 4;
+    }
+    if (j < count)
+        addFloats<TwoLanes>(from + j, to + j);
+}
+
+} // namespace
+
+AUTOCUTS_CLONES
+void addUpdate(const float *update, int stride, const FrontRun *runs, int first, int end, int count,
+               int pivots, float *inPivots, int pivotStride, float *inRows, int rowStride)
+{
+    for (int r = first; r < end; ++r) {
+        for (int i = runs[r].begin; i < runs[r].end; ++i) {
+            const float *line = update + static_cast<std::ptrdiff_t>(i) * stride;
+            const int row = runs[r].place + i - runs[r].begin;
+            float *const pivotLine = inPivots + static_cast<std::ptrdiff_t>(row) * pivotStride;
+            float *const rowLine = inRows + static_cast<std::ptrdiff_t>(row) * rowStride - pivots;
+            const int diagonal = i - i % 2 - runs[r].begin; // where the row's node begins
+            for (int q = r; q < count; ++q) {
+                const FrontRun &run = runs[q];
+                const int skip = q == r ? diagonal : 0;
+                float *target = (run.place < pivots ? pivotLine : rowLine) + run.place;
+                addRow(line + run.begin + skip, target + skip, run.end - run.begin - skip);
+            }
         }
     }
 }
@@ -245,8 +325,7 @@ inline void copyNode(const float *from, float *to)
 
 inline void subtractNode(const float *from, float *to)
 {
-    using Node = float __attribute__((vector_size(2 * sizeof(float))));
-    Node less, all;
+    TwoLanes less, all;
     std::memcpy(&less, from, sizeof less);
     std::memcpy(&all, to, sizeof all);
     all -= less;

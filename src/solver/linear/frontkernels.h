@@ -22,8 +22,22 @@ bool invertFront(float *a, int n, int stride, float smallest);
 //! t = w b: w is p x p, b and t have p rows and are filled up to the stride.
 void multiplyFront(const float *w, int wStride, const float *b, float *t, int p, int stride);
 
-//! c -= b^T t, upper triangle (and a little more) of the r x r matrix c; b and t are p x r.
+//! c = -b^T t, upper triangle (and a little more) of the r x r matrix c; b and t are p x r.
 void reduceFront(const float *b, const float *t, int p, int r, int stride, float *c, int cStride);
+
+//! Neighbouring rows of a child's update matrix that are neighbours in the parent's front, too; all in
+//! scalars, and even.
+struct FrontRun
+{
+    int begin = 0, end = 0; //!< rows of the child
+    int place = 0; //!< of the first of them in the parent's front; no run has rows on both sides of `pivots`
+};
+
+//! Adds the upper triangle of a child's update matrix, rows of the runs first to end, to the front of its
+//! parent, whose columns from `pivots` on lie in another matrix. \param inPivots,inRows where the row at
+//! place 0 begins in the two
+void addUpdate(const float *update, int stride, const FrontRun *runs, int first, int end, int count,
+               int pivots, float *inPivots, int pivotStride, float *inRows, int rowStride);
 
 //! Entries of a packed row come in groups of this many; so the rows of t have a stride that is a multiple.
 constexpr int packedLanes = 2 * frontLanes;
