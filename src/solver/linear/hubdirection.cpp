@@ -30,10 +30,11 @@ constexpr int maxIterations = 60;
 //! residual may stay long where little is to be gained (after Nash and Sofer 1990).
 constexpr double leastGain = 0.4;
 constexpr int lateIteration = 6;
-//! Refactor the hub matrix after this many iterations more than a fresh one would have needed.
+//! Refactor the hub matrix after this many iterations more than a fresh one would have needed. An iteration
+//! over a large mesh is dearer, against a factorisation, because it reads beyond the caches.
 constexpr int excessBeforeRefresh = 18;
-constexpr int excessBeforeRefreshLarge = 12;
-constexpr int largeTriangleCount = 40000;
+constexpr int excessBeforeRefreshLarge = 8;
+constexpr int largeTriangleCount = 100000;
 
 //! Place of each welded mesh vertex in an order that keeps the fill of the hub matrix low.
 std::vector<int> vertexRanks(const MeshData &mesh)
