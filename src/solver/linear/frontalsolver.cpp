@@ -239,12 +239,9 @@ void FrontalSolver::addEntries(const Matrix &lower, int node, float *coupling)
         const double *first = values + entry.first, *second = values + entry.second;
         place[0] += static_cast<float>(first[0]);
         below[1] += static_cast<float>(second[1]);
-        if (row == column) {
-            place[1] += static_cast<float>(first[1]);
-        } else {
-            place[1] += static_cast<float>(entry.transposed ? first[1] : second[0]);
-            below[0] += static_cast<float>(entry.transposed ? second[0] : first[1]);
-        }
+        place[1] += static_cast<float>(first[1]);
+        if (row != column)
+            below[0] += static_cast<float>(second[0]);
     }
 }
 

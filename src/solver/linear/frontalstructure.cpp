@@ -287,49 +287,28 @@ void placeChildren(FrontalStructure &s)
 
 void placeEntries(const LinearSolver::Matrix &lower, const Graph &graph, FrontalStructure &s)
 {
-    std::vector<int> supernodeOf(s.nodeCount);
-    for (int n = 0; n < static_cast<int>(s.supernodes.size()); ++n) {
-        for (int i = 0; i < s.supernodes[n].count; ++i)
-            supernodeOf[s.supernodes[n].first + i] = n;
-    }
-    const auto ownerOf = [&](int row, int column) {
-        return supernodeOf[std::min(s.newNumber[row], s.newNumber[column])];
-    };
-    s.entryBegin.assign(s.supernodes.size() + 1, 0);
-    const auto visit = [&](auto &&entry) {
-        const int *start = lower.outerIndexPtr();
-        for (int column = 0; column < s.nodeCount; ++column) {
-            entry(column, column, start[2 * column], start[2 * column + 1] - 1);
-            for (int k = graph.begin[column]; k < graph.begin[column + 1]; ++k) {
-                const int offset = 2 * (k - graph.begin[column]);
-                entry(graph.rows[k], column, start[2 * column] + 2 + offset,
-                      start[2 * column + 1] + 1 + offset);
-            }
-        }
-    };
-    visit([&](int row, int column, int, int) { ++s.entryBegin[ownerOf(row, column) + 1]; });
-    std::partial_sum(s.entryBegin.begin(), s.entryBegin.end(), s.entryBegin.begin());
-    s.entries.resize(s.entryBegin.back());
-    std::vector<int> next(s.entryBegin.begin(), s.entryBegin.end() - 1);
-    visit([&](int row, int column, int first, int second) {
-        s.entries[next[ownerOf(row, column)]++] = {first, second, s.newNumber[row], s.newNumber[column],
-                                                   false};
-    });
-    // From new numbers to places in the front of the owner.
-    std::vector<int> place(s.nodeCount);
-    for (std::size_t n = 0; n < s.supernodes.size(); ++n) {
-        const FrontalStructure::Supernode &node = s.supernodes[n];
+    std::vector<int> column(s.nodeCount), place(s.nodeCount);
+    for (int j = 0; j < s.nodeCount; ++j)
+        column[s.newNumber[j]] = j;
+    const int *start = lower.outerIndexPtr();
+    s.entryBegin.assign(1, 0);
+    s.entries.reserve(graph.rows.size() + s.nodeCount);
+    for (const FrontalStructure::Supernode &node : s.supernodes) {
         for (int i = 0; i < node.count; ++i)
             place[node.first + i] = i;
         for (int i = 0; i < node.rowCount; ++i)
             place[s.rows[node.rowBegin + i]] = node.count + i;
-        for (int e = s.entryBegin[n]; e < s.entryBegin[n + 1]; ++e) {
-            FrontalStructure::Entry &entry = s.entries[e];
-            const int a = place[entry.row], b = place[entry.column];
-            entry.row = std::min(a, b);
-            entry.column = std::max(a, b);
-            entry.transposed = b < a;
+        // The rows of a column are its ancestors, which are eliminated later in both orders.
+        for (int i = 0; i < node.count; ++i) {
+            const int j = column[node.first + i];
+            s.entries.push_back({start[2 * j], start[2 * j + 1] - 1, i, i});
+            for (int k = graph.begin[j]; k < graph.begin[j + 1]; ++k) {
+                const int offset = 2 * (k - graph.begin[j]);
+                s.entries.push_back({start[2 * j] + 2 + offset, start[2 * j + 1] + 1 + offset, i,
+                                     place[s.newNumber[graph.rows[k]]]});
+            }
         }
+        s.entryBegin.push_back(static_cast<int>(s.entries.size()));
     }
 }
 

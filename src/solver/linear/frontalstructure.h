@@ -24,7 +24,6 @@ struct FrontalStructure
     {
         int first, second; //!< of the matrix's values: top of the block in its two columns
         int row, column;
-        bool transposed;
     };
 
     int nodeCount = 0;
