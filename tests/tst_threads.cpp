@@ -84,6 +84,33 @@ private Q_SLOTS:
         }
     }
 
+    void aTeamPassesTheFirstExceptionOn_data()
+    {
+        QTest::addColumn<int>("threads");
+        for (const int threads : {1, 2, 3})
+            QTest::addRow("%d", threads) << threads;
+    }
+    void aTeamPassesTheFirstExceptionOn()
+    {
+        QFETCH(int, threads);
+        ThreadTeam team(threads);
+        for (int round = 0; round < 50; ++round) {
+            try {
+                team.run(20, [&](int i) {
+                    if (i % 5 == 2)
+                        throw std::runtime_error("job " + std::to_string(i));
+                });
+                QFAIL("nothing was thrown");
+            } catch (const std::runtime_error &error) {
+                QCOMPARE(error.what(), "job 2");
+            }
+            // The team goes on as if nothing had happened.
+            std::atomic<int> runs = 0;
+            team.run(20, [&](int) { ++runs; });
+            QCOMPARE(runs.load(), 20);
+        }
+    }
+
     void parallelForRunsEveryJobOnce_data()
     {
         QTest::addColumn<int>("threads");

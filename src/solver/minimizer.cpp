@@ -70,7 +70,11 @@ Minimizer::Step Minimizer::step(std::vector<double> &x)
     Step result;
     mBlocks.resize(mSoup->triangleCount(), static_cast<int>(mSoup->pairCorners.size()),
                    mDirection->precision());
-    mGradient.assign(x.size(), 0.0);
+    mGradient.resize(x.size());
+    runOn(mTeam, jobCount(static_cast<int>(x.size())), [&](int job) {
+        const std::size_t begin = static_cast<std::size_t>(job) * jobSize;
+        std::fill(mGradient.begin() + begin, mGradient.begin() + std::min(x.size(), begin + jobSize), 0.0);
+    });
     for (const EnergyTerm *term : mTerms) {
         result.values.push_back(term->addDerivatives(x, mGradient, mBlocks));
         result.before += result.values.back();

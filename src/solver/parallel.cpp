@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace autocuts {
@@ -76,12 +77,30 @@ void ThreadTeam::share(int count, const std::function<void(int)> &job)
     work();
     for (int busy = mBusy; busy > 0; busy = mBusy)
         waitWhile(mBusy, busy);
+    if (mError)
+        std::rethrow_exception(std::exchange(mError, nullptr));
 }
 
 void ThreadTeam::work()
 {
-    for (int i = mNext++; i < mCount; i = mNext++)
-        (*mJob)(i);
+    for (int i = mNext++; i < mCount; i = mNext++) {
+        try {
+            (*mJob)(i);
+        } catch (...) {
+            keepError(i);
+        }
+    }
+}
+
+//! Keeps the exception being handled; no further jobs are begun.
+void ThreadTeam::keepError(int job)
+{
+    mNext = mCount;
+    const std::lock_guard lock(mErrorMutex);
+    if (!mError || job < mErrorJob) {
+        mError = std::current_exception();
+        mErrorJob = job;
+    }
 }
 
 void ThreadTeam::help()

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -26,8 +28,9 @@ public:
 
     int threads() const { return static_cast<int>(mHelpers.size()) + 1; }
 
-    //! Calls job(0) ... job(count - 1), each once, in any order and on any of the threads, and waits. The
-    //! jobs must not depend on each other or throw. Not to be called from two threads at a time.
+    //! Calls job(0) ... job(count - 1), in any order and on any of the threads, and waits. The jobs must not
+    //! depend on each other. When some throw, the exception of the first of them (by number) is thrown again
+    //! here; others may not have been called. Not to be called from two threads at a time.
     template <class Job>
     void run(int count, Job &&job)
     {
@@ -43,12 +46,16 @@ private:
     void share(int count, const std::function<void(int)> &job);
     void help();
     void work();
+    void keepError(int job);
 
     const std::function<void(int)> *mJob = nullptr;
     int mCount = 0;
     std::atomic<int> mNext = 0, mBusy = 0;
     std::atomic<unsigned> mRound = 0;
     std::atomic<bool> mQuit = false;
+    std::mutex mErrorMutex;
+    std::exception_ptr mError; //!< of job mErrorJob
+    int mErrorJob = 0;
     std::vector<std::thread> mHelpers;
 };
 

@@ -151,8 +151,7 @@ private:
     {
         if (mGroups.hub.empty() || !mGroups.stillFit(*mSoup, blocks)) {
             mGroups = HubGroups::build(*mSoup, blocks, mRank);
-            linkHubs();
-            mMatrix.setPattern(*mSoup, mGroups);
+            mTeam->run(2, [&](int job) { job == 0 ? mMatrix.setPattern(*mSoup, mGroups) : linkHubs(); });
             mAnalyzed = false;
         }
         prepare(blocks);
@@ -196,8 +195,13 @@ private:
     //! The systems of the triangles.
     void prepare(const HessianBlocks &blocks)
     {
-        mPairs.assign(blocks.pair.begin(), blocks.pair.end());
-        mPairs.push_back(0);
+        const int pairs = static_cast<int>(blocks.pair.size());
+        mPairs.resize(blocks.pair.size() + 1);
+        mTeam->run(jobCount(pairs), [&](int job) {
+            for (int p = job * jobSize; p < std::min(pairs, (job + 1) * jobSize); ++p)
+                mPairs[p] = static_cast<float>(blocks.pair[p]);
+        });
+        mPairs.back() = 0;
         mGround.clear();
         if (!blocks.ground.empty()) {
             mGround.resize(6 * static_cast<std::size_t>(mBlocks));
@@ -213,10 +217,15 @@ private:
     {
         if (mGroups.count == 0)
             return;
-        mMatrix.fill(*mSoup, blocks, mGroups, mInverses);
-        if (!mAnalyzed) {
+        const auto fill = [&] { mMatrix.fill(*mSoup, blocks, mGroups, mInverses); };
+        if (mAnalyzed) {
+            fill();
+        } else {
             mSolver = mFactor == HubFactor::Frontal ? static_cast<LinearSolver *>(&mFrontal) : &mGeneral;
-            mSolver->analyze(mMatrix.matrix(), LinearSolver::Order::Natural);
+            // The one needs the pattern, the other gives the values.
+            mTeam->run(2, [&](int job) {
+                job == 0 ? mSolver->analyze(mMatrix.matrix(), LinearSolver::Order::Natural) : fill();
+            });
             mAnalyzed = true;
         }
         double shift = 1e-7 * mMatrix.matrix().diagonal().mean();
