@@ -2,6 +2,7 @@
 #include "commands/changesettings.h"
 #include "commands/editpins.h"
 #include "commands/setislandflags.h"
+#include "commands/setseamstate.h"
 #include "model/uvlayout.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
@@ -248,6 +249,7 @@ private Q_SLOTS:
     void theRunningSolveAttaches()
     {
         setRadius(0.7);
+        cutWhatIsOpen(); // free, the two islands would find together by themselves
         const int soup = soupAt({0.5, 1}), partner = soupAt({1.5, 1});
         runAt(0.3, 1e-4);
         const int entries = document().undoStack().count();
@@ -352,6 +354,17 @@ private:
         int row = -1;
         (mStudio->shown.uv().rowwise() - uv.transpose()).rowwise().norm().minCoeff(&row);
         return row;
+    }
+    void cutWhatIsOpen()
+    {
+        const std::vector<float> &separation = mStudio->shown.separation();
+        IndexRanges open;
+        for (int pair = 0; pair < static_cast<int>(separation.size()); ++pair) {
+            if (separation[pair] >= 0.5f)
+                open.append(pair);
+        }
+        QVERIFY(!open.isEmpty());
+        pushCommand(std::make_unique<SetSeamState>(document(), SetSeamState::Edit::Cut, open));
     }
     void runAt(double lambda, double delta)
     {

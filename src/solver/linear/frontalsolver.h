@@ -13,7 +13,7 @@ namespace autocuts {
 
 //! Faster than a general library where fronts are small, as on meshes: supernodes of about sixteen nodes,
 //! explicit inverses of their pivot blocks (so that solving is products of dense matrices and vectors),
-//! single precision (what is read most with 16 bits an entry: solving is bound by memory), independent
+//! single precision (what is read most as floats cut to 16 bits: solving is bound by memory), independent
 //! subtrees on several threads. Residuals of about 1e-3 are usual: not for exact solutions. \pre the pattern
 //! is made of full 2 x 2 blocks (their lower triangles on the diagonal)
 class FrontalSolver final : public LinearSolver
