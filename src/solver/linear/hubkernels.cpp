@@ -266,9 +266,9 @@ inline void stiffen(const EdgeMatrix &k, const Lanes *give, EdgeMatrix &c)
         const Lanes sum = a + b;
         turn[axis] = a / sum;
         hold[2 * axis] = 1 / sum;
-        hold[2 * axis + 1] = 1 / (e + a * b / sum);
+        hold[2 * axis + 1] = 1 / (e + turn[axis] * b);
     }
-    const auto shear = [&k](const Lanes &tu, const Lanes &tv, const EdgeMatrix &from, EdgeMatrix &to) {
+    const auto shear = [](const Lanes &tu, const Lanes &tv, const EdgeMatrix &from, EdgeMatrix &to) {
         to[2] = from[2];
         to[1] = from[1] + tu * from[2];
         to[0] = from[0] + tu * (from[1] + to[1]);

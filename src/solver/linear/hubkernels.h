@@ -36,8 +36,7 @@ struct LinkKinds
 struct CornerLinks
 {
     std::vector<LinkInts> partner; //!< the partner's slot, the own one at a border
-    std::vector<LinkInts>
-        pair; //!< the corner pair; the number of pairs (an entry without weight) at a border
+    std::vector<LinkInts> pair;    //!< the corner pair; at a border their number (an entry without weight)
 };
 
 //! How corners hang on hubs; changes with the groups.
