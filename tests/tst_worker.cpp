@@ -141,6 +141,27 @@ private Q_SLOTS:
         QCOMPARE(bench.results.back()->status.iteration, 3);
     }
 
+    void anEditDuringSettlingDoesNotLoseIt()
+    {
+        const auto before = snapshotOf(test::sphere(100, 100));
+        Bench bench;
+        QSignalSpy settled(bench.worker, &SolveWorker::settled);
+        QSignalSpy waiting(bench.worker, &SolveWorker::waiting);
+        bench.worker->start(1, before, Vec2::Zero());
+        bench.worker->runSteps(3);
+        QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, patience);
+        bench.worker->settle();
+        for (int edit = 0; edit < 5; ++edit) {
+            QTest::qWait(10);
+            const auto after = std::make_shared<Snapshot>(*before);
+            after->settings.lambda = 0.1 + 0.1 * edit;
+            bench.worker->update(after);
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(settled.count() >= 1, patience);
+        QVERIFY(bench.worker->takeSettled());
+        QCOMPARE(bench.results.back()->status.iteration, 3);
+    }
+
     void settlingGivesTheFinishedMap()
     {
         const auto snapshot = snapshotOf(test::sphere(12, 12));

@@ -306,14 +306,17 @@ void SolveWorker::giveResult()
         Q_EMIT resultReady();
 }
 
-//! Joins the nearly joined pairs. New orders end it without a result.
+//! Joins the nearly joined pairs. New orders end it without a result; unless they say otherwise, it then
+//! begins again.
 void SolveWorker::makeSettledMap()
 {
     mMustSettle = false;
     const SeamedMap map =
         finishMap(mSolver->sharedSoup(), mSolver->snapshot(), mSolver->coordinates(), &mInterrupt);
-    if (mInterrupt)
+    if (mInterrupt) {
+        mMustSettle = true;
         return;
+    }
     {
         const std::lock_guard lock(mMutex);
         mSettledMap = SettledMap{mRun, cornerUv(mSolver->soup(), map)};
