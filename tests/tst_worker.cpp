@@ -45,6 +45,15 @@ struct Bench : QObject
         thread.wait();
     }
 
+    //! Until the worker has made the steps, or has come to rest.
+    void runAndWait(quint64 run, std::shared_ptr<const Snapshot> snapshot, int steps)
+    {
+        QSignalSpy waiting(worker, &SolveWorker::waiting);
+        worker->start(run, std::move(snapshot), Vec2::Zero());
+        worker->runSteps(steps);
+        QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, patience);
+    }
+
     QThread thread;
     SolveWorker *worker;
     std::vector<std::shared_ptr<const SolveResult>> results;
@@ -146,10 +155,7 @@ private Q_SLOTS:
         const auto before = snapshotOf(test::sphere(100, 100));
         Bench bench;
         QSignalSpy settled(bench.worker, &SolveWorker::settled);
-        QSignalSpy waiting(bench.worker, &SolveWorker::waiting);
-        bench.worker->start(1, before, Vec2::Zero());
-        bench.worker->runSteps(3);
-        QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, patience);
+        bench.runAndWait(1, before, 3);
         bench.worker->settle();
         for (int edit = 0; edit < 5; ++edit) {
             QTest::qWait(10);
@@ -168,11 +174,7 @@ private Q_SLOTS:
         snapshot->settings.delta = 0.005;
         Bench bench;
         QSignalSpy settled(bench.worker, &SolveWorker::settled);
-        QSignalSpy waiting(bench.worker, &SolveWorker::waiting);
-        bench.worker->start(2, snapshot, Vec2::Zero());
-        bench.worker->runSteps(60);
-        QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, patience);
-        // It may have come to rest before.
+        bench.runAndWait(2, snapshot, 60);
         const int steps = bench.results.back()->status.iteration;
         QVERIFY(steps > 20);
         Solver solver;

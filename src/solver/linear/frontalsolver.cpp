@@ -206,7 +206,7 @@ bool FrontalSolver::eliminate(const Matrix &lower, int node, Scratch &scratch)
     const int *begin = mStructure.children.data() + mStructure.childBegin[node];
     const int *end = mStructure.children.data() + mStructure.childBegin[node + 1];
     for (const int *child = begin; child != end; ++child)
-        addPivotRows(*child, node, flat(scratch.coupling));
+        addChild(*child, node, true, flat(scratch.coupling));
     for (int i = 1; i < l.pivots; ++i) {
         for (int j = 0; j < i; ++j)
             inverse[i * l.pivotStride + j] = inverse[j * l.pivotStride + i];
@@ -218,7 +218,7 @@ bool FrontalSolver::eliminate(const Matrix &lower, int node, Scratch &scratch)
     reduceFront(flat(scratch.coupling), flat(scratch.solved), l.pivots, l.rows, l.stride, flat(update),
                 l.updateStride);
     for (const int *child = begin; child != end; ++child) {
-        addOtherRows(*child, node);
+        addChild(*child, node, false, nullptr);
         scratch.spare.push_back(std::move(mUpdate[*child]));
     }
     packFront(flat(scratch.solved), l.pivots, l.stride, mCoupling.data() + l.coupling);
@@ -245,31 +245,25 @@ void FrontalSolver::addEntries(const Matrix &lower, int node, float *coupling)
     }
 }
 
-//! Adds those rows of a child's update matrix that the node eliminates.
-void FrontalSolver::addPivotRows(int child, int node, float *coupling)
+//! Adds the rows of a child's update matrix that the node eliminates, or the others, which go on to the
+//! node's own update matrix.
+void FrontalSolver::addChild(int child, int node, bool eliminated, float *coupling)
 {
     const Layout &from = mLayout[child], &to = mLayout[node];
     const FrontRun *runs = mStructure.runs.data() + mStructure.runBegin[child];
     const int count = mStructure.runBegin[child + 1] - mStructure.runBegin[child];
-    int end = 0;
-    while (end < count && runs[end].place < to.pivots)
-        ++end;
-    addUpdate(flat(mUpdate[child]), from.updateStride, runs, 0, end, count, to.pivots,
-              flat(mInverse) + to.inverse, to.pivotStride, coupling, to.stride);
-}
-
-//! Adds the others, which go on to the node's own update matrix.
-void FrontalSolver::addOtherRows(int child, int node)
-{
-    const Layout &from = mLayout[child], &to = mLayout[node];
-    const FrontRun *runs = mStructure.runs.data() + mStructure.runBegin[child];
-    const int count = mStructure.runBegin[child + 1] - mStructure.runBegin[child];
-    int first = 0;
-    while (first < count && runs[first].place < to.pivots)
-        ++first;
-    float *own = flat(mUpdate[node]) - static_cast<std::ptrdiff_t>(to.pivots) * to.updateStride;
-    addUpdate(flat(mUpdate[child]), from.updateStride, runs, first, count, count, to.pivots, nullptr, 0, own,
-              to.updateStride);
+    int others = 0; // the first run of them
+    while (others < count && runs[others].place < to.pivots)
+        ++others;
+    const float *update = flat(mUpdate[child]);
+    if (eliminated) {
+        addUpdate(update, from.updateStride, runs, 0, others, count, to.pivots, flat(mInverse) + to.inverse,
+                  to.pivotStride, coupling, to.stride);
+    } else {
+        float *own = flat(mUpdate[node]) - static_cast<std::ptrdiff_t>(to.pivots) * to.updateStride;
+        addUpdate(update, from.updateStride, runs, others, count, count, to.pivots, nullptr, 0, own,
+                  to.updateStride);
+    }
 }
 
 void FrontalSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)

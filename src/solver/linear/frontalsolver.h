@@ -58,8 +58,7 @@ private:
     void makeFronts();
     bool eliminate(const Matrix &lower, int node, Scratch &scratch);
     void addEntries(const Matrix &lower, int node, float *coupling);
-    void addPivotRows(int child, int node, float *coupling);
-    void addOtherRows(int child, int node);
+    void addChild(int child, int node, bool eliminated, float *coupling);
 
     static float *flat(Floats &v) { return reinterpret_cast<float *>(v.data()); }
     static const float *flat(const Floats &v) { return reinterpret_cast<const float *>(v.data()); }
