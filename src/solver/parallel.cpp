@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <exception>
 #include <thread>
 #include <utility>
@@ -36,8 +37,9 @@ void parallelFor(int count, int threads, const std::function<void(int)> &job)
 
 namespace {
 
-//! Looks at a value this often before going to sleep: loops of a step follow each other within microseconds.
-constexpr int glances = 2000;
+//! Looks at a value this often before going to sleep, some fifty microseconds: what a step does between two
+//! of its loops seldom takes longer, and being woken up does.
+constexpr int glances = 40000;
 
 template <class T>
 void waitWhile(const std::atomic<T> &value, T old)
@@ -51,10 +53,10 @@ void waitWhile(const std::atomic<T> &value, T old)
 
 } // namespace
 
-ThreadTeam::ThreadTeam(int threads)
+ThreadTeam::ThreadTeam(int threads) : mShares(std::max(1, threads))
 {
     for (int i = 1; i < threads; ++i)
-        mHelpers.emplace_back([this] { help(); });
+        mHelpers.emplace_back([this, i] { help(i); });
 }
 
 ThreadTeam::~ThreadTeam()
@@ -69,25 +71,30 @@ ThreadTeam::~ThreadTeam()
 void ThreadTeam::share(int count, const std::function<void(int)> &job)
 {
     mJob = &job;
-    mCount = count;
-    mNext = 0;
+    for (int i = 0; i < threads(); ++i) {
+        mShares[i].next = static_cast<int>(std::int64_t(count) * i / threads());
+        mShares[i].end = static_cast<int>(std::int64_t(count) * (i + 1) / threads());
+    }
     mBusy = static_cast<int>(mHelpers.size());
     ++mRound;
     mRound.notify_all();
-    work();
+    work(0);
     for (int busy = mBusy; busy > 0; busy = mBusy)
         waitWhile(mBusy, busy);
     if (mError)
         std::rethrow_exception(std::exchange(mError, nullptr));
 }
 
-void ThreadTeam::work()
+void ThreadTeam::work(int thread)
 {
-    for (int i = mNext++; i < mCount; i = mNext++) {
-        try {
-            (*mJob)(i);
-        } catch (...) {
-            keepError(i);
+    for (int i = 0; i < threads(); ++i) {
+        Share &share = mShares[(thread + i) % threads()];
+        for (int job = share.next++; job < share.end; job = share.next++) {
+            try {
+                (*mJob)(job);
+            } catch (...) {
+                keepError(job);
+            }
         }
     }
 }
@@ -95,7 +102,8 @@ void ThreadTeam::work()
 //! Keeps the exception being handled; no further jobs are begun.
 void ThreadTeam::keepError(int job)
 {
-    mNext = mCount;
+    for (Share &share : mShares)
+        share.next = share.end;
     const std::lock_guard lock(mErrorMutex);
     if (!mError || job < mErrorJob) {
         mError = std::current_exception();
@@ -103,14 +111,14 @@ void ThreadTeam::keepError(int job)
     }
 }
 
-void ThreadTeam::help()
+void ThreadTeam::help(int thread)
 {
     for (unsigned round = 0;;) {
         waitWhile(mRound, round);
         round = mRound;
         if (mQuit)
             return;
-        work();
+        work(thread);
         if (--mBusy == 0)
             mBusy.notify_all();
     }

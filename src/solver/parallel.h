@@ -26,11 +26,13 @@ public:
     ThreadTeam(const ThreadTeam &) = delete;
     ThreadTeam &operator=(const ThreadTeam &) = delete;
 
-    int threads() const { return static_cast<int>(mHelpers.size()) + 1; }
+    int threads() const { return static_cast<int>(mShares.size()); }
 
     //! Calls job(0) ... job(count - 1), in any order and on any of the threads, and waits. The jobs must not
-    //! depend on each other. When some throw, the exception of the first of them (by number) is thrown again
-    //! here; others may not have been called. Not to be called from two threads at a time.
+    //! depend on each other. Loops of as many jobs give each thread the same ones, as far as that keeps all
+    //! busy: what a job of one loop leaves in the caches of a processor the next one finds there. When some
+    //! throw, the exception of the first of them (by number) is thrown again here; others may not have been
+    //! called. Not to be called from two threads at a time.
     template <class Job>
     void run(int count, Job &&job)
     {
@@ -44,13 +46,20 @@ public:
 
 private:
     void share(int count, const std::function<void(int)> &job);
-    void help();
-    void work();
+    void help(int thread);
+    void work(int thread);
     void keepError(int job);
 
+    //! The jobs that are meant for one thread; others take of them when they have none left.
+    struct alignas(64) Share
+    {
+        std::atomic<int> next = 0;
+        int end = 0;
+    };
+
     const std::function<void(int)> *mJob = nullptr;
-    int mCount = 0;
-    std::atomic<int> mNext = 0, mBusy = 0;
+    std::vector<Share> mShares; //!< per thread, the calling one first
+    std::atomic<int> mBusy = 0;
     std::atomic<unsigned> mRound = 0;
     std::atomic<bool> mQuit = false;
     std::mutex mErrorMutex;
