@@ -402,6 +402,9 @@ private Q_SLOTS:
         row("triangle collapsed", [](MeshData &m) { m.triangles[0][1] = m.triangles[0][0]; });
         row("triangle's face", [](MeshData &m) { m.triangleFace[1] = 1; });
         row("triangle's face out of range", [](MeshData &m) { m.triangleFace[11] = 6; });
+        row("first triangle of a face", [](MeshData &m) { m.faceTriangle[1] = 3; });
+        row("first triangle out of range", [](MeshData &m) { m.faceTriangle[5] = 11; });
+        row("first triangle lost", [](MeshData &m) { m.faceTriangle.pop_back(); });
         row("area not a number",
             [](MeshData &m) { m.triangleArea[2] = std::numeric_limits<double>::quiet_NaN(); });
         row("total area", [](MeshData &m) { m.area *= 1.001; });
@@ -433,6 +436,38 @@ private Q_SLOTS:
         QCOMPARE(mesh.validate(), std::string());
         damage(mesh);
         QVERIFY(!mesh.validate().empty());
+    }
+
+    void facesOfLargeMeshesTakeTurnsByTheirPlaces()
+    {
+        // The triangles of a grid, written in an order without any sense.
+        const auto grid = test::grid(60);
+        const int count = grid->triangleCount();
+        std::vector<int> start{0}, corners;
+        for (int i = 0; i < count; ++i) {
+            for (const int corner : grid->triangles[i * 1009L % count])
+                corners.push_back(grid->cornerVertex[corner]);
+            start.push_back(static_cast<int>(corners.size()));
+        }
+        const auto mesh = MeshData::build(grid->positions, start, corners, std::vector<int>(count, 0));
+        QCOMPARE(mesh->validate(), std::string());
+        QCOMPARE(mesh->edgePairs.size(), grid->edgePairs.size());
+        const auto meanWay = [&](const std::function<int(int)> &faceAt) {
+            double sum = 0;
+            const auto place = [&](int i) { return mesh->cornerPosition(mesh->faceStart[faceAt(i)]); };
+            for (int i = 1; i < count; ++i)
+                sum += (place(i) - place(i - 1)).norm();
+            return sum / count;
+        };
+        const double asWritten = meanWay([](int i) { return i; });
+        const double asBuilt = meanWay([&](int i) { return mesh->triangleFace[i]; });
+        QVERIFY2(asBuilt < 0.1 * asWritten, qPrintable(QStringLiteral("%1, %2").arg(asBuilt).arg(asWritten)));
+    }
+
+    void smallMeshesKeepTheOrderOfTheirFaces()
+    {
+        const auto mesh = test::sphere(12, 20);
+        QVERIFY(std::is_sorted(mesh->triangleFace.begin(), mesh->triangleFace.end()));
     }
 
     void largeCapKeepsItsPairs()

@@ -180,7 +180,7 @@ private Q_SLOTS:
                     const auto around = adjacency.vertexCorners(vertex);
                     QVERIFY(std::any_of(around.begin(), around.end(), [&](int corner) {
                         const int face = adjacency.faceOfCorner(corner);
-                        return facesTheEye(picked, camera, picked.topology.faceTriangle[face]);
+                        return facesTheEye(picked, camera, picked.mesh->faceTriangle[face]);
                     }));
                 }
             }

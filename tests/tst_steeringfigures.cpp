@@ -240,9 +240,10 @@ private Q_SLOTS:
     void oneRegionTakesTheOverlapsAway_data()
     {
         QTest::addColumn<QString>("mesh");
+        // Their drafts cover themselves in two layers; where there are more, one drag is not enough.
         QTest::newRow("horse_quad") << u"polygons/horse_quad.obj"_s;
-        QTest::newRow("bimba") << u"organic/bimba_i_f10000.obj"_s;
-        QTest::newRow("hand") << u"organic/hand_1_i_f5000.obj"_s;
+        QTest::newRow("homer") << u"organic/homer.obj"_s;
+        QTest::newRow("male_2") << u"organic/male_2_f20000.obj"_s;
     }
 
     void oneRegionTakesTheOverlapsAway()

@@ -1,5 +1,6 @@
 // UV figures: hand-computed maps, and the figures of the independent uvmetrics program on real files.
 #include "solver/metrics/uvmetrics.h"
+#include "support/meshbuilders.h"
 #include "support/objuv.h"
 
 #include <QDir>
@@ -9,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -298,6 +300,26 @@ private Q_SLOTS:
             measure(square + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0.9 0.5\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
         QCOMPARE(metrics.flipped, 1);
         QCOMPARE(metrics.triangleFlipped, (std::vector<bool>{false, true}));
+    }
+
+    void figuresHaveTheOrderOfTheTriangles()
+    {
+        // Large enough for triangles in another order than their faces; some vertices go too far.
+        const auto mesh = test::grid(70);
+        QVERIFY(!std::is_sorted(mesh->triangleFace.begin(), mesh->triangleFace.end()));
+        UvMatrix uv(mesh->cornerCount(), 2);
+        for (int c = 0; c < mesh->cornerCount(); ++c) {
+            uv.row(c) = mesh->cornerPosition(c).head<2>().transpose();
+            if (mesh->cornerVertex[c] % 101 == 50)
+                uv.row(c) += Vec2(0.03, 0.02).transpose();
+        }
+        const UvMetrics metrics = measureUv(*mesh, uv);
+        QVERIFY(metrics.flipped > 10);
+        for (int t = 0; t < mesh->triangleCount(); ++t) {
+            const auto &corner = mesh->triangles[t];
+            const double area = cross2(uv.row(corner[0]), uv.row(corner[1]), uv.row(corner[2]));
+            QCOMPARE(bool(metrics.triangleFlipped[t]), area < 0);
+        }
     }
 
     void partsCanBeLeftOut()

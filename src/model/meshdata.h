@@ -10,6 +10,7 @@
 #include "model/types.h"
 
 #include <memory>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,7 @@ struct MeshData
     std::vector<int> vertexWeld;                   //!< vertex -> first vertex at exactly the same position
     std::vector<std::array<int, 3>> triangles;     //!< corners of each triangle, in the winding of its face
     std::vector<int> triangleFace;                 //!< face of each triangle
+    std::vector<int> faceTriangle;                 //!< first triangle of each face; its others follow
     std::vector<double> triangleArea;              //!< 3D area
     std::vector<bool> triangleDegenerate;          //!< area <= 1e-10 * longest edge squared
     std::vector<EdgePair> edgePairs;               //!< ordered by first triangle and side
@@ -89,6 +91,18 @@ struct MeshData
     int soupCornerCount() const { return 3 * triangleCount(); }
     int cornerPairCount() const { return 2 * static_cast<int>(edgePairs.size()); }
 
+    //! Numbers of a face's triangles, and of their soup corners.
+    auto trianglesOf(int face) const
+    {
+        return std::views::iota(faceTriangle[face],
+                                faceTriangle[face] + faceStart[face + 1] - faceStart[face] - 2);
+    }
+    auto soupCornersOf(int face) const
+    {
+        const auto own = trianglesOf(face);
+        return std::views::iota(3 * *own.begin(), 3 * *own.end());
+    }
+
     //! Polygon corner of a soup corner.
     int cornerOfSoup(int soupCorner) const { return triangles[soupCorner / 3][soupCorner % 3]; }
     //! Welded vertex of a soup corner.
@@ -97,7 +111,8 @@ struct MeshData
 
     //! Builds the triangle soup. Accepts anything: n-gons, non-manifold edges, duplicated and degenerate
     //! faces, isolated vertices. Sides pair only within one object and only where the windings agree; on an
-    //! edge with more than two faces each face gets the partner that continues it most smoothly.
+    //! edge with more than two faces each face gets the partner that continues it most smoothly. In large
+    //! meshes the triangles of faces near to each other have near numbers, whatever the order of the faces.
     //! \pre all indices are in range, every face has at least three corners, positions are finite and at most 1e150
     //! \throws std::invalid_argument when the precondition does not hold
     static std::shared_ptr<const MeshData> build(PositionMatrix positions, std::vector<int> faceStart,

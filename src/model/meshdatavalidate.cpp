@@ -33,6 +33,8 @@ std::string checkSizes(const MeshData &mesh)
     }
     if (mesh.triangleCount() != mesh.cornerCount() - 2 * mesh.faceCount())
         return "the number of triangles does not fit the polygons";
+    if (static_cast<int>(mesh.faceTriangle.size()) != mesh.faceCount())
+        return "faceTriangle has the wrong size";
     if (mesh.triangleFace.size() != triangles || mesh.triangleArea.size() != triangles ||
         mesh.triangleDegenerate.size() != triangles || mesh.component.size() != triangles)
         return "an array over the triangles has the wrong size";
@@ -56,12 +58,10 @@ std::string checkWelding(const MeshData &mesh)
 std::string checkTriangles(const MeshData &mesh)
 {
     double area = 0;
-    std::vector<int> perFace(mesh.faceCount(), 0);
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         const int face = mesh.triangleFace[t];
-        if (!inRange(face, mesh.faceCount()) || (t > 0 && face < mesh.triangleFace[t - 1]))
-            return "the triangles are not in the order of their faces";
-        ++perFace[face];
+        if (!inRange(face, mesh.faceCount()))
+            return "a triangle's face is out of range";
         for (int k = 0; k < 3; ++k) {
             const int corner = mesh.triangles[t][k];
             if (corner < mesh.faceStart[face] || corner >= mesh.faceStart[face + 1])
@@ -74,8 +74,10 @@ std::string checkTriangles(const MeshData &mesh)
         area += mesh.triangleArea[t];
     }
     for (int f = 0; f < mesh.faceCount(); ++f) {
-        if (perFace[f] != mesh.faceStart[f + 1] - mesh.faceStart[f] - 2)
-            return "a face has the wrong number of triangles";
+        for (const int t : mesh.trianglesOf(f)) {
+            if (!inRange(t, mesh.triangleCount()) || mesh.triangleFace[t] != f)
+                return "the triangles of a face do not follow each other";
+        }
     }
     if (!(std::abs(area - mesh.area) <= 1e-9 * area))
         return "the area is not the sum of the triangles' areas";

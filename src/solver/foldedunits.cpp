@@ -49,6 +49,7 @@ std::vector<double> unfolded(const Soup &soup, const CutMesh &units, const std::
         if (folded[units.chart[t]] && (problem.faces.empty() || problem.faces.back() != face))
             problem.faces.push_back(face);
     }
+    std::sort(problem.faces.begin(), problem.faces.end());
     const LocalSolution solution = solveLocally(mesh, uv, problem, cancel);
     for (int c = 0; c < mesh.soupCornerCount(); ++c) {
         x[2 * static_cast<std::size_t>(c)] = solution.uv(mesh.cornerOfSoup(c), 0);

@@ -84,7 +84,7 @@ void MeshMaker::collectPolygons(const std::vector<int> &faces)
         for (int part = 0; part < parts; ++part) {
             const auto first = static_cast<std::ptrdiff_t>(mCorners.size());
             if (mTriangulate) {
-                const auto &triangle = mSoup.triangles[begin - 2 * f + part];
+                const auto &triangle = mSoup.triangles[mSoup.faceTriangle[f] + part];
                 mCorners.insert(mCorners.end(), triangle.begin(), triangle.end());
             } else {
                 for (int c = begin; c < end; ++c)

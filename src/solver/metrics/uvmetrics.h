@@ -70,7 +70,7 @@ struct UvMetrics
     double borderGutter = missingFigure;    //!< from the UV box to the border of the unit square
     double borderGutterTexels = missingFigure;
 
-    // Per triangle, faces in order; for heat-maps.
+    // Per triangle of the mesh; for heat-maps.
     std::vector<double>
         triangleSymDirichlet; //!< at symDirichletScale; infinite when collapsed, NaN without UVs
     std::vector<double> triangleAreaStretch; //!< log of UV area share / 3D area share; > 0: too large in UV

@@ -26,7 +26,8 @@ int apexOfFace(const MeshData &mesh, int face, std::vector<Vec3> &points)
 void addFans(const MeshData &mesh, const UvTopology &topology, UvTriangles &triangles)
 {
     std::vector<Vec3> points;
-    for (int f = 0; f < mesh.faceCount(); ++f) {
+    while (triangles.count() < mesh.triangleCount()) {
+        const int f = mesh.triangleFace[triangles.count()];
         const int start = mesh.faceStart[f];
         const int n = mesh.faceStart[f + 1] - start;
         const int apex = apexOfFace(mesh, f, points);

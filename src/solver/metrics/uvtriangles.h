@@ -19,7 +19,8 @@ struct ChartSums
     int euler() const { return vertices - edges + faces; }
 };
 
-//! Triangles of all faces by the fan rule of the figures, with their areas.
+//! Triangles of all faces by the fan rule of the figures, with their areas; those of a face have the numbers
+//! that its triangles have in the mesh.
 struct UvTriangles
 {
     std::vector<std::array<int, 3>> corners;

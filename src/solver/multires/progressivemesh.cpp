@@ -138,13 +138,12 @@ void ProgressiveMesh::refine()
 
 std::shared_ptr<const MeshData> ProgressiveMesh::extract(std::vector<int> &triangles) const
 {
-    triangles.clear();
-    std::vector<int> number(mPosition.size(), -1), start{0}, corners, object;
+    std::vector<int> number(mPosition.size(), -1), alive, start{0}, corners, object;
     std::vector<Vec3> points;
     for (int t = 0; t < static_cast<int>(mAlive.size()); ++t) {
         if (!mAlive[t])
             continue;
-        triangles.push_back(t);
+        alive.push_back(t);
         for (int k = 0; k < 3; ++k) {
             int &n = number[mPoint[3 * t + k]];
             if (n < 0) {
@@ -159,7 +158,12 @@ std::shared_ptr<const MeshData> ProgressiveMesh::extract(std::vector<int> &trian
     PositionMatrix positions(static_cast<Eigen::Index>(points.size()), 3);
     for (std::size_t i = 0; i < points.size(); ++i)
         positions.row(static_cast<Eigen::Index>(i)) = points[i];
-    return MeshData::build(std::move(positions), std::move(start), std::move(corners), std::move(object));
+    auto mesh =
+        MeshData::build(std::move(positions), std::move(start), std::move(corners), std::move(object));
+    triangles.clear();
+    for (const int face : mesh->triangleFace)
+        triangles.push_back(alive[face]);
+    return mesh;
 }
 
 } // namespace autocuts

@@ -167,7 +167,7 @@ std::vector<int> Canvas::selectedSoupCorners() const
     const Selection &selection = document->selection();
     std::vector<bool> selected(mesh.soupCornerCount());
     for (int face : selection.faces) {
-        for (int s = 3 * topology.faceTriangle[face]; s < 3 * topology.faceTriangle[face + 1]; ++s)
+        for (const int s : mesh.soupCornersOf(face))
             selected[s] = true;
     }
     for (int edge : selection.edges) {
@@ -205,7 +205,8 @@ Canvas::HoverParts Canvas::hoverParts() const
         const std::vector<quint32> &islands = mContent.triangleIslands();
         if (mode == SelectionMode::Islands && hover.triangle < static_cast<int>(islands.size()))
             parts.island = islands[hover.triangle];
-        parts.triangles = {topology.faceTriangle[face], topology.faceTriangle[face + 1]};
+        const auto triangles = document->mesh().trianglesOf(face);
+        parts.triangles = {*triangles.begin(), *triangles.end()};
     }
     return parts;
 }

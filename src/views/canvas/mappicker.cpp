@@ -82,7 +82,7 @@ BoxPick pickMapBox(const MeshData &mesh, const SoupTopology &topology, const UvM
     for (int f = 0; f < mesh.faceCount(); ++f) {
         Vec2 sum = Vec2::Zero();
         int count = 0;
-        for (int s = 3 * topology.faceTriangle[f]; s < 3 * topology.faceTriangle[f + 1]; ++s) {
+        for (const int s : mesh.soupCornersOf(f)) {
             const Vec2 a = uv.row(s), b = uv.row(nextSoupCorner(s));
             sum += a;
             ++count;

@@ -173,7 +173,7 @@ Vec3 MeshPicker::faceCentre(int face) const
     // By area: the average of the corners can lie off a concave face.
     Vec3 sum = Vec3::Zero();
     double area = 0;
-    for (int t = mTopology.faceTriangle[face]; t < mTopology.faceTriangle[face + 1]; ++t) {
+    for (const int t : mMesh->trianglesOf(face)) {
         const double weight = std::max(mMesh->triangleArea[t], std::numeric_limits<double>::min());
         for (int vertex : mVertices[t])
             sum += weight / 3 * mPoints.row(vertex).transpose();

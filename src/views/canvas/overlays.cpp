@@ -168,11 +168,10 @@ void drawHoverCorner(QPainter &painter, const Canvas &canvas)
         document->selection().mode != SelectionMode::Vertices)
         return;
     const MeshData &mesh = document->mesh();
-    const SoupTopology &topology = canvas.content().topology();
     const int face = document->adjacency().faceOfCorner(corner);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(canvas.content().colors().hover, 2));
-    for (int s = 3 * topology.faceTriangle[face]; s < 3 * topology.faceTriangle[face + 1]; ++s) {
+    for (const int s : mesh.soupCornersOf(face)) {
         if (mesh.cornerOfSoup(s) != corner)
             continue;
         if (const std::optional<QPointF> place = canvas.screenOf(s)) {

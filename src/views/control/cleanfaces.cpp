@@ -5,6 +5,8 @@
 #include "solver/overlap/cleansplit.h"
 #include "views/control/shownmap.h"
 
+#include <algorithm>
+
 namespace autocuts {
 
 MapWithSeams::MapWithSeams(const Document &document, const ShownMap &shownMap)
@@ -32,6 +34,7 @@ CleanPart cleanPart(const MapWithSeams &map, int triangle, const std::atomic<boo
         if (part.faces.isEmpty() || part.faces.last() != map.mesh->triangleFace[t])
             part.faces << map.mesh->triangleFace[t];
     }
+    std::sort(part.faces.begin(), part.faces.end());
     return part;
 }
 

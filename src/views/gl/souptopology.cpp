@@ -2,8 +2,7 @@
 
 namespace autocuts {
 
-SoupTopology::SoupTopology(const MeshData &mesh)
-    : sideEdge(mesh.soupCornerCount(), -1), faceTriangle(mesh.faceCount() + 1, 0)
+SoupTopology::SoupTopology(const MeshData &mesh) : sideEdge(mesh.soupCornerCount(), -1)
 {
     edgeSides.reserve(mesh.edgePairs.size() + mesh.boundarySides.size());
     for (const EdgePair &pair : mesh.edgePairs)
@@ -18,8 +17,6 @@ SoupTopology::SoupTopology(const MeshData &mesh)
                 sideEdge[side] = static_cast<int>(edge);
         }
     }
-    for (int t = 0; t < mesh.triangleCount(); ++t)
-        faceTriangle[mesh.triangleFace[t] + 1] = t + 1;
 }
 
 } // namespace autocuts

@@ -15,8 +15,7 @@ struct SoupTopology
 
     std::vector<int> sideEdge; //!< per side: edge of MeshAdjacency, -1 for a diagonal
     std::vector<std::array<int, 2>>
-        edgeSides;                 //!< per edge: its sides in the order of its pair, or one and -1
-    std::vector<int> faceTriangle; //!< F + 1 offsets: the triangles of each face
+        edgeSides; //!< per edge: its sides in the order of its pair, or one and -1
 };
 
 //! The next corner of the same triangle.

@@ -38,7 +38,7 @@ public:
         std::vector<int> neighbours;
         const auto &triangleFace = mCanvas.content().mesh()->triangleFace;
         const auto pairCount = static_cast<int>(mCanvas.content().mesh()->edgePairs.size());
-        for (int s = 3 * mTopology.faceTriangle[face]; s < 3 * mTopology.faceTriangle[face + 1]; ++s) {
+        for (const int s : mCanvas.content().mesh()->soupCornersOf(face)) {
             const int edge = mTopology.sideEdge[s];
             if (edge < 0 || edge >= pairCount)
                 continue; // diagonals and boundaries
@@ -70,7 +70,7 @@ private:
     bool isFront(int face) const
     {
         double area = 0;
-        for (int t = mTopology.faceTriangle[face]; t < mTopology.faceTriangle[face + 1]; ++t) {
+        for (const int t : mCanvas.content().mesh()->trianglesOf(face)) {
             const auto a = mCanvas.screenOf(3 * t), b = mCanvas.screenOf(3 * t + 1),
                        c = mCanvas.screenOf(3 * t + 2);
             if (a && b && c)

@@ -23,12 +23,11 @@ void addVertex(const Document &document, const UvView &view, const ShownMap &map
                std::set<int> &handles)
 {
     const UvMatrix &uv = map.uv();
-    const SoupTopology &topology = view.content().topology();
     const double tolerance = map.isLive() ? nearlyThere / view.camera().scale()
                                           : 1e-9 * (1 + uv.row(soupCorner).cwiseAbs().maxCoeff());
     for (int corner : document.adjacency().vertexCorners(document.mesh().vertexOfSoup(soupCorner))) {
         const int face = document.adjacency().faceOfCorner(corner);
-        for (int s = 3 * topology.faceTriangle[face]; s < 3 * topology.faceTriangle[face + 1]; ++s) {
+        for (const int s : document.mesh().soupCornersOf(face)) {
             if (document.mesh().cornerOfSoup(s) == corner &&
                 (uv.row(s) - uv.row(soupCorner)).cwiseAbs().maxCoeff() <= tolerance)
                 handles.insert(s);
@@ -36,14 +35,15 @@ void addVertex(const Document &document, const UvView &view, const ShownMap &map
     }
 }
 
-std::vector<int> cornersOfFaces(const UvView &view, const QList<int> &faces)
+//! Ascending.
+std::vector<int> cornersOfFaces(const MeshData &mesh, const QList<int> &faces)
 {
-    const SoupTopology &topology = view.content().topology();
     std::vector<int> corners;
     for (int face : faces) {
-        for (int s = 3 * topology.faceTriangle[face]; s < 3 * topology.faceTriangle[face + 1]; ++s)
-            corners.push_back(s);
+        const auto own = mesh.soupCornersOf(face);
+        corners.insert(corners.end(), own.begin(), own.end());
     }
+    std::sort(corners.begin(), corners.end());
     return corners;
 }
 
@@ -109,7 +109,7 @@ std::vector<int> dragHandles(const Document &document, const UvView &view, const
     const MeshData &mesh = document.mesh();
     const int face = mesh.triangleFace[pick.triangle];
     const std::vector<int> faces =
-        cornersOfFaces(view, has(selection.faces, face) ? selection.faces : QList<int>{face});
+        cornersOfFaces(mesh, has(selection.faces, face) ? selection.faces : QList<int>{face});
     if (selection.mode == SelectionMode::Faces)
         return faces;
     return dragReach(mesh, map.uv(), map.separation(), faces, 0).corners;

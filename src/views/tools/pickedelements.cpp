@@ -42,13 +42,12 @@ QList<int> cornersOfVertex(const Document &document, const Canvas &canvas, int s
     const auto corners = document.adjacency().vertexCorners(mesh.vertexOfSoup(soupCorner));
     if (canvas.kind() == Canvas::Kind::Model)
         return {corners.begin(), corners.end()};
-    const SoupTopology &topology = canvas.content().topology();
     const UvMatrix &uv = canvas.content().uv();
     const double tolerance = 1e-9 * (1 + uv.row(soupCorner).cwiseAbs().maxCoeff());
     QList<int> result;
     for (int corner : corners) {
         const int face = document.adjacency().faceOfCorner(corner);
-        for (int s = 3 * topology.faceTriangle[face]; s < 3 * topology.faceTriangle[face + 1]; ++s) {
+        for (const int s : mesh.soupCornersOf(face)) {
             if (mesh.cornerOfSoup(s) != corner ||
                 !((uv.row(s) - uv.row(soupCorner)).cwiseAbs().maxCoeff() <= tolerance))
                 continue;
