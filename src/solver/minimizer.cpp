@@ -29,6 +29,8 @@ Minimizer::Minimizer(std::shared_ptr<const Soup> soup, std::unique_ptr<NewtonDir
 void Minimizer::setTerms(std::vector<const EnergyTerm *> terms)
 {
     mTerms = std::move(terms);
+    mBlocks.pair.clear();
+    mBlocks.pairClosed.clear();
     invalidate();
 }
 

@@ -22,7 +22,9 @@ struct HessianBlocks
     //! Single: the same over the edge vectors of eight triangles at a time (moving a triangle costs nothing),
     //! zero behind the last one. Written by the distortion alone.
     std::vector<EdgeMatrix> lanes;
-    std::vector<double> pair;             //!< spring constant w of each corner pair: w / 2 * |x_a - x_b|^2
+    //! Spring constant w of each corner pair: w / 2 * |x_a - x_b|^2. Written by the separation alone; zero in
+    //! new blocks.
+    std::vector<double> pair;
     std::vector<std::uint8_t> pairClosed; //!< 1 where the pair is all but joined (a hint for preconditioners)
     int triangleCount = 0;
     std::vector<double> ground; //!< per coordinate, on the diagonal; empty: all zero
@@ -33,8 +35,8 @@ struct HessianBlocks
             triangle.assign(triangles, {});
         else
             lanes.resize((triangles + laneCount - 1) / laneCount);
-        pair.assign(pairs, 0.0);
-        pairClosed.assign(pairs, 0);
+        pair.resize(pairs);
+        pairClosed.resize(pairs);
         ground.clear();
         triangleCount = triangles;
     }

@@ -28,7 +28,7 @@ double separationSum(const double *x, const std::array<int, 2> *pairs, const dou
     return sum;
 }
 
-//! Also adds the springs and says which pairs are all but closed.
+//! Also writes the springs and says which pairs are all but closed.
 AUTOCUTS_CLONES
 double separationSprings(const double *x, const std::array<int, 2> *pairs, const double *weights,
                          double factor, double delta, int first, int end, double *spring,
@@ -40,7 +40,7 @@ double separationSprings(const double *x, const std::array<int, 2> *pairs, const
         const double inverse = 1 / (t + delta);
         const double w = factor * weights[p] * delta * inverse * inverse;
         sum += weights[p] * (t / (t + delta));
-        spring[p] += w;
+        spring[p] = w;
         closed[p] = w > 0 && t < closedSeparation * (t + delta);
     }
     return sum;
