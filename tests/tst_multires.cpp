@@ -22,6 +22,8 @@ test::MeshPtr meshCalled(const QString &name)
         return test::sphere(24, 30);
     if (name == QLatin1String("torus"))
         return test::torus(30, 16);
+    if (name == QLatin1String("large sphere"))
+        return test::sphere(80, 90);
     if (name == QLatin1String("grid"))
         return test::grid(20, 0.4);
     if (name == QLatin1String("dirty"))
@@ -99,11 +101,12 @@ CoarseUnwrap draft()
     return [](const Snapshot &snapshot, const UnwrapOptions &options) { return unwrap(snapshot, options); };
 }
 
-std::optional<CarriedMap> carried(const Snapshot &snapshot, const std::shared_ptr<const Soup> &soup)
+std::optional<CarriedMap> carried(const Snapshot &snapshot, const std::shared_ptr<const Soup> &soup,
+                                  int coarseTriangles = 400)
 {
     UnwrapOptions options;
     options.quality = UnwrapQuality::Draft;
-    return mapByCoarse(soup, snapshot, options, draft(), nullptr, 400);
+    return mapByCoarse(soup, snapshot, options, draft(), nullptr, coarseTriangles);
 }
 
 } // namespace
@@ -220,22 +223,26 @@ private Q_SLOTS:
     void mapsAreCarriedToTheFineMesh_data()
     {
         QTest::addColumn<QString>("mesh");
+        QTest::addColumn<int>("coarseTriangles");
         for (const char *name : {"sphere", "torus", "grid"})
-            QTest::newRow(name) << QString::fromLatin1(name);
+            QTest::newRow(name) << QString::fromLatin1(name) << 400;
+        // So large that its triangles have another order than its faces.
+        QTest::newRow("large sphere") << QStringLiteral("large sphere") << 5000;
     }
     void mapsAreCarriedToTheFineMesh()
     {
         QFETCH(QString, mesh);
+        QFETCH(int, coarseTriangles);
         Snapshot snapshot;
         snapshot.mesh = meshCalled(mesh);
         const auto soup = Soup::build(snapshot.mesh);
-        const auto map = carried(snapshot, soup);
+        const auto map = carried(snapshot, soup, coarseTriangles);
         QVERIFY(map);
         QCOMPARE(map->map.validate(*soup), std::string());
         QVERIFY(!coversItself(*soup, map->map));
         const double distortion = map->map.distortion(*soup);
         QVERIFY2(distortion <= 4.1, qPrintable(QString::number(distortion)));
-        const auto again = carried(snapshot, soup);
+        const auto again = carried(snapshot, soup, coarseTriangles);
         QVERIFY(again->map.x == map->map.x);
         QVERIFY(again->map.cut == map->map.cut);
     }

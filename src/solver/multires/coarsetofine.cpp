@@ -108,15 +108,14 @@ Snapshot coarseSnapshot(const Snapshot &snapshot, const std::shared_ptr<const Me
 void setCoarseMap(const MeshData &coarse, const UnwrapResult &result, const std::vector<int> &triangles,
                   const ProgressiveMesh &points, MapRefiner &refiner)
 {
+    const auto uvOf = [&](int soupCorner) { return Vec2(result.uv.row(coarse.cornerOfSoup(soupCorner))); };
     double area = 0;
-    for (int t = 0; t < coarse.triangleCount(); ++t) {
-        const Vec2 a = result.uv.row(3 * t), b = result.uv.row(3 * t + 1), c = result.uv.row(3 * t + 2);
-        area += 0.5 * cross2(a, b, c);
-    }
+    for (int t = 0; t < coarse.triangleCount(); ++t)
+        area += 0.5 * cross2(uvOf(3 * t), uvOf(3 * t + 1), uvOf(3 * t + 2));
     const double scale = std::sqrt(std::numbers::pi / area);
     for (int t = 0; t < coarse.triangleCount(); ++t) {
         for (int k = 0; k < 3; ++k) {
-            refiner.uv[3 * triangles[t] + k] = scale * Vec2(result.uv.row(3 * t + k));
+            refiner.uv[3 * triangles[t] + k] = scale * uvOf(3 * t + k);
             refiner.cut[3 * triangles[t] + k] = 1;
         }
     }
