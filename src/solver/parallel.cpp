@@ -71,6 +71,7 @@ ThreadTeam::~ThreadTeam()
 void ThreadTeam::share(int count, const std::function<void(int)> &job)
 {
     mJob = &job;
+    mErrorJob = count;
     for (int i = 0; i < threads(); ++i) {
         mShares[i].next = static_cast<int>(std::int64_t(count) * i / threads());
         mShares[i].end = static_cast<int>(std::int64_t(count) * (i + 1) / threads());
@@ -90,6 +91,8 @@ void ThreadTeam::work(int thread)
     for (int i = 0; i < threads(); ++i) {
         Share &share = mShares[(thread + i) % threads()];
         for (int job = share.next++; job < share.end; job = share.next++) {
+            if (job > mErrorJob)
+                continue;
             try {
                 (*mJob)(job);
             } catch (...) {
@@ -99,13 +102,11 @@ void ThreadTeam::work(int thread)
     }
 }
 
-//! Keeps the exception being handled; no further jobs are begun.
+//! Keeps the exception being handled; no jobs of higher numbers are begun any more.
 void ThreadTeam::keepError(int job)
 {
-    for (Share &share : mShares)
-        share.next = share.end;
     const std::lock_guard lock(mErrorMutex);
-    if (!mError || job < mErrorJob) {
+    if (job < mErrorJob) {
         mError = std::current_exception();
         mErrorJob = job;
     }
