@@ -31,8 +31,8 @@ public:
     //! Calls job(0) ... job(count - 1), in any order and on any of the threads, and waits. The jobs must not
     //! depend on each other. Loops of as many jobs give each thread the same ones, as far as that keeps all
     //! busy: what a job of one loop leaves in the caches of a processor the next one finds there. When some
-    //! throw, the exception of the first of them (by number) is thrown again here; those
-    //! of higher numbers may not have been called. Not to be called from two threads at a time.
+    //! throw, the exception of the first of them (by number) is thrown again here; those of higher numbers
+    //! may not have been called. Not to be called from two threads at a time.
     template <class Job>
     void run(int count, Job &&job)
     {
