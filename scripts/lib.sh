@@ -56,13 +56,10 @@ build() {
     (cd "$root" && cmake --build --preset "$preset" --parallel "$jobs" "$@") || fail "the $preset build failed"
 }
 
-# run_tests PRESET [ctest options]: on a virtual screen where there is none.
+# run_tests PRESET [ctest options]
 run_tests() {
-    local preset=$1 screen=()
+    local preset=$1
     shift
-    if [ -z "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
-        screen=(xvfb-run -a)
-    fi
-    (cd "$root" && "${screen[@]}" ctest --preset "$preset" --no-tests=error --output-on-failure \
-        --parallel "$jobs" "$@") || fail "tests failed in the $preset build"
+    (cd "$root" && ctest --preset "$preset" --no-tests=error --output-on-failure --parallel "$jobs" "$@") ||
+        fail "tests failed in the $preset build"
 }
