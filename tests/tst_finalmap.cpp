@@ -4,6 +4,7 @@
 #include "solver/finalmap.h"
 #include "solver/liveschedule.h"
 #include "solver/overlapfree.h"
+#include "solver/seamgaps.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
@@ -182,6 +183,51 @@ private Q_SLOTS:
         QVERIFY(!coversItself(*soup, map));
         QVERIFY(std::find(map.cut.begin(), map.cut.end(), true) == map.cut.end());
         QVERIFY(map.distortion(*soup) < 4.001);
+    }
+
+    //! A flat grid in one piece, cut into columns of 1, 2 and 3 quads that stay where they are.
+    void seamsInOnePlaceAreOpened_data()
+    {
+        QTest::addColumn<bool>("pinned");
+        QTest::newRow("the largest stays") << false;
+        QTest::newRow("the pinned one stays") << true;
+    }
+    void seamsInOnePlaceAreOpened()
+    {
+        QFETCH(bool, pinned);
+        Snapshot snapshot = snapshotOf(test::grid(6));
+        const MeshData &mesh = *snapshot.mesh;
+        const auto soup = Soup::build(snapshot.mesh);
+        SeamedMap map;
+        for (int c = 0; c < mesh.soupCornerCount(); ++c) {
+            const auto place = mesh.positions.row(mesh.cornerVertex[mesh.cornerOfSoup(c)]);
+            map.x.insert(map.x.end(), {place.x(), place.y()});
+        }
+        map.cut.assign(mesh.edgePairs.size(), false);
+        const auto column = [&](int triangle) {
+            const int x = mesh.triangleFace[triangle] % 6;
+            return x < 1 ? 0 : x < 3 ? 1 : 2;
+        };
+        for (std::size_t e = 0; e < map.cut.size(); ++e)
+            map.cut[e] = column(mesh.edgePairs[e].triangle[0]) != column(mesh.edgePairs[e].triangle[1]);
+        QCOMPARE(findCharts(mesh, cornerUv(*soup, map)).count, 1);
+        const int staying = pinned ? 0 : 2;
+        if (pinned)
+            snapshot.pins.push_back({0, {map.x[0], map.x[1]}, true});
+        SeamedMap opened = map;
+        openSeams(*soup, snapshot, opened);
+        QCOMPARE(findCharts(mesh, cornerUv(*soup, opened)).count, 3);
+        QCOMPARE(opened.validate(*soup), std::string());
+        for (int c = 0; c < mesh.soupCornerCount(); ++c) {
+            const double moved =
+                opened.x[2 * static_cast<std::size_t>(c)] - map.x[2 * static_cast<std::size_t>(c)];
+            QVERIFY(moved >= 0 && moved < 0.01 * soup->meanEdgeLength);
+            if (column(c / 3) == staying)
+                QCOMPARE(moved, 0.);
+        }
+        const SeamedMap once = opened;
+        openSeams(*soup, snapshot, opened);
+        QVERIFY(opened.x == once.x);
     }
 
     void pinsAreLeftToTheSolver()

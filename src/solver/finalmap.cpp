@@ -1,6 +1,7 @@
 #include "solver/finalmap.h"
 
 #include "solver/overlapfree.h"
+#include "solver/seamgaps.h"
 #include "solver/search/seamoptimizer.h"
 
 #include <algorithm>
@@ -61,9 +62,12 @@ std::optional<SeamedMap> makeFinalMap(const Solver &solver, const FinalMapOption
 {
     const Snapshot &snapshot = solver.snapshot();
     std::optional<MadeMap> made = makeMap(solver, {.maxDistortion = options.maxDistortion}, stop);
-    if (!made || snapshot.placesIslands())
-        return made ? std::optional(std::move(made->map)) : std::nullopt;
+    if (!made)
+        return std::nullopt;
     const Soup &soup = solver.soup();
+    openSeams(soup, snapshot, made->map);
+    if (snapshot.placesIslands())
+        return std::move(made->map);
     OptimizeOptions search;
     search.maxDistortion = options.maxDistortion;
     search.effort = {0, {{searchMoves, 1}}};
@@ -91,6 +95,7 @@ std::optional<SeamedMap> makeFinalMap(const Solver &solver, const FinalMapOption
     if (coversItself(soup, found->map) || (fits == madeFits ? !cheaper : madeFits))
         return made->map;
     placeNear(soup, found->map, solver.coordinates());
+    openSeams(soup, snapshot, found->map);
     return std::move(found->map);
 }
 
