@@ -6,9 +6,13 @@
 #include "model/uvlayout.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
+#include "views/tools/draghandles.h"
 #include "views/tools/dragtool.h"
 
 #include <QTest>
+
+#include <algorithm>
+#include <functional>
 
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
@@ -306,6 +310,24 @@ private Q_SLOTS:
         QTest::mouseRelease(&view(), Qt::LeftButton, {}, end);
         QVERIFY(mStudio->solver.isRunning());
         QCOMPARE(document().undoStack().count(), entries);
+    }
+
+    //! The triangles of a large mesh are not in the order of its faces.
+    void handlesRiseInLargeMeshes()
+    {
+        openOneIsland(test::grid(64));
+        const std::vector<int> &order = document().mesh().triangleFace;
+        QVERIFY(!std::is_sorted(order.begin(), order.end()));
+        Selection selection;
+        selection.mode = SelectionMode::Faces;
+        for (int face = 0; face < 500; ++face)
+            selection.faces << face;
+        document().setSelection(selection);
+        PickResult pick;
+        pick.triangle = document().mesh().trianglesOf(100).front();
+        const std::vector<int> corners = dragHandles(document(), view(), mStudio->shown, pick);
+        QCOMPARE(corners.size(), std::size_t(3000));
+        QVERIFY(std::adjacent_find(corners.begin(), corners.end(), std::greater_equal<>()) == corners.end());
     }
 
 private:

@@ -4,9 +4,12 @@
 #include "solver/metrics/uvmetrics.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
+#include "views/control/cleanfaces.h"
 
 #include <QTest>
 
+#include <algorithm>
+#include <functional>
 #include <numbers>
 
 using namespace autocuts;
@@ -172,6 +175,17 @@ private Q_SLOTS:
         dragFace(40, {220, -30});
         QVERIFY(overlaps() < before);
         QVERIFY(overlaps() > 0);
+    }
+
+    //! The triangles of a large mesh are not in the order of its faces.
+    void facesRiseInLargeMeshes()
+    {
+        const Document &large = mStudio->open(test::layoutDocument(test::grid(64)));
+        const std::vector<int> &order = large.mesh().triangleFace;
+        QVERIFY(!std::is_sorted(order.begin(), order.end()));
+        const QList<int> faces = cleanPart(MapWithSeams(large, mStudio->shown), 1000).faces;
+        QVERIFY(faces.size() > 100);
+        QVERIFY(std::adjacent_find(faces.begin(), faces.end(), std::greater_equal<>()) == faces.end());
     }
 
     void escapeEndsTheSearch()
