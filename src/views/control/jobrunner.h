@@ -39,7 +39,7 @@ class JobRunner final : public QObject
 
 public:
     //! Milliseconds after which a cancelled job that has not ended yet does not keep anybody from going on.
-    static constexpr int cancelPatience = 150;
+    static constexpr int cancelPatience = 100;
 
     //! What cancel() does with a job: asks it to end with what it has, which when it comes late is used all
     //! the same unless another job has begun; or lets it go at once, for work that cannot be told to stop.
