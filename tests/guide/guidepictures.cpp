@@ -193,12 +193,12 @@ private:
     //! Rows 32 to 34.
     void boxing()
     {
-        sample("file.sample.character");
+        sample("file.sample.bumpycube");
         mArtist->runJob("uv.unwrap");
         studio().action("view.coloring.islands")->trigger();
         frame();
         mArtist->use("tool.rectangle");
-        const QPoint lower = mArtist->pixelOf({0.1, 1.05}), upper = mArtist->pixelOf({0.9, 1.3});
+        const QPoint lower = mArtist->pixelOf({0.05, 0.1}), upper = mArtist->pixelOf({0.95, 0.9});
         pair(u"rectangle"_s, map(), [&] {
             mArtist->drag("", map(), {lower, upper});
             mArtist->drag("", map(), {mArtist->placesOn(map(), 9)[4], (lower + upper) / 2});
