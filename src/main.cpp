@@ -1,8 +1,8 @@
 // autocuts: the studio.
 #include "views/actions/studioactions.h"
-#include "views/mainwindow.h"
-#include "views/preferences/preferences.h"
-#include "views/theme.h"
+#include "views/shell/mainwindow.h"
+#include "views/ui/preferences.h"
+#include "views/ui/theme.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

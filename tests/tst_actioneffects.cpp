@@ -1,7 +1,7 @@
 // What the actions of the menus do.
 #include "commands/setuvs.h"
 #include "support/gridstudio.h"
-#include "views/actions/selecting.h"
+#include "views/selecting/selecting.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -9,6 +9,7 @@
 #include <numeric>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
 using namespace Qt::Literals::StringLiterals;
 using test::GridStudio;
 

@@ -1,8 +1,8 @@
 // The table of actions, the menus made from it, and all actions in every state.
-#include "model/samples.h"
+#include "model/samples/samples.h"
 #include "support/gridstudio.h"
 #include "views/actions/menubuilder.h"
-#include "views/icons.h"
+#include "views/ui/icons.h"
 
 #include <QMenu>
 #include <QMenuBar>
@@ -55,31 +55,15 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("id");
         QTest::addColumn<QString>("key");
-        for (const auto &[id, key] :
-             std::initializer_list<std::pair<const char *, const char *>>{{"uv.lambdaLess", "Left"},
-                                                                          {"uv.lambdaMore", "Right"},
-                                                                          {"uv.deltaDouble", "Up"},
-                                                                          {"uv.deltaHalve", "Down"},
-                                                                          {"uv.run", "Space"},
-                                                                          {"uv.cut", "C"},
-                                                                          {"uv.join", "J"},
-                                                                          {"uv.unwrap", "U"},
-                                                                          {"uv.pack", "P"},
-                                                                          {"uv.separate", "O"},
-                                                                          {"tool.select", "Q"},
-                                                                          {"tool.move", "G"},
-                                                                          {"tool.rotate", "R"},
-                                                                          {"tool.scale", "S"},
-                                                                          {"select.vertices", "1"},
-                                                                          {"select.edges", "2"},
-                                                                          {"select.faces", "3"},
-                                                                          {"select.islands", "4"},
-                                                                          {"view.texture", "T"},
-                                                                          {"view.heatMap", "H"},
-                                                                          {"view.frameAll", "Home"},
-                                                                          {"view.frameAll", "A"},
-                                                                          {"view.frameSelected", "F"},
-                                                                          {"view.frameSelected", "Num+."}})
+        for (const auto &[id, key] : std::initializer_list<std::pair<const char *, const char *>>{
+                 {"uv.lambdaLess", "Left"}, {"uv.lambdaMore", "Right"},  {"uv.deltaDouble", "Up"},
+                 {"uv.deltaHalve", "Down"}, {"uv.run", "Space"},         {"uv.cut", "C"},
+                 {"uv.join", "J"},          {"uv.unwrap", "U"},          {"uv.pack", "P"},
+                 {"uv.separate", "O"},      {"tool.select", "Q"},        {"tool.move", "G"},
+                 {"tool.rotate", "R"},      {"tool.scale", "S"},         {"select.vertices", "1"},
+                 {"select.edges", "2"},     {"select.faces", "3"},       {"select.islands", "4"},
+                 {"view.texture", "T"},     {"view.heatMap", "H"},       {"view.frameAll", "Home"},
+                 {"view.frameAll", "A"},    {"view.frameSelected", "F"}, {"view.frameSelected", "Num+."}})
             QTest::addRow("%s %s", id, key) << QString::fromLatin1(id) << QString::fromLatin1(key);
     }
 

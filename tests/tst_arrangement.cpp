@@ -1,8 +1,8 @@
 // Laying out islands as pieces: what is computed, without the window.
 #include "commands/setislandflags.h"
 #include "commands/stackislands.h"
-#include "model/arrangement.h"
-#include "model/similarislands.h"
+#include "model/document/arrangement.h"
+#include "model/document/similarislands.h"
 #include "support/pieces.h"
 
 #include <QTest>

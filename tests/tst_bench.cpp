@@ -9,6 +9,7 @@
 #include <QTest>
 
 using namespace autocuts;
+using namespace autocuts::unwrap;
 
 class TestBench : public QObject
 {

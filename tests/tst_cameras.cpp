@@ -1,5 +1,5 @@
 // The cameras of both views, the presets of navigation and the steps of the grid; all without OpenGL.
-#include "solver/random.h"
+#include "solver/base/random.h"
 #include "views/canvas/mapcamera.h"
 #include "views/canvas/mapgrid.h"
 #include "views/canvas/navigation.h"

@@ -1,6 +1,6 @@
 // Charts (UV islands) and the disjoint sets behind them.
-#include "model/chart.h"
-#include "model/unionfind.h"
+#include "model/plain/chart.h"
+#include "model/plain/unionfind.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>

@@ -14,6 +14,7 @@
 #include <cmath>
 
 using namespace autocuts;
+using namespace autocuts::metrics;
 
 namespace {
 
@@ -180,7 +181,8 @@ private Q_SLOTS:
         for (const char *line :
              {"--init tutte", "--init random --seed 5", "--weights count", "--energy amips", "--solver exact",
               "--lambda 0.3", "--no-pack", "--allow-overlaps", "--rotation none",
-              "--rotation 90 --margin 20 --texture-size 512", "--time-limit 0.001 --lambda 0.2 --quality best"})
+              "--rotation 90 --margin 20 --texture-size 512",
+              "--time-limit 0.001 --lambda 0.2 --quality best"})
             QTest::newRow(line) << QString::fromLatin1(line).split(QLatin1Char(' '));
     }
     void everyUnwrapOptionRuns()

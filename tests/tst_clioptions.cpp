@@ -1,9 +1,11 @@
 // The command line's contract: every command and option is understood, every mistake has a message.
-#include "clioptions.h"
+#include "cli/clioptions.h"
 
 #include <QTest>
 
 using namespace autocuts;
+using namespace autocuts::packing;
+using namespace autocuts::unwrap;
 
 namespace {
 

@@ -1,6 +1,6 @@
 // The program itself: exit codes, streams, signals, and everything that can be wrong with its files.
 #include "model/io/meshfile.h"
-#include "model/samples.h"
+#include "model/samples/samples.h"
 #include "solver/metrics/uvmetrics.h"
 #include "support/cliruns.h"
 
@@ -16,6 +16,7 @@
 #include <sys/resource.h>
 
 using namespace autocuts;
+using namespace autocuts::metrics;
 
 namespace {
 

@@ -1,9 +1,9 @@
 // Cut meshes: labels and boundary loops, cuts without effect, cutting open to disks, Tutte's embedding of
 // them.
-#include "model/samples.h"
-#include "solver/cutmesh.h"
-#include "solver/soup.h"
-#include "solver/tutte.h"
+#include "model/samples/samples.h"
+#include "solver/base/cutmesh.h"
+#include "solver/base/soup.h"
+#include "solver/search/tutte.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
@@ -14,6 +14,7 @@
 #include <set>
 
 using namespace autocuts;
+using namespace autocuts::search;
 
 namespace {
 

@@ -1,17 +1,17 @@
 // Dialogs of files, recovery and help; theme.
 #include "model/io/exportlosses.h"
 #include "model/io/projectfile.h"
-#include "model/samples.h"
+#include "model/samples/samples.h"
 #include "support/editsupport.h"
 #include "support/studioparts.h"
+#include "views/actions/shortcutlistdialog.h"
 #include "views/dialogs/aboutdialog.h"
 #include "views/dialogs/exportlayoutdialog.h"
 #include "views/dialogs/exportmeshdialog.h"
 #include "views/dialogs/pathfield.h"
 #include "views/dialogs/recoverydialog.h"
-#include "views/dialogs/shortcutlistdialog.h"
-#include "views/icons.h"
-#include "views/theme.h"
+#include "views/ui/icons.h"
+#include "views/ui/theme.h"
 
 #include <QApplication>
 #include <QCheckBox>

@@ -8,8 +8,8 @@
 #include "commands/setseamstate.h"
 #include "commands/setseamweights.h"
 #include "commands/setuvs.h"
-#include "model/makesnapshot.h"
-#include "model/uvlayout.h"
+#include "model/document/makesnapshot.h"
+#include "model/plain/uvlayout.h"
 #include "support/editsupport.h"
 
 #include <QTest>

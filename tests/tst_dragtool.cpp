@@ -3,7 +3,7 @@
 #include "commands/editpins.h"
 #include "commands/setislandflags.h"
 #include "commands/setseamstate.h"
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
 #include "views/tools/draghandles.h"
@@ -15,6 +15,7 @@
 #include <functional>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
 
@@ -289,7 +290,7 @@ private Q_SLOTS:
         const bool ran = mStudio->solver.isRunning();
         QTest::mouseRelease(&view(), Qt::LeftButton, {}, start + QPoint(10, -30));
         QVERIFY(ran);
-        QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isRunning() && !mStudio->solver.isSettling(), 30'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isRunning() && !mStudio->solver.isPausing(), 30'000);
     }
 
     void escapeLetsGoOfTheRunningSolve()

@@ -1,10 +1,11 @@
-// Energy terms: gradients and Hessians against finite differences on three meshes, and what each term promises.
+// Energy terms: gradients and Hessians against finite differences on three meshes, and what each term
+// promises.
+#include "solver/base/random.h"
 #include "solver/energy/constraintterms.h"
 #include "solver/energy/distortion.h"
 #include "solver/energy/isotropic.h"
 #include "solver/energy/separation.h"
-#include "solver/initialuv.h"
-#include "solver/random.h"
+#include "solver/homotopy/initialuv.h"
 #include "support/meshbuilders.h"
 
 #include <Eigen/Dense>
@@ -15,13 +16,15 @@
 #include <limits>
 
 using namespace autocuts;
+using namespace autocuts::energy;
+using namespace autocuts::homotopy;
 
 namespace {
 
 struct Case
 {
     std::shared_ptr<const Soup> soup;
-    std::vector<double> x;    //!< distorted, positively oriented
+    std::vector<double> x; //!< distorted, positively oriented
 };
 
 Case distortedCase(const test::MeshPtr &mesh, double amount, unsigned seed)
@@ -125,8 +128,8 @@ Eigen::Matrix<double, 6, 6> projected(const Eigen::Matrix<double, 6, 6> &hessian
     const Eigen::Matrix4d inverse = (map * map.transpose()).inverse();
     const Eigen::Matrix4d inner = inverse * map * hessian * map.transpose() * inverse;
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(0.5 * (inner + inner.transpose()));
-    return map.transpose() * eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal()
-           * eigen.eigenvectors().transpose() * map;
+    return map.transpose() * eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
+           eigen.eigenvectors().transpose() * map;
 }
 
 } // namespace
@@ -210,8 +213,8 @@ private Q_SLOTS:
         // Stretching by k in both directions against stretching by k in one and 1 / k in the other.
         const double k = 1.5;
         QVERIFY(AmipsDensity::value(k, k) < AmipsDensity::value(k, 1 / k));
-        const double symmetricRatio = (SymmetricDirichletDensity::value(k, k) - 4)
-                                      / (SymmetricDirichletDensity::value(k, 1 / k) - 4);
+        const double symmetricRatio =
+            (SymmetricDirichletDensity::value(k, k) - 4) / (SymmetricDirichletDensity::value(k, 1 / k) - 4);
         const double amipsRatio = (AmipsDensity::value(k, k) - 4) / (AmipsDensity::value(k, 1 / k) - 4);
         QVERIFY(amipsRatio < 0.5 * symmetricRatio);
     }
@@ -356,7 +359,7 @@ private Q_SLOTS:
             const double u = c.x[2 * corner];
             QCOMPARE(blocks.ground[2 * corner], u < -0.2 || u > 0.4 ? 200.0 : 0.0);
         }
-        QCOMPARE(blocks.ground[2], 0.0);    // corner 1 is not in the box's list
+        QCOMPARE(blocks.ground[2], 0.0); // corner 1 is not in the box's list
         // Inside nothing is felt.
         UvRectangle wide = box;
         wide.lower = Vec2(-100, -100);
@@ -374,7 +377,7 @@ private Q_SLOTS:
         const auto &s = soup->restShape[0];
         const std::vector<double> x(s.begin(), s.end());
         std::vector<double> move(6, 0.0);
-        move[5] = -s[5];    // the top corner falls onto the base: flat at step 1
+        move[5] = -s[5]; // the top corner falls onto the base: flat at step 1
         QVERIFY(std::abs(maxFlipFreeStep(*soup, x, move, 10) - 1) < 1e-12);
         move[5] = s[5];
         QCOMPARE(maxFlipFreeStep(*soup, x, move, 10), 10.0);

@@ -6,7 +6,7 @@
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
-#include "views/preferences/preferences.h"
+#include "views/ui/preferences.h"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -118,8 +118,7 @@ private Q_SLOTS:
             desk.files.saveForRecoveryNow();
             state = desk.document().state();
             // What a crash would leave: the session ends in order here, so its file is put aside.
-            const QStringList files =
-                QDir(recovery).entryList({QStringLiteral("*.acproj")}, QDir::Files);
+            const QStringList files = QDir(recovery).entryList({QStringLiteral("*.acproj")}, QDir::Files);
             QCOMPARE(files.size(), 1);
             QVERIFY(QFile::copy(recovery + QLatin1Char('/') + files.front(),
                                 kept + QLatin1Char('/') + files.front()));

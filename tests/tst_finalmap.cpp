@@ -1,10 +1,10 @@
 // The final map of a live solve: within the bound, without folds and overlaps, and what the user decided
 // holds.
-#include "solver/anneal.h"
-#include "solver/finalmap.h"
-#include "solver/liveschedule.h"
-#include "solver/overlapfree.h"
-#include "solver/seamgaps.h"
+#include "solver/definite/refinedmap.h"
+#include "solver/definite/relaxing.h"
+#include "solver/definite/seamgaps.h"
+#include "solver/homotopy/anneal.h"
+#include "solver/homotopy/liveschedule.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
@@ -15,6 +15,8 @@
 #include <numbers>
 
 using namespace autocuts;
+using namespace autocuts::definite;
+using namespace autocuts::homotopy;
 
 namespace {
 
@@ -55,10 +57,10 @@ private Q_SLOTS:
         QFETCH(test::MeshPtr, mesh);
         const Solved solver(snapshotOf(mesh));
         const double bound = 4.2;
-        const std::optional<MadeMap> made = makeMap(solver, {.maxDistortion = bound});
+        const std::optional<DefiniteMap> made = makeDefiniteMap(solver, {.maxDistortion = bound});
         double progress = 0;
         const std::optional<SeamedMap> map =
-            makeFinalMap(solver, {.maxDistortion = bound}, nullptr, [&](double fraction) {
+            makeRefinedMap(solver, {.maxDistortion = bound}, nullptr, [&](double fraction) {
                 QVERIFY(fraction >= progress && fraction <= 1);
                 progress = fraction;
             });
@@ -85,7 +87,7 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < moved.size(); i += 2)
             moved[i] += 50;
         solver.setCoordinates(moved);
-        const auto map = makeFinalMap(solver, {});
+        const auto map = makeRefinedMap(solver, {});
         QVERIFY(map);
         QVERIFY((middle(map->x) - middle(moved)).norm() < 1e-6);
     }
@@ -99,7 +101,7 @@ private Q_SLOTS:
         for (int k = 0; k < 3; ++k)
             snapshot.pins.push_back({3 + k, places[k], true});
         const Solved solver(snapshot);
-        const auto map = makeFinalMap(solver, {.maxDistortion = 5});
+        const auto map = makeRefinedMap(solver, {.maxDistortion = 5});
         QVERIFY(map);
         for (int k = 0; k < 3; ++k) {
             const Vec2 at(map->x[6 + 2 * static_cast<std::size_t>(k)],
@@ -111,8 +113,8 @@ private Q_SLOTS:
     void itDoesNotDependOnTheThreads()
     {
         const Solved solver(snapshotOf(test::sphere(12, 16)));
-        const auto one = makeFinalMap(solver, {.threads = 1});
-        const auto two = makeFinalMap(solver, {.threads = 2});
+        const auto one = makeRefinedMap(solver, {.threads = 1});
+        const auto two = makeRefinedMap(solver, {.threads = 2});
         QVERIFY(one && two);
         QVERIFY(one->cut == two->cut);
         QVERIFY(one->x == two->x);
@@ -129,7 +131,7 @@ private Q_SLOTS:
         for (const int edge : joined)
             snapshot.pairState[2 * edge] = snapshot.pairState[2 * edge + 1] = PairState::Joined;
         const Solved solver(snapshot);
-        const auto map = makeFinalMap(solver, {.maxDistortion = 4.3});
+        const auto map = makeRefinedMap(solver, {.maxDistortion = 4.3});
         QVERIFY(map);
         for (const int edge : cut)
             QVERIFY(map->cut[edge]);
@@ -154,7 +156,7 @@ private Q_SLOTS:
         QVERIFY(steps > 50);
         QVERIFY(solver.snapshot().settings.lambda != 0.05);
         QCOMPARE(solver.snapshot().settings.delta, finalDelta(solver.soup()));
-        const auto made = makeMap(solver, {.maxDistortion = bound});
+        const auto made = makeDefiniteMap(solver, {.maxDistortion = bound});
         QVERIFY(made && made->seedDistortion < bound + 0.1);
     }
 
@@ -235,8 +237,8 @@ private Q_SLOTS:
         Snapshot snapshot = snapshotOf(test::sphere(10, 12));
         snapshot.pins.push_back({0, Vec2(0.3, 0.2), false, 10});
         const Solved solver(snapshot);
-        const auto made = makeMap(solver, {});
-        const auto map = makeFinalMap(solver, {});
+        const auto made = makeDefiniteMap(solver, {});
+        const auto map = makeRefinedMap(solver, {});
         QVERIFY(made && map);
         QVERIFY(map->x == made->map.x);
     }
@@ -245,7 +247,7 @@ private Q_SLOTS:
     {
         const Solved solver(snapshotOf(test::sphere(10, 12)));
         const std::atomic<bool> stop = true;
-        QVERIFY(!makeFinalMap(solver, {}, &stop));
+        QVERIFY(!makeRefinedMap(solver, {}, &stop));
     }
 };
 

@@ -1,10 +1,10 @@
 // From the soup to a map with definite seams: what is merged, what is cut, and the figures of the result.
-#include "solver/anneal.h"
-#include "solver/finish.h"
-#include "solver/mapmaking.h"
+#include "solver/definite/definitemap.h"
+#include "solver/definite/stitching.h"
+#include "solver/homotopy/anneal.h"
+#include "solver/homotopy/solver.h"
 #include "solver/metrics/uvmetrics.h"
-#include "solver/pipeline.h"
-#include "solver/solver.h"
+#include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
@@ -13,6 +13,9 @@
 #include <memory>
 
 using namespace autocuts;
+using namespace autocuts::definite;
+using namespace autocuts::homotopy;
+using namespace autocuts::metrics;
 
 namespace {
 
@@ -88,7 +91,7 @@ private Q_SLOTS:
     {
         QFETCH(int, steps);
         const auto solver = annealed(currentMesh(), steps);
-        SeamedMap map = finishMap(solver->sharedSoup(), solver->snapshot(), solver->coordinates());
+        SeamedMap map = stitchSoup(solver->sharedSoup(), solver->snapshot(), solver->coordinates());
         QCOMPARE(map.validate(solver->soup()), std::string());
         relaxMap(solver->sharedSoup(), solver->snapshot(), map, 20);
         QCOMPARE(map.validate(solver->soup()), std::string());
@@ -99,7 +102,7 @@ private Q_SLOTS:
     {
         QFETCH(int, steps);
         const auto solver = annealed(currentMesh(), steps);
-        const SeamedMap map = finishMap(solver->sharedSoup(), solver->snapshot(), solver->coordinates());
+        const SeamedMap map = stitchSoup(solver->sharedSoup(), solver->snapshot(), solver->coordinates());
         const MeshData &mesh = *solver->soup().mesh;
         const UvMetrics measured = measureUv(mesh, cornerUv(solver->soup(), map));
         QCOMPARE(measured.flipped, 0);
@@ -119,7 +122,7 @@ private Q_SLOTS:
     {
         QFETCH(int, steps);
         const auto solver = annealed(currentMesh(), steps);
-        SeamedMap map = finishMap(solver->sharedSoup(), solver->snapshot(), solver->coordinates());
+        SeamedMap map = stitchSoup(solver->sharedSoup(), solver->snapshot(), solver->coordinates());
         const CutFlags cut = map.cut;
         double before = map.distortion(solver->soup());
         for (int round = 0; round < 3; ++round) {
@@ -139,7 +142,7 @@ private Q_SLOTS:
         const std::vector<int> edges{edgeBetween(*mesh, 0, 1), edgeBetween(*mesh, 6, 7)};
         for (const int steps : {1, 10}) {
             const auto solver = annealed(mesh, steps, statesOf(*mesh, edges, PairState::Joined));
-            const SeamedMap map = finishMap(solver->sharedSoup(), solver->snapshot(), solver->coordinates());
+            const SeamedMap map = stitchSoup(solver->sharedSoup(), solver->snapshot(), solver->coordinates());
             for (const int e : edges) {
                 QVERIFY(!map.cut[e]);
                 QVERIFY(isClosed(*mesh, map, e));
@@ -154,7 +157,7 @@ private Q_SLOTS:
         const std::vector<int> ring{edgeBetween(*mesh, 4, 5), edgeBetween(*mesh, 5, 6),
                                     edgeBetween(*mesh, 6, 7), edgeBetween(*mesh, 7, 4)};
         const auto solver = annealed(mesh, 10, statesOf(*mesh, ring, PairState::Cut));
-        const SeamedMap map = finishMap(solver->sharedSoup(), solver->snapshot(), solver->coordinates());
+        const SeamedMap map = stitchSoup(solver->sharedSoup(), solver->snapshot(), solver->coordinates());
         for (const int e : ring)
             QVERIFY(map.cut[e]);
         const CutMesh state(*mesh, map.cut);
@@ -178,7 +181,7 @@ private Q_SLOTS:
             x[2 * c] = p.x() + noise;
             x[2 * c + 1] = p.y() - noise;
         }
-        const SeamedMap map = closeTo(soup, snapshot, cut, x);
+        const SeamedMap map = stitchTo(soup, snapshot, cut, x);
         QCOMPARE(map.validate(*soup), std::string());
         QVERIFY(map.cut == cut);
         QCOMPARE(CutMesh(*mesh, map.cut).chartCount, 2);
@@ -195,7 +198,7 @@ private Q_SLOTS:
         std::vector<double> x;
         for (const auto &shape : soup->restShape)
             x.insert(x.end(), shape.begin(), shape.end());
-        const SeamedMap map = closeTo(soup, snapshot, CutFlags(mesh->edgePairs.size(), false), x);
+        const SeamedMap map = stitchTo(soup, snapshot, CutFlags(mesh->edgePairs.size(), false), x);
         QCOMPARE(map.validate(*soup), std::string());
         QVERIFY(map.seamLength(*soup) > 0);
     }
@@ -203,7 +206,7 @@ private Q_SLOTS:
     void brokenMapsAreFound()
     {
         const auto solver = annealed(test::quadCube(), 10);
-        const SeamedMap good = finishMap(solver->sharedSoup(), solver->snapshot(), solver->coordinates());
+        const SeamedMap good = stitchSoup(solver->sharedSoup(), solver->snapshot(), solver->coordinates());
         const Soup &soup = solver->soup();
         const auto &pairs = soup.mesh->edgePairs;
         QCOMPARE(good.validate(soup), std::string());
@@ -236,7 +239,7 @@ private Q_SLOTS:
     {
         const std::atomic<bool> cancel = true;
         const auto solver = annealed(test::torus(8, 6), 2);
-        SeamedMap map = finishMap(solver->sharedSoup(), solver->snapshot(), solver->coordinates(), &cancel);
+        SeamedMap map = stitchSoup(solver->sharedSoup(), solver->snapshot(), solver->coordinates(), &cancel);
         QCOMPARE(map.validate(solver->soup()), std::string());
         QCOMPARE(relaxMap(solver->sharedSoup(), solver->snapshot(), map, 5, &cancel), 0);
     }

@@ -1,13 +1,14 @@
 // The multifrontal solver against the general one, on matrices of several shapes.
+#include "solver/base/random.h"
 #include "solver/linear/cholmodsolver.h"
 #include "solver/linear/frontalsolver.h"
-#include "solver/random.h"
 
 #include <QTest>
 
 #include <stdexcept>
 
 using namespace autocuts;
+using namespace autocuts::linear;
 
 namespace {
 

@@ -1,6 +1,6 @@
 // The systems of single triangles in the preconditioner against dense inverses.
-#include "solver/linear/hubkernels.h"
-#include "solver/random.h"
+#include "solver/base/random.h"
+#include "solver/newton/hubkernels.h"
 
 #include <Eigen/Dense>
 
@@ -9,6 +9,7 @@
 #include <vector>
 
 using namespace autocuts;
+using namespace autocuts::newton;
 
 namespace {
 

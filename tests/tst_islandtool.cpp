@@ -11,6 +11,7 @@
 #include <QTest>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
 
@@ -19,10 +20,7 @@ class TestIslandTool : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void init()
-    {
-        mStudio = Canvases::onGrid(4);
-    }
+    void init() { mStudio = Canvases::onGrid(4); }
     void cleanup() { mStudio.reset(); }
 
     void dragMovesTheIslandUnderTheMouse()
@@ -298,7 +296,7 @@ private Q_SLOTS:
         QVERIFY(tool().isBusy());
         mouse({140, 80});
         QVERIFY(QTest::qWaitFor(
-            [this] { return !mStudio->solver.isRunning() && !mStudio->solver.isSettling(); }, 60'000));
+            [this] { return !mStudio->solver.isRunning() && !mStudio->solver.isPausing(); }, 60'000));
         QCoreApplication::processEvents();
         QVERIFY(tool().isBusy());
         QCOMPARE(document().undoStack().undoText().section(u' ', 0, 0), u"Move"_s);
@@ -311,7 +309,7 @@ private Q_SLOTS:
         const auto middle = [this] { return mStudio->shown.uv().topRows(3).colwise().mean().eval(); };
         mStudio->tools.choose(u"move"_s);
         QVERIFY(QTest::qWaitFor(
-            [this] { return !mStudio->solver.isRunning() && !mStudio->solver.isSettling(); }, 60'000));
+            [this] { return !mStudio->solver.isRunning() && !mStudio->solver.isPausing(); }, 60'000));
         QCoreApplication::processEvents();
         mouse({140, 180});
         const Eigen::RowVector2d moved = middle();
@@ -321,7 +319,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitFor([this] { return mStudio->solver.result() != nullptr; }, 60'000));
         QVERIFY((middle() - moved).norm() < 0.2);
         mStudio->solver.pause();
-        QVERIFY(QTest::qWaitFor([this] { return !mStudio->solver.isSettling(); }, 60'000));
+        QVERIFY(QTest::qWaitFor([this] { return !mStudio->solver.isPausing(); }, 60'000));
         // A solve that rested goes on resting.
         mStudio->tools.choose(u"move"_s);
         mouse({150, 150});

@@ -6,11 +6,12 @@
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
 
 #include <QTest>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
 
 namespace {
 
@@ -100,7 +101,7 @@ private Q_SLOTS:
         QVERIFY(!apart(shown.uv(), 4));
         solver.setLivePacking(true);
         solver.pause();
-        QVERIFY(QTest::qWaitFor([&] { return !solver.isSettling(); }, patience));
+        QVERIFY(QTest::qWaitFor([&] { return !solver.isPausing(); }, patience));
         QVERIFY(!shown.isLive());
         QVERIFY(!apart(soupUv(document.mesh(), document.uv()), 4));
         QVERIFY(document.undoStack().count() <= 1);

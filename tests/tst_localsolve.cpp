@@ -1,7 +1,7 @@
 // Solving parts of maps: chains of edges made straight, selections relaxed.
-#include "model/chart.h"
-#include "model/edgechains.h"
-#include "solver/localsolve.h"
+#include "model/document/edgechains.h"
+#include "model/plain/chart.h"
+#include "solver/homotopy/localsolve.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
@@ -12,6 +12,7 @@
 #include <set>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
 
 namespace {
 

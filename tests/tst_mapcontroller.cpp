@@ -2,7 +2,7 @@
 #include "commands/editrectangles.h"
 #include "commands/setislandflags.h"
 #include "commands/setuvs.h"
-#include "model/samples.h"
+#include "model/samples/samples.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
@@ -12,6 +12,8 @@
 #include <QTest>
 
 using namespace autocuts;
+using namespace autocuts::metrics;
+using namespace autocuts::unwrap;
 
 namespace {
 

@@ -1,5 +1,5 @@
 // MeshData: welding, triangulation, edge pairs, and meshes that are broken in every way.
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>

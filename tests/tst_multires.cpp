@@ -1,9 +1,10 @@
 // Coarse meshes and the way back: collapses and their undoing, maps carried from a coarse mesh to the fine
 // one.
-#include "solver/multires/coarsetofine.h"
+#include "solver/definite/relaxing.h"
 #include "solver/multires/edgecollapses.h"
 #include "solver/multires/maprefiner.h"
-#include "solver/overlapfree.h"
+#include "solver/unwrap/coarsetofine.h"
+#include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
@@ -13,6 +14,9 @@
 #include <set>
 
 using namespace autocuts;
+using namespace autocuts::definite;
+using namespace autocuts::multires;
+using namespace autocuts::unwrap;
 
 namespace {
 
@@ -98,7 +102,8 @@ struct Hexagon
 
 CoarseUnwrap draft()
 {
-    return [](const Snapshot &snapshot, const UnwrapOptions &options) { return unwrap(snapshot, options); };
+    return
+        [](const Snapshot &snapshot, const UnwrapOptions &options) { return unwrapMesh(snapshot, options); };
 }
 
 std::optional<CarriedMap> carried(const Snapshot &snapshot, const std::shared_ptr<const Soup> &soup,

@@ -4,7 +4,7 @@
 #include "model/io/objrewriter.h"
 #include "model/io/objwriter.h"
 #include "model/io/savefile.h"
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
 #include "support/meshbuilders.h"
 #include "support/objcases.h"
 

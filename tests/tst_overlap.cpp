@@ -1,8 +1,8 @@
 // Overlaps: exact orientation, and the finder against brute force.
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
+#include "solver/base/random.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/overlap/predicates.h"
-#include "solver/random.h"
 #include "support/objuv.h"
 #include "support/overlapmaps.h"
 
@@ -13,6 +13,7 @@
 #include <set>
 
 using namespace autocuts;
+using namespace autocuts::overlap;
 
 namespace {
 

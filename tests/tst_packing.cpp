@@ -1,5 +1,5 @@
 // The packer: the exact test, strange input, locks, turns, scale, cancelling, determinism, real islands.
-#include "model/chart.h"
+#include "model/plain/chart.h"
 #include "solver/packing/islandgeometry.h"
 #include "solver/packing/layoutcheck.h"
 #include "support/islandfiles.h"
@@ -12,6 +12,7 @@
 #include <numbers>
 
 using namespace autocuts;
+using namespace autocuts::packing;
 using namespace autocuts::test;
 
 namespace {

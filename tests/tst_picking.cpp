@@ -1,6 +1,6 @@
 // Picking on the model and in the map; all without OpenGL.
-#include "model/meshadjacency.h"
-#include "solver/random.h"
+#include "model/plain/meshadjacency.h"
+#include "solver/base/random.h"
 #include "support/meshbuilders.h"
 #include "views/canvas/depthmap.h"
 #include "views/canvas/mappicker.h"

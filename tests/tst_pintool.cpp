@@ -1,6 +1,6 @@
 // Pinning, unpinning and dragging pins with real mouse and key events.
 #include "commands/setislandflags.h"
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
 
@@ -10,6 +10,7 @@
 #include <algorithm>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
 
@@ -218,7 +219,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitFor(
             [&] { return (mStudio->shown.uv().row(soup) - RowVec(0.15, 0.15)).norm() < 0.01; }, 60'000));
         mStudio->solver.pause();
-        QVERIFY(QTest::qWaitFor([this] { return !mStudio->solver.isSettling(); }, 60'000));
+        QVERIFY(QTest::qWaitFor([this] { return !mStudio->solver.isPausing(); }, 60'000));
     }
 
 private:

@@ -1,8 +1,8 @@
 // The whole way from a mesh to a packed map: valid, within the bound, steerable, the same every time.
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/overlap/overlapfinder.h"
-#include "solver/pipeline.h"
+#include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 #include "support/objuv.h"
 
@@ -13,6 +13,9 @@
 #include <numbers>
 
 using namespace autocuts;
+using namespace autocuts::metrics;
+using namespace autocuts::overlap;
+using namespace autocuts::unwrap;
 
 namespace {
 
@@ -148,7 +151,7 @@ private Q_SLOTS:
         QFETCH(bool, fans);
         const auto mesh = pipelineMesh(QString::fromLatin1(QTest::currentDataTag()));
         const UnwrapOptions options = draft();
-        const UnwrapResult result = unwrap(snapshotOf(mesh), options);
+        const UnwrapResult result = unwrapMesh(snapshotOf(mesh), options);
         QCOMPARE(problemWith(*mesh, result.uv), QString());
         QVERIFY(!result.stopped);
         for (std::size_t e = 0; e < mesh->edgePairs.size(); ++e) {
@@ -172,7 +175,7 @@ private Q_SLOTS:
     {
         for (const char *name : {"triangle", "square of two", "grid"}) {
             const auto mesh = pipelineMesh(QString::fromLatin1(name));
-            const UnwrapResult result = unwrap(snapshotOf(mesh), draft());
+            const UnwrapResult result = unwrapMesh(snapshotOf(mesh), draft());
             QCOMPARE(result.seamLength, 0.0);
             QVERIFY(result.distortion >= 4 - 1e-9);
         }
@@ -185,7 +188,7 @@ private Q_SLOTS:
         double seam[2];
         for (int i = 0; i < 2; ++i) {
             options.maxDistortion = i == 0 ? 4.5 : 4.08;
-            const UnwrapResult result = unwrap(snapshotOf(mesh), options);
+            const UnwrapResult result = unwrapMesh(snapshotOf(mesh), options);
             QVERIFY2(result.withinBound, qPrintable(QString::number(result.distortion)));
             QVERIFY(measureUv(*mesh, result.uv).symDirichlet <= options.maxDistortion + 1e-9);
             seam[i] = result.seamLength;
@@ -203,7 +206,7 @@ private Q_SLOTS:
             UvMatrix uv[3];
             for (int i = 0; i < 3; ++i) {
                 options.threads = options.packing.threads = i == 2 ? 3 : 1;
-                uv[i] = unwrap(snapshotOf(mesh), options).uv;
+                uv[i] = unwrapMesh(snapshotOf(mesh), options).uv;
             }
             QVERIFY(sameBytes(uv[0], uv[1]));
             QVERIFY(sameBytes(uv[0], uv[2]));
@@ -226,7 +229,7 @@ private Q_SLOTS:
         const auto mesh = pipelineMesh(tag.left(tag.lastIndexOf(QLatin1Char(' '))));
         std::atomic<bool> stop = calls == 0;
         int seen = 0;
-        const UnwrapResult result = unwrap(snapshotOf(mesh), draft(), &stop, [&](const UnwrapProgress &) {
+        const UnwrapResult result = unwrapMesh(snapshotOf(mesh), draft(), &stop, [&](const UnwrapProgress &) {
             if (++seen == calls)
                 stop = true;
         });
@@ -239,7 +242,7 @@ private Q_SLOTS:
         double last = 0;
         int calls = 0;
         bool falls = false;
-        unwrap(snapshotOf(test::quadCube()), draft(), nullptr, [&](const UnwrapProgress &p) {
+        unwrapMesh(snapshotOf(test::quadCube()), draft(), nullptr, [&](const UnwrapProgress &p) {
             falls = falls || p.fraction < last || p.fraction > 1;
             last = p.fraction;
             ++calls;
@@ -254,7 +257,7 @@ private Q_SLOTS:
         const auto mesh = test::torus(8, 6);
         UnwrapOptions options = draft();
         options.allowOverlaps = true;
-        const UnwrapResult result = unwrap(snapshotOf(mesh), options);
+        const UnwrapResult result = unwrapMesh(snapshotOf(mesh), options);
         const UvMetrics m = measureUv(*mesh, result.uv);
         QCOMPARE(m.flipped, 0);
         QVERIFY(m.inUnitSquare);
@@ -266,7 +269,7 @@ private Q_SLOTS:
         const auto mesh = test::quadCube();
         UnwrapOptions options = draft();
         options.pack = false;
-        const UnwrapResult result = unwrap(snapshotOf(mesh), options);
+        const UnwrapResult result = unwrapMesh(snapshotOf(mesh), options);
         QCOMPARE(problemWith(*mesh, result.uv, false), QString());
         const Eigen::RowVector2d low = result.uv.colwise().minCoeff(), high = result.uv.colwise().maxCoeff();
         QCOMPARE(low, Eigen::RowVector2d(0, 0));
@@ -281,7 +284,7 @@ private Q_SLOTS:
         const double lambdas[] = {0, 0.5, 1};
         for (int i = 0; i < 3; ++i) {
             options.lambda = lambdas[i];
-            result[i] = unwrap(snapshotOf(mesh), options);
+            result[i] = unwrapMesh(snapshotOf(mesh), options);
             QCOMPARE(problemWith(*mesh, result[i].uv), QString());
             QCOMPARE(result[i].lambda, lambdas[i]);
             QVERIFY(result[i].withinBound);
@@ -307,7 +310,7 @@ private Q_SLOTS:
             snapshot.settings.start = static_cast<StartMode>(start);
             if (snapshot.settings.start == StartMode::ExistingUv)
                 snapshot.startUv = startUvFromCorners(*mesh, mesh->positions(mesh->cornerVertex, {0, 1}));
-            const UnwrapResult result = unwrap(snapshot, draft());
+            const UnwrapResult result = unwrapMesh(snapshot, draft());
             QCOMPARE(problemWith(*mesh, result.uv), QString());
             QVERIFY(result.withinBound);
         }
@@ -322,7 +325,7 @@ private Q_SLOTS:
                 snapshot.settings.solver = solver;
                 snapshot.settings.weighting =
                     solver == SolverKind::Fast ? SeamWeighting::Count : SeamWeighting::Length;
-                const UnwrapResult result = unwrap(snapshot, draft());
+                const UnwrapResult result = unwrapMesh(snapshot, draft());
                 QCOMPARE(problemWith(*snapshot.mesh, result.uv), QString());
             }
         }
@@ -337,7 +340,7 @@ private Q_SLOTS:
                 continue;
             Snapshot snapshot = snapshotOf(mesh);
             setState(snapshot, e, PairState::Joined);
-            const UnwrapResult result = unwrap(snapshot, draft());
+            const UnwrapResult result = unwrapMesh(snapshot, draft());
             QVERIFY2(!isSeam(*mesh, result.uv, e), qPrintable(QString::number(e)));
             QCOMPARE(problemWith(*mesh, result.uv), QString());
         }
@@ -352,7 +355,7 @@ private Q_SLOTS:
         for (int s = 0; s < segments; ++s)
             setState(snapshot, edgeBetween(*mesh, 2 * segments + s, 2 * segments + (s + 1) % segments),
                      PairState::Cut);
-        const UnwrapResult result = unwrap(snapshot, draft());
+        const UnwrapResult result = unwrapMesh(snapshot, draft());
         for (std::size_t e = 0; e < mesh->edgePairs.size(); ++e) {
             if (snapshot.pairState[2 * e] == PairState::Cut)
                 QVERIFY(result.cut[e] && isSeam(*mesh, result.uv, static_cast<int>(e)));
@@ -374,7 +377,7 @@ private Q_SLOTS:
                 snapshot.pairWeight[2 * e] = snapshot.pairWeight[2 * e + 1] = 0.1;
                 expected += mesh->edgePairs[e].length;
             }
-            const UnwrapResult result = unwrap(snapshot, draft());
+            const UnwrapResult result = unwrapMesh(snapshot, draft());
             for (int r = 0; r < rings; ++r)
                 QVERIFY(result.cut[edgeBetween(*mesh, segments * r + cheap, segments * (r + 1) + cheap)]);
             QVERIFY(std::abs(measureUv(*mesh, result.uv).seamLength - expected) < 1e-9);
@@ -385,7 +388,7 @@ private Q_SLOTS:
     {
         const auto refused = [](UnwrapOptions options) {
             try {
-                unwrap(snapshotOf(test::triangle()), options);
+                unwrapMesh(snapshotOf(test::triangle()), options);
             } catch (const std::invalid_argument &) {
                 return true;
             }
@@ -402,7 +405,7 @@ private Q_SLOTS:
             QVERIFY(refused(options));
         }
         const auto flat = test::polygonMesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});
-        QVERIFY_THROWS_EXCEPTION(std::invalid_argument, unwrap(snapshotOf(flat), draft()));
+        QVERIFY_THROWS_EXCEPTION(std::invalid_argument, unwrapMesh(snapshotOf(flat), draft()));
     }
 };
 

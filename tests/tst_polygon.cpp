@@ -1,5 +1,5 @@
 // Splitting polygons into triangles: the fan rule, ear clipping, and polygons that are no good at all.
-#include "model/polygon.h"
+#include "model/plain/polygon.h"
 
 #include <Eigen/Geometry>
 

@@ -1,15 +1,15 @@
 // Where seams should rather run: along creases, in hidden places, symmetrically; and no chart too small.
-#include "model/cborvalues.h"
+#include "model/document/cborvalues.h"
 #include "model/io/meshfile.h"
-#include "model/samples.h"
-#include "solver/pipeline.h"
+#include "model/samples/samples.h"
 #include "solver/preference/creases.h"
 #include "solver/preference/meshsymmetry.h"
 #include "solver/preference/openness.h"
 #include "solver/preference/seampreference.h"
 #include "solver/search/seamsearch.h"
 #include "solver/search/seamseeds.h"
-#include "solver/tutte.h"
+#include "solver/search/tutte.h"
+#include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 
 #include <Eigen/Geometry>
@@ -20,6 +20,9 @@
 #include <numbers>
 
 using namespace autocuts;
+using namespace autocuts::preference;
+using namespace autocuts::search;
+using namespace autocuts::unwrap;
 using test::MeshPtr;
 
 namespace {
@@ -47,7 +50,7 @@ UnwrapResult draft(const MeshPtr &mesh, const SolveSettings &settings, int threa
     options.quality = UnwrapQuality::Draft;
     options.pack = false;
     options.threads = threads;
-    return unwrap(snapshot, options);
+    return unwrapMesh(snapshot, options);
 }
 
 //! Share of the seam length with both ends on the cube's edges or one mesh edge away from them. The sample's

@@ -1,10 +1,10 @@
 // Preferences between runs, the dialog that edits them, and the shortcut editor.
 #include "support/studioparts.h"
-#include "views/preferences/actiontree.h"
-#include "views/preferences/colorbutton.h"
-#include "views/preferences/keyfield.h"
-#include "views/preferences/preferencesdialog.h"
-#include "views/preferences/shortcutspage.h"
+#include "views/actions/actiontree.h"
+#include "views/actions/keyfield.h"
+#include "views/actions/preferencesdialog.h"
+#include "views/actions/shortcutspage.h"
+#include "views/ui/colorbutton.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

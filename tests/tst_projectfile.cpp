@@ -3,7 +3,7 @@
 #include "model/io/projectfile.h"
 #include "model/io/projectmigration.h"
 #include "model/io/projectscene.h"
-#include "model/samples.h"
+#include "model/samples/samples.h"
 #include "support/editsupport.h"
 #include "support/sessions.h"
 

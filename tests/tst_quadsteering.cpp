@@ -11,6 +11,7 @@
 #include <algorithm>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
 
@@ -123,7 +124,7 @@ private:
         };
         QVERIFY2(worst() < 0.5f, qPrintable(QString::number(double(worst()))));
         studio.solver.pause();
-        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isSettling(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isPausing(), 20'000);
         QCOMPARE(worst(), 0.0f);
         const std::vector<int> &face = mesh.triangleFace;
         for (const EdgePair &pair : mesh.edgePairs) {

@@ -1,5 +1,5 @@
 // MeshData on real meshes: valid, and counted as uvmetrics, the neutral judge, counts them.
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 #include "support/meshbuilders.h"
 #include "support/objpolygons.h"
 

@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
 
@@ -277,7 +278,7 @@ private Q_SLOTS:
         QVERIFY(mStudio->solver.isRunning());
         QVERIFY((rectangles().front().lower - Vec2(0.7, 0.25)).norm() < 1e-12);
         mStudio->solver.pause();
-        QVERIFY(QTest::qWaitFor([this] { return !mStudio->solver.isSettling(); }, 60'000));
+        QVERIFY(QTest::qWaitFor([this] { return !mStudio->solver.isPausing(); }, 60'000));
     }
 
     void otherDocumentsAndToolsHideTheBar()

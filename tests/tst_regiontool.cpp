@@ -13,6 +13,8 @@
 #include <numbers>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
+using namespace autocuts::metrics;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
 
@@ -149,7 +151,7 @@ private Q_SLOTS:
         QVERIFY(mStudio->shown.isLive());
         mStudio->uv.frameAll();
         clickFace(20);
-        QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isRunning() && !mStudio->solver.isSettling(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isRunning() && !mStudio->solver.isPausing(), 20'000);
         QVERIFY(!mStudio->shown.isLive());
         QVERIFY(!document().selection().faces.isEmpty());
         QVERIFY(document().islands().count() >= 1);
@@ -160,7 +162,7 @@ private Q_SLOTS:
         QVERIFY(!(document().uv() == before));
         QVERIFY(mStudio->solver.isRunning());
         mStudio->solver.pause();
-        QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isSettling(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isPausing(), 20'000);
     }
 
     //! Three layers do not come apart in two: the tool says so and takes what it can.

@@ -1,6 +1,6 @@
 // The sample models are what they claim to be: closed, outwards, in one piece or in many, and always the
 // same.
-#include "model/samples.h"
+#include "model/samples/samples.h"
 
 #include <Eigen/Geometry>
 

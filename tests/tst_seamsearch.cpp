@@ -1,12 +1,12 @@
 // The automatic cutter: its linear algebra, its trials, and what it must never do to a map.
-#include "solver/overlapfree.h"
+#include "solver/definite/relaxing.h"
 #include "solver/search/blockcholesky.h"
 #include "solver/search/seamoptimizer.h"
 #include "solver/search/seamsearch.h"
 #include "solver/search/seamseeds.h"
 #include "solver/search/segments.h"
 #include "solver/search/trianglekernel.h"
-#include "solver/tutte.h"
+#include "solver/search/tutte.h"
 #include "support/meshbuilders.h"
 
 #include <Eigen/Dense>
@@ -18,6 +18,8 @@
 #include <limits>
 
 using namespace autocuts;
+using namespace autocuts::definite;
+using namespace autocuts::search;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <QTest>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
 

@@ -1,7 +1,7 @@
 // Adjacency and ways to select: loops, paths, growing, islands, similar islands.
-#include "model/islands.h"
-#include "model/selectiontools.h"
-#include "model/similarislands.h"
+#include "model/document/islands.h"
+#include "model/document/selectiontools.h"
+#include "model/document/similarislands.h"
 #include "support/editsupport.h"
 
 #include <QSignalSpy>

@@ -1,11 +1,11 @@
 // Clean regions, and maps cut apart until nothing overlaps.
-#include "model/unionfind.h"
-#include "model/uvlayout.h"
+#include "model/plain/unionfind.h"
+#include "model/plain/uvlayout.h"
+#include "solver/base/random.h"
+#include "solver/overlap/cleanhalf.h"
 #include "solver/overlap/cleanregion.h"
-#include "solver/overlap/cleansplit.h"
 #include "solver/overlap/maxflow.h"
 #include "solver/overlap/overlapseparation.h"
-#include "solver/random.h"
 #include "support/objuv.h"
 #include "support/overlapmaps.h"
 
@@ -17,6 +17,7 @@
 #include <set>
 
 using namespace autocuts;
+using namespace autocuts::overlap;
 
 namespace {
 

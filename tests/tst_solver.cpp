@@ -1,7 +1,7 @@
 // The solver: descent without flips, starts, directions against each other, steering, determinism.
-#include "solver/anneal.h"
-#include "solver/budget.h"
-#include "solver/solver.h"
+#include "solver/homotopy/anneal.h"
+#include "solver/homotopy/budget.h"
+#include "solver/homotopy/solver.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
@@ -9,6 +9,7 @@
 #include <cmath>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
 
 namespace {
 
@@ -98,8 +99,8 @@ private Q_SLOTS:
             const StepResult step = stepper.step();
             QVERIFY(step.energy <= energy);
             QVERIFY(allPositive(stepper.soup(), stepper.coordinates()));
-            QVERIFY(std::abs((0.9 * step.distortion + 0.1 * step.separation) - step.energy)
-                    < 1e-9 * step.energy);
+            QVERIFY(std::abs((0.9 * step.distortion + 0.1 * step.separation) - step.energy) <
+                    1e-9 * step.energy);
             QCOMPARE(step.iteration, i + 1);
             energy = step.energy;
         }

@@ -2,7 +2,7 @@
 #include "commands/changesettings.h"
 #include "commands/setseamstate.h"
 #include "commands/setuvs.h"
-#include "model/samples.h"
+#include "model/samples/samples.h"
 #include "solver/metrics/uvmetrics.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
@@ -12,6 +12,9 @@
 #include <QTest>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
+using namespace autocuts::live;
+using namespace autocuts::metrics;
 
 namespace {
 
@@ -43,7 +46,7 @@ struct Studio
     bool settles()
     {
         solver.pause();
-        return QTest::qWaitFor([&] { return !solver.isSettling(); }, patience);
+        return QTest::qWaitFor([&] { return !solver.isPausing(); }, patience);
     }
     bool hasNoUvs() { return !document().uv().allFinite(); }
 };
@@ -82,7 +85,7 @@ private Q_SLOTS:
         solver.pause();
         QVERIFY(!solver.isRunning());
         bool called = false;
-        solver.whenSettled([&] { called = true; });
+        solver.whenPaused([&] { called = true; });
         QVERIFY(called);
     }
 
@@ -147,10 +150,10 @@ private Q_SLOTS:
     {
         Studio studio;
         studio.solver.step();
-        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isSettling(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isPausing(), patience);
         QCOMPARE(studio.solver.status().iteration, 1);
         studio.solver.step();
-        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isSettling(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isPausing(), patience);
         QCOMPARE(studio.solver.status().iteration, 2);
     }
 
@@ -160,7 +163,7 @@ private Q_SLOTS:
         studio.solver.setMode(SolveMode::Budget);
         studio.solver.setMaxDistortion(4.3);
         studio.solver.run();
-        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isSettling(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isPausing(), patience);
         QVERIFY(studio.solver.status().converged);
         QCOMPARE(studio.stack().count(), 1);
         const UvMetrics metrics = measureUv(studio.document().mesh(), studio.document().uv());
@@ -218,7 +221,7 @@ private Q_SLOTS:
         Studio studio;
         QVERIFY(studio.runsTo(5));
         int entries = -1;
-        studio.solver.whenSettled([&] { entries = studio.stack().count(); });
+        studio.solver.whenPaused([&] { entries = studio.stack().count(); });
         QCOMPARE(entries, -1);
         QTRY_COMPARE_WITH_TIMEOUT(entries, 1, patience);
     }

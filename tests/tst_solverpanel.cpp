@@ -1,5 +1,5 @@
 // The panel of the solver: what its controls do to the document and how they follow it.
-#include "model/samples.h"
+#include "model/samples/samples.h"
 #include "support/panelbench.h"
 #include "views/panels/convergencegraph.h"
 #include "views/panels/deltaspinbox.h"
@@ -18,6 +18,9 @@
 #include <cmath>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
+using namespace autocuts::live;
+using namespace autocuts::preference;
 using test::child;
 using test::click;
 
@@ -278,14 +281,13 @@ private Q_SLOTS:
         QCOMPARE(graph->trace().front().iteration, 1);
         click(bench.panel, "run");
         QVERIFY(!bench.solver.isRunning());
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.solver.isSettling(), test::panelPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.solver.isPausing(), test::panelPatience);
         QVERIFY(test::isUpToDate(bench.panel));
         QCOMPARE(run->text(), runText);
 
         const int iterations = bench.solver.status().iteration;
         click(bench.panel, "step");
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.solver.isRunning() && !bench.solver.isSettling(),
-                                 test::panelPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.solver.isRunning() && !bench.solver.isPausing(), test::panelPatience);
         QCOMPARE(bench.solver.status().iteration, iterations + 1);
         click(bench.panel, "restart");
         QVERIFY(bench.solver.isRunning());
@@ -303,7 +305,7 @@ private Q_SLOTS:
         QVERIFY(bench.solver.isRunning());
         QTRY_COMPARE_WITH_TIMEOUT(bench.solver.status().lambda, bench.settings().lambda, test::panelPatience);
         click(bench.panel, "run");
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.solver.isSettling(), test::panelPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.solver.isPausing(), test::panelPatience);
         QCOMPARE(bench.stack().count(), 2); // the drag and the run
     }
 

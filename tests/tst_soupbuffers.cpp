@@ -1,11 +1,11 @@
 // What the graphics card is given: positions, UVs, colours and lines, heat-maps and their colours.
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
 #include "solver/metrics/uvmetrics.h"
 #include "support/editsupport.h"
 #include "support/meshbuilders.h"
 #include "views/gl/colormap.h"
 #include "views/gl/soupbuffers.h"
-#include "views/preferences/preferences.h"
+#include "views/ui/preferences.h"
 
 #include <QTest>
 
@@ -16,6 +16,7 @@
 #include <set>
 
 using namespace autocuts;
+using namespace autocuts::metrics;
 using test::MeshPtr;
 
 namespace {

@@ -1,15 +1,16 @@
 // The status bar: hint, messages, selection, figures, jobs, and what happens when there is little room.
-#include "model/samples.h"
+#include "model/samples/samples.h"
 #include "support/editsupport.h"
 #include "support/panelbench.h"
 #include "views/panels/elidedlabel.h"
 #include "views/panels/figurestrip.h"
-#include "views/statusbar.h"
+#include "views/shell/statusbar.h"
 
 #include <QProgressBar>
 #include <QToolButton>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
 using test::child;
 
 namespace {
@@ -138,7 +139,7 @@ private Q_SLOTS:
         QTest::qWait(100);
         QCOMPARE(bench.bar.figures().sizeHint().width(), width); // nothing moves while numbers run
         bench.solver.pause();
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.solver.isSettling(), test::panelPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.solver.isPausing(), test::panelPatience);
         QTRY_COMPARE(bench.bar.figures().figure(StatusBar::Energy), QStringLiteral("–"));
     }
 

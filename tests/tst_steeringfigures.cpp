@@ -2,15 +2,15 @@
 // rectangles that islands deform to fit (figure 8), a region moved away from an overlap (figure 9).
 #include "commands/editrectangles.h"
 #include "commands/setseamstate.h"
+#include "model/document/makesnapshot.h"
 #include "model/io/objreader.h"
-#include "model/makesnapshot.h"
+#include "model/plain/uvlayout.h"
 #include "model/samples/samplemodels.h"
-#include "model/uvlayout.h"
-#include "solver/anneal.h"
-#include "solver/finish.h"
+#include "solver/definite/stitching.h"
+#include "solver/homotopy/anneal.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/overlap/overlapfinder.h"
-#include "solver/pipeline.h"
+#include "solver/unwrap/unwrap.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
 
@@ -23,6 +23,11 @@
 #include <optional>
 
 using namespace autocuts;
+using namespace autocuts::definite;
+using namespace autocuts::homotopy;
+using namespace autocuts::metrics;
+using namespace autocuts::overlap;
+using namespace autocuts::unwrap;
 using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
 
@@ -118,7 +123,7 @@ struct Solve
     }
     SeamedMap finished() const
     {
-        return finishMap(solver.sharedSoup(), solver.snapshot(), solver.coordinates());
+        return stitchSoup(solver.sharedSoup(), solver.snapshot(), solver.coordinates());
     }
     //! What the edge's triangles cost by being distorted.
     double strain(int edge) const
@@ -344,7 +349,7 @@ private:
         options.quality = UnwrapQuality::Draft;
         options.allowOverlaps = true;
         options.pack = false;
-        scene.uvSets = {{u"UV"_s, unwrap(makeSnapshot(*document), options).uv}};
+        scene.uvSets = {{u"UV"_s, unwrapMesh(makeSnapshot(*document), options).uv}};
         return std::make_unique<Document>(std::move(scene));
     }
 

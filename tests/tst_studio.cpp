@@ -1,8 +1,8 @@
 // The studio as an artist works with it: real key and mouse events on the real window.
+#include "model/document/makesnapshot.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
-#include "model/makesnapshot.h"
-#include "model/samples.h"
+#include "model/samples/samples.h"
 #include "support/editsupport.h"
 #include "support/studiosession.h"
 #include "views/actions/studioactions.h"
@@ -16,6 +16,8 @@
 #include <QSignalSpy>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
+using namespace autocuts::metrics;
 using test::patience;
 using test::StudioSession;
 

@@ -1,7 +1,7 @@
 // Several solvers at the same time give the bits that each gives alone.
-#include "solver/anneal.h"
-#include "solver/finish.h"
-#include "solver/parallel.h"
+#include "solver/base/parallel.h"
+#include "solver/definite/stitching.h"
+#include "solver/homotopy/anneal.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
@@ -10,6 +10,8 @@
 #include <stdexcept>
 
 using namespace autocuts;
+using namespace autocuts::definite;
+using namespace autocuts::homotopy;
 
 namespace {
 
@@ -23,7 +25,7 @@ std::vector<double> solved(const test::MeshPtr &mesh, SolverKind kind)
     AnnealOptions options;
     options.stepsPerLevel = kind == SolverKind::Fast ? 8 : 2;
     annealSoup(solver, options, nullptr);
-    SeamedMap map = finishMap(solver.sharedSoup(), solver.snapshot(), solver.coordinates());
+    SeamedMap map = stitchSoup(solver.sharedSoup(), solver.snapshot(), solver.coordinates());
     relaxMap(solver.sharedSoup(), solver.snapshot(), map, 20);
     return map.x;
 }

@@ -15,6 +15,7 @@
 #include <numbers>
 
 using namespace autocuts;
+using namespace autocuts::metrics;
 
 namespace {
 

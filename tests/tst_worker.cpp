@@ -1,6 +1,6 @@
 // The live solver on its thread: what it does is what Solver does, and it obeys at once.
-#include "solver/finish.h"
-#include "solver/worker.h"
+#include "solver/definite/stitching.h"
+#include "solver/live/worker.h"
 #include "support/meshbuilders.h"
 
 #include <QSignalSpy>
@@ -8,6 +8,9 @@
 #include <QThread>
 
 using namespace autocuts;
+using namespace autocuts::definite;
+using namespace autocuts::homotopy;
+using namespace autocuts::live;
 
 namespace {
 
@@ -144,8 +147,8 @@ private Q_SLOTS:
         const auto after = std::make_shared<Snapshot>(*before);
         after->settings.lambda = 0.5;
         bench.worker->update(after);
-        QSignalSpy settled(bench.worker, &SolveWorker::settled);
-        bench.worker->settle();
+        QSignalSpy settled(bench.worker, &SolveWorker::pausedMapReady);
+        bench.worker->pauseWithMap();
         QTRY_COMPARE_WITH_TIMEOUT(settled.count(), 1, patience);
         QCOMPARE(bench.results.back()->status.iteration, 3);
     }
@@ -154,9 +157,9 @@ private Q_SLOTS:
     {
         const auto before = snapshotOf(test::sphere(100, 100));
         Bench bench;
-        QSignalSpy settled(bench.worker, &SolveWorker::settled);
+        QSignalSpy settled(bench.worker, &SolveWorker::pausedMapReady);
         bench.runAndWait(1, before, 3);
-        bench.worker->settle();
+        bench.worker->pauseWithMap();
         for (int edit = 0; edit < 5; ++edit) {
             QTest::qWait(10);
             const auto after = std::make_shared<Snapshot>(*before);
@@ -164,7 +167,7 @@ private Q_SLOTS:
             bench.worker->update(after);
         }
         QTRY_VERIFY_WITH_TIMEOUT(settled.count() >= 1, patience);
-        QVERIFY(bench.worker->takeSettled());
+        QVERIFY(bench.worker->takePausedMap());
         QCOMPARE(bench.results.back()->status.iteration, 3);
     }
 
@@ -173,7 +176,7 @@ private Q_SLOTS:
         const auto snapshot = snapshotOf(test::sphere(12, 12));
         snapshot->settings.delta = 0.005;
         Bench bench;
-        QSignalSpy settled(bench.worker, &SolveWorker::settled);
+        QSignalSpy settled(bench.worker, &SolveWorker::pausedMapReady);
         bench.runAndWait(2, snapshot, 60);
         const int steps = bench.results.back()->status.iteration;
         QVERIFY(steps > 20);
@@ -181,11 +184,11 @@ private Q_SLOTS:
         solver.load(*snapshot);
         for (int i = 0; i < steps; ++i)
             solver.step();
-        const SeamedMap expected = finishMap(solver.sharedSoup(), solver.snapshot(), solver.coordinates());
+        const SeamedMap expected = stitchSoup(solver.sharedSoup(), solver.snapshot(), solver.coordinates());
 
-        bench.worker->settle();
+        bench.worker->pauseWithMap();
         QTRY_COMPARE_WITH_TIMEOUT(settled.count(), 1, patience);
-        const auto map = bench.worker->takeSettled();
+        const auto map = bench.worker->takePausedMap();
         QVERIFY(map);
         QCOMPARE(map->run, quint64(2));
         const MeshData &mesh = *snapshot->mesh;
@@ -231,7 +234,7 @@ private Q_SLOTS:
             bench.worker->start(run, snapshotOf(test::sphere(run % 3 == 0 ? 12 : 8, 12)), Vec2::Zero());
             bench.worker->run();
             if (run % 2)
-                bench.worker->settle();
+                bench.worker->pauseWithMap();
             if (run % 5 == 0)
                 bench.worker->setMode(run % 10 ? SolveMode::Budget : SolveMode::Manual, 4.1);
             bench.worker->pause();

@@ -1,7 +1,7 @@
 #include "commands/changesettings.h"
 
 #include "commands/commandfactory.h"
-#include "model/settingsproperties.h"
+#include "model/plain/settingsproperties.h"
 
 namespace autocuts {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "commands/documentcommand.h"
-#include "model/cborvalues.h"
-#include "model/result.h"
+#include "model/document/cborvalues.h"
+#include "model/document/result.h"
 
 namespace autocuts {
 

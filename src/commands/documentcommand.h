@@ -2,7 +2,7 @@
 #pragma once
 
 #include "commands/commandids.h"
-#include "model/document.h"
+#include "model/document/document.h"
 
 #include <QCborMap>
 

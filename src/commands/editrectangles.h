@@ -3,8 +3,8 @@
 
 #include "commands/documentcommand.h"
 #include "commands/keyedchanges.h"
-#include "model/cborvalues.h"
-#include "model/result.h"
+#include "model/document/cborvalues.h"
+#include "model/document/result.h"
 
 namespace autocuts {
 

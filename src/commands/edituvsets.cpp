@@ -2,7 +2,7 @@
 
 #include "commands/commandfactory.h"
 #include "commands/uvrows.h"
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "commands/setuvs.h"
-#include "model/arrangement.h"
+#include "model/document/arrangement.h"
 
 #include <functional>
 

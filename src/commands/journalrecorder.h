@@ -1,8 +1,8 @@
 // Keeps the journal of a session.
 #pragma once
 
-#include "model/document.h"
-#include "model/journal.h"
+#include "model/document/document.h"
+#include "model/document/journal.h"
 
 #include <optional>
 

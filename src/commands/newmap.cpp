@@ -1,6 +1,6 @@
 #include "commands/newmap.h"
 
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
 
 namespace autocuts {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "commands/documentcommand.h"
-#include "model/journal.h"
-#include "model/result.h"
+#include "model/document/journal.h"
+#include "model/document/result.h"
 
 namespace autocuts {
 

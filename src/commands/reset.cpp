@@ -9,7 +9,7 @@
 #include "commands/setseamstate.h"
 #include "commands/setseamweights.h"
 #include "commands/setuvs.h"
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
 
 namespace autocuts {
 

@@ -3,7 +3,7 @@
 
 #include "commands/documentcommand.h"
 #include "commands/xordelta.h"
-#include "model/result.h"
+#include "model/document/result.h"
 
 namespace autocuts {
 

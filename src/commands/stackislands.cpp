@@ -1,8 +1,8 @@
 #include "commands/stackislands.h"
 
 #include "commands/commandfactory.h"
-#include "model/similarislands.h"
-#include "model/uvlayout.h"
+#include "model/document/similarislands.h"
+#include "model/plain/uvlayout.h"
 
 #include <algorithm>
 #include <map>

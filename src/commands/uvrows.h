@@ -2,7 +2,7 @@
 #pragma once
 
 #include "commands/xordelta.h"
-#include "model/document.h"
+#include "model/document/document.h"
 
 namespace autocuts {
 

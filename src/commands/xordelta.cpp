@@ -1,6 +1,6 @@
 #include "commands/xordelta.h"
 
-#include "model/undostack.h"
+#include "model/document/undostack.h"
 
 #include <QtEndian>
 

@@ -1,8 +1,8 @@
 // The difference between two versions of an array, small enough to be kept a thousand times.
 #pragma once
 
-#include "model/cborvalues.h"
-#include "model/indexranges.h"
+#include "model/document/cborvalues.h"
+#include "model/plain/indexranges.h"
 
 #include <QByteArray>
 

@@ -17,6 +17,7 @@
 #include <algorithm>
 
 using namespace autocuts;
+using namespace autocuts::unwrap;
 
 namespace {
 
@@ -139,7 +140,7 @@ int main(int argc, char *argv[])
     });
     timeUntil(
         "pause", [&] { studio.context.solver.pause(); }, [&] { return !solver.isRunning(); });
-    watchLoop("settle", [&] { return !solver.isSettling(); });
+    watchLoop("settle", [&] { return !solver.isPausing(); });
     watchLoop("measure", [&] { return studio.context.map.figuresAreFresh(); });
     studio.context.map.unwrap(UnwrapQuality::Standard, 4.1);
     watchLoop("unwrap", waited(milliseconds / 2));

@@ -10,6 +10,7 @@
 #include <sstream>
 
 using namespace autocuts;
+using namespace autocuts::packing;
 
 namespace {
 

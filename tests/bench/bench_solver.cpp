@@ -12,6 +12,7 @@
 #include <exception>
 
 using namespace autocuts;
+using namespace autocuts::unwrap;
 
 namespace {
 
@@ -30,7 +31,7 @@ bench::MapReport finishedMap(const test::MeshPtr &mesh, const bench::Options &op
     unwrapping.lambda = lambda;
     unwrapping.threads = options.threads;
     const bench::Time start = bench::Time::now();
-    const UnwrapResult result = unwrap(snapshot, unwrapping);
+    const UnwrapResult result = unwrapMesh(snapshot, unwrapping);
     return {(bench::Time::now() - start).cpu, result.distortion, result.seamLength};
 }
 

@@ -4,6 +4,8 @@
 
 namespace autocuts::bench {
 
+using namespace unwrap;
+
 namespace {
 
 std::optional<int> number(const std::string &text, int lowest, int highest)

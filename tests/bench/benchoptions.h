@@ -1,13 +1,15 @@
 // Command line of bench_solver.
 #pragma once
 
-#include "solver/pipeline.h"
+#include "solver/unwrap/unwrap.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace autocuts::bench {
+
+using namespace unwrap;
 
 inline constexpr const char *usage =
     "usage: bench_solver MESH... [--threads N] [--json] [--subdivide N] [--no-exact] [--steps-only]\n"

@@ -119,7 +119,7 @@ void drawRed(QPainter &painter, const QPointF &a, const QPointF &b, double redne
 
 double energyOf(const Soup &soup, const std::vector<double> &x, int triangle)
 {
-    return triangleEnergy(&x[6 * static_cast<std::size_t>(triangle)], soup.basis[triangle]);
+    return search::triangleEnergy(&x[6 * static_cast<std::size_t>(triangle)], soup.basis[triangle]);
 }
 
 void drawSurface(QPainter &painter, const QRectF &place, const Soup &soup, const std::vector<double> &redness,

@@ -1,7 +1,7 @@
 // Pictures of surfaces and UV maps beside each other, for the figures of the documentation.
 #pragma once
 
-#include "solver/soup.h"
+#include "solver/base/soup.h"
 
 #include <QString>
 

@@ -3,10 +3,10 @@
 // program's own samples are solved
 #include "bench/figuredrawing.h"
 #include "model/io/meshfile.h"
-#include "model/samples.h"
-#include "solver/anneal.h"
-#include "solver/finish.h"
-#include "solver/solver.h"
+#include "model/samples/samples.h"
+#include "solver/definite/stitching.h"
+#include "solver/homotopy/anneal.h"
+#include "solver/homotopy/solver.h"
 
 #include <QDir>
 #include <QFile>
@@ -19,6 +19,8 @@
 #include <stdexcept>
 
 using namespace autocuts;
+using namespace autocuts::definite;
+using namespace autocuts::homotopy;
 using figures::Panel;
 using figures::View;
 
@@ -100,7 +102,7 @@ Panel livePanel(const Solver &solver)
 //! The map that the state stands for, with seams that are there or not.
 Panel finishedPanel(const Solver &solver, Figures &figures)
 {
-    SeamedMap map = finishMap(solver.sharedSoup(), solver.snapshot(), solver.coordinates());
+    SeamedMap map = stitchSoup(solver.sharedSoup(), solver.snapshot(), solver.coordinates());
     Panel panel;
     for (const bool cut : map.cut)
         panel.redness.push_back(cut ? 1 : 0);

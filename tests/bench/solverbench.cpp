@@ -1,11 +1,11 @@
 #include "bench/solverbench.h"
 
-#include "solver/anneal.h"
 #include "solver/energy/distortion.h"
 #include "solver/energy/separation.h"
-#include "solver/linear/newtondirection.h"
-#include "solver/minimizer.h"
-#include "solver/solver.h"
+#include "solver/homotopy/anneal.h"
+#include "solver/homotopy/solver.h"
+#include "solver/newton/minimizer.h"
+#include "solver/newton/newtondirection.h"
 
 #include <sys/resource.h>
 
@@ -16,6 +16,12 @@
 #include <functional>
 
 namespace autocuts::bench {
+
+using namespace energy;
+
+using namespace homotopy;
+
+using namespace newton;
 
 namespace {
 

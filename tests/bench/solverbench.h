@@ -1,7 +1,7 @@
 // Measurements of the solver: step cost, time to an energy, latency after an edit, time to a finished map.
 #pragma once
 
-#include "solver/pipeline.h"
+#include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 
 #include <string>

@@ -8,7 +8,7 @@
 #include "support/canvases.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
-#include "views/theme.h"
+#include "views/ui/theme.h"
 
 #include <QApplication>
 #include <QDir>

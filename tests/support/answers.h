@@ -1,7 +1,7 @@
 // Answers in place of a user, for tests of everything that asks.
 #pragma once
 
-#include "views/actions/questions.h"
+#include "views/ui/questions.h"
 
 #include <QDialog>
 #include <QStringList>

@@ -1,12 +1,16 @@
 #include "support/artistsession.h"
 
+#include "model/document/makesnapshot.h"
 #include "model/io/meshfile.h"
-#include "model/makesnapshot.h"
 #include "support/editsupport.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
 
 namespace autocuts::test {
+
+using namespace homotopy;
+
+using namespace metrics;
 
 namespace {
 

@@ -1,6 +1,7 @@
 #include "support/canvases.h"
 
 #include "support/editsupport.h"
+#include "views/tools/studiotools.h"
 
 #include <QMouseEvent>
 #include <QTest>
@@ -10,9 +11,10 @@ namespace autocuts::test {
 Canvases::Canvases()
     : preferences(folder.filePath(QStringLiteral("preferences.ini"))), shown(workspace),
       solver(workspace, shown),
-      map(workspace, solver), context{workspace, shown, view, preferences, map, solver}, tools(context),
+      map(workspace, solver), files(workspace, solver, preferences, folder.filePath(QStringLiteral("recovery"))), actions(preferences), context{workspace, shown, view, preferences, solver, map, files, actions}, tools(context),
       mesh(context, tools), uv(context, tools)
 {
+    addStudioTools(tools, context);
     mesh.setGeometry(20, 20, 500, 500);
     uv.setGeometry(560, 20, 500, 500);
     for (Canvas *canvas : {static_cast<Canvas *>(&mesh), static_cast<Canvas *>(&uv)}) {

@@ -1,14 +1,17 @@
 // Both views of a document on the screen, for tests of the views and their tools.
 #pragma once
 
+#include "views/actions/actionregistry.h"
 #include "views/canvas/meshview.h"
+#include "views/canvas/toolmanager.h"
+#include "views/control/filecontroller.h"
 #include "views/canvas/uvview.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
-#include "views/preferences/preferences.h"
-#include "views/tools/toolmanager.h"
+#include "views/canvas/toolmanager.h"
+#include "views/ui/preferences.h"
 
 #include <QTemporaryDir>
 
@@ -51,7 +54,9 @@ public:
     ViewState view;
     SolverController solver;
     MapController map;
-    const CanvasContext context;
+    FileController files;
+    ActionRegistry actions;
+    const StudioContext context;
     ToolManager tools;
     MeshView mesh;
     UvView uv;

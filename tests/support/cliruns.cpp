@@ -1,6 +1,6 @@
 #include "support/cliruns.h"
 
-#include "batch.h"
+#include "cli/batch.h"
 
 #include <QFile>
 #include <QProcess>

@@ -1,6 +1,6 @@
 #include "support/editsupport.h"
 
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
 
 namespace autocuts::test {
 

@@ -6,6 +6,8 @@
 
 namespace autocuts::test {
 
+using namespace homotopy;
+
 //! The studio on a grid of 4 x 4 quads in two islands, in which nothing is selected.
 struct GridStudio : StudioParts
 {

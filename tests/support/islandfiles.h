@@ -1,7 +1,7 @@
 // Meshes with UVs from OBJ files, for the packer's tests and benchmark.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
 #include "support/meshbuilders.h"
 
-#include "model/samples.h"
+#include "model/samples/samples.h"
 
 #include <cmath>
 #include <cstdlib>

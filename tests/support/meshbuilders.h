@@ -1,7 +1,7 @@
 // Small meshes built in code, for tests.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <QString>
 

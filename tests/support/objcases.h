@@ -1,7 +1,7 @@
 // OBJ texts and what tests of reading and writing them need.
 #pragma once
 
-#include "model/scene.h"
+#include "model/document/scene.h"
 
 namespace autocuts::test {
 

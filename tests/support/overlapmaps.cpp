@@ -7,6 +7,8 @@
 
 namespace autocuts::test {
 
+using namespace overlap;
+
 namespace {
 
 std::array<Vec2, 3> turnedUp(const UvMatrix &uv, int t)

@@ -9,6 +9,8 @@
 
 namespace autocuts::test {
 
+using namespace overlap;
+
 //! All overlapping pairs, every two triangles compared. \param uv three rows per triangle
 std::vector<OverlapPair> bruteForce(const UvMatrix &uv, double minArea);
 

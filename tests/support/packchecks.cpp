@@ -1,12 +1,14 @@
 #include "support/packchecks.h"
 
+#include "solver/base/random.h"
 #include "solver/packing/segmentgrid.h"
-#include "solver/random.h"
 
 #include <algorithm>
 #include <numbers>
 
 namespace autocuts::test {
+
+using namespace packing;
 
 namespace {
 

@@ -9,6 +9,8 @@
 
 namespace autocuts::test {
 
+using namespace packing;
+
 //! A fan of triangles over a polygon that is star-shaped from its first point.
 PackIsland polygon(std::vector<Vec2> points);
 //! An upright rectangle with its lower left corner at (x, y).

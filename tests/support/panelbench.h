@@ -1,17 +1,17 @@
 // A panel on a document, with all controllers but without a window, for tests that use it as an artist does.
 #pragma once
 
-#include "model/document.h"
+#include "model/document/document.h"
 #include "views/actions/actionregistry.h"
-#include "views/canvas/viewstate.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
+#include "views/control/studiocontext.h"
 #include "views/control/workspace.h"
 #include "views/panels/panel.h"
-#include "views/preferences/preferences.h"
-#include "views/studiocontext.h"
+#include "views/state/viewstate.h"
+#include "views/ui/preferences.h"
 
 #include <QMouseEvent>
 #include <QSlider>

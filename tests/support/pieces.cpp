@@ -1,6 +1,6 @@
 #include "support/pieces.h"
 
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
 
 #include <algorithm>
 

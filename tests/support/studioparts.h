@@ -4,13 +4,13 @@
 #include "support/answers.h"
 #include "views/actions/actionregistry.h"
 #include "views/actions/studioactions.h"
-#include "views/canvas/viewstate.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
-#include "views/preferences/preferences.h"
+#include "views/state/viewstate.h"
+#include "views/ui/preferences.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -48,7 +48,7 @@ struct StudioParts
     {
         return QTest::qWaitFor(
             [this] {
-                return !solver.isRunning() && !solver.isSettling() && !map.jobs().isBusy() &&
+                return !solver.isRunning() && !solver.isPausing() && !map.jobs().isBusy() &&
                        !files.jobs().isBusy();
             },
             60'000);

@@ -2,14 +2,16 @@
 #pragma once
 
 #include "support/answers.h"
-#include "views/mainwindow.h"
-#include "views/preferences/preferences.h"
+#include "views/shell/mainwindow.h"
+#include "views/ui/preferences.h"
 
 #include <QApplication>
 #include <QTemporaryDir>
 #include <QTest>
 
 namespace autocuts::test {
+
+using namespace live;
 
 inline constexpr int patience = 120'000; //!< milliseconds
 
@@ -41,14 +43,14 @@ struct StudioSession
     }
     bool solverRests()
     {
-        return QTest::qWaitFor([this] { return !context.solver.isRunning() && !context.solver.isSettling(); },
+        return QTest::qWaitFor([this] { return !context.solver.isRunning() && !context.solver.isPausing(); },
                                patience);
     }
     bool jobsRest()
     {
         const bool rest = QTest::qWaitFor(
             [this] {
-                return !context.solver.isSettling() && !context.map.jobs().isBusy() &&
+                return !context.solver.isPausing() && !context.map.jobs().isBusy() &&
                        !context.files.jobs().isBusy();
             },
             patience);

@@ -1,8 +1,8 @@
 // Reads ply, stl, off, gltf, glb, fbx, dae, 3ds and blend files through Assimp.
 #pragma once
 
-#include "model/result.h"
-#include "model/scene.h"
+#include "model/document/result.h"
+#include "model/document/scene.h"
 
 namespace autocuts {
 

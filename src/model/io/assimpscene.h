@@ -1,7 +1,7 @@
 // The bridge between Assimp's scene and the polygon soup, used by the reader and the writer.
 #pragma once
 
-#include "model/scene.h"
+#include "model/document/scene.h"
 
 #include <QStringList>
 

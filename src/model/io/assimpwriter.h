@@ -1,8 +1,8 @@
 // Writes glb, gltf, ply, dae and ASCII fbx files through Assimp.
 #pragma once
 
-#include "model/result.h"
-#include "model/scene.h"
+#include "model/document/result.h"
+#include "model/document/scene.h"
 
 namespace autocuts {
 

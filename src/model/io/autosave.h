@@ -5,7 +5,7 @@
 // project file without a lock that a living process holds is what a crash left behind.
 #pragma once
 
-#include "model/result.h"
+#include "model/document/result.h"
 
 #include <QDateTime>
 #include <QLockFile>

@@ -1,7 +1,7 @@
 // Says before writing what a file format cannot hold.
 #pragma once
 
-#include "model/scene.h"
+#include "model/document/scene.h"
 
 #include <QStringList>
 

@@ -1,6 +1,6 @@
 #include "model/io/layoutpaths.h"
 
-#include "model/chart.h"
+#include "model/plain/chart.h"
 
 #include <algorithm>
 #include <tuple>

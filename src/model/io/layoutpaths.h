@@ -1,7 +1,7 @@
 // The outlines and lines that a picture of a UV layout consists of.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <utility>
 #include <vector>

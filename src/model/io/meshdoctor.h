@@ -1,7 +1,7 @@
 // What was unusual about a mesh, in sentences.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <QStringList>
 

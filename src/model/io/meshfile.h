@@ -1,8 +1,8 @@
 // Reading and writing mesh files of any supported format.
 #pragma once
 
-#include "model/result.h"
-#include "model/scene.h"
+#include "model/document/result.h"
+#include "model/document/scene.h"
 
 #include <QStringList>
 

@@ -1,8 +1,8 @@
 // The project's own OBJ reader; together with objwriter it gives back every byte that is not a UV.
 #pragma once
 
-#include "model/result.h"
-#include "model/scene.h"
+#include "model/document/result.h"
+#include "model/document/scene.h"
 
 #include <QByteArray>
 

@@ -1,7 +1,7 @@
 // What an OBJ file must get back on saving.
 #pragma once
 
-#include "model/scene.h"
+#include "model/document/scene.h"
 
 #include <QByteArray>
 

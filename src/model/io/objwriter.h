@@ -1,8 +1,8 @@
 // The project's own OBJ writer: the original file with only its UVs changed, or a plain file.
 #pragma once
 
-#include "model/result.h"
-#include "model/scene.h"
+#include "model/document/result.h"
+#include "model/document/scene.h"
 
 #include <QByteArray>
 

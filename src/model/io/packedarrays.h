@@ -1,7 +1,7 @@
 // Arrays of numbers as byte strings that compress well.
 #pragma once
 
-#include "model/types.h"
+#include "model/plain/types.h"
 
 #include <QByteArray>
 

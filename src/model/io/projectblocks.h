@@ -1,7 +1,7 @@
 // The container of a project file: named blocks, each compressed and with a checksum of its own.
 #pragma once
 
-#include "model/result.h"
+#include "model/document/result.h"
 
 #include <QByteArray>
 #include <QStringList>

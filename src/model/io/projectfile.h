@@ -5,10 +5,10 @@
 // thumbnail and the journal. The same session gives the same bytes.
 #pragma once
 
-#include "model/documentstate.h"
+#include "model/document/documentstate.h"
+#include "model/document/journal.h"
+#include "model/document/result.h"
 #include "model/io/projectblocks.h"
-#include "model/journal.h"
-#include "model/result.h"
 
 #include <optional>
 

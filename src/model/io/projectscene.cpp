@@ -1,6 +1,6 @@
 #include "model/io/projectscene.h"
 
-#include "model/cborvalues.h"
+#include "model/document/cborvalues.h"
 #include "model/io/objreader.h"
 #include "model/io/objsource.h"
 #include "model/io/packedarrays.h"

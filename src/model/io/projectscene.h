@@ -1,8 +1,8 @@
 // The model inside a session, so that the session opens without the file it came from.
 #pragma once
 
+#include "model/document/result.h"
 #include "model/io/projectstate.h"
-#include "model/result.h"
 
 namespace autocuts {
 

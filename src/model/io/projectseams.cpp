@@ -1,7 +1,7 @@
 #include "model/io/projectseams.h"
 
 #include "model/io/packedarrays.h"
-#include "model/polygonsides.h"
+#include "model/plain/polygonsides.h"
 
 namespace autocuts {
 

@@ -1,8 +1,8 @@
 // Seams in a form that does not depend on how polygons are triangulated.
 #pragma once
 
-#include "model/cborvalues.h"
-#include "model/seams.h"
+#include "model/document/cborvalues.h"
+#include "model/document/seams.h"
 
 namespace autocuts {
 

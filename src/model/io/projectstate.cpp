@@ -1,9 +1,9 @@
 #include "model/io/projectstate.h"
 
-#include "model/cborvalues.h"
+#include "model/document/cborvalues.h"
 #include "model/io/packedarrays.h"
 #include "model/io/projectseams.h"
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
 
 #include <QCborArray>
 

@@ -1,7 +1,7 @@
 // The parts of a session besides the model: UV sets, steering, settings, selection and view.
 #pragma once
 
-#include "model/documentstate.h"
+#include "model/document/documentstate.h"
 
 #include <QCborMap>
 #include <QStringList>

@@ -1,7 +1,7 @@
 // The machine-readable report on a UV map.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <QByteArray>
 #include <QString>

@@ -1,7 +1,7 @@
 // Writing a file so that a failure leaves the one that was there untouched.
 #pragma once
 
-#include "model/result.h"
+#include "model/document/result.h"
 
 #include <QByteArrayView>
 #include <QString>

@@ -1,8 +1,8 @@
 // Pictures of a UV layout: PNG to paint over, SVG to print or edit.
 #pragma once
 
-#include "model/meshdata.h"
-#include "model/result.h"
+#include "model/document/result.h"
+#include "model/plain/meshdata.h"
 
 #include <QByteArray>
 #include <QColor>

@@ -1,8 +1,8 @@
 // A small modeller for the samples: polygons that grow by extrusion, subdivision and simple solids.
 #pragma once
 
-#include "model/scene.h"
-#include "model/types.h"
+#include "model/document/scene.h"
+#include "model/plain/types.h"
 
 #include <QString>
 

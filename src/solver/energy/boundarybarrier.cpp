@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-namespace autocuts {
+namespace autocuts::energy {
 
 namespace {
 
@@ -144,4 +144,4 @@ double BoundaryBarrierTerm::addDerivatives(std::span<const double> x, std::span<
     return mFactor * sum;
 }
 
-} // namespace autocuts
+} // namespace autocuts::energy

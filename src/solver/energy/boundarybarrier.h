@@ -1,14 +1,14 @@
 // Keeps the boundary of each chart from crossing itself (Smith and Schaefer 2015).
 #pragma once
 
-#include "solver/cutmesh.h"
+#include "solver/base/cutmesh.h"
+#include "solver/base/soup.h"
 #include "solver/energy/energyterm.h"
-#include "solver/soup.h"
 
 #include <memory>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::energy {
 
 //! factor * sum of (reach / d - 1)^2 over the boundary vertices and the boundary edges of the same chart that
 //! are nearer to each other than `reach` (d is their distance), infinite where two boundary edges of one
@@ -51,4 +51,4 @@ private:
     double mFactor, mReach;
 };
 
-} // namespace autocuts
+} // namespace autocuts::energy

@@ -1,6 +1,6 @@
 #include "solver/energy/constraintterms.h"
 
-namespace autocuts {
+namespace autocuts::energy {
 
 double PinTerm::value(std::span<const double> x) const
 {
@@ -83,4 +83,4 @@ double BoxTerm::addDerivatives(std::span<const double> x, std::span<double> grad
     return value(x);
 }
 
-} // namespace autocuts
+} // namespace autocuts::energy

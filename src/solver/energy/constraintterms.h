@@ -1,12 +1,12 @@
 // Pins and rectangles as terms of the energy.
 #pragma once
 
-#include "model/snapshot.h"
+#include "model/plain/snapshot.h"
 #include "solver/energy/energyterm.h"
 
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::energy {
 
 //! Springs that pull soup corners to their targets: weight / 2 * |x - target|^2 for each pin.
 class PinTerm final : public EnergyTerm
@@ -43,4 +43,4 @@ private:
     double mWeight;
 };
 
-} // namespace autocuts
+} // namespace autocuts::energy

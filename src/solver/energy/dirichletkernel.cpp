@@ -1,13 +1,13 @@
 #include "solver/energy/dirichletkernel.h"
 
-#include "solver/linear/simd.h"
+#include "solver/base/simd.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
 
-namespace autocuts {
+namespace autocuts::energy {
 
 namespace {
 
@@ -271,4 +271,4 @@ double flipFreeStep(const double *x, const double *direction, int triangles, dou
     return step;
 }
 
-} // namespace autocuts
+} // namespace autocuts::energy

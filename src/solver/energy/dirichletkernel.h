@@ -1,12 +1,12 @@
 // Symmetric Dirichlet energy of eight triangles at a time.
 #pragma once
 
-#include "solver/linear/lanes.h"
-#include "solver/soup.h"
+#include "solver/base/lanes.h"
+#include "solver/base/soup.h"
 
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::energy {
 
 using DoubleLanes = double __attribute__((vector_size(laneCount * sizeof(double))));
 
@@ -32,4 +32,4 @@ double dirichletDerivatives(const DirichletBlock *blocks, const double *x, int t
 //! Smallest step, up to `limit`, at which one of the triangles at x loses its area along `direction`.
 double flipFreeStep(const double *x, const double *direction, int triangles, double limit);
 
-} // namespace autocuts
+} // namespace autocuts::energy

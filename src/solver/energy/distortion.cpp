@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace autocuts {
+namespace autocuts::energy {
 
 namespace {
 
@@ -204,4 +204,4 @@ double maxFlipFreeStep(const Soup &soup, std::span<const double> x, std::span<co
     return step;
 }
 
-} // namespace autocuts
+} // namespace autocuts::energy

@@ -1,13 +1,13 @@
 // The distortion D of the map (paper, Eq. 2): area-weighted mean of a density over the triangles.
 #pragma once
 
+#include "solver/base/parallel.h"
+#include "solver/base/soup.h"
 #include "solver/energy/energyterm.h"
-#include "solver/parallel.h"
-#include "solver/soup.h"
 
 #include <memory>
 
-namespace autocuts {
+namespace autocuts::energy {
 
 //! factor * sum over triangles of weight_t * e(s1, s2), infinite unless every triangle is positively
 //! oriented.
@@ -30,4 +30,4 @@ std::vector<double> symmetricDirichlet(const Soup &soup, std::span<const double>
 double maxFlipFreeStep(const Soup &soup, std::span<const double> x, std::span<const double> direction,
                        double limit, ThreadTeam *team = nullptr);
 
-} // namespace autocuts
+} // namespace autocuts::energy

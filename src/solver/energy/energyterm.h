@@ -1,14 +1,14 @@
 // The interface of every term of the energy.
 #pragma once
 
-#include "solver/linear/lanes.h"
+#include "solver/base/lanes.h"
 
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::energy {
 
 //! A positive semidefinite Hessian in the only shape that the terms need: a 6 x 6 block per triangle, a
 //! spring per corner pair, and a diagonal.
@@ -63,4 +63,4 @@ public:
                                   HessianBlocks &blocks) const = 0;
 };
 
-} // namespace autocuts
+} // namespace autocuts::energy

@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-namespace autocuts {
+namespace autocuts::energy {
 
 //! First and second derivatives of a density e(s1, s2), s1 >= s2 > 0, in the form that its 2D Hessian needs.
 struct DensityDerivatives
 {
-    double g1, g2;          //!< de/ds1, de/ds2
-    double h11, h12, h22;   //!< second derivatives, as a positive semidefinite matrix
-    double twist;           //!< (g1 + g2) / (s1 + s2), clamped to >= 0: rotating the triangle
-    double flip;            //!< (g1 - g2) / (s1 - s2), clamped to >= 0: shearing it
+    double g1, g2;        //!< de/ds1, de/ds2
+    double h11, h12, h22; //!< second derivatives, as a positive semidefinite matrix
+    double twist;         //!< (g1 + g2) / (s1 + s2), clamped to >= 0: rotating the triangle
+    double flip;          //!< (g1 - g2) / (s1 - s2), clamped to >= 0: shearing it
 };
 
 //! Symmetric Dirichlet, s1^2 + s2^2 + s1^-2 + s2^-2: 4 at an isometry (paper, Eq. 5).
@@ -30,14 +30,20 @@ struct SymmetricDirichletDensity
         const double q1 = i1 * i1 * i1, q2 = i2 * i2 * i2;
         const double g1 = 2 * (s1 - q1);
         const double g2 = 2 * (s2 - q2);
-        return {g1, g2, 2 + 6 * q1 * i1, 0, 2 + 6 * q2 * i2, std::max(0.0, (g1 + g2) / (s1 + s2)),
+        return {g1,
+                g2,
+                2 + 6 * q1 * i1,
+                0,
+                2 + 6 * q2 * i2,
+                std::max(0.0, (g1 + g2) / (s1 + s2)),
                 2 * (1 + (s1 * s1 + s1 * s2 + s2 * s2) * q1 * q2)};
     }
 };
 
 //! Conformal AMIPS (Fu, Liu and Guo 2015): 4 exp(c + a - 1) with c = (s1/s2 + s2/s1) / 2 weighted 0.8 and the
-//! area term a = (s1 s2 + 1 / (s1 s2)) / 2 weighted 0.2, so that shape counts four times as much as size. Some
-//! area term is needed: without it the separation would shrink every triangle to a point. 4 at an isometry.
+//! area term a = (s1 s2 + 1 / (s1 s2)) / 2 weighted 0.2, so that shape counts four times as much as size.
+//! Some area term is needed: without it the separation would shrink every triangle to a point. 4 at an
+//! isometry.
 struct AmipsDensity
 {
     static constexpr double shape = 0.8;
@@ -89,11 +95,12 @@ private:
             d.h12 = 0;
             return;
         }
-        // Keeps the larger eigenvalue only: large * v v^T with v v^T = (I + [half h12; h12 -half] / radius) / 2.
+        // Keeps the larger eigenvalue only: large * v v^T with v v^T = (I + [half h12; h12 -half] / radius)
+        // / 2.
         d.h11 = large * 0.5 * (1 + half / radius);
         d.h22 = large * 0.5 * (1 - half / radius);
         d.h12 = large * 0.5 * d.h12 / radius;
     }
 };
 
-} // namespace autocuts
+} // namespace autocuts::energy

@@ -1,8 +1,8 @@
 #include "solver/energy/separation.h"
 
-#include "solver/linear/simd.h"
+#include "solver/base/simd.h"
 
-namespace autocuts {
+namespace autocuts::energy {
 
 namespace {
 
@@ -113,4 +113,4 @@ std::vector<double> pairWeights(const Soup &soup, const Snapshot &snapshot)
     return weights;
 }
 
-} // namespace autocuts
+} // namespace autocuts::energy

@@ -1,13 +1,13 @@
 // The separation S of the corner pairs (paper, Eq. 3, 4 and 6, appendix A).
 #pragma once
 
+#include "solver/base/parallel.h"
+#include "solver/base/soup.h"
 #include "solver/energy/energyterm.h"
-#include "solver/parallel.h"
-#include "solver/soup.h"
 
 #include <memory>
 
-namespace autocuts {
+namespace autocuts::energy {
 
 //! factor / 2 * sum over corner pairs of weight * s_delta, s_delta = t / (t + delta) with t the squared
 //! distance of the pair; a fully cut edge therefore counts its weight once. The Hessian is the majoriser: a
@@ -47,4 +47,4 @@ private:
 //! diagonal, 0 when cut.
 std::vector<double> pairWeights(const Soup &soup, const Snapshot &snapshot);
 
-} // namespace autocuts
+} // namespace autocuts::energy

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <stdexcept>
 
-namespace autocuts {
+namespace autocuts::linear {
 
 struct CholmodSolver::Internals
 {
@@ -171,4 +171,4 @@ std::vector<int> eliminationRanks(const LinearSolver::Matrix &lower)
     return rank;
 }
 
-} // namespace autocuts
+} // namespace autocuts::linear

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::linear {
 
 //! Supernodal or simplicial Cholesky by CHOLMOD, which chooses by the fill.
 class CholmodSolver final : public LinearSolver
@@ -31,4 +31,4 @@ private:
 //! \returns for each row its place in the order
 std::vector<int> eliminationRanks(const LinearSolver::Matrix &lower);
 
-} // namespace autocuts
+} // namespace autocuts::linear

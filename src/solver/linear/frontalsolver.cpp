@@ -6,7 +6,7 @@
 #include <atomic>
 #include <stdexcept>
 
-namespace autocuts {
+namespace autocuts::linear {
 
 namespace {
 
@@ -303,4 +303,4 @@ void FrontalSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
     }
 }
 
-} // namespace autocuts
+} // namespace autocuts::linear

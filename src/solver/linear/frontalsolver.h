@@ -1,15 +1,15 @@
 // A multifrontal Cholesky solver in single precision for matrices of 2 x 2 blocks: preconditioners.
 #pragma once
 
+#include "solver/base/lanes.h"
+#include "solver/base/parallel.h"
 #include "solver/linear/frontalstructure.h"
 #include "solver/linear/frontkernels.h"
-#include "solver/linear/lanes.h"
 #include "solver/linear/linearsolver.h"
-#include "solver/parallel.h"
 
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::linear {
 
 //! Faster than a general library where fronts are small, as on meshes: supernodes of about sixteen nodes,
 //! explicit inverses of their pivot blocks (so that solving is products of dense matrices and vectors),
@@ -81,4 +81,4 @@ private:
     bool mPrefetch = false; //!< the factor is larger than near caches
 };
 
-} // namespace autocuts
+} // namespace autocuts::linear

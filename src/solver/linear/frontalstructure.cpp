@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace autocuts {
+namespace autocuts::linear {
 
 namespace {
 
@@ -327,4 +327,4 @@ FrontalStructure FrontalStructure::build(const LinearSolver::Matrix &lower)
     return s;
 }
 
-} // namespace autocuts
+} // namespace autocuts::linear

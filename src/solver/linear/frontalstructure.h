@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::linear {
 
 //! Made of 2 x 2 blocks ("nodes"). Nodes are renumbered so that a supernode eliminates consecutive ones and
 //! children come before their parents. Its front holds its own nodes first, then `rows`.
@@ -41,4 +41,4 @@ struct FrontalStructure
     static FrontalStructure build(const LinearSolver::Matrix &lower);
 };
 
-} // namespace autocuts
+} // namespace autocuts::linear

@@ -1,12 +1,12 @@
 #include "solver/linear/frontkernels.h"
 
-#include "solver/linear/simd.h"
+#include "solver/base/simd.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
-namespace autocuts {
+namespace autocuts::linear {
 
 namespace {
 
@@ -402,4 +402,4 @@ void solveBackward(const PackedFront *fronts, int first, int end, int prefetchAh
     }
 }
 
-} // namespace autocuts
+} // namespace autocuts::linear

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace autocuts {
+namespace autocuts::linear {
 
 constexpr int frontLanes = 8;
 
@@ -72,4 +72,4 @@ void solveForward(const PackedFront *fronts, int first, int end, float *x, float
 void solveBackward(const PackedFront *fronts, int first, int end, int prefetchAhead, float *x,
                    float *scratch);
 
-} // namespace autocuts
+} // namespace autocuts::linear

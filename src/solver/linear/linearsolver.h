@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-namespace autocuts {
+namespace autocuts::linear {
 
 //! Solves A x = b for a sparse symmetric positive definite A of which the lower triangle is given. analyze()
 //! once for a pattern, then factorize() for each set of values, then solve().
@@ -26,4 +26,4 @@ public:
     virtual void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) = 0;
 };
 
-} // namespace autocuts
+} // namespace autocuts::linear

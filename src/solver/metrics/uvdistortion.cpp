@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace autocuts {
+namespace autocuts::metrics {
 
 namespace {
 
@@ -152,4 +152,4 @@ void measureDistortion(const MeshData &mesh, const UvMatrix &uv, const UvTriangl
     metrics.areaDistortion = areaRatio / area;
 }
 
-} // namespace autocuts
+} // namespace autocuts::metrics

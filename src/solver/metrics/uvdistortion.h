@@ -4,10 +4,10 @@
 #include "solver/metrics/uvmetrics.h"
 #include "solver/metrics/uvtriangles.h"
 
-namespace autocuts {
+namespace autocuts::metrics {
 
 //! Fills flips, symmetric Dirichlet, stretch, angle and area distortion, and the figures per triangle.
 void measureDistortion(const MeshData &mesh, const UvMatrix &uv, const UvTriangles &triangles,
                        UvMetrics &metrics);
 
-} // namespace autocuts
+} // namespace autocuts::metrics

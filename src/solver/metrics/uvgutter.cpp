@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace autocuts {
+namespace autocuts::metrics {
 
 namespace {
 
@@ -39,12 +39,12 @@ double squaredDistance(const Segment &a, const Segment &b)
 }
 
 //! Chart of all segments below each node, -1 when there are several.
-std::vector<int> nodeCharts(const BoxTree &tree, const std::vector<Segment> &segments)
+std::vector<int> nodeCharts(const overlap::BoxTree &tree, const std::vector<Segment> &segments)
 {
     const auto &nodes = tree.nodes();
     std::vector<int> chart(nodes.size());
     for (int i = static_cast<int>(nodes.size()) - 1; i >= 0; --i) {
-        const BoxTree::Node &node = nodes[i];
+        const overlap::BoxTree::Node &node = nodes[i];
         if (node.count == 0) {
             chart[i] = chart[i + 1] == chart[node.right] ? chart[i + 1] : -1;
             continue;
@@ -59,7 +59,7 @@ std::vector<int> nodeCharts(const BoxTree &tree, const std::vector<Segment> &seg
 }
 
 //! Lowers `best` to the squared distance from segment `i` to its nearest segment of another chart.
-void searchNearest(const BoxTree &tree, const std::vector<Segment> &segments,
+void searchNearest(const overlap::BoxTree &tree, const std::vector<Segment> &segments,
                    const std::vector<int> &nodeChart, int i, double &best)
 {
     std::vector<std::pair<double, int>> stack{{tree.nodes()[0].box.squaredDistance(tree.box(i)), 0}};
@@ -68,7 +68,7 @@ void searchNearest(const BoxTree &tree, const std::vector<Segment> &segments,
         stack.pop_back();
         if (distance >= best || nodeChart[id] == segments[i].chart)
             continue;
-        const BoxTree::Node &node = tree.nodes()[id];
+        const overlap::BoxTree::Node &node = tree.nodes()[id];
         for (int k = node.first; k < node.first + node.count; ++k) {
             const int other = tree.order()[k];
             if (segments[other].chart != segments[i].chart)
@@ -93,23 +93,23 @@ double smallestGutter(const UvMatrix &uv, const UvTopology &topology)
     if (topology.charts.count < 2)
         return best;
     std::vector<Segment> segments;
-    std::vector<Box2> boxes;
+    std::vector<overlap::Box2> boxes;
     for (const UvEdge &edge : topology.uvEdges) {
         if (!edge.open)
             continue;
         segments.push_back({uv.row(edge.corner[0]), uv.row(edge.corner[1]), edge.chart});
-        Box2 box;
+        overlap::Box2 box;
         box.add(segments.back().from);
         box.add(segments.back().to);
         boxes.push_back(box);
     }
     if (segments.empty())
         return best;
-    const BoxTree tree(std::move(boxes));
+    const overlap::BoxTree tree(std::move(boxes));
     const std::vector<int> nodeChart = nodeCharts(tree, segments);
     for (int i = 0; i < static_cast<int>(segments.size()) && best > 0; ++i)
         searchNearest(tree, segments, nodeChart, i, best);
     return std::sqrt(best);
 }
 
-} // namespace autocuts
+} // namespace autocuts::metrics

@@ -1,12 +1,12 @@
 // Distance between the borders of different charts. Internal to the metrics.
 #pragma once
 
-#include "model/chart.h"
+#include "model/plain/chart.h"
 
-namespace autocuts {
+namespace autocuts::metrics {
 
 //! Smallest UV distance between open edges of two different charts; 0 when they cross, infinite when there is
 //! only one chart. \param uv one row per corner
 double smallestGutter(const UvMatrix &uv, const UvTopology &topology);
 
-} // namespace autocuts
+} // namespace autocuts::metrics

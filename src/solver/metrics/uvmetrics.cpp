@@ -1,6 +1,6 @@
 #include "solver/metrics/uvmetrics.h"
 
-#include "model/chart.h"
+#include "model/plain/chart.h"
 #include "solver/metrics/uvdistortion.h"
 #include "solver/metrics/uvgutter.h"
 #include "solver/metrics/uvtriangles.h"
@@ -10,7 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace autocuts {
+namespace autocuts::metrics {
 
 namespace {
 
@@ -99,13 +99,13 @@ void measureOverlaps(const UvMatrix &uv, const UvTopology &topology, const UvTri
             snapped.row(3 * static_cast<Eigen::Index>(i) + k) = uv.row(topology.cornerRoot[corner]);
         }
     }
-    OverlapOptions options;
+    overlap::OverlapOptions options;
     options.minAreaRatio = 0;
     options.cancel = cancel;
     const double threshold = 1e-9 * triangles.totalUvArea;
     double sum = 0;
     std::int64_t pairs = 0, sameChart = 0;
-    const bool complete = visitOverlaps(snapped, options, [&](int a, int b, double area) {
+    const bool complete = overlap::visitOverlaps(snapped, options, [&](int a, int b, double area) {
         sum += area;
         if (area > threshold) {
             ++pairs;
@@ -167,4 +167,4 @@ UvMetrics measureUv(const MeshData &mesh, const UvMatrix &uv, const UvMetricsOpt
     return metrics;
 }
 
-} // namespace autocuts
+} // namespace autocuts::metrics

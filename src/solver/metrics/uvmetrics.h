@@ -1,14 +1,14 @@
 // The figures that describe a UV map, as tools and reports compare them.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <atomic>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::metrics {
 
 //! What to measure.
 struct UvMetricsOptions
@@ -81,4 +81,4 @@ struct UvMetrics
 //! \throws std::invalid_argument when uv does not have one row per corner
 UvMetrics measureUv(const MeshData &mesh, const UvMatrix &uv, const UvMetricsOptions &options = {});
 
-} // namespace autocuts
+} // namespace autocuts::metrics

@@ -1,13 +1,13 @@
 #include "solver/metrics/uvtriangles.h"
 
-#include "model/polygon.h"
+#include "model/plain/polygon.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 
-namespace autocuts {
+namespace autocuts::metrics {
 
 namespace {
 
@@ -100,4 +100,4 @@ UvTriangles collectUvTriangles(const MeshData &mesh, const UvMatrix &uv, const U
     return triangles;
 }
 
-} // namespace autocuts
+} // namespace autocuts::metrics

@@ -1,12 +1,12 @@
 // The triangles that UV figures are measured on, and sums over them. Internal to the metrics.
 #pragma once
 
-#include "model/chart.h"
-#include "model/meshdata.h"
+#include "model/plain/chart.h"
+#include "model/plain/meshdata.h"
 
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::metrics {
 
 //! Measurements of one chart.
 struct ChartSums
@@ -40,4 +40,4 @@ struct UvTriangles
 
 UvTriangles collectUvTriangles(const MeshData &mesh, const UvMatrix &uv, const UvTopology &topology);
 
-} // namespace autocuts
+} // namespace autocuts::metrics

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <mutex>
 
-namespace autocuts {
+namespace autocuts::multires {
 
 namespace {
 
@@ -254,4 +254,4 @@ std::vector<HalfEdgeCollapse> edgeCollapses(const CollapsingSurface &surface, in
     return std::move(decimater.module(cost).collapses);
 }
 
-} // namespace autocuts
+} // namespace autocuts::multires

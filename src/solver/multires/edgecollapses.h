@@ -1,11 +1,11 @@
 // Which edges of a surface are collapsed to make it coarser, and in which order.
 #pragma once
 
-#include "model/types.h"
+#include "model/plain/types.h"
 
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::multires {
 
 //! One end of an edge moves onto the other.
 struct HalfEdgeCollapse
@@ -28,4 +28,4 @@ struct CollapsingSurface
 //! leaves a border for the inside, turns a triangle over or makes it a sliver. Runs OpenMesh's decimater.
 std::vector<HalfEdgeCollapse> edgeCollapses(const CollapsingSurface &surface, int triangles);
 
-} // namespace autocuts
+} // namespace autocuts::multires

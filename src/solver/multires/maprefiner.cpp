@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace autocuts {
+namespace autocuts::multires {
 
 namespace {
 
@@ -265,4 +265,4 @@ bool MapRefiner::refineOne()
     return allGood;
 }
 
-} // namespace autocuts
+} // namespace autocuts::multires

@@ -1,13 +1,13 @@
 // Takes collapses back inside a UV map: no triangle folds, no chart comes to cover itself.
 #pragma once
 
+#include "solver/base/soup.h"
 #include "solver/multires/pointfan.h"
 #include "solver/multires/progressivemesh.h"
-#include "solver/soup.h"
 
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::multires {
 
 //! A map of the present surface of a ProgressiveMesh, refined with it. A point that comes back inside a chart
 //! is placed where its triangles are distorted least; one that comes back on a seam or border is placed on
@@ -55,4 +55,4 @@ private:
     std::vector<int> mAround; //!< corners of a sector
 };
 
-} // namespace autocuts
+} // namespace autocuts::multires

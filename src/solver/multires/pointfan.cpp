@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace autocuts {
+namespace autocuts::multires {
 
 namespace {
 
@@ -184,4 +184,4 @@ Vec2 PointFan::placeOnSide(const Vec2 &kept, const Vec2 &end, double share, bool
     return best;
 }
 
-} // namespace autocuts
+} // namespace autocuts::multires

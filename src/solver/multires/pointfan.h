@@ -1,11 +1,11 @@
 // The triangles around one point of a map, and the best place for the point.
 #pragma once
 
-#include "model/types.h"
+#include "model/plain/types.h"
 
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::multires {
 
 //! Triangles (point, a, b), each counter-clockwise, b of one being a of the next. Their shapes in space say
 //! how much the map distorts them; triangles without area in space only must not fold.
@@ -47,4 +47,4 @@ private:
     std::vector<Spoke> mSpokes;
 };
 
-} // namespace autocuts
+} // namespace autocuts::multires

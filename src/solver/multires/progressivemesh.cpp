@@ -1,11 +1,11 @@
 #include "solver/multires/progressivemesh.h"
 
-#include "model/unionfind.h"
+#include "model/plain/unionfind.h"
 #include "solver/multires/edgecollapses.h"
 
 #include <tuple>
 
-namespace autocuts {
+namespace autocuts::multires {
 
 ProgressiveMesh::ProgressiveMesh(const MeshData &mesh, const std::vector<bool> &locked)
     : mAlive(mesh.triangleCount(), true), mCount(mesh.triangleCount())
@@ -166,4 +166,4 @@ std::shared_ptr<const MeshData> ProgressiveMesh::extract(std::vector<int> &trian
     return mesh;
 }
 
-} // namespace autocuts
+} // namespace autocuts::multires

@@ -1,13 +1,13 @@
 // A surface that is made coarser by collapsing edges, each of which can be taken back.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::multires {
 
 //! Half-edge collapses (one end of an edge moves onto the other), so that vertices of the coarse surface are
 //! vertices of the fine one; edgeCollapses() chooses them. Works on the surface that the edge pairs make: its
@@ -65,4 +65,4 @@ private:
     std::vector<int> mRing;     //!< scratch
 };
 
-} // namespace autocuts
+} // namespace autocuts::multires

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 void Box2::add(const Vec2 &point)
 {
@@ -64,4 +64,4 @@ void BoxTree::build(int begin, int end)
     build(half, end);
 }
 
-} // namespace autocuts
+} // namespace autocuts::overlap

@@ -1,12 +1,12 @@
 // Bounding-box tree in the plane: pairs of boxes that overlap, and nearest items.
 #pragma once
 
-#include "model/types.h"
+#include "model/plain/types.h"
 
 #include <limits>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 //! Axis-aligned box; empty until a point is added.
 struct Box2
@@ -99,4 +99,4 @@ private:
     std::vector<Node> mNodes;
 };
 
-} // namespace autocuts
+} // namespace autocuts::overlap

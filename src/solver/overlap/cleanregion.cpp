@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 namespace {
 
@@ -58,4 +58,4 @@ void splitIntoCleanRegions(const UnitGraph &graph, int from, std::vector<int> &p
     }
 }
 
-} // namespace autocuts
+} // namespace autocuts::overlap

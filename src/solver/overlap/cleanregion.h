@@ -1,12 +1,12 @@
 // Largest regions without overlaps (paper, figure 9 and "Removing self-overlaps").
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 #include "solver/overlap/overlapfinder.h"
 
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 struct UnitGraph;
 
@@ -23,4 +23,4 @@ std::vector<int> cleanRegion(const MeshData &mesh, const UvMatrix &soupUv, const
 //! \param part label of each unit; the units labelled `from` get labels from `nextPart` on
 void splitIntoCleanRegions(const UnitGraph &graph, int from, std::vector<int> &part, int &nextPart);
 
-} // namespace autocuts
+} // namespace autocuts::overlap

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 MaxFlow::MaxFlow(int nodeCount) : mSide(nodeCount, Inner) {}
 
@@ -117,4 +117,4 @@ std::int64_t MaxFlow::run()
     return flow;
 }
 
-} // namespace autocuts
+} // namespace autocuts::overlap

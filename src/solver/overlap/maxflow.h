@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 //! Undirected graph with whole-number capacities, so that the flow ends after finitely many exact steps.
 class MaxFlow
@@ -49,4 +49,4 @@ private:
     std::vector<bool> mReached;
 };
 
-} // namespace autocuts
+} // namespace autocuts::overlap

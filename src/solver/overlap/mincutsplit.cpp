@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 MinCutSplitter::MinCutSplitter(const UnitGraph &graph, const std::vector<std::int64_t> &capacity,
                                std::vector<int> &part, int &nextPart, const std::atomic<bool> *cancel)
@@ -112,4 +112,4 @@ void MinCutSplitter::cutLabel(int label, const Sheets &sheets, std::vector<int> 
     touched.push_back(mNextPart++);
 }
 
-} // namespace autocuts
+} // namespace autocuts::overlap

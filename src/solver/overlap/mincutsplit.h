@@ -10,7 +10,7 @@
 #include <map>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 //! Splits the units of one label until no two overlapping units share a label, each time along the smallest
 //! cut between two layers of an overlap.
@@ -44,4 +44,4 @@ private:
     std::int64_t mVisited = 0;                //!< units that took part in all cuts so far
 };
 
-} // namespace autocuts
+} // namespace autocuts::overlap

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 namespace {
 
@@ -176,4 +176,4 @@ OverlapList findOverlapsAmong(const UvMatrix &uv, const std::vector<int> &triang
     return list;
 }
 
-} // namespace autocuts
+} // namespace autocuts::overlap

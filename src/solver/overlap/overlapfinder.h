@@ -1,14 +1,14 @@
 // Finds the pairs of UV triangles whose interiors intersect.
 #pragma once
 
-#include "model/types.h"
+#include "model/plain/types.h"
 
 #include <atomic>
 #include <cstddef>
 #include <functional>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 //! What counts as an overlap, and when to stop.
 struct OverlapOptions
@@ -56,4 +56,4 @@ OverlapList findOverlaps(const UvMatrix &uv, const OverlapOptions &options = {})
 OverlapList findOverlapsAmong(const UvMatrix &uv, const std::vector<int> &triangles,
                               const OverlapOptions &options = {});
 
-} // namespace autocuts
+} // namespace autocuts::overlap

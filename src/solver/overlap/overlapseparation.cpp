@@ -3,14 +3,14 @@
 #include "solver/overlap/cleanregion.h"
 #include "solver/overlap/mincutsplit.h"
 #include "solver/overlap/overlapfinder.h"
-#include "solver/overlap/partmerge.h"
+#include "solver/overlap/partjoining.h"
 #include "solver/overlap/unitgraph.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 namespace {
 
@@ -191,7 +191,7 @@ SeparationResult separateOverlaps(const MeshData &mesh, const UvMatrix &soupUv, 
     result.unresolvedPairs = graph.innerOverlaps;
     const std::vector<std::int64_t> capacity = linkCapacities(mesh, graph, options.pairWeight);
     splitParts(graph, capacity, options, part, nextPart);
-    mergeCleanParts(graph, capacity, part);
+    joinCleanParts(graph, capacity, part);
     if (options.cancel && options.cancel->load(std::memory_order_relaxed)) {
         result = {};
         result.cut = cut;
@@ -202,4 +202,4 @@ SeparationResult separateOverlaps(const MeshData &mesh, const UvMatrix &soupUv, 
     return result;
 }
 
-} // namespace autocuts
+} // namespace autocuts::overlap

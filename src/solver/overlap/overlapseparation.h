@@ -1,13 +1,13 @@
 // Makes a map overlap-free by cutting more edges.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <atomic>
 #include <cstdint>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 //! How charts that cover themselves are cut.
 enum class SeparationMethod {
@@ -43,4 +43,4 @@ SeparationResult separateOverlaps(const MeshData &mesh, const UvMatrix &soupUv, 
                                   const std::vector<bool> &protectedPair,
                                   const SeparationOptions &options = {});
 
-} // namespace autocuts
+} // namespace autocuts::overlap

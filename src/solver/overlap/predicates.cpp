@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 namespace {
 
@@ -76,4 +76,4 @@ int orientation(const Vec2 &a, const Vec2 &b, const Vec2 &c)
     return exactOrientation(a, b, c);
 }
 
-} // namespace autocuts
+} // namespace autocuts::overlap

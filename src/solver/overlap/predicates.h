@@ -1,12 +1,12 @@
 // Orientation test that is never wrong about the sign.
 #pragma once
 
-#include "model/types.h"
+#include "model/plain/types.h"
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 //! Sign of the signed area of the triangle a, b, c: 1 counter-clockwise, -1 clockwise, 0 exactly in one line.
 //! Exact for all finite inputs whose products neither overflow nor underflow.
 int orientation(const Vec2 &a, const Vec2 &b, const Vec2 &c);
 
-} // namespace autocuts
+} // namespace autocuts::overlap

@@ -1,6 +1,6 @@
 #include "solver/overlap/sheets.h"
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 SheetFinder::SheetFinder(const UnitGraph &graph)
     : mGraph(graph), mTaken(graph.conflicts.totalSize(), false), mFirstLayer(graph.unitCount, 0),
@@ -61,4 +61,4 @@ bool SheetFinder::take(int first, int second)
     return true;
 }
 
-} // namespace autocuts
+} // namespace autocuts::overlap

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 //! Overlapping pairs of units that belong together: walking from one pair to the next moves to a neighbour
 //! on one layer, on the other, or on both. All first units form one layer, all second units the other; no
@@ -34,4 +34,4 @@ private:
     int mCurrent = 0;
 };
 
-} // namespace autocuts
+} // namespace autocuts::overlap

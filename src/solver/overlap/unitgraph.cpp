@@ -1,12 +1,12 @@
 #include "solver/overlap/unitgraph.h"
 
-#include "model/unionfind.h"
+#include "model/plain/unionfind.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <tuple>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 namespace {
 
@@ -118,4 +118,4 @@ ChartConflicts conflictsOfChart(const MeshData &mesh, const UvMatrix &soupUv, co
     return result;
 }
 
-} // namespace autocuts
+} // namespace autocuts::overlap

@@ -1,14 +1,14 @@
 // The pieces that may be cut apart, who is joined to whom, and who overlaps whom.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 #include "solver/overlap/overlapfinder.h"
 
 #include <span>
 #include <utility>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::overlap {
 
 //! Lists of ints, one list per index, in one array.
 class IntLists
@@ -75,4 +75,4 @@ struct ChartConflicts
 ChartConflicts conflictsOfChart(const MeshData &mesh, const UvMatrix &soupUv, const std::vector<bool> &cut,
                                 int seedTriangle, const OverlapOptions &options);
 
-} // namespace autocuts
+} // namespace autocuts::overlap

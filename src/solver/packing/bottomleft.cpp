@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 namespace {
 
@@ -136,4 +136,4 @@ std::optional<Layout> BottomLeft::pack(double scale, const std::vector<int> &ord
     return layout;
 }
 
-} // namespace autocuts
+} // namespace autocuts::packing

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 //! Places islands one after the other, each at the lowest free place over several angles. Keeps the rasters
 //! of the scale last used, because a scale is usually tried with several orders.
@@ -49,4 +49,4 @@ private:
     std::vector<std::vector<ItemRaster>> mRasters;
 };
 
-} // namespace autocuts
+} // namespace autocuts::packing

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 Compaction::Compaction(const PackProblem &problem, Layout layout)
     : mProblem(&problem), mLayout(std::move(layout)), mBodies(problem.count())
@@ -212,4 +212,4 @@ Layout compactLayout(const PackProblem &problem, const Layout &layout, double ce
     return best;
 }
 
-} // namespace autocuts
+} // namespace autocuts::packing

@@ -3,7 +3,7 @@
 
 #include "solver/packing/layoutcheck.h"
 
-namespace autocuts {
+namespace autocuts::packing {
 
 //! Rigid bodies with contacts between points and edges that come nearer than the gutter, resolved one after
 //! the other (projected Gauss-Seidel, each contact moving both bodies by their inverse masses).
@@ -53,4 +53,4 @@ private:
 //! exact test. \pre layout is valid \return the largest valid layout found
 Layout compactLayout(const PackProblem &problem, const Layout &layout, double ceiling, WorkMeter &work);
 
-} // namespace autocuts
+} // namespace autocuts::packing

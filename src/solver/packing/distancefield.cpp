@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 DistanceField::DistanceField(const Outline &outline, double cell, double reach, WorkMeter &work)
 {
@@ -138,4 +138,4 @@ Vec2 DistanceField::gradientAt(const Vec2 &p) const
            mInverse;
 }
 
-} // namespace autocuts
+} // namespace autocuts::packing

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 //! Distance to the outline, negative inside (winding number not zero); bilinear between the nodes.
 class DistanceField
@@ -54,4 +54,4 @@ private:
     std::vector<float> mDistance;
 };
 
-} // namespace autocuts
+} // namespace autocuts::packing

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 namespace {
 
@@ -157,4 +157,4 @@ void equalizeTexelDensity(const MeshData &mesh, const ChartMap &charts, UvMatrix
     }
 }
 
-} // namespace autocuts
+} // namespace autocuts::packing

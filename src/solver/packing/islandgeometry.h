@@ -1,10 +1,10 @@
 // Between a mesh with UVs and the packer: charts to islands and placements back to UVs.
 #pragma once
 
-#include "model/chart.h"
+#include "model/plain/chart.h"
 #include "solver/packing/packing.h"
 
-namespace autocuts {
+namespace autocuts::packing {
 
 //! One island per chart, with the chart's open edges.
 //! \param uv one row per corner, UV units
@@ -23,4 +23,4 @@ void applyPlacements(const PackResult &result, const MeshData &mesh, const Chart
 void equalizeTexelDensity(const MeshData &mesh, const ChartMap &charts, UvMatrix &uv,
                           const std::vector<bool> &locked = {});
 
-} // namespace autocuts
+} // namespace autocuts::packing

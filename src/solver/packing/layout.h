@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 //! A turn by an angle and a shift.
 struct Pose
@@ -76,4 +76,4 @@ inline void placePoints(const Outline &outline, const Pose &pose, double scale, 
         result[i] = turn(outline.points[i]) + pose.position;
 }
 
-} // namespace autocuts
+} // namespace autocuts::packing

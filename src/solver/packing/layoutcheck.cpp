@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 namespace {
 
@@ -142,4 +142,4 @@ bool isValidLayout(const PackProblem &problem, const Layout &layout, WorkMeter &
     return valid;
 }
 
-} // namespace autocuts
+} // namespace autocuts::packing

@@ -4,7 +4,7 @@
 #include "solver/packing/segmentgrid.h"
 #include "solver/packing/workmeter.h"
 
-namespace autocuts {
+namespace autocuts::packing {
 
 //! All edges of all islands as placed, sorted by island.
 std::vector<PlacedEdge> placedEdges(const PackProblem &problem, const Layout &layout);
@@ -14,4 +14,4 @@ std::vector<PlacedEdge> placedEdges(const PackProblem &problem, const Layout &la
 //! not tested against each other, nor an island against itself.
 bool isValidLayout(const PackProblem &problem, const Layout &layout, WorkMeter &work);
 
-} // namespace autocuts
+} // namespace autocuts::packing

@@ -1,13 +1,13 @@
 #include "solver/packing/outline.h"
 
-#include "model/unionfind.h"
+#include "model/plain/unionfind.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 namespace {
 
@@ -298,4 +298,4 @@ Outline makeOutline(const PackIsland &island, double unit)
     return outline;
 }
 
-} // namespace autocuts
+} // namespace autocuts::packing

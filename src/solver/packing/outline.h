@@ -3,7 +3,7 @@
 
 #include "solver/packing/packing.h"
 
-namespace autocuts {
+namespace autocuts::packing {
 
 //! Sum of the absolute areas of an island's triangles; those with a point that is not usable count nothing.
 double islandArea(const PackIsland &island);
@@ -45,4 +45,4 @@ Outline makeOutline(const PackIsland &island, double unit);
 //! Size of the axis-parallel box around the hull after a turn by angle.
 Vec2 rotatedBox(const std::vector<Vec2> &hull, double angle);
 
-} // namespace autocuts
+} // namespace autocuts::packing

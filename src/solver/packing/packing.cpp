@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 namespace {
 
@@ -210,4 +210,4 @@ PackResult packIslands(const std::vector<PackIsland> &islands, const PackSetting
     return result;
 }
 
-} // namespace autocuts
+} // namespace autocuts::packing

@@ -1,14 +1,14 @@
 // Packing of UV islands into a rectangle: the interface. Plain: no Qt.
 #pragma once
 
-#include "model/types.h"
+#include "model/plain/types.h"
 
 #include <array>
 #include <atomic>
 #include <functional>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 //! One rigid piece of the UV map.
 struct PackIsland
@@ -63,4 +63,4 @@ PackResult packIslands(const std::vector<PackIsland> &islands, const PackSetting
                        const std::atomic<bool> *cancel = nullptr,
                        const std::function<void(double)> &progress = {});
 
-} // namespace autocuts
+} // namespace autocuts::packing

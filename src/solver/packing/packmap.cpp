@@ -2,7 +2,7 @@
 
 #include "solver/packing/islandgeometry.h"
 
-namespace autocuts {
+namespace autocuts::packing {
 
 PackResult packMap(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &locked,
                    const PackSettings &settings, UvMatrix &uv, const std::atomic<bool> *cancel,
@@ -26,4 +26,4 @@ Vec2 tileCorner(int udim)
     return {(udim - first) % perRow, (udim - first) / perRow};
 }
 
-} // namespace autocuts
+} // namespace autocuts::packing

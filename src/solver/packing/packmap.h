@@ -1,10 +1,10 @@
 // Packing the charts of a map: the one way that the window and the command line go.
 #pragma once
 
-#include "model/chart.h"
+#include "model/plain/chart.h"
 #include "solver/packing/packing.h"
 
-namespace autocuts {
+namespace autocuts::packing {
 
 //! Gives the charts one texel density unless their scale is to be kept, packs them and moves their UVs.
 //! \param uv one row per corner, UV units; stays as it is unless the result is complete
@@ -16,4 +16,4 @@ PackResult packMap(const MeshData &mesh, const ChartMap &charts, const std::vect
 //! Lower left corner of a UDIM tile: 1001 is the unit square, ten in a row.
 Vec2 tileCorner(int udim);
 
-} // namespace autocuts
+} // namespace autocuts::packing

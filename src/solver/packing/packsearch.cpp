@@ -1,12 +1,12 @@
 #include "solver/packing/packsearch.h"
 
 #include "solver/packing/compaction.h"
-#include "solver/packing/separation.h"
+#include "solver/packing/guidedsearch.h"
 
 #include <algorithm>
 #include <numbers>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 namespace {
 
@@ -227,4 +227,4 @@ void PackSearch::run(WorkMeter &work, double effort)
         separateAndGrow(work);
 }
 
-} // namespace autocuts
+} // namespace autocuts::packing

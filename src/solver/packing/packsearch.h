@@ -1,13 +1,13 @@
 // The search for the largest scale: constructive layouts, compaction and separation put together.
 #pragma once
 
+#include "solver/base/random.h"
 #include "solver/packing/bottomleft.h"
-#include "solver/random.h"
 
 #include <cstdint>
 #include <optional>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 class Separation;
 
@@ -47,4 +47,4 @@ private:
 //! The scale at which the islands, grown by half the gutter, would cover this part of the bin.
 double scaleForCover(const PackProblem &problem, double cover);
 
-} // namespace autocuts
+} // namespace autocuts::packing

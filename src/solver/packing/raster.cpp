@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 namespace {
 
@@ -299,4 +299,4 @@ int BinRaster::firstFree(const ItemRaster &item, int y, int lastX, WorkMeter &wo
     return -1;
 }
 
-} // namespace autocuts
+} // namespace autocuts::packing

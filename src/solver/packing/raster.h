@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 //! Pixels [begin, begin + length) of a row.
 struct PixelRun
@@ -68,4 +68,4 @@ private:
     std::vector<std::uint64_t> mBits;
 };
 
-} // namespace autocuts
+} // namespace autocuts::packing

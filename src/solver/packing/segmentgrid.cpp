@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 SegmentGrid::SegmentGrid(const std::vector<PlacedEdge> &edges, const Vec2 &lower, const Vec2 &upper,
                          double reach)
@@ -51,4 +51,4 @@ void SegmentGrid::visitCells(const PlacedEdge &edge, double reach, Visit visit) 
     }
 }
 
-} // namespace autocuts
+} // namespace autocuts::packing

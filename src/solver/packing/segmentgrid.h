@@ -3,7 +3,7 @@
 
 #include "solver/packing/layout.h"
 
-namespace autocuts {
+namespace autocuts::packing {
 
 //! An edge of an island where the layout puts it.
 struct PlacedEdge
@@ -58,4 +58,4 @@ inline bool segmentsCross(const Vec2 &a, const Vec2 &b, const Vec2 &c, const Vec
     return (cross2(a, b, c) > 0) != (cross2(a, b, d) > 0) && (cross2(c, d, a) > 0) != (cross2(c, d, b) > 0);
 }
 
-} // namespace autocuts
+} // namespace autocuts::packing

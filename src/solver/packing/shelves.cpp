@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::optional<Layout> packShelves(const PackProblem &problem, double scale, Work
     return layout;
 }
 
-} // namespace autocuts
+} // namespace autocuts::packing

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 namespace {
 
@@ -84,4 +84,4 @@ std::optional<Layout> fitSingleIsland(const PackProblem &problem, WorkMeter &wor
     return layout;
 }
 
-} // namespace autocuts
+} // namespace autocuts::packing

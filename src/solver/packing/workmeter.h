@@ -4,7 +4,7 @@
 #include <atomic>
 #include <functional>
 
-namespace autocuts {
+namespace autocuts::packing {
 
 //! Adds up what the kernels report, in calibrated nanoseconds of one core. Results depend on it, so it must
 //! never look at a clock.
@@ -39,4 +39,4 @@ private:
     std::function<void(double)> mProgress;
 };
 
-} // namespace autocuts
+} // namespace autocuts::packing

@@ -1,6 +1,6 @@
 #include "solver/preference/creases.h"
 
-#include "model/polygon.h"
+#include "model/plain/polygon.h"
 
 #include <Eigen/Geometry>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace autocuts {
+namespace autocuts::preference {
 
 namespace {
 
@@ -95,4 +95,4 @@ std::vector<double> creaseFactors(const MeshData &mesh, double strength)
     return factors;
 }
 
-} // namespace autocuts
+} // namespace autocuts::preference

@@ -1,11 +1,11 @@
 // Sharp edges: where they are and whether a mesh is made of them.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::preference {
 
 //! Per edge pair: angle between the normals of the two polygons, radians in [0, pi]; 0 on diagonals, so that
 //! a bent polygon has no edge inside.
@@ -24,4 +24,4 @@ bool isHardSurface(const MeshData &mesh);
 //! degrees on. \param strength in [0, 1]
 std::vector<double> creaseFactors(const MeshData &mesh, double strength);
 
-} // namespace autocuts
+} // namespace autocuts::preference

@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-namespace autocuts {
+namespace autocuts::preference {
 
 namespace {
 
@@ -212,4 +212,4 @@ double symmetricShare(const MeshData &mesh, const MeshSymmetry &symmetry, const 
     return all > 0 ? paired / all : 1;
 }
 
-} // namespace autocuts
+} // namespace autocuts::preference

@@ -1,12 +1,12 @@
 // The reflection that maps a mesh onto itself.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <optional>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::preference {
 
 //! A plane and what lies where its mirror image does.
 struct MeshSymmetry
@@ -26,4 +26,4 @@ std::optional<MeshSymmetry> findSymmetry(const MeshData &mesh);
 //! Share of the length of the cut edges whose mirror images are cut as well; 1 without any cut.
 double symmetricShare(const MeshData &mesh, const MeshSymmetry &symmetry, const std::vector<bool> &cut);
 
-} // namespace autocuts
+} // namespace autocuts::preference

@@ -1,6 +1,6 @@
 #include "solver/preference/openness.h"
 
-#include "solver/parallel.h"
+#include "solver/base/parallel.h"
 #include "solver/preference/raytree.h"
 
 #include <Eigen/Geometry>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace autocuts {
+namespace autocuts::preference {
 
 namespace {
 
@@ -90,4 +90,4 @@ std::vector<double> edgeOpenness(const MeshData &mesh, int threads)
     return result;
 }
 
-} // namespace autocuts
+} // namespace autocuts::preference

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace autocuts {
+namespace autocuts::preference {
 
 namespace {
 
@@ -105,4 +105,4 @@ bool RayTree::isHit(const Vec3 &from, const Vec3 &direction) const
     return false;
 }
 
-} // namespace autocuts
+} // namespace autocuts::preference

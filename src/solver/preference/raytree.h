@@ -1,11 +1,11 @@
 // Bounding-box tree in space that tells whether a ray meets a mesh.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::preference {
 
 //! The triangles of a mesh, split at the median of the longest side of their boxes.
 class RayTree
@@ -38,4 +38,4 @@ private:
     std::vector<Node> mNodes;
 };
 
-} // namespace autocuts
+} // namespace autocuts::preference

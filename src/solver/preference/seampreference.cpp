@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace autocuts {
+namespace autocuts::preference {
 
 namespace {
 
@@ -73,4 +73,4 @@ Snapshot SeamPreference::applied(const Snapshot &snapshot, int threads)
     return result;
 }
 
-} // namespace autocuts
+} // namespace autocuts::preference

@@ -1,9 +1,9 @@
 // Where seams should rather run, as weights.
 #pragma once
 
-#include "model/snapshot.h"
+#include "model/plain/snapshot.h"
 
-namespace autocuts {
+namespace autocuts::preference {
 
 //! Computes the factors that the settings ask for and keeps them as long as nothing of that changes.
 class SeamPreference
@@ -25,4 +25,4 @@ private:
 //! What CreaseMode::Auto comes to on a mesh: On or Off; the other modes stay.
 CreaseMode decided(CreaseMode mode, const MeshData &mesh);
 
-} // namespace autocuts
+} // namespace autocuts::preference

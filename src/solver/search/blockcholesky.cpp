@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace autocuts {
+namespace autocuts::search {
 
 void BlockCholesky::analyze(int count, std::vector<std::pair<int, int>> &lower)
 {
@@ -142,4 +142,4 @@ void BlockCholesky::solve(double *b) const
     }
 }
 
-} // namespace autocuts
+} // namespace autocuts::search

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::search {
 
 //! Up-looking Cholesky for the many small systems of the seam search (tens to some thousands of unknown
 //! points), where a general library spends most of its time on bookkeeping. Keeps its memory between systems.
@@ -58,4 +58,4 @@ private:
     std::vector<Block> mPivot; //!< inverses of the lower triangular diagonal blocks
 };
 
-} // namespace autocuts
+} // namespace autocuts::search

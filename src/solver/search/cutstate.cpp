@@ -1,6 +1,6 @@
 #include "solver/search/cutstate.h"
 
-#include "model/unionfind.h"
+#include "model/plain/unionfind.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/search/trianglekernel.h"
 
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <tuple>
 
-namespace autocuts {
+namespace autocuts::search {
 
 namespace {
 
@@ -86,7 +86,7 @@ void CutState::updateEnergy()
     energy = 0;
     for (int t = 0; t < soup.triangleCount(); ++t) {
         triangleEnergy[t] =
-            soup.weight[t] * autocuts::triangleEnergy(&x[6 * static_cast<std::size_t>(t)], soup.basis[t]);
+            soup.weight[t] * search::triangleEnergy(&x[6 * static_cast<std::size_t>(t)], soup.basis[t]);
         energy += triangleEnergy[t];
     }
 }
@@ -148,9 +148,9 @@ bool CutState::boundariesOverlap(const std::vector<int> &triangles) const
         for (int k = 0; k < 3; ++k)
             uv.row(3 * i + k) = at(3 * near[i] + k).transpose();
     }
-    OverlapOptions options;
+    overlap::OverlapOptions options;
     options.totalArea = std::numbers::pi;
-    return !visitOverlaps(uv, options, [](int, int, double) { return false; });
+    return !overlap::visitOverlaps(uv, options, [](int, int, double) { return false; });
 }
 
 void CutState::spreadCharts()
@@ -192,4 +192,4 @@ void CutState::spreadCharts()
     }
 }
 
-} // namespace autocuts
+} // namespace autocuts::search

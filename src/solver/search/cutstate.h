@@ -1,13 +1,13 @@
 // A seamed map in the form that a seam search changes step by step.
 #pragma once
 
-#include "solver/finish.h"
+#include "solver/base/seamedmap.h"
 #include "solver/search/seamgraph.h"
 
 #include <memory>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::search {
 
 //! Cut flags and coordinates, with the sums that are to be minimised kept up to date. Corners of one UV
 //! vertex have bitwise equal coordinates; no triangle is turned over. The charts lie apart from each other.
@@ -56,4 +56,4 @@ struct CutState
     void spreadCharts();
 };
 
-} // namespace autocuts
+} // namespace autocuts::search

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace autocuts {
+namespace autocuts::search {
 
 namespace {
 
@@ -266,4 +266,4 @@ void Patch::commit(CutState &state) const
     }
 }
 
-} // namespace autocuts
+} // namespace autocuts::search

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::search {
 
 //! How far Patch::minimize() goes.
 struct PatchLimits
@@ -102,4 +102,4 @@ private:
     int mSteps = 0;
 };
 
-} // namespace autocuts
+} // namespace autocuts::search

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace autocuts {
+namespace autocuts::search {
 
 namespace {
 
@@ -248,4 +248,4 @@ int Patch::minimize(const PatchLimits &limits)
     return limits.steps;
 }
 
-} // namespace autocuts
+} // namespace autocuts::search

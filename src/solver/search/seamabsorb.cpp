@@ -5,14 +5,14 @@
 #include <map>
 #include <set>
 
-namespace autocuts {
+namespace autocuts::search {
 
 namespace {
 
 constexpr int absorbSteps = 12;
-constexpr double grownShare = 1.1; // of the smallest chart
+constexpr double grownShare = 1.1;   // of the smallest chart
 constexpr int edgesPerNeighbour = 6; // that are tried
-constexpr int mostPatch = 3000; // triangles around a chart that is absorbed
+constexpr int mostPatch = 3000;      // triangles around a chart that is absorbed
 constexpr double anyGain = -std::numeric_limits<double>::infinity();
 
 bool contains(const std::vector<int> &edges, int e)
@@ -22,8 +22,8 @@ bool contains(const std::vector<int> &edges, int e)
 
 } // namespace
 
-//! Adds the mirror images. What would open on one side and close on the other asks for something impossible, so
-//! that the trial refuses it.
+//! Adds the mirror images. What would open on one side and close on the other asks for something impossible,
+//! so that the trial refuses it.
 SeamChange SeamSearch::withMirrorImages(const SeamChange &change) const
 {
     const std::vector<int> &mirror = mState.graph->mirror;
@@ -89,9 +89,9 @@ bool SeamSearch::absorb(int chart)
     return false;
 }
 
-//! Triangles next to a seam edge, nearest first, in the chart on the other side: so many that they and the chart
-//! together are large enough. Polygons stay whole. Nothing reaches beyond the line through the edge, where the
-//! chart will lie.
+//! Triangles next to a seam edge, nearest first, in the chart on the other side: so many that they and the
+//! chart together are large enough. Polygons stay whole. Nothing reaches beyond the line through the edge,
+//! where the chart will lie.
 std::vector<int> SeamSearch::regionAcross(int chart, int edge) const
 {
     const SeamGraph &graph = *mState.graph;
@@ -102,7 +102,8 @@ std::vector<int> SeamSearch::regionAcross(int chart, int edge) const
     const Vec2 from = mState.at(along), to = mState.at(along / 3 * 3 + (along + 1) % 3);
     const auto isInFront = [&](int t) {
         const double least = -1e-9 * (to - from).squaredNorm();
-        return cross2(from, to, mState.at(3 * t)) >= least && cross2(from, to, mState.at(3 * t + 1)) >= least &&
+        return cross2(from, to, mState.at(3 * t)) >= least &&
+               cross2(from, to, mState.at(3 * t + 1)) >= least &&
                cross2(from, to, mState.at(3 * t + 2)) >= least;
     };
     std::set<int> seen(region.begin(), region.end());
@@ -199,4 +200,4 @@ void SeamSearch::absorbSmallCharts()
     }
 }
 
-} // namespace autocuts
+} // namespace autocuts::search

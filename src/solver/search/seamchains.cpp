@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace autocuts {
+namespace autocuts::search {
 
 namespace {
 
@@ -120,4 +120,4 @@ std::vector<int> SeamPaths::find(int from, int to, double noise, Random &random,
     return path;
 }
 
-} // namespace autocuts
+} // namespace autocuts::search

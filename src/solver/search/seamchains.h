@@ -1,13 +1,13 @@
 // Seams as chains between branch points, and shortest ways for new ones.
 #pragma once
 
-#include "solver/random.h"
+#include "solver/base/random.h"
 #include "solver/search/cutstate.h"
 
 #include <queue>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::search {
 
 //! Cut edges in a row between two points where seams end, branch or meet a border; or a closed ring.
 struct SeamChain
@@ -51,4 +51,4 @@ private:
     int mSearch = 0;
 };
 
-} // namespace autocuts
+} // namespace autocuts::search

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace autocuts {
+namespace autocuts::search {
 
 namespace {
 
@@ -28,13 +28,13 @@ std::vector<int> eliminationOrder(const SeamGraph &graph)
         entries.emplace_back(v, v, 1.0);
     for (const auto &[a, b] : graph.ends)
         entries.emplace_back(std::max(a, b), std::min(a, b), 1.0);
-    LinearSolver::Matrix pattern(graph.vertexCount, graph.vertexCount);
+    linear::LinearSolver::Matrix pattern(graph.vertexCount, graph.vertexCount);
     pattern.setFromTriplets(entries.begin(), entries.end());
-    return eliminationRanks(pattern);
+    return linear::eliminationRanks(pattern);
 }
 
 //! What is wanted of one side is wanted of the other.
-void mirrorGraph(const MeshData &mesh, const MeshSymmetry &symmetry, SeamGraph &graph)
+void mirrorGraph(const MeshData &mesh, const preference::MeshSymmetry &symmetry, SeamGraph &graph)
 {
     graph.mirror = symmetry.mirrorEdge;
     graph.onPlane.assign(graph.vertexCount, false);
@@ -66,7 +66,7 @@ void SeamGraph::makeSymmetric(CutFlags &cut) const
 }
 
 std::shared_ptr<const SeamGraph> SeamGraph::build(std::shared_ptr<const Soup> soup, const Snapshot &snapshot,
-                                                  const MeshSymmetry *symmetry)
+                                                  const preference::MeshSymmetry *symmetry)
 {
     auto graph = std::make_shared<SeamGraph>();
     const MeshData &mesh = *soup->mesh;
@@ -111,4 +111,4 @@ std::shared_ptr<const SeamGraph> SeamGraph::build(std::shared_ptr<const Soup> so
     return graph;
 }
 
-} // namespace autocuts
+} // namespace autocuts::search

@@ -1,17 +1,17 @@
 // What a seam search has to know about the mesh and never changes.
 #pragma once
 
-#include "model/snapshot.h"
-#include "solver/cutmesh.h"
+#include "model/plain/snapshot.h"
+#include "solver/base/cutmesh.h"
+#include "solver/base/soup.h"
 #include "solver/preference/meshsymmetry.h"
-#include "solver/soup.h"
 
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::search {
 
 //! The edges as a graph that seams run along, and what the user wants of them. Immutable.
 struct SeamGraph
@@ -36,7 +36,7 @@ struct SeamGraph
 
     //! \param symmetry that the cuts shall have, null for none
     static std::shared_ptr<const SeamGraph> build(std::shared_ptr<const Soup> soup, const Snapshot &snapshot,
-                                                  const MeshSymmetry *symmetry = nullptr);
+                                                  const preference::MeshSymmetry *symmetry = nullptr);
 
     bool isMirrored() const { return !mirror.empty(); }
     //! Cuts the mirror images of all cut edges as well.
@@ -52,4 +52,4 @@ struct SeamGraph
     std::vector<int> edgeStart, edgeList; //!< edges at each point, in rising order
 };
 
-} // namespace autocuts
+} // namespace autocuts::search

@@ -1,14 +1,14 @@
 #include "solver/search/seamoptimizer.h"
 
-#include "solver/parallel.h"
+#include "solver/base/parallel.h"
 #include "solver/search/seamsearch.h"
 #include "solver/search/seamseeds.h"
-#include "solver/tutte.h"
+#include "solver/search/tutte.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace autocuts {
+namespace autocuts::search {
 
 namespace {
 
@@ -340,4 +340,4 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
     return OptimizedMap{best.best().map(), best.searcher().mu(), iterations};
 }
 
-} // namespace autocuts
+} // namespace autocuts::search

@@ -1,7 +1,7 @@
 // The automatic cutter: from the mesh to short seams at a given distortion.
 #pragma once
 
-#include "solver/finish.h"
+#include "solver/base/seamedmap.h"
 #include "solver/search/seamgraph.h"
 
 #include <atomic>
@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::search {
 
 //! How much is tried. All starts take part in the first round, its survivors in the second, and so on. Those
 //! in the last round are taken to the bound, and the best wins.
@@ -60,4 +60,4 @@ struct OptimizedMap
 std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph> &graph,
                                           const OptimizeOptions &options);
 
-} // namespace autocuts
+} // namespace autocuts::search

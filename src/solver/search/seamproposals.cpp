@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace autocuts {
+namespace autocuts::search {
 
 int SeamSearch::randomSeamEdge()
 {
@@ -148,4 +148,4 @@ SeamChange SeamSearch::addChange()
     return change;
 }
 
-} // namespace autocuts
+} // namespace autocuts::search

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace autocuts {
+namespace autocuts::search {
 
 namespace {
 
@@ -269,4 +269,4 @@ bool SeamSearch::tryLargeMove()
     return false;
 }
 
-} // namespace autocuts
+} // namespace autocuts::search

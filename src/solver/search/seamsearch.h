@@ -1,14 +1,14 @@
 // Shortens the seams of a map step by step, and opens new ones where distortion concentrates.
 #pragma once
 
-#include "solver/random.h"
+#include "solver/base/random.h"
 #include "solver/search/seamchains.h"
 #include "solver/search/seamtrial.h"
 
 #include <atomic>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::search {
 
 //! How a search goes.
 struct SearchOptions
@@ -93,4 +93,4 @@ private:
     std::vector<int> mZipTried, mSplitTried; //!< per edge
 };
 
-} // namespace autocuts
+} // namespace autocuts::search

@@ -1,14 +1,14 @@
 #include "solver/search/seamseeds.h"
 
-#include "solver/random.h"
+#include "solver/base/random.h"
 #include "solver/search/seamchains.h"
-#include "solver/tutte.h"
+#include "solver/search/tutte.h"
 
 #include <algorithm>
 #include <cmath>
 #include <queue>
 
-namespace autocuts {
+namespace autocuts::search {
 
 namespace {
 
@@ -323,4 +323,4 @@ std::vector<char> fewCuts(const SeamGraph &graph, const SeedOptions &options)
     return {cut.begin(), cut.end()};
 }
 
-} // namespace autocuts
+} // namespace autocuts::search

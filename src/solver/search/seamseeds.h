@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::search {
 
 struct SeedOptions
 {
@@ -24,4 +24,4 @@ struct SeedOptions
 //! \returns cut flags; what the user cut is cut, what the user joined is not cut but where handles need it
 std::vector<char> fewCuts(const SeamGraph &graph, const SeedOptions &options);
 
-} // namespace autocuts
+} // namespace autocuts::search

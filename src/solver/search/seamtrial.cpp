@@ -1,12 +1,12 @@
 #include "solver/search/seamtrial.h"
 
-#include "model/unionfind.h"
+#include "model/plain/unionfind.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace autocuts {
+namespace autocuts::search {
 
 namespace {
 
@@ -376,4 +376,4 @@ void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool gu
         undo();
 }
 
-} // namespace autocuts
+} // namespace autocuts::search

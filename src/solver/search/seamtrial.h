@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::search {
 
 //! Edges to open and to close in one go.
 struct SeamChange
@@ -70,4 +70,4 @@ private:
     bool mTopologyChanged = false; //!< the state's topology is that of the change
 };
 
-} // namespace autocuts
+} // namespace autocuts::search

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace autocuts {
+namespace autocuts::search {
 
 namespace {
 
@@ -79,4 +79,4 @@ bool Segments::cross(const std::vector<double> &position, std::vector<int> *touc
     return found;
 }
 
-} // namespace autocuts
+} // namespace autocuts::search

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace autocuts {
+namespace autocuts::search {
 
 //! Segments between points of a patch (they move) and around them (they do not).
 class Segments
@@ -37,4 +37,4 @@ private:
     std::vector<Box> mBoxes;
 };
 
-} // namespace autocuts
+} // namespace autocuts::search

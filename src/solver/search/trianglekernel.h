@@ -1,13 +1,13 @@
 // Symmetric Dirichlet energy of one triangle, in closed form (Smith, de Goes and Kim 2019).
 #pragma once
 
-#include "solver/soup.h"
+#include "solver/base/soup.h"
 
 #include <array>
 #include <cmath>
 #include <limits>
 
-namespace autocuts {
+namespace autocuts::search {
 
 //! Energy density at the corners p (u, v each); 4 at an isometry, infinite when turned over.
 inline double triangleEnergy(const double *p, const Soup::Basis &b)
@@ -88,4 +88,4 @@ inline void triangleDerivatives(const double *p, const Soup::Basis &b, double we
     }
 }
 
-} // namespace autocuts
+} // namespace autocuts::search

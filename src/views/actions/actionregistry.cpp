@@ -1,8 +1,8 @@
 // Actions from the table: texts, tooltips, groups, keys.
 #include "views/actions/actionregistry.h"
 
-#include "views/icons.h"
-#include "views/preferences/preferences.h"
+#include "views/ui/icons.h"
+#include "views/ui/preferences.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>

@@ -1,6 +1,6 @@
 #include "views/actions/actionstates.h"
 
-#include "model/makesnapshot.h"
+#include "model/document/makesnapshot.h"
 #include "views/actions/actionregistry.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
@@ -42,13 +42,13 @@ int ActionStates::met() const
     const SolverController &solver = mContext.solver;
     const Selection &selection = document->selection();
     add(true, NeedsDocument);
-    add(hasUvs() || solver.isRunning() || solver.isSettling(), NeedsUvs);
+    add(hasUvs() || solver.isRunning() || solver.isPausing(), NeedsUvs);
     add(!selection.isEmpty(), NeedsSelection);
     add(!selection.edges.isEmpty(), NeedsSelectedEdges);
     add(!selection.faces.isEmpty(), NeedsSelectedFaces);
     add(!selection.edges.isEmpty() || !selection.faces.isEmpty(), NeedsEdgesOrFaces);
     // A run in progress can be undone: it becomes an entry first.
-    add(document->undoStack().canUndoFurther() || solver.isRunning() || solver.isSettling(), NeedsUndo);
+    add(document->undoStack().canUndoFurther() || solver.isRunning() || solver.isPausing(), NeedsUndo);
     add(document->undoStack().canRedo(), NeedsRedo);
     const MapFigures *figures = mContext.map.figures();
     add(figures && mContext.map.figuresAreFresh() && !figures->overlapping.empty(), NeedsOverlaps);

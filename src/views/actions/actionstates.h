@@ -1,7 +1,7 @@
 // Which actions are possible at the moment.
 #pragma once
 
-#include "views/studiocontext.h"
+#include "views/control/studiocontext.h"
 
 #include <QObject>
 

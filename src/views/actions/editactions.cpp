@@ -1,10 +1,10 @@
 #include "views/actions/editactions.h"
 
 #include "views/actions/actionregistry.h"
-#include "views/actions/questions.h"
+#include "views/actions/preferencesdialog.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
-#include "views/preferences/preferencesdialog.h"
+#include "views/ui/questions.h"
 
 namespace autocuts {
 
@@ -23,7 +23,7 @@ EditActions::EditActions(const StudioContext &context, Questions &questions, QOb
 //! A run in progress becomes an entry first, and is what is undone.
 void EditActions::undo()
 {
-    mContext.solver.whenSettled([this] {
+    mContext.solver.whenPaused([this] {
         Document *document = mContext.workspace.document();
         if (document && document->undoStack().canUndoFurther())
             document->undoStack().undo();
@@ -32,7 +32,7 @@ void EditActions::undo()
 
 void EditActions::redo()
 {
-    mContext.solver.whenSettled([this] {
+    mContext.solver.whenPaused([this] {
         if (Document *document = mContext.workspace.document())
             document->undoStack().redo();
     });

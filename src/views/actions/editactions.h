@@ -1,7 +1,7 @@
 // The Edit menu.
 #pragma once
 
-#include "views/studiocontext.h"
+#include "views/control/studiocontext.h"
 
 #include <QObject>
 

@@ -3,7 +3,6 @@
 #include "model/io/meshfile.h"
 #include "views/actions/actionregistry.h"
 #include "views/actions/menubuilder.h"
-#include "views/actions/questions.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/solvercontroller.h"
@@ -11,7 +10,8 @@
 #include "views/dialogs/exportlayoutdialog.h"
 #include "views/dialogs/exportmeshdialog.h"
 #include "views/dialogs/recoverydialog.h"
-#include "views/preferences/preferences.h"
+#include "views/ui/preferences.h"
+#include "views/ui/questions.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -65,11 +65,11 @@ void FileActions::connectActions()
     }
     onTriggered("file.clearRecent", [this] { mContext.preferences.clearRecentFiles(); });
     onTriggered("file.close", [this] { leaveSession([this] { mContext.files.close(); }); });
-    onTriggered("file.save", [this] { mContext.solver.whenSettled([this] { save(); }); });
-    onTriggered("file.saveAs", [this] { mContext.solver.whenSettled([this] { saveAs(); }); });
+    onTriggered("file.save", [this] { mContext.solver.whenPaused([this] { save(); }); });
+    onTriggered("file.saveAs", [this] { mContext.solver.whenPaused([this] { saveAs(); }); });
     onTriggered("file.relink", [this] { askRelink(); });
-    onTriggered("file.exportMesh", [this] { mContext.solver.whenSettled([this] { askExportMesh(); }); });
-    onTriggered("file.exportLayout", [this] { mContext.solver.whenSettled([this] { askExportLayout(); }); });
+    onTriggered("file.exportMesh", [this] { mContext.solver.whenPaused([this] { askExportMesh(); }); });
+    onTriggered("file.exportLayout", [this] { mContext.solver.whenPaused([this] { askExportLayout(); }); });
     onTriggered("file.quit", [this] {
         if (QWidget *window = mQuestions.window())
             window->close();
@@ -107,7 +107,7 @@ void FileActions::showRecent()
 
 void FileActions::leaveSession(const std::function<void()> &then)
 {
-    mContext.solver.whenSettled([this, then] {
+    mContext.solver.whenPaused([this, then] {
         if (!mayLeave())
             return;
         // What a job makes of the old session is not wanted any more.
@@ -134,9 +134,9 @@ bool FileActions::mayLeave()
 bool FileActions::mayClose()
 {
     const SolverController &solver = mContext.solver;
-    if (!solver.isRunning() && !solver.isSettling())
+    if (!solver.isRunning() && !solver.isPausing())
         return mayLeave();
-    mContext.solver.whenSettled([this] {
+    mContext.solver.whenPaused([this] {
         if (QWidget *window = mQuestions.window())
             window->close();
     });
@@ -186,7 +186,7 @@ void FileActions::askRelink()
     const QStringList filters{tr("Meshes (%1)").arg(globs(readableFormats())), tr("All files (*)")};
     const QString path = mQuestions.fileToOpen(tr("Re-link model"), folder, filters);
     if (!path.isEmpty())
-        mContext.solver.whenSettled([this, path] { mContext.files.relink(path); });
+        mContext.solver.whenPaused([this, path] { mContext.files.relink(path); });
 }
 
 void FileActions::askExportMesh()

@@ -1,7 +1,7 @@
 // The File menu, and the questions before work would be lost.
 #pragma once
 
-#include "views/studiocontext.h"
+#include "views/control/studiocontext.h"
 
 #include <QObject>
 

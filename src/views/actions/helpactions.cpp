@@ -1,9 +1,9 @@
 #include "views/actions/helpactions.h"
 
 #include "views/actions/actionregistry.h"
-#include "views/actions/questions.h"
+#include "views/actions/shortcutlistdialog.h"
 #include "views/dialogs/aboutdialog.h"
-#include "views/dialogs/shortcutlistdialog.h"
+#include "views/ui/questions.h"
 
 #include <QDir>
 

@@ -1,7 +1,7 @@
 // The Help menu.
 #pragma once
 
-#include "views/studiocontext.h"
+#include "views/control/studiocontext.h"
 
 #include <QObject>
 

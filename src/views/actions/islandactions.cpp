@@ -3,14 +3,14 @@
 #include "commands/islandtransform.h"
 #include "commands/stackislands.h"
 #include "views/actions/actionregistry.h"
-#include "views/actions/questions.h"
-#include "views/actions/selecting.h"
+#include "views/control/islandfigures.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/densitydialog.h"
 #include "views/dialogs/scatterdialog.h"
-#include "views/panels/islandfigures.h"
+#include "views/selecting/selecting.h"
+#include "views/ui/questions.h"
 
 #include <QAction>
 #include <QPointer>
@@ -78,7 +78,7 @@ void IslandActions::onTriggered(const char *id, const std::function<void(Documen
     connect(mContext.actions.action(id), &QAction::triggered, this, [this, function] {
         if (!mContext.workspace.document())
             return;
-        mContext.solver.whenSettled([self = QPointer(this), function] {
+        mContext.solver.whenPaused([self = QPointer(this), function] {
             Document *document = self ? self->mContext.workspace.document() : nullptr;
             if (document && !self->mContext.map.jobs().isBusy())
                 function(*document);

@@ -1,8 +1,8 @@
 // The Layout menu: islands aligned, distributed, mirrored, turned, stacked, scattered.
 #pragma once
 
-#include "model/arrangement.h"
-#include "views/studiocontext.h"
+#include "model/document/arrangement.h"
+#include "views/control/studiocontext.h"
 
 #include "commands/setuvs.h"
 

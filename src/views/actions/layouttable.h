@@ -1,7 +1,7 @@
 // The part of the table of actions that lays out islands. Included by actiontable.cpp only.
 #pragma once
 
-#include "views/actions/actiontable.h"
+#include "views/actions/actioninfo.h"
 
 #include <QtGlobal>
 

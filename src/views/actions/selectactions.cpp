@@ -1,10 +1,10 @@
 #include "views/actions/selectactions.h"
 
-#include "model/selectiontools.h"
+#include "model/document/selectiontools.h"
 #include "views/actions/choice.h"
-#include "views/actions/selecting.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
+#include "views/selecting/selecting.h"
 
 #include <algorithm>
 

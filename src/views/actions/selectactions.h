@@ -1,9 +1,9 @@
 // The Select menu.
 #pragma once
 
-#include "views/studiocontext.h"
+#include "views/control/studiocontext.h"
 
-#include "model/selection.h"
+#include "model/document/selection.h"
 
 #include <QObject>
 

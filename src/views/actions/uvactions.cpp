@@ -3,14 +3,14 @@
 #include "commands/changesettings.h"
 #include "commands/editpins.h"
 #include "views/actions/choice.h"
-#include "views/actions/selecting.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
-#include "views/icons.h"
+#include "views/selecting/selecting.h"
 #include "views/tools/pinning.h"
+#include "views/ui/icons.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,8 +78,9 @@ void UvActions::connectSolver()
     onTriggered("uv.lambdaMore", [this] { changeLambda(lambdaStep); });
     onTriggered("uv.deltaDouble", [this] { changeDelta(2); });
     onTriggered("uv.deltaHalve", [this] { changeDelta(0.5); });
-    connect(mContext.actions.action("uv.budget"), &QAction::triggered, this,
-            [&solver](bool checked) { solver.setMode(checked ? SolveMode::Budget : SolveMode::Manual); });
+    connect(mContext.actions.action("uv.budget"), &QAction::triggered, this, [&solver](bool checked) {
+        solver.setMode(checked ? homotopy::SolveMode::Budget : homotopy::SolveMode::Manual);
+    });
     for (const auto &[id, value] : startChoices)
         connectSetting(id, &SolveSettings::start, value);
     for (const auto &[id, value] : energyChoices)
@@ -93,7 +94,7 @@ void UvActions::connectJobs()
     MapController &map = mContext.map;
     SolverController &solver = mContext.solver;
     onTriggered("uv.unwrap",
-                [&map, &solver] { map.unwrap(UnwrapQuality::Standard, solver.maxDistortion()); });
+                [&map, &solver] { map.unwrap(unwrap::UnwrapQuality::Standard, solver.maxDistortion()); });
     onTriggered("uv.finish", [&map, &solver] { map.finish(solver.maxDistortion()); });
     onTriggered("uv.pack", [&map] { map.pack(PackScope::All); });
     onTriggered("uv.packSelection", [&map] { map.pack(PackScope::Selection); });
@@ -134,12 +135,12 @@ SolveSettings UvActions::settingsInEffect()
 {
     SolveSettings settings = mContext.workspace.document()->solveSettings();
     SolverController &solver = mContext.solver;
-    if (solver.mode() == SolveMode::Budget) {
+    if (solver.mode() == homotopy::SolveMode::Budget) {
         if (solver.status().iteration > 0) {
             settings.lambda = solver.status().lambda;
             settings.delta = solver.status().delta;
         }
-        solver.setMode(SolveMode::Manual);
+        solver.setMode(homotopy::SolveMode::Manual);
     }
     return settings;
 }
@@ -209,7 +210,7 @@ void UvActions::showState()
     run->setText(running ? tr("&Pause") : tr("&Run"));
     run->setIconText(running ? tr("Pause") : tr("Run"));
     run->setIcon(icon(running ? QStringLiteral("pause") : QStringLiteral("run")));
-    mContext.actions.action("uv.budget")->setChecked(mContext.solver.mode() == SolveMode::Budget);
+    mContext.actions.action("uv.budget")->setChecked(mContext.solver.mode() == homotopy::SolveMode::Budget);
     const Document *document = mContext.workspace.document();
     const SolveSettings settings = document ? document->solveSettings() : SolveSettings();
     showChoice(mContext.actions, startChoices, settings.start);

@@ -3,8 +3,8 @@
 
 #include "commands/setislandflags.h"
 #include "commands/setseamstate.h"
-#include "model/solvesettings.h"
-#include "views/studiocontext.h"
+#include "model/plain/solvesettings.h"
+#include "views/control/studiocontext.h"
 
 #include <QObject>
 #include <QTimer>

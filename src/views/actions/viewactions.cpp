@@ -1,11 +1,11 @@
 #include "views/actions/viewactions.h"
 
 #include "views/actions/choice.h"
-#include "views/actions/questions.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/previewdialog.h"
-#include "views/preferences/preferences.h"
+#include "views/ui/preferences.h"
+#include "views/ui/questions.h"
 
 #include <QFileInfo>
 #include <QImageReader>

@@ -1,8 +1,8 @@
 // The View menu.
 #pragma once
 
-#include "views/canvas/viewstate.h"
-#include "views/studiocontext.h"
+#include "views/control/studiocontext.h"
+#include "views/state/viewstate.h"
 
 #include <QObject>
 

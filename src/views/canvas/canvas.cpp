@@ -2,8 +2,8 @@
 
 #include "views/canvas/glresources.h"
 #include "views/canvas/overlays.h"
+#include "views/canvas/toolmanager.h"
 #include "views/control/workspace.h"
-#include "views/tools/toolmanager.h"
 
 #include <QMouseEvent>
 #include <QOpenGLContext>
@@ -30,9 +30,8 @@ QSurfaceFormat canvasFormat()
 
 } // namespace
 
-Canvas::Canvas(Kind kind, const CanvasContext &context, ToolManager &tools, QWidget *parent)
-    : QOpenGLWidget(parent), mKind(kind), mContext(context), mTools(tools),
-      mContent(context, kind == Kind::Map)
+Canvas::Canvas(Kind kind, const StudioContext &context, ToolManager &tools, QWidget *parent)
+    : ToolCanvas(kind, context, parent), mTools(tools), mContent(context, kind == Kind::Map)
 {
     setFormat(canvasFormat());
     setMouseTracking(true);
@@ -52,10 +51,10 @@ Canvas::Canvas(Kind kind, const CanvasContext &context, ToolManager &tools, QWid
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
         mNavigation = Navigation::None;
         mToolPressed = false;
-        mContext.view.setHover({});
+        studio().view.setHover({});
         documentReplaced();
     });
-    const auto readTexture = [this] { mTexture.setPath(mContext.view.options().texturePath); };
+    const auto readTexture = [this] { mTexture.setPath(studio().view.options().texturePath); };
     connect(&context.view, &ViewState::optionsChanged, this, readTexture);
     readTexture();
 }
@@ -159,7 +158,7 @@ void Canvas::updateCursor()
 
 std::vector<int> Canvas::selectedSoupCorners() const
 {
-    const Document *document = mContext.workspace.document();
+    const Document *document = studio().workspace.document();
     if (!document)
         return {};
     const MeshData &mesh = document->mesh();
@@ -190,8 +189,8 @@ std::vector<int> Canvas::selectedSoupCorners() const
 Canvas::HoverParts Canvas::hoverParts() const
 {
     HoverParts parts;
-    const Document *document = mContext.workspace.document();
-    const Hover &hover = mContext.view.hover();
+    const Document *document = studio().workspace.document();
+    const Hover &hover = studio().view.hover();
     if (!document || (mTools.tool() && !mTools.tool()->marksHover()))
         return parts;
     const SoupTopology &topology = mContent.topology();

@@ -2,16 +2,14 @@
 #pragma once
 
 #include "views/canvas/navigation.h"
-#include "views/canvas/picking.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/texturefile.h"
+#include "views/canvas/toolcanvas.h"
 
 #include <QCborMap>
 #include <QImage>
-#include <QOpenGLWidget>
 
 #include <memory>
-#include <optional>
 
 class QPainter;
 
@@ -21,26 +19,15 @@ class ToolManager;
 struct GlResources;
 struct ToolEvent;
 
-//! Base of MeshView and UvView. Screen coordinates are logical pixels from the upper left.
-class Canvas : public QOpenGLWidget
+//! Base of MeshView and UvView.
+class Canvas : public ToolCanvas
 {
     Q_OBJECT
 
 public:
-    enum class Kind { Model, Map };
-
     ~Canvas() override;
 
-    Kind kind() const { return mKind; }
-    const CanvasContext &canvasContext() const { return mContext; }
-    //! What is drawn; for picking and measuring.
-    const SceneContent &content() const { return mContent; }
-
-    //! What is at a place; also sees what is not painted yet.
-    virtual PickResult pick(const QPointF &pixel) const = 0;
-    virtual BoxPick pickBox(const PickRegion &region) const = 0;
-    //! Where a soup corner is drawn; nothing when it has no place.
-    virtual std::optional<QPointF> screenOf(int soupCorner) const = 0;
+    const SceneContent &content() const override { return mContent; }
 
     virtual void frameAll() = 0;
     //! Frames all when nothing is selected.
@@ -53,7 +40,7 @@ public:
     QImage picture() { return grabFramebuffer(); }
 
 protected:
-    Canvas(Kind kind, const CanvasContext &context, ToolManager &tools, QWidget *parent);
+    Canvas(Kind kind, const StudioContext &context, ToolManager &tools, QWidget *parent);
 
     //! Draws all but the overlay; the buffers are up to date and the view is not cleared.
     virtual void drawScene(GlResources &gl) = 0;
@@ -95,8 +82,6 @@ private:
     void endLostGestures(Qt::MouseButtons held);
     ToolEvent toolEvent(const QMouseEvent &event, bool withPick);
 
-    const Kind mKind;
-    const CanvasContext mContext;
     ToolManager &mTools;
     SceneContent mContent;
     TextureFile mTexture;

@@ -1,8 +1,8 @@
 // The events of Canvas: navigation first, then the tool.
 #include "views/canvas/canvas.h"
 
+#include "views/canvas/toolmanager.h"
 #include "views/control/workspace.h"
-#include "views/tools/toolmanager.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -40,7 +40,7 @@ void Canvas::mousePressEvent(QMouseEvent *event)
     setFocus(Qt::MouseFocusReason);
     endLostGestures(event->buttons() & ~event->button());
     mLastMouse = event->position();
-    const NavigationPreset preset = mContext.preferences.values().navigation;
+    const NavigationPreset preset = studio().preferences.values().navigation;
     const Navigation navigation = navigationOf(preset, event->button(), event->modifiers());
     if (mNavigation != Navigation::None)
         return;
@@ -71,7 +71,7 @@ void Canvas::mouseMoveEvent(QMouseEvent *event)
     if (!mContent.mesh() || !mTools.tool())
         return;
     const ToolEvent toTool = toolEvent(*event, mTools.tool()->wantsPicks());
-    mContext.view.setHover(toTool.pick.hover());
+    studio().view.setHover(toTool.pick.hover());
     mTools.tool()->move(toTool);
 }
 
@@ -91,7 +91,7 @@ void Canvas::mouseReleaseEvent(QMouseEvent *event)
 
 void Canvas::mouseDoubleClickEvent(QMouseEvent *event)
 {
-    const NavigationPreset preset = mContext.preferences.values().navigation;
+    const NavigationPreset preset = studio().preferences.values().navigation;
     if (navigationOf(preset, event->button(), event->modifiers()) != Navigation::None || !mContent.mesh() ||
         !mTools.tool()) {
         mousePressEvent(event);
@@ -109,7 +109,7 @@ void Canvas::wheelEvent(QWheelEvent *event)
     const bool touchPad =
         event->device()->type() == QInputDevice::DeviceType::TouchPad && !event->pixelDelta().isNull();
     if (touchPad && !event->modifiers().testFlag(Qt::ControlModifier)) {
-        const bool orbit = mKind == Kind::Model && !event->modifiers().testFlag(Qt::ShiftModifier);
+        const bool orbit = kind() == Kind::Model && !event->modifiers().testFlag(Qt::ShiftModifier);
         navigate(orbit ? Navigation::Orbit : Navigation::Pan, event->pixelDelta(), at);
     } else {
         // Some platforms turn the wheel sideways while Alt is held.
@@ -122,7 +122,7 @@ void Canvas::wheelEvent(QWheelEvent *event)
 
 void Canvas::keyPressEvent(QKeyEvent *event)
 {
-    const NavigationPreset preset = mContext.preferences.values().navigation;
+    const NavigationPreset preset = studio().preferences.values().navigation;
     const bool toTool = mContent.mesh() && mTools.tool() && mTools.tool()->wantsKey(*event);
     const NavigationKey key =
         toTool ? NavigationKey::None : navigationKeyOf(preset, event->key(), event->modifiers());
@@ -131,9 +131,9 @@ void Canvas::keyPressEvent(QKeyEvent *event)
     else if (key == NavigationKey::FrameSelection)
         frameSelection();
     else if (key == NavigationKey::ToggleOrthographic) {
-        ViewOptions options = mContext.view.options();
+        ViewOptions options = studio().view.options();
         options.orthographic = !options.orthographic;
-        mContext.view.setOptions(options);
+        studio().view.setOptions(options);
     } else if (key != NavigationKey::None)
         turnTo(key);
     else if (!mContent.mesh() || !mTools.tool() || !mTools.tool()->keyPress(*event, *this))
@@ -151,7 +151,7 @@ void Canvas::enterEvent(QEnterEvent *event)
 void Canvas::leaveEvent(QEvent *event)
 {
     mTools.setMouse(nullptr, {});
-    mContext.view.setHover({});
+    studio().view.setHover({});
     if (mTools.tool())
         mTools.tool()->leave();
     QOpenGLWidget::leaveEvent(event);
@@ -162,7 +162,7 @@ bool Canvas::event(QEvent *event)
     if (event->type() == QEvent::ShortcutOverride) {
         // Keys of the preset, those of the tool, and Escape while it works, come here and not to an action.
         const auto *key = static_cast<QKeyEvent *>(event);
-        const NavigationPreset preset = mContext.preferences.values().navigation;
+        const NavigationPreset preset = studio().preferences.values().navigation;
         const AbstractTool *tool = mTools.tool();
         const bool cancels = tool && key->key() == Qt::Key_Escape && tool->isBusy();
         if (cancels || (tool && mContent.mesh() && tool->wantsKey(*key)) ||

@@ -1,7 +1,7 @@
 // The camera of the UV view.
 #pragma once
 
-#include "model/types.h"
+#include "model/plain/types.h"
 
 #include <Eigen/Geometry>
 #include <QPointF>

@@ -1,6 +1,6 @@
 #include "views/canvas/mapgrid.h"
 
-#include "model/packingsettings.h"
+#include "model/plain/packingsettings.h"
 
 #include <algorithm>
 #include <cmath>

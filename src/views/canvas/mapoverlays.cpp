@@ -1,6 +1,6 @@
 #include "views/canvas/mapoverlays.h"
 
-#include "model/packingsettings.h"
+#include "model/plain/packingsettings.h"
 #include "views/canvas/mapgrid.h"
 
 #include <QPainter>

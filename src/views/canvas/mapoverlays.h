@@ -1,7 +1,7 @@
 // What is painted over the map: tiles, rulers, rectangles.
 #pragma once
 
-#include "model/constraints.h"
+#include "model/document/constraints.h"
 #include "views/canvas/mapcamera.h"
 #include "views/gl/viewcolors.h"
 

@@ -29,7 +29,7 @@ QMatrix4x4 toQt(const Eigen::Matrix4d &m)
 
 } // namespace
 
-MeshView::MeshView(const CanvasContext &context, ToolManager &tools, QWidget *parent)
+MeshView::MeshView(const StudioContext &context, ToolManager &tools, QWidget *parent)
     : Canvas(Kind::Model, context, tools, parent)
 {
     setObjectName(u"meshView"_s);
@@ -118,7 +118,7 @@ void MeshView::restoreViewState(const QCborMap &state)
 
 void MeshView::drawScene(GlResources &gl)
 {
-    const ViewOptions &options = canvasContext().view.options();
+    const ViewOptions &options = studio().view.options();
     mCamera.setOrthographic(options.orthographic);
     SoupDrawing drawing;
     drawing.view = toQt(mCamera.viewMatrix());
@@ -163,8 +163,8 @@ void MeshView::drawOverlay(QPainter &painter)
         return;
     }
     drawGizmo(painter, rect(), colors, mCamera);
-    drawLegend(painter, rect(), colors, canvasContext().view.options(),
-               canvasContext().preferences.values().colorBlindHeatMap);
+    drawLegend(painter, rect(), colors, studio().view.options(),
+               studio().preferences.values().colorBlindHeatMap);
     drawHoverCorner(painter, *this);
 }
 

@@ -13,7 +13,7 @@ class MeshView final : public Canvas
     Q_OBJECT
 
 public:
-    MeshView(const CanvasContext &context, ToolManager &tools, QWidget *parent = nullptr);
+    MeshView(const StudioContext &context, ToolManager &tools, QWidget *parent = nullptr);
     ~MeshView() override;
 
     const OrbitCamera &camera() const { return mCamera; }

@@ -1,7 +1,7 @@
 // How the mouse and the keys move the cameras, by the preset of the preferences.
 #pragma once
 
-#include "views/preferences/preferences.h"
+#include "views/ui/preferences.h"
 
 #include <Qt>
 

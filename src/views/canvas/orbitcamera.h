@@ -1,7 +1,7 @@
 // The camera of the 3D view.
 #pragma once
 
-#include "model/types.h"
+#include "model/plain/types.h"
 
 #include <QPointF>
 #include <QSizeF>

@@ -1,8 +1,10 @@
 #include "views/canvas/overlays.h"
 
-#include "views/canvas/canvas.h"
 #include "views/canvas/orbitcamera.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/toolcanvas.h"
 #include "views/control/shownmap.h"
+#include "views/control/studiocontext.h"
 #include "views/control/workspace.h"
 #include "views/gl/colormap.h"
 
@@ -160,10 +162,10 @@ void drawGizmo(QPainter &painter, const QRect &view, const ViewColors &colors, c
     painter.setFont(before);
 }
 
-void drawHoverCorner(QPainter &painter, const Canvas &canvas)
+void drawHoverCorner(QPainter &painter, const ToolCanvas &canvas)
 {
-    const Document *document = canvas.canvasContext().workspace.document();
-    const int corner = canvas.canvasContext().view.hover().corner;
+    const Document *document = canvas.studio().workspace.document();
+    const int corner = canvas.studio().view.hover().corner;
     if (!document || corner < 0 || corner >= document->mesh().cornerCount() ||
         document->selection().mode != SelectionMode::Vertices)
         return;

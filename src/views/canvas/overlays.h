@@ -1,8 +1,8 @@
 // What is painted over both views: legend, axes, messages.
 #pragma once
 
-#include "views/canvas/viewstate.h"
 #include "views/gl/viewcolors.h"
+#include "views/state/viewstate.h"
 
 #include <QRect>
 #include <QStringList>
@@ -11,7 +11,7 @@ class QPainter;
 
 namespace autocuts {
 
-class Canvas;
+class ToolCanvas;
 class OrbitCamera;
 
 //! A title and lines in the middle of an empty view.
@@ -23,6 +23,6 @@ void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, 
 //! The axes as the camera sees them, in the upper right.
 void drawGizmo(QPainter &painter, const QRect &view, const ViewColors &colors, const OrbitCamera &camera);
 //! A ring around the vertex that the mouse is over, while vertices are selected.
-void drawHoverCorner(QPainter &painter, const Canvas &canvas);
+void drawHoverCorner(QPainter &painter, const ToolCanvas &canvas);
 
 } // namespace autocuts

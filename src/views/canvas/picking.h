@@ -1,7 +1,7 @@
 // What picking finds.
 #pragma once
 
-#include "views/canvas/viewstate.h"
+#include "views/state/viewstate.h"
 
 #include <QPointF>
 #include <QRectF>

@@ -1,10 +1,10 @@
 #include "views/canvas/scenecontent.h"
 
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
-#include "views/preferences/preferences.h"
+#include "views/ui/preferences.h"
 
 #include <cmath>
 
@@ -23,7 +23,7 @@ struct SceneContent::MeshParts
     mutable std::optional<StretchMeter> meter; //!< made when a heat-map is shown first
 };
 
-SceneContent::SceneContent(const CanvasContext &context, bool asMap, QObject *parent)
+SceneContent::SceneContent(const StudioContext &context, bool asMap, QObject *parent)
     : QObject(parent), mContext(context), mAsMap(asMap),
       mColors(ViewColors::of(context.preferences.values(), asMap)), mOptions(context.view.options())
 {

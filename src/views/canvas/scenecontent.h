@@ -1,9 +1,9 @@
 // What a canvas draws of the document, kept up to date by what the events name.
 #pragma once
 
-#include "views/canvas/canvascontext.h"
-#include "views/canvas/viewstate.h"
+#include "views/control/studiocontext.h"
 #include "views/gl/soupbuffers.h"
+#include "views/state/viewstate.h"
 
 #include <Eigen/Geometry>
 #include <QObject>
@@ -25,7 +25,7 @@ public:
     enum Part { Vertices = 1, Uvs = 2, Faces = 4, Sides = 8, Points = 16, AllParts = 31 };
 
     //! \param asMap for the UV view
-    SceneContent(const CanvasContext &context, bool asMap, QObject *parent = nullptr);
+    SceneContent(const StudioContext &context, bool asMap, QObject *parent = nullptr);
     ~SceneContent() override;
 
     //! Null when nothing is open. This and what follows fit the document at any time.
@@ -72,7 +72,7 @@ private:
     void rebuildPoints();
     const Selection &shownSelection() const;
 
-    const CanvasContext mContext;
+    const StudioContext mContext;
     const bool mAsMap;
     int mStale = AllParts;
     mutable std::unique_ptr<const MeshParts> mMeshParts; //!< of the open document, once needed

@@ -1,6 +1,6 @@
 #include "views/canvas/uvview.h"
 
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
 #include "views/canvas/glresources.h"
 #include "views/canvas/mapgrid.h"
 #include "views/canvas/mapoverlays.h"
@@ -8,7 +8,7 @@
 #include "views/canvas/overlays.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
-#include "views/preferences/preferences.h"
+#include "views/ui/preferences.h"
 
 #include <QCborArray>
 #include <QPainter>
@@ -19,7 +19,7 @@ namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
 
-UvView::UvView(const CanvasContext &context, ToolManager &tools, QWidget *parent)
+UvView::UvView(const StudioContext &context, ToolManager &tools, QWidget *parent)
     : Canvas(Kind::Map, context, tools, parent)
 {
     setObjectName(u"uvView"_s);
@@ -97,24 +97,24 @@ void UvView::restoreViewState(const QCborMap &state)
 
 void UvView::drawPaper(GlResources &gl)
 {
-    const ViewOptions &options = canvasContext().view.options();
-    const Document *document = canvasContext().workspace.document();
+    const ViewOptions &options = studio().view.options();
+    const Document *document = studio().workspace.document();
     const int textureSize =
-        document ? document->packingSettings().textureSize : canvasContext().preferences.values().textureSize;
+        document ? document->packingSettings().textureSize : studio().preferences.values().textureSize;
     PaperDrawing paper = paperDrawing(mCamera, devicePixelRatioF(), textureSize);
     paper.grid = options.grid;
     paper.pattern = options.pattern;
     paper.checkerSize = options.checkerSize;
     paper.texture = gl.texture.id();
     paper.lineWidth = devicePixelRatioF();
-    const Vec2 used = canvasContext().shownMap.isLive() ? Vec2(Vec2::Ones()) : usedTiles(content().uvBox());
+    const Vec2 used = studio().shownMap.isLive() ? Vec2(Vec2::Ones()) : usedTiles(content().uvBox());
     paper.usedTiles = {static_cast<float>(used.x()), static_cast<float>(used.y())};
     gl.backdrop.draw(paper, content().colors());
 }
 
 void UvView::drawScene(GlResources &gl)
 {
-    const ViewOptions &options = canvasContext().view.options();
+    const ViewOptions &options = studio().view.options();
     drawPaper(gl);
     if (!content().mesh())
         return;
@@ -158,8 +158,8 @@ void UvView::drawScene(GlResources &gl)
 void UvView::drawOverlay(QPainter &painter)
 {
     const ViewColors &colors = content().colors();
-    const ViewOptions &options = canvasContext().view.options();
-    const Document *document = canvasContext().workspace.document();
+    const ViewOptions &options = studio().view.options();
+    const Document *document = studio().workspace.document();
     if (options.grid)
         drawTileNames(painter, rect(), colors, mCamera);
     if (document && options.steering)
@@ -168,11 +168,11 @@ void UvView::drawOverlay(QPainter &painter)
         drawMessage(painter, rect(), colors, tr("No UVs yet"),
                     {tr("Press U to unwrap, or Space to solve live")});
     const int textureSize =
-        document ? document->packingSettings().textureSize : canvasContext().preferences.values().textureSize;
+        document ? document->packingSettings().textureSize : studio().preferences.values().textureSize;
     if (options.rulers)
         drawRulers(painter, rect(), colors, mCamera, textureSize);
     if (document) {
-        drawLegend(painter, rect(), colors, options, canvasContext().preferences.values().colorBlindHeatMap);
+        drawLegend(painter, rect(), colors, options, studio().preferences.values().colorBlindHeatMap);
         drawHoverCorner(painter, *this);
     }
 }

@@ -12,10 +12,11 @@ class UvView final : public Canvas
     Q_OBJECT
 
 public:
-    UvView(const CanvasContext &context, ToolManager &tools, QWidget *parent = nullptr);
+    UvView(const StudioContext &context, ToolManager &tools, QWidget *parent = nullptr);
     ~UvView() override;
 
     const MapCamera &camera() const { return mCamera; }
+    const MapCamera *mapCamera() const override { return &mCamera; }
     void setCamera(const MapCamera &camera);
 
     PickResult pick(const QPointF &pixel) const override;

@@ -1,8 +1,8 @@
 #include "views/control/cleanfaces.h"
 
-#include "model/document.h"
+#include "model/document/document.h"
+#include "solver/overlap/cleanhalf.h"
 #include "solver/overlap/cleanregion.h"
-#include "solver/overlap/cleansplit.h"
 #include "views/control/shownmap.h"
 
 #include <algorithm>
@@ -20,13 +20,13 @@ CleanPart cleanPart(const MapWithSeams &map, int triangle, const std::atomic<boo
 {
     if (!map.soupUv.middleRows(3 * triangle, 3).allFinite())
         return {};
-    OverlapOptions options;
+    overlap::OverlapOptions options;
     options.cancel = cancel;
-    std::vector<int> triangles = cleanHalf(*map.mesh, map.soupUv, map.cut, triangle, options);
+    std::vector<int> triangles = overlap::cleanHalf(*map.mesh, map.soupUv, map.cut, triangle, options);
     CleanPart part;
     part.restIsClean = !triangles.empty();
     if (triangles.empty())
-        triangles = cleanRegion(*map.mesh, map.soupUv, map.cut, triangle, options);
+        triangles = overlap::cleanRegion(*map.mesh, map.soupUv, map.cut, triangle, options);
     if (cancel && *cancel)
         return {};
     for (int t : triangles) {

@@ -1,7 +1,7 @@
 // Parts of the map that do not cover themselves, for the tools.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <QList>
 

@@ -27,7 +27,7 @@ void EnergyGain::begin(const SolverController &solver)
 
 QString EnergyGain::text(const SolverController &solver) const
 {
-    const SolveStatus &now = solver.status();
+    const live::SolveStatus &now = solver.status();
     if (!mStart || now.iteration < mStart->iteration)
         return {};
     const QString rest =

@@ -22,7 +22,7 @@ public:
     QString text(const SolverController &solver) const;
 
 private:
-    std::optional<SolveStatus> mStart;
+    std::optional<live::SolveStatus> mStart;
 };
 
 } // namespace autocuts

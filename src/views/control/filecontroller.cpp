@@ -1,14 +1,14 @@
 #include "views/control/filecontroller.h"
 
+#include "model/document/makesnapshot.h"
+#include "model/document/relink.h"
 #include "model/io/meshdoctor.h"
 #include "model/io/meshfile.h"
 #include "model/io/savefile.h"
-#include "model/makesnapshot.h"
-#include "model/relink.h"
-#include "model/samples.h"
+#include "model/samples/samples.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
-#include "views/preferences/preferences.h"
+#include "views/ui/preferences.h"
 
 #include <QBuffer>
 #include <QFileInfo>
@@ -180,7 +180,7 @@ Result<Done> FileController::saveForRecovery(const QString &path)
 {
     ProjectExtras saved = extras(mWorkspace.sessionPath());
     const Document &document = *mWorkspace.document();
-    const std::shared_ptr<const SolveResult> live = mSolver.isRunning() ? mSolver.result() : nullptr;
+    const std::shared_ptr<const live::SolveResult> live = mSolver.isRunning() ? mSolver.result() : nullptr;
     if (!live)
         return saveProjectBytes(mWriter.bytes(document.state(), saved), path);
     DocumentState state = document.state();

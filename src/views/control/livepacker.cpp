@@ -1,6 +1,6 @@
 #include "views/control/livepacker.h"
 
-#include "solver/cutmesh.h"
+#include "solver/base/cutmesh.h"
 #include "solver/packing/packing.h"
 
 #include <Eigen/Geometry>
@@ -41,7 +41,7 @@ Boxes boxesOf(const std::vector<int> &piece, std::size_t count, const UvMatrix &
 }
 
 //! The pieces for the packer; corners of one UV vertex are taken at their mean.
-std::vector<PackIsland> packIslandsOf(const MeshData &mesh, const CutMesh &state, const UvMatrix &uv)
+std::vector<packing::PackIsland> packIslandsOf(const MeshData &mesh, const CutMesh &state, const UvMatrix &uv)
 {
     std::vector<Vec2> sum(state.uvVertexCount, Vec2::Zero());
     std::vector<int> count(state.uvVertexCount), local(state.uvVertexCount, -1);
@@ -49,9 +49,9 @@ std::vector<PackIsland> packIslandsOf(const MeshData &mesh, const CutMesh &state
         sum[state.uvVertex[c]] += uv.row(static_cast<Eigen::Index>(c)).transpose();
         ++count[state.uvVertex[c]];
     }
-    std::vector<PackIsland> islands(state.chartCount);
+    std::vector<packing::PackIsland> islands(state.chartCount);
     for (int t = 0; t < mesh.triangleCount(); ++t) {
-        PackIsland &island = islands[state.chart[t]];
+        packing::PackIsland &island = islands[state.chart[t]];
         std::array<int, 3> triangle;
         for (int k = 0; k < 3; ++k) {
             const int vertex = state.uvVertex[3 * t + k];
@@ -103,7 +103,7 @@ std::optional<LiveArrangement> LivePacker::makeArrangement(const MeshData &mesh,
         if (heldFaces[mesh.triangleFace[t]])
             result.held[state.chart[t]] = 1;
     }
-    std::vector<PackIsland> islands = packIslandsOf(mesh, state, uv);
+    std::vector<packing::PackIsland> islands = packIslandsOf(mesh, state, uv);
     const Boxes boxes = boxesOf(state.chart, state.chartCount, uv);
     double area = 0;
     for (int p = 0; p < state.chartCount; ++p) {
@@ -111,17 +111,17 @@ std::optional<LiveArrangement> LivePacker::makeArrangement(const MeshData &mesh,
         area += boxes[p].volume();
         result.extent.push_back(boxes[p].sizes());
     }
-    PackSettings settings;
+    packing::PackSettings settings;
     settings.textureSize = packing.textureSize;
     settings.margin = packing.margin;
-    settings.rotation = PackRotation::None;
+    settings.rotation = packing::PackRotation::None;
     settings.keepScale = true;
     settings.effort = packEffort;
     double side = std::max(1.0, std::sqrt(area / firstFill));
     for (int i = 0; i < mostWidenings && !stop; ++i, side *= widening) {
         settings.lower = Vec2::Constant(0.5 - side / 2);
         settings.upper = Vec2::Constant(0.5 + side / 2);
-        const PackResult packed = packIslands(islands, settings, &stop);
+        const packing::PackResult packed = packing::packIslands(islands, settings, &stop);
         if (!packed.complete)
             continue;
         for (int p = 0; p < state.chartCount; ++p)

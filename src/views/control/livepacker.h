@@ -1,8 +1,8 @@
 // Showing the islands of a running solve beside each other.
 #pragma once
 
-#include "model/constraints.h"
-#include "model/packingsettings.h"
+#include "model/document/constraints.h"
+#include "model/plain/packingsettings.h"
 #include "views/control/jobrunner.h"
 
 #include <QElapsedTimer>

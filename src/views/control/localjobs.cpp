@@ -1,6 +1,6 @@
-#include "model/chart.h"
-#include "model/edgechains.h"
-#include "solver/localsolve.h"
+#include "model/document/edgechains.h"
+#include "model/plain/chart.h"
+#include "solver/homotopy/localsolve.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/mapjobs.h"
 
@@ -16,9 +16,9 @@ QString translated(const char *text)
 }
 
 //! Pins hold their points.
-LocalProblem localProblem(const Constraints &constraints, const UvTopology &topology)
+homotopy::LocalProblem localProblem(const Constraints &constraints, const UvTopology &topology)
 {
-    LocalProblem problem;
+    homotopy::LocalProblem problem;
     problem.pointOfCorner = topology.cornerRoot;
     for (const UvPin &pin : constraints.pins)
         problem.held.push_back(topology.cornerRoot[pin.corner]);
@@ -51,24 +51,24 @@ std::vector<int> freeIslands(const MeshData &mesh, const UvTopology &topology, c
     return result;
 }
 
-MapJobResult localResult(const LocalSolution &solution, UvEdit edit, int count)
+MapJobResult localResult(const homotopy::LocalSolution &solution, UvEdit edit, int count)
 {
     MapJobResult result;
     result.edit = edit;
     result.count = count;
     switch (solution.outcome) {
-    case LocalSolution::Outcome::Solved:
+    case homotopy::LocalSolution::Outcome::Solved:
         result.uv = solution.uv;
         break;
-    case LocalSolution::Outcome::Empty:
+    case homotopy::LocalSolution::Outcome::Empty:
         result.problem = solution.foldedFaces > 0
                              ? translated("The faces are turned over in the map and cannot be solved")
                              : translated("Nothing can move: select more faces, or remove pins and locks");
         break;
-    case LocalSolution::Outcome::Stuck:
+    case homotopy::LocalSolution::Outcome::Stuck:
         result.problem = translated("The chain cannot be made straight without turning faces over");
         break;
-    case LocalSolution::Outcome::Cancelled:
+    case homotopy::LocalSolution::Outcome::Cancelled:
         result.problem = translated("Cancelled: the map stays as it was");
         break;
     }
@@ -81,7 +81,7 @@ MapJobResult relaxJob(const MapInput &input, JobControl &control)
 {
     const MeshData &mesh = input.mesh();
     const UvTopology topology = findUvTopology(mesh, input.uv);
-    LocalProblem problem = localProblem(input.constraints, topology);
+    homotopy::LocalProblem problem = localProblem(input.constraints, topology);
     const std::vector<int> islands = freeIslands(mesh, topology, input.marks, input.selectedFaces);
     problem.reference = islands;
     std::vector<bool> moves(mesh.faceCount());
@@ -95,8 +95,8 @@ MapJobResult relaxJob(const MapInput &input, JobControl &control)
         for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c)
             problem.held.push_back(topology.cornerRoot[c]);
     }
-    const LocalSolution solution = solveLocally(mesh, input.uv, problem, &control.stop(),
-                                                [&](double fraction) { control.setProgress(fraction); });
+    const homotopy::LocalSolution solution = homotopy::solveLocally(
+        mesh, input.uv, problem, &control.stop(), [&](double fraction) { control.setProgress(fraction); });
     MapJobResult result = localResult(solution, UvEdit::Relax, static_cast<int>(problem.faces.size()));
     if (result.problem.isEmpty())
         result.message = translated("Relaxed: distortion %1 before, %2 now")
@@ -110,7 +110,7 @@ MapJobResult straightenJob(const MapInput &input, JobControl &control)
     const MeshData &mesh = input.mesh();
     const UvTopology topology = findUvTopology(mesh, input.uv);
     const UvChains found = findUvChains(mesh, MeshAdjacency(mesh), topology, input.selectedEdges);
-    LocalProblem problem = localProblem(input.constraints, topology);
+    homotopy::LocalProblem problem = localProblem(input.constraints, topology);
     QList<int> faces;
     for (const UvChain &chain : found.chains) {
         for (const auto &target : straightened(chain, input.uv))
@@ -125,8 +125,8 @@ MapJobResult straightenJob(const MapInput &input, JobControl &control)
                                     "a locked island cannot be straightened");
         return result;
     }
-    const LocalSolution solution = solveLocally(mesh, input.uv, problem, &control.stop(),
-                                                [&](double fraction) { control.setProgress(fraction); });
+    const homotopy::LocalSolution solution = homotopy::solveLocally(
+        mesh, input.uv, problem, &control.stop(), [&](double fraction) { control.setProgress(fraction); });
     MapJobResult result = localResult(solution, UvEdit::Straighten, static_cast<int>(found.chains.size()));
     if (result.problem.isEmpty())
         result.message = translated("Chains made straight: %1, distortion %2 before, %3 now")

@@ -1,8 +1,8 @@
 #include "views/control/mapcontroller.h"
 
 #include "commands/newmap.h"
-#include "model/makesnapshot.h"
-#include "model/uvlayout.h"
+#include "model/document/makesnapshot.h"
+#include "model/plain/uvlayout.h"
 #include "solver/overlap/overlapfinder.h"
 #include "views/control/mapjobs.h"
 #include "views/control/solvercontroller.h"
@@ -21,20 +21,21 @@ constexpr int maxListedOverlaps = 100'000;
 MapFigures measured(const MeshData &mesh, const UvMatrix &uv, int textureSize, JobControl &control)
 {
     MapFigures figures;
-    UvMetricsOptions options;
+    metrics::UvMetricsOptions options;
     options.textureSize = textureSize;
     options.cancel = &control.stop();
-    figures.metrics = measureUv(mesh, uv, options);
+    figures.metrics = metrics::measureUv(mesh, uv, options);
     if (figures.metrics.overlapPairs == 0)
         return figures;
-    OverlapOptions overlapOptions;
+    overlap::OverlapOptions overlapOptions;
     overlapOptions.cancel = &control.stop();
     overlapOptions.minAreaRatio = 1e-9; // as UvMetrics::overlapPairs
     overlapOptions.maxPairs = maxListedOverlaps;
-    OverlapList overlaps = findOverlaps(soupUv(mesh, uv), overlapOptions);
-    std::stable_sort(overlaps.pairs.begin(), overlaps.pairs.end(),
-                     [](const OverlapPair &a, const OverlapPair &b) { return a.area > b.area; });
-    for (const OverlapPair &pair : overlaps.pairs) {
+    overlap::OverlapList overlaps = overlap::findOverlaps(soupUv(mesh, uv), overlapOptions);
+    std::stable_sort(
+        overlaps.pairs.begin(), overlaps.pairs.end(),
+        [](const overlap::OverlapPair &a, const overlap::OverlapPair &b) { return a.area > b.area; });
+    for (const overlap::OverlapPair &pair : overlaps.pairs) {
         figures.overlapPairs.push_back({pair.first, pair.second});
         figures.overlapping.insert(figures.overlapping.end(), {pair.first, pair.second});
     }
@@ -101,17 +102,17 @@ void MapController::startJob(const QString &title,
 {
     if (!mWorkspace.document() || mJobs.isBusy())
         return;
-    mSolver.whenSettled([this, title, work = std::move(work)] {
+    mSolver.whenPaused([this, title, work = std::move(work)] {
         if (!mWorkspace.document() || mJobs.isBusy())
             return;
         const auto given = std::make_shared<const MapInput>(input());
         mJobs.start(
             title, [given, work](JobControl &control) { return work(*given, control); },
-            [this, revision = given->revision](const MapJobResult &result) { finishJob(revision, result); });
+            [this, revision = given->revision](const MapJobResult &result) { applyResult(revision, result); });
     });
 }
 
-void MapController::finishJob(std::uint64_t revision, const MapJobResult &result)
+void MapController::applyResult(std::uint64_t revision, const MapJobResult &result)
 {
     if (result.uv.rows() > 0) {
         if (revision != mWorkspace.uvRevision()) {
@@ -126,7 +127,7 @@ void MapController::finishJob(std::uint64_t revision, const MapJobResult &result
         Q_EMIT done(result.message);
 }
 
-void MapController::unwrap(UnwrapQuality quality, double maxDistortion)
+void MapController::unwrap(unwrap::UnwrapQuality quality, double maxDistortion)
 {
     startJob(tr("Unwrapping"), [quality, maxDistortion](const MapInput &input, JobControl &control) {
         return unwrapJob(input, quality, maxDistortion, control);
@@ -136,9 +137,10 @@ void MapController::unwrap(UnwrapQuality quality, double maxDistortion)
 void MapController::finish(double maxDistortion)
 {
     LiveSolve live{mSolver.result()};
-    live.hasMoreToDo = live.result && mSolver.mode() == SolveMode::Budget && !live.result->status.converged;
+    live.hasMoreToDo =
+        live.result && mSolver.mode() == homotopy::SolveMode::Budget && !live.result->status.converged;
     startJob(tr("Finishing"), [live, maxDistortion](const MapInput &input, JobControl &control) {
-        return finishMapJob(input, live, maxDistortion, control);
+        return finishJob(input, live, maxDistortion, control);
     });
 }
 

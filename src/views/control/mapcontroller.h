@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/metrics/uvmetrics.h"
-#include "solver/pipeline.h"
+#include "solver/unwrap/unwrap.h"
 #include "views/control/jobrunner.h"
 
 #include <Eigen/Geometry>
@@ -24,7 +24,7 @@ struct PackTarget;
 //! The document's map in figures.
 struct MapFigures
 {
-    UvMetrics metrics;
+    metrics::UvMetrics metrics;
     std::vector<int> overlapping;                 //!< triangles that overlap another one, rising
     std::vector<std::array<int, 2>> overlapPairs; //!< of triangles, the largest area first
 };
@@ -52,7 +52,7 @@ public:
 
 public Q_SLOTS:
     //! The whole automatic way (pipeline.h), as the command line does it.
-    void unwrap(autocuts::UnwrapQuality quality, double maxDistortion);
+    void unwrap(autocuts::unwrap::UnwrapQuality quality, double maxDistortion);
     //! Turns the live map, or else the document's, into a final one: definite seams, no overlaps.
     void finish(double maxDistortion);
     void pack(autocuts::PackScope scope);
@@ -80,7 +80,7 @@ Q_SIGNALS:
 private:
     MapInput input() const;
     void startJob(const QString &title, std::function<MapJobResult(const MapInput &, JobControl &)> work);
-    void finishJob(std::uint64_t revision, const MapJobResult &result);
+    void applyResult(std::uint64_t revision, const MapJobResult &result);
     void startPacking(const PackTarget &target);
     void measure();
 

@@ -1,15 +1,15 @@
 #include "views/control/mapjobs.h"
 
-#include "model/rigidpieces.h"
-#include "model/uvlayout.h"
-#include "solver/finalmap.h"
-#include "solver/liveschedule.h"
+#include "model/document/rigidpieces.h"
+#include "model/plain/uvlayout.h"
+#include "solver/definite/refinedmap.h"
+#include "solver/homotopy/liveschedule.h"
+#include "solver/live/worker.h"
 #include "solver/overlap/overlapfinder.h"
-#include "solver/overlap/separatemap.h"
+#include "solver/overlap/uvseparation.h"
 #include "solver/packing/islandgeometry.h"
 #include "solver/packing/packmap.h"
 #include "solver/preference/seampreference.h"
-#include "solver/worker.h"
 #include "views/control/mapcontroller.h"
 
 #include <QThread>
@@ -30,22 +30,22 @@ QString translated(const char *text)
     return MapController::tr(text);
 }
 
-PackSettings packSettings(const PackingSettings &packing)
+packing::PackSettings packSettings(const PackingSettings &packing)
 {
-    PackSettings settings;
-    settings.lower = tileCorner(packing.udimTile);
+    packing::PackSettings settings;
+    settings.lower = packing::tileCorner(packing.udimTile);
     settings.upper = settings.lower + Vec2::Ones();
     settings.textureSize = packing.textureSize;
     settings.margin = packing.margin;
     switch (packing.rotation) {
     case PackingSettings::Rotation::None:
-        settings.rotation = PackRotation::None;
+        settings.rotation = packing::PackRotation::None;
         break;
     case PackingSettings::Rotation::Quarter:
-        settings.rotation = PackRotation::Quarter;
+        settings.rotation = packing::PackRotation::Quarter;
         break;
     case PackingSettings::Rotation::Free:
-        settings.rotation = PackRotation::Free;
+        settings.rotation = packing::PackRotation::Free;
         break;
     }
     settings.keepScale = packing.keepScale;
@@ -56,11 +56,11 @@ PackSettings packSettings(const PackingSettings &packing)
 //! Packs the charts; the locked ones, and when only some are to be packed the others, stay where they are.
 //! Returns false when there is no room.
 bool packInto(UvMatrix &uv, const MeshData &mesh, const ChartMap &charts, const IslandMarks &marks,
-              const std::vector<bool> &movable, const PackSettings &settings, JobControl &control)
+              const std::vector<bool> &movable, const packing::PackSettings &settings, JobControl &control)
 {
     const RigidPieces rigid = rigidPieces(charts, marks, movable);
-    return packMap(mesh, rigid.pieces, rigid.locked, settings, uv, &control.stop(),
-                   [&](double fraction) { control.setProgress(fraction); })
+    return packing::packMap(mesh, rigid.pieces, rigid.locked, settings, uv, &control.stop(),
+                            [&](double fraction) { control.setProgress(fraction); })
         .complete;
 }
 
@@ -77,10 +77,11 @@ int packedCharts(const ChartMap &charts, const std::vector<bool> &movable)
 //! True when all islands lie in the unit square and none over another.
 bool lieFree(const MeshData &mesh, const UvMatrix &uv, JobControl &control)
 {
-    OverlapOptions options;
+    overlap::OverlapOptions options;
     options.maxPairs = 1;
     options.cancel = &control.stop();
-    return uv.minCoeff() >= 0 && uv.maxCoeff() <= 1 && findOverlaps(soupUv(mesh, uv), options).pairs.empty();
+    return uv.minCoeff() >= 0 && uv.maxCoeff() <= 1 &&
+           overlap::findOverlaps(soupUv(mesh, uv), options).pairs.empty();
 }
 
 QString noRoom(const PackingSettings &packing)
@@ -93,17 +94,17 @@ QString noRoom(const PackingSettings &packing)
 
 } // namespace
 
-MapJobResult unwrapJob(const MapInput &input, UnwrapQuality quality, double maxDistortion,
+MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, double maxDistortion,
                        JobControl &control)
 {
-    UnwrapOptions options;
+    unwrap::UnwrapOptions options;
     options.quality = quality;
     options.maxDistortion = maxDistortion;
     options.packing = packSettings(input.packing);
     options.packing.keepScale = false;
     options.threads = QThread::idealThreadCount();
-    const UnwrapResult made =
-        unwrap(input.snapshot, options, &control.stop(), [&](const UnwrapProgress &progress) {
+    const unwrap::UnwrapResult made =
+        unwrap::unwrapMesh(input.snapshot, options, &control.stop(), [&](const unwrap::UnwrapProgress &progress) {
             control.setProgress(progress.fraction);
             if (progress.seamLength > 0)
                 control.setStage(translated("best so far: seams %1, distortion %2")
@@ -124,8 +125,8 @@ MapJobResult unwrapJob(const MapInput &input, UnwrapQuality quality, double maxD
     return result;
 }
 
-MapJobResult finishMapJob(const MapInput &input, const LiveSolve &live, double maxDistortion,
-                          JobControl &control)
+MapJobResult finishJob(const MapInput &input, const LiveSolve &live, double maxDistortion,
+                       JobControl &control)
 {
     Snapshot snapshot = input.snapshot;
     if (!live.result) {
@@ -136,8 +137,8 @@ MapJobResult finishMapJob(const MapInput &input, const LiveSolve &live, double m
         snapshot.settings.lambda = live.result->status.lambda;
         snapshot.settings.delta = live.result->status.delta;
     }
-    Solver solver;
-    solver.load(SeamPreference().applied(snapshot));
+    homotopy::Solver solver;
+    solver.load(preference::SeamPreference().applied(snapshot));
     if (live.result) {
         const double *first = live.result->soupUv.data();
         solver.setCoordinates({first, first + live.result->soupUv.size()});
@@ -146,21 +147,22 @@ MapJobResult finishMapJob(const MapInput &input, const LiveSolve &live, double m
     if (live.hasMoreToDo) {
         control.setStage(translated("solving to the end"));
         int steps = 0;
-        runToTheEnd(solver, maxDistortion, &control.stop(), [&] {
+        homotopy::runToTheEnd(solver, maxDistortion, &control.stop(), [&] {
             ++steps;
             begun = 0.5 * steps / (steps + usualSteps); // their number is not known
             control.setProgress(begun);
         });
         control.setStage({});
     }
-    FinalMapOptions options;
+    definite::RefinedMapOptions options;
     options.maxDistortion = maxDistortion;
     options.threads = QThread::idealThreadCount();
     MapJobResult result;
     result.edit = UvEdit::Finish;
-    const std::optional<SeamedMap> map = makeFinalMap(solver, options, &control.stop(), [&](double fraction) {
-        control.setProgress(begun + (1 - begun) * fraction);
-    });
+    const std::optional<SeamedMap> map =
+        definite::makeRefinedMap(solver, options, &control.stop(), [&](double fraction) {
+            control.setProgress(begun + (1 - begun) * fraction);
+        });
     if (!map) {
         result.problem = translated("Finishing was cancelled: the map stays as it was");
         return result;
@@ -178,7 +180,7 @@ MapJobResult finishMapJob(const MapInput &input, const LiveSolve &live, double m
     }
     const auto &states = snapshot.pairState;
     const bool joins = std::find(states.begin(), states.end(), PairState::Joined) != states.end();
-    if (joins && result.problem.isEmpty() && !findOverlaps(soupUv(mesh, result.uv)).pairs.empty())
+    if (joins && result.problem.isEmpty() && !overlap::findOverlaps(soupUv(mesh, result.uv)).pairs.empty())
         result.problem = translated("The map still covers itself: joined edges hold it together there. Clear "
                                     "some joins and finish again");
     return result;
@@ -196,7 +198,7 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
         result.problem = translated("Select the islands to pack first");
         return result;
     }
-    PackSettings settings = packSettings(input.packing);
+    packing::PackSettings settings = packSettings(input.packing);
     if (target.box) {
         settings.lower = target.box->min();
         settings.upper = target.box->max();
@@ -219,7 +221,7 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
 MapJobResult separateJob(const MapInput &input, JobControl &control)
 {
     const MeshData &mesh = input.mesh();
-    const Separated separated = separateMap(mesh, input.uv, &control.stop());
+    const overlap::Separated separated = overlap::separateUv(mesh, input.uv, &control.stop());
     MapJobResult result;
     result.edit = UvEdit::Separate;
     if (!separated.complete) {
@@ -252,7 +254,7 @@ MapJobResult equalizeJob(const MapInput &input)
     MapJobResult result;
     result.edit = UvEdit::Scale;
     result.uv = input.uv;
-    equalizeTexelDensity(mesh, charts, result.uv, locked);
+    packing::equalizeTexelDensity(mesh, charts, result.uv, locked);
     result.message = translated("All islands have the same texel density");
     return result;
 }

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "commands/setuvs.h"
-#include "model/constraints.h"
-#include "model/islands.h"
-#include "model/packingsettings.h"
-#include "model/snapshot.h"
-#include "solver/pipeline.h"
+#include "model/document/constraints.h"
+#include "model/document/islands.h"
+#include "model/plain/packingsettings.h"
+#include "model/plain/snapshot.h"
+#include "solver/unwrap/unwrap.h"
 #include "views/control/jobrunner.h"
 
 #include <Eigen/Geometry>
@@ -16,7 +16,9 @@
 
 namespace autocuts {
 
+namespace live {
 struct SolveResult;
+}
 
 //! What a job gets to see.
 struct MapInput
@@ -55,15 +57,15 @@ struct PackTarget
 //! The solver's own state, which knows more than the map that was made from it.
 struct LiveSolve
 {
-    std::shared_ptr<const SolveResult> result; //!< null when the map was edited since
-    bool hasMoreToDo = false;                  //!< paused before the schedule came to its end
+    std::shared_ptr<const live::SolveResult> result; //!< null when the map was edited since
+    bool hasMoreToDo = false;                        //!< paused before the schedule came to its end
 };
 
-MapJobResult unwrapJob(const MapInput &input, UnwrapQuality quality, double maxDistortion,
+MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, double maxDistortion,
                        JobControl &control);
 //! Without a live solve the seams are those of the map; one that was paused early is taken to its end first.
-MapJobResult finishMapJob(const MapInput &input, const LiveSolve &live, double maxDistortion,
-                          JobControl &control);
+MapJobResult finishJob(const MapInput &input, const LiveSolve &live, double maxDistortion,
+                       JobControl &control);
 MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl &control);
 MapJobResult separateJob(const MapInput &input, JobControl &control);
 MapJobResult equalizeJob(const MapInput &input);

@@ -1,6 +1,6 @@
 #include "views/control/shownmap.h"
 
-#include "model/uvlayout.h"
+#include "model/plain/uvlayout.h"
 #include "views/control/workspace.h"
 
 namespace autocuts {

@@ -1,7 +1,7 @@
 // The map that both views show.
 #pragma once
 
-#include "model/types.h"
+#include "model/plain/types.h"
 
 #include <QObject>
 

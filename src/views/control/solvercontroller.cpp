@@ -2,8 +2,8 @@
 
 #include "commands/changesettings.h"
 #include "commands/setuvs.h"
-#include "model/makesnapshot.h"
-#include "model/uvlayout.h"
+#include "model/document/makesnapshot.h"
+#include "model/plain/uvlayout.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
 
@@ -17,15 +17,15 @@ constexpr std::size_t mostTracePoints = 4000;
 } // namespace
 
 SolverController::SolverController(Workspace &workspace, ShownMap &shownMap, QObject *parent)
-    : QObject(parent), mWorkspace(workspace), mShownMap(shownMap), mWorker(new SolveWorker)
+    : QObject(parent), mWorkspace(workspace), mShownMap(shownMap), mWorker(new live::SolveWorker)
 {
     mThread.setObjectName(QStringLiteral("solver"));
     mWorker->moveToThread(&mThread);
     connect(&mThread, &QThread::finished, mWorker, &QObject::deleteLater);
-    connect(mWorker, &SolveWorker::resultReady, this, &SolverController::takeResult);
-    connect(mWorker, &SolveWorker::settled, this, &SolverController::takeSettled);
-    connect(mWorker, &SolveWorker::waiting, this, &SolverController::workerWaits);
-    connect(mWorker, &SolveWorker::failed, this, &SolverController::workerFailed);
+    connect(mWorker, &live::SolveWorker::resultReady, this, &SolverController::takeResult);
+    connect(mWorker, &live::SolveWorker::pausedMapReady, this, &SolverController::takePausedMap);
+    connect(mWorker, &live::SolveWorker::waiting, this, &SolverController::workerWaits);
+    connect(mWorker, &live::SolveWorker::failed, this, &SolverController::workerFailed);
     connect(&workspace, &Workspace::documentReplaced, this, &SolverController::documentReplaced);
     connect(&workspace, &Workspace::changed, this, &SolverController::documentChanged);
     connect(&mPacker, &LivePacker::arranged, this, &SolverController::showResult);
@@ -47,13 +47,13 @@ bool SolverController::canContinue() const
     return mRun != 0;
 }
 
-void SolverController::setMode(SolveMode mode)
+void SolverController::setMode(homotopy::SolveMode mode)
 {
     if (mode == mMode)
         return;
     mMode = mode;
     mWorker->setMode(mMode, mMaxDistortion);
-    if (mMode == SolveMode::Manual && mStatus.iteration > 0) {
+    if (mMode == homotopy::SolveMode::Manual && mStatus.iteration > 0) {
         SolveSettings settings = mWorkspace.document()->solveSettings();
         settings.lambda = mStatus.lambda;
         settings.delta = mStatus.delta;
@@ -71,12 +71,12 @@ void SolverController::setMaxDistortion(double bound)
     Q_EMIT stateChanged();
 }
 
-void SolverController::whenSettled(std::function<void()> then)
+void SolverController::whenPaused(std::function<void()> then)
 {
     if (mRunning)
         pause();
-    if (mSettling)
-        mWhenSettled.push_back(std::move(then));
+    if (mPausing)
+        mWhenPaused.push_back(std::move(then));
     else
         then();
 }
@@ -118,7 +118,7 @@ void SolverController::pause()
     if (!mRunning)
         return;
     setRunning(false, true);
-    mWorker->settle();
+    mWorker->pauseWithMap();
 }
 
 void SolverController::toggle()
@@ -161,7 +161,7 @@ void SolverController::discard()
     mRun = 0;
     mResult.reset();
     mPacker.reset();
-    mWhenSettled.clear();
+    mWhenPaused.clear();
     mStatus = {};
     mTrace.clear();
     mShownMap.showDocument();
@@ -193,12 +193,12 @@ void SolverController::begin(StartMode start, bool warm)
     Q_EMIT statusChanged();
 }
 
-void SolverController::setRunning(bool running, bool settling)
+void SolverController::setRunning(bool running, bool pausing)
 {
-    if (running == mRunning && settling == mSettling)
+    if (running == mRunning && pausing == mPausing)
         return;
     mRunning = running;
-    mSettling = settling;
+    mPausing = pausing;
     if (!mRunning && !mPulls.empty()) {
         mPulls.clear();
         mSendSoon.start(); // a run that goes on later does so without them
@@ -236,7 +236,7 @@ void SolverController::documentChanged(const ChangeEvent &event)
     }
 }
 
-void SolverController::sendSnapshot(const std::shared_ptr<const SolveResult> &back)
+void SolverController::sendSnapshot(const std::shared_ptr<const live::SolveResult> &back)
 {
     if (mRun == 0 || !mWorkspace.document())
         return;
@@ -250,7 +250,7 @@ void SolverController::sendSnapshot(const std::shared_ptr<const SolveResult> &ba
 
 void SolverController::takeResult()
 {
-    const std::shared_ptr<const SolveResult> result = mWorker->takeResult();
+    const std::shared_ptr<const live::SolveResult> result = mWorker->takeResult();
     if (!result || result->run != mRun)
         return;
     mResult = result;
@@ -262,7 +262,7 @@ void SolverController::takeResult()
 
 void SolverController::showResult()
 {
-    if (!mResult || !(mRunning || mSettling))
+    if (!mResult || !(mRunning || mPausing))
         return;
     const Document &document = *mWorkspace.document();
     UvMatrix uv = document.uvScale() * mResult->soupUv;
@@ -282,15 +282,15 @@ void SolverController::setLivePacking(bool pack)
     Q_EMIT stateChanged();
 }
 
-void SolverController::addToTrace(const std::vector<TracePoint> &points)
+void SolverController::addToTrace(const std::vector<live::TracePoint> &points)
 {
-    for (const TracePoint &point : points) {
+    for (const live::TracePoint &point : points) {
         if (point.iteration % mTraceStride == 0)
             mTrace.push_back(point);
     }
     while (mTrace.size() > mostTracePoints) {
         mTraceStride *= 2;
-        std::erase_if(mTrace, [this](const TracePoint &p) { return p.iteration % mTraceStride != 0; });
+        std::erase_if(mTrace, [this](const live::TracePoint &p) { return p.iteration % mTraceStride != 0; });
     }
 }
 
@@ -301,14 +301,15 @@ void SolverController::workerWaits(quint64 ticket)
     if (ticket != mTicket)
         return; // it has been told to run since
     takeResult();
-    if (mRunning && mPulls.empty() && !(mStatus.converged && mMode == SolveMode::Manual && !mStepping))
+    if (mRunning && mPulls.empty() &&
+        !(mStatus.converged && mMode == homotopy::SolveMode::Manual && !mStepping))
         pause();
 }
 
-void SolverController::takeSettled()
+void SolverController::takePausedMap()
 {
-    const std::optional<SettledMap> settled = mWorker->takeSettled();
-    if (!settled || settled->run != mRun || !mSettling)
+    const std::optional<live::PausedMap> settled = mWorker->takePausedMap();
+    if (!settled || settled->run != mRun || !mPausing)
         return;
     takeResult();
     Document &document = *mWorkspace.document();
@@ -317,7 +318,7 @@ void SolverController::takeSettled()
     mPushing = false;
     mShownMap.showDocument();
     setRunning(false, false);
-    for (const auto &then : std::exchange(mWhenSettled, {}))
+    for (const auto &then : std::exchange(mWhenPaused, {}))
         then();
 }
 

@@ -1,8 +1,8 @@
 // The only meeting of the document and the solver's worker: snapshots out, results in.
 #pragma once
 
-#include "model/changeevent.h"
-#include "solver/worker.h"
+#include "model/document/changeevent.h"
+#include "solver/live/worker.h"
 #include "views/control/livepacker.h"
 
 #include <QObject>
@@ -24,7 +24,7 @@ class Workspace;
 //! the worker joins what is nearly joined (paper, "Finalizing") and the map goes into the document as one
 //! undo entry; the solver keeps its own state and can go on from there. Edits of the steering during a run
 //! are sent as a new snapshot and the run goes on. What changes the UVs, or undoes, must come after
-//! whenSettled(); when it does not, the solver's map is dropped.
+//! whenPaused(); when it does not, the solver's map is dropped.
 class SolverController final : public QObject
 {
     Q_OBJECT
@@ -35,25 +35,25 @@ public:
 
     bool isRunning() const { return mRunning; }
     //! True from pause() until the joined map is in the document.
-    bool isSettling() const { return mSettling; }
+    bool isPausing() const { return mPausing; }
     //! True when run() goes on where it was paused.
     bool canContinue() const;
 
-    SolveMode mode() const { return mMode; }
+    homotopy::SolveMode mode() const { return mMode; }
     //! Manual: lambda and delta of the document. Budget: the worker finds them for the distortion bound.
     //! Turning to Manual puts what the worker has found into the document, to be steered on from there.
-    void setMode(SolveMode mode);
+    void setMode(homotopy::SolveMode mode);
     double maxDistortion() const { return mMaxDistortion; }
     //! \pre bound > 4
     void setMaxDistortion(double bound);
 
     //! Of the newest result; iteration 0 before the first.
-    const SolveStatus &status() const { return mStatus; }
+    const live::SolveStatus &status() const { return mStatus; }
     //! Every step of the run so far, thinned out evenly when it gets long.
-    const std::vector<TracePoint> &trace() const { return mTrace; }
+    const std::vector<live::TracePoint> &trace() const { return mTrace; }
 
     //! The solver's map, when it is newer than the document's or the one that it was made from; else null.
-    std::shared_ptr<const SolveResult> result() const { return mResult; }
+    std::shared_ptr<const live::SolveResult> result() const { return mResult; }
 
     //! While a solve runs its islands are shown beside each other (LivePacker). Changes neither the map nor
     //! what becomes of it.
@@ -62,7 +62,7 @@ public:
 
     //! Pauses, and calls the function once the map is in the document: at once when nothing runs. Dropped
     //! when the solve fails or the document is replaced.
-    void whenSettled(std::function<void()> then);
+    void whenPaused(std::function<void()> then);
 
     //! Pulls soup corners of the running solve to places with springs. They belong to a gesture, not to the
     //! document; the run goes on, without an end of its own, until they are let go by an empty list. What
@@ -95,34 +95,34 @@ private:
     void documentChanged(const ChangeEvent &event);
     void takeResult();
     void showResult();
-    void takeSettled();
+    void takePausedMap();
     void workerWaits(quint64 ticket);
     void workerFailed(const QString &message);
     void begin(StartMode start, bool warm = false);
     void beginWhereTheMapIs();
-    void setRunning(bool running, bool settling);
-    void sendSnapshot(const std::shared_ptr<const SolveResult> &back = nullptr);
-    void addToTrace(const std::vector<TracePoint> &points);
+    void setRunning(bool running, bool pausing);
+    void sendSnapshot(const std::shared_ptr<const live::SolveResult> &back = nullptr);
+    void addToTrace(const std::vector<live::TracePoint> &points);
 
     Workspace &mWorkspace;
     ShownMap &mShownMap;
     QThread mThread;
-    SolveWorker *mWorker; //!< lives in mThread
-    std::shared_ptr<const SolveResult> mResult;
+    live::SolveWorker *mWorker; //!< lives in mThread
+    std::shared_ptr<const live::SolveResult> mResult;
     LivePacker mPacker;
     bool mLivePacking = false;
-    SolveStatus mStatus;
-    std::vector<TracePoint> mTrace;
+    live::SolveStatus mStatus;
+    std::vector<live::TracePoint> mTrace;
     int mTraceStride = 1;
-    SolveMode mMode = SolveMode::Budget;
+    homotopy::SolveMode mMode = homotopy::SolveMode::Budget;
     double mMaxDistortion = 4.1;
     quint64 mLastRun = 0, mTicket = 0;
     quint64 mRun = 0; //!< of the worker's state; 0: it has none that fits the document
-    std::vector<std::function<void()>> mWhenSettled;
+    std::vector<std::function<void()>> mWhenPaused;
     std::vector<Pin> mPulls;
-    std::shared_ptr<const SolveResult> mBeforePulls;
+    std::shared_ptr<const live::SolveResult> mBeforePulls;
     QTimer mSendSoon; //!< one snapshot for all edits of one turn of the event loop
-    bool mRunning = false, mSettling = false, mStepping = false, mPushing = false;
+    bool mRunning = false, mPausing = false, mStepping = false, mPushing = false;
 };
 
 } // namespace autocuts

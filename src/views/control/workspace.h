@@ -2,7 +2,7 @@
 #pragma once
 
 #include "commands/journalrecorder.h"
-#include "model/document.h"
+#include "model/document/document.h"
 
 #include <QStringList>
 

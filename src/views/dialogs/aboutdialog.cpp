@@ -1,6 +1,6 @@
 #include "views/dialogs/aboutdialog.h"
 
-#include "views/icons.h"
+#include "views/ui/icons.h"
 
 #include <QCoreApplication>
 #include <QDialogButtonBox>

@@ -1,8 +1,8 @@
 #include "views/dialogs/exportlayoutdialog.h"
 
-#include "views/actions/questions.h"
 #include "views/dialogs/pathfield.h"
-#include "views/preferences/colorbutton.h"
+#include "views/ui/colorbutton.h"
+#include "views/ui/questions.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -2,8 +2,8 @@
 
 #include "model/io/exportlosses.h"
 #include "model/io/meshfile.h"
-#include "views/actions/questions.h"
 #include "views/dialogs/pathfield.h"
+#include "views/ui/questions.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

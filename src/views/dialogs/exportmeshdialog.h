@@ -1,7 +1,7 @@
 // Where and in which format to write the model.
 #pragma once
 
-#include "model/scene.h"
+#include "model/document/scene.h"
 
 #include <QDialog>
 

@@ -1,6 +1,6 @@
 #include "views/dialogs/pathfield.h"
 
-#include "views/actions/questions.h"
+#include "views/ui/questions.h"
 
 #include <QDir>
 #include <QFileInfo>

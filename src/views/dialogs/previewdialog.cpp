@@ -1,11 +1,11 @@
 #include "views/dialogs/previewdialog.h"
 
 #include "model/io/uvexport.h"
-#include "views/actions/questions.h"
 #include "views/canvas/meshview.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
-#include "views/preferences/preferences.h"
+#include "views/ui/preferences.h"
+#include "views/ui/questions.h"
 
 #include <QBuffer>
 #include <QCheckBox>
@@ -70,9 +70,9 @@ QString drawLayout(const MeshData &mesh, const UvMatrix &uv, int size, const QSt
 PreviewDialog::PreviewDialog(const StudioContext &context, Questions &questions)
     : QDialog(questions.window()), mContext(context), mQuestions(questions),
       mTexturePath(context.view.options().texturePath),
-      mCanvasContext{context.workspace,   context.shownMap, mState,
-                     context.preferences, context.map,      context.solver},
-      mTools(mCanvasContext), mView(new MeshView(mCanvasContext, mTools)), mPicture(new QComboBox),
+      mViewContext{context.workspace, context.shownMap, mState,        context.preferences,
+                   context.solver,    context.map,      context.files, context.actions},
+      mTools(mViewContext), mView(new MeshView(mViewContext, mTools)), mPicture(new QComboBox),
       mSize(new QComboBox), mSeams(new QCheckBox(tr("&Seams"))), mRemark(new QLabel)
 {
     setWindowTitle(tr("Texture preview"));

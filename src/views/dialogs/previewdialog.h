@@ -1,11 +1,10 @@
 // The model with a picture on it, as a renderer would show it.
 #pragma once
 
-#include "views/canvas/canvascontext.h"
-#include "views/canvas/viewstate.h"
+#include "views/canvas/toolmanager.h"
 #include "views/control/jobrunner.h"
-#include "views/studiocontext.h"
-#include "views/tools/toolmanager.h"
+#include "views/control/studiocontext.h"
+#include "views/state/viewstate.h"
 
 #include <QDialog>
 #include <QTemporaryDir>
@@ -53,8 +52,8 @@ private:
     QTemporaryDir mFolder; //!< of the resampled pictures
     QString mTexturePath;  //!< as the user chose it
     ViewState mState;
-    CanvasContext mCanvasContext;
-    ToolManager mTools;
+    StudioContext mViewContext; //!< with a view state of its own
+    ToolManager mTools;         //!< none: the preview is only looked at
     JobRunner mJobs{JobRunner::OnCancel::LetGo};
     MeshView *mView;
     QComboBox *mPicture, *mSize;

@@ -1,8 +1,8 @@
 #include "views/dialogs/recoverydialog.h"
 
 #include "model/io/projectfile.h"
-#include "views/actions/questions.h"
-#include "views/icons.h"
+#include "views/ui/icons.h"
+#include "views/ui/questions.h"
 
 #include <QDialogButtonBox>
 #include <QDir>

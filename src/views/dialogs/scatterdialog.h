@@ -1,7 +1,7 @@
 // How far to scatter islands.
 #pragma once
 
-#include "model/arrangement.h"
+#include "model/document/arrangement.h"
 
 #include <QDialog>
 

@@ -1,9 +1,9 @@
 // What lies behind the model and behind the map.
 #pragma once
 
-#include "views/canvas/viewstate.h"
 #include "views/gl/glfunctions.h"
 #include "views/gl/viewcolors.h"
+#include "views/state/viewstate.h"
 
 #include <QMatrix4x4>
 #include <QOpenGLShaderProgram>

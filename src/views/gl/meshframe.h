@@ -1,7 +1,7 @@
 // The coordinates that a model is drawn in: about its own centre and of size 1.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 namespace autocuts {
 

@@ -1,6 +1,6 @@
 #include "views/gl/soupbuffers.h"
 
-#include "model/unionfind.h"
+#include "model/plain/unionfind.h"
 #include "views/gl/colormap.h"
 
 #include <Eigen/Geometry>

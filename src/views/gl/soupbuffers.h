@@ -1,14 +1,14 @@
 // What the graphics card is given, as plain arrays: pure functions of the mesh, the map and the options.
 #pragma once
 
-#include "model/meshadjacency.h"
-#include "model/seams.h"
-#include "model/selection.h"
-#include "views/canvas/viewstate.h"
+#include "model/document/seams.h"
+#include "model/document/selection.h"
+#include "model/plain/meshadjacency.h"
 #include "views/gl/meshframe.h"
 #include "views/gl/souptopology.h"
 #include "views/gl/stretch.h"
 #include "views/gl/viewcolors.h"
+#include "views/state/viewstate.h"
 
 #include <span>
 #include <vector>

@@ -1,7 +1,7 @@
 // Which sides of the triangle soup are which edges of the mesh, for drawing and picking.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <array>
 #include <vector>

@@ -1,7 +1,7 @@
 // How much the map stretches every triangle, fast enough for a map that changes 30 times a second.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <limits>
 #include <vector>

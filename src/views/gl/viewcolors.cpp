@@ -1,6 +1,6 @@
 #include "views/gl/viewcolors.h"
 
-#include "views/preferences/preferences.h"
+#include "views/ui/preferences.h"
 
 namespace autocuts {
 

@@ -17,11 +17,11 @@ namespace {
 constexpr double lineWidth = 1.5;
 constexpr int tickSpacing = 30; //!< least distance of two ticks, pixels
 
-std::vector<float> valuesOf(const std::vector<TracePoint> &trace, float TracePoint::*field)
+std::vector<float> valuesOf(const std::vector<live::TracePoint> &trace, float live::TracePoint::*field)
 {
     std::vector<float> values;
     values.reserve(trace.size());
-    for (const TracePoint &point : trace)
+    for (const live::TracePoint &point : trace)
         values.push_back(point.*field);
     return values;
 }
@@ -51,23 +51,23 @@ ConvergenceGraph::ConvergenceGraph(QWidget *parent) : QWidget(parent)
            "them are delta. Point at the graph, or use Left and Right, to read values."));
 }
 
-void ConvergenceGraph::setTrace(const std::vector<TracePoint> &trace)
+void ConvergenceGraph::setTrace(const std::vector<live::TracePoint> &trace)
 {
-    const TracePoint *before = marked();
+    const live::TracePoint *before = marked();
     const int markedIteration = before ? before->iteration : -1;
     mTrace = trace;
-    mDistortionAxis = GraphAxis::around(valuesOf(mTrace, &TracePoint::distortion));
-    mSeparationAxis = GraphAxis::around(valuesOf(mTrace, &TracePoint::separation));
-    mDeltaAxis = GraphAxis::around(valuesOf(mTrace, &TracePoint::delta));
+    mDistortionAxis = GraphAxis::around(valuesOf(mTrace, &live::TracePoint::distortion));
+    mSeparationAxis = GraphAxis::around(valuesOf(mTrace, &live::TracePoint::separation));
+    mDeltaAxis = GraphAxis::around(valuesOf(mTrace, &live::TracePoint::delta));
     if (markedIteration >= 0) {
         const auto it = std::lower_bound(mTrace.begin(), mTrace.end(), markedIteration,
-                                         [](const TracePoint &p, int i) { return p.iteration < i; });
+                                         [](const live::TracePoint &p, int i) { return p.iteration < i; });
         mMark = it == mTrace.end() ? int(mTrace.size()) - 1 : int(it - mTrace.begin());
     }
     update();
 }
 
-const TracePoint *ConvergenceGraph::marked() const
+const live::TracePoint *ConvergenceGraph::marked() const
 {
     return mMark >= 0 && mMark < static_cast<int>(mTrace.size()) ? &mTrace[mMark] : nullptr;
 }
@@ -113,11 +113,11 @@ double ConvergenceGraph::xOf(int iteration, const QRectF &plot) const
     return plot.left() + plot.width() * (iteration - first) / span;
 }
 
-std::vector<ConvergenceGraph::Column> ConvergenceGraph::columns(float TracePoint::*field,
+std::vector<ConvergenceGraph::Column> ConvergenceGraph::columns(float live::TracePoint::*field,
                                                                 const QRectF &plot) const
 {
     std::vector<Column> result;
-    for (const TracePoint &point : mTrace) {
+    for (const live::TracePoint &point : mTrace) {
         const float value = point.*field;
         if (!std::isfinite(value))
             continue;
@@ -147,8 +147,8 @@ void ConvergenceGraph::paintEvent(QPaintEvent *)
     }
     drawDelta(painter, plot, c);
     drawFrame(painter, plot, c);
-    drawCurve(painter, plot, &TracePoint::separation, mSeparationAxis, c.separation);
-    drawCurve(painter, plot, &TracePoint::distortion, mDistortionAxis, c.distortion);
+    drawCurve(painter, plot, &live::TracePoint::separation, mSeparationAxis, c.separation);
+    drawCurve(painter, plot, &live::TracePoint::distortion, mDistortionAxis, c.distortion);
     if (marked())
         drawMark(painter, plot, c);
     else
@@ -194,7 +194,7 @@ void ConvergenceGraph::drawDelta(QPainter &painter, const QRectF &plot, const Co
     };
     QPainterPath path(plot.bottomLeft());
     double y = plot.bottom();
-    for (const Column &column : columns(&TracePoint::delta, plot)) {
+    for (const Column &column : columns(&live::TracePoint::delta, plot)) {
         path.lineTo(column.x, y);
         y = yOf(column.last);
         path.lineTo(column.x, y);
@@ -204,7 +204,7 @@ void ConvergenceGraph::drawDelta(QPainter &painter, const QRectF &plot, const Co
     painter.fillPath(path, c.delta);
 }
 
-void ConvergenceGraph::drawCurve(QPainter &painter, const QRectF &plot, float TracePoint::*field,
+void ConvergenceGraph::drawCurve(QPainter &painter, const QRectF &plot, float live::TracePoint::*field,
                                  const GraphAxis &axis, const QColor &color) const
 {
     QPolygonF line;
@@ -227,7 +227,7 @@ void ConvergenceGraph::drawCurve(QPainter &painter, const QRectF &plot, float Tr
 
 void ConvergenceGraph::drawLegend(QPainter &painter, const QRectF &plot, const Colors &c) const
 {
-    const TracePoint &last = mTrace.back();
+    const live::TracePoint &last = mTrace.back();
     const QRectF above(4, 2, width() - 8, painter.fontMetrics().height());
     painter.setPen(c.distortion);
     painter.drawText(above, Qt::AlignLeft, tr("D %1").arg(fixedText(last.distortion, 4)));
@@ -240,7 +240,7 @@ void ConvergenceGraph::drawLegend(QPainter &painter, const QRectF &plot, const C
 
 void ConvergenceGraph::drawMark(QPainter &painter, const QRectF &plot, const Colors &c) const
 {
-    const TracePoint &point = *marked();
+    const live::TracePoint &point = *marked();
     const double x = xOf(point.iteration, plot);
     painter.setPen(QPen(c.text, 1, Qt::DashLine));
     painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
@@ -288,8 +288,8 @@ void ConvergenceGraph::mouseMoveEvent(QMouseEvent *event)
         return;
     const QRectF plot = plotRect();
     const double x = std::clamp(event->position().x(), plot.left(), plot.right());
-    const auto nearest =
-        std::min_element(mTrace.begin(), mTrace.end(), [&](const TracePoint &a, const TracePoint &b) {
+    const auto nearest = std::min_element(
+        mTrace.begin(), mTrace.end(), [&](const live::TracePoint &a, const live::TracePoint &b) {
             return std::abs(xOf(a.iteration, plot) - x) < std::abs(xOf(b.iteration, plot) - x);
         });
     setMark(static_cast<int>(nearest - mTrace.begin()));

@@ -21,11 +21,11 @@ public:
     explicit ConvergenceGraph(QWidget *parent = nullptr);
 
     //! \param trace rising by iteration
-    void setTrace(const std::vector<TracePoint> &trace);
-    const std::vector<TracePoint> &trace() const { return mTrace; }
+    void setTrace(const std::vector<live::TracePoint> &trace);
+    const std::vector<live::TracePoint> &trace() const { return mTrace; }
 
     //! The point whose values are shown; null when there is none.
-    const TracePoint *marked() const;
+    const live::TracePoint *marked() const;
 
     QSize sizeHint() const override { return {250, 160}; }
     QSize minimumSizeHint() const override { return {180, 120}; }
@@ -53,16 +53,16 @@ private:
     Colors colors() const;
     QRectF plotRect() const;
     double xOf(int iteration, const QRectF &plot) const;
-    std::vector<Column> columns(float TracePoint::*field, const QRectF &plot) const;
+    std::vector<Column> columns(float live::TracePoint::*field, const QRectF &plot) const;
     void setMark(int index);
     void drawFrame(QPainter &painter, const QRectF &plot, const Colors &colors) const;
     void drawDelta(QPainter &painter, const QRectF &plot, const Colors &colors) const;
-    void drawCurve(QPainter &painter, const QRectF &plot, float TracePoint::*field, const GraphAxis &axis,
-                   const QColor &color) const;
+    void drawCurve(QPainter &painter, const QRectF &plot, float live::TracePoint::*field,
+                   const GraphAxis &axis, const QColor &color) const;
     void drawLegend(QPainter &painter, const QRectF &plot, const Colors &colors) const;
     void drawMark(QPainter &painter, const QRectF &plot, const Colors &colors) const;
 
-    std::vector<TracePoint> mTrace;
+    std::vector<live::TracePoint> mTrace;
     GraphAxis mDistortionAxis, mSeparationAxis, mDeltaAxis;
     int mMark = -1; //!< index into mTrace
 };

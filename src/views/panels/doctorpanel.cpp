@@ -142,8 +142,8 @@ void DoctorPanel::showFigures()
     const MapController &map = context().map;
     const MapFigures *figures = document() ? map.figures() : nullptr;
     const bool hasMap = figures && figures->metrics.charts > 0;
-    const UvMetrics none;
-    const UvMetrics &metrics = hasMap ? figures->metrics : none;
+    const metrics::UvMetrics none;
+    const metrics::UvMetrics &metrics = hasMap ? figures->metrics : none;
     const auto count = [hasMap](int value) { return hasMap ? countText(value) : missingText(); };
     const QString texts[] = {fixedText(metrics.symDirichlet, 4),       fixedText(metrics.symDirichletP99, 3),
                              fixedText(metrics.symDirichletMax, 3),    fixedText(metrics.l2Stretch, 4),

@@ -1,7 +1,7 @@
 #include "views/panels/historyview.h"
 
 #include "commands/documentcommand.h"
-#include "views/icons.h"
+#include "views/ui/icons.h"
 
 #include <QMouseEvent>
 #include <QPainter>

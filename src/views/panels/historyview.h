@@ -1,7 +1,7 @@
 // The list of the history panel.
 #pragma once
 
-#include "model/undostack.h"
+#include "model/document/undostack.h"
 
 #include <QPointer>
 #include <QUndoView>

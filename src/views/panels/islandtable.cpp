@@ -1,8 +1,8 @@
 #include "views/panels/islandtable.h"
 
 #include "views/gl/colormap.h"
-#include "views/icons.h"
 #include "views/panels/numbertext.h"
+#include "views/ui/icons.h"
 
 #include <QStringList>
 

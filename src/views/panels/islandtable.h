@@ -1,7 +1,7 @@
 // The islands as a table.
 #pragma once
 
-#include "views/panels/islandfigures.h"
+#include "views/control/islandfigures.h"
 
 #include <QAbstractTableModel>
 

@@ -121,8 +121,8 @@ void OverlapPanel::refresh()
     const MapFigures *figures = document() ? map.figures() : nullptr;
     const bool hasMap = figures && figures->metrics.charts > 0;
     const bool fresh = hasMap && map.figuresAreFresh();
-    const UvMetrics none;
-    const UvMetrics &metrics = hasMap ? figures->metrics : none;
+    const metrics::UvMetrics none;
+    const metrics::UvMetrics &metrics = hasMap ? figures->metrics : none;
     mPairs->setText(countText(metrics.overlapPairs));
     mTriangles->setText(hasMap ? countText(std::ssize(figures->overlapping)) : missingText());
     mArea->setText(percentText(metrics.overlapAreaRatio));

@@ -1,6 +1,6 @@
 #include "views/panels/packpanel.h"
 
-#include "model/makesnapshot.h"
+#include "model/document/makesnapshot.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
@@ -194,8 +194,8 @@ void PackPanel::showFigures()
     const MapController &map = context().map;
     const MapFigures *figures = document() ? map.figures() : nullptr;
     const bool hasMap = figures && figures->metrics.charts > 0;
-    const UvMetrics none;
-    const UvMetrics &metrics = hasMap ? figures->metrics : none;
+    const metrics::UvMetrics none;
+    const metrics::UvMetrics &metrics = hasMap ? figures->metrics : none;
     const auto texels = [](double value) {
         return std::isfinite(value) ? tr("%1 px").arg(fixedText(value, 1)) : missingText();
     };

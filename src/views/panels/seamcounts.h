@@ -1,7 +1,7 @@
 // Numbers of steered and painted edges of a document.
 #pragma once
 
-#include "model/document.h"
+#include "model/document/document.h"
 
 namespace autocuts {
 

@@ -1,7 +1,7 @@
 // Where the solver should rather cut.
 #pragma once
 
-#include "model/solvesettings.h"
+#include "model/plain/solvesettings.h"
 
 #include <QWidget>
 

@@ -3,7 +3,6 @@
 #include "views/control/mapcontroller.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
-#include "views/icons.h"
 #include "views/panels/controls.h"
 #include "views/panels/convergencegraph.h"
 #include "views/panels/deltaspinbox.h"
@@ -11,6 +10,7 @@
 #include "views/panels/seampreferenceform.h"
 #include "views/panels/sliderspin.h"
 #include "views/panels/solversettingsform.h"
+#include "views/ui/icons.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -91,8 +91,10 @@ void SolverPanel::addModeRows(QFormLayout *form)
     mManual->setObjectName("manual"_L1);
     mBudget->setObjectName("budget"_L1);
     SolverController &solver = context().solver;
-    connect(mManual, &QRadioButton::clicked, this, [&solver] { solver.setMode(SolveMode::Manual); });
-    connect(mBudget, &QRadioButton::clicked, this, [&solver] { solver.setMode(SolveMode::Budget); });
+    connect(mManual, &QRadioButton::clicked, this,
+            [&solver] { solver.setMode(homotopy::SolveMode::Manual); });
+    connect(mBudget, &QRadioButton::clicked, this,
+            [&solver] { solver.setMode(homotopy::SolveMode::Budget); });
     QWidget *row = makeRow({mManual, mBudget}, RowWidths::AsNeeded);
     row->setFocusProxy(mManual);
     addRow(form, tr("Mode"), row, tr("Who chooses lambda and delta"));
@@ -206,9 +208,9 @@ QWidget *SolverPanel::makeFinishRow()
     auto *form = makeForm(box);
     mQuality = new QComboBox;
     mQuality->setObjectName("quality"_L1);
-    mQuality->addItem(tr("Draft"), int(UnwrapQuality::Draft));
-    mQuality->addItem(tr("Standard"), int(UnwrapQuality::Standard));
-    mQuality->addItem(tr("Best"), int(UnwrapQuality::Best));
+    mQuality->addItem(tr("Draft"), int(unwrap::UnwrapQuality::Draft));
+    mQuality->addItem(tr("Standard"), int(unwrap::UnwrapQuality::Standard));
+    mQuality->addItem(tr("Best"), int(unwrap::UnwrapQuality::Best));
     mQuality->setCurrentIndex(1);
     addRow(form, tr("Quality"), mQuality, tr("How much work Unwrap puts into short seams"));
     mFinish = makeButton(tr("Finish"), "finish"_L1);
@@ -221,7 +223,7 @@ QWidget *SolverPanel::makeFinishRow()
     connect(mFinish, &QPushButton::clicked, this,
             [this, &map] { map.finish(context().solver.maxDistortion()); });
     connect(mUnwrap, &QPushButton::clicked, this, [this, &map] {
-        map.unwrap(UnwrapQuality(mQuality->currentData().toInt()), context().solver.maxDistortion());
+        map.unwrap(unwrap::UnwrapQuality(mQuality->currentData().toInt()), context().solver.maxDistortion());
     });
     form->addRow(makeRow({mFinish, mUnwrap}));
     return box;
@@ -252,7 +254,7 @@ void SolverPanel::showEnergyBalance(const SolveSettings &settings)
 {
     // In budget mode the solver's own choice is what is of interest.
     const SolverController &solver = context().solver;
-    const bool own = solver.mode() == SolveMode::Budget && solver.status().iteration > 0;
+    const bool own = solver.mode() == homotopy::SolveMode::Budget && solver.status().iteration > 0;
     mLambda->setValue(own ? solver.status().lambda : settings.lambda);
     mDelta->setValue(own ? solver.status().delta : settings.delta);
 }
@@ -260,7 +262,7 @@ void SolverPanel::showEnergyBalance(const SolveSettings &settings)
 void SolverPanel::showState()
 {
     const SolverController &solver = context().solver;
-    const bool manual = solver.mode() == SolveMode::Manual;
+    const bool manual = solver.mode() == homotopy::SolveMode::Manual;
     mRun->setText(solver.isRunning() ? tr("Pause") : tr("Run"));
     mRun->setIcon(icon(solver.isRunning() ? u"pause"_s : u"run"_s));
     (manual ? mManual : mBudget)->setChecked(true);
@@ -277,10 +279,10 @@ void SolverPanel::showStatus()
 {
     const SolverController &solver = context().solver;
     mGraph->setTrace(solver.trace());
-    const SolveStatus &status = solver.status();
+    const live::SolveStatus &status = solver.status();
     mState->setText(!document()            ? QString()
                     : solver.isRunning()   ? (status.converged ? tr("Converged") : tr("Running"))
-                    : solver.isSettling()  ? tr("Joining what is nearly joined")
+                    : solver.isPausing()   ? tr("Joining what is nearly joined")
                     : solver.canContinue() ? tr("Paused")
                                            : tr("Ready"));
     const bool none = status.iteration == 0;

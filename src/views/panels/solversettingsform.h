@@ -1,7 +1,7 @@
 // The settings of the solver that are chosen once, before it runs.
 #pragma once
 
-#include "model/solvesettings.h"
+#include "model/plain/solvesettings.h"
 
 #include <QWidget>
 

@@ -2,13 +2,13 @@
 
 #include "views/actions/actionregistry.h"
 #include "views/gl/colormap.h"
-#include "views/icons.h"
 #include "views/panels/controls.h"
 #include "views/panels/elidedlabel.h"
 #include "views/panels/heatlegend.h"
 #include "views/panels/numbertext.h"
 #include "views/panels/sliderspin.h"
-#include "views/preferences/preferences.h"
+#include "views/ui/icons.h"
+#include "views/ui/preferences.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,8 +1,8 @@
 // The panel of how the model and the map are shown.
 #pragma once
 
-#include "views/canvas/viewstate.h"
 #include "views/panels/panel.h"
+#include "views/state/viewstate.h"
 
 #include <utility>
 #include <vector>

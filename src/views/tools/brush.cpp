@@ -1,7 +1,9 @@
 #include "views/tools/brush.h"
 
-#include "views/canvas/canvas.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/toolcanvas.h"
 #include "views/control/shownmap.h"
+#include "views/control/studiocontext.h"
 
 #include <algorithm>
 #include <unordered_set>
@@ -14,7 +16,7 @@ namespace {
 class Footprint
 {
 public:
-    Footprint(const Canvas &canvas, const QPointF &middle, double radius)
+    Footprint(const ToolCanvas &canvas, const QPointF &middle, double radius)
         : mCanvas(canvas), mTopology(canvas.content().topology()), mMiddle(middle), mRadius(radius)
     {}
 
@@ -46,7 +48,7 @@ public:
             if (!(distance < mRadius))
                 continue;
             touches.push_back({edge, distance});
-            if (mCanvas.kind() == Canvas::Kind::Map && mCanvas.canvasContext().shownMap.isSeam(edge))
+            if (mCanvas.kind() == ToolCanvas::Kind::Map && mCanvas.studio().shownMap.isSeam(edge))
                 continue;
             for (int side : mTopology.edgeSides[edge]) {
                 if (triangleFace[side / 3] != face)
@@ -79,7 +81,7 @@ private:
         return area < 0; // the y axis of the screen points down
     }
 
-    const Canvas &mCanvas;
+    const ToolCanvas &mCanvas;
     const SoupTopology &mTopology;
     const QPointF mMiddle;
     const double mRadius;
@@ -98,8 +100,8 @@ double Brush::effectAt(double distance) const
     return strength * t * t * (3 - 2 * t);
 }
 
-std::vector<BrushTouch> edgesUnderBrush(const Canvas &canvas, const QPointF &middle, const PickResult &pick,
-                                        double radius)
+std::vector<BrushTouch> edgesUnderBrush(const ToolCanvas &canvas, const QPointF &middle,
+                                        const PickResult &pick, double radius)
 {
     const MeshData *mesh = canvas.content().mesh();
     if (!mesh)

@@ -9,7 +9,7 @@
 
 namespace autocuts {
 
-class Canvas;
+class ToolCanvas;
 
 //! Size and strength of a brush.
 struct Brush
@@ -35,7 +35,7 @@ struct BrushTouch
 //! What lies under a brush, in no particular order and without diagonals: what hangs together with the face
 //! in the middle and is turned to the viewer like that one. So neither the back of the model is painted nor
 //! what lies below others in the map, and there no gap is crossed. \param pick what is in the middle
-std::vector<BrushTouch> edgesUnderBrush(const Canvas &canvas, const QPointF &middle, const PickResult &pick,
-                                        double radius);
+std::vector<BrushTouch> edgesUnderBrush(const ToolCanvas &canvas, const QPointF &middle,
+                                        const PickResult &pick, double radius);
 
 } // namespace autocuts

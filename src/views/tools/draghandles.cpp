@@ -1,10 +1,12 @@
 #include "views/tools/draghandles.h"
 
-#include "model/document.h"
-#include "views/actions/selecting.h"
-#include "views/canvas/uvview.h"
+#include "model/document/document.h"
+#include "views/canvas/mapcamera.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/toolcanvas.h"
 #include "views/control/shownmap.h"
 #include "views/gl/souptopology.h"
+#include "views/selecting/selecting.h"
 #include "views/tools/dragreach.h"
 
 #include <algorithm>
@@ -19,11 +21,11 @@ namespace {
 constexpr double nearlyThere = 4;
 
 //! Adds all soup corners of a vertex that are drawn where one of them is.
-void addVertex(const Document &document, const UvView &view, const ShownMap &map, int soupCorner,
+void addVertex(const Document &document, const ToolCanvas &view, const ShownMap &map, int soupCorner,
                std::set<int> &handles)
 {
     const UvMatrix &uv = map.uv();
-    const double tolerance = map.isLive() ? nearlyThere / view.camera().scale()
+    const double tolerance = map.isLive() ? nearlyThere / view.mapCamera()->scale()
                                           : 1e-9 * (1 + uv.row(soupCorner).cwiseAbs().maxCoeff());
     for (int corner : document.adjacency().vertexCorners(document.mesh().vertexOfSoup(soupCorner))) {
         const int face = document.adjacency().faceOfCorner(corner);
@@ -53,7 +55,7 @@ bool has(const List &list, int value)
     return std::binary_search(list.begin(), list.end(), value);
 }
 
-std::vector<int> vertexHandles(const Document &document, const UvView &view, const ShownMap &map,
+std::vector<int> vertexHandles(const Document &document, const ToolCanvas &view, const ShownMap &map,
                                const PickResult &pick)
 {
     std::set<int> handles;
@@ -71,7 +73,7 @@ std::vector<int> vertexHandles(const Document &document, const UvView &view, con
     return {handles.begin(), handles.end()};
 }
 
-std::vector<int> edgeHandles(const Document &document, const UvView &view, const ShownMap &map,
+std::vector<int> edgeHandles(const Document &document, const ToolCanvas &view, const ShownMap &map,
                              const PickResult &pick)
 {
     std::set<int> handles;
@@ -96,7 +98,7 @@ std::vector<int> edgeHandles(const Document &document, const UvView &view, const
 
 } // namespace
 
-std::vector<int> dragHandles(const Document &document, const UvView &view, const ShownMap &map,
+std::vector<int> dragHandles(const Document &document, const ToolCanvas &view, const ShownMap &map,
                              const PickResult &pick)
 {
     const Selection &selection = document.selection();

@@ -9,12 +9,12 @@ namespace autocuts {
 
 class Document;
 class ShownMap;
-class UvView;
+class ToolCanvas;
 
 //! The soup corners that a drag from a pick moves, by the mode of the selection, rising: the vertex at the
 //! place with all its corners there, both ends of an edge, a polygon or a whole piece of the map. When what
 //! is under the mouse is selected, everything that is selected. Empty when nothing is there.
-std::vector<int> dragHandles(const Document &document, const UvView &view, const ShownMap &map,
+std::vector<int> dragHandles(const Document &document, const ToolCanvas &view, const ShownMap &map,
                              const PickResult &pick);
 
 } // namespace autocuts

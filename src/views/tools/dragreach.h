@@ -1,7 +1,7 @@
 // How far a drag in the map reaches, and how far it may go.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <vector>
 

@@ -1,7 +1,9 @@
 #include "views/tools/dragtool.h"
 
 #include "commands/setuvs.h"
-#include "views/canvas/uvview.h"
+#include "views/canvas/mapcamera.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/toolcanvas.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
@@ -28,7 +30,7 @@ const QColor dragColor(0x3d8bff), snapColor(0x2fbf71);
 
 } // namespace
 
-DragTool::DragTool(const CanvasContext &context, QObject *parent)
+DragTool::DragTool(const StudioContext &context, QObject *parent)
     : AbstractTool(context, QStringLiteral("drag"), parent)
 {
     // What is dragged belongs to a document, to its active UV set and to how it is shown.
@@ -78,7 +80,7 @@ void DragTool::press(const ToolEvent &event)
 {
     if (event.button == Qt::RightButton && isBusy())
         cancel();
-    auto *view = qobject_cast<UvView *>(&event.canvas);
+    auto *view = asMap(&event.canvas);
     if (event.button != Qt::LeftButton || isBusy() || !view)
         return;
     mState = State::Pressed;
@@ -90,7 +92,7 @@ void DragTool::press(const ToolEvent &event)
 void DragTool::move(const ToolEvent &event)
 {
     if (mState == State::Idle) {
-        mView = qobject_cast<UvView *>(&event.canvas);
+        mView = asMap(&event.canvas);
         mMouse = event.position;
         Q_EMIT overlayChanged();
         return;
@@ -108,7 +110,7 @@ void DragTool::begin()
 {
     Document &document = *context().workspace.document();
     mHandles = dragHandles(document, *mView, context().shownMap, mPick);
-    if (mHandles.empty() || context().solver.isSettling()) {
+    if (mHandles.empty() || context().solver.isPausing()) {
         reset();
         return;
     }
@@ -128,7 +130,7 @@ void DragTool::updateReach()
 {
     const Document &document = *context().workspace.document();
     const MeshData &mesh = document.mesh();
-    const double radius = reachesAround() ? mRadius / mView->camera().scale() : 0;
+    const double radius = reachesAround() ? mRadius / mView->mapCamera()->scale() : 0;
     mReach = dragReach(mesh, mUv, mSeparation, mHandles, radius);
     if (mLive)
         return;
@@ -148,7 +150,7 @@ void DragTool::updateReach()
 void DragTool::findGaps()
 {
     const MeshData &mesh = context().workspace.document()->mesh();
-    const double scale = mView->camera().scale();
+    const double scale = mView->mapCamera()->scale();
     mGaps.clear();
     mClosed.clear();
     for (int pair = 0; pair < mesh.cornerPairCount(); ++pair) {
@@ -166,7 +168,7 @@ void DragTool::findGaps()
 
 void DragTool::apply()
 {
-    const MapCamera &camera = mView->camera();
+    const MapCamera &camera = *mView->mapCamera();
     Vec2 way = camera.toUv(mMouse) - camera.toUv(mStart);
     mClosed = snap(way);
     mWay = way;
@@ -187,7 +189,7 @@ Vec2 DragTool::wayThatCloses(const Gap &gap) const
 
 std::vector<DragTool::Gap> DragTool::snap(Vec2 &way) const
 {
-    const double scale = mView->camera().scale();
+    const double scale = mView->mapCamera()->scale();
     const auto isNear = [&](const Gap &gap) {
         const double left = scale * (wayThatCloses(gap) - way).norm() * (1 - mReach.weight[gap.partner]);
         return left < std::min(snapDistance, 0.5 * gap.width);
@@ -294,7 +296,7 @@ void DragTool::leave()
     Q_EMIT overlayChanged();
 }
 
-bool DragTool::wheel(const QWheelEvent &event, Canvas &)
+bool DragTool::wheel(const QWheelEvent &event, ToolCanvas &)
 {
     if (event.modifiers() != Qt::ShiftModifier)
         return false;
@@ -330,7 +332,7 @@ void DragTool::cancel()
     reset();
 }
 
-void DragTool::drawOverlay(QPainter &painter, const Canvas &canvas)
+void DragTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
 {
     if (&canvas != mView)
         return;
@@ -348,9 +350,9 @@ void DragTool::drawOverlay(QPainter &painter, const Canvas &canvas)
 }
 
 //! Where what is dragged has gone, and rings around the corners that snapped.
-void DragTool::drawDrag(QPainter &painter, const UvView &view) const
+void DragTool::drawDrag(QPainter &painter, const ToolCanvas &view) const
 {
-    const double scale = view.camera().scale();
+    const double scale = view.mapCamera()->scale();
     const QPointF end = mStart + QPointF(scale * mWay.x(), -scale * mWay.y());
     painter.setPen(QPen(dragColor, 1.2, Qt::DashLine));
     painter.drawLine(mStart, end);
@@ -360,7 +362,7 @@ void DragTool::drawDrag(QPainter &painter, const UvView &view) const
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(snapColor, 2.5));
     for (const Gap &gap : mClosed)
-        painter.drawEllipse(view.camera().toScreen(mUv.row(gap.corner).transpose() + mWay), 9, 9);
+        painter.drawEllipse(view.mapCamera()->toScreen(mUv.row(gap.corner).transpose() + mWay), 9, 9);
 }
 
 } // namespace autocuts

@@ -1,14 +1,14 @@
 // Pulling at the map with the mouse.
 #pragma once
 
-#include "views/tools/abstracttool.h"
+#include "views/canvas/abstracttool.h"
 #include "views/tools/dragreach.h"
 
 #include <QPointer>
 
 namespace autocuts {
 
-class UvView;
+class ToolCanvas;
 
 //! Pulls vertices, edges, faces or whole pieces of the map, by the mode of the selection (paper, "Assisted
 //! cutting"). What is inside the circle follows, the rest stays. While a solve runs what is pulled is held by
@@ -20,7 +20,7 @@ class DragTool final : public AbstractTool
     Q_OBJECT
 
 public:
-    explicit DragTool(const CanvasContext &context, QObject *parent = nullptr);
+    explicit DragTool(const StudioContext &context, QObject *parent = nullptr);
 
     //! Of the circle, logical pixels.
     double radius() const { return mRadius; }
@@ -31,11 +31,11 @@ public:
     void move(const ToolEvent &event) override;
     void release(const ToolEvent &event) override;
     void leave() override;
-    bool wheel(const QWheelEvent &event, Canvas &canvas) override;
+    bool wheel(const QWheelEvent &event, ToolCanvas &canvas) override;
     bool isBusy() const override { return mState != State::Idle; }
     void cancel() override;
     bool wantsPicks() const override { return mState == State::Idle; }
-    void drawOverlay(QPainter &painter, const Canvas &canvas) override;
+    void drawOverlay(QPainter &painter, const ToolCanvas &canvas) override;
 
 private:
     enum class State { Idle, Pressed, Drag };
@@ -64,11 +64,11 @@ private:
     void letGo();
     void select(const ToolEvent &event);
     void reset();
-    void drawDrag(QPainter &painter, const UvView &view) const;
+    void drawDrag(QPainter &painter, const ToolCanvas &view) const;
 
     State mState = State::Idle;
     double mRadius = 120;
-    QPointer<UvView> mView; //!< that the mouse is over, or where the gesture began
+    QPointer<ToolCanvas> mView; //!< that the mouse is over, or where the gesture began
     QPointF mStart, mMouse;
     PickResult mPick; //!< of the press
 

@@ -1,7 +1,7 @@
 #include "views/tools/islandsnap.h"
 
-#include "model/chart.h"
-#include "model/document.h"
+#include "model/document/document.h"
+#include "model/plain/chart.h"
 
 #include <algorithm>
 #include <cmath>

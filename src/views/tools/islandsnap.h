@@ -1,7 +1,7 @@
 // Snapping moved islands to the islands around them.
 #pragma once
 
-#include "model/types.h"
+#include "model/plain/types.h"
 
 #include <Eigen/Geometry>
 

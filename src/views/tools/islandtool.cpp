@@ -1,11 +1,13 @@
 #include "views/tools/islandtool.h"
 
-#include "model/selectiontools.h"
-#include "views/actions/selecting.h"
-#include "views/canvas/uvview.h"
+#include "model/document/selectiontools.h"
+#include "views/canvas/mapcamera.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/toolcanvas.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
+#include "views/selecting/selecting.h"
 #include "views/tools/pickedelements.h"
 
 #include <QKeyEvent>
@@ -16,7 +18,7 @@
 
 namespace autocuts {
 
-IslandTool::IslandTool(const CanvasContext &context, const QString &id, UvEdit edit, QObject *parent)
+IslandTool::IslandTool(const StudioContext &context, const QString &id, UvEdit edit, QObject *parent)
     : AbstractTool(context, id, parent), mEdit(edit)
 {
     // The transform belongs to a document and to its active UV set.
@@ -37,7 +39,7 @@ IslandTool::IslandTool(const CanvasContext &context, const QString &id, UvEdit e
         &context.solver, &SolverController::stateChanged, this,
         [this] {
             const SolverController &solver = this->context().solver;
-            if (mState == State::Waiting && !solver.isRunning() && !solver.isSettling()) {
+            if (mState == State::Waiting && !solver.isRunning() && !solver.isPausing()) {
                 mGoOn = false;
                 finish();
             }
@@ -71,9 +73,9 @@ void IslandTool::deactivate()
     mHovered.reset();
 }
 
-void IslandTool::chosen(Canvas &canvas, const QPointF &position)
+void IslandTool::chosen(ToolCanvas &canvas, const QPointF &position)
 {
-    auto *view = qobject_cast<UvView *>(&canvas);
+    auto *view = asMap(&canvas);
     if (!view || isBusy() || selectedIslands().empty())
         return;
     mByKey = true;
@@ -99,7 +101,7 @@ void IslandTool::press(const ToolEvent &event)
     mByKey = mConfirmed = false;
     mHovered = partAt(event);
     mStart = event.position;
-    mView = qobject_cast<UvView *>(&event.canvas);
+    mView = asMap(&event.canvas);
     mState = State::Pressed;
     mSelectOnRelease = false;
     if (!mHovered)
@@ -147,7 +149,7 @@ void IslandTool::move(const ToolEvent &event)
     }
     if (mConfirmed || mState == State::Idle)
         return;
-    const MapCamera &camera = mView->camera();
+    const MapCamera &camera = *mView->mapCamera();
     mDrag.current = camera.toUv(event.position);
     mDrag.snap = snapOf(event.modifiers);
     mDrag.snapStep = snapStep(mDrag.snap, camera, mDrag.textureSize);
@@ -195,13 +197,13 @@ void IslandTool::release(const ToolEvent &event)
     }
 }
 
-void IslandTool::begin(UvView &view, const QPointF &position, DragAxis axis)
+void IslandTool::begin(ToolCanvas &view, const QPointF &position, DragAxis axis)
 {
     mView = &view;
     mConfirmed = false;
     mState = State::Waiting;
     mGoOn = context().solver.isRunning();
-    const MapCamera &camera = view.camera();
+    const MapCamera &camera = *view.mapCamera();
     mDrag = {};
     mDrag.edit = mEdit;
     mDrag.start = mDrag.current = camera.toUv(position);
@@ -209,7 +211,7 @@ void IslandTool::begin(UvView &view, const QPointF &position, DragAxis axis)
     mDrag.pixel = 1 / camera.scale();
     mDrag.textureSize = context().workspace.document()->packingSettings().textureSize;
     const int gesture = ++mGesture;
-    context().solver.whenSettled([self = QPointer(this), gesture] {
+    context().solver.whenPaused([self = QPointer(this), gesture] {
         if (self && self->mState == State::Waiting && self->mGesture == gesture)
             self->start();
     });
@@ -266,7 +268,7 @@ bool IslandTool::wantsKey(const QKeyEvent &event) const
            !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
 }
 
-bool IslandTool::keyPress(const QKeyEvent &event, Canvas &canvas)
+bool IslandTool::keyPress(const QKeyEvent &event, ToolCanvas &canvas)
 {
     if (AbstractTool::keyPress(event, canvas))
         return true;
@@ -308,18 +310,18 @@ Eigen::AlignedBox2d IslandTool::movableBox() const
 
 std::optional<DragAxis> IslandTool::partAt(const ToolEvent &event) const
 {
-    const auto *view = qobject_cast<const UvView *>(&event.canvas);
+    const auto *view = asMap(&event.canvas);
     if (!view || context().shownMap.isLive())
         return std::nullopt;
     const Eigen::AlignedBox2d box = movableBox();
     if (box.isEmpty())
         return std::nullopt;
-    return gizmoPartAt(mEdit, view->camera().toScreen(box.center()), event.position);
+    return gizmoPartAt(mEdit, view->mapCamera()->toScreen(box.center()), event.position);
 }
 
-void IslandTool::drawOverlay(QPainter &painter, const Canvas &canvas)
+void IslandTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
 {
-    const auto *view = qobject_cast<const UvView *>(&canvas);
+    const auto *view = asMap(&canvas);
     if (!view || context().shownMap.isLive())
         return;
     const bool active = mState == State::Active;
@@ -329,7 +331,7 @@ void IslandTool::drawOverlay(QPainter &painter, const Canvas &canvas)
     if (box.isEmpty())
         return;
     const Vec2 pivot = active ? Vec2(mDrag.transform() * mDrag.pivot()) : Vec2(box.center());
-    const QPointF centre = view->camera().toScreen(pivot);
+    const QPointF centre = view->mapCamera()->toScreen(pivot);
     if (active) {
         drawSnapped(painter, *view);
         drawGuide(painter, *view, centre);
@@ -339,9 +341,9 @@ void IslandTool::drawOverlay(QPainter &painter, const Canvas &canvas)
 }
 
 //! The sides and corners of other islands that the move has snapped to.
-void IslandTool::drawSnapped(QPainter &painter, const UvView &view) const
+void IslandTool::drawSnapped(QPainter &painter, const ToolCanvas &view) const
 {
-    const MapCamera &camera = view.camera();
+    const MapCamera &camera = *view.mapCamera();
     painter.setPen(QPen(view.content().colors().selection, 1));
     if (mSnapped.u) {
         const double x = camera.toScreen({*mSnapped.u, 0}).x();
@@ -359,7 +361,7 @@ void IslandTool::drawSnapped(QPainter &painter, const UvView &view) const
 }
 
 //! The axis that the gesture is held to, and what it has done so far.
-void IslandTool::drawGuide(QPainter &painter, const UvView &view, const QPointF &centre) const
+void IslandTool::drawGuide(QPainter &painter, const ToolCanvas &view, const QPointF &centre) const
 {
     const ViewColors &colors = view.content().colors();
     if (mDrag.axis != DragAxis::Both && mEdit != UvEdit::Rotate) {

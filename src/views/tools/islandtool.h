@@ -2,7 +2,7 @@
 #pragma once
 
 #include "commands/islandtransform.h"
-#include "views/tools/abstracttool.h"
+#include "views/canvas/abstracttool.h"
 #include "views/tools/islandgizmo.h"
 #include "views/tools/islandsnap.h"
 
@@ -10,7 +10,7 @@
 
 namespace autocuts {
 
-class UvView;
+class ToolCanvas;
 
 //! Transforms the islands of the selection in the UV view, by a drag of an island or of a handle, or at once
 //! when the key of the tool is pressed there: then the islands follow the mouse until a click or Enter.
@@ -22,26 +22,26 @@ class IslandTool final : public AbstractTool
 
 public:
     //! \param edit Move, Rotate or Scale
-    IslandTool(const CanvasContext &context, const QString &id, UvEdit edit, QObject *parent = nullptr);
+    IslandTool(const StudioContext &context, const QString &id, UvEdit edit, QObject *parent = nullptr);
 
     QString hint() const override;
     void deactivate() override;
-    void chosen(Canvas &canvas, const QPointF &position) override;
+    void chosen(ToolCanvas &canvas, const QPointF &position) override;
     void press(const ToolEvent &event) override;
     void move(const ToolEvent &event) override;
     void release(const ToolEvent &event) override;
     bool wantsKey(const QKeyEvent &event) const override;
-    bool keyPress(const QKeyEvent &event, Canvas &canvas) override;
+    bool keyPress(const QKeyEvent &event, ToolCanvas &canvas) override;
     bool isBusy() const override { return mState != State::Idle; }
     void cancel() override;
     bool wantsPicks() const override { return mState == State::Idle; }
-    void drawOverlay(QPainter &painter, const Canvas &canvas) override;
+    void drawOverlay(QPainter &painter, const ToolCanvas &canvas) override;
 
 private:
     //! Waiting: for the solver to put its map into the document.
     enum class State { Idle, Pressed, Waiting, Active };
 
-    void begin(UvView &view, const QPointF &position, DragAxis axis);
+    void begin(ToolCanvas &view, const QPointF &position, DragAxis axis);
     void start();
     void apply();
     //! Ends the gesture and keeps what it did.
@@ -54,13 +54,13 @@ private:
     std::optional<DragAxis> partAt(const ToolEvent &event) const;
     //! Snaps the move to other islands while Shift is held.
     void snapToIslands();
-    void drawSnapped(QPainter &painter, const UvView &view) const;
-    void drawGuide(QPainter &painter, const UvView &view, const QPointF &centre) const;
+    void drawSnapped(QPainter &painter, const ToolCanvas &view) const;
+    void drawGuide(QPainter &painter, const ToolCanvas &view, const QPointF &centre) const;
 
     const UvEdit mEdit;
     State mState = State::Idle;
-    QPointer<UvView> mView; //!< where the gesture began
-    QPointF mStart;         //!< of the press
+    QPointer<ToolCanvas> mView; //!< where the gesture began
+    QPointF mStart;             //!< of the press
     IslandDrag mDrag;
     std::unique_ptr<IslandSnap> mSnap; //!< made when it is first asked for
     IslandSnapResult mSnapped;

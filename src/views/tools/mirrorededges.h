@@ -1,7 +1,7 @@
 // Which edges of a model are mirror images of each other.
 #pragma once
 
-#include "model/meshdata.h"
+#include "model/plain/meshdata.h"
 
 #include <memory>
 #include <vector>

@@ -1,9 +1,11 @@
 #include "views/tools/packboxtool.h"
 
-#include "views/actions/selecting.h"
-#include "views/canvas/uvview.h"
+#include "views/canvas/mapcamera.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/toolcanvas.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
+#include "views/selecting/selecting.h"
 #include "views/tools/snapping.h"
 
 #include <QPainter>
@@ -13,7 +15,7 @@
 
 namespace autocuts {
 
-PackBoxTool::PackBoxTool(const CanvasContext &context, QObject *parent)
+PackBoxTool::PackBoxTool(const StudioContext &context, QObject *parent)
     : AbstractTool(context, QStringLiteral("packBox"), parent)
 {
     connect(&context.workspace, &Workspace::selectionChanged, this, &AbstractTool::hintChanged);
@@ -38,7 +40,7 @@ QString PackBoxTool::hint() const
 
 Eigen::Vector2d PackBoxTool::placeOf(const ToolEvent &event) const
 {
-    const MapCamera &camera = mView->camera();
+    const MapCamera &camera = *mView->mapCamera();
     const int textureSize = context().workspace.document()->packingSettings().textureSize;
     const double step = snapStep(snapOf(event.modifiers), camera, textureSize);
     return snappedPoint(camera.toUv(event.position), step);
@@ -53,7 +55,7 @@ void PackBoxTool::press(const ToolEvent &event)
 {
     if (mView && event.button == Qt::RightButton)
         cancel();
-    auto *view = qobject_cast<UvView *>(&event.canvas);
+    auto *view = asMap(&event.canvas);
     if (event.button != Qt::LeftButton || mView || !view)
         return;
     mView = view;
@@ -99,7 +101,7 @@ void PackBoxTool::cancel()
     Q_EMIT hintChanged();
 }
 
-void PackBoxTool::drawOverlay(QPainter &painter, const Canvas &canvas)
+void PackBoxTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
 {
     if (!mView || &canvas != mView)
         return;
@@ -108,7 +110,7 @@ void PackBoxTool::drawOverlay(QPainter &painter, const Canvas &canvas)
     fill.setAlphaF(0.12f);
     painter.setPen(QPen(color, 1, Qt::DashLine));
     painter.setBrush(fill);
-    const MapCamera &camera = mView->camera();
+    const MapCamera &camera = *mView->mapCamera();
     painter.drawRect(QRectF(camera.toScreen(mStart), camera.toScreen(mEnd)).normalized());
 }
 

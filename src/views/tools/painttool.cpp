@@ -1,7 +1,8 @@
 #include "views/tools/painttool.h"
 
 #include "commands/setseamweights.h"
-#include "views/canvas/canvas.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/toolcanvas.h"
 #include "views/control/workspace.h"
 #include "views/tools/tooldrawing.h"
 
@@ -52,7 +53,7 @@ QColor colorOf(Paint paint, const ViewColors &colors)
 
 } // namespace
 
-PaintTool::PaintTool(const CanvasContext &context, QObject *parent)
+PaintTool::PaintTool(const StudioContext &context, QObject *parent)
     : AbstractTool(context, QStringLiteral("paint"), parent)
 {
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
@@ -222,7 +223,7 @@ bool PaintTool::wantsKey(const QKeyEvent &event) const
            ((event.key() >= Qt::Key_1 && event.key() <= Qt::Key_3) || event.key() == Qt::Key_X);
 }
 
-bool PaintTool::keyPress(const QKeyEvent &event, Canvas &canvas)
+bool PaintTool::keyPress(const QKeyEvent &event, ToolCanvas &canvas)
 {
     if (!wantsKey(event))
         return AbstractTool::keyPress(event, canvas);
@@ -237,7 +238,7 @@ bool PaintTool::keyPress(const QKeyEvent &event, Canvas &canvas)
     return true;
 }
 
-bool PaintTool::wheel(const QWheelEvent &event, Canvas &)
+bool PaintTool::wheel(const QWheelEvent &event, ToolCanvas &)
 {
     // Some platforms turn the wheel sideways while Alt is held.
     const QPoint angle = event.angleDelta();
@@ -256,7 +257,7 @@ bool PaintTool::wheel(const QWheelEvent &event, Canvas &)
     return true;
 }
 
-void PaintTool::drawOverlay(QPainter &painter, const Canvas &canvas)
+void PaintTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
 {
     if (&canvas != mCanvas)
         return;

@@ -1,8 +1,8 @@
 // Painting where seams are welcome and where not.
 #pragma once
 
-#include "model/types.h"
-#include "views/tools/abstracttool.h"
+#include "model/plain/types.h"
+#include "views/canvas/abstracttool.h"
 #include "views/tools/brush.h"
 #include "views/tools/mirrorededges.h"
 
@@ -25,7 +25,7 @@ class PaintTool final : public AbstractTool
     Q_OBJECT
 
 public:
-    explicit PaintTool(const CanvasContext &context, QObject *parent = nullptr);
+    explicit PaintTool(const StudioContext &context, QObject *parent = nullptr);
 
     const Brush &brush() const { return mBrush; }
     Paint paint() const { return mPaint; }
@@ -41,12 +41,12 @@ public:
     void release(const ToolEvent &event) override;
     void leave() override;
     bool wantsKey(const QKeyEvent &event) const override;
-    bool keyPress(const QKeyEvent &event, Canvas &canvas) override;
-    bool wheel(const QWheelEvent &event, Canvas &canvas) override;
+    bool keyPress(const QKeyEvent &event, ToolCanvas &canvas) override;
+    bool wheel(const QWheelEvent &event, ToolCanvas &canvas) override;
     bool isBusy() const override { return mGesture != 0; }
     void cancel() override;
     bool marksHover() const override { return false; }
-    void drawOverlay(QPainter &painter, const Canvas &canvas) override;
+    void drawOverlay(QPainter &painter, const ToolCanvas &canvas) override;
 
 private:
     //! By the modifiers: Shift erases, Ctrl does the contrary.
@@ -61,7 +61,7 @@ private:
     Paint mPaint = Paint::KeepTogether, mShown = Paint::KeepTogether; //!< chosen; with the modifiers
     bool mSymmetric = false;
     std::optional<MirroredEdges> mMirror; //!< of the open model, once needed
-    QPointer<Canvas> mCanvas;             //!< that the mouse is over
+    QPointer<ToolCanvas> mCanvas;         //!< that the mouse is over
     QPointF mMouse;
     bool mColored = false; //!< the colouring was changed by this tool
 

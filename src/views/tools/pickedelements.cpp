@@ -1,8 +1,9 @@
 #include "views/tools/pickedelements.h"
 
-#include "model/document.h"
-#include "model/selectiontools.h"
-#include "views/canvas/canvas.h"
+#include "model/document/document.h"
+#include "model/document/selectiontools.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/toolcanvas.h"
 
 #include <algorithm>
 #include <iterator>
@@ -36,11 +37,11 @@ QList<int> toList(const std::vector<int> &values)
 }
 
 //! Corners of the vertex of a soup corner; in the map only those drawn in its place.
-QList<int> cornersOfVertex(const Document &document, const Canvas &canvas, int soupCorner)
+QList<int> cornersOfVertex(const Document &document, const ToolCanvas &canvas, int soupCorner)
 {
     const MeshData &mesh = document.mesh();
     const auto corners = document.adjacency().vertexCorners(mesh.vertexOfSoup(soupCorner));
-    if (canvas.kind() == Canvas::Kind::Model)
+    if (canvas.kind() == ToolCanvas::Kind::Model)
         return {corners.begin(), corners.end()};
     const UvMatrix &uv = canvas.content().uv();
     const double tolerance = 1e-9 * (1 + uv.row(soupCorner).cwiseAbs().maxCoeff());
@@ -83,7 +84,7 @@ QList<int> combined(const QList<int> &current, const QList<int> &elements, Combi
 
 } // namespace
 
-Selection pickedElements(const Document &document, const Canvas &canvas, const PickResult &pick)
+Selection pickedElements(const Document &document, const ToolCanvas &canvas, const PickResult &pick)
 {
     Selection picked;
     picked.mode = document.selection().mode;
@@ -129,7 +130,7 @@ Selection pickedElements(const Document &document, const BoxPick &box)
     return picked;
 }
 
-Selection pickedGroup(const Document &document, const Canvas &canvas, const PickResult &pick)
+Selection pickedGroup(const Document &document, const ToolCanvas &canvas, const PickResult &pick)
 {
     Selection picked = pickedElements(document, canvas, pick);
     if (!picked.edges.isEmpty())

@@ -1,9 +1,11 @@
 #include "views/tools/pinning.h"
 
-#include "model/document.h"
-#include "views/canvas/canvas.h"
-#include "views/canvas/uvview.h"
+#include "model/document/document.h"
+#include "views/canvas/mapcamera.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/toolcanvas.h"
 #include "views/control/shownmap.h"
+#include "views/control/studiocontext.h"
 
 namespace autocuts {
 
@@ -37,18 +39,17 @@ std::vector<UvPin> pinsAt(const MeshData &mesh, const UvMatrix &soupUv, const QL
     return pins;
 }
 
-std::vector<UvPin> pinsOfVertex(const Document &document, const Canvas &canvas, int soupCorner)
+std::vector<UvPin> pinsOfVertex(const Document &document, const ToolCanvas &canvas, int soupCorner)
 {
     const auto corners = document.adjacency().vertexCorners(document.mesh().vertexOfSoup(soupCorner));
     const UvMatrix &uv = canvas.content().uv();
     std::vector<UvPin> pins = pinsAt(document.mesh(), uv, {corners.begin(), corners.end()});
-    const auto *view = qobject_cast<const UvView *>(&canvas);
+    const auto *view = asMap(&canvas);
     if (!view)
         return pins;
     const Vec2 place = uv.row(soupCorner);
-    const double tolerance = canvas.canvasContext().shownMap.isLive()
-                                 ? nearlyThere / view->camera().scale()
-                                 : 1e-9 * (1 + place.cwiseAbs().maxCoeff());
+    const double tolerance = canvas.studio().shownMap.isLive() ? nearlyThere / view->mapCamera()->scale()
+                                                               : 1e-9 * (1 + place.cwiseAbs().maxCoeff());
     std::erase_if(pins, [&](const UvPin &pin) { return !samePlace(pin.position, place, tolerance); });
     for (UvPin &pin : pins)
         pin.position = place;

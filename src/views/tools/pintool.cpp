@@ -1,8 +1,10 @@
 #include "views/tools/pintool.h"
 
 #include "commands/setuvs.h"
-#include "model/uvlayout.h"
-#include "views/canvas/uvview.h"
+#include "model/plain/uvlayout.h"
+#include "views/canvas/mapcamera.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/toolcanvas.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
@@ -30,7 +32,7 @@ bool isLocked(const Document &document, int corner)
 
 } // namespace
 
-PinTool::PinTool(const CanvasContext &context, QObject *parent)
+PinTool::PinTool(const StudioContext &context, QObject *parent)
     : AbstractTool(context, QStringLiteral("pin"), parent)
 {
     // What is dragged belongs to a document, to its active UV set and to how it is shown.
@@ -80,7 +82,7 @@ void PinTool::grab(const ToolEvent &event)
 {
     mPins.clear();
     const Document &document = *context().workspace.document();
-    if (event.canvas.kind() != Canvas::Kind::Map || mPick.corner < 0)
+    if (event.canvas.kind() != ToolCanvas::Kind::Map || mPick.corner < 0)
         return;
     const UvPin *pin = document.constraints().pin(mPick.corner);
     // In a place where corners meet the pin may be at another one.
@@ -116,11 +118,11 @@ void PinTool::move(const ToolEvent &event)
     if (mState == State::Pressed && std::hypot((mEnd - mStart).x(), (mEnd - mStart).y()) >= dragDistance) {
         if (mPins.empty())
             mState = State::Box;
-        else if (!context().solver.isSettling())
+        else if (!context().solver.isPausing())
             beginDrag();
     }
     if (mState == State::Drag) {
-        const MapCamera &camera = static_cast<const UvView &>(event.canvas).camera();
+        const MapCamera &camera = *event.canvas.mapCamera();
         dragTo(camera.toUv(mEnd) - camera.toUv(mStart));
     }
     if (mState == State::Box)
@@ -267,7 +269,7 @@ void PinTool::cancel()
     reset();
 }
 
-void PinTool::drawOverlay(QPainter &painter, const Canvas &canvas)
+void PinTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
 {
     if (&canvas != mCanvas)
         return;
@@ -279,7 +281,7 @@ void PinTool::drawOverlay(QPainter &painter, const Canvas &canvas)
         painter.setBrush(fill);
         painter.drawRect(QRectF(mStart, mEnd).normalized());
     } else if (mState == State::Drag) {
-        drawPins(painter, static_cast<const UvView &>(canvas));
+        drawPins(painter, canvas);
     } else if (mHovered >= 0 && mHovered < canvas.content().uv().rows()) {
         if (const std::optional<QPointF> place = canvas.screenOf(mHovered)) {
             painter.setPen(QPen(colors.hover, 2));
@@ -290,11 +292,11 @@ void PinTool::drawOverlay(QPainter &painter, const Canvas &canvas)
 }
 
 //! Blue, as in the paper, with a line from where they were.
-void PinTool::drawPins(QPainter &painter, const UvView &view) const
+void PinTool::drawPins(QPainter &painter, const ToolCanvas &view) const
 {
     for (const UvPin &pin : mPins) {
-        const QPointF from = view.camera().toScreen(pin.position),
-                      to = view.camera().toScreen(pin.position + mBy);
+        const QPointF from = view.mapCamera()->toScreen(pin.position),
+                      to = view.mapCamera()->toScreen(pin.position + mBy);
         painter.setPen(QPen(draggedColor, 1, Qt::DashLine));
         painter.drawLine(from, to);
         painter.setPen(QPen(Qt::white, 1));

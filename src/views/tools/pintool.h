@@ -2,13 +2,13 @@
 #pragma once
 
 #include "commands/editpins.h"
-#include "views/tools/abstracttool.h"
+#include "views/canvas/abstracttool.h"
 
 #include <QPointer>
 
 namespace autocuts {
 
-class UvView;
+class ToolCanvas;
 
 //! Pins vertices, or in the mode of islands whole islands. A click pins or unpins; Shift makes the pins soft,
 //! or pinned ones the other kind; a drag over empty space pins what is in a box, with Ctrl it unpins. In the
@@ -19,7 +19,7 @@ class PinTool final : public AbstractTool
     Q_OBJECT
 
 public:
-    explicit PinTool(const CanvasContext &context, QObject *parent = nullptr);
+    explicit PinTool(const StudioContext &context, QObject *parent = nullptr);
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
@@ -30,7 +30,7 @@ public:
     void cancel() override;
     bool wantsPicks() const override { return mState == State::Idle; }
     bool marksHover() const override { return islandMode() && mState == State::Idle; }
-    void drawOverlay(QPainter &painter, const Canvas &canvas) override;
+    void drawOverlay(QPainter &painter, const ToolCanvas &canvas) override;
 
 private:
     enum class State { Idle, Pressed, Box, Drag };
@@ -47,10 +47,10 @@ private:
     void beginDrag();
     void dragTo(const Vec2 &by);
     Vec2 wayWithoutFlips(const Vec2 &by) const;
-    void drawPins(QPainter &painter, const UvView &view) const;
+    void drawPins(QPainter &painter, const ToolCanvas &view) const;
 
     State mState = State::Idle;
-    QPointer<Canvas> mCanvas; //!< where the gesture began
+    QPointer<ToolCanvas> mCanvas; //!< where the gesture began
     QPointF mStart, mEnd;
     PickResult mPick;          //!< of the press
     std::vector<UvPin> mPins;  //!< that are dragged, as they were

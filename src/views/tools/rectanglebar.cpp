@@ -1,10 +1,10 @@
 #include "views/tools/rectanglebar.h"
 
-#include "views/actions/selecting.h"
 #include "views/control/workspace.h"
 #include "views/gl/colormap.h"
-#include "views/icons.h"
+#include "views/selecting/selecting.h"
 #include "views/tools/rectangles.h"
+#include "views/ui/icons.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>

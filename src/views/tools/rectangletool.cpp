@@ -1,12 +1,14 @@
 #include "views/tools/rectangletool.h"
 
-#include "model/selectiontools.h"
-#include "views/actions/selecting.h"
-#include "views/canvas/uvview.h"
+#include "model/document/selectiontools.h"
+#include "views/canvas/mapcamera.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/toolcanvas.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
 #include "views/gl/colormap.h"
+#include "views/selecting/selecting.h"
 #include "views/tools/rectanglebar.h"
 #include "views/tools/snapping.h"
 
@@ -27,7 +29,7 @@ bool isDrag(const QPointF &way)
 
 } // namespace
 
-RectangleTool::RectangleTool(const CanvasContext &context, QObject *parent)
+RectangleTool::RectangleTool(const StudioContext &context, QObject *parent)
     : AbstractTool(context, QStringLiteral("rectangle"), parent)
 {
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
@@ -92,13 +94,13 @@ void RectangleTool::press(const ToolEvent &event)
         cancel();
         return;
     }
-    auto *view = qobject_cast<UvView *>(&event.canvas);
+    auto *view = asMap(&event.canvas);
     if (event.button != Qt::LeftButton || isBusy() || !view)
         return;
     mView = view;
     mState = State::Pressed;
     mStart = mEnd = event.position;
-    mGrip = gripAt(rectangles(), mActive, view->camera(), mStart);
+    mGrip = gripAt(rectangles(), mActive, *view->mapCamera(), mStart);
     mIntent = Intent::Change;
     if (mGrip.id != 0 && !event.modifiers.testFlag(Qt::ShiftModifier))
         return;
@@ -108,7 +110,7 @@ void RectangleTool::press(const ToolEvent &event)
     if (event.pick.triangle >= 0) {
         mIntent = Intent::Assign;
         mFaces = facesDragged(context().workspace.document()->mesh().triangleFace[event.pick.triangle]);
-    } else if (const int around = rectangleAround(rectangles(), view->camera().toUv(mStart))) {
+    } else if (const int around = rectangleAround(rectangles(), view->mapCamera()->toUv(mStart))) {
         mIntent = Intent::Change;
         mGrip = {around, 0, 0};
     }
@@ -175,7 +177,7 @@ void RectangleTool::addRectangle()
     rectangle.id = document.constraints().nextRectangleId();
     rectangle.name = tr("Rectangle %1").arg(rectangle.id);
     rectangle.color = islandColor(rectangle.id);
-    rectangle.lower = rectangle.upper = mView->camera().toUv(mStart);
+    rectangle.lower = rectangle.upper = mView->mapCamera()->toUv(mStart);
     mGrip = {rectangle.id, 1, 1};
     auto command = EditRectangles::add(document, rectangle);
     command->setGesture(mGesture);
@@ -185,7 +187,7 @@ void RectangleTool::addRectangle()
 void RectangleTool::dragTo(const ToolEvent &event)
 {
     Document &document = *context().workspace.document();
-    const MapCamera &camera = mView->camera();
+    const MapCamera &camera = *mView->mapCamera();
     const double step = snapStep(snapOf(event.modifiers), camera, document.packingSettings().textureSize);
     LayoutRectangle start = mBefore;
     if (mIntent == Intent::Draw && step > 0)
@@ -205,13 +207,13 @@ void RectangleTool::release(const ToolEvent &event)
     const State state = mState;
     if (state == State::Pressed) {
         reset();
-        setActive(mGrip.id != 0 ? mGrip.id : rectangleAround(rectangles(), mView->camera().toUv(mStart)));
+        setActive(mGrip.id != 0 ? mGrip.id : rectangleAround(rectangles(), mView->mapCamera()->toUv(mStart)));
     } else if (state == State::Assign) {
         reset();
         assignAt(event.position);
     } else {
         const LayoutRectangle *made = context().workspace.document()->constraints().rectangle(mGrip.id);
-        const QSizeF size = made ? screenBox(*made, mView->camera()).size() : QSizeF();
+        const QSizeF size = made ? screenBox(*made, *mView->mapCamera()).size() : QSizeF();
         if (mIntent == Intent::Draw && std::min(size.width(), size.height()) < 1)
             cancel(); // it could not be taken hold of
         else
@@ -222,7 +224,7 @@ void RectangleTool::release(const ToolEvent &event)
 void RectangleTool::assignAt(const QPointF &position)
 {
     Document &document = *context().workspace.document();
-    const int id = rectangleAround(rectangles(), mView->camera().toUv(position));
+    const int id = rectangleAround(rectangles(), mView->mapCamera()->toUv(position));
     pushCommand(assignFaces(document, id, mFaces));
     if (id != 0)
         setActive(id);
@@ -230,13 +232,13 @@ void RectangleTool::assignAt(const QPointF &position)
 
 void RectangleTool::doubleClick(const ToolEvent &event)
 {
-    auto *view = qobject_cast<UvView *>(&event.canvas);
+    auto *view = asMap(&event.canvas);
     if (event.button != Qt::LeftButton || !view)
         return;
     cancel();
     mView = view;
-    const int grip = gripAt(rectangles(), mActive, view->camera(), event.position).id;
-    setActive(grip != 0 ? grip : rectangleAround(rectangles(), view->camera().toUv(event.position)));
+    const int grip = gripAt(rectangles(), mActive, *view->mapCamera(), event.position).id;
+    setActive(grip != 0 ? grip : rectangleAround(rectangles(), view->mapCamera()->toUv(event.position)));
     if (mBar && mActive != 0)
         mBar->editName();
 }
@@ -247,7 +249,7 @@ bool RectangleTool::wantsKey(const QKeyEvent &event) const
     return mActive != 0 && !isBusy() && removes && event.modifiers() == Qt::NoModifier;
 }
 
-bool RectangleTool::keyPress(const QKeyEvent &event, Canvas &canvas)
+bool RectangleTool::keyPress(const QKeyEvent &event, ToolCanvas &canvas)
 {
     if (!wantsKey(event))
         return AbstractTool::keyPress(event, canvas);
@@ -269,7 +271,7 @@ void RectangleTool::cancel()
     reset();
 }
 
-void RectangleTool::drawOverlay(QPainter &painter, const Canvas &canvas)
+void RectangleTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
 {
     if (&canvas != mView)
         return;
@@ -283,7 +285,7 @@ void RectangleTool::drawActive(QPainter &painter) const
 {
     const Document &document = *context().workspace.document();
     const LayoutRectangle &rectangle = *document.constraints().rectangle(mActive);
-    const MapCamera &camera = mView->camera();
+    const MapCamera &camera = *mView->mapCamera();
     const QRectF box = screenBox(rectangle, camera);
     const QColor color = QColor::fromRgb(rectangle.color);
     if (!context().shownMap.isLive()) {
@@ -312,7 +314,7 @@ void RectangleTool::drawActive(QPainter &painter) const
 //! From the island to the mouse, and the rectangle that would get it.
 void RectangleTool::drawAssignment(QPainter &painter) const
 {
-    const MapCamera &camera = mView->camera();
+    const MapCamera &camera = *mView->mapCamera();
     QColor color = mView->content().colors().selection;
     const int id = rectangleAround(rectangles(), camera.toUv(mEnd));
     if (const LayoutRectangle *target = context().workspace.document()->constraints().rectangle(id)) {

@@ -1,7 +1,7 @@
 // Drawing rectangles that islands should stay inside, and assigning islands to them.
 #pragma once
 
-#include "views/tools/abstracttool.h"
+#include "views/canvas/abstracttool.h"
 #include "views/tools/rectangles.h"
 
 #include <QPointer>
@@ -9,7 +9,7 @@
 namespace autocuts {
 
 class RectangleBar;
-class UvView;
+class ToolCanvas;
 
 //! Works in the UV view. A drag over empty space, or with Shift anywhere, draws a rectangle; a drag of an
 //! outline, a name or empty space inside moves one, handles resize the active one. A drag of an island, or of
@@ -21,7 +21,7 @@ class RectangleTool final : public AbstractTool
     Q_OBJECT
 
 public:
-    explicit RectangleTool(const CanvasContext &context, QObject *parent = nullptr);
+    explicit RectangleTool(const StudioContext &context, QObject *parent = nullptr);
     ~RectangleTool() override;
 
     QString hint() const override;
@@ -33,11 +33,11 @@ public:
     void release(const ToolEvent &event) override;
     void doubleClick(const ToolEvent &event) override;
     bool wantsKey(const QKeyEvent &event) const override;
-    bool keyPress(const QKeyEvent &event, Canvas &canvas) override;
+    bool keyPress(const QKeyEvent &event, ToolCanvas &canvas) override;
     bool isBusy() const override { return mState != State::Idle; }
     void cancel() override;
     bool wantsPicks() const override { return mState == State::Idle; }
-    void drawOverlay(QPainter &painter, const Canvas &canvas) override;
+    void drawOverlay(QPainter &painter, const ToolCanvas &canvas) override;
 
     //! The rectangle that the bar shows; 0 for none.
     int active() const { return mActive; }
@@ -64,7 +64,7 @@ private:
 
     State mState = State::Idle;
     Intent mIntent = Intent::Draw;
-    QPointer<UvView> mView; //!< where the gesture began
+    QPointer<ToolCanvas> mView; //!< where the gesture began
     QPointF mStart, mEnd;
     RectangleGrip mGrip;
     LayoutRectangle mBefore; //!< as the drag began

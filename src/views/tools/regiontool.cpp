@@ -1,7 +1,8 @@
 #include "views/tools/regiontool.h"
 
 #include "commands/setuvs.h"
-#include "views/canvas/uvview.h"
+#include "views/canvas/mapcamera.h"
+#include "views/canvas/toolcanvas.h"
 #include "views/control/cleanfaces.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
@@ -36,7 +37,7 @@ std::vector<int> movableCorners(const Document &document)
 
 } // namespace
 
-RegionTool::RegionTool(const CanvasContext &context, QObject *parent)
+RegionTool::RegionTool(const StudioContext &context, QObject *parent)
     : AbstractTool(context, QStringLiteral("region"), parent)
 {
     connect(&context.workspace, &Workspace::selectionChanged, this, &AbstractTool::hintChanged);
@@ -89,7 +90,7 @@ void RegionTool::move(const ToolEvent &event)
     if (mState == State::Pressed && std::hypot(moved.x(), moved.y()) >= dragDistance) {
         mState = State::Waiting;
         mGoOn = mGoOn || context().solver.isRunning();
-        context().solver.whenSettled([this] { begin(); });
+        context().solver.whenPaused([this] { begin(); });
     }
     if (mState == State::Moving)
         moveTo(event.position);
@@ -103,7 +104,7 @@ void RegionTool::begin()
     const QList<int> &selected = document.selection().faces;
     const bool onSelection = mTriangle >= 0 && std::binary_search(selected.begin(), selected.end(),
                                                                   document.mesh().triangleFace[mTriangle]);
-    if (!onSelection || !qobject_cast<UvView *>(mCanvas))
+    if (!onSelection || !asMap(mCanvas.data()))
         return;
     mCorners = movableCorners(document);
     mFrom.resize(static_cast<Eigen::Index>(mCorners.size()), 2);
@@ -116,7 +117,7 @@ void RegionTool::begin()
 void RegionTool::moveTo(const QPointF &position)
 {
     Document &document = *context().workspace.document();
-    const MapCamera &camera = qobject_cast<UvView *>(mCanvas)->camera();
+    const MapCamera &camera = *asMap(mCanvas.data())->mapCamera();
     const Vec2 way = camera.toUv(position) - camera.toUv(mStart);
     UvMatrix uv = document.uv();
     UvEditExtras extras;
@@ -143,7 +144,7 @@ void RegionTool::release(const ToolEvent &event)
         const bool add = event.modifiers.testFlag(Qt::ShiftModifier);
         mGoOn = mGoOn || context().solver.isRunning();
         setState(State::Searching);
-        context().solver.whenSettled([this, triangle = mTriangle, add, number = ++mSearches] {
+        context().solver.whenPaused([this, triangle = mTriangle, add, number = ++mSearches] {
             if (number == mSearches && mState == State::Searching)
                 search(triangle, add);
         });

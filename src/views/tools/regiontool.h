@@ -1,9 +1,9 @@
 // Taking overlapping parts of the map away by hand.
 #pragma once
 
-#include "model/types.h"
+#include "model/plain/types.h"
+#include "views/canvas/abstracttool.h"
 #include "views/control/jobrunner.h"
-#include "views/tools/abstracttool.h"
 
 #include <QPointer>
 
@@ -11,7 +11,7 @@
 
 namespace autocuts {
 
-class UvView;
+class ToolCanvas;
 
 //! The overlap tool (paper, figure 9): a click selects a region around it that does not cover itself, if
 //! possible so that the rest of the island does not either; dragging what is selected in the map moves it
@@ -22,7 +22,7 @@ class RegionTool final : public AbstractTool
     Q_OBJECT
 
 public:
-    explicit RegionTool(const CanvasContext &context, QObject *parent = nullptr);
+    explicit RegionTool(const StudioContext &context, QObject *parent = nullptr);
 
     QString hint() const override;
     QCursor cursor() const override;
@@ -45,10 +45,10 @@ private:
 
     State mState = State::Idle;
     JobRunner mSearch{JobRunner::OnCancel::LetGo};
-    int mSearches = 0;        //!< counts them
-    bool mOneIsEnough = true; //!< the rest of the island that was clicked does not cover itself
-    bool mGoOn = false;       //!< the solver ran when the tool came
-    QPointer<Canvas> mCanvas; //!< where the gesture began
+    int mSearches = 0;            //!< counts them
+    bool mOneIsEnough = true;     //!< the rest of the island that was clicked does not cover itself
+    bool mGoOn = false;           //!< the solver ran when the tool came
+    QPointer<ToolCanvas> mCanvas; //!< where the gesture began
     QPointF mStart;
     int mTriangle = -1; //!< pressed
     quint64 mGesture = 0;

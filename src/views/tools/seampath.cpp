@@ -1,7 +1,7 @@
 #include "views/tools/seampath.h"
 
-#include "model/document.h"
-#include "model/selectiontools.h"
+#include "model/document/document.h"
+#include "model/document/selectiontools.h"
 
 #include <algorithm>
 #include <limits>

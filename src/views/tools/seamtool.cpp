@@ -1,7 +1,8 @@
 #include "views/tools/seamtool.h"
 
-#include "model/selectiontools.h"
-#include "views/canvas/canvas.h"
+#include "model/document/selectiontools.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/toolcanvas.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/tools/tooldrawing.h"
@@ -12,7 +13,7 @@
 
 namespace autocuts {
 
-SeamTool::SeamTool(const CanvasContext &context, Kind kind, QObject *parent)
+SeamTool::SeamTool(const StudioContext &context, Kind kind, QObject *parent)
     : AbstractTool(context, kind == Kind::Cut ? QStringLiteral("cut") : QStringLiteral("join"), parent),
       mKind(kind), mEdit(kind == Kind::Cut ? SetSeamState::Edit::Cut : SetSeamState::Edit::Join)
 {
@@ -158,7 +159,7 @@ void SeamTool::cancel()
     leave();
 }
 
-void SeamTool::drawOverlay(QPainter &painter, const Canvas &canvas)
+void SeamTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
 {
     const ViewColors &colors = canvas.content().colors();
     const auto colorOf = [&colors](SideStyle style) { return colors.sides[static_cast<int>(style)]; };

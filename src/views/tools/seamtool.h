@@ -2,8 +2,8 @@
 #pragma once
 
 #include "commands/setseamstate.h"
+#include "views/canvas/abstracttool.h"
 #include "views/control/energygain.h"
-#include "views/tools/abstracttool.h"
 #include "views/tools/seampath.h"
 
 #include <QPointer>
@@ -23,7 +23,7 @@ class SeamTool final : public AbstractTool
 public:
     enum class Kind { Cut, Join };
 
-    SeamTool(const CanvasContext &context, Kind kind, QObject *parent = nullptr);
+    SeamTool(const StudioContext &context, Kind kind, QObject *parent = nullptr);
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
@@ -36,7 +36,7 @@ public:
     bool isBusy() const override { return mState != State::Idle; }
     void cancel() override;
     bool marksHover() const override { return false; }
-    void drawOverlay(QPainter &painter, const Canvas &canvas) override;
+    void drawOverlay(QPainter &painter, const ToolCanvas &canvas) override;
 
     //! The edges that a click would take now, in rising order.
     const std::vector<int> &preview() const { return mPreview; }
@@ -53,7 +53,7 @@ private:
 
     const Kind mKind;
     State mState = State::Idle;
-    QPointer<Canvas> mCanvas; //!< where the gesture began
+    QPointer<ToolCanvas> mCanvas; //!< where the gesture began
     QPointF mStart;
     PathEnd mFirst;             //!< where the drag began
     PathEnd mAnchor;            //!< clicked before

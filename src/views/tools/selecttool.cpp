@@ -1,6 +1,7 @@
 #include "views/tools/selecttool.h"
 
-#include "views/canvas/canvas.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/toolcanvas.h"
 #include "views/control/workspace.h"
 
 #include <QPainter>
@@ -22,7 +23,7 @@ Combine combineOf(Qt::KeyboardModifiers modifiers, Combine withShift)
 
 } // namespace
 
-SelectTool::SelectTool(const CanvasContext &context, const QString &id, SelectShape shape, QObject *parent)
+SelectTool::SelectTool(const StudioContext &context, const QString &id, SelectShape shape, QObject *parent)
     : AbstractTool(context, id, parent), mShape(shape)
 {
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
@@ -152,7 +153,7 @@ void SelectTool::paint(const ToolEvent &event)
     document.setSelection(combined(mBefore, mStroke, combineOf(event.modifiers, Combine::Add)));
 }
 
-bool SelectTool::wheel(const QWheelEvent &event, Canvas &)
+bool SelectTool::wheel(const QWheelEvent &event, ToolCanvas &)
 {
     if (mShape != SelectShape::Brush || !event.modifiers().testFlag(Qt::ShiftModifier))
         return false;
@@ -229,7 +230,7 @@ void SelectTool::cancel()
     Q_EMIT overlayChanged();
 }
 
-void SelectTool::drawOverlay(QPainter &painter, const Canvas &canvas)
+void SelectTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
 {
     if (&canvas != mCanvas)
         return;

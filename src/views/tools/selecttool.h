@@ -1,7 +1,7 @@
 // Selecting with the mouse.
 #pragma once
 
-#include "views/tools/abstracttool.h"
+#include "views/canvas/abstracttool.h"
 #include "views/tools/pickedelements.h"
 
 #include <QPointer>
@@ -26,7 +26,7 @@ public:
     //! Radius of the brush in pixels, changed by Shift+wheel.
     static constexpr double firstRadius = 24, smallestRadius = 4, largestRadius = 300;
 
-    SelectTool(const CanvasContext &context, const QString &id, SelectShape shape, QObject *parent = nullptr);
+    SelectTool(const StudioContext &context, const QString &id, SelectShape shape, QObject *parent = nullptr);
 
     QString hint() const override;
     void press(const ToolEvent &event) override;
@@ -34,11 +34,11 @@ public:
     void release(const ToolEvent &event) override;
     void doubleClick(const ToolEvent &event) override;
     bool isBusy() const override { return mState != State::Idle; }
-    bool wheel(const QWheelEvent &event, Canvas &canvas) override;
+    bool wheel(const QWheelEvent &event, ToolCanvas &canvas) override;
     void leave() override;
     void cancel() override;
     bool wantsPicks() const override { return mState != State::Dragging; }
-    void drawOverlay(QPainter &painter, const Canvas &canvas) override;
+    void drawOverlay(QPainter &painter, const ToolCanvas &canvas) override;
 
 private:
     enum class State { Idle, Pressed, Dragging };
@@ -54,7 +54,7 @@ private:
 
     const SelectShape mShape;
     State mState = State::Idle;
-    QPointer<Canvas> mCanvas; //!< where the gesture began
+    QPointer<ToolCanvas> mCanvas; //!< where the gesture began
     QPointF mStart, mEnd;
     QPolygonF mLasso;
     double mRadius = firstRadius;

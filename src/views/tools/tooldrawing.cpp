@@ -1,6 +1,7 @@
 #include "views/tools/tooldrawing.h"
 
-#include "views/canvas/canvas.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/toolcanvas.h"
 
 #include <QPainter>
 
@@ -9,9 +10,9 @@ namespace autocuts {
 namespace {
 
 //! True when the triangle is seen from behind; in the map nothing is.
-bool facesAway(const Canvas &canvas, int triangle)
+bool facesAway(const ToolCanvas &canvas, int triangle)
 {
-    if (canvas.kind() == Canvas::Kind::Map)
+    if (canvas.kind() == ToolCanvas::Kind::Map)
         return false;
     const auto a = canvas.screenOf(3 * triangle), b = canvas.screenOf(3 * triangle + 1),
                c = canvas.screenOf(3 * triangle + 2);
@@ -23,7 +24,7 @@ bool facesAway(const Canvas &canvas, int triangle)
 
 } // namespace
 
-void drawEdges(QPainter &painter, const Canvas &canvas, std::span<const int> edges, const QColor &color)
+void drawEdges(QPainter &painter, const ToolCanvas &canvas, std::span<const int> edges, const QColor &color)
 {
     QColor faint = color;
     faint.setAlphaF(0.35f);
@@ -39,13 +40,13 @@ void drawEdges(QPainter &painter, const Canvas &canvas, std::span<const int> edg
             const auto from = canvas.screenOf(side), to = canvas.screenOf(nextSoupCorner(side));
             if (from && to)
                 painter.drawLine(*from, *to);
-            if (canvas.kind() == Canvas::Kind::Model)
+            if (canvas.kind() == ToolCanvas::Kind::Model)
                 break; // both sides are in one place
         }
     }
 }
 
-void drawNote(QPainter &painter, const Canvas &canvas, const QString &text)
+void drawNote(QPainter &painter, const ToolCanvas &canvas, const QString &text)
 {
     constexpr int fromTop = 28; // below the ruler of the map
     const ViewColors &colors = canvas.content().colors();

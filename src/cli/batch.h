@@ -1,0 +1,18 @@
+// What the command line program does, without the command line: for scripts, farms and tests.
+#pragma once
+
+#include "cli/clioptions.h"
+#include "cli/stopsource.h"
+
+#include <QTextStream>
+
+namespace autocuts {
+
+//! Runs one command. Results go to `out`, progress and messages to `err`. Only unwrap, pack and separate can
+//! be stopped: they then end early with the best valid map so far.
+//! \param showProgress false when err is not a terminal
+//! \returns the exit code: 0 done (also at a time limit), 1 failed, 130 interrupted
+int runCommand(const CliOptions &options, StopSource &stop, bool showProgress, QTextStream &out,
+               QTextStream &err);
+
+} // namespace autocuts

@@ -1,0 +1,212 @@
+#include "cli/batchfiles.h"
+
+#include "commands/changesettings.h"
+#include "commands/newmap.h"
+#include "model/document/makesnapshot.h"
+#include "model/io/exportlosses.h"
+#include "model/io/meshfile.h"
+#include "model/io/projectfile.h"
+#include "model/io/projectscene.h"
+#include "model/io/uvexport.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+constexpr int thumbnailSize = 256;
+
+Scene activeFirst(const DocumentState &state)
+{
+    Scene scene = state.scene;
+    const auto active = scene.uvSets.begin() + state.activeUvSet;
+    std::rotate(scene.uvSets.begin(), active, active + 1);
+    return scene;
+}
+
+UvEdit editOf(CliOptions::Command command)
+{
+    switch (command) {
+    case CliOptions::Command::Pack:
+        return UvEdit::Pack;
+    case CliOptions::Command::Separate:
+        return UvEdit::Separate;
+    default:
+        return UvEdit::Solve;
+    }
+}
+
+PackingSettings::Rotation rotationOf(packing::PackRotation rotation)
+{
+    switch (rotation) {
+    case packing::PackRotation::None:
+        return PackingSettings::Rotation::None;
+    case packing::PackRotation::Quarter:
+        return PackingSettings::Rotation::Quarter;
+    case packing::PackRotation::Free:
+        break;
+    }
+    return PackingSettings::Rotation::Free;
+}
+
+packing::PackRotation rotationOf(PackingSettings::Rotation rotation)
+{
+    switch (rotation) {
+    case PackingSettings::Rotation::None:
+        return packing::PackRotation::None;
+    case PackingSettings::Rotation::Quarter:
+        return packing::PackRotation::Quarter;
+    case PackingSettings::Rotation::Free:
+        break;
+    }
+    return packing::PackRotation::Free;
+}
+
+//! The options as settings of a session.
+PackingSettings packingSettingsOf(const CliOptions &options, PackingSettings settings)
+{
+    const packing::PackSettings &packing = options.unwrap.packing;
+    settings.textureSize = packing.textureSize;
+    settings.margin = static_cast<int>(std::lround(packing.margin));
+    settings.rotation = rotationOf(packing.rotation);
+    settings.udimTile = options.tile;
+    if (options.command == CliOptions::Command::Pack)
+        settings.keepScale = packing.keepScale;
+    return settings;
+}
+
+} // namespace
+
+Result<Scene> BatchFiles::read(const QString &path)
+{
+    if (!isProjectPath(path)) {
+        Result<Scene> scene = readMesh(path);
+        if (scene)
+            mOriginal = scene.value();
+        return scene;
+    }
+    Result<LoadedProject> project = loadProject(path);
+    if (!project)
+        return project.error();
+    Result<std::unique_ptr<Document>> document = Document::create(std::move(project->state));
+    if (!document)
+        return document.error();
+    mDocument = std::move(document).value();
+    mRecorder = std::make_unique<JournalRecorder>(*mDocument, std::move(project->extras.journal));
+    Scene scene = activeFirst(mDocument->state());
+    scene.notes.insert(scene.notes.end(), project->notes.begin(), project->notes.end());
+    return scene;
+}
+
+Scene BatchFiles::take(std::unique_ptr<Document> document, Journal journal)
+{
+    mRecorder.reset();
+    mDocument = std::move(document);
+    mRecorder = std::make_unique<JournalRecorder>(*mDocument, std::move(journal));
+    return activeFirst(mDocument->state());
+}
+
+void BatchFiles::mergeSettings(CliOptions &options)
+{
+    if (!mDocument)
+        return;
+    const auto merge = [&](const char *name, auto &option, const auto &setting) {
+        if (!options.given.contains(QLatin1StringView(name)))
+            option = setting;
+    };
+    const SolveSettings &solve = mDocument->solveSettings();
+    merge("--init", options.settings.start, solve.start);
+    merge("--weights", options.settings.weighting, solve.weighting);
+    merge("--energy", options.settings.energy, solve.energy);
+    merge("--solver", options.settings.solver, solve.solver);
+    merge("--seed", options.settings.seed, solve.seed);
+    merge("--creases", options.settings.creases, solve.creases);
+    merge("--crease-strength", options.settings.creaseStrength, solve.creaseStrength);
+    merge("--visibility", options.settings.visibility, solve.visibility);
+    merge("--symmetry", options.settings.symmetry, solve.symmetry);
+    options.settings.lambda = solve.lambda;
+    options.settings.delta = solve.delta;
+    options.settings.boxWeight = solve.boxWeight;
+    const PackingSettings &settings = mDocument->packingSettings();
+    packing::PackSettings &packing = options.unwrap.packing;
+    merge("--texture-size", packing.textureSize, settings.textureSize);
+    merge("--margin", packing.margin, double(settings.margin));
+    merge("--rotation", packing.rotation, rotationOf(settings.rotation));
+    merge("--tile", options.tile, settings.udimTile);
+    if (!options.hasRectangle())
+        options.setTile(options.tile);
+    if (options.command == CliOptions::Command::Pack)
+        merge("--keep-scale", packing.keepScale, settings.keepScale);
+    pushCommand(
+        std::make_unique<ChangeSettings>(*mDocument, options.settings, packingSettingsOf(options, settings)));
+}
+
+Result<Snapshot> BatchFiles::snapshot(const Scene &scene, const SolveSettings &settings) const
+{
+    if (settings.start == StartMode::ExistingUv && !scene.hasUv())
+        return Error{QStringLiteral("the file has no UVs to start from"), scene.path, 0,
+                     QStringLiteral("Use --init rigid")};
+    if (mDocument)
+        return makeSnapshot(*mDocument);
+    Snapshot snapshot;
+    snapshot.mesh = scene.mesh;
+    snapshot.settings = settings;
+    if (settings.start == StartMode::ExistingUv)
+        snapshot.startUv = startUvFromCorners(*scene.mesh, scene.uvSets.front().uv);
+    return snapshot;
+}
+
+IslandMarks BatchFiles::marks(const MeshData &mesh) const
+{
+    return mDocument ? mDocument->marks() : IslandMarks::none(mesh);
+}
+
+const LayoutRectangle *BatchFiles::rectangle(const QString &name) const
+{
+    if (!mDocument)
+        return nullptr;
+    const std::vector<LayoutRectangle> &all = mDocument->constraints().rectangles;
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const LayoutRectangle &r) { return r.name == name; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+Result<Done> BatchFiles::write(const Scene &scene, const CliOptions &options)
+{
+    return isProjectPath(options.output) ? writeSession(scene, options) : writeMesh(scene, options.output);
+}
+
+Result<Done> BatchFiles::writeSession(const Scene &scene, const CliOptions &options)
+{
+    if (!mDocument) {
+        DocumentState state = DocumentState::initial(mOriginal.mesh ? mOriginal : scene);
+        state.solveSettings = options.settings;
+        state.packingSettings = packingSettingsOf(options, state.packingSettings);
+        Result<std::unique_ptr<Document>> document = Document::create(std::move(state));
+        if (!document)
+            return document.error();
+        mDocument = std::move(document).value();
+        mRecorder = std::make_unique<JournalRecorder>(*mDocument);
+    }
+    if (!scene.uvSets.empty())
+        pushCommand(newMapCommand(*mDocument, editOf(options.command), scene.uvSets.front().uv));
+    ProjectExtras extras;
+    extras.journal = mRecorder->journal();
+    LayoutOptions layout;
+    layout.size = thumbnailSize;
+    if (Result<QByteArray> picture = layoutPng(mDocument->mesh(), mDocument->uv(), layout))
+        extras.thumbnail = std::move(picture).value();
+    return saveProject(mDocument->state(), extras, options.output);
+}
+
+QStringList BatchFiles::losses(const Scene &scene, const QString &path)
+{
+    return isProjectPath(path) ? sessionLosses(scene)
+                               : exportLosses(scene, QFileInfo(path).suffix().toLower());
+}
+
+} // namespace autocuts

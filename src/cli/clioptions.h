@@ -1,0 +1,50 @@
+// The options of the command line program.
+#pragma once
+
+#include "model/document/result.h"
+#include "model/plain/packingsettings.h"
+#include "model/plain/solvesettings.h"
+#include "solver/unwrap/unwrap.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace autocuts {
+
+//! What `autocuts-cli` was asked to do.
+struct CliOptions
+{
+    enum class Command { Help, Version, Unwrap, Pack, Separate, Check, Convert, Sample, Replay };
+
+    //! True when the command makes a map: these can be stopped early.
+    bool makesMap() const
+    {
+        return command == Command::Unwrap || command == Command::Pack || command == Command::Separate;
+    }
+
+    bool hasRectangle() const { return given.contains(QStringLiteral("--into")); }
+    //! Packs into a UDIM tile.
+    void setTile(int udim);
+
+    Command command = Command::Help;
+    QString input;     //!< file; for Sample its name
+    QStringList given; //!< names of all options as written
+    QString output;    //!< -o
+    SolveSettings settings;
+    unwrap::UnwrapOptions unwrap; //!< of the packing: the bin is that of --tile or --into
+    int tile = PackingSettings::firstTile;
+    QString intoRectangle; //!< pack: name of a rectangle of the session
+    QString layout;        //!< .png or .svg, empty for none
+    QString report;        //!< .json, empty for none
+    bool json = false;     //!< check: figures as JSON
+    double timeLimit = 0;  //!< wall seconds, 0 for none
+    bool quiet = false;
+};
+
+//! Reads the arguments after the program's name. An Error is a mistake in the usage (exit code 2).
+Result<CliOptions> parseCommandLine(const QStringList &arguments);
+
+//! The text of --help.
+QString usageText();
+
+} // namespace autocuts

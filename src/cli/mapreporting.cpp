@@ -1,0 +1,198 @@
+#include "cli/mapreporting.h"
+
+#include "model/io/meshdoctor.h"
+#include "model/io/savefile.h"
+#include "model/io/uvexport.h"
+#include "model/plain/chart.h"
+#include "model/plain/uvlayout.h"
+#include "solver/overlap/overlapfinder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+//! Islands closer than this bleed into each other when the texture is filtered.
+constexpr double fewestGutterTexels = 1;
+
+MapReport reportOf(const metrics::UvMetrics &m)
+{
+    MapReport r;
+    r.triangles = m.triangles;
+    r.charts = m.charts;
+    r.seamLength = m.seamLength;
+    r.seamNorm = m.seamNorm;
+    r.symDirichlet = m.symDirichlet;
+    r.symDirichletMax = m.symDirichletMax;
+    r.flipped = m.flipped;
+    if (m.overlapPairs >= 0)
+        r.overlapPairs = m.overlapPairs;
+    r.overlapAreaRatio = m.overlapAreaRatio;
+    r.packingEfficiency = m.packingUnit;
+    r.minGutterTexels = m.minGutterTexels;
+    r.faces = m.faces;
+    r.seamEdges = m.seamEdges;
+    r.symDirichletInfinite = m.symDirichletInfinite;
+    r.uvDegenerate = m.uvDegenerate;
+    r.mirroredCharts = m.mirroredCharts;
+    r.nonDiskCharts = m.nonDiskCharts;
+    r.facesWithoutUv = m.facesWithoutUv;
+    r.zeroAreaTriangles = m.zeroAreaTriangles;
+    r.symDirichletP99 = m.symDirichletP99;
+    r.symDirichletScale = m.symDirichletScale;
+    r.l2Stretch = m.l2Stretch;
+    r.angleDistortion = m.angleDistortion;
+    r.areaDistortion = m.areaDistortion;
+    r.texelDensitySpread = m.texelDensitySpread;
+    r.packingBox = m.packingBox;
+    r.minGutter = m.minGutter;
+    r.borderGutterTexels = m.borderGutterTexels;
+    r.inUnitSquare = m.inUnitSquare;
+    return r;
+}
+
+std::vector<int> overlappingTriangles(const MeshData &mesh, const UvMatrix &uv)
+{
+    std::vector<int> result;
+    for (const overlap::OverlapPair &pair : overlap::findOverlaps(soupUv(mesh, uv), {}).pairs) {
+        result.push_back(pair.first);
+        result.push_back(pair.second);
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
+//! Triangles against the sign of their chart. The report's figure takes polygons as fans, which cover the
+//! wrong ground where a polygon is no fan; these are the triangles that textures are drawn with.
+int flippedTriangles(const MeshData &mesh, const UvMatrix &uv)
+{
+    const ChartMap charts = findCharts(mesh, uv);
+    std::vector<double> area(mesh.triangleCount(), 0), sum(charts.count, 0);
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const auto &c = mesh.triangles[t];
+        const int chart = charts.faceChart[mesh.triangleFace[t]];
+        if (chart < 0)
+            continue;
+        area[t] = cross2(uv.row(c[0]), uv.row(c[1]), uv.row(c[2]));
+        sum[chart] += area[t];
+    }
+    int flipped = 0;
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const int chart = charts.faceChart[mesh.triangleFace[t]];
+        flipped += chart >= 0 && area[t] * sum[chart] < 0;
+    }
+    return flipped;
+}
+
+QString counted(qint64 count, const char *one, const char *many)
+{
+    return QStringLiteral("%1 %2").arg(count).arg(QLatin1String(count == 1 ? one : many));
+}
+
+QString shortNumber(double value)
+{
+    return std::isfinite(value) ? QString::number(value, 'g', 7) : QStringLiteral("-");
+}
+
+QString shortCount(const MapReport::Count &value)
+{
+    return value ? QString::number(*value) : QStringLiteral("-");
+}
+
+} // namespace
+
+MapReport reportOn(const Scene &scene, int textureSize)
+{
+    MapReport report;
+    if (scene.hasUv()) {
+        metrics::UvMetricsOptions options;
+        options.textureSize = textureSize;
+        report = reportOf(measureUv(*scene.mesh, scene.uvSets.front().uv, options));
+    } else {
+        report.triangles = scene.mesh->triangleCount();
+        report.faces = scene.mesh->faceCount();
+        report.facesWithoutUv = scene.mesh->faceCount();
+    }
+    report.textureSize = textureSize;
+    report.mesh = scene.mesh->report;
+    report.notes = meshDoctorNotes(scene.mesh->report);
+    for (const QString &note : scene.notes)
+        report.notes << note;
+    return report;
+}
+
+QStringList mapProblems(const Scene &scene, const MapReport &report)
+{
+    const MeshData &mesh = *scene.mesh;
+    QStringList problems;
+    const qint64 bare = report.facesWithoutUv.value_or(0);
+    if (bare > 0 && bare == report.faces.value_or(0))
+        return {QStringLiteral("the file has no UVs")};
+    if (bare > 0)
+        problems << counted(bare, "face has no UVs", "faces have no UVs");
+    if (report.flipped.value_or(0) > 0) {
+        if (const int n = flippedTriangles(mesh, scene.uvSets.front().uv))
+            problems << counted(n, "triangle is flipped", "triangles are flipped");
+    }
+    if (const qint64 n = report.symDirichletInfinite.value_or(0))
+        problems << counted(n, "triangle has no area in the map", "triangles have no area in the map");
+    std::size_t overlaps = 0;
+    if (report.overlapPairs.value_or(0) > 0)
+        overlaps = overlappingTriangles(mesh, scene.uvSets.front().uv).size();
+    if (overlaps > 0)
+        problems << counted(qint64(overlaps), "triangle overlaps", "triangles overlap");
+    if (report.inUnitSquare && !*report.inUnitSquare)
+        problems << QStringLiteral("the UVs leave the unit square");
+    if (overlaps == 0 && report.minGutterTexels < fewestGutterTexels)
+        problems << QStringLiteral("islands come as close as %1 texels at a texture size of %2")
+                        .arg(report.minGutterTexels, 0, 'g', 3)
+                        .arg(report.textureSize.value_or(0));
+    return problems;
+}
+
+QString reportTable(const MapReport &r)
+{
+    QString table;
+    const auto line = [&table](const char *key, const QString &value, const QString &meaning) {
+        table += QString::fromLatin1(key).leftJustified(20);
+        table += meaning.isEmpty() ? value : value.leftJustified(14) + meaning;
+        table += QLatin1Char('\n');
+    };
+    const QString texels = QStringLiteral("at %1 x %1 texels").arg(r.textureSize.value_or(0));
+    line("triangles", shortCount(r.triangles), QStringLiteral("of %1 faces").arg(shortCount(r.faces)));
+    if (!r.charts)
+        return table; // nothing more can be said without UVs
+    line("charts", shortCount(r.charts), QStringLiteral("islands of the map"));
+    line("seam_length", shortNumber(r.seamLength), QStringLiteral("in the units of the model"));
+    line("seam_norm", shortNumber(r.seamNorm), QStringLiteral("the same for a model of area pi"));
+    line("sym_dirichlet", shortNumber(r.symDirichlet), QStringLiteral("mean distortion, 4 is none"));
+    line("sym_dirichlet_max", shortNumber(r.symDirichletMax), QStringLiteral("of the worst triangle"));
+    line("flipped", shortCount(r.flipped), QStringLiteral("triangles"));
+    line("overlap_pairs", shortCount(r.overlapPairs), QStringLiteral("pairs of triangles"));
+    line("packing_efficiency", shortNumber(r.packingEfficiency),
+         QStringLiteral("part of the unit square in use"));
+    line("min_gutter_texels", shortNumber(r.minGutterTexels), texels);
+    if (!r.status.isEmpty())
+        line("status", r.status, {});
+    return table;
+}
+
+Result<Done> writeLayout(const QString &path, const Scene &scene, int textureSize, bool overlaps)
+{
+    const MeshData &mesh = *scene.mesh;
+    const UvMatrix &uv = scene.uvSets.front().uv;
+    LayoutOptions options;
+    options.size = std::clamp(textureSize, 256, 4096);
+    if (overlaps)
+        options.overlapping = overlappingTriangles(mesh, uv);
+    const bool svg = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
+    const Result<QByteArray> bytes = svg ? layoutSvg(mesh, uv, options) : layoutPng(mesh, uv, options);
+    if (!bytes)
+        return bytes.error();
+    return saveAtomically(path, bytes.value());
+}
+
+} // namespace autocuts

@@ -1,0 +1,34 @@
+// Progress on a terminal.
+#pragma once
+
+#include "solver/unwrap/unwrap.h"
+
+#include <QElapsedTimer>
+#include <QString>
+#include <QTextStream>
+
+namespace autocuts {
+
+//! One line on a terminal that is written over and over, at most ten times a second.
+class ProgressLine final
+{
+public:
+    //! \param show false: nothing is ever written
+    ProgressLine(bool show, QTextStream &err) : mShow(show), mErr(err) { mSince.start(); }
+    ~ProgressLine() { clear(); }
+    ProgressLine(const ProgressLine &) = delete;
+    ProgressLine &operator=(const ProgressLine &) = delete;
+
+    void show(const QString &text);
+    void show(const unwrap::UnwrapProgress &progress);
+    //! Takes the line away, so that something else can be written.
+    void clear();
+
+private:
+    bool mShow;
+    QTextStream &mErr;
+    QElapsedTimer mSince;
+    bool mWritten = false;
+};
+
+} // namespace autocuts

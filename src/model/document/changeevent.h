@@ -1,0 +1,118 @@
+// What Document::changed() tells: typed events that name what changed, so that views redraw only that.
+#pragma once
+
+#include "model/plain/indexranges.h"
+#include "model/plain/settingsproperties.h"
+
+#include <QString>
+
+namespace autocuts {
+
+//! Base of all events; switch over type and cast to the struct of that name.
+struct ChangeEvent
+{
+    enum class Type { Uv, UvSet, Seam, Pin, Rectangle, IslandFlag, Tag, SolveSettings, PackingSettings };
+
+    const Type type;
+
+protected:
+    explicit ChangeEvent(Type t) : type(t) {}
+    ~ChangeEvent() = default;
+};
+
+//! UVs of one UV set.
+struct UvEvent final : ChangeEvent
+{
+    enum Property { Values = 1, Scale = 2 };
+
+    UvEvent(int set, int mask, IndexRanges changedCorners)
+        : ChangeEvent(Type::Uv), uvSet(set), properties(mask), corners(std::move(changedCorners))
+    {}
+
+    int uvSet;
+    int properties;      //!< mask of Property
+    IndexRanges corners; //!< whose UVs changed
+};
+
+//! The list of UV sets, or which one is active.
+struct UvSetEvent final : ChangeEvent
+{
+    enum class Change { Added, Removed, Renamed, Activated };
+
+    UvSetEvent(Change c, int i) : ChangeEvent(Type::UvSet), change(c), index(i) {}
+
+    Change change;
+    int index; //!< of the set; after removal the one it had
+};
+
+//! Seams.
+struct SeamEvent final : ChangeEvent
+{
+    enum Property { State = 1, Weight = 2 };
+
+    SeamEvent(int mask, IndexRanges pairs)
+        : ChangeEvent(Type::Seam), properties(mask), cornerPairs(std::move(pairs))
+    {}
+
+    int properties; //!< mask of Property
+    IndexRanges cornerPairs;
+};
+
+//! Pins, added, removed or changed.
+struct PinEvent final : ChangeEvent
+{
+    explicit PinEvent(IndexRanges changedCorners) : ChangeEvent(Type::Pin), corners(std::move(changedCorners))
+    {}
+
+    IndexRanges corners;
+};
+
+//! One rectangle.
+struct RectangleEvent final : ChangeEvent
+{
+    enum Property { Added = 1, Removed = 2, Bounds = 4, Faces = 8, Name = 16, Color = 32, Strength = 64 };
+
+    RectangleEvent(int rectangle, int mask) : ChangeEvent(Type::Rectangle), id(rectangle), properties(mask) {}
+
+    int id;
+    int properties; //!< mask of Property; Strength is hard/soft and the weight
+};
+
+//! Flags on faces.
+struct IslandFlagEvent final : ChangeEvent
+{
+    enum Property { Locked = 1, Stack = 2, Group = 4 };
+
+    IslandFlagEvent(int mask, IndexRanges changedFaces)
+        : ChangeEvent(Type::IslandFlag), properties(mask), faces(std::move(changedFaces))
+    {}
+
+    int properties; //!< mask of Property
+    IndexRanges faces;
+};
+
+//! One tag, added, removed or with other faces.
+struct TagEvent final : ChangeEvent
+{
+    explicit TagEvent(QString tag) : ChangeEvent(Type::Tag), name(std::move(tag)) {}
+
+    QString name;
+};
+
+//! Settings of the solver.
+struct SolveSettingsEvent final : ChangeEvent
+{
+    explicit SolveSettingsEvent(int mask) : ChangeEvent(Type::SolveSettings), properties(mask) {}
+
+    int properties; //!< mask of SolveProperty
+};
+
+//! Settings of packing.
+struct PackingSettingsEvent final : ChangeEvent
+{
+    explicit PackingSettingsEvent(int mask) : ChangeEvent(Type::PackingSettings), properties(mask) {}
+
+    int properties; //!< mask of PackingProperty
+};
+
+} // namespace autocuts

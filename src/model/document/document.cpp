@@ -1,0 +1,125 @@
+#include "model/document/document.h"
+
+#include "model/plain/uvlayout.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace autocuts {
+
+Document::Document(Scene scene) : Document(FromState(), DocumentState::initial(std::move(scene))) {}
+
+Document::Document(FromState, DocumentState state) : mState(std::move(state)) {}
+
+Document::~Document() = default;
+
+Result<std::unique_ptr<Document>> Document::create(DocumentState state)
+{
+    if (const QString problem = state.validate(); !problem.isEmpty())
+        return Error{problem, state.scene.path, 0, {}};
+    return std::unique_ptr<Document>(new Document(FromState(), std::move(state)));
+}
+
+const Islands &Document::islands() const
+{
+    if (!mIslands)
+        mIslands = std::make_unique<const Islands>(mesh(), uv());
+    return *mIslands;
+}
+
+const MeshAdjacency &Document::adjacency() const
+{
+    if (!mAdjacency)
+        mAdjacency = std::make_unique<const MeshAdjacency>(mesh());
+    return *mAdjacency;
+}
+
+void Document::setSelection(Selection selection)
+{
+    selection.normalize(mesh());
+    if (selection == mState.selection)
+        return;
+    mState.selection = std::move(selection);
+    Q_EMIT selectionChanged();
+}
+
+QString Document::validate() const
+{
+    if (mIslands && mIslands->faceCount() != mesh().faceCount())
+        return QStringLiteral("The islands do not fit the mesh");
+    return mState.validate();
+}
+
+void Document::setUvs(int uvSet, const IndexRanges &corners, const UvMatrix &values)
+{
+    UvMatrix &uv = mState.scene.uvSets[uvSet].uv;
+    IndexRanges changedCorners;
+    Eigen::Index row = 0;
+    corners.forEach([&](int corner) {
+        const double *value = values.data() + 2 * row++;
+        double *target = uv.data() + 2 * Eigen::Index(corner);
+        if (std::memcmp(target, value, 2 * sizeof(double)) == 0)
+            return;
+        std::memcpy(target, value, 2 * sizeof(double));
+        changedCorners.append(corner);
+    });
+    if (changedCorners.isEmpty())
+        return;
+    if (uvSet == mState.activeUvSet)
+        mIslands.reset();
+    Q_EMIT changed(UvEvent(uvSet, UvEvent::Values, std::move(changedCorners)));
+}
+
+void Document::setUvScale(int uvSet, double scale)
+{
+    if (mState.uvScales[uvSet] == scale)
+        return;
+    mState.uvScales[uvSet] = scale;
+    ++mSettingsRevision;
+    Q_EMIT changed(UvEvent(uvSet, UvEvent::Scale, {}));
+}
+
+void Document::insertUvSet(int index, UvSet set, double scale)
+{
+    mState.scene.uvSets.insert(mState.scene.uvSets.begin() + index, std::move(set));
+    mState.uvScales.insert(mState.uvScales.begin() + index, scale);
+    if (index <= mState.activeUvSet)
+        ++mState.activeUvSet;
+    Q_EMIT changed(UvSetEvent(UvSetEvent::Change::Added, index));
+}
+
+void Document::removeUvSet(int index)
+{
+    mState.scene.uvSets.erase(mState.scene.uvSets.begin() + index);
+    mState.uvScales.erase(mState.uvScales.begin() + index);
+    const bool wasActive = index == mState.activeUvSet;
+    if (index < mState.activeUvSet || mState.activeUvSet == static_cast<int>(uvSets().size()))
+        --mState.activeUvSet;
+    if (wasActive) {
+        mIslands.reset();
+        ++mTopologyRevision;
+    }
+    Q_EMIT changed(UvSetEvent(UvSetEvent::Change::Removed, index));
+    if (wasActive)
+        Q_EMIT changed(UvSetEvent(UvSetEvent::Change::Activated, mState.activeUvSet));
+}
+
+void Document::renameUvSet(int index, const QString &name)
+{
+    if (uvSets()[index].name == name)
+        return;
+    mState.scene.uvSets[index].name = name;
+    Q_EMIT changed(UvSetEvent(UvSetEvent::Change::Renamed, index));
+}
+
+void Document::setActiveUvSet(int index)
+{
+    if (index == mState.activeUvSet)
+        return;
+    mState.activeUvSet = index;
+    mIslands.reset();
+    ++mTopologyRevision;
+    Q_EMIT changed(UvSetEvent(UvSetEvent::Change::Activated, index));
+}
+
+} // namespace autocuts

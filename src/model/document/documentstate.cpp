@@ -1,0 +1,130 @@
+#include "model/document/documentstate.h"
+
+#include "model/plain/settingsproperties.h"
+#include "model/plain/uvlayout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace autocuts {
+
+namespace {
+
+bool sameMesh(const std::shared_ptr<const MeshData> &a, const std::shared_ptr<const MeshData> &b)
+{
+    if (a == b || !a || !b)
+        return a == b;
+    // Everything else in a MeshData follows from these.
+    return a->positions.rows() == b->positions.rows() && a->faceStart == b->faceStart &&
+           a->cornerVertex == b->cornerVertex && a->faceObject == b->faceObject &&
+           (a->positions.size() == 0 ||
+            std::memcmp(a->positions.data(), b->positions.data(), a->positions.size() * sizeof(double)) == 0);
+}
+
+bool sameUvSets(const std::vector<UvSet> &a, const std::vector<UvSet> &b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const UvSet &x, const UvSet &y) {
+        return x.name == y.name && sameBits(x.uv, y.uv);
+    });
+}
+
+bool sameScene(const Scene &a, const Scene &b)
+{
+    return a.path == b.path && a.format == b.format && sameMesh(a.mesh, b.mesh) &&
+           a.objectNames == b.objectNames && a.materialNames == b.materialNames &&
+           a.faceMaterial == b.faceMaterial && sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes;
+}
+
+QString validateMaterials(const Scene &scene)
+{
+    const std::vector<int> &materials = scene.faceMaterial;
+    if (!materials.empty() && static_cast<int>(materials.size()) != scene.mesh->faceCount())
+        return QStringLiteral("The materials do not fit the mesh");
+    const auto exists = [&](int m) { return m >= -1 && m < static_cast<int>(scene.materialNames.size()); };
+    if (!std::all_of(materials.begin(), materials.end(), exists))
+        return QStringLiteral("A face has an unknown material");
+    return {};
+}
+
+QString validateUvSets(const DocumentState &state)
+{
+    const std::vector<UvSet> &sets = state.scene.uvSets;
+    if (state.activeUvSet < 0 || state.activeUvSet >= static_cast<int>(sets.size()))
+        return QStringLiteral("The active UV set does not exist");
+    if (state.uvScales.size() != sets.size())
+        return QStringLiteral("The scales do not fit the UV sets");
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        if (sets[i].uv.rows() != state.scene.mesh->cornerCount())
+            return QStringLiteral("UV set %1 does not fit the mesh").arg(i);
+        if (!std::isfinite(state.uvScales[i]) || state.uvScales[i] <= 0)
+            return QStringLiteral("The scale of UV set %1 is not positive").arg(i);
+        const auto sameName = [&](const UvSet &other) { return other.name == sets[i].name; };
+        if (sets[i].name.isEmpty() || sets[i].name.size() > maxNameLength ||
+            std::any_of(sets.begin(), sets.begin() + i, sameName))
+            return QStringLiteral("UV set %1 has no name of its own").arg(i);
+    }
+    return {};
+}
+
+} // namespace
+
+DocumentState DocumentState::initial(Scene scene)
+{
+    DocumentState state;
+    state.scene = std::move(scene);
+    const MeshData &mesh = *state.scene.mesh;
+    std::vector<UvSet> sets = std::move(state.scene.uvSets);
+    state.scene.uvSets.clear();
+    if (sets.empty())
+        sets.push_back({{}, emptyLayout(mesh)});
+    for (UvSet &set : sets) {
+        const QString wanted = set.name.isEmpty() ? QStringLiteral("UVMap") : set.name;
+        set.name = uniqueUvSetName(state.scene.uvSets, wanted);
+        state.uvScales.push_back(layoutScale(mesh, set.uv));
+        state.scene.uvSets.push_back(std::move(set));
+    }
+    state.seams = Seams::allFree(mesh);
+    state.marks = IslandMarks::none(mesh);
+    return state;
+}
+
+QString DocumentState::validate() const
+{
+    if (!scene.mesh)
+        return QStringLiteral("There is no mesh");
+    const MeshData &mesh = *scene.mesh;
+    if (!isValid(solveSettings))
+        return QStringLiteral("A setting of the solver is out of range");
+    if (!packingSettings.isValid())
+        return QStringLiteral("A setting of packing is out of range");
+    for (const QString &problem :
+         {validateMaterials(scene), validateUvSets(*this), seams.validate(mesh), constraints.validate(mesh),
+          marks.validate(mesh), selection.validate(mesh)}) {
+        if (!problem.isEmpty())
+            return problem;
+    }
+    return {};
+}
+
+bool operator==(const DocumentState &a, const DocumentState &b)
+{
+    return sameScene(a.scene, b.scene) && a.activeUvSet == b.activeUvSet && a.uvScales == b.uvScales &&
+           a.seams == b.seams && a.constraints == b.constraints && a.marks == b.marks &&
+           a.solveSettings == b.solveSettings && a.packingSettings == b.packingSettings &&
+           a.selection == b.selection && a.viewState == b.viewState;
+}
+
+QString uniqueUvSetName(const std::vector<UvSet> &sets, const QString &wanted)
+{
+    const QString base = wanted.left(maxNameLength - 20); // room for the number
+    const auto taken = [&](const QString &name) {
+        return std::any_of(sets.begin(), sets.end(), [&](const UvSet &set) { return set.name == name; });
+    };
+    QString name = base;
+    for (int number = 2; taken(name); ++number)
+        name = QStringLiteral("%1.%2").arg(base).arg(number);
+    return name;
+}
+
+} // namespace autocuts

@@ -1,0 +1,154 @@
+#include "model/document/facematch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace autocuts {
+
+namespace {
+
+//! Positions closer than this part of the largest coordinate are the same: text files have six digits.
+constexpr double relativeTolerance = 2e-6;
+
+using Cell = std::array<double, 3>;
+
+double largestCoordinate(const MeshData &mesh)
+{
+    return mesh.positions.size() == 0 ? 0 : mesh.positions.cwiseAbs().maxCoeff();
+}
+
+//! Welded vertices in a grid of cells as wide as the tolerance.
+class VertexGrid
+{
+public:
+    VertexGrid(const MeshData &mesh, double tolerance) : mMesh(mesh), mTolerance(tolerance)
+    {
+        for (int v = 0; v < mesh.vertexCount(); ++v) {
+            if (mesh.vertexWeld[v] == v)
+                mVertices.emplace_back(cellOf(mesh.positions.row(v)), v);
+        }
+        std::sort(mVertices.begin(), mVertices.end());
+    }
+
+    //! The nearest vertex within the tolerance, of equally near ones the first; -1 when there is none.
+    int nearest(const Vec3 &point) const
+    {
+        const Cell centre = cellOf(point);
+        int best = -1;
+        double bestDistance = mTolerance;
+        for (int i = 0; i < 27; ++i) {
+            const Cell cell{centre[0] + i % 3 - 1, centre[1] + i / 3 % 3 - 1, centre[2] + i / 9 - 1};
+            auto it = std::lower_bound(mVertices.begin(), mVertices.end(), std::pair(cell, -1));
+            for (; it != mVertices.end() && it->first == cell; ++it) {
+                const double distance = (Vec3(mMesh.positions.row(it->second)) - point).norm();
+                if (distance < bestDistance ||
+                    (distance == bestDistance && (best < 0 || it->second < best))) {
+                    best = it->second;
+                    bestDistance = distance;
+                }
+            }
+        }
+        return best;
+    }
+
+private:
+    Cell cellOf(const Vec3 &p) const
+    {
+        if (!(mTolerance > 0))
+            return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
+        return {std::floor(p.x() / mTolerance), std::floor(p.y() / mTolerance),
+                std::floor(p.z() / mTolerance)};
+    }
+
+    const MeshData &mMesh;
+    double mTolerance;
+    std::vector<std::pair<Cell, int>> mVertices;
+};
+
+//! The vertices of a face, starting where that gives the smallest list; `first` is that corner.
+struct FaceKey
+{
+    std::vector<int> vertices;
+    int first = 0;
+};
+
+//! \param vertexOf -1 for a vertex that cannot be in any key
+template <typename VertexOf>
+FaceKey faceKey(const MeshData &mesh, int face, VertexOf &&vertexOf)
+{
+    const int start = mesh.faceStart[face];
+    const int count = mesh.faceStart[face + 1] - start;
+    std::vector<int> vertices;
+    for (int c = start; c < start + count; ++c)
+        vertices.push_back(vertexOf(mesh.cornerVertex[c]));
+    const int lowest = *std::min_element(vertices.begin(), vertices.end());
+    FaceKey key;
+    for (int i = 0; i < count; ++i) {
+        if (vertices[i] != lowest)
+            continue;
+        std::vector<int> turned(vertices.begin() + i, vertices.end());
+        turned.insert(turned.end(), vertices.begin(), vertices.begin() + i);
+        if (key.vertices.empty() || turned < key.vertices)
+            key = {std::move(turned), i};
+    }
+    return key;
+}
+
+void matchByPosition(const MeshData &before, const MeshData &after, FaceMatch &match)
+{
+    const double tolerance =
+        relativeTolerance * std::max(largestCoordinate(before), largestCoordinate(after));
+    const VertexGrid grid(after, tolerance);
+    std::vector<int> counterpart(static_cast<std::size_t>(before.vertexCount()), -1);
+    for (int v = 0; v < before.vertexCount(); ++v) {
+        const int weld = before.vertexWeld[v];
+        counterpart[v] = weld == v ? grid.nearest(before.positions.row(v)) : counterpart[weld];
+    }
+    std::map<std::vector<int>, std::vector<std::pair<int, int>>> faces; // face and first corner
+    for (int f = 0; f < after.faceCount(); ++f) {
+        FaceKey key = faceKey(after, f, [&](int v) { return after.vertexWeld[v]; });
+        faces[std::move(key.vertices)].emplace_back(f, key.first);
+    }
+    for (int f = 0; f < before.faceCount(); ++f) {
+        const FaceKey key = faceKey(before, f, [&](int v) { return counterpart[v]; });
+        const auto found = key.vertices.front() < 0 ? faces.end() : faces.find(key.vertices);
+        if (found == faces.end() || found->second.empty())
+            continue;
+        auto &candidates = found->second;
+        const auto sameObject =
+            std::find_if(candidates.begin(), candidates.end(), [&](const auto &candidate) {
+                return after.faceObject[candidate.first] == before.faceObject[f];
+            });
+        const auto chosen = sameObject == candidates.end() ? candidates.begin() : sameObject;
+        const int count = static_cast<int>(key.vertices.size());
+        match.face[f] = chosen->first;
+        for (int i = 0; i < count; ++i)
+            match.corner[before.faceStart[f] + (key.first + i) % count] =
+                after.faceStart[chosen->first] + (chosen->second + i) % count;
+        candidates.erase(chosen);
+    }
+}
+
+} // namespace
+
+FaceMatch matchFaces(const MeshData &before, const MeshData &after)
+{
+    FaceMatch match;
+    match.face.assign(static_cast<std::size_t>(before.faceCount()), -1);
+    match.corner.assign(static_cast<std::size_t>(before.cornerCount()), -1);
+    match.sameTopology = before.vertexCount() == after.vertexCount() && before.faceStart == after.faceStart &&
+                         before.cornerVertex == after.cornerVertex;
+    if (match.sameTopology) {
+        std::iota(match.face.begin(), match.face.end(), 0);
+        std::iota(match.corner.begin(), match.corner.end(), 0);
+    } else {
+        matchByPosition(before, after, match);
+    }
+    return match;
+}
+
+} // namespace autocuts

@@ -1,0 +1,82 @@
+#include "model/document/makesnapshot.h"
+
+#include "model/document/document.h"
+#include "model/plain/uvlayout.h"
+
+namespace autocuts {
+
+namespace {
+
+//! The soup corners of every corner, in rising order.
+std::vector<std::vector<int>> soupCornersByCorner(const MeshData &mesh)
+{
+    std::vector<std::vector<int>> result(mesh.cornerCount());
+    for (int s = 0; s < mesh.soupCornerCount(); ++s)
+        result[mesh.cornerOfSoup(s)].push_back(s);
+    return result;
+}
+
+void addConstraints(Snapshot &snapshot, const Document &document)
+{
+    const MeshData &mesh = document.mesh();
+    const double toSolver = 1 / document.uvScale();
+    const auto soupCorners = soupCornersByCorner(mesh);
+    for (const UvPin &pin : document.constraints().pins) {
+        for (int s : soupCorners[pin.corner])
+            snapshot.pins.push_back({s, toSolver * pin.position, pin.hard, pin.weight});
+    }
+    for (const LayoutRectangle &rectangle : document.constraints().rectangles) {
+        UvRectangle box;
+        box.lower = toSolver * rectangle.lower;
+        box.upper = toSolver * rectangle.upper;
+        box.hard = rectangle.hard;
+        box.weight = rectangle.weight;
+        for (int face : rectangle.faces) {
+            for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c)
+                box.soupCorners.insert(box.soupCorners.end(), soupCorners[c].begin(), soupCorners[c].end());
+        }
+        if (!box.soupCorners.empty())
+            snapshot.rectangles.push_back(std::move(box));
+    }
+}
+
+} // namespace
+
+bool hasUvs(const Document &document)
+{
+    const UvMatrix &uv = document.uv();
+    for (Eigen::Index i = 0; i < uv.rows(); ++i) {
+        if (uv.row(i).allFinite())
+            return true;
+    }
+    return false;
+}
+
+Snapshot makeSnapshot(const Document &document, std::optional<StartMode> start)
+{
+    const DocumentState &state = document.state();
+    Snapshot snapshot;
+    snapshot.mesh = state.scene.mesh;
+    snapshot.settings = state.solveSettings;
+    snapshot.settings.start = start.value_or(snapshot.settings.start);
+    snapshot.pairState = state.seams.states;
+    snapshot.pairWeight = state.seams.weights;
+    snapshot.topologyRevision = document.topologyRevision();
+    snapshot.settingsRevision = document.settingsRevision();
+    addConstraints(snapshot, document);
+    if (snapshot.settings.start == StartMode::ExistingUv && hasUvs(document)) {
+        snapshot.startUv = soupUv(*snapshot.mesh, document.uv()) / document.uvScale();
+    }
+    return snapshot;
+}
+
+UvMatrix documentUvs(const Document &document, const UvMatrix &soupUv)
+{
+    const MeshData &mesh = document.mesh();
+    UvMatrix uv(mesh.cornerCount(), 2);
+    for (int s = mesh.soupCornerCount() - 1; s >= 0; --s)
+        uv.row(mesh.cornerOfSoup(s)) = document.uvScale() * soupUv.row(s);
+    return uv;
+}
+
+} // namespace autocuts

@@ -1,0 +1,212 @@
+#include "model/document/relink.h"
+
+#include "model/document/facematch.h"
+#include "model/plain/polygonsides.h"
+#include "model/plain/uvlayout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! Carries the parts of a state over, one after the other.
+class Carrier
+{
+public:
+    Carrier(const DocumentState &from, Scene scene)
+        : mFrom(from), mBefore(*from.scene.mesh), mAfter(*scene.mesh), mMatch(matchFaces(mBefore, mAfter))
+    {
+        mTo.scene = std::move(scene);
+        mReport.sameTopology = mMatch.sameTopology;
+        for (int face : mMatch.face)
+            ++(face >= 0 ? mReport.faces.kept : mReport.faces.lost);
+        mReport.newFaces = mAfter.faceCount() - mReport.faces.kept;
+    }
+
+    Relinked run()
+    {
+        carryUvs();
+        carrySeams();
+        carryPins();
+        carryRectangles();
+        carryMarks();
+        mTo.solveSettings = mFrom.solveSettings;
+        mTo.packingSettings = mFrom.packingSettings;
+        mTo.viewState = mFrom.viewState;
+        mTo.selection.mode = mFrom.selection.mode;
+        mTo.selection.faces = counterparts(mFrom.selection.faces, mMatch.face);
+        mTo.selection.corners = counterparts(mFrom.selection.corners, mMatch.corner);
+        return {std::move(mTo), std::move(mReport)};
+    }
+
+private:
+    static QList<int> counterparts(const QList<int> &indices, const std::vector<int> &match)
+    {
+        QList<int> result;
+        for (int index : indices) {
+            if (match[index] >= 0)
+                result.append(match[index]);
+        }
+        std::sort(result.begin(), result.end());
+        return result;
+    }
+
+    //! The scale is the texture length of a unit in which the whole mesh has area pi: it changes with the
+    //! share that the kept faces have in the whole.
+    double scaleFactor() const
+    {
+        double before = 0;
+        double after = 0;
+        for (int t = 0; t < mBefore.triangleCount(); ++t) {
+            if (mMatch.face[mBefore.triangleFace[t]] >= 0)
+                before += mBefore.triangleArea[t];
+        }
+        std::vector<bool> kept(static_cast<std::size_t>(mAfter.faceCount()), false);
+        for (int face : mMatch.face) {
+            if (face >= 0)
+                kept[face] = true;
+        }
+        for (int t = 0; t < mAfter.triangleCount(); ++t) {
+            if (kept[mAfter.triangleFace[t]])
+                after += mAfter.triangleArea[t];
+        }
+        const double factor = std::sqrt(before / mBefore.area / (after / mAfter.area));
+        return std::isfinite(factor) && factor > 0 ? factor : 1;
+    }
+
+    void carryUvs()
+    {
+        const double factor = mMatch.sameTopology ? 1 : scaleFactor();
+        mTo.scene.uvSets.clear();
+        for (const UvSet &set : mFrom.scene.uvSets) {
+            UvSet carried{set.name, emptyLayout(mAfter)};
+            for (int c = 0; c < mBefore.cornerCount(); ++c) {
+                if (mMatch.corner[c] >= 0)
+                    carried.uv.row(mMatch.corner[c]) = set.uv.row(c);
+            }
+            mTo.scene.uvSets.push_back(std::move(carried));
+        }
+        for (double scale : mFrom.uvScales) {
+            const double carried = scale * factor;
+            mTo.uvScales.push_back(std::isfinite(carried) && carried > 0 ? carried : scale);
+        }
+        mTo.activeUvSet = mFrom.activeUvSet;
+    }
+
+    void carrySeams()
+    {
+        mTo.seams = Seams::allFree(mAfter);
+        const std::vector<int> pairs = edgePairsBySide(mAfter);
+        const Seams plain = Seams::allFree(mBefore);
+        for (int p = 0; p < static_cast<int>(mBefore.edgePairs.size()); ++p) {
+            const auto isPlain = [&](int pair) {
+                return mFrom.seams.states[pair] == plain.states[pair] &&
+                       mFrom.seams.weights[pair] == plain.weights[pair];
+            };
+            if (isPlain(2 * p) && isPlain(2 * p + 1))
+                continue;
+            const SidePair before = sidePair(mBefore, p);
+            const std::array<int, 2> corners{mMatch.corner[before.startCorner[0]],
+                                             mMatch.corner[before.startCorner[1]]};
+            const int pair = corners[0] >= 0 && corners[1] >= 0 ? pairs[corners[0]] : -1;
+            if (pair < 0 || pairs[corners[1]] != pair) {
+                ++mReport.seams.lost;
+                continue;
+            }
+            const SidePair after = sidePair(mAfter, pair);
+            const std::size_t swapped = after.startCorner[0] != corners[0];
+            for (std::size_t end = 0; end < 2; ++end) {
+                mTo.seams.states[after.cornerPair[end ^ swapped]] =
+                    mFrom.seams.states[before.cornerPair[end]];
+                mTo.seams.weights[after.cornerPair[end ^ swapped]] =
+                    mFrom.seams.weights[before.cornerPair[end]];
+            }
+            ++mReport.seams.kept;
+        }
+    }
+
+    void carryPins()
+    {
+        auto &pins = mTo.constraints.pins;
+        for (UvPin pin : mFrom.constraints.pins) {
+            pin.corner = mMatch.corner[pin.corner];
+            if (pin.corner >= 0)
+                pins.push_back(pin);
+            else
+                ++mReport.pins.lost;
+        }
+        std::sort(pins.begin(), pins.end(),
+                  [](const UvPin &a, const UvPin &b) { return a.corner < b.corner; });
+        mReport.pins.kept = static_cast<int>(pins.size());
+    }
+
+    void carryRectangles()
+    {
+        for (LayoutRectangle rectangle : mFrom.constraints.rectangles) {
+            const QList<int> faces = counterparts(rectangle.faces, mMatch.face);
+            mReport.rectangleFaces.kept += static_cast<int>(faces.size());
+            mReport.rectangleFaces.lost += static_cast<int>(rectangle.faces.size() - faces.size());
+            rectangle.faces = faces;
+            mTo.constraints.rectangles.push_back(std::move(rectangle));
+        }
+    }
+
+    void carryMarks()
+    {
+        mTo.marks = IslandMarks::none(mAfter);
+        for (int f = 0; f < mBefore.faceCount(); ++f) {
+            const IslandFlags &flags = mFrom.marks.faceFlags[f];
+            if (flags == IslandFlags())
+                continue;
+            if (mMatch.face[f] >= 0)
+                mTo.marks.faceFlags[mMatch.face[f]] = flags;
+            ++(mMatch.face[f] >= 0 ? mReport.markedFaces.kept : mReport.markedFaces.lost);
+        }
+        for (const IslandTag &tag : mFrom.marks.tags) {
+            const QList<int> faces = counterparts(tag.faces, mMatch.face);
+            if (faces.isEmpty())
+                mReport.lostTags << tag.name;
+            else
+                mTo.marks.tags.push_back({tag.name, faces});
+        }
+    }
+
+    const DocumentState &mFrom;
+    const MeshData &mBefore;
+    const MeshData &mAfter;
+    FaceMatch mMatch;
+    DocumentState mTo;
+    RelinkReport mReport;
+};
+
+} // namespace
+
+QStringList RelinkReport::lines() const
+{
+    QStringList lines;
+    const auto add = [&](const Carried &carried, const QString &text) {
+        if (carried.lost > 0)
+            lines << text.arg(carried.lost).arg(carried.kept + carried.lost);
+    };
+    add(faces, u"%1 of %2 faces are not in the new model: their UVs are lost"_s);
+    if (newFaces > 0)
+        lines << u"%1 faces are new and have no UVs"_s.arg(newFaces);
+    add(seams, u"%1 of %2 cut, joined or painted edges are lost"_s);
+    add(pins, u"%1 of %2 pins are lost"_s);
+    add(rectangleFaces, u"%1 of %2 assignments of faces to rectangles are lost"_s);
+    add(markedFaces, u"%1 of %2 faces that are locked, stacked or grouped are lost"_s);
+    if (!lostTags.isEmpty())
+        lines << u"tags of which no face is left: %1"_s.arg(lostTags.join(u", "_s));
+    return lines;
+}
+
+Relinked relinkDocument(const DocumentState &state, Scene newScene)
+{
+    return Carrier(state, std::move(newScene)).run();
+}
+
+} // namespace autocuts

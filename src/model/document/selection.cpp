@@ -1,0 +1,54 @@
+#include "model/document/selection.h"
+
+#include "model/document/constraints.h"
+
+#include <algorithm>
+
+namespace autocuts {
+
+namespace {
+
+int edgeCount(const MeshData &mesh)
+{
+    return static_cast<int>(mesh.edgePairs.size() + mesh.boundarySides.size());
+}
+
+bool isDiagonal(const MeshData &mesh, int edge)
+{
+    return edge < static_cast<int>(mesh.edgePairs.size()) && mesh.edgePairs[edge].diagonal;
+}
+
+void normalizeList(QList<int> &list, int count)
+{
+    if (isIndexSet(list, count))
+        return; // leaves shared storage shared
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    list.removeIf([&](int i) { return i < 0 || i >= count; });
+}
+
+} // namespace
+
+void Selection::normalize(const MeshData &mesh)
+{
+    normalizeList(faces, mesh.faceCount());
+    normalizeList(edges, edgeCount(mesh));
+    normalizeList(corners, mesh.cornerCount());
+    const auto diagonal = [&](int edge) { return isDiagonal(mesh, edge); };
+    if (std::any_of(edges.cbegin(), edges.cend(), diagonal))
+        edges.removeIf(diagonal);
+}
+
+QString Selection::validate(const MeshData &mesh) const
+{
+    if (mode < SelectionMode::Vertices || mode > SelectionMode::Islands)
+        return QStringLiteral("The selection mode is unknown");
+    if (!isIndexSet(faces, mesh.faceCount()) || !isIndexSet(edges, edgeCount(mesh)) ||
+        !isIndexSet(corners, mesh.cornerCount()))
+        return QStringLiteral("The selection does not fit the mesh");
+    if (std::any_of(edges.begin(), edges.end(), [&](int edge) { return isDiagonal(mesh, edge); }))
+        return QStringLiteral("A diagonal is selected");
+    return {};
+}
+
+} // namespace autocuts

@@ -1,0 +1,153 @@
+#include "model/plain/chart.h"
+
+#include "model/plain/unionfind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace autocuts {
+
+namespace {
+
+//! One side of a polygon, from its lower to its higher welded vertex.
+struct Side
+{
+    int low, high; //!< welded vertices
+    int cornerLow, cornerHigh;
+    int face;
+
+    bool sameEdge(const Side &other) const { return low == other.low && high == other.high; }
+};
+
+std::vector<Side> sortedSides(const MeshData &mesh)
+{
+    std::vector<Side> sides;
+    sides.reserve(mesh.cornerCount());
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        const int start = mesh.faceStart[f];
+        const int end = mesh.faceStart[f + 1];
+        for (int c = start; c < end; ++c) {
+            const int d = c + 1 < end ? c + 1 : start;
+            const int a = mesh.vertexWeld[mesh.cornerVertex[c]];
+            const int b = mesh.vertexWeld[mesh.cornerVertex[d]];
+            if (a < b)
+                sides.push_back({a, b, c, d, f});
+            else if (b < a)
+                sides.push_back({b, a, d, c, f});
+        }
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side &a, const Side &b) {
+        return std::tie(a.low, a.high, a.cornerLow, a.cornerHigh) <
+               std::tie(b.low, b.high, b.cornerLow, b.cornerHigh);
+    });
+    return sides;
+}
+
+void findUvBox(const MeshData &mesh, const UvMatrix &uv, UvTopology &topology)
+{
+    topology.boxLow = Vec2::Constant(std::numeric_limits<double>::infinity());
+    topology.boxHigh = -topology.boxLow;
+    topology.faceHasUv.assign(mesh.faceCount(), true);
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        for (int c = mesh.faceStart[f]; c < mesh.faceStart[f + 1]; ++c) {
+            if (!uv.row(c).allFinite())
+                topology.faceHasUv[f] = false;
+        }
+        if (!topology.faceHasUv[f])
+            continue;
+        for (int c = mesh.faceStart[f]; c < mesh.faceStart[f + 1]; ++c) {
+            topology.boxLow = topology.boxLow.cwiseMin(uv.row(c).transpose());
+            topology.boxHigh = topology.boxHigh.cwiseMax(uv.row(c).transpose());
+        }
+    }
+}
+
+//! Joins the sides of one 3D edge that agree in UV space; returns one side of each group and its size.
+std::vector<std::pair<const Side *, int>> joinAgreeing(const Side *first, const Side *last,
+                                                       const UvMatrix &uv, double tolerance, UnionFind &faces,
+                                                       UnionFind &corners, const std::vector<bool> &faceHasUv)
+{
+    const auto agree = [&](int a, int b) { return (uv.row(a) - uv.row(b)).stableNorm() <= tolerance; };
+    std::vector<std::pair<const Side *, int>> groups;
+    for (const Side *side = first; side != last; ++side) {
+        if (!faceHasUv[side->face])
+            continue;
+        const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto &group) {
+            return agree(group.first->cornerLow, side->cornerLow) &&
+                   agree(group.first->cornerHigh, side->cornerHigh);
+        });
+        if (same == groups.end()) {
+            groups.emplace_back(side, 1);
+            continue;
+        }
+        ++same->second;
+        faces.unite(same->first->face, side->face);
+        corners.unite(same->first->cornerLow, side->cornerLow);
+        corners.unite(same->first->cornerHigh, side->cornerHigh);
+    }
+    return groups;
+}
+
+} // namespace
+
+std::vector<std::vector<int>> ChartMap::faces() const
+{
+    std::vector<std::vector<int>> result(count);
+    for (int f = 0; f < static_cast<int>(faceChart.size()); ++f) {
+        if (faceChart[f] >= 0)
+            result[faceChart[f]].push_back(f);
+    }
+    return result;
+}
+
+UvTopology findUvTopology(const MeshData &mesh, const UvMatrix &uv)
+{
+    UvTopology topology;
+    findUvBox(mesh, uv, topology);
+    const double tolerance = 1e-6 * topology.boxDiagonal();
+    const std::vector<Side> sides = sortedSides(mesh);
+
+    UnionFind faces(mesh.faceCount());
+    UnionFind corners(mesh.cornerCount());
+    std::vector<int> edgeFace; // of each UV edge
+    for (std::size_t i = 0; i < sides.size();) {
+        std::size_t j = i;
+        WeldedEdge edge{{sides[i].cornerLow, sides[i].cornerHigh}};
+        for (; j < sides.size() && sides[j].sameEdge(sides[i]); ++j) {
+            ++edge.sides;
+            edge.sidesWithUv += topology.faceHasUv[sides[j].face];
+        }
+        for (const auto &[side, size] : joinAgreeing(sides.data() + i, sides.data() + j, uv, tolerance, faces,
+                                                     corners, topology.faceHasUv)) {
+            ++edge.copies;
+            topology.uvEdges.push_back({{side->cornerLow, side->cornerHigh}, 0, size == 1});
+            edgeFace.push_back(side->face);
+        }
+        topology.weldedEdges.push_back(edge);
+        i = j;
+    }
+
+    ChartMap &charts = topology.charts;
+    charts.faceChart.assign(mesh.faceCount(), -1);
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        if (!topology.faceHasUv[f])
+            continue;
+        const int root = faces.find(f);
+        charts.faceChart[f] = root == f ? charts.count++ : charts.faceChart[root];
+    }
+    for (std::size_t e = 0; e < edgeFace.size(); ++e)
+        topology.uvEdges[e].chart = charts.faceChart[edgeFace[e]];
+    topology.cornerRoot.resize(mesh.cornerCount());
+    for (int c = 0; c < mesh.cornerCount(); ++c)
+        topology.cornerRoot[c] = corners.find(c);
+    return topology;
+}
+
+ChartMap findCharts(const MeshData &mesh, const UvMatrix &uv)
+{
+    return findUvTopology(mesh, uv).charts;
+}
+
+} // namespace autocuts

@@ -1,0 +1,68 @@
+// Who is next to whom on a mesh, for selecting. Plain: no Qt.
+//
+// Words. A *vertex* is a welded vertex (MeshData::vertexWeld). An *edge* is a side of a polygon: first all
+// edge pairs in their order, then all boundary sides. Diagonals keep their numbers, so that an edge number
+// below edgePairs.size() is an edge pair, but no list here contains one. On a non-manifold edge the pair and
+// the sides that are left over are edges of their own between the same vertices.
+#pragma once
+
+#include "model/plain/meshdata.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace autocuts {
+
+//! Lists of integers one after the other.
+struct IndexLists
+{
+    std::vector<int> start{0};
+    std::vector<int> items;
+
+    std::span<const int> of(int list) const
+    {
+        return {items.data() + start[list], items.data() + start[list + 1]};
+    }
+};
+
+//! Adjacency of vertices, edges and faces; built once per mesh.
+class MeshAdjacency
+{
+public:
+    explicit MeshAdjacency(const MeshData &mesh);
+
+    int edgeCount() const { return static_cast<int>(mEdgeVertices.size()); }
+    bool isDiagonal(int edge) const { return mDiagonal[edge]; }
+    //! True when the edge has only one face.
+    bool isBoundary(int edge) const { return mEdgeFaces[edge][1] < 0; }
+    //! Both ends; equal for a side without length.
+    const std::array<int, 2> &edgeVertices(int edge) const { return mEdgeVertices[edge]; }
+    //! The end that is not the given one. \pre vertex is an end of the edge
+    int otherEnd(int edge, int vertex) const
+    {
+        return mEdgeVertices[edge][0] == vertex ? mEdgeVertices[edge][1] : mEdgeVertices[edge][0];
+    }
+    //! The faces on both sides, the second one -1 on a boundary.
+    const std::array<int, 2> &edgeFaces(int edge) const { return mEdgeFaces[edge]; }
+    double edgeLength(int edge) const { return mEdgeLength[edge]; }
+
+    //! The edge from a corner to the next corner of its polygon.
+    int edgeOfCorner(int corner) const { return mCornerEdge[corner]; }
+    //! Edges that end at a vertex, in rising order.
+    std::span<const int> vertexEdges(int vertex) const { return mVertexEdges.of(vertex); }
+    //! Corners at a vertex, in rising order.
+    std::span<const int> vertexCorners(int vertex) const { return mVertexCorners.of(vertex); }
+    //! All corners, those of one vertex beside each other.
+    const std::vector<int> &cornersByVertex() const { return mVertexCorners.items; }
+    int faceOfCorner(int corner) const { return mCornerFace[corner]; }
+
+private:
+    std::vector<std::array<int, 2>> mEdgeVertices, mEdgeFaces;
+    std::vector<double> mEdgeLength;
+    std::vector<bool> mDiagonal;
+    std::vector<int> mCornerEdge, mCornerFace;
+    IndexLists mVertexEdges, mVertexCorners;
+};
+
+} // namespace autocuts

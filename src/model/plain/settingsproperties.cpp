@@ -1,0 +1,40 @@
+#include "model/plain/settingsproperties.h"
+
+#include <cmath>
+
+namespace autocuts {
+
+int differences(const SolveSettings &a, const SolveSettings &b)
+{
+    return (a.lambda != b.lambda ? LambdaProperty : 0) | (a.delta != b.delta ? DeltaProperty : 0) |
+           (a.boxWeight != b.boxWeight ? BoxWeightProperty : 0) |
+           (a.energy != b.energy ? EnergyProperty : 0) |
+           (a.weighting != b.weighting ? WeightingProperty : 0) | (a.start != b.start ? StartProperty : 0) |
+           (a.solver != b.solver ? SolverProperty : 0) | (a.seed != b.seed ? SeedProperty : 0) |
+           (a.creases != b.creases ? CreasesProperty : 0) |
+           (a.creaseStrength != b.creaseStrength ? CreaseStrengthProperty : 0) |
+           (a.visibility != b.visibility ? VisibilityProperty : 0) |
+           (a.symmetry != b.symmetry ? SymmetryProperty : 0);
+}
+
+int differences(const PackingSettings &a, const PackingSettings &b)
+{
+    return (a.textureSize != b.textureSize ? TextureSizeProperty : 0) |
+           (a.margin != b.margin ? MarginProperty : 0) | (a.udimTile != b.udimTile ? UdimTileProperty : 0) |
+           (a.rotation != b.rotation ? RotationProperty : 0) |
+           (a.keepScale != b.keepScale ? KeepScaleProperty : 0);
+}
+
+bool isValid(const SolveSettings &settings)
+{
+    const auto inRange = [](auto value, auto last) { return value >= decltype(last){} && value <= last; };
+    return settings.lambda >= 0 && settings.lambda <= 1 && std::isfinite(settings.delta) &&
+           settings.delta > 0 && std::isfinite(settings.boxWeight) && settings.boxWeight >= 0 &&
+           inRange(settings.energy, DistortionEnergy::Amips) &&
+           inRange(settings.weighting, SeamWeighting::Count) &&
+           inRange(settings.start, StartMode::ExistingUv) && inRange(settings.solver, SolverKind::Exact) &&
+           inRange(settings.creases, CreaseMode::On) && inRange(settings.creaseStrength, 1.0) &&
+           inRange(settings.visibility, 1.0);
+}
+
+} // namespace autocuts

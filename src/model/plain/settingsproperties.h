@@ -1,0 +1,41 @@
+// Names for the single settings, as bit masks: which of them differ. Plain: no Qt.
+#pragma once
+
+#include "model/plain/packingsettings.h"
+#include "model/plain/solvesettings.h"
+
+namespace autocuts {
+
+//! The fields of SolveSettings.
+enum SolveProperty {
+    LambdaProperty = 1 << 0,
+    DeltaProperty = 1 << 1,
+    BoxWeightProperty = 1 << 2,
+    EnergyProperty = 1 << 3,
+    WeightingProperty = 1 << 4,
+    StartProperty = 1 << 5,
+    SolverProperty = 1 << 6,
+    SeedProperty = 1 << 7,
+    CreasesProperty = 1 << 8,
+    CreaseStrengthProperty = 1 << 9,
+    VisibilityProperty = 1 << 10,
+    SymmetryProperty = 1 << 11
+};
+
+//! The fields of PackingSettings.
+enum PackingProperty {
+    TextureSizeProperty = 1 << 0,
+    MarginProperty = 1 << 1,
+    UdimTileProperty = 1 << 2,
+    RotationProperty = 1 << 3,
+    KeepScaleProperty = 1 << 4
+};
+
+//! Mask of SolveProperty in which a and b differ.
+int differences(const SolveSettings &a, const SolveSettings &b);
+//! Mask of PackingProperty in which a and b differ.
+int differences(const PackingSettings &a, const PackingSettings &b);
+//! True when every field is in the range that its comment in solvesettings.h gives.
+bool isValid(const SolveSettings &settings);
+
+} // namespace autocuts

@@ -1,0 +1,97 @@
+#include "solver/base/seamedmap.h"
+
+#include <cmath>
+
+namespace autocuts {
+
+double SeamedMap::distortion(const Soup &soup) const
+{
+    // At scale s the mean is s^2 P + Q / s^2; the best scale gives 2 sqrt(P Q).
+    double p = 0, q = 0, w = 0;
+    for (int t = 0; t < soup.triangleCount(); ++t) {
+        if (soup.mesh->triangleDegenerate[t])
+            continue;
+        const double *c = &x[6 * static_cast<std::size_t>(t)];
+        const Soup::Basis &b = soup.basis[t];
+        const double j00 = c[0] * b[0] + c[2] * b[2] + c[4] * b[4];
+        const double j01 = c[0] * b[1] + c[2] * b[3] + c[4] * b[5];
+        const double j10 = c[1] * b[0] + c[3] * b[2] + c[5] * b[4];
+        const double j11 = c[1] * b[1] + c[3] * b[3] + c[5] * b[5];
+        const double squares = j00 * j00 + j01 * j01 + j10 * j10 + j11 * j11;
+        const double det = j00 * j11 - j01 * j10;
+        p += soup.weight[t] * squares;
+        q += soup.weight[t] * squares / (det * det);
+        w += soup.weight[t];
+    }
+    return 2 * std::sqrt(p * q) / w;
+}
+
+double SeamedMap::seamLength(const Soup &soup) const
+{
+    double sum = 0;
+    for (std::size_t e = 0; e < cut.size(); ++e) {
+        if (cut[e])
+            sum += soup.pairLength[2 * e];
+    }
+    return sum;
+}
+
+double SeamedMap::seamCost(const Soup &soup, const Snapshot &snapshot) const
+{
+    const bool counts = snapshot.settings.weighting == SeamWeighting::Count;
+    double sum = 0;
+    for (std::size_t e = 0; e < cut.size(); ++e) {
+        if (cut[e])
+            sum += snapshot.edgeWeight(e) * (counts ? soup.meanEdgeLength : soup.pairLength[2 * e]);
+    }
+    return sum;
+}
+
+std::string SeamedMap::validate(const Soup &soup) const
+{
+    const MeshData &mesh = *soup.mesh;
+    if (cut.size() != mesh.edgePairs.size() || static_cast<int>(x.size()) != soup.coordinateCount())
+        return "the map does not fit the mesh";
+    for (std::size_t e = 0; e < cut.size(); ++e) {
+        if (cut[e] && mesh.edgePairs[e].diagonal)
+            return "a polygon is split";
+    }
+    const CutMesh state(mesh, cut);
+    std::vector<int> first(state.uvVertexCount, -1);
+    for (std::size_t c = 0; c < state.uvVertex.size(); ++c) {
+        int &f = first[state.uvVertex[c]];
+        if (f < 0)
+            f = static_cast<int>(c);
+        if (x[2 * c] != x[2 * static_cast<std::size_t>(f)] ||
+            x[2 * c + 1] != x[2 * static_cast<std::size_t>(f) + 1])
+            return "two corners of one UV vertex are apart";
+    }
+    for (int t = 0; t < soup.triangleCount(); ++t) {
+        if (!(jacobianDeterminant(soup, x.data(), t) > 0))
+            return "a triangle is flipped or has no area";
+    }
+    return {};
+}
+
+UvMatrix cornerUv(const Soup &soup, const SeamedMap &map)
+{
+    const MeshData &mesh = *soup.mesh;
+    UvMatrix uv(mesh.cornerCount(), 2);
+    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
+        uv(mesh.cornerOfSoup(c), 0) = map.x[2 * static_cast<std::size_t>(c)];
+        uv(mesh.cornerOfSoup(c), 1) = map.x[2 * static_cast<std::size_t>(c) + 1];
+    }
+    return uv;
+}
+
+ChartMap chartsOf(const MeshData &mesh, const CutMesh &state)
+{
+    ChartMap charts;
+    charts.count = state.chartCount;
+    charts.faceChart.assign(mesh.faceCount(), -1);
+    for (int t = 0; t < mesh.triangleCount(); ++t)
+        charts.faceChart[mesh.triangleFace[t]] = state.chart[t];
+    return charts;
+}
+
+} // namespace autocuts

@@ -1,0 +1,38 @@
+// A UV map whose seams are decided.
+#pragma once
+
+#include "model/plain/chart.h"
+#include "model/plain/snapshot.h"
+#include "solver/base/cutmesh.h"
+#include "solver/base/soup.h"
+
+#include <string>
+#include <vector>
+
+namespace autocuts {
+
+//! A UV map with definite seams. Corners that share a UV vertex have bitwise equal coordinates; every
+//! triangle is positively oriented.
+struct SeamedMap
+{
+    CutFlags cut;          //!< per edge pair
+    std::vector<double> x; //!< coordinates, see Soup
+
+    //! Mean symmetric Dirichlet energy at the best common scale; 4 is isometric. Triangles without area in 3D
+    //! do not count.
+    double distortion(const Soup &soup) const;
+    //! 3D length of the seams in solver units: seam_norm. Diagonals are never seams.
+    double seamLength(const Soup &soup) const;
+    //! What a solve makes small: their length or count, each edge times its weight.
+    double seamCost(const Soup &soup, const Snapshot &snapshot) const;
+    //! Empty when all invariants hold, else the first broken one.
+    std::string validate(const Soup &soup) const;
+};
+
+//! Per-corner UVs of a seamed map, in solver units.
+UvMatrix cornerUv(const Soup &soup, const SeamedMap &map);
+
+//! The charts that cut flags give, by face.
+ChartMap chartsOf(const MeshData &mesh, const CutMesh &state);
+
+} // namespace autocuts

@@ -1,0 +1,61 @@
+// The triangle soup in solver units: every triangle on its own, joined by corner pairs.
+#pragma once
+
+#include "model/plain/snapshot.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace autocuts {
+
+//! The corners that a soup corner is paired with: one across each of the two sides that meet at it.
+struct CornerPartners
+{
+    std::array<int, 2> corner{-1, -1}; //!< soup corner; -1 at a border
+    std::array<int, 2> pair{-1, -1};   //!< corner pair
+};
+
+//! Rest shapes and corner pairs, scaled so that the mesh has area pi. Immutable. Coordinates of the solver
+//! are a flat vector x of 2 * soupCornerCount() numbers: u and v of soup corner c are x[2c] and x[2c + 1].
+struct Soup
+{
+    //! Linear map from a triangle's corners to its Jacobian: J(r, c) = sum over k of x(corner k)[r] * b[2k +
+    //! c].
+    using Basis = std::array<double, 6>;
+
+    std::shared_ptr<const MeshData> mesh;
+    double scale = 1;                             //!< mesh units to solver units
+    std::vector<Basis> basis;                     //!< per triangle
+    std::vector<std::array<double, 6>> restShape; //!< per triangle, isometric copy: x0 y0 x1 y1 x2 y2
+    std::vector<double> weight;                   //!< per triangle, share of the total area
+    std::vector<std::array<int, 2>> pairCorners;  //!< per corner pair, the two soup corners
+    std::vector<CornerPartners> partners;         //!< per soup corner
+    std::vector<double> pairLength;               //!< per corner pair, length of its edge
+    double meanEdgeLength = 0;
+
+    int triangleCount() const { return static_cast<int>(basis.size()); }
+    int coordinateCount() const { return 6 * triangleCount(); }
+
+    //! Triangles without area get a thin stand-in shape and a weight near zero, so that they stay unfolded
+    //! without pulling at the others. \throws std::invalid_argument when the mesh has no area at all
+    static std::shared_ptr<const Soup> build(std::shared_ptr<const MeshData> mesh);
+};
+
+//! The coordinates as one row per soup corner.
+inline UvMatrix rowsOf(const std::vector<double> &x)
+{
+    return Eigen::Map<const UvMatrix>(x.data(), static_cast<Eigen::Index>(x.size() / 2), 2);
+}
+
+//! Determinant of the Jacobian of triangle t at x: signed area in UV over area at rest.
+inline double jacobianDeterminant(const Soup &soup, const double *x, int t)
+{
+    const double *p = x + 6 * static_cast<std::ptrdiff_t>(t);
+    const Soup::Basis &b = soup.basis[t];
+    const double restFactor = b[2] * b[5] - b[3] * b[4]; // 1 / twice the area at rest
+    return ((p[2] - p[0]) * (p[5] - p[1]) - (p[3] - p[1]) * (p[4] - p[0])) * restFactor;
+}
+
+} // namespace autocuts

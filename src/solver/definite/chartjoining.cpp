@@ -1,0 +1,406 @@
+#include "solver/definite/chartjoining.h"
+
+#include "solver/energy/distortion.h"
+#include "solver/newton/minimizer.h"
+#include "solver/overlap/overlapfinder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace autocuts::definite {
+
+namespace {
+
+//! How far the triangles around a closed seam may move: rings of triangles.
+constexpr int looseRings = 8;
+constexpr int zipRings = 5;
+constexpr int localSteps = 10;
+//! An edge fits when its ends are nearer to each other than this part of its length.
+constexpr double fitDistance = 0.6;
+constexpr double smallestDeterminant = 0.05;
+
+//! A rotation about the origin, then a translation.
+struct RigidMotion
+{
+    double c = 1, s = 0;
+    Vec2 shift = Vec2::Zero();
+
+    Vec2 operator()(const Vec2 &p) const
+    {
+        return {c * p.x() - s * p.y() + shift.x(), s * p.x() + c * p.y() + shift.y()};
+    }
+};
+
+//! A corner pair on the seam between two charts: where it is in the chart that stays and in the one that
+//! moves.
+struct SeamPoint
+{
+    Vec2 fixed, moving;
+    double weight;
+};
+
+//! Least-squares motion of `moving` onto `fixed`.
+RigidMotion fitMotion(const std::vector<SeamPoint> &points)
+{
+    Vec2 a = Vec2::Zero(), b = Vec2::Zero();
+    double sum = 0;
+    for (const SeamPoint &p : points) {
+        a += p.weight * p.fixed;
+        b += p.weight * p.moving;
+        sum += p.weight;
+    }
+    a /= sum;
+    b /= sum;
+    double dot = 0, cross = 0;
+    for (const SeamPoint &p : points) {
+        const Vec2 u = p.moving - b, v = p.fixed - a;
+        dot += p.weight * u.dot(v);
+        cross += p.weight * (u.x() * v.y() - u.y() * v.x());
+    }
+    const double length = std::hypot(dot, cross);
+    RigidMotion motion;
+    if (length > 0) {
+        motion.c = dot / length;
+        motion.s = cross / length;
+    }
+    motion.shift = a - Vec2(motion.c * b.x() - motion.s * b.y(), motion.s * b.x() + motion.c * b.y());
+    return motion;
+}
+
+class Merger
+{
+public:
+    Merger(std::shared_ptr<const Soup> soup, const Snapshot &snapshot, SeamedMap &map,
+           const JoinOptions &options)
+        : mSoup(std::move(soup)), mMesh(*mSoup->mesh), mSnapshot(snapshot), mMap(map), mOptions(options)
+    {}
+
+    int joinCharts()
+    {
+        int joins = 0, tries = 0;
+        bool again = true;
+        while (again) {
+            again = false;
+            const CutMesh state(mMesh, mMap.cut);
+            mDistortion = mMap.distortion(*mSoup);
+            std::set<int> touched; // charts that have changed in this round
+            for (const auto &[charts, edges] : neighbours(state)) {
+                if (tries >= mOptions.tries || (mOptions.cancel && mOptions.cancel->load()))
+                    return joins;
+                if (touched.count(charts.first) || touched.count(charts.second) ||
+                    mFailed.count(edges.front()))
+                    continue;
+                ++tries;
+                if (join(state, charts.first, charts.second, edges)) {
+                    touched.insert({charts.first, charts.second});
+                    ++joins;
+                    again = true;
+                } else {
+                    mFailed.insert(edges.front());
+                }
+            }
+        }
+        return joins;
+    }
+
+    //! Closes seams from their loose ends, edge by edge.
+    int zipSeams()
+    {
+        int zipped = 0, tries = 0;
+        mDistortion = mMap.distortion(*mSoup);
+        bool again = true;
+        while (again) {
+            again = false;
+            for (const int e : looseEnds()) {
+                if (mFailed.count(e))
+                    continue;
+                if (++tries > mOptions.tries || (mOptions.cancel && mOptions.cancel->load()))
+                    return zipped;
+                if (close({e}, mMap.x, zipRings)) {
+                    ++zipped;
+                    again = true;
+                } else {
+                    mFailed.insert(e);
+                }
+            }
+        }
+        return zipped;
+    }
+
+private:
+    using ChartPair = std::pair<int, int>; //!< the larger chart first
+
+    //! Pairs of charts with a common seam and its edges, the longest seam first.
+    std::vector<std::pair<ChartPair, std::vector<int>>> neighbours(const CutMesh &state) const
+    {
+        std::vector<double> area(state.chartCount, 0);
+        for (int t = 0; t < mMesh.triangleCount(); ++t)
+            area[state.chart[t]] += mSoup->weight[t];
+        std::map<ChartPair, std::vector<int>> seams;
+        for (std::size_t e = 0; e < mMap.cut.size(); ++e) {
+            if (!mMap.cut[e] || cutByUser(e))
+                continue;
+            int a = state.chart[mMesh.edgePairs[e].triangle[0]];
+            int b = state.chart[mMesh.edgePairs[e].triangle[1]];
+            if (a == b)
+                continue;
+            if (area[a] < area[b] || (area[a] == area[b] && b < a))
+                std::swap(a, b);
+            seams[{a, b}].push_back(static_cast<int>(e));
+        }
+        std::vector<std::pair<ChartPair, std::vector<int>>> result(seams.begin(), seams.end());
+        const auto length = [this](const std::vector<int> &edges) {
+            return std::accumulate(edges.begin(), edges.end(), 0.0, [this](double sum, int e) {
+                return sum + mSoup->pairLength[2 * static_cast<std::size_t>(e)];
+            });
+        };
+        std::stable_sort(result.begin(), result.end(),
+                         [&](const auto &a, const auto &b) { return length(a.second) > length(b.second); });
+        return result;
+    }
+
+    //! Cut edges with one end where the seam ends inside a chart.
+    std::vector<int> looseEnds() const
+    {
+        const CutMesh state(mMesh, mMap.cut);
+        std::vector<int> result;
+        for (std::size_t e = 0; e < mMap.cut.size(); ++e) {
+            if (!mMap.cut[e] || cutByUser(e))
+                continue;
+            const EdgePair &pair = mMesh.edgePairs[e];
+            if (state.uvVertex[pair.corner[0][0]] == state.uvVertex[pair.corner[0][1]] ||
+                state.uvVertex[pair.corner[1][0]] == state.uvVertex[pair.corner[1][1]])
+                result.push_back(static_cast<int>(e));
+        }
+        return result;
+    }
+
+    bool cutByUser(std::size_t edge) const
+    {
+        return !mSnapshot.pairState.empty() && (mSnapshot.pairState[2 * edge] == PairState::Cut ||
+                                                mSnapshot.pairState[2 * edge + 1] == PairState::Cut);
+    }
+
+    Vec2 place(int corner) const
+    {
+        const std::size_t at = 2 * static_cast<std::size_t>(corner);
+        return {mMap.x[at], mMap.x[at + 1]};
+    }
+
+    //! The two corner pairs of an edge, seen from the chart that stays.
+    std::array<SeamPoint, 2> seamPoints(const CutMesh &state, int edge, int fixedChart) const
+    {
+        const EdgePair &pair = mMesh.edgePairs[edge];
+        const int fixed = state.chart[pair.triangle[0]] == fixedChart ? 0 : 1;
+        const double w = mSoup->pairLength[2 * static_cast<std::size_t>(edge)];
+        std::array<SeamPoint, 2> points;
+        for (int end = 0; end < 2; ++end)
+            points[end] = {place(pair.corner[end][fixed]), place(pair.corner[end][1 - fixed]), w};
+        return points;
+    }
+
+    //! Finds the motion and the edges that fit under it; refits to those a few times.
+    std::pair<RigidMotion, std::vector<int>> align(const CutMesh &state, int fixedChart,
+                                                   const std::vector<int> &edges) const
+    {
+        std::vector<int> kept = edges;
+        RigidMotion motion;
+        for (int round = 0; round < 6 && !kept.empty(); ++round) {
+            std::vector<SeamPoint> points;
+            for (const int e : kept) {
+                for (const SeamPoint &p : seamPoints(state, e, fixedChart))
+                    points.push_back(p);
+            }
+            motion = fitMotion(points);
+            // The worst third goes in the first rounds, then what does not fit.
+            std::vector<std::pair<double, int>> misfit;
+            for (const int e : round < 3 ? kept : edges) {
+                double worst = 0;
+                for (const SeamPoint &p : seamPoints(state, e, fixedChart))
+                    worst = std::max(worst, (motion(p.moving) - p.fixed).norm() / p.weight);
+                misfit.emplace_back(worst, e);
+            }
+            std::sort(misfit.begin(), misfit.end());
+            if (round < 3 && misfit.back().first > fitDistance)
+                misfit.resize(misfit.size() - misfit.size() / 3);
+            kept.clear();
+            for (const auto &[worst, e] : misfit) {
+                if (round < 3 || worst <= fitDistance)
+                    kept.push_back(e);
+            }
+        }
+        std::sort(kept.begin(), kept.end());
+        return {motion, kept};
+    }
+
+    bool join(const CutMesh &state, int fixedChart, int movingChart, const std::vector<int> &edges)
+    {
+        const auto [motion, kept] = align(state, fixedChart, edges);
+        if (kept.empty())
+            return false;
+        std::vector<double> x = mMap.x;
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            if (state.chart[t] != movingChart)
+                continue;
+            for (int c = 3 * t; c < 3 * t + 3; ++c) {
+                const Vec2 p = motion(place(c));
+                x[2 * static_cast<std::size_t>(c)] = p.x();
+                x[2 * static_cast<std::size_t>(c) + 1] = p.y();
+            }
+        }
+        return close(kept, std::move(x), looseRings);
+    }
+
+    //! Closes edges whose sides lie near each other in x; keeps the result when it is worth it.
+    bool close(const std::vector<int> &edges, std::vector<double> x, int rings)
+    {
+        SeamedMap trial{mMap.cut, std::move(x)};
+        double gain = 0;
+        for (const int e : edges) {
+            trial.cut[e] = false;
+            gain += mSnapshot.edgeWeight(e) * mSoup->pairLength[2 * static_cast<std::size_t>(e)];
+        }
+        const CutMesh joined(mMesh, trial.cut);
+        if (!snapSeam(joined, edges, trial.x))
+            return false;
+        relaxAround(joined, edges, rings, trial.x);
+        const double distortion = trial.distortion(*mSoup);
+        const double cost = distortion - mDistortion;
+        if (!(cost <= mOptions.costPerLength * gain) || (distortion > mOptions.maxDistortion && cost > 0))
+            return false;
+        const int chart = joined.chart[mMesh.edgePairs[edges[0]].triangle[0]];
+        if (!mOptions.allowOverlaps && coversItself(joined, chart, trial.x))
+            return false;
+        mMap = std::move(trial);
+        mDistortion = distortion;
+        return true;
+    }
+
+    //! Puts the corners of the UV vertices on the closed edges at their average; false when that folds a
+    //! triangle.
+    bool snapSeam(const CutMesh &joined, const std::vector<int> &kept, std::vector<double> &x) const
+    {
+        std::set<int> vertices;
+        for (const int e : kept) {
+            for (int end = 0; end < 2; ++end)
+                vertices.insert(joined.uvVertex[mMesh.edgePairs[e].corner[end][0]]);
+        }
+        std::map<int, std::pair<Vec2, int>> sums;
+        std::set<int> triangles;
+        for (int c = 0; c < mMesh.soupCornerCount(); ++c) {
+            const int v = joined.uvVertex[c];
+            if (!vertices.count(v))
+                continue;
+            auto &[sum, count] = sums.try_emplace(v, Vec2::Zero(), 0).first->second;
+            sum += Vec2(x[2 * static_cast<std::size_t>(c)], x[2 * static_cast<std::size_t>(c) + 1]);
+            ++count;
+            triangles.insert(c / 3);
+        }
+        for (const int t : triangles) {
+            for (int c = 3 * t; c < 3 * t + 3; ++c) {
+                const auto found = sums.find(joined.uvVertex[c]);
+                if (found == sums.end())
+                    continue;
+                const Vec2 middle = found->second.first / found->second.second;
+                x[2 * static_cast<std::size_t>(c)] = middle.x();
+                x[2 * static_cast<std::size_t>(c) + 1] = middle.y();
+            }
+            if (!(jacobianDeterminant(*mSoup, x.data(), t) > smallestDeterminant))
+                return false;
+        }
+        return true;
+    }
+
+    //! Minimises the distortion of the triangles near the closed edges; everything else is held.
+    void relaxAround(const CutMesh &joined, const std::vector<int> &kept, int rings,
+                     std::vector<double> &x) const
+    {
+        std::vector<int> ring;
+        std::vector<bool> loose(mMesh.triangleCount(), false);
+        for (const int e : kept) {
+            for (const int t : mMesh.edgePairs[e].triangle) {
+                if (!loose[t])
+                    ring.push_back(t);
+                loose[t] = true;
+            }
+        }
+        for (int i = 0; i < rings; ++i) {
+            std::vector<int> next;
+            for (const int t : ring) {
+                for (int k = 0; k < 3; ++k) {
+                    const int other = joined.neighbour[3 * t + k];
+                    if (other >= 0 && !loose[other / 3]) {
+                        loose[other / 3] = true;
+                        next.push_back(other / 3);
+                    }
+                }
+            }
+            ring = std::move(next);
+        }
+        // A UV vertex moves when all its triangles are loose.
+        std::vector<bool> held(joined.uvVertexCount, false);
+        for (int c = 0; c < mMesh.soupCornerCount(); ++c) {
+            if (!loose[c / 3])
+                held[joined.uvVertex[c]] = true;
+        }
+        std::vector<int> number(joined.uvVertexCount, -1);
+        newton::UnknownMap unknowns;
+        for (int v = 0; v < joined.uvVertexCount; ++v) {
+            if (!held[v])
+                number[v] = unknowns.count++;
+        }
+        for (int c = 0; c < mMesh.soupCornerCount(); ++c)
+            unknowns.unknown.push_back(number[joined.uvVertex[c]]);
+        if (unknowns.count == 0)
+            return;
+        const auto distortion = energy::makeDistortionTerm(mSoup, mSnapshot.settings.energy);
+        newton::Minimizer minimizer(mSoup, newton::makeExactDirection(mSoup, std::move(unknowns)));
+        minimizer.setTerms({distortion.get()});
+        for (int i = 0; i < localSteps; ++i) {
+            const newton::Minimizer::Step step = minimizer.step(x);
+            if (step.before - step.after < 1e-6 * step.before)
+                break;
+        }
+    }
+
+    bool coversItself(const CutMesh &joined, int chart, const std::vector<double> &x) const
+    {
+        std::vector<int> triangles;
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            if (joined.chart[t] == chart)
+                triangles.push_back(t);
+        }
+        overlap::OverlapOptions options;
+        options.maxPairs = 1;
+        const UvMatrix uv = Eigen::Map<const UvMatrix>(x.data(), mMesh.soupCornerCount(), 2);
+        options.totalArea = overlap::totalUvArea(uv);
+        return !overlap::findOverlapsAmong(uv, triangles, options).pairs.empty();
+    }
+
+    std::shared_ptr<const Soup> mSoup;
+    const MeshData &mMesh;
+    const Snapshot &mSnapshot;
+    SeamedMap &mMap;
+    const JoinOptions &mOptions;
+    double mDistortion = 0;
+    std::set<int> mFailed; //!< first edges of seams that could not be closed
+};
+
+} // namespace
+
+int joinCharts(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map,
+               const JoinOptions &options)
+{
+    return Merger(soup, snapshot, map, options).joinCharts();
+}
+
+int zipSeams(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map,
+             const JoinOptions &options)
+{
+    return Merger(soup, snapshot, map, options).zipSeams();
+}
+
+} // namespace autocuts::definite

@@ -1,0 +1,116 @@
+#include "solver/definite/definitemap.h"
+
+#include "solver/definite/chartjoining.h"
+#include "solver/definite/relaxing.h"
+#include "solver/definite/unfolding.h"
+#include "solver/overlap/overlapseparation.h"
+#include "solver/packing/islandgeometry.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace autocuts::definite {
+
+namespace {
+
+constexpr int relaxSteps = 60;
+constexpr int mergeRounds = 4;
+constexpr double densityReserve = 0.01; // of the distortion above 4
+constexpr int mergeWork = 500'000;      // tries times triangles
+
+//! Relaxes a map as far as it may: without covering itself, unless that is allowed.
+void relaxAsAllowed(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, bool allowOverlaps,
+                    SeamedMap &map, const std::atomic<bool> *stop)
+{
+    SeamedMap relaxed = map;
+    relaxMap(soup, snapshot, relaxed, relaxSteps, stop);
+    if (!allowOverlaps && coversItself(*soup, relaxed)) {
+        // The free way led over itself; the guarded one is slower.
+        relaxed = map;
+        relaxWithoutOverlaps(soup, snapshot, relaxed, relaxSteps, stop);
+        if (coversItself(*soup, relaxed))
+            return;
+    }
+    map = std::move(relaxed);
+}
+
+//! Joins charts and closes seams as long as the bound leaves room for it.
+void shortenSeams(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                  const DefiniteMapOptions &options, SeamedMap &map, const std::atomic<bool> *stop)
+{
+    JoinOptions merge;
+    // Giving every chart the same texel density costs a little at the end.
+    merge.maxDistortion = options.maxDistortion - densityReserve * (options.maxDistortion - 4);
+    merge.costPerLength = options.costPerLength;
+    merge.allowOverlaps = options.allowOverlaps;
+    // A try costs time in proportion to the mesh.
+    merge.tries = std::clamp(mergeWork / soup->triangleCount(), 10, 300);
+    merge.cancel = stop;
+    for (int round = 0; round < mergeRounds && !(stop && stop->load()); ++round) {
+        const int closed = joinCharts(soup, snapshot, map, merge) + zipSeams(soup, snapshot, map, merge);
+        if (closed == 0)
+            break;
+        relaxAsAllowed(soup, snapshot, options.allowOverlaps, map, stop);
+    }
+}
+
+} // namespace
+
+std::optional<DefiniteMap> makeDefiniteMap(const homotopy::Solver &solver, const DefiniteMapOptions &options,
+                                           const std::atomic<bool> *cancel)
+{
+    const auto cancelled = [cancel] { return cancel && cancel->load(std::memory_order_relaxed); };
+    const std::shared_ptr<const Soup> soup = solver.sharedSoup();
+    const Snapshot &snapshot = solver.snapshot();
+    DefiniteMap result;
+    result.map = stitchSoup(soup, snapshot, solver.coordinates(), cancel);
+    relaxMap(soup, snapshot, result.map, relaxSteps, cancel);
+    if (!options.allowOverlaps) {
+        if (!removeOverlaps(*soup, snapshot, result.map, cancel))
+            return std::nullopt;
+        relaxAsAllowed(soup, snapshot, false, result.map, cancel);
+    }
+    result.seedDistortion = result.map.distortion(*soup);
+    shortenSeams(soup, snapshot, options, result.map, cancel);
+    if (!snapshot.placesIslands())
+        equalizeDensity(*soup, result.map);
+    if (cancelled())
+        return std::nullopt;
+    return result;
+}
+
+void equalizeDensity(const Soup &soup, SeamedMap &map)
+{
+    const MeshData &mesh = *soup.mesh;
+    UvMatrix uv = cornerUv(soup, map);
+    packing::equalizeTexelDensity(mesh, chartsOf(mesh, CutMesh(mesh, map.cut)), uv);
+    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
+        map.x[2 * static_cast<std::size_t>(c)] = uv(mesh.cornerOfSoup(c), 0);
+        map.x[2 * static_cast<std::size_t>(c) + 1] = uv(mesh.cornerOfSoup(c), 1);
+    }
+}
+
+bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
+                    const std::atomic<bool> *cancel)
+{
+    overlap::SeparationOptions options;
+    options.cancel = cancel;
+    if (!snapshot.pairWeight.empty()) {
+        options.pairWeight.resize(map.cut.size());
+        for (std::size_t e = 0; e < map.cut.size(); ++e)
+            options.pairWeight[e] = snapshot.edgeWeight(e);
+    }
+    std::vector<bool> joined(map.cut.size());
+    for (std::size_t e = 0; e < map.cut.size(); ++e)
+        joined[e] = snapshot.isJoined(e);
+    overlap::SeparationResult result =
+        overlap::separateOverlaps(*soup.mesh, rowsOf(map.x), map.cut, joined, options);
+    if (!result.complete)
+        return false;
+    map.cut = std::move(result.cut);
+    if (result.unresolvedPairs > 0)
+        unfoldUnits(soup, snapshot, map, cancel);
+    return true;
+}
+
+} // namespace autocuts::definite

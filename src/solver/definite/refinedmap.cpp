@@ -1,0 +1,102 @@
+#include "solver/definite/refinedmap.h"
+
+#include "solver/definite/relaxing.h"
+#include "solver/definite/seamgaps.h"
+#include "solver/search/seamoptimizer.h"
+
+#include <algorithm>
+#include <complex>
+#include <mutex>
+
+namespace autocuts::definite {
+
+namespace {
+
+//! Enough to mend what the live solve left over, few enough to keep what the artist saw.
+constexpr int searchMoves = 300;
+
+//! Turns and moves every chart, without scaling it, to where its corners were before, as nearly as it fits.
+void placeNear(const Soup &soup, SeamedMap &map, const std::vector<double> &before)
+{
+    using Complex = std::complex<double>;
+    const CutMesh charts(*soup.mesh, map.cut);
+    const int corners = soup.mesh->soupCornerCount();
+    const auto at = [](const std::vector<double> &x, int corner) {
+        return Complex(x[2 * static_cast<std::size_t>(corner)], x[2 * static_cast<std::size_t>(corner) + 1]);
+    };
+    struct Fit
+    {
+        double count = 0;
+        Complex centre, centreBefore, turn;
+    };
+    std::vector<Fit> fits(charts.chartCount);
+    for (int c = 0; c < corners; ++c) {
+        Fit &fit = fits[charts.chart[c / 3]];
+        fit.count += 1;
+        fit.centre += at(map.x, c);
+        fit.centreBefore += at(before, c);
+    }
+    for (Fit &fit : fits) {
+        fit.centre /= fit.count;
+        fit.centreBefore /= fit.count;
+    }
+    for (int c = 0; c < corners; ++c) {
+        Fit &fit = fits[charts.chart[c / 3]];
+        fit.turn += std::conj(at(map.x, c) - fit.centre) * (at(before, c) - fit.centreBefore);
+    }
+    for (Fit &fit : fits)
+        fit.turn = std::abs(fit.turn) > 0 ? fit.turn / std::abs(fit.turn) : Complex(1);
+    for (int c = 0; c < corners; ++c) {
+        const Fit &fit = fits[charts.chart[c / 3]];
+        const Complex place = fit.centreBefore + fit.turn * (at(map.x, c) - fit.centre);
+        map.x[2 * static_cast<std::size_t>(c)] = place.real();
+        map.x[2 * static_cast<std::size_t>(c) + 1] = place.imag();
+    }
+}
+
+} // namespace
+
+std::optional<SeamedMap> makeRefinedMap(const homotopy::Solver &solver, const RefinedMapOptions &options,
+                                        const std::atomic<bool> *stop,
+                                        const std::function<void(double)> &progress)
+{
+    const Snapshot &snapshot = solver.snapshot();
+    std::optional<DefiniteMap> made = makeDefiniteMap(solver, {.maxDistortion = options.maxDistortion}, stop);
+    if (!made)
+        return std::nullopt;
+    const Soup &soup = solver.soup();
+    openSeams(soup, snapshot, made->map);
+    if (snapshot.placesIslands())
+        return std::move(made->map);
+    search::OptimizeOptions search;
+    search.maxDistortion = options.maxDistortion;
+    search.effort = {0, {{searchMoves, 1}}};
+    search.given.push_back(made->map);
+    search.seed = snapshot.settings.seed;
+    search.threads = options.threads;
+    search.stop = stop;
+    std::mutex mutex;
+    int total = 1, done = 0;
+    search.start = [&](int steps) { total = std::max(steps, 1); };
+    search.progress = [&](int steps, double, double) {
+        const std::lock_guard lock(mutex);
+        done += steps;
+        if (progress)
+            progress(std::min(1.0, double(done) / total));
+    };
+    std::optional<search::OptimizedMap> found =
+        search::optimizeSeams(search::SeamGraph::build(solver.sharedSoup(), snapshot), search);
+    if (!found)
+        return made->map;
+    equalizeDensity(soup, found->map);
+    const bool fits = found->map.distortion(soup) <= options.maxDistortion;
+    const bool madeFits = made->map.distortion(soup) <= options.maxDistortion;
+    const bool cheaper = found->map.seamCost(soup, snapshot) < made->map.seamCost(soup, snapshot);
+    if (coversItself(soup, found->map) || (fits == madeFits ? !cheaper : madeFits))
+        return made->map;
+    placeNear(soup, found->map, solver.coordinates());
+    openSeams(soup, snapshot, found->map);
+    return std::move(found->map);
+}
+
+} // namespace autocuts::definite

@@ -1,0 +1,58 @@
+#include "solver/definite/relaxing.h"
+
+#include "solver/energy/boundarybarrier.h"
+#include "solver/energy/constraintterms.h"
+#include "solver/energy/distortion.h"
+#include "solver/newton/minimizer.h"
+#include "solver/overlap/overlapfinder.h"
+
+#include <cmath>
+
+namespace autocuts::definite {
+
+namespace {
+
+//! How near two parts of a boundary may come before they repel each other, in mean edge lengths.
+constexpr double barrierReach = 0.1;
+//! Weight of one contact, in shares of the mean triangle.
+constexpr double barrierWeight = 0.05;
+constexpr double stall = 1e-6;
+
+} // namespace
+
+bool coversItself(const Soup &soup, const SeamedMap &map)
+{
+    const CutMesh state(*soup.mesh, map.cut);
+    bool found = false;
+    overlap::visitOverlaps(rowsOf(map.x), {}, [&](int a, int b, double) {
+        found = state.chart[a] == state.chart[b];
+        return !found;
+    });
+    return found;
+}
+
+int relaxWithoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map,
+                         int steps, const std::atomic<bool> *cancel)
+{
+    const CutMesh state(*soup->mesh, map.cut);
+    const auto distortion = energy::makeDistortionTerm(soup, snapshot.settings.energy);
+    const energy::BoundaryBarrierTerm barrier(*soup, state, map.x, barrierWeight / soup->triangleCount(),
+                                              barrierReach * soup->meanEdgeLength);
+    const energy::BoxTerm boxes(snapshot.rectangles, snapshot.settings.boxWeight);
+    const energy::PinTerm pins(snapshot.pins);
+    newton::Minimizer minimizer(soup,
+                                newton::makeExactDirection(soup, {state.uvVertex, state.uvVertexCount}));
+    minimizer.setTerms({distortion.get(), &barrier, &boxes, &pins});
+    if (!std::isfinite(minimizer.energy(map.x)))
+        return 0;
+    int done = 0;
+    while (done < steps && !(cancel && cancel->load(std::memory_order_relaxed))) {
+        const newton::Minimizer::Step step = minimizer.step(map.x);
+        ++done;
+        if (step.before - step.after <= stall * std::abs(step.before))
+            break;
+    }
+    return done;
+}
+
+} // namespace autocuts::definite

@@ -1,0 +1,214 @@
+#include "solver/definite/stitching.h"
+
+#include "solver/energy/constraintterms.h"
+#include "solver/energy/distortion.h"
+#include "solver/energy/separation.h"
+#include "solver/newton/minimizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace autocuts::definite {
+
+namespace {
+
+//! Pairs closer than this are merged (paper: 0.5).
+constexpr double mergeSeparation = 0.5;
+//! A merged triangle must keep this share of its area at rest.
+constexpr double smallestDeterminant = 1e-6;
+//! A spring is a separation with a delta far beyond any distance.
+constexpr double springDelta = 1e6;
+constexpr double firstSpring = 0.3;
+constexpr int springLevels = 5; // 0.3, 3, ... 3000
+constexpr int stepsPerSpring = 4;
+constexpr double stall = 1e-7;
+
+bool cancelled(const std::atomic<bool> *cancel)
+{
+    return cancel && cancel->load(std::memory_order_relaxed);
+}
+
+//! Puts the corners of each UV vertex at their average.
+std::vector<double> snapped(const CutMesh &state, const std::vector<double> &x)
+{
+    std::vector<Vec2> sum(state.uvVertexCount, Vec2::Zero());
+    std::vector<int> count(state.uvVertexCount, 0);
+    for (std::size_t c = 0; c < state.uvVertex.size(); ++c) {
+        sum[state.uvVertex[c]] += Vec2(x[2 * c], x[2 * c + 1]);
+        ++count[state.uvVertex[c]];
+    }
+    std::vector<double> result(x.size());
+    for (std::size_t c = 0; c < state.uvVertex.size(); ++c) {
+        const int v = state.uvVertex[c];
+        result[2 * c] = sum[v].x() / count[v];
+        result[2 * c + 1] = sum[v].y() / count[v];
+    }
+    return result;
+}
+
+std::vector<int> badTriangles(const Soup &soup, const std::vector<double> &x)
+{
+    std::vector<int> bad;
+    for (int t = 0; t < soup.triangleCount(); ++t) {
+        if (!(jacobianDeterminant(soup, x.data(), t) > smallestDeterminant))
+            bad.push_back(t);
+    }
+    return bad;
+}
+
+bool isCut(const Snapshot &snapshot, std::size_t pair)
+{
+    return !snapshot.pairState.empty() && snapshot.pairState[pair] == PairState::Cut;
+}
+
+//! Terms that hold in every stage: distortion, soft and hard pins (as stiff springs), rectangles.
+struct ShapeTerms
+{
+    std::unique_ptr<energy::DistortionTerm> distortion;
+    energy::PinTerm pins;
+    energy::BoxTerm boxes;
+
+    ShapeTerms(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot)
+        : distortion(energy::makeDistortionTerm(soup, snapshot.settings.energy)),
+          pins(stiffened(snapshot.pins)), boxes(snapshot.rectangles, snapshot.settings.boxWeight)
+    {}
+
+    std::vector<const energy::EnergyTerm *> all() const { return {distortion.get(), &pins, &boxes}; }
+
+private:
+    static std::vector<Pin> stiffened(std::vector<Pin> pins)
+    {
+        for (Pin &pin : pins) {
+            if (pin.hard)
+                pin.weight = 1e4;
+        }
+        return pins;
+    }
+};
+
+//! Pulls the merged corners together until snapping flips nothing. Returns false when it still would.
+bool pullTogether(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const CutMesh &state,
+                  std::vector<double> &x, std::vector<double> &snap, const std::atomic<bool> *cancel)
+{
+    ShapeTerms shape(soup, snapshot);
+    energy::SeparationTerm springs(soup);
+    springs.setDelta(springDelta);
+    std::vector<double> weights(soup->pairCorners.size(), 0.0);
+    for (std::size_t p = 0; p < weights.size(); ++p) {
+        if (state.uvVertex[soup->pairCorners[p][0]] == state.uvVertex[soup->pairCorners[p][1]])
+            weights[p] = springDelta;
+    }
+    springs.setWeights(std::move(weights));
+    newton::Minimizer minimizer(soup, newton::makeHubDirection(soup, {}));
+    std::vector<const energy::EnergyTerm *> terms = shape.all();
+    terms.push_back(&springs);
+    double stiffness = firstSpring;
+    for (int level = 0; level < springLevels; ++level, stiffness *= 10) {
+        springs.setFactor(stiffness);
+        minimizer.setTerms(terms);
+        for (int i = 0; i < stepsPerSpring && !cancelled(cancel); ++i)
+            minimizer.step(x);
+        snap = snapped(state, x);
+        if (badTriangles(*soup, snap).empty())
+            return true;
+    }
+    return false;
+}
+
+//! Cuts the edges of the bad triangles' faces and of some rings of faces around them; joined ones only when
+//! `force`. Returns true when that cut any.
+bool release(const MeshData &mesh, const Snapshot &snapshot, const std::vector<int> &bad, int rings,
+             bool force, CutFlags &cut)
+{
+    std::vector<bool> face(mesh.faceCount(), false);
+    for (const int t : bad)
+        face[mesh.triangleFace[t]] = true;
+    for (int i = 0; i < rings; ++i) {
+        const std::vector<bool> before = face;
+        for (const EdgePair &pair : mesh.edgePairs) {
+            const int a = mesh.triangleFace[pair.triangle[0]], b = mesh.triangleFace[pair.triangle[1]];
+            if (before[a] || before[b])
+                face[a] = face[b] = true;
+        }
+    }
+    bool changed = false;
+    for (std::size_t e = 0; e < cut.size(); ++e) {
+        const EdgePair &pair = mesh.edgePairs[e];
+        if (cut[e] || pair.diagonal || (!force && snapshot.isJoined(e)))
+            continue;
+        if (face[mesh.triangleFace[pair.triangle[0]]] || face[mesh.triangleFace[pair.triangle[1]]]) {
+            cut[e] = true;
+            changed = true;
+        }
+    }
+    return changed;
+}
+
+} // namespace
+
+SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, CutFlags cut,
+                   const std::vector<double> &start, const std::atomic<bool> *cancel)
+{
+    const MeshData &mesh = *soup->mesh;
+    std::vector<double> x = start;
+    for (int round = 0;; ++round) {
+        const CutMesh state(mesh, cut);
+        std::vector<double> snap = snapped(state, x);
+        std::vector<int> bad = badTriangles(*soup, snap);
+        if (bad.empty() || pullTogether(soup, snapshot, state, x, snap, cancel)) {
+            SeamedMap map{std::move(cut), std::move(snap)};
+            return map;
+        }
+        bad = badTriangles(*soup, snap);
+        // Each round cuts more, and wider as they go on without success; in the end every polygon is on its
+        // own and lies there undistorted.
+        const int rings = round / 4;
+        if (!release(mesh, snapshot, bad, rings, false, cut) &&
+            !release(mesh, snapshot, bad, rings, true, cut)) {
+            for (const int t : bad) {
+                for (int i = 0; i < 6; ++i)
+                    x[6 * static_cast<std::size_t>(t) + i] = soup->restShape[t][i];
+            }
+            if (round > 50)
+                throw std::runtime_error("stitchTo: a polygon cannot be laid out without a fold");
+        }
+    }
+}
+
+SeamedMap stitchSoup(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                     const std::vector<double> &x, const std::atomic<bool> *cancel)
+{
+    const MeshData &mesh = *soup->mesh;
+    energy::SeparationTerm separation(soup);
+    separation.setDelta(snapshot.settings.delta);
+    const auto merges = [&](std::size_t pair) {
+        return !isCut(snapshot, pair) && (snapshot.isJoined(pair / 2) ||
+                                          separation.separation(x, static_cast<int>(pair)) < mergeSeparation);
+    };
+    CutFlags cut(mesh.edgePairs.size());
+    for (std::size_t e = 0; e < cut.size(); ++e)
+        cut[e] = !mesh.edgePairs[e].diagonal && !(merges(2 * e) && merges(2 * e + 1));
+    dropClosedCuts(mesh, cut);
+    return stitchTo(soup, snapshot, std::move(cut), x, cancel);
+}
+
+int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map, int steps,
+             const std::atomic<bool> *cancel)
+{
+    const CutMesh state(*soup->mesh, map.cut);
+    const ShapeTerms shape(soup, snapshot);
+    newton::Minimizer minimizer(soup,
+                                newton::makeExactDirection(soup, {state.uvVertex, state.uvVertexCount}));
+    minimizer.setTerms(shape.all());
+    int done = 0;
+    while (done < steps && !cancelled(cancel)) {
+        const newton::Minimizer::Step step = minimizer.step(map.x);
+        ++done;
+        if (step.before - step.after <= stall * std::abs(step.before))
+            break;
+    }
+    return done;
+}
+
+} // namespace autocuts::definite

@@ -1,0 +1,87 @@
+#include "solver/homotopy/liveschedule.h"
+
+#include "solver/homotopy/anneal.h"
+
+namespace autocuts::homotopy {
+
+namespace {
+
+constexpr double firstLambda = 0.05;
+constexpr double reheatDelta = 0.01;
+constexpr int stepsPerLevel = 40;
+//! The bound is met when at least this part of what it allows is used.
+constexpr double usedEnough = 0.85;
+constexpr int fewestRounds = 2;
+constexpr int mostRounds = 8;
+
+} // namespace
+
+LiveSchedule::LiveSchedule(const Soup &soup, double maxDistortion)
+    : mBudget(maxDistortion, firstLambda), mBound(maxDistortion), mLevels(deltaLevels(soup, 1)),
+      mReheatLevels(deltaLevels(soup, reheatDelta))
+{}
+
+void LiveSchedule::apply(SolveSettings &settings) const
+{
+    settings.lambda = mBudget.lambda();
+    settings.delta = levels()[mLevel];
+}
+
+void LiveSchedule::resume(double lambda, double delta)
+{
+    mBudget = DistortionBudget(mBound, lambda);
+    mRound = mStep = 0;
+    mLevel = 0;
+    while (mLevel + 1 < mLevels.size() && mLevels[mLevel] > delta)
+        ++mLevel;
+}
+
+void LiveSchedule::reheat()
+{
+    mRound = 1;
+    mLevel = 0;
+    mStep = 0;
+}
+
+bool LiveSchedule::report(const StepResult &step)
+{
+    const bool levelDone = ++mStep >= stepsPerLevel || hasStalled(mStep > 1 ? mEnergy : 0, step);
+    mEnergy = step.energy;
+    if (!levelDone)
+        return true;
+    mStep = 0;
+    if (++mLevel < levels().size())
+        return true;
+    const bool met = step.distortion <= mBound && step.distortion - 4 >= usedEnough * (mBound - 4);
+    mBudget.report(step.distortion);
+    ++mRound;
+    if (mRound >= mostRounds || (met && mRound >= fewestRounds)) {
+        mLevel = levels().size() - 1; // stays cold
+        return false;
+    }
+    mLevel = 0;
+    return true;
+}
+
+bool runToTheEnd(Solver &solver, double maxDistortion, const std::atomic<bool> *stop,
+                 const std::function<void()> &onStep)
+{
+    Snapshot snapshot = solver.snapshot();
+    LiveSchedule schedule(solver.soup(), maxDistortion);
+    schedule.resume(snapshot.settings.lambda, snapshot.settings.delta);
+    do {
+        if (stop && stop->load(std::memory_order_relaxed))
+            return false;
+        SolveSettings settings = snapshot.settings;
+        schedule.apply(settings);
+        if (settings != snapshot.settings) {
+            snapshot.settings = settings;
+            solver.update(snapshot);
+        }
+        if (onStep)
+            onStep();
+    } while (schedule.report(solver.step()));
+    return true;
+}
+
+} // namespace autocuts::homotopy

@@ -1,0 +1,277 @@
+#include "solver/homotopy/localsolve.h"
+
+#include "solver/base/soup.h"
+#include "solver/energy/constraintterms.h"
+#include "solver/energy/distortion.h"
+#include "solver/newton/minimizer.h"
+#include "solver/newton/newtondirection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace autocuts::homotopy {
+
+namespace {
+
+constexpr double firstPull = 1;
+constexpr int pulls = 8; // 1, 10, ... 1e7
+constexpr int stepsPerPull = 8;
+constexpr int mostSteps = 80;
+constexpr double stall = 1e-7;
+//! A triangle must keep this share of its area when points are put onto their targets.
+constexpr double smallestDeterminant = 1e-4;
+
+//! The faces as a mesh of their own, in solver units.
+class Part
+{
+public:
+    Part(const MeshData &mesh, const UvMatrix &uv, const LocalProblem &problem)
+        : mMesh(mesh), mUv(uv), mProblem(problem), mHeld(mesh.cornerCount())
+    {
+        for (int point : problem.held)
+            mHeld[point] = true;
+        chooseFaces();
+        if (mFaces.empty())
+            return;
+        build();
+    }
+
+    bool canMove() const { return mSoup && mMap.count > 0; }
+    int folded() const { return mFolded; }
+    const std::shared_ptr<const Soup> &soup() const { return mSoup; }
+    const newton::UnknownMap &unknowns() const { return mMap; }
+    std::vector<double> &x() { return mX; }
+
+    //! The targets as springs, each on one corner of its point.
+    std::vector<Pin> pins(double weight) const
+    {
+        std::vector<Pin> pins;
+        for (const auto &[point, place] : mProblem.targets) {
+            if (const auto corners = mSoupCorners.find(point); corners != mSoupCorners.end())
+                pins.push_back({corners->second.front(), toSolver(place), false, weight});
+        }
+        return pins;
+    }
+
+    //! Puts the points onto their targets; false, and nothing happens, when that would turn a triangle over.
+    bool reachTargets()
+    {
+        std::vector<double> x = mX;
+        for (const auto &[point, place] : mProblem.targets) {
+            const auto corners = mSoupCorners.find(point);
+            if (corners == mSoupCorners.end())
+                continue;
+            for (int soupCorner : corners->second)
+                set(x, soupCorner, toSolver(place));
+        }
+        for (int t = 0; t < mSoup->triangleCount(); ++t) {
+            if (!(jacobianDeterminant(*mSoup, x.data(), t) > smallestDeterminant))
+                return false;
+        }
+        mX = std::move(x);
+        for (const auto &[point, place] : mProblem.targets)
+            mHeld[point] = true;
+        numberUnknowns();
+        return true;
+    }
+
+    UvMatrix result() const
+    {
+        UvMatrix uv = mUv;
+        std::map<int, Vec2> exact(mProblem.targets.begin(), mProblem.targets.end());
+        for (int c = 0; c < mMesh.cornerCount(); ++c) {
+            const int point = mProblem.pointOfCorner[c];
+            const auto corners = mSoupCorners.find(point);
+            if (corners == mSoupCorners.end())
+                continue;
+            if (const auto target = exact.find(point); target != exact.end()) {
+                uv.row(c) = target->second.transpose();
+            } else if (!mHeld[point]) {
+                const std::size_t s = corners->second.front();
+                uv.row(c) = toTexture({mX[2 * s], mX[2 * s + 1]}).transpose();
+            }
+        }
+        return uv;
+    }
+
+private:
+    Vec2 toSolver(const Vec2 &uv) const { return {mSide * mScale * uv.x(), mScale * uv.y()}; }
+    Vec2 toTexture(const Vec2 &x) const { return {mSide * x.x() / mScale, x.y() / mScale}; }
+    static void set(std::vector<double> &x, int soupCorner, const Vec2 &place)
+    {
+        x[2 * static_cast<std::size_t>(soupCorner)] = place.x();
+        x[2 * static_cast<std::size_t>(soupCorner) + 1] = place.y();
+    }
+    Vec2 placeOf(int corner) const { return mUv.row(mProblem.pointOfCorner[corner]).transpose(); }
+    double signedArea(int triangle) const
+    {
+        const auto &c = mMesh.triangles[triangle];
+        return 0.5 * cross2(placeOf(c[0]), placeOf(c[1]), placeOf(c[2]));
+    }
+
+    //! Faces that are turned over, against the others, stay; faces without area or UVs are left out.
+    void chooseFaces()
+    {
+        std::vector<char> wanted(mMesh.faceCount()), usable(mMesh.faceCount(), 1), folded(mMesh.faceCount());
+        for (int face : mProblem.faces)
+            wanted[face] = 1;
+        double sum = 0;
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            const double area = signedArea(t);
+            if (wanted[mMesh.triangleFace[t]] && std::isfinite(area))
+                sum += area;
+        }
+        mSide = sum < 0 ? -1 : 1;
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            const int face = mMesh.triangleFace[t];
+            if (mMesh.triangleDegenerate[t] || !std::isfinite(signedArea(t)))
+                usable[face] = 0;
+            else if (!(mSide * signedArea(t) > 0))
+                folded[face] = 1;
+        }
+        for (int face : mProblem.faces) {
+            if (!usable[face])
+                continue;
+            if (!folded[face]) {
+                mFaces.push_back(face);
+                continue;
+            }
+            ++mFolded;
+            for (int c = mMesh.faceStart[face]; c < mMesh.faceStart[face + 1]; ++c)
+                mHeld[mProblem.pointOfCorner[c]] = true;
+        }
+    }
+
+    void build()
+    {
+        std::map<int, int> vertexOf;
+        std::vector<int> starts{0}, cornerVertex;
+        for (int face : mFaces) {
+            for (int c = mMesh.faceStart[face]; c < mMesh.faceStart[face + 1]; ++c) {
+                const int vertex = mMesh.cornerVertex[c];
+                cornerVertex.push_back(
+                    vertexOf.try_emplace(vertex, static_cast<int>(vertexOf.size())).first->second);
+                mCorners.push_back(c);
+            }
+            starts.push_back(static_cast<int>(cornerVertex.size()));
+        }
+        PositionMatrix positions(vertexOf.size(), 3);
+        for (const auto &[vertex, row] : vertexOf)
+            positions.row(row) = mMesh.positions.row(vertex);
+        const auto part = MeshData::build(std::move(positions), std::move(starts), std::move(cornerVertex),
+                                          std::vector<int>(mFaces.size(), 0));
+        mSoup = Soup::build(part);
+        mScale = mSoup->scale * worldPerTexture();
+        mX.resize(mSoup->coordinateCount());
+        for (int s = 0; s < part->soupCornerCount(); ++s) {
+            const int corner = mCorners[part->cornerOfSoup(s)];
+            mSoupCorners[mProblem.pointOfCorner[corner]].push_back(s);
+            set(mX, s, toSolver(placeOf(corner)));
+        }
+        numberUnknowns();
+    }
+
+    double worldPerTexture() const
+    {
+        const std::vector<int> &faces = mProblem.reference.empty() ? mProblem.faces : mProblem.reference;
+        double area = 0, uvArea = 0;
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            if (!std::binary_search(faces.begin(), faces.end(), mMesh.triangleFace[t]))
+                continue;
+            area += mMesh.triangleArea[t];
+            if (const double own = std::abs(signedArea(t)); std::isfinite(own))
+                uvArea += own;
+        }
+        return std::sqrt(area / uvArea);
+    }
+
+    void numberUnknowns()
+    {
+        mMap.unknown.assign(mSoup->mesh->soupCornerCount(), -1);
+        mMap.count = 0;
+        for (const auto &[point, corners] : mSoupCorners) {
+            if (mHeld[point])
+                continue;
+            for (int s : corners)
+                mMap.unknown[s] = mMap.count;
+            ++mMap.count;
+        }
+    }
+
+    const MeshData &mMesh;
+    const UvMatrix &mUv;
+    const LocalProblem &mProblem;
+    std::vector<char> mHeld; //!< per point
+    std::vector<int> mFaces,
+        mCorners; //!< of the part: its faces, and the corner of the mesh of each of its own
+    int mFolded = 0;
+    double mSide = 1, mScale = 1; //!< from texture space to solver units
+    std::shared_ptr<const Soup> mSoup;
+    std::map<int, std::vector<int>> mSoupCorners; //!< of each point
+    newton::UnknownMap mMap;
+    std::vector<double> mX;
+};
+
+bool cancelled(const std::atomic<bool> *cancel)
+{
+    return cancel && cancel->load(std::memory_order_relaxed);
+}
+
+//! Springs that get stiffer until the points can be put where they belong.
+bool pullToTargets(Part &part, const energy::DistortionTerm &distortion, const std::atomic<bool> *cancel,
+                   const std::function<void(double)> &progress)
+{
+    double weight = firstPull;
+    for (int pull = 0; pull < pulls && !cancelled(cancel); ++pull, weight *= 10) {
+        const energy::PinTerm springs(part.pins(weight));
+        newton::Minimizer minimizer(part.soup(), newton::makeExactDirection(part.soup(), part.unknowns()));
+        minimizer.setTerms({&distortion, &springs});
+        for (int i = 0; i < stepsPerPull && !cancelled(cancel); ++i)
+            minimizer.step(part.x());
+        if (progress)
+            progress(0.5 * (pull + 1) / pulls);
+        if (part.reachTargets())
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+LocalSolution solveLocally(const MeshData &mesh, const UvMatrix &uv, const LocalProblem &problem,
+                           const std::atomic<bool> *cancel, const std::function<void(double)> &progress)
+{
+    LocalSolution solution;
+    solution.uv = uv;
+    Part part(mesh, uv, problem);
+    solution.foldedFaces = part.folded();
+    if (!part.canMove())
+        return solution;
+    const auto distortion = energy::makeDistortionTerm(part.soup(), DistortionEnergy::SymmetricDirichlet);
+    distortion->setFactor(1);
+    solution.before = distortion->value(part.x());
+    const bool reached = problem.targets.empty() || pullToTargets(part, *distortion, cancel, progress);
+    if (reached && part.unknowns().count > 0) {
+        newton::Minimizer minimizer(part.soup(), newton::makeExactDirection(part.soup(), part.unknowns()));
+        minimizer.setTerms({distortion.get()});
+        for (int i = 0; i < mostSteps && !cancelled(cancel); ++i) {
+            const newton::Minimizer::Step step = minimizer.step(part.x());
+            if (progress)
+                progress(0.5 + 0.5 * (i + 1) / mostSteps);
+            if (step.before - step.after <= stall * std::abs(step.before))
+                break;
+        }
+    }
+    solution.after = distortion->value(part.x());
+    solution.outcome = cancelled(cancel) ? LocalSolution::Outcome::Cancelled
+                       : reached         ? LocalSolution::Outcome::Solved
+                                         : LocalSolution::Outcome::Stuck;
+    if (reached)
+        solution.uv = part.result();
+    if (cancelled(cancel))
+        solution.uv = uv;
+    return solution;
+}
+
+} // namespace autocuts::homotopy

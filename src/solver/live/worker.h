@@ -1,0 +1,158 @@
+// The live solver on a thread of its own: newest snapshot in, newest result out.
+#pragma once
+
+#include "model/plain/snapshot.h"
+#include "solver/homotopy/liveschedule.h"
+#include "solver/homotopy/solver.h"
+#include "solver/preference/seampreference.h"
+
+#include <QObject>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace autocuts::live {
+
+//! Where a solve is.
+struct SolveStatus
+{
+    int iteration = 0;
+    double stepsPerSecond = 0;
+    double energy = 0, distortion = 0, separation = 0; //!< as StepResult
+    double lambda = 0, delta = 0; //!< in effect; in budget mode not those of the snapshot
+    double seamLength = 0;  //!< of the edges that are nearer to cut than to joined, solver units: seam_norm
+    int islands = 0;        //!< that joining the other edges gives
+    bool converged = false; //!< nothing left to gain, or the budget is reached: the worker waits for an edit
+};
+
+//! One step in the history of a solve.
+struct TracePoint
+{
+    int iteration = 0;
+    float distortion = 0, separation = 0, delta = 0;
+};
+
+//! What the worker gives back.
+struct SolveResult
+{
+    quint64 run = 0;               //!< number that start() was given
+    UvMatrix soupUv;               //!< one row per soup corner, solver units
+    std::vector<float> separation; //!< s_delta per corner pair, in [0, 1)
+    SolveStatus status;
+    std::vector<TracePoint> trace; //!< the steps since the result before
+};
+
+//! A map with definite seams, made from the solver's.
+struct PausedMap
+{
+    quint64 run = 0;
+    UvMatrix cornerUv; //!< solver units
+};
+
+//! Steps a Solver until told to stop. The functions may be called from any thread and return at once; what
+//! they ask for happens between two steps, and of several snapshots only the newest counts. The worker never
+//! sees the document.
+class SolveWorker final : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr int resultsPerSecond = 30;
+
+    SolveWorker();
+    ~SolveWorker() override;
+
+    //! Begins a solve and forgets the one before.
+    //! \param run any number but 0, given back with the results
+    //! \param centre where the map is laid when it does not start from existing UVs, solver units
+    //! \param warm the map has been solved before: in budget mode it is warmed up only
+    void start(quint64 run, std::shared_ptr<const Snapshot> snapshot, const Vec2 &centre, bool warm = false);
+    //! Other settings or steering for the same mesh; the map goes on from where it is.
+    //! \param pulled the user pulls at the map: in budget mode lambda and delta stay as they are until a
+    //! snapshot that is not pulled
+    //! \param back a result of the same run that the map is taken back to first
+    void update(std::shared_ptr<const Snapshot> snapshot, bool pulled = false,
+                std::shared_ptr<const SolveResult> back = nullptr);
+    void setMode(homotopy::SolveMode mode, double maxDistortion);
+    //! Steps until told to stop. \returns a ticket that waiting() will name
+    quint64 run() { return runSteps(-1); }
+    //! Steps at most this many times, then waits. \returns a ticket that waiting() will name
+    quint64 runSteps(int count);
+    //! The step at hand is finished and given out as a result.
+    void pause();
+    //! Pauses, then makes a settled map of the state; run() and start() cancel it.
+    void pauseWithMap();
+
+    //! The newest result and the steps of those that were never taken; null when none is waiting.
+    std::shared_ptr<const SolveResult> takeResult();
+    std::optional<PausedMap> takePausedMap();
+
+Q_SIGNALS:
+    //! A result is waiting. Sent once until it is taken, at most resultsPerSecond times a second.
+    void resultReady();
+    //! A settled map is waiting.
+    void pausedMapReady();
+    //! The solve stopped by itself: it converged or the steps asked for are done. \param ticket of the last
+    //! order to run that was obeyed: a later one may be on its way
+    void waiting(quint64 ticket);
+    //! \param message untranslated, one line
+    void failed(const QString &message);
+
+private:
+    //! What was asked for and not yet begun.
+    struct Orders
+    {
+        quint64 run = 0; //!< not 0: begin with the snapshot
+        std::shared_ptr<const Snapshot> snapshot;
+        bool pulled = false, warm = false;
+        std::shared_ptr<const SolveResult> back; //!< the map to go on from
+        Vec2 centre = Vec2::Zero();
+        std::optional<int> steps; //!< 0: pause
+        quint64 ticket = 0;
+        std::optional<homotopy::SolveMode> mode;
+        double maxDistortion = 4.1;
+        bool makeMap = false;
+    };
+
+    template <class Change>
+    void order(Change &&change);
+    void work();
+    void obey(Orders orders);
+    void begin(const Orders &orders);
+    void updateSolver(bool steeringChanged);
+    void step();
+    void giveResult();
+    void makePausedMap();
+
+    // Shared between threads.
+    std::mutex mMutex;
+    Orders mOrders;
+    quint64 mLastTicket = 0;
+    std::shared_ptr<SolveResult> mWaitingResult;
+    std::optional<PausedMap> mPausedMap;
+    std::atomic<bool> mInterrupt = false; //!< there are orders: whatever takes long should end
+
+    // Of the worker's thread.
+    std::unique_ptr<homotopy::Solver> mSolver;
+    preference::SeamPreference mPreference;
+    std::shared_ptr<const Snapshot> mSnapshot;       //!< with the preferences in its weights
+    std::optional<homotopy::LiveSchedule> mSchedule; //!< in budget mode
+    homotopy::SolveMode mMode = homotopy::SolveMode::Manual;
+    double mMaxDistortion = 4.1;
+    SolveStatus mStatus;
+    homotopy::StepResult mLast;
+    std::chrono::steady_clock::time_point mLastGiven, mRateSince;
+    int mRateSteps = 0, mStalledSteps = 0;
+    std::vector<TracePoint> mTrace;
+    quint64 mRun = 0, mTicket = 0;
+    int mStepsLeft = 0; //!< negative: until told to stop
+    bool mPulled = false;
+    bool mMustMakeMap = false;
+    bool mIdle = false; //!< converged while running: the next snapshot makes it run again
+};
+
+} // namespace autocuts::live

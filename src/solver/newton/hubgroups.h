@@ -1,0 +1,48 @@
+// Which corners share a hub, and the sparse matrix of the hubs.
+#pragma once
+
+#include "solver/base/soup.h"
+#include "solver/energy/energyterm.h"
+#include "solver/linear/linearsolver.h"
+#include "solver/newton/hubkernels.h"
+
+#include <vector>
+
+namespace autocuts::newton {
+
+//! Groups of two or more corners that closed pairs tie together, numbered in an order of elimination.
+struct HubGroups
+{
+    int count = 0;
+    std::vector<int> hub;     //!< per soup corner; -1 for a corner on its own
+    std::vector<int> begin;   //!< per hub, and the end: where its corners lie in `corners`
+    std::vector<int> corners; //!< ordered by hub; then those on their own
+
+    //! \param rank per mesh vertex, its place in the order of elimination
+    static HubGroups build(const Soup &soup, const energy::HessianBlocks &blocks,
+                           const std::vector<int> &rank);
+    //! \returns false when a closed pair is not within one hub, or when too many pairs within hubs are open
+    //! (a few do no harm: their springs are weak).
+    bool stillFit(const Soup &soup, const energy::HessianBlocks &blocks) const;
+};
+
+//! A = B - sum over triangles of D S^-1 D (see hubdirection.cpp). The pattern is made of full 2 x 2 blocks.
+class HubMatrix
+{
+public:
+    void setPattern(const Soup &soup, const HubGroups &groups);
+    //! \pre the pattern is that of `groups`
+    void fill(const Soup &soup, const energy::HessianBlocks &blocks, const HubGroups &groups,
+              const std::vector<BlockInverse> &inverses);
+    void addToDiagonal(double shift);
+    const linear::LinearSolver::Matrix &matrix() const { return mMatrix; }
+
+private:
+    double *secondColumn(int place, int column);
+    int addTriangle(const int *hub, const int *places, const BlockInverse &inverse, int lane);
+
+    linear::LinearSolver::Matrix mMatrix;
+    std::vector<int> mPlaces; //!< of the blocks below the diagonal that triangles and pairs add to
+};
+
+} // namespace autocuts::newton

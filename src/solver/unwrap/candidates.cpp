@@ -1,0 +1,83 @@
+#include "solver/unwrap/candidates.h"
+
+#include "solver/search/cutstate.h"
+
+#include <algorithm>
+
+namespace autocuts::unwrap {
+
+void Candidate::measure(const Soup &soup, const Snapshot &snapshot)
+{
+    distortion = map.distortion(soup);
+    seamLength = map.seamLength(soup);
+    seamCost = map.seamCost(soup, snapshot);
+    const MeshData &mesh = *soup.mesh;
+    const CutMesh charts(mesh, map.cut);
+    std::vector<double> area(charts.chartCount, 0);
+    for (int t = 0; t < mesh.triangleCount(); ++t)
+        area[charts.chart[t]] += soup.weight[t];
+    std::vector<bool> isSmallPart(charts.chartCount, false);
+    for (const EdgePair &pair : mesh.edgePairs) {
+        const int one = charts.chart[pair.triangle[0]], other = charts.chart[pair.triangle[1]];
+        for (const int c : {one, other}) {
+            if (one != other && area[c] < search::CutState::smallestChart)
+                isSmallPart[c] = true;
+        }
+    }
+    smallCharts = static_cast<int>(std::count(isSmallPart.begin(), isSmallPart.end(), true));
+}
+
+bool Ranking::better(const Candidate &a, const Candidate &b) const
+{
+    if (mOptions.lambda) {
+        const double mu = *mOptions.lambda / std::max(1 - *mOptions.lambda, 1e-9);
+        return a.distortion + mu * a.seamCost < b.distortion + mu * b.seamCost;
+    }
+    const bool aFits = a.distortion <= mOptions.maxDistortion;
+    const bool bFits = b.distortion <= mOptions.maxDistortion;
+    if (aFits != bFits)
+        return aFits;
+    if (aFits && a.smallCharts != b.smallCharts)
+        return a.smallCharts < b.smallCharts;
+    return aFits ? a.seamCost < b.seamCost : a.distortion < b.distortion;
+}
+
+void Ranking::setTotal(int steps)
+{
+    const std::scoped_lock lock(mMutex);
+    mTotalSteps = std::max(steps, 1);
+    mSteps = 0;
+}
+
+void Ranking::stepDone(int steps)
+{
+    if (!mReport)
+        return;
+    const std::scoped_lock lock(mMutex);
+    mSteps += steps;
+    mProgress.fraction =
+        std::max(mProgress.fraction, optimizingShare * std::min(1.0, double(mSteps) / mTotalSteps));
+    mReport(mProgress);
+}
+
+void Ranking::found(double distortion, double seamLength)
+{
+    const std::scoped_lock lock(mMutex);
+    mHasAny = true;
+    if (mProgress.distortion == 0 || seamLength < mProgress.seamLength) {
+        mProgress.distortion = distortion;
+        mProgress.seamLength = seamLength;
+    }
+}
+
+void Ranking::stage(UnwrapStage stage, double fraction)
+{
+    if (!mReport)
+        return;
+    const std::scoped_lock lock(mMutex);
+    mProgress.stage = stage;
+    mProgress.fraction = fraction;
+    mReport(mProgress);
+}
+
+} // namespace autocuts::unwrap

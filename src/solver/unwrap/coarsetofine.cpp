@@ -1,0 +1,285 @@
+#include "solver/unwrap/coarsetofine.h"
+
+#include "solver/definite/definitemap.h"
+#include "solver/definite/relaxing.h"
+#include "solver/multires/maprefiner.h"
+#include "solver/preference/seampreference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace autocuts::unwrap {
+
+namespace {
+
+//! Meshes of fewer triangles are cut as they are.
+constexpr int largeMesh = 25'000;
+//! Less is not worth the way.
+constexpr double leastReduction = 0.6;
+//! Share of the allowed distortion that the coarse map may use: the fine one usually gets lower because it
+//! bends more freely. The second is for where it does not.
+constexpr double coarseShares[] = {1.4, 0.9};
+constexpr int fineSteps = 30;
+
+using PointPair = std::pair<int, int>;
+
+PointPair endsOf(const multires::ProgressiveMesh &mesh, int side)
+{
+    return std::minmax(mesh.point(side), mesh.point(multires::ProgressiveMesh::next(side)));
+}
+
+//! What the user decided about an edge, at its two ends.
+using Decisions = std::map<PointPair, std::array<std::pair<int, PairState>, 2>>;
+
+std::vector<bool> decidedEdges(const Snapshot &snapshot)
+{
+    std::vector<bool> decided(snapshot.mesh->edgePairs.size(), false);
+    for (std::size_t p = 0; p < snapshot.pairState.size(); ++p) {
+        if (snapshot.pairState[p] != PairState::Free)
+            decided[p / 2] = true;
+    }
+    return decided;
+}
+
+Decisions decisionsOf(const Snapshot &snapshot, const multires::ProgressiveMesh &fine,
+                      const std::vector<bool> &decided)
+{
+    Decisions decisions;
+    for (std::size_t e = 0; e < decided.size(); ++e) {
+        if (!decided[e])
+            continue;
+        const EdgePair &pair = snapshot.mesh->edgePairs[e];
+        const int side = 3 * pair.triangle[0] + pair.side(0);
+        auto &ends = decisions[endsOf(fine, side)];
+        for (int end = 0; end < 2; ++end)
+            ends[end] = {fine.point(pair.corner[end][0]), snapshot.pairState[2 * e + end]};
+    }
+    return decisions;
+}
+
+//! Mean painted weight around each point of the fine mesh.
+std::vector<double> pointWeights(const Snapshot &snapshot, const multires::ProgressiveMesh &fine)
+{
+    if (snapshot.pairWeight.empty())
+        return {};
+    std::vector<double> sum(fine.pointCount(), 0.0), count(fine.pointCount(), 0.0);
+    for (std::size_t p = 0; p < snapshot.pairWeight.size(); ++p) {
+        const int point = fine.point(snapshot.mesh->edgePairs[p / 2].corner[p % 2][0]);
+        sum[point] += snapshot.pairWeight[p];
+        ++count[point];
+    }
+    for (std::size_t i = 0; i < sum.size(); ++i)
+        sum[i] = count[i] > 0 ? sum[i] / count[i] : 1;
+    return sum;
+}
+
+//! The snapshot with the coarse mesh in place of the fine one.
+Snapshot coarseSnapshot(const Snapshot &snapshot, const std::shared_ptr<const MeshData> &mesh,
+                        const multires::ProgressiveMesh &points, const std::vector<int> &triangles,
+                        const Decisions &decisions, const std::vector<double> &weights)
+{
+    Snapshot coarse;
+    coarse.mesh = mesh;
+    coarse.settings = snapshot.settings;
+    if (!decisions.empty())
+        coarse.pairState.assign(mesh->cornerPairCount(), PairState::Free);
+    if (!weights.empty())
+        coarse.pairWeight.assign(mesh->cornerPairCount(), 1.0);
+    for (std::size_t e = 0; e < mesh->edgePairs.size(); ++e) {
+        const EdgePair &pair = mesh->edgePairs[e];
+        const auto pointOf = [&](int corner) { return points.point(3 * triangles[corner / 3] + corner % 3); };
+        const int ends[2] = {pointOf(pair.corner[0][0]), pointOf(pair.corner[1][0])};
+        const auto found = decisions.find(std::minmax(ends[0], ends[1]));
+        for (int end = 0; end < 2; ++end) {
+            if (!weights.empty())
+                coarse.pairWeight[2 * e + end] = 0.5 * (weights[ends[0]] + weights[ends[1]]);
+            for (int i = 0; found != decisions.end() && i < 2; ++i) {
+                if (found->second[i].first == ends[end])
+                    coarse.pairState[2 * e + end] = found->second[i].second;
+            }
+        }
+    }
+    return coarse;
+}
+
+//! Puts the coarse map on the corners of the triangles that are left, at the scale of the solver.
+void setCoarseMap(const MeshData &coarse, const UnwrapResult &result, const std::vector<int> &triangles,
+                  const multires::ProgressiveMesh &points, multires::MapRefiner &refiner)
+{
+    const auto uvOf = [&](int soupCorner) { return Vec2(result.uv.row(coarse.cornerOfSoup(soupCorner))); };
+    double area = 0;
+    for (int t = 0; t < coarse.triangleCount(); ++t)
+        area += 0.5 * cross2(uvOf(3 * t), uvOf(3 * t + 1), uvOf(3 * t + 2));
+    const double scale = std::sqrt(std::numbers::pi / area);
+    for (int t = 0; t < coarse.triangleCount(); ++t) {
+        for (int k = 0; k < 3; ++k) {
+            refiner.uv[3 * triangles[t] + k] = scale * uvOf(3 * t + k);
+            refiner.cut[3 * triangles[t] + k] = 1;
+        }
+    }
+    for (std::size_t e = 0; e < coarse.edgePairs.size(); ++e) {
+        const EdgePair &pair = coarse.edgePairs[e];
+        const int a = 3 * triangles[pair.triangle[0]] + pair.side(0);
+        const int b = 3 * triangles[pair.triangle[1]] + pair.side(1);
+        if (points.across(a) == b)
+            refiner.cut[a] = refiner.cut[b] = result.cut[e];
+    }
+}
+
+//! Moves the seams that run along diagonals to the outside of their polygons: the smaller part of such a
+//! polygon changes sides.
+void leaveDiagonals(const Soup &soup, SeamedMap &map)
+{
+    const MeshData &mesh = *soup.mesh;
+    std::vector<std::vector<int>> edgesOf(mesh.triangleCount());
+    for (std::size_t e = 0; e < map.cut.size(); ++e) {
+        for (const int t : mesh.edgePairs[e].triangle)
+            edgesOf[t].push_back(static_cast<int>(e));
+    }
+    for (std::size_t e = 0; e < map.cut.size(); ++e) {
+        const EdgePair &pair = mesh.edgePairs[e];
+        if (!pair.diagonal || !map.cut[e])
+            continue;
+        // The triangle that moves lies at the end of its polygon; all of its other edges become seams.
+        const auto diagonals = [&](int t) {
+            return std::count_if(edgesOf[t].begin(), edgesOf[t].end(),
+                                 [&](int other) { return mesh.edgePairs[other].diagonal; });
+        };
+        const int which = diagonals(pair.triangle[1]) < diagonals(pair.triangle[0]) ? 1 : 0;
+        const int moving = pair.triangle[which];
+        for (const int other : edgesOf[moving])
+            map.cut[other] = other != static_cast<int>(e) && !mesh.edgePairs[other].diagonal;
+        const auto at = [&](int corner) { return &map.x[2 * static_cast<std::size_t>(corner)]; };
+        std::array<Vec2, 2> end, rest;
+        for (int i = 0; i < 2; ++i) {
+            const int own = pair.corner[i][which], other = pair.corner[i][1 - which];
+            at(own)[0] = at(other)[0];
+            at(own)[1] = at(other)[1];
+            end[i] = Vec2(at(own)[0], at(own)[1]);
+            rest[i] = Vec2(soup.restShape[moving][2 * (own % 3)], soup.restShape[moving][2 * (own % 3) + 1]);
+        }
+        // The third corner as at rest, turned and scaled with the diagonal.
+        const int third = 3 * moving + 3 - pair.corner[0][which] % 3 - pair.corner[1][which] % 3;
+        const Vec2 far(soup.restShape[moving][2 * (third % 3)], soup.restShape[moving][2 * (third % 3) + 1]);
+        const Vec2 from = rest[1] - rest[0], to = end[1] - end[0], arm = far - rest[0];
+        const double norm = from.squaredNorm();
+        const double c = from.dot(to) / norm, s = (from.x() * to.y() - from.y() * to.x()) / norm;
+        at(third)[0] = end[0].x() + c * arm.x() - s * arm.y();
+        at(third)[1] = end[0].y() + s * arm.x() + c * arm.y();
+    }
+}
+
+SeamedMap fineMap(const Soup &soup, const multires::MapRefiner &refiner)
+{
+    SeamedMap map;
+    map.x.resize(soup.coordinateCount());
+    for (std::size_t c = 0; c < refiner.uv.size(); ++c) {
+        map.x[2 * c] = refiner.uv[c].x();
+        map.x[2 * c + 1] = refiner.uv[c].y();
+    }
+    const MeshData &mesh = *soup.mesh;
+    map.cut.resize(mesh.edgePairs.size());
+    for (std::size_t e = 0; e < map.cut.size(); ++e)
+        map.cut[e] = refiner.cut[3 * mesh.edgePairs[e].triangle[0] + mesh.edgePairs[e].side(0)] != 0;
+    leaveDiagonals(soup, map);
+    return map;
+}
+
+//! Makes the carried map usable: whole, without overlaps, relaxed, at one texel density.
+bool settle(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const UnwrapOptions &options,
+            SeamedMap &map, const std::atomic<bool> *stop)
+{
+    if (!map.validate(*soup).empty())
+        map = definite::stitchTo(soup, snapshot, map.cut, map.x, stop);
+    SeamedMap relaxed = map;
+    definite::relaxMap(soup, snapshot, relaxed, fineSteps, stop);
+    if (options.allowOverlaps || !definite::coversItself(*soup, relaxed)) {
+        map = std::move(relaxed);
+    } else {
+        // Relaxing went over itself: with barred boundaries, or with what it covers cut off.
+        if (definite::coversItself(*soup, map) && !definite::removeOverlaps(*soup, snapshot, map))
+            return false;
+        SeamedMap guarded = map;
+        definite::relaxWithoutOverlaps(soup, snapshot, guarded, fineSteps, stop);
+        if (!definite::coversItself(*soup, guarded))
+            map = std::move(guarded);
+        if ((options.lambda || map.distortion(*soup) > options.maxDistortion) &&
+            definite::removeOverlaps(*soup, snapshot, relaxed) &&
+            relaxed.distortion(*soup) < map.distortion(*soup))
+            map = std::move(relaxed);
+    }
+    definite::equalizeDensity(*soup, map);
+    return true;
+}
+
+//! Once the whole way, with a share of the allowed distortion for the coarse map.
+std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                                const UnwrapOptions &options, double share, int coarseTriangles,
+                                const CoarseUnwrap &unwrapCoarse, const std::atomic<bool> *stop)
+{
+    const std::vector<bool> decided = decidedEdges(snapshot);
+    multires::ProgressiveMesh mesh(*soup->mesh, decided);
+    const Decisions decisions = decisionsOf(snapshot, mesh, decided);
+    const std::vector<double> weights = pointWeights(snapshot, mesh);
+    std::vector<double> preferred =
+        pointWeights(preference::SeamPreference().applied(snapshot, options.threads), mesh);
+    mesh.coarsen(coarseTriangles);
+    if (mesh.triangleCount() > leastReduction * soup->triangleCount())
+        return std::nullopt;
+    std::vector<int> triangles;
+    const std::shared_ptr<const MeshData> coarse = mesh.extract(triangles);
+
+    UnwrapOptions coarseOptions = options;
+    coarseOptions.pack = false;
+    coarseOptions.maxDistortion = 4 + share * (options.maxDistortion - 4);
+    const UnwrapResult result =
+        unwrapCoarse(coarseSnapshot(snapshot, coarse, mesh, triangles, decisions, weights), coarseOptions);
+
+    multires::MapRefiner refiner(mesh, soup->scale);
+    refiner.uv.assign(soup->mesh->soupCornerCount(), Vec2::Zero());
+    refiner.cut.assign(soup->mesh->soupCornerCount(), 0);
+    refiner.pointCost = std::move(preferred);
+    refiner.mayStraighten = decisions.empty();
+    setCoarseMap(*coarse, result, triangles, mesh, refiner);
+    refiner.refineTo(soup->triangleCount());
+    CarriedMap carried;
+    carried.map = fineMap(*soup, refiner);
+    carried.iterations = result.iterations;
+    carried.lambda = result.lambda;
+    carried.delta = result.delta;
+    if (!settle(soup, snapshot, options, carried.map, stop))
+        return std::nullopt;
+    return carried;
+}
+
+} // namespace
+
+bool suitsCoarseToFine(const Snapshot &snapshot)
+{
+    return snapshot.mesh->triangleCount() > largeMesh && !snapshot.placesIslands() &&
+           snapshot.settings.start != StartMode::ExistingUv;
+}
+
+std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                                      const UnwrapOptions &options, const CoarseUnwrap &unwrapCoarse,
+                                      const std::atomic<bool> *stop, int coarseTriangles)
+{
+    std::optional<CarriedMap> best;
+    for (const double share : coarseShares) {
+        std::optional<CarriedMap> carried =
+            carry(soup, snapshot, options, share, coarseTriangles, unwrapCoarse, stop);
+        if (!carried)
+            break;
+        const double distortion = carried->map.distortion(*soup);
+        if (!best || distortion < best->map.distortion(*soup))
+            best = std::move(carried);
+        if (options.lambda || distortion <= options.maxDistortion || (stop && stop->load()))
+            break;
+    }
+    return best;
+}
+
+} // namespace autocuts::unwrap

@@ -1,0 +1,171 @@
+#include "solver/unwrap/soupchains.h"
+
+#include "solver/base/parallel.h"
+#include "solver/definite/definitemap.h"
+#include "solver/homotopy/anneal.h"
+#include "solver/homotopy/budget.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+namespace autocuts::unwrap {
+
+namespace {
+
+constexpr int hurriedSteps = 4;
+constexpr int extraRuns = 5; // when none of the planned ones met the bound
+
+//! One chain of annealing runs, each reheated from the end of the one before. Where it ends depends on luck
+//! as much as on the parameters, so several different ones are run and the best map is kept. The first chain
+//! starts as the user asked, the others as it says here.
+struct ChainPlan
+{
+    double firstLambda;
+    double reheat; //!< delta where the second and further runs start
+    StartMode start;
+};
+
+constexpr std::array<ChainPlan, 12> chainPlans{{{0.05, 0.01, StartMode::Rigid},
+                                                {0.05, 0.01, StartMode::Tutte},
+                                                {0.3, 0.05, StartMode::Rigid},
+                                                {0.3, 0.01, StartMode::Tutte},
+                                                {0.1, 0.02, StartMode::Random},
+                                                {0.02, 0.05, StartMode::Tutte},
+                                                {0.2, 0.03, StartMode::Rigid},
+                                                {0.1, 0.05, StartMode::Tutte},
+                                                {0.15, 0.005, StartMode::Random},
+                                                {0.03, 0.03, StartMode::Rigid},
+                                                {0.4, 0.02, StartMode::Tutte},
+                                                {0.02, 0.01, StartMode::Rigid}}};
+
+struct QualityPlan
+{
+    int chains;
+    int runs; //!< per chain
+    int stepsPerLevel;
+};
+
+//! Small meshes get more chains: they cost little and their result depends more on luck.
+QualityPlan planFor(UnwrapQuality quality, int triangles)
+{
+    const auto chains = [triangles](int work, int fewest) {
+        return std::clamp(work / std::max(triangles, 1), fewest, static_cast<int>(chainPlans.size()));
+    };
+    switch (quality) {
+    case UnwrapQuality::Draft:
+        return {chains(4000, 1), 2, 20};
+    case UnwrapQuality::Standard:
+        return {chains(10000, 2), 4, 40};
+    case UnwrapQuality::Best:
+        return {chains(80000, 4), 6, 60};
+    }
+    throw std::invalid_argument("unwrap: unknown quality");
+}
+
+//! Start of chain i where it is not the one that the user asked for. The second chain complements the first.
+std::optional<StartMode> startOf(int i, StartMode asked)
+{
+    if (i == 0)
+        return std::nullopt;
+    if (i == 1 && asked == chainPlans[1].start)
+        return chainPlans[0].start;
+    return chainPlans[i].start;
+}
+
+struct ChainResult
+{
+    std::optional<Candidate> best;
+    int iterations = 0;
+};
+
+ChainResult runChain(const Snapshot &start, const ChainPlan &plan, std::optional<StartMode> startMode,
+                     const QualityPlan &quality, const UnwrapOptions &options, Ranking &ranking,
+                     const std::atomic<bool> *stop)
+{
+    const auto stopped = [&] { return stop && stop->load(std::memory_order_relaxed); };
+    Snapshot snapshot = start;
+    snapshot.settings.delta = 1;
+    if (startMode)
+        snapshot.settings.start = *startMode;
+    homotopy::Solver solver;
+    solver.load(snapshot);
+    homotopy::DistortionBudget budget(options.maxDistortion, plan.firstLambda);
+    definite::DefiniteMapOptions making;
+    making.allowOverlaps = options.allowOverlaps;
+    making.maxDistortion = options.maxDistortion;
+    if (options.lambda) {
+        making.maxDistortion = std::numeric_limits<double>::infinity();
+        making.costPerLength = *options.lambda / std::max(1 - *options.lambda, 1e-9);
+    }
+    ChainResult result;
+    // A run that misses the bound may be followed by some more than planned.
+    const int mostRuns = quality.runs + (options.lambda ? 0 : extraRuns);
+    for (int run = 0; run < mostRuns && !(stopped() && ranking.hasAny()); ++run) {
+        const bool fits = result.best && result.best->distortion <= options.maxDistortion;
+        if (run >= quality.runs && (fits || options.lambda))
+            break;
+        homotopy::AnnealOptions anneal;
+        anneal.startDelta = run == 0 ? 1 : plan.reheat;
+        anneal.lambda = options.lambda.value_or(budget.lambda());
+        anneal.stepsPerLevel = quality.stepsPerLevel;
+        homotopy::annealSoup(solver, anneal, stop, [&](const homotopy::StepResult &) {
+            ++result.iterations;
+            ranking.stepDone(1);
+        });
+        if (stopped()) {
+            if (ranking.hasAny())
+                break;
+            // Whatever is still half open has to be decided: the rest of the homotopy in a few steps.
+            anneal.startDelta = solver.snapshot().settings.delta;
+            anneal.stepsPerLevel = hurriedSteps;
+            homotopy::annealSoup(solver, anneal, nullptr);
+        }
+        // The first map must come about, whatever is asked meanwhile.
+        std::optional<definite::DefiniteMap> made =
+            definite::makeDefiniteMap(solver, making, ranking.hasAny() ? stop : nullptr);
+        if (!made)
+            break;
+        budget.report(made->seedDistortion);
+        Candidate candidate;
+        candidate.map = std::move(made->map);
+        candidate.measure(solver.soup(), snapshot);
+        candidate.lambda = solver.snapshot().settings.lambda;
+        candidate.delta = solver.snapshot().settings.delta;
+        ranking.found(candidate.distortion, candidate.seamLength);
+        if (!result.best || ranking.better(candidate, *result.best))
+            result.best = std::move(candidate);
+    }
+    return result;
+}
+
+} // namespace
+
+std::optional<Candidate> bestOfSoupChains(const Snapshot &snapshot, const UnwrapOptions &options,
+                                          Ranking &ranking, const std::atomic<bool> *stop, int &iterations)
+{
+    const std::shared_ptr<const Soup> soup = Soup::build(snapshot.mesh);
+    const QualityPlan plan = planFor(options.quality, soup->triangleCount());
+    int steps = 0;
+    for (int i = 0; i < plan.chains; ++i)
+        steps +=
+            homotopy::annealSteps(*soup, {1, 0, plan.stepsPerLevel}) +
+            (plan.runs - 1) * homotopy::annealSteps(*soup, {chainPlans[i].reheat, 0, plan.stepsPerLevel});
+    ranking.setTotal(steps);
+
+    std::vector<ChainResult> results(plan.chains);
+    parallelFor(plan.chains, options.threads, [&](int i) {
+        results[i] = runChain(snapshot, chainPlans[i], startOf(i, snapshot.settings.start), plan, options,
+                              ranking, stop);
+    });
+    std::optional<Candidate> best;
+    for (ChainResult &chain : results) {
+        iterations += chain.iterations;
+        if (chain.best && (!best || ranking.better(*chain.best, *best)))
+            best = std::move(chain.best);
+    }
+    return best;
+}
+
+} // namespace autocuts::unwrap

@@ -1,0 +1,258 @@
+#include "solver/unwrap/unwrap.h"
+
+#include "solver/definite/definitemap.h"
+#include "solver/definite/relaxing.h"
+#include "solver/packing/islandgeometry.h"
+#include "solver/preference/seampreference.h"
+#include "solver/search/seamoptimizer.h"
+#include "solver/unwrap/candidates.h"
+#include "solver/unwrap/coarsetofine.h"
+#include "solver/unwrap/soupchains.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace autocuts::unwrap {
+
+namespace {
+
+constexpr double hurriedPackEffort = 0.1;
+constexpr double fullEffortTriangles = 2000;
+
+//! The seam search knows seams, weights and the symmetric Dirichlet energy; what else steers the solver, and
+//! a fixed balance, is for the soup.
+bool canSearch(const Snapshot &snapshot, const UnwrapOptions &options)
+{
+    return !options.lambda && !snapshot.placesIslands() &&
+           snapshot.settings.energy == DistortionEnergy::SymmetricDirichlet;
+}
+
+search::OptimizeEffort fullEffort(UnwrapQuality quality)
+{
+    switch (quality) {
+    case UnwrapQuality::Draft:
+        return {1, {{0, 1}, {25, 1}}, 0, 0.5, 16};
+    case UnwrapQuality::Standard:
+        return {10, {{80, 5}, {200, 2}, {1300, 1}}, 10};
+    case UnwrapQuality::Best:
+        return {24, {{100, 12}, {300, 6}, {800, 3}, {2000, 1}}, 10};
+    }
+    throw std::invalid_argument("unwrap: unknown quality");
+}
+
+//! Small meshes have few seams to choose from: fewer moves exhaust them, and other starts help more. A draft
+//! of them can afford to choose among starts.
+search::OptimizeEffort effortFor(UnwrapQuality quality, int triangles)
+{
+    search::OptimizeEffort effort = fullEffort(quality);
+    const double share = std::clamp(std::sqrt(triangles / fullEffortTriangles), 0.4, 1.0);
+    if (quality == UnwrapQuality::Draft)
+        effort.seeds = static_cast<int>(std::lround(1 / (share * share)));
+    if (quality != UnwrapQuality::Standard)
+        return effort;
+    const auto more = [share](int count) { return static_cast<int>(std::lround(count / share)); };
+    effort.seeds = more(effort.seeds);
+    for (search::OptimizeEffort::Round &round : effort.rounds) {
+        round.moves = static_cast<int>(share * round.moves);
+        round.survivors = more(round.survivors);
+    }
+    return effort;
+}
+
+//! True when the surface is more than one piece without handles and with one border at most: then the few
+//! cuts that the search starts from are many, and the soup may know better.
+bool isComplicated(const MeshData &mesh)
+{
+    const CutMesh whole(mesh, CutFlags(mesh.edgePairs.size(), false));
+    const int loops = static_cast<int>(whole.boundaryLoops().size());
+    const int edges = static_cast<int>(mesh.edgePairs.size() + mesh.boundarySides.size());
+    const int euler = whole.uvVertexCount - edges + mesh.triangleCount();
+    return whole.chartCount > 1 || loops > 1 || euler + loops < 2;
+}
+
+//! \param other a map found otherwise, to start from as well
+std::optional<Candidate> searchedMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                                     const UnwrapOptions &options, const std::optional<Candidate> &other,
+                                     const preference::MeshSymmetry *symmetry, Ranking &ranking,
+                                     const std::atomic<bool> *stop, int &iterations)
+{
+    search::OptimizeOptions search;
+    search.maxDistortion = options.maxDistortion;
+    search.allowOverlaps = options.allowOverlaps;
+    search.effort = effortFor(options.quality, snapshot.mesh->triangleCount());
+    if (other)
+        search.given.push_back(other->map);
+    search.seed = snapshot.settings.seed;
+    search.threads = options.threads;
+    search.stop = stop;
+    search.start = [&](int steps) { ranking.setTotal(steps); };
+    search.progress = [&](int steps, double distortion, double seamLength) {
+        ranking.found(distortion, seamLength);
+        ranking.stepDone(steps);
+    };
+    std::optional<search::OptimizedMap> found =
+        search::optimizeSeams(search::SeamGraph::build(soup, snapshot, symmetry), search);
+    if (!found)
+        return std::nullopt;
+    Candidate candidate;
+    candidate.map = std::move(found->map);
+    definite::equalizeDensity(*soup, candidate.map);
+    if (!options.allowOverlaps && definite::coversItself(*soup, candidate.map))
+        return std::nullopt;
+    candidate.measure(*soup, snapshot);
+    candidate.lambda = found->mu / (1 + found->mu);
+    iterations += found->iterations;
+    return candidate;
+}
+
+void fitUnitSquare(UvMatrix &uv)
+{
+    const Eigen::RowVector2d low = uv.colwise().minCoeff();
+    const Eigen::RowVector2d high = uv.colwise().maxCoeff();
+    const double side = (high - low).maxCoeff();
+    uv.rowwise() -= low;
+    if (side > 0)
+        uv /= side;
+}
+
+//! Fills result.uv and result.packed.
+void place(const Soup &soup, const SeamedMap &map, const UnwrapOptions &options,
+           const std::atomic<bool> *stop, Ranking &ranking, UnwrapResult &result)
+{
+    result.uv = cornerUv(soup, map);
+    if (!options.pack) {
+        fitUnitSquare(result.uv);
+        return;
+    }
+    const MeshData &mesh = *soup.mesh;
+    const ChartMap charts = chartsOf(mesh, CutMesh(mesh, map.cut));
+    const std::vector<packing::PackIsland> islands = packing::makePackIslands(mesh, result.uv, charts);
+    packing::PackSettings settings = options.packing;
+    settings.threads = options.threads;
+    if (options.quality == UnwrapQuality::Draft)
+        settings.effort = std::min(settings.effort, hurriedPackEffort);
+    const auto pack = [&](const std::atomic<bool> *cancel) {
+        return packing::packIslands(islands, settings, cancel, [&](double done) {
+            ranking.stage(UnwrapStage::Packing,
+                          Ranking::optimizingShare + (1 - Ranking::optimizingShare) * done);
+        });
+    };
+    packing::PackResult packed;
+    if (!(stop && stop->load()))
+        packed = pack(stop);
+    if (!packed.complete) {
+        // Stopped before the first layout, or there is no room: a hurried attempt tells.
+        settings.effort = std::min(settings.effort, hurriedPackEffort);
+        packed = pack(nullptr);
+    }
+    result.packed = packed.complete;
+    if (packed.complete)
+        packing::applyPlacements(packed, mesh, charts, result.uv);
+    else
+        fitUnitSquare(result.uv);
+}
+
+void checkOptions(const UnwrapOptions &options)
+{
+    if (!(options.maxDistortion > 4))
+        throw std::invalid_argument("unwrap: the distortion bound must be above 4, the value of an isometry");
+    if (options.lambda && !(*options.lambda >= 0 && *options.lambda <= 1))
+        throw std::invalid_argument("unwrap: lambda must be between 0 and 1");
+}
+
+//! The way of large meshes; nothing when this mesh does not take it.
+std::optional<UnwrapResult> unwrapLarge(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                                        const UnwrapOptions &options, const std::atomic<bool> *stop,
+                                        const std::function<void(const UnwrapProgress &)> &progress)
+{
+    if (!suitsCoarseToFine(snapshot))
+        return std::nullopt;
+    const std::optional<CarriedMap> carried = mapByCoarse(
+        soup, snapshot, options,
+        [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions) {
+            return unwrapMesh(coarse, coarseOptions, stop, progress);
+        },
+        stop);
+    if (!carried)
+        return std::nullopt;
+    UnwrapResult result;
+    result.iterations = carried->iterations;
+    if (snapshot.settings.symmetry)
+        result.symmetry = 0;
+    result.cut = carried->map.cut;
+    result.distortion = carried->map.distortion(*soup);
+    result.seamLength = carried->map.seamLength(*soup);
+    result.lambda = carried->lambda;
+    result.delta = carried->delta;
+    result.withinBound = options.lambda || result.distortion <= options.maxDistortion;
+    Ranking ranking(options, progress);
+    place(*soup, carried->map, options, stop, ranking, result);
+    result.stopped = stop && stop->load();
+    return result;
+}
+
+} // namespace
+
+UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, const std::atomic<bool> *stop,
+                        const std::function<void(const UnwrapProgress &)> &progress)
+{
+    checkOptions(options);
+    const std::shared_ptr<const Soup> soup = Soup::build(given.mesh);
+    Snapshot snapshot = given;
+    // A coarser mesh has sharper edges: whether these are creases is seen in the mesh itself.
+    snapshot.settings.creases = preference::decided(snapshot.settings.creases, *snapshot.mesh);
+    std::optional<preference::MeshSymmetry> symmetry;
+    if (snapshot.settings.symmetry && canSearch(snapshot, options))
+        symmetry = preference::findSymmetry(*snapshot.mesh);
+    // A coarser mesh would not be symmetric.
+    if (!symmetry) {
+        if (std::optional<UnwrapResult> large = unwrapLarge(soup, snapshot, options, stop, progress))
+            return std::move(*large);
+    }
+    snapshot = preference::SeamPreference().applied(snapshot, options.threads);
+    Ranking ranking(options, progress);
+    UnwrapResult result;
+    const bool search = canSearch(snapshot, options);
+    const auto soupMap = [&](UnwrapQuality quality) {
+        UnwrapOptions how = options;
+        how.quality = quality;
+        return bestOfSoupChains(snapshot, how, ranking, stop, result.iterations);
+    };
+    std::optional<Candidate> best;
+    const auto fits = [&] { return best && best->distortion <= options.maxDistortion; };
+    if (symmetry)
+        best = searchedMap(soup, snapshot, options, {}, &*symmetry, ranking, stop, result.iterations);
+    const bool isSymmetric = fits() || (best && stop && stop->load());
+    // The soup starts from a given map, and from anything.
+    const bool fromUvs = snapshot.settings.start == StartMode::ExistingUv;
+    if (!search)
+        best = soupMap(options.quality);
+    else if (!isSymmetric && (fromUvs || isComplicated(*snapshot.mesh)))
+        best = soupMap(UnwrapQuality::Draft);
+    if (search && !isSymmetric) {
+        std::optional<Candidate> found =
+            searchedMap(soup, snapshot, options, best, nullptr, ranking, stop, result.iterations);
+        if (!best || (found && ranking.better(*found, *best)))
+            best = std::move(found);
+        const bool stopped = stop && stop->load();
+        if (!best || (!stopped && best->distortion > options.maxDistortion)) {
+            found = soupMap(options.quality);
+            if (!best || (found && ranking.better(*found, *best)))
+                best = std::move(found);
+        }
+    }
+    result.cut = best->map.cut;
+    if (snapshot.settings.symmetry)
+        result.symmetry = symmetry ? preference::symmetricShare(*snapshot.mesh, *symmetry, result.cut) : 0;
+    result.distortion = best->distortion;
+    result.seamLength = best->seamLength;
+    result.lambda = best->lambda;
+    result.delta = best->delta;
+    result.withinBound = options.lambda || best->distortion <= options.maxDistortion;
+    place(*soup, best->map, options, stop, ranking, result);
+    result.stopped = stop && stop->load();
+    return result;
+}
+
+} // namespace autocuts::unwrap

@@ -1,0 +1,100 @@
+#include "views/control/islandfigures.h"
+
+#include "commands/islandtransform.h"
+
+#include <cmath>
+#include <limits>
+
+namespace autocuts {
+
+namespace {
+
+//! Sums over the triangles of one island.
+struct IslandSums
+{
+    double area3d = 0, areaUv = 0, distortionArea = 0, distortion = 0;
+
+    double density(int textureSize) const
+    {
+        return area3d > 0 ? textureSize * std::sqrt(areaUv / area3d)
+                          : std::numeric_limits<double>::quiet_NaN();
+    }
+};
+
+std::vector<IslandSums> sumsOf(const Document &document, const std::vector<double> &triangleDistortion)
+{
+    const MeshData &mesh = document.mesh();
+    const Islands &islands = document.islands();
+    std::vector<IslandSums> sums(islands.count());
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const int island = islands.islandOfFace(mesh.triangleFace[t]);
+        if (island < 0)
+            continue;
+        const auto uv = [&](int k) { return Vec2(document.uv().row(mesh.triangles[t][k])); };
+        IslandSums &sum = sums[island];
+        sum.area3d += mesh.triangleArea[t];
+        sum.areaUv += std::abs(cross2(uv(0), uv(1), uv(2))) / 2;
+        if (!triangleDistortion.empty() && std::isfinite(triangleDistortion[t])) {
+            sum.distortionArea += mesh.triangleArea[t];
+            sum.distortion += mesh.triangleArea[t] * triangleDistortion[t];
+        }
+    }
+    return sums;
+}
+
+} // namespace
+
+std::vector<IslandFigures> islandFigures(const Document &document,
+                                         const std::vector<double> &triangleDistortion)
+{
+    const std::vector<IslandSums> sums = sumsOf(document, triangleDistortion);
+    double area = 0;
+    for (const IslandSums &sum : sums)
+        area += sum.area3d;
+    std::vector<IslandFigures> figures(sums.size());
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        const std::vector<int> &faces = document.islands().faces(int(i));
+        figures[i].faces = static_cast<int>(faces.size());
+        figures[i].areaShare = area > 0 ? sums[i].area3d / area : 0;
+        figures[i].texelDensity = sums[i].density(document.packingSettings().textureSize);
+        figures[i].distortion = sums[i].distortionArea > 0 ? sums[i].distortion / sums[i].distortionArea
+                                                           : std::numeric_limits<double>::quiet_NaN();
+        figures[i].flags = document.marks().flagsOf(faces);
+        figures[i].tags = document.marks().tagsOf(faces);
+    }
+    return figures;
+}
+
+double meanTexelDensity(const Document &document, const std::vector<int> &islands)
+{
+    double sum = 0, area = 0;
+    const std::vector<IslandFigures> figures = islandFigures(document, {});
+    for (int island : islands) {
+        if (std::isfinite(figures[island].texelDensity)) {
+            sum += figures[island].areaShare * figures[island].texelDensity;
+            area += figures[island].areaShare;
+        }
+    }
+    return area > 0 ? sum / area : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::unique_ptr<SetUvs> setTexelDensity(Document &document, const std::vector<int> &islands, double density)
+{
+    const std::vector<IslandSums> sums = sumsOf(document, {});
+    const int textureSize = document.packingSettings().textureSize;
+    std::vector<int> scaled;
+    for (int island : islands) {
+        if (sums[island].density(textureSize) > 0)
+            scaled.push_back(island);
+    }
+    const IslandTransform transform(document, UvEdit::Scale, scaled);
+    return transform.command([&](int island) {
+        const Vec2 centre = document.islands().box(island).center();
+        Eigen::Affine2d result = Eigen::Affine2d::Identity();
+        result.linear() *= density / sums[island].density(textureSize);
+        result.translation() = centre - result.linear() * centre;
+        return result;
+    });
+}
+
+} // namespace autocuts

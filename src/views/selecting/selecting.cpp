@@ -1,0 +1,212 @@
+#include "views/selecting/selecting.h"
+
+#include "model/document/document.h"
+#include "model/document/selectiontools.h"
+#include "model/document/similarislands.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace autocuts {
+
+namespace {
+
+//! The indices that are marked.
+QList<int> indicesOf(const std::vector<bool> &marked)
+{
+    QList<int> result;
+    for (std::size_t i = 0; i < marked.size(); ++i) {
+        if (marked[i])
+            result.append(static_cast<int>(i));
+    }
+    return result;
+}
+
+std::vector<bool> marksOf(const QList<int> &indices, int count)
+{
+    std::vector<bool> marked(count, false);
+    for (int index : indices)
+        marked[index] = true;
+    return marked;
+}
+
+//! Edges by how many of their faces are among the given ones.
+template <typename Accept>
+QList<int> edgesByFaces(const Document &document, const QList<int> &faces, Accept accept)
+{
+    const MeshAdjacency &adjacency = document.adjacency();
+    const std::vector<bool> inside = marksOf(faces, document.mesh().faceCount());
+    QList<int> result;
+    for (int edge = 0; edge < adjacency.edgeCount(); ++edge) {
+        if (adjacency.isDiagonal(edge))
+            continue;
+        const auto [first, second] = adjacency.edgeFaces(edge);
+        const int count = int(inside[first]) + int(second >= 0 && inside[second]);
+        if (accept(count, second >= 0))
+            result.append(edge);
+    }
+    return result;
+}
+
+//! Twice the signed area of a triangle in the map; not a number without UVs.
+double signedUvArea(const MeshData &mesh, const UvMatrix &uv, int triangle)
+{
+    const auto &corners = mesh.triangles[triangle];
+    const Vec2 a = uv.row(corners[0]), b = uv.row(corners[1]), c = uv.row(corners[2]);
+    return (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
+}
+
+} // namespace
+
+QList<int> facesOf(const Document &document, const Selection &selection)
+{
+    std::vector<bool> faces = marksOf(selection.faces, document.mesh().faceCount());
+    const MeshAdjacency &adjacency = document.adjacency();
+    for (int edge : selection.edges) {
+        for (int face : adjacency.edgeFaces(edge)) {
+            if (face >= 0)
+                faces[face] = true;
+        }
+    }
+    for (int corner : selection.corners)
+        faces[adjacency.faceOfCorner(corner)] = true;
+    return indicesOf(faces);
+}
+
+QList<int> cornersOf(const Document &document, const Selection &selection)
+{
+    const MeshData &mesh = document.mesh();
+    std::vector<bool> corners = marksOf(selection.corners, mesh.cornerCount());
+    const MeshAdjacency &adjacency = document.adjacency();
+    for (int edge : selection.edges) {
+        for (int vertex : adjacency.edgeVertices(edge)) {
+            for (int corner : adjacency.vertexCorners(vertex))
+                corners[corner] = true;
+        }
+    }
+    for (int face : selection.faces)
+        std::fill(corners.begin() + mesh.faceStart[face], corners.begin() + mesh.faceStart[face + 1], true);
+    return indicesOf(corners);
+}
+
+Selection selectionOf(const Document &document, const QList<int> &faces, SelectionMode mode)
+{
+    Selection result;
+    result.mode = mode;
+    if (mode == SelectionMode::Edges) {
+        result.edges = edgesByFaces(document, faces, [](int count, bool) { return count > 0; });
+    } else if (mode == SelectionMode::Vertices) {
+        Selection asFaces;
+        asFaces.faces = faces;
+        result.corners = cornersOf(document, asFaces);
+    } else {
+        result.faces = faces;
+    }
+    return result;
+}
+
+Selection everything(const Document &document, SelectionMode mode)
+{
+    QList<int> faces(document.mesh().faceCount());
+    std::iota(faces.begin(), faces.end(), 0);
+    return selectionOf(document, faces, mode);
+}
+
+Selection inverted(const Document &document, const Selection &selection)
+{
+    const auto without = [](const QList<int> &all, const QList<int> &some) {
+        QList<int> rest;
+        std::set_difference(all.begin(), all.end(), some.begin(), some.end(), std::back_inserter(rest));
+        return rest;
+    };
+    const Selection all = everything(document, selection.mode);
+    Selection result;
+    result.mode = selection.mode;
+    result.faces = without(all.faces, selection.faces);
+    result.edges = without(all.edges, selection.edges);
+    result.corners = without(all.corners, selection.corners);
+    return result;
+}
+
+Selection loopsOf(const Document &document, const Selection &selection)
+{
+    const MeshAdjacency &adjacency = document.adjacency();
+    std::vector<bool> edges = marksOf(selection.edges, adjacency.edgeCount());
+    std::vector<bool> found = edges;
+    for (int edge : selection.edges) {
+        // Edges of a loop already found lead to the same loop.
+        if (!edges[edge])
+            continue;
+        for (int other : edgeLoop(document.mesh(), adjacency, edge)) {
+            found[other] = true;
+            edges[other] = false;
+        }
+    }
+    Selection result;
+    result.mode = SelectionMode::Edges;
+    result.edges = indicesOf(found);
+    return result;
+}
+
+QList<int> facesOfSimilarIslands(const Document &document, const QList<int> &faces)
+{
+    const Islands &islands = document.islands();
+    std::vector<bool> chosen(islands.count(), false);
+    for (int island : islands.islandsOf(faces)) {
+        if (chosen[island])
+            continue;
+        for (int copy :
+             similarIslands(document.mesh(), document.adjacency(), islands, island, Similarity::Shape))
+            chosen[copy] = true;
+    }
+    QList<int> result;
+    for (int face = 0; face < islands.faceCount(); ++face) {
+        if (const int island = islands.islandOfFace(face); island >= 0 && chosen[island])
+            result.append(face);
+    }
+    return result;
+}
+
+QList<int> flippedFaces(const Document &document)
+{
+    const MeshData &mesh = document.mesh();
+    const Islands &islands = document.islands();
+    std::vector<double> sum(islands.count(), 0);
+    const auto forEachTriangle = [&](auto visit) {
+        for (int triangle = 0; triangle < mesh.triangleCount(); ++triangle) {
+            const int island = islands.islandOfFace(mesh.triangleFace[triangle]);
+            if (island >= 0)
+                visit(triangle, island, signedUvArea(mesh, document.uv(), triangle));
+        }
+    };
+    forEachTriangle([&](int, int island, double area) { sum[island] += area; });
+    std::vector<bool> flipped(mesh.faceCount(), false);
+    forEachTriangle([&](int triangle, int island, double area) {
+        if (area * sum[island] < 0)
+            flipped[mesh.triangleFace[triangle]] = true;
+    });
+    return indicesOf(flipped);
+}
+
+QList<int> edgesToCut(const Document &document, const Selection &selection)
+{
+    if (!selection.edges.isEmpty())
+        return selection.edges;
+    return edgesByFaces(document, selection.faces, [](int count, bool inner) { return inner && count == 1; });
+}
+
+QList<int> edgesToJoin(const Document &document, const Selection &selection)
+{
+    if (!selection.edges.isEmpty())
+        return selection.edges;
+    return edgesByFaces(document, selection.faces, [](int count, bool) { return count == 2; });
+}
+
+QList<int> edgesToClear(const Document &document, const Selection &selection)
+{
+    if (!selection.edges.isEmpty())
+        return selection.edges;
+    return edgesByFaces(document, selection.faces, [](int count, bool inner) { return inner && count > 0; });
+}
+
+} // namespace autocuts

@@ -1,0 +1,283 @@
+#include "views/shell/mainwindow.h"
+
+#include "model/document/makesnapshot.h"
+#include "views/actions/menubuilder.h"
+#include "views/actions/studioactions.h"
+#include "views/canvas/meshview.h"
+#include "views/canvas/uvview.h"
+#include "views/panels/doctorpanel.h"
+#include "views/panels/historypanel.h"
+#include "views/panels/islandpanel.h"
+#include "views/panels/overlappanel.h"
+#include "views/panels/packpanel.h"
+#include "views/panels/seampanel.h"
+#include "views/panels/solverpanel.h"
+#include "views/panels/viewpanel.h"
+#include "views/shell/statusbar.h"
+#include "views/tools/studiotools.h"
+#include "views/ui/icons.h"
+#include "views/ui/preferences.h"
+#include "views/ui/questions.h"
+
+#include <QCborMap>
+#include <QCborValue>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSplitter>
+#include <QToolBar>
+
+namespace autocuts {
+
+namespace {
+
+constexpr int thumbnailSize = 256; //!< pixels of the longer side
+
+//! The one file of a drag, or an empty text.
+QString draggedFile(const QMimeData &data)
+{
+    const QList<QUrl> urls = data.urls();
+    return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
+}
+
+} // namespace
+
+MainWindow::MainWindow(Preferences &preferences, const QString &recoveryFolder,
+                       std::unique_ptr<Questions> questions)
+    : mPreferences(preferences), mQuestions(questions ? std::move(questions) : std::make_unique<Questions>()),
+      mShownMap(mWorkspace), mActions(preferences), mSolver(mWorkspace, mShownMap), mMap(mWorkspace, mSolver),
+      mFiles(mWorkspace, mSolver, preferences, recoveryFolder), mTools(context())
+{
+    mQuestions->setWindow(this);
+    addStudioTools(mTools, context());
+    setWindowIcon(applicationIcon());
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    mStudioActions = std::make_unique<StudioActions>(context(), *mQuestions, recoveryFolder);
+    makeViews();
+    makePanels();
+    makeMenus();
+    connectMessages();
+    connect(&mWorkspace, &Workspace::documentReplaced, this, &MainWindow::showTitle);
+    connect(&mWorkspace, &Workspace::historyChanged, this, &MainWindow::showTitle);
+    connect(&mFiles, &FileController::opened, this, &MainWindow::showOpened);
+    mFiles.setThumbnailSource([this] { return thumbnail(); });
+    mFiles.setViewStateSource([this] { return viewStateBytes(); });
+    mSolver.setMaxDistortion(preferences.values().maxDistortion);
+    showTitle();
+    restoreLayout();
+}
+
+MainWindow::~MainWindow()
+{
+    // Panels and views are destroyed by QWidget's destructor, after the members that they know.
+    for (QDockWidget *dock : mDocks)
+        delete dock;
+    delete mStatusBar;
+    delete mSplitter;
+}
+
+StudioContext MainWindow::context()
+{
+    return {mWorkspace, mShownMap, mViewState, mPreferences, mSolver, mMap, mFiles, mActions};
+}
+
+void MainWindow::makeViews()
+{
+    const StudioContext canvas = context();
+    mSplitter = new QSplitter(this);
+    mSplitter->setObjectName(QStringLiteral("views"));
+    mMeshView = new MeshView(canvas, mTools, mSplitter);
+    mUvView = new UvView(canvas, mTools, mSplitter);
+    mSplitter->setSizes({1000, 1000});
+    mSplitter->setChildrenCollapsible(false);
+    setCentralWidget(mSplitter);
+
+    ViewActions &view = mStudioActions->view();
+    connect(&view, &ViewActions::layoutChosen, this, &MainWindow::arrangeViews);
+    const auto frameBoth = [this](void (Canvas::*frame)()) {
+        (mMeshView->*frame)();
+        (mUvView->*frame)();
+    };
+    connect(&view, &ViewActions::frameAll, this, [=] { frameBoth(&Canvas::frameAll); });
+    connect(&view, &ViewActions::frameSelected, this, [=] { frameBoth(&Canvas::frameSelection); });
+}
+
+void MainWindow::makePanels()
+{
+    const StudioContext studio = context();
+    const auto add = [this](const char *name, const QString &title, QWidget *panel, Qt::DockWidgetArea area) {
+        auto *dock = new QDockWidget(title, this);
+        dock->setObjectName(QLatin1String(name));
+        dock->setWidget(panel);
+        addDockWidget(area, dock);
+        mDocks.append(dock);
+        return dock;
+    };
+    QDockWidget *view = add("view", tr("View"), new ViewPanel(studio), Qt::LeftDockWidgetArea);
+    QDockWidget *history = add("history", tr("History"), new HistoryPanel(studio), Qt::LeftDockWidgetArea);
+    QDockWidget *doctor = add("doctor", tr("Mesh doctor"), new DoctorPanel(studio), Qt::LeftDockWidgetArea);
+    QDockWidget *solver = add("solver", tr("Solver"), new SolverPanel(studio), Qt::RightDockWidgetArea);
+    QDockWidget *islands = add("islands", tr("Islands"), new IslandPanel(studio), Qt::RightDockWidgetArea);
+    QDockWidget *seams = add("seams", tr("Seams"), new SeamPanel(studio), Qt::RightDockWidgetArea);
+    QDockWidget *packing = add("packing", tr("Packing"), new PackPanel(studio), Qt::RightDockWidgetArea);
+    auto *overlapPanel = new OverlapPanel(studio);
+    QDockWidget *overlaps = add("overlaps", tr("Overlaps"), overlapPanel, Qt::RightDockWidgetArea);
+    connect(overlapPanel, &OverlapPanel::frameSelectionRequested, mUvView, &UvView::frameSelection);
+
+    tabifyDockWidget(history, doctor);
+    history->raise();
+    tabifyDockWidget(islands, seams);
+    tabifyDockWidget(seams, packing);
+    tabifyDockWidget(packing, overlaps);
+    islands->raise();
+    resizeDocks({view, solver}, {290, 340}, Qt::Horizontal);
+    resizeDocks({view, history}, {560, 340}, Qt::Vertical);
+    resizeDocks({solver, islands}, {600, 320}, Qt::Vertical);
+
+    mStatusBar = new StatusBar(studio, this);
+    setStatusBar(mStatusBar);
+    connect(&mTools, &ToolManager::hintChanged, mStatusBar, &StatusBar::setHint);
+}
+
+void MainWindow::makeMenus()
+{
+    mMenus = std::make_unique<MenuBuilder>(mActions, *menuBar());
+    mStudioActions->file().fillRecentMenu(*mMenus);
+    QMenu *panels = mMenus->menu(QStringLiteral("View/Panels"));
+    QAction *const before = panels->actions().value(0);
+    for (QDockWidget *dock : mDocks)
+        panels->insertAction(before, dock->toggleViewAction());
+
+    auto *bar = addToolBar(tr("Main tool bar"));
+    bar->setObjectName(QStringLiteral("mainToolBar"));
+    bar->setMovable(false);
+    fillToolBar(mActions, *bar);
+    panels->insertAction(before, bar->toggleViewAction());
+    panels->insertAction(before, makeToolBar()->toggleViewAction());
+    // All actions work wherever the focus is, also while the menu bar is hidden.
+    addActions(QList<QAction *>(mActions.actions().begin(), mActions.actions().end()));
+    connect(&mStudioActions->view(), &ViewActions::resetPanels, this,
+            [this] { restoreState(mDefaultState); });
+    connect(mActions.action("view.fullScreen"), &QAction::toggled, this,
+            [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
+}
+
+//! The tools beside the views. An action "tool.x" chooses the tool "x".
+QToolBar *MainWindow::makeToolBar()
+{
+    auto *bar = new QToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("toolsToolBar"));
+    bar->setMovable(false);
+    addToolBar(Qt::LeftToolBarArea, bar);
+    for (QAction *action : mActions.actions()) {
+        const ActionInfo &info = mActions.info(action);
+        if (QLatin1String(info.group) != QLatin1String("tool"))
+            continue;
+        bar->addAction(action);
+        const QString tool = QString::fromLatin1(info.id).section(QLatin1Char('.'), 1);
+        connect(action, &QAction::triggered, this, [this, tool] { mTools.choose(tool); });
+    }
+    const auto showTool = [this] {
+        const QString id = QStringLiteral("tool.") + mTools.tool()->id();
+        mActions.action(id.toLatin1().constData())->setChecked(true);
+    };
+    connect(&mTools, &ToolManager::toolChanged, this, showTool);
+    showTool();
+    return bar;
+}
+
+void MainWindow::connectMessages()
+{
+    const auto say = [this](const QString &message) { mStatusBar->showText(message); };
+    connect(&mMap, &MapController::done, this, say);
+    connect(&mStudioActions->islands(), &IslandActions::said, this, say);
+    connect(&mFiles, &FileController::done, this, say);
+    connect(&mMap, &MapController::failed, this, say);
+    connect(&mSolver, &SolverController::failed, this, [this](const QString &message) {
+        mQuestions->showError(Error{message, {}, 0, {}});
+    });
+    connect(&mFiles, &FileController::failed, this,
+            [this](const Error &error) { mQuestions->showError(error); });
+}
+
+void MainWindow::restoreLayout()
+{
+    resize(1680, 960);
+    mDefaultState = saveState();
+    restoreGeometry(mPreferences.windowGeometry());
+    restoreState(mPreferences.windowState());
+}
+
+void MainWindow::showTitle()
+{
+    const QString name = mWorkspace.name();
+    setWindowTitle(name.isEmpty() ? tr("Autocuts") : tr("%1[*] - Autocuts").arg(name));
+    setWindowModified(mWorkspace.isModified());
+    setWindowFilePath(mWorkspace.sessionPath());
+}
+
+void MainWindow::showOpened()
+{
+    const QCborMap saved = QCborValue::fromCbor(mWorkspace.document()->viewState()).toMap();
+    if (saved.contains(QStringLiteral("options")))
+        mViewState.setOptions(ViewOptions::fromCbor(saved.value(QStringLiteral("options")).toMap()));
+    mMeshView->restoreViewState(saved.value(QStringLiteral("mesh")).toMap());
+    mUvView->restoreViewState(saved.value(QStringLiteral("uv")).toMap());
+    mStatusBar->showText(mWorkspace.notes().isEmpty()
+                             ? tr("Opened %1").arg(mWorkspace.name())
+                             : tr("Opened %1: see the mesh doctor").arg(mWorkspace.name()));
+    if (mPreferences.values().solveOnOpen && !hasUvs(*mWorkspace.document()))
+        mSolver.run();
+}
+
+QByteArray MainWindow::viewStateBytes() const
+{
+    QCborMap map;
+    map[QStringLiteral("options")] = mViewState.options().toCbor();
+    map[QStringLiteral("mesh")] = mMeshView->viewState();
+    map[QStringLiteral("uv")] = mUvView->viewState();
+    return map.toCborValue().toCbor();
+}
+
+QImage MainWindow::thumbnail()
+{
+    return mMeshView->picture().scaled(thumbnailSize, thumbnailSize, Qt::KeepAspectRatio,
+                                       Qt::SmoothTransformation);
+}
+
+void MainWindow::arrangeViews(ViewLayout layout)
+{
+    mMeshView->setVisible(layout != ViewLayout::OnlyUv);
+    mUvView->setVisible(layout != ViewLayout::Only3d);
+}
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    if (!mStudioActions->file().mayClose()) {
+        event->ignore();
+        return;
+    }
+    mPreferences.setWindowLayout(saveGeometry(), saveState());
+    mFiles.close();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (!draggedFile(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent *event)
+{
+    const QString file = draggedFile(*event->mimeData());
+    if (file.isEmpty())
+        return;
+    event->acceptProposedAction();
+    mStudioActions->file().openFile(file);
+}
+
+} // namespace autocuts

@@ -1,0 +1,88 @@
+// The main window: both views, docked panels, menus, tool bars and status bar, put together.
+#pragma once
+
+#include "views/actions/actionregistry.h"
+#include "views/canvas/toolmanager.h"
+#include "views/control/filecontroller.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/shownmap.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/studiocontext.h"
+#include "views/control/workspace.h"
+#include "views/state/viewstate.h"
+#include "views/ui/questions.h"
+
+#include <QMainWindow>
+
+#include <memory>
+
+class QSplitter;
+class QToolBar;
+
+namespace autocuts {
+
+class MenuBuilder;
+class MeshView;
+class StatusBar;
+class StudioActions;
+class UvView;
+enum class ViewLayout;
+
+//! The studio. Owns everything that exists once per window.
+class MainWindow final : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    //! \param recoveryFolder where autosaves are kept
+    //! \param questions answers in place of the user, for tests; null: dialogs ask
+    MainWindow(Preferences &preferences, const QString &recoveryFolder,
+               std::unique_ptr<Questions> questions = nullptr);
+    ~MainWindow() override;
+
+    StudioContext context();
+    StudioActions &actions() { return *mStudioActions; }
+    MeshView &meshView() { return *mMeshView; }
+    UvView &uvView() { return *mUvView; }
+    ToolManager &tools() { return mTools; }
+
+protected:
+    void closeEvent(QCloseEvent *event) override;
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
+
+private:
+    void makeViews();
+    void makePanels();
+    void makeMenus();
+    QToolBar *makeToolBar();
+    void connectMessages();
+    void restoreLayout();
+    void showTitle();
+    void showOpened();
+    QByteArray viewStateBytes() const;
+    QImage thumbnail();
+    void arrangeViews(ViewLayout layout);
+
+    Preferences &mPreferences;
+    std::unique_ptr<Questions> mQuestions;
+    Workspace mWorkspace;
+    ShownMap mShownMap;
+    ViewState mViewState;
+    ActionRegistry mActions;
+    SolverController mSolver;
+    MapController mMap;
+    FileController mFiles;
+    ToolManager mTools;
+    std::unique_ptr<StudioActions> mStudioActions;
+
+    QSplitter *mSplitter = nullptr;
+    MeshView *mMeshView = nullptr;
+    UvView *mUvView = nullptr;
+    StatusBar *mStatusBar = nullptr;
+    QList<QDockWidget *> mDocks;
+    std::unique_ptr<MenuBuilder> mMenus;
+    QByteArray mDefaultState; //!< arrangement of the panels at first
+};
+
+} // namespace autocuts

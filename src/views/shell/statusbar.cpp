@@ -1,0 +1,292 @@
+#include "views/shell/statusbar.h"
+
+#include "model/document/document.h"
+#include "views/control/filecontroller.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/panels/elidedlabel.h"
+#include "views/panels/figurestrip.h"
+#include "views/panels/numbertext.h"
+
+#include <QProgressBar>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+constexpr int progressWidth = 140, widestSelection = 260;
+constexpr int settleDelay = 120; // milliseconds
+
+double selectedArea(const Document &document)
+{
+    const MeshData &mesh = document.mesh();
+    std::vector<bool> selected(mesh.faceCount());
+    for (int face : document.selection().faces)
+        selected[face] = true;
+    double area = 0;
+    for (int t = 0; t < mesh.triangleCount(); ++t)
+        area += selected[mesh.triangleFace[t]] ? mesh.triangleArea[t] : 0;
+    return area;
+}
+
+QString verticesText(const Document &document)
+{
+    const MeshData &mesh = document.mesh();
+    std::vector<int> vertices;
+    for (int corner : document.selection().corners)
+        vertices.push_back(mesh.vertexWeld[mesh.cornerVertex[corner]]);
+    std::sort(vertices.begin(), vertices.end());
+    const auto count = std::unique(vertices.begin(), vertices.end()) - vertices.begin();
+    return StatusBar::tr("Vertices: %1, corners: %2")
+        .arg(countText(count), countText(std::ssize(document.selection().corners)));
+}
+
+QString edgesText(const Document &document)
+{
+    double length = 0;
+    for (int edge : document.selection().edges)
+        length += document.adjacency().edgeLength(edge);
+    return StatusBar::tr("Edges: %1, length %2")
+        .arg(countText(document.selection().edges.size()), significantText(length, 4));
+}
+
+} // namespace
+
+QString selectionSummary(const Document &document)
+{
+    const Selection &selection = document.selection();
+    switch (selection.mode) {
+    case SelectionMode::Vertices:
+        return selection.corners.isEmpty() ? QString() : verticesText(document);
+    case SelectionMode::Edges:
+        return selection.edges.isEmpty() ? QString() : edgesText(document);
+    case SelectionMode::Faces:
+    case SelectionMode::Islands:
+        break;
+    }
+    if (selection.faces.isEmpty())
+        return {};
+    const QString faces =
+        StatusBar::tr("Faces: %1, area %2")
+            .arg(countText(selection.faces.size()), significantText(selectedArea(document), 4));
+    if (selection.mode == SelectionMode::Faces)
+        return faces;
+    const auto islands = document.islands().islandsOf(selection.faces).size();
+    return StatusBar::tr("Islands: %1, %2").arg(countText(qint64(islands)), faces);
+}
+
+StatusBar::StatusBar(const StudioContext &context, QWidget *parent)
+    : QStatusBar(parent), mContext(context), mText(new ElidedLabel), mSelection(new ElidedLabel),
+      mFigures(new FigureStrip), mProgress(new QProgressBar), mCancel(new QToolButton)
+{
+    mText->setObjectName("statusText"_L1);
+    mSelection->setObjectName("selectionText"_L1);
+    mFigures->setObjectName("statusFigures"_L1);
+    addWidget(mText, 1);
+    addJob();
+    mSelection->setWidest(widestSelection);
+    addPermanentWidget(mSelection);
+    addPermanentWidget(mFigures);
+    addFigures();
+    mMessageTimer.setSingleShot(true);
+    connect(&mMessageTimer, &QTimer::timeout, this, [this] { showText({}, 0); });
+    mRefreshTimer.setSingleShot(true);
+    connect(&mRefreshTimer, &QTimer::timeout, this, &StatusBar::refresh);
+    mIslandsRest.setSingleShot(true);
+    mIslandsRest.setInterval(settleDelay);
+    connect(&mIslandsRest, &QTimer::timeout, this, [this] {
+        mSelectionStale = true;
+        refresh();
+    });
+    connectAll();
+    refresh();
+    showJob();
+}
+
+void StatusBar::addJob()
+{
+    mProgress->setObjectName("progress"_L1);
+    mProgress->setFixedWidth(progressWidth);
+    mProgress->setMaximumHeight(fontMetrics().height() + 2);
+    mProgress->setTextVisible(true);
+    mCancel->setObjectName("cancel"_L1);
+    mCancel->setText(tr("Cancel"));
+    mCancel->setToolTip(tr("Stop the job; what it has so far is used when that makes sense"));
+    mCancel->setAutoRaise(true);
+    mCancel->setFocusPolicy(Qt::TabFocus);
+    connect(mCancel, &QToolButton::clicked, this, [this] {
+        if (JobRunner *job = runningJob())
+            job->cancel();
+    });
+    addPermanentWidget(mProgress);
+    addPermanentWidget(mCancel);
+}
+
+void StatusBar::addFigures()
+{
+    // In the order of enum Figure.
+    mFigures->addFigure(tr("it/s"), u"000.0"_s, tr("Newton steps of the solver per second"));
+    mFigures->addFigure(tr("E"), u"000.000"_s,
+                        tr("Energy E = (1 − λ) D + λ S, and that of pins and rectangles"));
+    mFigures->addFigure(
+        tr("D"), u"00.0000"_s,
+        tr("Distortion D: area-weighted mean of the distortion energy, 4 where nothing is distorted"));
+    mFigures->addFigure(tr("S"), u"000.000"_s,
+                        tr("Separation S: smoothed length of the seams, on the mesh scaled to area π"));
+    mFigures->addFigure(tr("λ"), u"0.0000"_s, tr("Lambda in effect: balance of distortion and seams"));
+    mFigures->addFigure(tr("δ"), u"0.000000"_s, tr("Delta in effect: how sharply edges are cut or joined"));
+    mFigures->addFigure(tr("seams"), u"000.000"_s, tr("Length of the seams, on the mesh scaled to area π"));
+    mFigures->addFigure(tr("islands"), u"0000"_s, tr("Number of islands"));
+    mFigures->addFigure(tr("flips"), u"000"_s, tr("Flipped triangles of the map"));
+    mFigures->addFigure(tr("overlaps"), u"000,000"_s, tr("Pairs of triangles of the map that overlap"));
+}
+
+void StatusBar::connectAll()
+{
+    connect(&mContext.workspace, &Workspace::documentReplaced, this, [this] {
+        mSelectionStale = true;
+        refreshSoon();
+    });
+    connect(&mContext.workspace, &Workspace::selectionChanged, this, [this] {
+        mSelectionStale = true;
+        refreshSoon();
+    });
+    connect(&mContext.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
+        if (event.type == ChangeEvent::Type::Uv)
+            mIslandsRest.start(); // finding them costs too much for every event of a drag
+        refreshSoon();
+    });
+    connect(&mContext.solver, &SolverController::statusChanged, this, &StatusBar::refreshSoon);
+    connect(&mContext.solver, &SolverController::stateChanged, this, &StatusBar::refreshSoon);
+    connect(&mContext.map, &MapController::figuresChanged, this, &StatusBar::refreshSoon);
+    for (const JobRunner *jobs : {&mContext.map.jobs(), &mContext.files.jobs()}) {
+        connect(jobs, &JobRunner::busyChanged, this, &StatusBar::showJob);
+        connect(jobs, &JobRunner::progressChanged, this, &StatusBar::showJob);
+    }
+}
+
+void StatusBar::setHint(const QString &hint)
+{
+    mHint = hint;
+    showLeftText();
+}
+
+void StatusBar::showText(const QString &message, int timeoutMs)
+{
+    mMessage = message;
+    if (timeoutMs > 0 && !message.isEmpty())
+        mMessageTimer.start(timeoutMs);
+    else
+        mMessageTimer.stop();
+    showLeftText();
+}
+
+QString StatusBar::shownText() const
+{
+    return mText->text();
+}
+
+QString StatusBar::selectionText() const
+{
+    return mSelection->text();
+}
+
+JobRunner *StatusBar::runningJob() const
+{
+    for (JobRunner *jobs : {&mContext.files.jobs(), &mContext.map.jobs()}) {
+        if (jobs->isBusy())
+            return jobs;
+    }
+    return nullptr;
+}
+
+void StatusBar::showJob()
+{
+    const JobRunner *job = runningJob();
+    mProgress->setVisible(job != nullptr);
+    mCancel->setVisible(job != nullptr);
+    if (job) {
+        const double progress = job->progress();
+        // Without a known end the bar only says that something is going on.
+        mProgress->setRange(0, progress < 0 ? 0 : 100);
+        mProgress->setValue(static_cast<int>(100 * std::max(0.0, progress)));
+    }
+    showLeftText();
+}
+
+void StatusBar::showLeftText()
+{
+    const JobRunner *job = runningJob();
+    QString text = mHint;
+    if (!mMessage.isEmpty())
+        text = mMessage;
+    else if (job)
+        text = job->stage().isEmpty() ? tr("%1…").arg(job->title())
+                                      : tr("%1: %2").arg(job->title(), job->stage());
+    mText->setText(text);
+}
+
+void StatusBar::refreshSoon()
+{
+    if (!mRefreshTimer.isActive())
+        mRefreshTimer.start(0);
+}
+
+void StatusBar::refresh()
+{
+    const Document *document = mContext.workspace.document();
+    if (mSelectionStale) {
+        mSelectionStale = false;
+        mSelection->setText(document ? selectionSummary(*document) : QString());
+        mSelection->setVisible(!mSelection->text().isEmpty());
+    }
+    mFigures->setVisible(document != nullptr);
+    if (document && (mContext.solver.isRunning() || mContext.solver.isPausing()))
+        showLiveFigures();
+    else
+        showMapFigures();
+}
+
+void StatusBar::showLiveFigures()
+{
+    const live::SolveStatus &status = mContext.solver.status();
+    mFigures->setFigure(Steps, fixedText(status.stepsPerSecond, 1));
+    mFigures->setFigure(Energy, fixedText(status.energy, 3));
+    mFigures->setFigure(Distortion, fixedText(status.distortion, 4));
+    mFigures->setFigure(Separation, fixedText(status.separation, 3));
+    mFigures->setFigure(Lambda, fixedText(status.lambda, 4));
+    mFigures->setFigure(Delta, significantText(status.delta, 3));
+    mFigures->setFigure(SeamLength, fixedText(status.seamLength, 3));
+    mFigures->setFigure(Islands, countText(status.islands));
+    // The solver never flips a triangle; overlaps are searched for once it has come to rest.
+    mFigures->setFigure(Flips, countText(0));
+    mFigures->setFigure(Overlaps, missingText());
+}
+
+void StatusBar::showMapFigures()
+{
+    const MapFigures *figures = mContext.map.figuresAreFresh() ? mContext.map.figures() : nullptr;
+    const Document *document = mContext.workspace.document();
+    for (int number = Steps; number <= Overlaps; ++number)
+        mFigures->setFigure(number, missingText());
+    if (document) {
+        mFigures->setFigure(Lambda, fixedText(document->solveSettings().lambda, 4));
+        mFigures->setFigure(Delta, significantText(document->solveSettings().delta, 3));
+    }
+    if (!figures || figures->metrics.charts == 0)
+        return;
+    const metrics::UvMetrics &metrics = figures->metrics;
+    mFigures->setFigure(Distortion, fixedText(metrics.symDirichlet, 4));
+    mFigures->setFigure(SeamLength, fixedText(metrics.seamNorm, 3));
+    mFigures->setFigure(Islands, countText(metrics.charts));
+    mFigures->setFigure(Flips, countText(metrics.flipped), metrics.flipped > 0);
+    mFigures->setFigure(Overlaps, countText(metrics.overlapPairs), metrics.overlapPairs > 0);
+}
+
+} // namespace autocuts

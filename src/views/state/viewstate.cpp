@@ -1,0 +1,87 @@
+#include "views/state/viewstate.h"
+
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+using namespace Qt::Literals::StringLiterals;
+
+//! Every option with its name in files, so that writing and reading agree.
+template <typename Options, typename Visit>
+void visitFlags(Options &options, Visit visit)
+{
+    visit("smoothShading"_L1, options.smoothShading);
+    visit("livePacking"_L1, options.livePacking);
+    visit("wireframe"_L1, options.wireframe);
+    visit("seams"_L1, options.seams);
+    visit("steering"_L1, options.steering);
+    visit("problems"_L1, options.problems);
+    visit("fillIslands"_L1, options.fillIslands);
+    visit("grid"_L1, options.grid);
+    visit("rulers"_L1, options.rulers);
+    visit("orthographic"_L1, options.orthographic);
+}
+
+template <typename Options, typename Visit>
+void visitNumbers(Options &options, Visit visit)
+{
+    visit("stretchClamp"_L1, options.stretchClamp, 0.01, 20.0);
+    visit("magnitudeClamp"_L1, options.magnitudeClamp, 4.001, 1e6);
+    visit("checkerSize"_L1, options.checkerSize, 1.0, 4096.0);
+}
+
+template <typename Enum>
+void readEnum(const QCborValue &value, Enum last, Enum &target)
+{
+    const qint64 number = value.toInteger(-1);
+    if (number >= 0 && number <= static_cast<qint64>(last))
+        target = static_cast<Enum>(number);
+}
+
+} // namespace
+
+QCborMap ViewOptions::toCbor() const
+{
+    QCborMap map;
+    map[u"coloring"_s] = static_cast<qint64>(coloring);
+    map[u"pattern"_s] = static_cast<qint64>(pattern);
+    visitFlags(*this, [&map](QLatin1StringView key, bool value) { map[key] = value; });
+    visitNumbers(*this, [&map](QLatin1StringView key, double value, double, double) { map[key] = value; });
+    map[u"texturePath"_s] = texturePath;
+    return map;
+}
+
+ViewOptions ViewOptions::fromCbor(const QCborMap &map)
+{
+    ViewOptions options;
+    readEnum(map[u"coloring"_s], Coloring::PaintWeights, options.coloring);
+    readEnum(map[u"pattern"_s], Pattern::Texture, options.pattern);
+    visitFlags(options, [&map](QLatin1StringView key, bool &value) { value = map[key].toBool(value); });
+    visitNumbers(options, [&map](QLatin1StringView key, double &value, double low, double high) {
+        const double number = map[key].toDouble(value);
+        if (number >= low && number <= high)
+            value = number;
+    });
+    options.texturePath = map[u"texturePath"_s].toString();
+    return options;
+}
+
+void ViewState::setOptions(const ViewOptions &options)
+{
+    if (options == mOptions)
+        return;
+    mOptions = options;
+    Q_EMIT optionsChanged();
+}
+
+void ViewState::setHover(const Hover &hover)
+{
+    if (hover == mHover)
+        return;
+    mHover = hover;
+    Q_EMIT hoverChanged();
+}
+
+} // namespace autocuts

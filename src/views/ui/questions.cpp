@@ -1,0 +1,105 @@
+#include "views/ui/questions.h"
+
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QUrl>
+
+namespace autocuts {
+
+namespace {
+
+//! "*.obj" of the filter "Wavefront OBJ (*.obj)": what is added to a name without a suffix.
+QString firstSuffix(const QString &filter)
+{
+    const qsizetype begin = filter.indexOf(QLatin1String("*."));
+    if (begin < 0)
+        return {};
+    qsizetype end = begin + 2;
+    while (end < filter.size() && filter[end].isLetterOrNumber())
+        ++end;
+    return filter.mid(begin + 2, end - begin - 2);
+}
+
+} // namespace
+
+Questions::Unsaved Questions::askUnsaved(const QString &name)
+{
+    QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"), tr("Save the changes to %1?").arg(name),
+                    QMessageBox::NoButton, mWindow);
+    box.setInformativeText(tr("What is not saved is lost."));
+    const auto *save = box.addButton(tr("&Save"), QMessageBox::AcceptRole);
+    const auto *discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+    box.setEscapeButton(box.addButton(QMessageBox::Cancel));
+    run(box);
+    if (box.clickedButton() == save)
+        return Unsaved::Save;
+    return box.clickedButton() == discard ? Unsaved::Discard : Unsaved::Cancel;
+}
+
+bool Questions::confirm(const QString &question, const QString &detail, const QString &action)
+{
+    QMessageBox box(QMessageBox::Question, QGuiApplication::applicationDisplayName(), question,
+                    QMessageBox::NoButton, mWindow);
+    box.setInformativeText(detail);
+    const auto *yes = box.addButton(action, QMessageBox::AcceptRole);
+    QPushButton *const cancel = box.addButton(QMessageBox::Cancel);
+    box.setEscapeButton(cancel);
+    box.setDefaultButton(cancel);
+    run(box);
+    return box.clickedButton() == yes;
+}
+
+QString Questions::fileToOpen(const QString &title, const QString &folder, const QStringList &filters)
+{
+    QFileDialog dialog(mWindow, title, folder);
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    dialog.setNameFilters(filters);
+    return run(dialog) == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+QString Questions::fileToSave(const QString &title, const QString &path, const QStringList &filters)
+{
+    const QFileInfo proposed(path);
+    QFileDialog dialog(mWindow, title, proposed.path());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters(filters);
+    dialog.selectFile(proposed.fileName());
+    dialog.setDefaultSuffix(firstSuffix(filters.value(0)));
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
+                     [&dialog](const QString &filter) { dialog.setDefaultSuffix(firstSuffix(filter)); });
+    return run(dialog) == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+int Questions::run(QDialog &dialog)
+{
+    return dialog.exec();
+}
+
+void Questions::showError(const Error &error)
+{
+    const QString text = error.message.left(1).toUpper() + error.message.mid(1) + QLatin1Char('.');
+    auto *box = new QMessageBox(QMessageBox::Critical, QGuiApplication::applicationDisplayName(), text,
+                                QMessageBox::Close, mWindow);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    QStringList details;
+    if (!error.remedy.isEmpty())
+        details << error.remedy + QLatin1Char('.');
+    if (!error.file.isEmpty())
+        details << (error.line > 0
+                        ? tr("%1, line %2").arg(QDir::toNativeSeparators(error.file)).arg(error.line)
+                        : QDir::toNativeSeparators(error.file));
+    box->setInformativeText(details.join(QStringLiteral("\n\n")));
+    box->open();
+}
+
+void Questions::showFolder(const QString &folder)
+{
+    QDesktopServices::openUrl(QUrl::fromLocalFile(folder));
+}
+
+} // namespace autocuts
