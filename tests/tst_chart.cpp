@@ -1,10 +1,13 @@
 // Charts (UV islands) and the disjoint sets behind them.
+#include "model/plain/uvseams.h"
 #include "model/plain/chart.h"
 #include "model/plain/unionfind.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 using namespace autocuts;
@@ -50,6 +53,34 @@ private Q_SLOTS:
         const ChartMap charts = findCharts(*mesh, planarUv(*mesh));
         QCOMPARE(charts.count, 1);
         QVERIFY(charts.faceChart == std::vector<int>(16, 0));
+    }
+
+    //! Corner pairs are open by the same distance that parts charts.
+    void openPairsFollowTheRuleOfCharts()
+    {
+        const auto mesh = test::grid(4);
+        UvMatrix uv = planarUv(*mesh);
+        const double tolerance = uvTolerance * std::sqrt(2); // the diagonal of the map's box
+        const auto moved = [&](double distance) {
+            UvMatrix result = uv;
+            for (int f = 0; f < 4; ++f) {
+                for (int c = mesh->faceStart[f]; c < mesh->faceStart[f + 1]; ++c)
+                    result.row(c) -= Eigen::RowVector2d::Constant(distance / std::sqrt(2));
+            }
+            return result;
+        };
+        const auto countOpen = [&](const UvMatrix &map) {
+            const std::vector<bool> open = openCornerPairs(*mesh, map);
+            return std::count(open.begin(), open.end(), true);
+        };
+        QCOMPARE(findCharts(*mesh, moved(0.9 * tolerance)).count, 1);
+        QCOMPARE(countOpen(moved(0.9 * tolerance)), 0);
+        // Each coordinate differs by less than the tolerance here.
+        QCOMPARE(findCharts(*mesh, moved(1.1 * tolerance)).count, 2);
+        QCOMPARE(countOpen(moved(1.1 * tolerance)), 8);
+        // A face without UVs has no neighbour in the map.
+        uv.row(mesh->faceStart[0]).setConstant(std::numeric_limits<double>::quiet_NaN());
+        QVERIFY(countOpen(uv) > 0);
     }
 
     void cutSeparatesChartsInFaceOrder()

@@ -4,7 +4,6 @@
 #include <QTest>
 
 using namespace autocuts;
-using namespace autocuts::packing;
 using namespace autocuts::unwrap;
 
 namespace {

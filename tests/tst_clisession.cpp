@@ -7,6 +7,7 @@
 #include "model/io/projectfile.h"
 #include "support/cliruns.h"
 #include "support/editsupport.h"
+#include "support/overlapmaps.h"
 
 #include <QImage>
 #include <QTemporaryDir>
@@ -55,6 +56,7 @@ private Q_SLOTS:
     void settingsOfTheSessionCount();
     void optionsWin();
     void packAndSeparate();
+    void separateKeepsJoinedEdges();
     void checkReadsTheActiveSet();
     void replayReproduces();
     void replaySeesADifference();
@@ -146,7 +148,7 @@ void TestCliSession::settingsOfTheSessionCount()
     project.state.solveSettings.seed = 5;
     project.state.packingSettings.textureSize = 512;
     project.state.packingSettings.margin = 20;
-    project.state.packingSettings.rotation = PackingSettings::Rotation::None;
+    project.state.packingSettings.rotation = PackRotation::None;
     QVERIFY(saveProject(project.state, {}, file(u"a.acproj"_s)).ok());
     QCOMPARE(unwrap({file(u"a.acproj"_s), u"-o"_s, file(u"a.obj"_s)}).code, 0);
     QCOMPARE(
@@ -189,6 +191,34 @@ void TestCliSession::packAndSeparate()
     QVERIFY(after.state.constraints.pins[0].position == Vec2(after.state.scene.uvSets[0].uv.row(0)));
     QCOMPARE(run({u"separate"_s, file(u"b.acproj"_s), u"-o"_s, file(u"c.acproj"_s)}).code, 0);
     QVERIFY(loaded(file(u"c.acproj"_s)).state == after.state);
+}
+
+void TestCliSession::separateKeepsJoinedEdges()
+{
+    const test::OverlappingMap map = test::overlappingMaps()[1];
+    Scene scene;
+    scene.mesh = map.mesh;
+    scene.uvSets = {{u"UVMap"_s, map.uv}};
+    DocumentState state = DocumentState::initial(scene);
+    QVERIFY(saveProject(state, {}, file(u"a.acproj"_s)).ok());
+    const auto separated = [this](const QString &from) {
+        const test::CliRun done = run({u"separate"_s, file(from), u"-o"_s, file(u"done.acproj"_s),
+                                       u"--margin"_s, u"1"_s, u"--pack-time"_s, u"0"_s});
+        return done.code == 0 ? openEdges(loaded(file(u"done.acproj"_s)).state.scene) : std::vector<bool>();
+    };
+    const std::vector<bool> plain = separated(u"a.acproj"_s);
+    QCOMPARE(plain.size(), map.mesh->edgePairs.size());
+    QVERIFY(std::count(plain.begin(), plain.end(), true) > 0);
+    for (std::size_t p = 0; p < plain.size(); ++p) {
+        if (plain[p])
+            state.seams.states[2 * p] = PairState::Joined;
+    }
+    QVERIFY(saveProject(state, {}, file(u"b.acproj"_s)).ok());
+    const std::vector<bool> steered = separated(u"b.acproj"_s);
+    QCOMPARE(steered.size(), plain.size());
+    QVERIFY(std::count(steered.begin(), steered.end(), true) > 0);
+    for (std::size_t p = 0; p < plain.size(); ++p)
+        QVERIFY(!(plain[p] && steered[p]));
 }
 
 void TestCliSession::checkReadsTheActiveSet()

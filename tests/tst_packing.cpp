@@ -17,9 +17,9 @@ using namespace autocuts::test;
 
 namespace {
 
-PackSettings quick(double effort = 0.05)
+PackOptions quick(double effort = 0.05)
 {
-    PackSettings settings;
+    PackOptions settings;
     settings.effort = effort;
     return settings;
 }
@@ -129,7 +129,7 @@ private Q_SLOTS:
         QFETCH(std::vector<PackIsland>, islands);
         QFETCH(double, margin);
         for (const PackRotation rotation : {PackRotation::Free, PackRotation::Quarter, PackRotation::None}) {
-            PackSettings settings = quick(0.02);
+            PackOptions settings = quick(0.02);
             settings.margin = margin;
             settings.rotation = rotation;
             const PackResult result = packIslands(islands, settings);
@@ -152,7 +152,7 @@ private Q_SLOTS:
 
     void marginsAloneDoNotFit()
     {
-        PackSettings settings = quick();
+        PackOptions settings = quick();
         settings.margin = 1500;
         const PackResult result = packIslands(std::vector<PackIsland>(9, box(0, 0, 1, 1)), settings);
         QVERIFY(!result.complete);
@@ -163,7 +163,7 @@ private Q_SLOTS:
 
     void settingsAreChecked()
     {
-        const auto throws = [](const PackSettings &settings) {
+        const auto throws = [](const PackOptions &settings) {
             try {
                 packIslands({}, settings);
             } catch (const std::invalid_argument &) {
@@ -171,7 +171,7 @@ private Q_SLOTS:
             }
             return false;
         };
-        PackSettings settings;
+        PackOptions settings;
         QVERIFY(!throws(settings));
         settings.upper = settings.lower;
         QVERIFY(throws(settings));
@@ -185,7 +185,7 @@ private Q_SLOTS:
 
     void singleIslandTakesTheBestAngle()
     {
-        PackSettings settings = quick();
+        PackOptions settings = quick();
         settings.margin = 0;
         PackIsland tilted = box(-0.5, -0.5, 1, 1);
         const Turn turn(0.3, 1);
@@ -216,7 +216,7 @@ private Q_SLOTS:
         QFETCH(double, margin);
         for (const PackRotation rotation : {PackRotation::Free, PackRotation::Quarter, PackRotation::None}) {
             const std::vector<PackIsland> islands = randomStars(count, 7);
-            PackSettings settings = quick(0.1);
+            PackOptions settings = quick(0.1);
             settings.margin = margin;
             settings.rotation = rotation;
             settings.lower = Vec2(-1, 2);
@@ -237,7 +237,7 @@ private Q_SLOTS:
 
     void holesAreUsed()
     {
-        PackSettings settings = quick(0.2);
+        PackOptions settings = quick(0.2);
         settings.margin = 2;
         const PackResult result = packIslands({ring(1, 0.8), box(0, 0, 0.7, 0.7)}, settings);
         QVERIFY(result.complete);
@@ -248,7 +248,7 @@ private Q_SLOTS:
     void sameArgumentsGiveTheSameBits()
     {
         const std::vector<PackIsland> islands = randomStars(30, 3);
-        PackSettings settings = quick(0.2);
+        PackOptions settings = quick(0.2);
         settings.starts = 3;
         const PackResult first = packIslands(islands, settings);
         QVERIFY(sameBits(first, packIslands(islands, settings)));
@@ -266,7 +266,7 @@ private Q_SLOTS:
         islands.push_back(box(0.45, 0.45, 0.3, 0.3)); // overlaps another locked one: not our business
         for (std::size_t i = 25; i < islands.size(); ++i)
             islands[i].locked = true;
-        const PackSettings settings = quick(0.2);
+        const PackOptions settings = quick(0.2);
         const PackResult result = packIslands(islands, settings);
         QVERIFY(result.complete);
         for (std::size_t i = 25; i < islands.size(); ++i) {
@@ -290,7 +290,7 @@ private Q_SLOTS:
     void keepScale()
     {
         std::vector<PackIsland> islands = randomStars(40, 11);
-        PackSettings settings = quick(0.3);
+        PackOptions settings = quick(0.3);
         const double largest = packIslands(islands, settings).scale;
         // Near what can be reached: shelves are not enough.
         for (PackIsland &island : islands) {
@@ -314,7 +314,7 @@ private Q_SLOTS:
     {
         const std::vector<PackIsland> islands = randomStars(60, 13);
         std::atomic<bool> cancel{true};
-        PackSettings settings = quick(1000);
+        PackOptions settings = quick(1000);
         const PackResult none = packIslands(islands, settings, &cancel);
         QVERIFY(isFinite(none));
         cancel = false;
@@ -390,7 +390,7 @@ private Q_SLOTS:
             QVERIFY(data.mesh);
             const ChartMap charts = findCharts(*data.mesh, data.uv);
             const std::vector<PackIsland> islands = makePackIslands(*data.mesh, data.uv, charts);
-            const PackSettings settings = quick(0.5);
+            const PackOptions settings = quick(0.5);
             const PackResult result = packIslands(islands, settings);
             QVERIFY(result.complete);
             sum += result.efficiency;

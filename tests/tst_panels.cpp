@@ -286,7 +286,7 @@ private Q_SLOTS:
         auto *const rotation = child<QComboBox>(bench.panel, "rotation");
         rotation->setFocus();
         QTest::keyClick(rotation, Qt::Key_Home);
-        QCOMPARE(settings().rotation, PackingSettings::Rotation::None);
+        QCOMPARE(settings().rotation, PackRotation::None);
         click(bench.panel, "keepScale");
         QVERIFY(settings().keepScale);
         QCOMPARE(bench.stack().count(), 6);
@@ -295,7 +295,7 @@ private Q_SLOTS:
         QVERIFY(bench.followed());
         QCOMPARE(size->currentText(), QStringLiteral("2048"));
         QVERIFY(!child<QCheckBox>(bench.panel, "keepScale")->isChecked());
-        QCOMPARE(rotation->currentData().toInt(), int(PackingSettings::Rotation::Free));
+        QCOMPARE(rotation->currentData().toInt(), int(PackRotation::Free));
     }
 
     void aSmallerTextureTakesTheMarginAlong()

@@ -6,6 +6,7 @@
 #include "solver/overlap/cleanregion.h"
 #include "solver/overlap/maxflow.h"
 #include "solver/overlap/overlapseparation.h"
+#include "solver/overlap/uvseparation.h"
 #include "support/objuv.h"
 #include "support/overlapmaps.h"
 
@@ -282,6 +283,46 @@ private Q_SLOTS:
         QVERIFY(stuck.unresolvedPairs > 0);
     }
 
+    void steeringHoldsWhereAMapIsSeparated()
+    {
+        // Two turns: a straight cut in many places will do.
+        Snapshot snapshot;
+        snapshot.mesh = test::strip(48, 2, true);
+        const MeshData &mesh = *snapshot.mesh;
+        const UvMatrix uv = test::mapped(mesh, test::along(
+                                                   [](double s) {
+                                                       return Vec2(std::cos(3 * std::numbers::pi * s),
+                                                                   std::sin(3 * std::numbers::pi * s));
+                                                   },
+                                                   0.3));
+        const std::set<int> plain = cutPairs(mesh, separateUv(snapshot, uv).charts);
+        QCOMPARE(plain.size(), std::size_t(2));
+
+        // The edges that would be cut are joined: another place it is. One side of an edge is enough.
+        snapshot.pairState.assign(2 * mesh.edgePairs.size(), PairState::Free);
+        for (int pair : plain)
+            snapshot.pairState[2 * pair + 1] = PairState::Joined;
+        const Separated elsewhere = separateUv(snapshot, uv);
+        const std::set<int> other = cutPairs(mesh, elsewhere.charts);
+        QCOMPARE(elsewhere.newSeams, 2);
+        QCOMPARE(elsewhere.unresolvedPairs, 0);
+        for (int pair : plain)
+            QVERIFY(!other.contains(pair));
+
+        // That place painted as cheap draws the cut without any joined edges.
+        snapshot.pairState.clear();
+        snapshot.pairWeight.assign(2 * mesh.edgePairs.size(), 1);
+        for (int pair : other)
+            snapshot.pairWeight[2 * pair] = snapshot.pairWeight[2 * pair + 1] = 0.5;
+        QCOMPARE(cutPairs(mesh, separateUv(snapshot, uv).charts), other);
+
+        // All joined: nothing is cut, and the overlaps that stay are counted.
+        snapshot.pairState.assign(2 * mesh.edgePairs.size(), PairState::Joined);
+        const Separated stuck = separateUv(snapshot, uv);
+        QCOMPARE(stuck.newSeams, 0);
+        QVERIFY(stuck.unresolvedPairs > 0);
+    }
+
     void cleanMapsAndStackedIslandsStay()
     {
         // Two separate squares with the same UVs overlap, but they are different charts already.
@@ -369,6 +410,19 @@ private:
                 return false;
         }
         return true;
+    }
+
+    //! The edge pairs between two charts.
+    static std::set<int> cutPairs(const MeshData &mesh, const ChartMap &charts)
+    {
+        const auto chart = [&](int triangle) { return charts.faceChart[mesh.triangleFace[triangle]]; };
+        std::set<int> result;
+        for (std::size_t p = 0; p < mesh.edgePairs.size(); ++p) {
+            const EdgePair &pair = mesh.edgePairs[p];
+            if (chart(pair.triangle[0]) != chart(pair.triangle[1]))
+                result.insert(static_cast<int>(p));
+        }
+        return result;
     }
 
     static void mapNames()

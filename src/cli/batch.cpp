@@ -247,8 +247,11 @@ private:
             return noUvs();
         const MeshData &mesh = *scene.mesh;
         UvMatrix uv = scene.uvSets.front().uv;
+        const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+        if (!snapshot)
+            return snapshot.error();
         Outcome outcome;
-        const overlap::Separated separated = overlap::separateUv(mesh, uv, &mStop.stop);
+        const overlap::Separated separated = overlap::separateUv(snapshot.value(), uv, &mStop.stop);
         if (!separated.complete) {
             outcome.warnings << QStringLiteral("stopped before the overlaps were taken apart");
             return outcome;
@@ -262,8 +265,10 @@ private:
         setUv(scene, uv);
         outcome.notes << QStringLiteral("edges cut to take overlaps apart: %1").arg(separated.newSeams);
         if (separated.unresolvedPairs > 0)
-            outcome.warnings << QStringLiteral("overlaps inside single polygons, which stay whole: %1")
-                                    .arg(separated.unresolvedPairs);
+            outcome.warnings
+                << QStringLiteral(
+                       "overlaps inside single polygons or across joined edges, which stay whole: %1")
+                       .arg(separated.unresolvedPairs);
         return outcome;
     }
 

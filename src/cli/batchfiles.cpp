@@ -40,43 +40,14 @@ UvEdit editOf(CliOptions::Command command)
     }
 }
 
-PackingSettings::Rotation rotationOf(packing::PackRotation rotation)
+//! The options as settings of a session. Those that the command has no options for stay as they are.
+PackingSettings packingSettingsOf(const CliOptions &options, const PackingSettings &settings)
 {
-    switch (rotation) {
-    case packing::PackRotation::None:
-        return PackingSettings::Rotation::None;
-    case packing::PackRotation::Quarter:
-        return PackingSettings::Rotation::Quarter;
-    case packing::PackRotation::Free:
-        break;
-    }
-    return PackingSettings::Rotation::Free;
-}
-
-packing::PackRotation rotationOf(PackingSettings::Rotation rotation)
-{
-    switch (rotation) {
-    case PackingSettings::Rotation::None:
-        return packing::PackRotation::None;
-    case PackingSettings::Rotation::Quarter:
-        return packing::PackRotation::Quarter;
-    case PackingSettings::Rotation::Free:
-        break;
-    }
-    return packing::PackRotation::Free;
-}
-
-//! The options as settings of a session.
-PackingSettings packingSettingsOf(const CliOptions &options, PackingSettings settings)
-{
-    const packing::PackSettings &packing = options.unwrap.packing;
-    settings.textureSize = packing.textureSize;
-    settings.margin = static_cast<int>(std::lround(packing.margin));
-    settings.rotation = rotationOf(packing.rotation);
-    settings.udimTile = options.tile;
-    if (options.command == CliOptions::Command::Pack)
-        settings.keepScale = packing.keepScale;
-    return settings;
+    PackingSettings result = options.unwrap.packing;
+    result.margin = std::round(result.margin);
+    if (options.command != CliOptions::Command::Pack)
+        result.keepScale = settings.keepScale;
+    return result;
 }
 
 } // namespace
@@ -132,13 +103,13 @@ void BatchFiles::mergeSettings(CliOptions &options)
     options.settings.delta = solve.delta;
     options.settings.boxWeight = solve.boxWeight;
     const PackingSettings &settings = mDocument->packingSettings();
-    packing::PackSettings &packing = options.unwrap.packing;
+    packing::PackOptions &packing = options.unwrap.packing;
     merge("--texture-size", packing.textureSize, settings.textureSize);
-    merge("--margin", packing.margin, double(settings.margin));
-    merge("--rotation", packing.rotation, rotationOf(settings.rotation));
-    merge("--tile", options.tile, settings.udimTile);
+    merge("--margin", packing.margin, settings.margin);
+    merge("--rotation", packing.rotation, settings.rotation);
+    merge("--tile", packing.udimTile, settings.udimTile);
     if (!options.hasRectangle())
-        options.setTile(options.tile);
+        options.packIntoTile();
     if (options.command == CliOptions::Command::Pack)
         merge("--keep-scale", packing.keepScale, settings.keepScale);
     pushCommand(

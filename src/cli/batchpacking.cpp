@@ -16,7 +16,7 @@ constexpr double hurriedPackEffort = 0.1;
 
 Result<Done> BatchPacking::pack(const MeshData &mesh, const ChartMap &charts, UvMatrix &uv)
 {
-    packing::PackSettings settings = mOptions.unwrap.packing;
+    packing::PackOptions settings = mOptions.unwrap.packing;
     std::vector<bool> movable;
     if (!mOptions.intoRectangle.isEmpty()) {
         const LayoutRectangle *rectangle = mFiles.rectangle(mOptions.intoRectangle);

@@ -146,12 +146,13 @@ private:
         add("--texture-size", measuring, integer(u.packing.textureSize, 16, 65536));
         add("--margin", mapping, number(u.packing.margin, 0, 4096));
         add("--rotation", mapping,
-            choice(u.packing.rotation, {{"free", packing::PackRotation::Free},
-                                        {"90", packing::PackRotation::Quarter},
-                                        {"none", packing::PackRotation::None}}));
+            choice(
+                u.packing.rotation,
+                {{"free", PackRotation::Free}, {"90", PackRotation::Quarter}, {"none", PackRotation::None}}));
         add("--pack-time", mapping, number(u.packing.effort, 0, 3600));
         add("--keep-scale", {Command::Pack}, flag(u.packing.keepScale, true));
-        add("--tile", mapping, integer(mOptions.tile, PackingSettings::firstTile, PackingSettings::lastTile));
+        add("--tile", mapping,
+            integer(u.packing.udimTile, PackingSettings::firstTile, PackingSettings::lastTile));
         add("--into", {Command::Pack}, [this](const QString &name) { return readRectangle(name); });
         add("--layout", mapping, text(mOptions.layout));
         add("--report", mapping, text(mOptions.report));
@@ -325,7 +326,7 @@ private:
                 QStringLiteral("--layout takes a .png or .svg file, not \"%1\"").arg(mOptions.layout));
         if (mBoundGiven && mOptions.unwrap.lambda)
             return usageError(QStringLiteral("--max-distortion and --lambda exclude each other"));
-        const packing::PackSettings &packing = mOptions.unwrap.packing;
+        const packing::PackOptions &packing = mOptions.unwrap.packing;
         if (packing.margin >= packing.textureSize)
             return usageError(QStringLiteral("the margin of %1 texels is as wide as the whole texture of %2")
                                   .arg(packing.margin)
@@ -333,7 +334,7 @@ private:
         if (mOptions.hasRectangle() && mOptions.given.contains(QStringLiteral("--tile")))
             return usageError(QStringLiteral("--into and --tile exclude each other"));
         if (!mOptions.hasRectangle())
-            mOptions.setTile(mOptions.tile);
+            mOptions.packIntoTile();
         mOptions.unwrap.packing.threads = mOptions.unwrap.threads;
         return mOptions;
     }
@@ -346,11 +347,11 @@ private:
 
 } // namespace
 
-void CliOptions::setTile(int udim)
+void CliOptions::packIntoTile()
 {
-    tile = udim;
-    unwrap.packing.lower = packing::tileCorner(udim);
-    unwrap.packing.upper = unwrap.packing.lower + Vec2::Ones();
+    const packing::PackOptions tile = packing::tileOptions(unwrap.packing);
+    unwrap.packing.lower = tile.lower;
+    unwrap.packing.upper = tile.upper;
 }
 
 Result<CliOptions> parseCommandLine(const QStringList &arguments)

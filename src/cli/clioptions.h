@@ -2,7 +2,6 @@
 #pragma once
 
 #include "model/document/result.h"
-#include "model/plain/packingsettings.h"
 #include "model/plain/solvesettings.h"
 #include "solver/unwrap/unwrap.h"
 
@@ -23,8 +22,8 @@ struct CliOptions
     }
 
     bool hasRectangle() const { return given.contains(QStringLiteral("--into")); }
-    //! Packs into a UDIM tile.
-    void setTile(int udim);
+    //! Takes the UDIM tile of the packing settings for the bin.
+    void packIntoTile();
 
     Command command = Command::Help;
     QString input;     //!< file; for Sample its name
@@ -32,12 +31,11 @@ struct CliOptions
     QString output;    //!< -o
     SolveSettings settings;
     unwrap::UnwrapOptions unwrap; //!< of the packing: the bin is that of --tile or --into
-    int tile = PackingSettings::firstTile;
-    QString intoRectangle; //!< pack: name of a rectangle of the session
-    QString layout;        //!< .png or .svg, empty for none
-    QString report;        //!< .json, empty for none
-    bool json = false;     //!< check: figures as JSON
-    double timeLimit = 0;  //!< wall seconds, 0 for none
+    QString intoRectangle;        //!< pack: name of a rectangle of the session
+    QString layout;               //!< .png or .svg, empty for none
+    QString report;               //!< .json, empty for none
+    bool json = false;            //!< check: figures as JSON
+    double timeLimit = 0;         //!< wall seconds, 0 for none
     bool quiet = false;
 };
 

@@ -5,6 +5,7 @@
 #include "model/io/uvexport.h"
 #include "model/plain/chart.h"
 #include "model/plain/uvlayout.h"
+#include "solver/metrics/flippedtriangles.h"
 #include "solver/overlap/overlapfinder.h"
 
 #include <algorithm>
@@ -65,28 +66,6 @@ std::vector<int> overlappingTriangles(const MeshData &mesh, const UvMatrix &uv)
     return result;
 }
 
-//! Triangles against the sign of their chart. The report's figure takes polygons as fans, which cover the
-//! wrong ground where a polygon is no fan; these are the triangles that textures are drawn with.
-int flippedTriangles(const MeshData &mesh, const UvMatrix &uv)
-{
-    const ChartMap charts = findCharts(mesh, uv);
-    std::vector<double> area(mesh.triangleCount(), 0), sum(charts.count, 0);
-    for (int t = 0; t < mesh.triangleCount(); ++t) {
-        const auto &c = mesh.triangles[t];
-        const int chart = charts.faceChart[mesh.triangleFace[t]];
-        if (chart < 0)
-            continue;
-        area[t] = cross2(uv.row(c[0]), uv.row(c[1]), uv.row(c[2]));
-        sum[chart] += area[t];
-    }
-    int flipped = 0;
-    for (int t = 0; t < mesh.triangleCount(); ++t) {
-        const int chart = charts.faceChart[mesh.triangleFace[t]];
-        flipped += chart >= 0 && area[t] * sum[chart] < 0;
-    }
-    return flipped;
-}
-
 QString counted(qint64 count, const char *one, const char *many)
 {
     return QStringLiteral("%1 %2").arg(count).arg(QLatin1String(count == 1 ? one : many));
@@ -134,7 +113,12 @@ QStringList mapProblems(const Scene &scene, const MapReport &report)
     if (bare > 0)
         problems << counted(bare, "face has no UVs", "faces have no UVs");
     if (report.flipped.value_or(0) > 0) {
-        if (const int n = flippedTriangles(mesh, scene.uvSets.front().uv))
+        // The figure takes polygons as fans, which cover the wrong ground where a polygon is no fan. The
+        // problem is what textures are drawn with.
+        const UvMatrix &uv = scene.uvSets.front().uv;
+        const std::vector<bool> flipped =
+            flippedTriangles(mesh, soupUv(mesh, uv), findCharts(mesh, uv).faceChart);
+        if (const auto n = std::count(flipped.begin(), flipped.end(), true))
             problems << counted(n, "triangle is flipped", "triangles are flipped");
     }
     if (const qint64 n = report.symDirichletInfinite.value_or(0))

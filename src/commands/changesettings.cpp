@@ -1,6 +1,6 @@
 #include "commands/changesettings.h"
 
-#include "commands/commandfactory.h"
+#include "commands/commandreading.h"
 #include "model/plain/settingsproperties.h"
 
 namespace autocuts {

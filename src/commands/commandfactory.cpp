@@ -1,6 +1,7 @@
 #include "commands/commandfactory.h"
 
 #include "commands/changesettings.h"
+#include "commands/commandreading.h"
 #include "commands/editpins.h"
 #include "commands/editrectangles.h"
 #include "commands/edituvsets.h"
@@ -12,8 +13,6 @@
 #include "commands/setuvs.h"
 #include "commands/stackislands.h"
 
-#include <QCoreApplication>
-
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
@@ -21,7 +20,8 @@ using namespace Qt::Literals::StringLiterals;
 Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Document &document)
 {
     CborReader reader(map);
-    const auto id = static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::StackIslands)));
+    const auto id =
+        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::StackIslands)));
     switch (id) {
     case CommandId::SetSeamState:
         return SetSeamState::fromCbor(document, reader);
@@ -53,15 +53,6 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
         return StackIslands::fromCbor(document, reader);
     }
     return damagedCommand();
-}
-
-Error damagedCommand()
-{
-    return {
-        QCoreApplication::translate("Journal", "A recorded command is damaged or does not fit the document"),
-        {},
-        0,
-        QCoreApplication::translate("Journal", "Open the session without replaying it")};
 }
 
 } // namespace autocuts

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "commands/documentcommand.h"
-#include "model/document/cborvalues.h"
 #include "model/document/result.h"
 
 #include <memory>
@@ -14,8 +13,5 @@ namespace autocuts {
 //! present state. \pre the map was decoded without a QCborParserError: Qt 6.4 crashes on looking into a map
 //! that broke off between a key and its value
 Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Document &document);
-
-//! The error for a command that cannot be read.
-Error damagedCommand();
 
 } // namespace autocuts

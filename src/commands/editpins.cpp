@@ -1,6 +1,6 @@
 #include "commands/editpins.h"
 
-#include "commands/commandfactory.h"
+#include "commands/commandreading.h"
 
 #include <QCborArray>
 

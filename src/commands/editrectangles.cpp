@@ -1,6 +1,6 @@
 #include "commands/editrectangles.h"
 
-#include "commands/commandfactory.h"
+#include "commands/commandreading.h"
 
 #include <QCborArray>
 

@@ -1,6 +1,6 @@
 #include "commands/edituvsets.h"
 
-#include "commands/commandfactory.h"
+#include "commands/commandreading.h"
 #include "commands/uvrows.h"
 #include "model/plain/uvlayout.h"
 

@@ -1,6 +1,7 @@
 #include "commands/replay.h"
 
 #include "commands/commandfactory.h"
+#include "commands/commandreading.h"
 #include "model/io/deflate.h"
 
 #include <QtEndian>

@@ -1,7 +1,7 @@
 #include "commands/reset.h"
 
 #include "commands/changesettings.h"
-#include "commands/commandfactory.h"
+#include "commands/commandreading.h"
 #include "commands/editpins.h"
 #include "commands/editrectangles.h"
 #include "commands/setislandflags.h"

@@ -1,6 +1,6 @@
 #include "commands/setislandflags.h"
 
-#include "commands/commandfactory.h"
+#include "commands/commandreading.h"
 
 #include <algorithm>
 #include <limits>

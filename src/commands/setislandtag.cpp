@@ -1,6 +1,6 @@
 #include "commands/setislandtag.h"
 
-#include "commands/commandfactory.h"
+#include "commands/commandreading.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,6 +1,6 @@
 #include "commands/setseamstate.h"
 
-#include "commands/commandfactory.h"
+#include "commands/commandreading.h"
 
 #include <algorithm>
 

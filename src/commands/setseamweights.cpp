@@ -1,6 +1,6 @@
 #include "commands/setseamweights.h"
 
-#include "commands/commandfactory.h"
+#include "commands/commandreading.h"
 #include "commands/setseamstate.h"
 
 #include <algorithm>

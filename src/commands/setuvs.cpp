@@ -1,6 +1,6 @@
 #include "commands/setuvs.h"
 
-#include "commands/commandfactory.h"
+#include "commands/commandreading.h"
 #include "commands/uvrows.h"
 
 #include <QCborArray>

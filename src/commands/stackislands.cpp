@@ -1,6 +1,6 @@
 #include "commands/stackislands.h"
 
-#include "commands/commandfactory.h"
+#include "commands/commandreading.h"
 #include "model/document/similarislands.h"
 #include "model/plain/uvlayout.h"
 

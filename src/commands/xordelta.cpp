@@ -1,11 +1,13 @@
 #include "commands/xordelta.h"
 
+#include "model/plain/bitmap.h"
 #include "model/document/undostack.h"
 
 #include <QtEndian>
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 
 namespace autocuts {
@@ -52,21 +54,16 @@ std::vector<int> packingOrder(const IndexRanges &indices, std::span<const int> o
     return positions;
 }
 
-bool bitAt(const QByteArray &bitmap, std::size_t i)
-{
-    return (bitmap[static_cast<qsizetype>(i / 8)] >> (i % 8) & 1) != 0;
-}
-
 //! A bitmap of which elements differ from the one before, then the byte planes of those.
 QByteArray packedBits(const QByteArray &bits, int size, const std::vector<int> &order)
 {
     std::vector<const char *> kept;
-    QByteArray result(static_cast<qsizetype>((order.size() + 7) / 8), '\0');
-    for (std::size_t i = 0; i < order.size(); ++i) {
+    QByteArray result(bitmapSize(std::ssize(order)), '\0');
+    for (qsizetype i = 0; i < std::ssize(order); ++i) {
         const char *element = bits.constData() + qsizetype(size) * order[i];
         if (!kept.empty() && std::memcmp(element, kept.back(), size) == 0)
             continue;
-        result[static_cast<qsizetype>(i / 8)] |= static_cast<char>(1 << (i % 8));
+        setBit(result, i);
         kept.push_back(element);
     }
     qsizetype at = result.size();
@@ -81,21 +78,21 @@ QByteArray packedBits(const QByteArray &bits, int size, const std::vector<int> &
 //! The reverse of packedBits(); nothing when the data does not fit.
 std::optional<QByteArray> unpackedBits(const QByteArray &packed, int size, const std::vector<int> &order)
 {
-    const qsizetype bitmapSize = static_cast<qsizetype>((order.size() + 7) / 8);
-    if (packed.size() < bitmapSize)
+    const qsizetype planes = bitmapSize(std::ssize(order));
+    if (packed.size() < planes)
         return {};
     qsizetype kept = 0;
-    for (std::size_t i = 0; i < order.size(); ++i)
+    for (qsizetype i = 0; i < std::ssize(order); ++i)
         kept += bitAt(packed, i);
-    if (packed.size() != bitmapSize + kept * size || (!order.empty() && !bitAt(packed, 0)))
+    if (packed.size() != planes + kept * size || (!order.empty() && !bitAt(packed, 0)))
         return {};
     QByteArray bits(static_cast<qsizetype>(size * order.size()), Qt::Uninitialized);
     qsizetype current = -1;
-    for (std::size_t i = 0; i < order.size(); ++i) {
+    for (qsizetype i = 0; i < std::ssize(order); ++i) {
         current += bitAt(packed, i);
         char *element = bits.data() + qsizetype(size) * order[i];
         for (int plane = 0; plane < size; ++plane)
-            element[plane] = packed[bitmapSize + plane * kept + current];
+            element[plane] = packed[planes + plane * kept + current];
     }
     return bits;
 }

@@ -19,7 +19,7 @@ struct Options
     std::vector<std::string> files = test::islandFiles();
     std::vector<double> efforts{0.1, 0.5, 1, 10};
     std::string folder;
-    PackSettings settings;
+    PackOptions settings;
 };
 
 Options readOptions(int argc, char **argv)
@@ -65,7 +65,7 @@ int main(int argc, char **argv)
             }
             const ChartMap charts = findCharts(*data.mesh, data.uv);
             const std::vector<PackIsland> islands = makePackIslands(*data.mesh, data.uv, charts);
-            PackSettings settings = options.settings;
+            PackOptions settings = options.settings;
             settings.effort = effort;
             const std::clock_t start = std::clock();
             const PackResult result = packIslands(islands, settings);

@@ -1,6 +1,7 @@
 #include "support/packchecks.h"
 
 #include "solver/base/random.h"
+#include "solver/base/segmentcrossing.h"
 #include "solver/packing/segmentgrid.h"
 
 #include <algorithm>
@@ -110,7 +111,7 @@ std::vector<PackIsland> randomStars(int count, std::uint64_t seed)
     return islands;
 }
 
-QString brokenRule(const std::vector<PackIsland> &islands, const PackSettings &settings,
+QString brokenRule(const std::vector<PackIsland> &islands, const PackOptions &settings,
                    const PackResult &result)
 {
     const double texel = 1.0 / settings.textureSize;

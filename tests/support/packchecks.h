@@ -22,7 +22,7 @@ PackIsland ring(double outer, double inner);
 std::vector<PackIsland> randomStars(int count, std::uint64_t seed);
 
 //! Every rule of a layout by brute force; empty when all are kept.
-QString brokenRule(const std::vector<PackIsland> &islands, const PackSettings &settings,
+QString brokenRule(const std::vector<PackIsland> &islands, const PackOptions &settings,
                    const PackResult &result);
 //! True when no number of the result is infinite or NaN.
 bool isFinite(const PackResult &result);

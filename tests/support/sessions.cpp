@@ -77,7 +77,7 @@ void addSteering(DocumentState &state)
                            StartMode::ExistingUv,
                            SolverKind::Exact,
                            77};
-    state.packingSettings = {1024, 5, 1012, PackingSettings::Rotation::Quarter, true};
+    state.packingSettings = {1024, 5, 1012, PackRotation::Quarter, true};
     state.selection = {SelectionMode::Edges, {1, 2}, {0, 4}, {7, 8, 35}};
     state.viewState = QByteArrayLiteral("camera\0x");
 }

@@ -241,7 +241,7 @@ SolveSettings readSolveSettings(CborReader &reader)
 QCborMap toCbor(const PackingSettings &settings)
 {
     return {{"textureSize"_L1, settings.textureSize},
-            {"margin"_L1, settings.margin},
+            {"margin"_L1, static_cast<int>(settings.margin)},
             {"udimTile"_L1, settings.udimTile},
             {"rotation"_L1, static_cast<int>(settings.rotation)},
             {"keepScale"_L1, settings.keepScale}};
@@ -250,7 +250,7 @@ QCborMap toCbor(const PackingSettings &settings)
 PackingSettings readPackingSettings(CborReader &reader)
 {
     PackingSettings settings;
-    const auto integer = [&](QLatin1StringView key, int &field) {
+    const auto integer = [&](QLatin1StringView key, auto &field) {
         if (reader.contains(key))
             field = static_cast<int>(reader.integer(key, 0, PackingSettings::maxTextureSize));
     };
@@ -258,7 +258,7 @@ PackingSettings readPackingSettings(CborReader &reader)
     integer("margin"_L1, settings.margin);
     integer("udimTile"_L1, settings.udimTile);
     if (reader.contains("rotation"_L1))
-        settings.rotation = reader.enumerator("rotation"_L1, PackingSettings::Rotation::Free);
+        settings.rotation = reader.enumerator("rotation"_L1, PackRotation::Free);
     if (reader.contains("keepScale"_L1))
         settings.keepScale = reader.boolean("keepScale"_L1);
     if (!settings.isValid())

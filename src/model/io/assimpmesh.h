@@ -1,7 +1,7 @@
 // Turns faces of the soup back into a mesh for Assimp's exporters.
 #pragma once
 
-#include "model/io/assimpscene.h"
+#include "model/io/assimpsource.h"
 
 struct aiMesh;
 

@@ -1,8 +1,8 @@
 // Colours and line widths of the pictures of UV layouts.
 #pragma once
 
+#include "model/io/layoutoptions.h"
 #include "model/io/layoutpaths.h"
-#include "model/io/uvexport.h"
 
 #include <QColor>
 

@@ -1,5 +1,6 @@
 #include "model/io/projectstate.h"
 
+#include "model/plain/bitmap.h"
 #include "model/document/cborvalues.h"
 #include "model/io/packedarrays.h"
 #include "model/io/projectseams.h"
@@ -43,14 +44,14 @@ std::vector<int> cornersByVertex(const MeshData &mesh)
 //! others.
 QCborMap uvSetMap(const MeshData &mesh, const UvSet &set, double scale)
 {
-    QByteArray repeats((mesh.cornerCount() + 7) / 8, '\0');
+    QByteArray repeats(bitmapSize(mesh.cornerCount()), '\0');
     std::vector<double> u, v;
     const double *before = nullptr;
     int position = 0;
     for (int corner : cornersByVertex(mesh)) {
         const double *row = set.uv.data() + 2 * Eigen::Index(corner);
         if (before && std::memcmp(before, row, 2 * sizeof(double)) == 0) {
-            repeats[position / 8] = static_cast<char>(repeats[position / 8] | 1 << position % 8);
+            setBit(repeats, position);
         } else {
             u.push_back(row[0]);
             v.push_back(row[1]);
@@ -71,13 +72,13 @@ bool readUvs(CborReader &reader, const MeshData &mesh, UvMatrix &uv)
     const QByteArray packedU = reader.bytes("u"_L1);
     const auto u = unpackedDoubles(packedU, packedDoubleCount(packedU));
     const auto v = unpackedDoubles(reader.bytes("v"_L1), packedDoubleCount(packedU));
-    if (reader.failed() || !u || !v || repeats.size() != (mesh.cornerCount() + 7) / 8)
+    if (reader.failed() || !u || !v || repeats.size() != bitmapSize(mesh.cornerCount()))
         return false;
     uv.resize(mesh.cornerCount(), 2);
     std::size_t next = 0;
     int position = 0;
     for (int corner : cornersByVertex(mesh)) {
-        const bool repeated = repeats[position / 8] & 1 << position % 8;
+        const bool repeated = bitAt(repeats, position);
         ++position;
         next += !repeated;
         if (next == 0 || next > u->size())

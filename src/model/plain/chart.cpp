@@ -1,10 +1,12 @@
 #include "model/plain/chart.h"
 
+#include "model/plain/uvseams.h"
 #include "model/plain/unionfind.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <tuple>
 
 namespace autocuts {
@@ -65,27 +67,26 @@ void findUvBox(const MeshData &mesh, const UvMatrix &uv, UvTopology &topology)
 }
 
 //! Joins the sides of one 3D edge that agree in UV space; returns one side of each group and its size.
-std::vector<std::pair<const Side *, int>> joinAgreeing(const Side *first, const Side *last,
-                                                       const UvMatrix &uv, double tolerance, UnionFind &faces,
-                                                       UnionFind &corners, const std::vector<bool> &faceHasUv)
+std::vector<std::pair<const Side *, int>> joinAgreeing(std::span<const Side> sides, const UvMatrix &uv,
+                                                       double tolerance, UnionFind &faces, UnionFind &corners,
+                                                       const std::vector<bool> &faceHasUv)
 {
-    const auto agree = [&](int a, int b) { return (uv.row(a) - uv.row(b)).stableNorm() <= tolerance; };
     std::vector<std::pair<const Side *, int>> groups;
-    for (const Side *side = first; side != last; ++side) {
-        if (!faceHasUv[side->face])
+    for (const Side &side : sides) {
+        if (!faceHasUv[side.face])
             continue;
         const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto &group) {
-            return agree(group.first->cornerLow, side->cornerLow) &&
-                   agree(group.first->cornerHigh, side->cornerHigh);
+            return sameUv(uv, group.first->cornerLow, side.cornerLow, tolerance) &&
+                   sameUv(uv, group.first->cornerHigh, side.cornerHigh, tolerance);
         });
         if (same == groups.end()) {
-            groups.emplace_back(side, 1);
+            groups.emplace_back(&side, 1);
             continue;
         }
         ++same->second;
-        faces.unite(same->first->face, side->face);
-        corners.unite(same->first->cornerLow, side->cornerLow);
-        corners.unite(same->first->cornerHigh, side->cornerHigh);
+        faces.unite(same->first->face, side.face);
+        corners.unite(same->first->cornerLow, side.cornerLow);
+        corners.unite(same->first->cornerHigh, side.cornerHigh);
     }
     return groups;
 }
@@ -106,7 +107,7 @@ UvTopology findUvTopology(const MeshData &mesh, const UvMatrix &uv)
 {
     UvTopology topology;
     findUvBox(mesh, uv, topology);
-    const double tolerance = 1e-6 * topology.boxDiagonal();
+    const double tolerance = uvTolerance * topology.boxDiagonal();
     const std::vector<Side> sides = sortedSides(mesh);
 
     UnionFind faces(mesh.faceCount());
@@ -119,8 +120,8 @@ UvTopology findUvTopology(const MeshData &mesh, const UvMatrix &uv)
             ++edge.sides;
             edge.sidesWithUv += topology.faceHasUv[sides[j].face];
         }
-        for (const auto &[side, size] : joinAgreeing(sides.data() + i, sides.data() + j, uv, tolerance, faces,
-                                                     corners, topology.faceHasUv)) {
+        for (const auto &[side, size] : joinAgreeing({sides.data() + i, sides.data() + j}, uv, tolerance,
+                                                     faces, corners, topology.faceHasUv)) {
             ++edge.copies;
             topology.uvEdges.push_back({{side->cornerLow, side->cornerHigh}, 0, size == 1});
             edgeFace.push_back(side->face);

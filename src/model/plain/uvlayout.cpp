@@ -41,16 +41,6 @@ bool sameBits(const UvMatrix &a, const UvMatrix &b)
            (a.size() == 0 || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
-IndexRanges differingRows(const UvMatrix &a, const UvMatrix &b)
-{
-    IndexRanges result;
-    for (Eigen::Index i = 0; i < a.rows(); ++i) {
-        if (std::memcmp(a.data() + 2 * i, b.data() + 2 * i, 2 * sizeof(double)) != 0)
-            result.append(static_cast<int>(i));
-    }
-    return result;
-}
-
 Eigen::AlignedBox2d layoutBox(const UvMatrix &uv)
 {
     Eigen::AlignedBox2d box;
@@ -59,16 +49,6 @@ Eigen::AlignedBox2d layoutBox(const UvMatrix &uv)
             box.extend(Vec2(uv.row(i)));
     }
     return box;
-}
-
-double layoutArea(const MeshData &mesh, const UvMatrix &uv)
-{
-    double area = 0;
-    for (const auto &triangle : mesh.triangles) {
-        if (hasUv(triangle, uv))
-            area += triangleUvArea(triangle, uv);
-    }
-    return area;
 }
 
 double layoutScale(const MeshData &mesh, const UvMatrix &uv)

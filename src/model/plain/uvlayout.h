@@ -1,7 +1,6 @@
-// Helpers on the UVs of a layout: boxes, areas and what differs between two of them. Plain: no Qt.
+// Helpers on the UVs of a layout: rows per soup corner, box and scale. Plain: no Qt.
 #pragma once
 
-#include "model/plain/indexranges.h"
 #include "model/plain/meshdata.h"
 
 #include <Eigen/Geometry>
@@ -18,12 +17,8 @@ UvMatrix emptyLayout(const MeshData &mesh);
 UvMatrix soupUv(const MeshData &mesh, const UvMatrix &uv);
 //! True when the matrices have the same bits; rows without UVs are equal when their bits are.
 bool sameBits(const UvMatrix &a, const UvMatrix &b);
-//! The rows whose bits differ. \pre a and b have the same number of rows
-IndexRanges differingRows(const UvMatrix &a, const UvMatrix &b);
 //! Box of the finite rows; empty when there is none.
 Eigen::AlignedBox2d layoutBox(const UvMatrix &uv);
-//! Sum of the areas of all triangles whose corners have UVs, whatever their orientation.
-double layoutArea(const MeshData &mesh, const UvMatrix &uv);
 //! The scale of a layout: the length in texture space of one unit of the solver, in which the mesh has area
 //! pi, so that the scaled-down layout has the area of the faces it covers. defaultUvScale without UVs.
 double layoutScale(const MeshData &mesh, const UvMatrix &uv);

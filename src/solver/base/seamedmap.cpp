@@ -1,5 +1,7 @@
 #include "solver/base/seamedmap.h"
 
+#include "solver/base/cornerat.h"
+
 #include <cmath>
 
 namespace autocuts {
@@ -58,12 +60,11 @@ std::string SeamedMap::validate(const Soup &soup) const
     }
     const CutMesh state(mesh, cut);
     std::vector<int> first(state.uvVertexCount, -1);
-    for (std::size_t c = 0; c < state.uvVertex.size(); ++c) {
+    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
         int &f = first[state.uvVertex[c]];
         if (f < 0)
-            f = static_cast<int>(c);
-        if (x[2 * c] != x[2 * static_cast<std::size_t>(f)] ||
-            x[2 * c + 1] != x[2 * static_cast<std::size_t>(f) + 1])
+            f = c;
+        if (cornerAt(x, c) != cornerAt(x, f))
             return "two corners of one UV vertex are apart";
     }
     for (int t = 0; t < soup.triangleCount(); ++t) {
@@ -77,10 +78,8 @@ UvMatrix cornerUv(const Soup &soup, const SeamedMap &map)
 {
     const MeshData &mesh = *soup.mesh;
     UvMatrix uv(mesh.cornerCount(), 2);
-    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
-        uv(mesh.cornerOfSoup(c), 0) = map.x[2 * static_cast<std::size_t>(c)];
-        uv(mesh.cornerOfSoup(c), 1) = map.x[2 * static_cast<std::size_t>(c) + 1];
-    }
+    for (int c = 0; c < mesh.soupCornerCount(); ++c)
+        uv.row(mesh.cornerOfSoup(c)) = cornerAt(map.x, c).transpose();
     return uv;
 }
 

@@ -1,5 +1,7 @@
 #include "solver/definite/chartjoining.h"
 
+#include "solver/base/cornerat.h"
+#include "solver/base/rigidfit.h"
 #include "solver/energy/distortion.h"
 #include "solver/newton/minimizer.h"
 #include "solver/overlap/overlapfinder.h"
@@ -22,54 +24,7 @@ constexpr int localSteps = 10;
 constexpr double fitDistance = 0.6;
 constexpr double smallestDeterminant = 0.05;
 
-//! A rotation about the origin, then a translation.
-struct RigidMotion
-{
-    double c = 1, s = 0;
-    Vec2 shift = Vec2::Zero();
-
-    Vec2 operator()(const Vec2 &p) const
-    {
-        return {c * p.x() - s * p.y() + shift.x(), s * p.x() + c * p.y() + shift.y()};
-    }
-};
-
-//! A corner pair on the seam between two charts: where it is in the chart that stays and in the one that
-//! moves.
-struct SeamPoint
-{
-    Vec2 fixed, moving;
-    double weight;
-};
-
-//! Least-squares motion of `moving` onto `fixed`.
-RigidMotion fitMotion(const std::vector<SeamPoint> &points)
-{
-    Vec2 a = Vec2::Zero(), b = Vec2::Zero();
-    double sum = 0;
-    for (const SeamPoint &p : points) {
-        a += p.weight * p.fixed;
-        b += p.weight * p.moving;
-        sum += p.weight;
-    }
-    a /= sum;
-    b /= sum;
-    double dot = 0, cross = 0;
-    for (const SeamPoint &p : points) {
-        const Vec2 u = p.moving - b, v = p.fixed - a;
-        dot += p.weight * u.dot(v);
-        cross += p.weight * (u.x() * v.y() - u.y() * v.x());
-    }
-    const double length = std::hypot(dot, cross);
-    RigidMotion motion;
-    if (length > 0) {
-        motion.c = dot / length;
-        motion.s = cross / length;
-    }
-    motion.shift = a - Vec2(motion.c * b.x() - motion.s * b.y(), motion.s * b.x() + motion.c * b.y());
-    return motion;
-}
-
+//! Joins charts and closes seams of one map, as long as the bound allows it and no chart covers itself.
 class Merger
 {
 public:
@@ -184,19 +139,15 @@ private:
                                                 mSnapshot.pairState[2 * edge + 1] == PairState::Cut);
     }
 
-    Vec2 place(int corner) const
-    {
-        const std::size_t at = 2 * static_cast<std::size_t>(corner);
-        return {mMap.x[at], mMap.x[at + 1]};
-    }
+    Vec2 place(int corner) const { return cornerAt(mMap.x, corner); }
 
     //! The two corner pairs of an edge, seen from the chart that stays.
-    std::array<SeamPoint, 2> seamPoints(const CutMesh &state, int edge, int fixedChart) const
+    std::array<PointMatch, 2> seamPoints(const CutMesh &state, int edge, int fixedChart) const
     {
         const EdgePair &pair = mMesh.edgePairs[edge];
         const int fixed = state.chart[pair.triangle[0]] == fixedChart ? 0 : 1;
         const double w = mSoup->pairLength[2 * static_cast<std::size_t>(edge)];
-        std::array<SeamPoint, 2> points;
+        std::array<PointMatch, 2> points;
         for (int end = 0; end < 2; ++end)
             points[end] = {place(pair.corner[end][fixed]), place(pair.corner[end][1 - fixed]), w};
         return points;
@@ -209,17 +160,17 @@ private:
         std::vector<int> kept = edges;
         RigidMotion motion;
         for (int round = 0; round < 6 && !kept.empty(); ++round) {
-            std::vector<SeamPoint> points;
+            std::vector<PointMatch> points;
             for (const int e : kept) {
-                for (const SeamPoint &p : seamPoints(state, e, fixedChart))
+                for (const PointMatch &p : seamPoints(state, e, fixedChart))
                     points.push_back(p);
             }
-            motion = fitMotion(points);
+            motion = fitRigid(points);
             // The worst third goes in the first rounds, then what does not fit.
             std::vector<std::pair<double, int>> misfit;
             for (const int e : round < 3 ? kept : edges) {
                 double worst = 0;
-                for (const SeamPoint &p : seamPoints(state, e, fixedChart))
+                for (const PointMatch &p : seamPoints(state, e, fixedChart))
                     worst = std::max(worst, (motion(p.moving) - p.fixed).norm() / p.weight);
                 misfit.emplace_back(worst, e);
             }
@@ -245,11 +196,8 @@ private:
         for (int t = 0; t < mMesh.triangleCount(); ++t) {
             if (state.chart[t] != movingChart)
                 continue;
-            for (int c = 3 * t; c < 3 * t + 3; ++c) {
-                const Vec2 p = motion(place(c));
-                x[2 * static_cast<std::size_t>(c)] = p.x();
-                x[2 * static_cast<std::size_t>(c) + 1] = p.y();
-            }
+            for (int c = 3 * t; c < 3 * t + 3; ++c)
+                cornerAt(x, c) = motion(place(c));
         }
         return close(kept, std::move(x), looseRings);
     }
@@ -295,7 +243,7 @@ private:
             if (!vertices.count(v))
                 continue;
             auto &[sum, count] = sums.try_emplace(v, Vec2::Zero(), 0).first->second;
-            sum += Vec2(x[2 * static_cast<std::size_t>(c)], x[2 * static_cast<std::size_t>(c) + 1]);
+            sum += cornerAt(x, c);
             ++count;
             triangles.insert(c / 3);
         }
@@ -304,9 +252,7 @@ private:
                 const auto found = sums.find(joined.uvVertex[c]);
                 if (found == sums.end())
                     continue;
-                const Vec2 middle = found->second.first / found->second.second;
-                x[2 * static_cast<std::size_t>(c)] = middle.x();
-                x[2 * static_cast<std::size_t>(c) + 1] = middle.y();
+                cornerAt(x, c) = found->second.first / found->second.second;
             }
             if (!(jacobianDeterminant(*mSoup, x.data(), t) > smallestDeterminant))
                 return false;

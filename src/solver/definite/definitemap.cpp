@@ -1,9 +1,10 @@
 #include "solver/definite/definitemap.h"
 
+#include "solver/base/cornerat.h"
 #include "solver/definite/chartjoining.h"
 #include "solver/definite/relaxing.h"
 #include "solver/definite/unfolding.h"
-#include "solver/overlap/overlapseparation.h"
+#include "solver/overlap/uvseparation.h"
 #include "solver/packing/islandgeometry.h"
 
 #include <algorithm>
@@ -84,27 +85,14 @@ void equalizeDensity(const Soup &soup, SeamedMap &map)
     const MeshData &mesh = *soup.mesh;
     UvMatrix uv = cornerUv(soup, map);
     packing::equalizeTexelDensity(mesh, chartsOf(mesh, CutMesh(mesh, map.cut)), uv);
-    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
-        map.x[2 * static_cast<std::size_t>(c)] = uv(mesh.cornerOfSoup(c), 0);
-        map.x[2 * static_cast<std::size_t>(c) + 1] = uv(mesh.cornerOfSoup(c), 1);
-    }
+    for (int c = 0; c < mesh.soupCornerCount(); ++c)
+        cornerAt(map.x, c) = uv.row(mesh.cornerOfSoup(c)).transpose();
 }
 
 bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
                     const std::atomic<bool> *cancel)
 {
-    overlap::SeparationOptions options;
-    options.cancel = cancel;
-    if (!snapshot.pairWeight.empty()) {
-        options.pairWeight.resize(map.cut.size());
-        for (std::size_t e = 0; e < map.cut.size(); ++e)
-            options.pairWeight[e] = snapshot.edgeWeight(e);
-    }
-    std::vector<bool> joined(map.cut.size());
-    for (std::size_t e = 0; e < map.cut.size(); ++e)
-        joined[e] = snapshot.isJoined(e);
-    overlap::SeparationResult result =
-        overlap::separateOverlaps(*soup.mesh, rowsOf(map.x), map.cut, joined, options);
+    overlap::SeparationResult result = overlap::separateSteered(snapshot, rowsOf(map.x), map.cut, cancel);
     if (!result.complete)
         return false;
     map.cut = std::move(result.cut);

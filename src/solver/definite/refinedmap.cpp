@@ -1,11 +1,12 @@
 #include "solver/definite/refinedmap.h"
 
+#include "solver/base/cornerat.h"
+#include "solver/base/rigidfit.h"
 #include "solver/definite/relaxing.h"
 #include "solver/definite/seamgaps.h"
 #include "solver/search/seamoptimizer.h"
 
 #include <algorithm>
-#include <complex>
 #include <mutex>
 
 namespace autocuts::definite {
@@ -18,39 +19,17 @@ constexpr int searchMoves = 300;
 //! Turns and moves every chart, without scaling it, to where its corners were before, as nearly as it fits.
 void placeNear(const Soup &soup, SeamedMap &map, const std::vector<double> &before)
 {
-    using Complex = std::complex<double>;
     const CutMesh charts(*soup.mesh, map.cut);
     const int corners = soup.mesh->soupCornerCount();
-    const auto at = [](const std::vector<double> &x, int corner) {
-        return Complex(x[2 * static_cast<std::size_t>(corner)], x[2 * static_cast<std::size_t>(corner) + 1]);
-    };
-    struct Fit
-    {
-        double count = 0;
-        Complex centre, centreBefore, turn;
-    };
-    std::vector<Fit> fits(charts.chartCount);
+    std::vector<std::vector<PointMatch>> matches(charts.chartCount);
+    for (int c = 0; c < corners; ++c)
+        matches[charts.chart[c / 3]].push_back({cornerAt(before, c), cornerAt(map.x, c)});
+    std::vector<RigidMotion> motions;
+    for (const std::vector<PointMatch> &chart : matches)
+        motions.push_back(fitRigid(chart));
     for (int c = 0; c < corners; ++c) {
-        Fit &fit = fits[charts.chart[c / 3]];
-        fit.count += 1;
-        fit.centre += at(map.x, c);
-        fit.centreBefore += at(before, c);
-    }
-    for (Fit &fit : fits) {
-        fit.centre /= fit.count;
-        fit.centreBefore /= fit.count;
-    }
-    for (int c = 0; c < corners; ++c) {
-        Fit &fit = fits[charts.chart[c / 3]];
-        fit.turn += std::conj(at(map.x, c) - fit.centre) * (at(before, c) - fit.centreBefore);
-    }
-    for (Fit &fit : fits)
-        fit.turn = std::abs(fit.turn) > 0 ? fit.turn / std::abs(fit.turn) : Complex(1);
-    for (int c = 0; c < corners; ++c) {
-        const Fit &fit = fits[charts.chart[c / 3]];
-        const Complex place = fit.centreBefore + fit.turn * (at(map.x, c) - fit.centre);
-        map.x[2 * static_cast<std::size_t>(c)] = place.real();
-        map.x[2 * static_cast<std::size_t>(c) + 1] = place.imag();
+        const RigidMotion &motion = motions[charts.chart[c / 3]];
+        cornerAt(map.x, c) = motion.fixedCentre + motion.turned(cornerAt(map.x, c) - motion.movingCentre);
     }
 }
 

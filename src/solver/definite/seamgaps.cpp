@@ -1,5 +1,7 @@
 #include "solver/definite/seamgaps.h"
 
+#include "solver/base/cornerat.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -18,9 +20,8 @@ std::vector<std::vector<int>> touchingCharts(const MeshData &mesh, const SeamedM
                                              const CutMesh &charts, double gap)
 {
     const auto apart = [&map](const std::array<int, 2> &corners) {
-        const double *a = &map.x[2 * static_cast<std::size_t>(corners[0])];
-        const double *b = &map.x[2 * static_cast<std::size_t>(corners[1])];
-        return std::hypot(a[0] - b[0], a[1] - b[1]);
+        const Vec2 between = cornerAt(map.x, corners[0]) - cornerAt(map.x, corners[1]);
+        return std::hypot(between.x(), between.y());
     };
     std::vector<std::vector<int>> touching(charts.chartCount);
     for (std::size_t e = 0; e < map.cut.size(); ++e) {
@@ -66,7 +67,7 @@ void openSeams(const Soup &soup, const Snapshot &snapshot, SeamedMap &map)
         gaps[chart] = static_cast<int>(std::find(taken.begin(), taken.end(), false) - taken.begin());
     }
     for (int corner = 0; corner < mesh.soupCornerCount(); ++corner)
-        map.x[2 * static_cast<std::size_t>(corner)] += gap * gaps[charts.chart[corner / 3]];
+        cornerAt(map.x, corner).x() += gap * gaps[charts.chart[corner / 3]];
 }
 
 } // namespace autocuts::definite

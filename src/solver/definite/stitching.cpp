@@ -1,5 +1,7 @@
 #include "solver/definite/stitching.h"
 
+#include "solver/base/cornerat.h"
+#include "solver/base/springladder.h"
 #include "solver/energy/constraintterms.h"
 #include "solver/energy/distortion.h"
 #include "solver/energy/separation.h"
@@ -34,15 +36,15 @@ std::vector<double> snapped(const CutMesh &state, const std::vector<double> &x)
 {
     std::vector<Vec2> sum(state.uvVertexCount, Vec2::Zero());
     std::vector<int> count(state.uvVertexCount, 0);
-    for (std::size_t c = 0; c < state.uvVertex.size(); ++c) {
-        sum[state.uvVertex[c]] += Vec2(x[2 * c], x[2 * c + 1]);
+    const int corners = static_cast<int>(state.uvVertex.size());
+    for (int c = 0; c < corners; ++c) {
+        sum[state.uvVertex[c]] += cornerAt(x, c);
         ++count[state.uvVertex[c]];
     }
     std::vector<double> result(x.size());
-    for (std::size_t c = 0; c < state.uvVertex.size(); ++c) {
+    for (int c = 0; c < corners; ++c) {
         const int v = state.uvVertex[c];
-        result[2 * c] = sum[v].x() / count[v];
-        result[2 * c + 1] = sum[v].y() / count[v];
+        cornerAt(result, c) = sum[v] / count[v];
     }
     return result;
 }
@@ -103,17 +105,14 @@ bool pullTogether(const std::shared_ptr<const Soup> &soup, const Snapshot &snaps
     newton::Minimizer minimizer(soup, newton::makeHubDirection(soup, {}));
     std::vector<const energy::EnergyTerm *> terms = shape.all();
     terms.push_back(&springs);
-    double stiffness = firstSpring;
-    for (int level = 0; level < springLevels; ++level, stiffness *= 10) {
+    return climbSprings(firstSpring, springLevels, [&](double stiffness) {
         springs.setFactor(stiffness);
         minimizer.setTerms(terms);
         for (int i = 0; i < stepsPerSpring && !cancelled(cancel); ++i)
             minimizer.step(x);
         snap = snapped(state, x);
-        if (badTriangles(*soup, snap).empty())
-            return true;
-    }
-    return false;
+        return badTriangles(*soup, snap).empty();
+    });
 }
 
 //! Cuts the edges of the bad triangles' faces and of some rings of faces around them; joined ones only when

@@ -1,5 +1,6 @@
 #include "solver/definite/unfolding.h"
 
+#include "solver/base/cornerat.h"
 #include "solver/homotopy/localsolve.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/search/tutte.h"
@@ -40,7 +41,7 @@ std::vector<double> unfolded(const Soup &soup, const CutMesh &units, const std::
         const int corner = mesh.cornerOfSoup(c);
         int &first = firstCorner[units.uvVertex[c]];
         first = first < 0 ? corner : std::min(first, corner);
-        uv.row(corner) << x[2 * static_cast<std::size_t>(c)], x[2 * static_cast<std::size_t>(c) + 1];
+        uv.row(corner) = cornerAt(x, c).transpose();
     }
     for (int c = 0; c < mesh.soupCornerCount(); ++c)
         problem.pointOfCorner[mesh.cornerOfSoup(c)] = firstCorner[units.uvVertex[c]];
@@ -51,10 +52,8 @@ std::vector<double> unfolded(const Soup &soup, const CutMesh &units, const std::
     }
     std::sort(problem.faces.begin(), problem.faces.end());
     const homotopy::LocalSolution solution = homotopy::solveLocally(mesh, uv, problem, cancel);
-    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
-        x[2 * static_cast<std::size_t>(c)] = solution.uv(mesh.cornerOfSoup(c), 0);
-        x[2 * static_cast<std::size_t>(c) + 1] = solution.uv(mesh.cornerOfSoup(c), 1);
-    }
+    for (int c = 0; c < mesh.soupCornerCount(); ++c)
+        cornerAt(x, c) = solution.uv.row(mesh.cornerOfSoup(c)).transpose();
     return x;
 }
 

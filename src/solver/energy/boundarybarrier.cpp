@@ -1,5 +1,8 @@
 #include "solver/energy/boundarybarrier.h"
 
+#include "solver/base/cornerat.h"
+#include "solver/base/segmentcrossing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,14 +29,6 @@ Nearest nearestOnSegment(const Vec2 &p, const Vec2 &a, const Vec2 &b)
     return {distance, t, distance > 0 ? Vec2(away / distance) : Vec2::Zero()};
 }
 
-bool cross(const Vec2 &a, const Vec2 &b, const Vec2 &c, const Vec2 &d)
-{
-    const double abc = cross2(a, b, c), abd = cross2(a, b, d);
-    const double cda = cross2(c, d, a), cdb = cross2(c, d, b);
-    return ((abc > 0) != (abd > 0)) && ((cda > 0) != (cdb > 0)) && abc != 0 && abd != 0 && cda != 0 &&
-           cdb != 0;
-}
-
 } // namespace
 
 BoundaryBarrierTerm::BoundaryBarrierTerm(const Soup &soup, const CutMesh &cut, std::span<const double> x,
@@ -42,7 +37,7 @@ BoundaryBarrierTerm::BoundaryBarrierTerm(const Soup &soup, const CutMesh &cut, s
 {
     std::map<std::pair<double, double>, int> places;
     const auto placeOf = [&](int soupCorner) {
-        const Vec2 p = at(x, soupCorner);
+        const Vec2 p = cornerAt(x, soupCorner);
         return places.try_emplace({p.x(), p.y()}, static_cast<int>(places.size())).first->second;
     };
     // One soup corner stands for each UV vertex, so that equal vertices are equal numbers.
@@ -68,7 +63,7 @@ bool BoundaryBarrierTerm::collect(std::span<const double> x, std::vector<Contact
     };
     std::vector<Box> boxes(mSegments.size());
     for (std::size_t s = 0; s < mSegments.size(); ++s) {
-        const Vec2 a = at(x, mSegments[s].from), b = at(x, mSegments[s].to);
+        const Vec2 a = cornerAt(x, mSegments[s].from), b = cornerAt(x, mSegments[s].to);
         boxes[s] = {std::min(a.x(), b.x()) - mReach, std::max(a.x(), b.x()) + mReach,
                     std::min(a.y(), b.y()) - mReach, std::max(a.y(), b.y()) + mReach, static_cast<int>(s)};
     }
@@ -82,7 +77,7 @@ bool BoundaryBarrierTerm::collect(std::span<const double> x, std::vector<Contact
                 continue;
             const bool fromApart = s.fromPlace != t.fromPlace && s.fromPlace != t.toPlace;
             if (s.from != t.from && s.from != t.to && s.to != t.from && s.to != t.to &&
-                cross(at(x, s.from), at(x, s.to), at(x, t.from), at(x, t.to)))
+                segmentsCross(cornerAt(x, s.from), cornerAt(x, s.to), cornerAt(x, t.from), cornerAt(x, t.to)))
                 return false;
             if (fromApart)
                 contacts.push_back({s.from, boxes[j].segment});
@@ -101,7 +96,8 @@ double BoundaryBarrierTerm::value(std::span<const double> x) const
     double sum = 0;
     for (const Contact &contact : contacts) {
         const Segment &s = mSegments[contact.segment];
-        const double d = nearestOnSegment(at(x, contact.point), at(x, s.from), at(x, s.to)).distance;
+        const double d =
+            nearestOnSegment(cornerAt(x, contact.point), cornerAt(x, s.from), cornerAt(x, s.to)).distance;
         if (d >= mReach)
             continue;
         if (d == 0)
@@ -120,7 +116,8 @@ double BoundaryBarrierTerm::addDerivatives(std::span<const double> x, std::span<
     double sum = 0;
     for (const Contact &contact : contacts) {
         const Segment &s = mSegments[contact.segment];
-        const Nearest near = nearestOnSegment(at(x, contact.point), at(x, s.from), at(x, s.to));
+        const Nearest near =
+            nearestOnSegment(cornerAt(x, contact.point), cornerAt(x, s.from), cornerAt(x, s.to));
         if (near.distance >= mReach || near.distance == 0)
             continue;
         const double q = mReach / near.distance;

@@ -39,10 +39,6 @@ private:
         int point, segment;
     };
 
-    static Vec2 at(std::span<const double> x, int corner)
-    {
-        return {x[2 * static_cast<std::size_t>(corner)], x[2 * static_cast<std::size_t>(corner) + 1]};
-    }
     //! Pairs of a segment's start and another segment that may be within reach; false when two segments
     //! cross.
     bool collect(std::span<const double> x, std::vector<Contact> &contacts) const;

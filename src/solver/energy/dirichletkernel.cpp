@@ -163,6 +163,7 @@ double dirichletSum(const DirichletBlock *blocks, const double *x, int triangles
     return total(sum, smallest);
 }
 
+// Long: the gradient and the Hessian share most of what is computed here.
 AUTOCUTS_CLONES
 double dirichletDerivatives(const DirichletBlock *blocks, const double *x, int triangles, double factor,
                             double *gradient, EdgeMatrix *hessian)

@@ -1,5 +1,6 @@
 #include "solver/homotopy/initialuv.h"
 
+#include "solver/base/cornerat.h"
 #include "solver/base/cutmesh.h"
 #include "solver/base/random.h"
 #include "solver/energy/distortion.h"
@@ -23,9 +24,9 @@ void placeRigid(const Soup &soup, int t, double angle, const Vec2 &centre, std::
     const Vec2 middle((s[0] + s[2] + s[4]) / 3, (s[1] + s[3] + s[5]) / 3);
     const double c = std::cos(angle), d = std::sin(angle);
     for (int k = 0; k < 3; ++k) {
-        const double u = s[2 * k] - middle.x(), v = s[2 * k + 1] - middle.y();
-        x[6 * static_cast<std::size_t>(t) + 2 * k] = centre.x() + c * u - d * v;
-        x[6 * static_cast<std::size_t>(t) + 2 * k + 1] = centre.y() + d * u + c * v;
+        const Vec2 arm = cornerAt(s, k) - middle;
+        cornerAt(x, 3 * t + k) =
+            Vec2(centre.x() + c * arm.x() - d * arm.y(), centre.y() + d * arm.x() + c * arm.y());
     }
 }
 
@@ -77,10 +78,8 @@ std::vector<double> initialUv(const Soup &soup, const Snapshot &snapshot)
         break;
     case StartMode::ExistingUv:
         if (snapshot.startUv.rows() == soup.mesh->soupCornerCount()) {
-            for (Eigen::Index c = 0; c < snapshot.startUv.rows(); ++c) {
-                x[2 * c] = snapshot.startUv(c, 0);
-                x[2 * c + 1] = snapshot.startUv(c, 1);
-            }
+            for (int c = 0; c < soup.mesh->soupCornerCount(); ++c)
+                cornerAt(x, c) = snapshot.startUv.row(c).transpose();
         }
         repairTriangles(soup, x);
         break;

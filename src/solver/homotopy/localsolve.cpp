@@ -1,6 +1,8 @@
 #include "solver/homotopy/localsolve.h"
 
+#include "solver/base/cornerat.h"
 #include "solver/base/soup.h"
+#include "solver/base/springladder.h"
 #include "solver/energy/constraintterms.h"
 #include "solver/energy/distortion.h"
 #include "solver/newton/minimizer.h"
@@ -63,7 +65,7 @@ public:
             if (corners == mSoupCorners.end())
                 continue;
             for (int soupCorner : corners->second)
-                set(x, soupCorner, toSolver(place));
+                cornerAt(x, soupCorner) = toSolver(place);
         }
         for (int t = 0; t < mSoup->triangleCount(); ++t) {
             if (!(jacobianDeterminant(*mSoup, x.data(), t) > smallestDeterminant))
@@ -88,8 +90,7 @@ public:
             if (const auto target = exact.find(point); target != exact.end()) {
                 uv.row(c) = target->second.transpose();
             } else if (!mHeld[point]) {
-                const std::size_t s = corners->second.front();
-                uv.row(c) = toTexture({mX[2 * s], mX[2 * s + 1]}).transpose();
+                uv.row(c) = toTexture(cornerAt(mX, corners->second.front())).transpose();
             }
         }
         return uv;
@@ -98,11 +99,6 @@ public:
 private:
     Vec2 toSolver(const Vec2 &uv) const { return {mSide * mScale * uv.x(), mScale * uv.y()}; }
     Vec2 toTexture(const Vec2 &x) const { return {mSide * x.x() / mScale, x.y() / mScale}; }
-    static void set(std::vector<double> &x, int soupCorner, const Vec2 &place)
-    {
-        x[2 * static_cast<std::size_t>(soupCorner)] = place.x();
-        x[2 * static_cast<std::size_t>(soupCorner) + 1] = place.y();
-    }
     Vec2 placeOf(int corner) const { return mUv.row(mProblem.pointOfCorner[corner]).transpose(); }
     double signedArea(int triangle) const
     {
@@ -167,7 +163,7 @@ private:
         for (int s = 0; s < part->soupCornerCount(); ++s) {
             const int corner = mCorners[part->cornerOfSoup(s)];
             mSoupCorners[mProblem.pointOfCorner[corner]].push_back(s);
-            set(mX, s, toSolver(placeOf(corner)));
+            cornerAt(mX, s) = toSolver(placeOf(corner));
         }
         numberUnknowns();
     }
@@ -222,19 +218,19 @@ bool cancelled(const std::atomic<bool> *cancel)
 bool pullToTargets(Part &part, const energy::DistortionTerm &distortion, const std::atomic<bool> *cancel,
                    const std::function<void(double)> &progress)
 {
-    double weight = firstPull;
-    for (int pull = 0; pull < pulls && !cancelled(cancel); ++pull, weight *= 10) {
+    int pull = 0;
+    return climbSprings(firstPull, pulls, [&](double weight) {
+        if (cancelled(cancel))
+            return false;
         const energy::PinTerm springs(part.pins(weight));
         newton::Minimizer minimizer(part.soup(), newton::makeExactDirection(part.soup(), part.unknowns()));
         minimizer.setTerms({&distortion, &springs});
         for (int i = 0; i < stepsPerPull && !cancelled(cancel); ++i)
             minimizer.step(part.x());
         if (progress)
-            progress(0.5 * (pull + 1) / pulls);
-        if (part.reachTargets())
-            return true;
-    }
-    return false;
+            progress(0.5 * ++pull / pulls);
+        return part.reachTargets();
+    });
 }
 
 } // namespace

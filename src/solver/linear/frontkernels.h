@@ -1,5 +1,6 @@
 // Dense single-precision kernels of the multifrontal factorisation. Rows of a matrix are contiguous, `stride`
 // floats apart; strides are multiples of frontLanes and rows start at multiples of it in aligned memory.
+// The functions have many parameters because they are loops over plain arrays.
 #pragma once
 
 #include <cstddef>

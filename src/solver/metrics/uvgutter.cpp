@@ -1,5 +1,6 @@
 #include "solver/metrics/uvgutter.h"
 
+#include "solver/base/segmentcrossing.h"
 #include "solver/overlap/boxtree.h"
 
 #include <algorithm>
@@ -24,15 +25,9 @@ double squaredDistance(const Vec2 &point, const Segment &segment)
     return (point - segment.from - place * along).squaredNorm();
 }
 
-bool oppositeSigns(double a, double b)
-{
-    return (a > 0 && b < 0) || (a < 0 && b > 0);
-}
-
 double squaredDistance(const Segment &a, const Segment &b)
 {
-    if (oppositeSigns(cross2(a.from, a.to, b.from), cross2(a.from, a.to, b.to)) &&
-        oppositeSigns(cross2(b.from, b.to, a.from), cross2(b.from, b.to, a.to)))
+    if (segmentsCross(a.from, a.to, b.from, b.to))
         return 0;
     return std::min({squaredDistance(a.from, b), squaredDistance(a.to, b), squaredDistance(b.from, a),
                      squaredDistance(b.to, a)});
@@ -62,7 +57,7 @@ std::vector<int> nodeCharts(const overlap::BoxTree &tree, const std::vector<Segm
 void searchNearest(const overlap::BoxTree &tree, const std::vector<Segment> &segments,
                    const std::vector<int> &nodeChart, int i, double &best)
 {
-    std::vector<std::pair<double, int>> stack{{tree.nodes()[0].box.squaredDistance(tree.box(i)), 0}};
+    std::vector<std::pair<double, int>> stack{{tree.nodes()[0].box.squaredExteriorDistance(tree.box(i)), 0}};
     while (!stack.empty()) {
         const auto [distance, id] = stack.back();
         stack.pop_back();
@@ -76,8 +71,9 @@ void searchNearest(const overlap::BoxTree &tree, const std::vector<Segment> &seg
         }
         if (node.count > 0)
             continue;
-        std::pair<double, int> near{tree.nodes()[id + 1].box.squaredDistance(tree.box(i)), id + 1};
-        std::pair<double, int> far{tree.nodes()[node.right].box.squaredDistance(tree.box(i)), node.right};
+        std::pair<double, int> near{tree.nodes()[id + 1].box.squaredExteriorDistance(tree.box(i)), id + 1};
+        std::pair<double, int> far{tree.nodes()[node.right].box.squaredExteriorDistance(tree.box(i)),
+                                   node.right};
         if (far.first < near.first)
             std::swap(near, far);
         stack.push_back(far);
@@ -93,15 +89,12 @@ double smallestGutter(const UvMatrix &uv, const UvTopology &topology)
     if (topology.charts.count < 2)
         return best;
     std::vector<Segment> segments;
-    std::vector<overlap::Box2> boxes;
+    std::vector<Eigen::AlignedBox2d> boxes;
     for (const UvEdge &edge : topology.uvEdges) {
         if (!edge.open)
             continue;
         segments.push_back({uv.row(edge.corner[0]), uv.row(edge.corner[1]), edge.chart});
-        overlap::Box2 box;
-        box.add(segments.back().from);
-        box.add(segments.back().to);
-        boxes.push_back(box);
+        boxes.emplace_back(segments.back().from).extend(segments.back().to);
     }
     if (segments.empty())
         return best;

@@ -180,58 +180,74 @@ void MapRefiner::addToFan(const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const V
     mPointFan.add(mScale * p, mScale * a3, mScale * b3, a, b);
 }
 
+//! Sectors of the fan between the cuts that run from the kept point into it.
+void MapRefiner::findSectors(const std::vector<int> &fan, bool hasFirst, bool hasLast)
+{
+    const int count = static_cast<int>(fan.size());
+    mSectors.clear();
+    for (int i = 0, begin = 0; i < count; ++i) {
+        if (i + 1 < count && !cut[ProgressiveMesh::previous(fan[i])])
+            continue;
+        mSectors.push_back({begin, i + 1, begin == 0 && hasFirst, i + 1 == count && hasLast});
+        begin = i + 1;
+    }
+}
+
+//! Where the removed point goes in a sector. \param good becomes false when a triangle folds there
+Vec2 MapRefiner::placeIn(const Sector &sector, const Comeback &back, bool &good)
+{
+    const auto next = ProgressiveMesh::next, previous = ProgressiveMesh::previous;
+    const std::vector<int> &fan = back.fan;
+    const Vec3 removed3 = mMesh.pointPosition(back.removed), kept3 = mMesh.pointPosition(back.kept);
+    const Vec2 kept = back.keptUv[sector.begin];
+    mPointFan.clear();
+    if (sector.hasFirst)
+        addToFan(removed3, kept3, mMesh.position(next(fan.front())), kept, back.firstEnd);
+    for (int i = sector.begin; i < sector.end; ++i)
+        addToFan(removed3, mMesh.position(next(fan[i])), mMesh.position(previous(fan[i])), uv[next(fan[i])],
+                 uv[previous(fan[i])]);
+    if (sector.hasLast)
+        addToFan(removed3, mMesh.position(previous(fan.back())), kept3, back.lastEnd, kept);
+    const int begin = fan[sector.begin], end = fan[sector.end - 1];
+    const auto share = [&](const Vec3 &far) {
+        const double near = (removed3 - kept3).norm(), rest = (removed3 - far).norm();
+        return near + rest > 0 ? std::clamp(near / (near + rest), 0.05, 0.95) : 0.5;
+    };
+    if (sector.hasFirst && sector.hasLast)
+        return mPointFan.placeInside(kept, good);
+    if (sector.hasFirst)
+        return mPointFan.placeOnSide(kept, uv[previous(end)], share(mMesh.position(previous(end))), true,
+                                     good);
+    if (sector.hasLast)
+        return mPointFan.placeOnSide(kept, uv[next(begin)], share(mMesh.position(next(begin))), false, good);
+    return kept;
+}
+
 bool MapRefiner::refineOne()
 {
     const ProgressiveMesh::Collapse record = mMesh.collapses().back();
-    const std::vector<int> fan(mMesh.fan().begin() + record.fanBegin, mMesh.fan().begin() + record.fanEnd);
+    Comeback back;
+    back.removed = record.removed;
+    back.kept = record.kept;
+    back.fan.assign(mMesh.fan().begin() + record.fanBegin, mMesh.fan().begin() + record.fanEnd);
+    const std::vector<int> &fan = back.fan;
     const int first = record.triangle[0], last = record.triangle[1];
     const auto next = ProgressiveMesh::next, previous = ProgressiveMesh::previous;
     const int count = static_cast<int>(fan.size());
-
-    // Sectors of the fan between the cuts that run from the kept point into it.
-    mSectors.clear();
-    for (int i = 0, begin = 0; i < count; ++i) {
-        if (i + 1 < count && !cut[previous(fan[i])])
-            continue;
-        mSectors.push_back({begin, i + 1, begin == 0 && first >= 0, i + 1 == count && last >= 0});
-        begin = i + 1;
-    }
+    findSectors(fan, first >= 0, last >= 0);
     const bool opened = mSectors.size() > 1;
     const char cutFirst = cut[fan.front()], cutLast = cut[previous(fan.back())];
-    std::vector<Vec2> keptUv(count);
-    for (int i = 0; i < count; ++i)
-        keptUv[i] = uv[fan[i]];
-    const Vec2 firstEnd = uv[next(fan.front())], lastEnd = uv[previous(fan.back())];
+    for (const int corner : fan)
+        back.keptUv.push_back(uv[corner]);
+    back.firstEnd = uv[next(fan.front())];
+    back.lastEnd = uv[previous(fan.back())];
 
     mMesh.refine();
-    const Vec3 removed3 = mMesh.pointPosition(record.removed), kept3 = mMesh.pointPosition(record.kept);
     Vec2 firstPlace = Vec2::Zero(), lastPlace = Vec2::Zero();
     bool allGood = true;
     for (const Sector &sector : mSectors) {
-        const Vec2 kept = keptUv[sector.begin];
-        mPointFan.clear();
-        if (sector.hasFirst)
-            addToFan(removed3, kept3, mMesh.position(next(fan.front())), kept, firstEnd);
-        for (int i = sector.begin; i < sector.end; ++i)
-            addToFan(removed3, mMesh.position(next(fan[i])), mMesh.position(previous(fan[i])),
-                     uv[next(fan[i])], uv[previous(fan[i])]);
-        if (sector.hasLast)
-            addToFan(removed3, mMesh.position(previous(fan.back())), kept3, lastEnd, kept);
-        Vec2 place = kept;
         bool good = true;
-        const int begin = fan[sector.begin], end = fan[sector.end - 1];
-        const auto share = [&](const Vec3 &far) {
-            const double near = (removed3 - kept3).norm(), rest = (removed3 - far).norm();
-            return near + rest > 0 ? std::clamp(near / (near + rest), 0.05, 0.95) : 0.5;
-        };
-        if (sector.hasFirst && sector.hasLast)
-            place = mPointFan.placeInside(kept, good);
-        else if (sector.hasFirst)
-            place = mPointFan.placeOnSide(kept, uv[previous(end)], share(mMesh.position(previous(end))), true,
-                                          good);
-        else if (sector.hasLast)
-            place =
-                mPointFan.placeOnSide(kept, uv[next(begin)], share(mMesh.position(next(begin))), false, good);
+        const Vec2 place = placeIn(sector, back, good);
         allGood = allGood && good;
         for (int i = sector.begin; i < sector.end; ++i)
             uv[fan[i]] = place;
@@ -247,8 +263,8 @@ bool MapRefiner::refineOne()
             ++c;
         const int keptCorner = before ? next(c) : previous(c), far = before ? previous(c) : next(c);
         uv[c] = before ? firstPlace : lastPlace;
-        uv[keptCorner] = before ? keptUv.front() : keptUv.back();
-        uv[far] = before ? firstEnd : lastEnd;
+        uv[keptCorner] = before ? back.keptUv.front() : back.keptUv.back();
+        uv[far] = before ? back.firstEnd : back.lastEnd;
         const int between = before ? c : previous(c); // the side from removed to kept
         const int inner = before ? previous(c) : c, outer = next(c);
         cut[between] = opened;

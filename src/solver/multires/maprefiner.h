@@ -38,7 +38,17 @@ private:
         int begin, end;         //!< corners of the fan
         bool hasFirst, hasLast; //!< with the triangle that comes back before, behind the fan
     };
+    //! A collapse that is taken back: the points, and the map around the kept one before.
+    struct Comeback
+    {
+        int removed = -1, kept = -1;
+        std::vector<int> fan;     //!< corners at the kept point that go over to the removed one
+        std::vector<Vec2> keptUv; //!< per corner of the fan
+        Vec2 firstEnd, lastEnd;   //!< UVs at both ends of the fan
+    };
     bool refineOne();
+    void findSectors(const std::vector<int> &fan, bool hasFirst, bool hasLast);
+    Vec2 placeIn(const Sector &sector, const Comeback &back, bool &good);
     void addToFan(const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const Vec2 &a, const Vec2 &b);
     void sweep();
     double costOf(int side) const;

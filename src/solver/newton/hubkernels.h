@@ -1,4 +1,5 @@
 // The vector loops of the conjugate gradients with hubs: eight triangles at a time.
+// The functions have many parameters because they are loops over plain arrays, a range of blocks each.
 #pragma once
 
 #include "solver/base/lanes.h"

@@ -5,30 +5,7 @@
 
 namespace autocuts::overlap {
 
-void Box2::add(const Vec2 &point)
-{
-    left = std::min(left, point.x());
-    right = std::max(right, point.x());
-    bottom = std::min(bottom, point.y());
-    top = std::max(top, point.y());
-}
-
-void Box2::add(const Box2 &box)
-{
-    left = std::min(left, box.left);
-    right = std::max(right, box.right);
-    bottom = std::min(bottom, box.bottom);
-    top = std::max(top, box.top);
-}
-
-double Box2::squaredDistance(const Box2 &other) const
-{
-    const double x = std::max({0.0, left - other.right, other.left - right});
-    const double y = std::max({0.0, bottom - other.top, other.bottom - top});
-    return x * x + y * y;
-}
-
-BoxTree::BoxTree(std::vector<Box2> boxes) : mBoxes(std::move(boxes)), mOrder(mBoxes.size())
+BoxTree::BoxTree(std::vector<Eigen::AlignedBox2d> boxes) : mBoxes(std::move(boxes)), mOrder(mBoxes.size())
 {
     std::iota(mOrder.begin(), mOrder.end(), 0);
     if (!mOrder.empty()) {
@@ -42,20 +19,17 @@ void BoxTree::build(int begin, int end)
     constexpr int leafSize = 4;
     const std::size_t id = mNodes.size();
     mNodes.emplace_back();
-    Box2 box;
+    Eigen::AlignedBox2d box;
     for (int i = begin; i < end; ++i)
-        box.add(mBoxes[mOrder[i]]);
+        box.extend(mBoxes[mOrder[i]]);
     mNodes[id].box = box;
     mNodes[id].first = begin;
     if (end - begin <= leafSize) {
         mNodes[id].count = end - begin;
         return;
     }
-    const bool wide = box.width() >= box.height();
-    const auto middle = [&](int item) {
-        const Box2 &b = mBoxes[item];
-        return wide ? b.left + b.right : b.bottom + b.top;
-    };
+    const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
+    const auto middle = [&](int item) { return mBoxes[item].min()[axis] + mBoxes[item].max()[axis]; };
     const int half = begin + (end - begin) / 2;
     std::nth_element(mOrder.begin() + begin, mOrder.begin() + half, mOrder.begin() + end,
                      [&](int a, int b) { return middle(a) != middle(b) ? middle(a) < middle(b) : a < b; });

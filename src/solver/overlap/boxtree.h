@@ -3,28 +3,18 @@
 
 #include "model/plain/types.h"
 
-#include <limits>
+#include <Eigen/Geometry>
+
 #include <vector>
 
 namespace autocuts::overlap {
 
-//! Axis-aligned box; empty until a point is added.
-struct Box2
+//! True when the interiors meet; boxes that only touch do not overlap.
+inline bool interiorsMeet(const Eigen::AlignedBox2d &a, const Eigen::AlignedBox2d &b)
 {
-    double left = std::numeric_limits<double>::infinity(), bottom = left;
-    double right = -left, top = -left;
-
-    void add(const Vec2 &point);
-    void add(const Box2 &box);
-    //! True when the interiors meet; boxes that only touch do not overlap.
-    bool overlaps(const Box2 &other) const
-    {
-        return left < other.right && other.left < right && bottom < other.top && other.bottom < top;
-    }
-    double squaredDistance(const Box2 &other) const;
-    double width() const { return right - left; }
-    double height() const { return top - bottom; }
-};
+    return a.min().x() < b.max().x() && b.min().x() < a.max().x() && a.min().y() < b.max().y() &&
+           b.min().y() < a.max().y();
+}
 
 //! Binary tree over boxes, split at the median of the longer side. The order of all visits depends only on
 //! the boxes.
@@ -33,18 +23,18 @@ class BoxTree
 public:
     struct Node
     {
-        Box2 box;
+        Eigen::AlignedBox2d box;
         int first = 0, count = 0; //!< range in order(); count > 0 in leaves only
         int right = 0;            //!< second child; the first one follows its parent directly
     };
 
     //! \param boxes one box per item
-    explicit BoxTree(std::vector<Box2> boxes);
+    explicit BoxTree(std::vector<Eigen::AlignedBox2d> boxes);
 
     const std::vector<Node> &nodes() const { return mNodes; }
     //! Items in the order of the leaves.
     const std::vector<int> &order() const { return mOrder; }
-    const Box2 &box(int item) const { return mBoxes[item]; }
+    const Eigen::AlignedBox2d &box(int item) const { return mBoxes[item]; }
 
     //! Calls visit(a, b) once for every two items whose boxes overlap, until it returns false.
     //! \return false when visit did
@@ -59,7 +49,7 @@ public:
             stack.pop_back();
             const Node &first = mNodes[a];
             const Node &second = mNodes[b];
-            if (a != b && !first.box.overlaps(second.box))
+            if (a != b && !interiorsMeet(first.box, second.box))
                 continue;
             if (first.count > 0 && second.count > 0) {
                 if (!visitLeaves(first, second, a == b, visit))
@@ -76,7 +66,7 @@ public:
     }
 
 private:
-    static double size(const Node &node) { return node.box.width() + node.box.height(); }
+    static double size(const Node &node) { return node.box.sizes().sum(); }
 
     template <typename Visit>
     bool visitLeaves(const Node &first, const Node &second, bool same, Visit &&visit) const
@@ -85,7 +75,7 @@ private:
             for (int j = same ? i + 1 : second.first; j < second.first + second.count; ++j) {
                 const int a = mOrder[i];
                 const int b = mOrder[j];
-                if (mBoxes[a].overlaps(mBoxes[b]) && !visit(a, b))
+                if (interiorsMeet(mBoxes[a], mBoxes[b]) && !visit(a, b))
                     return false;
             }
         }
@@ -94,7 +84,7 @@ private:
 
     void build(int begin, int end);
 
-    std::vector<Box2> mBoxes;
+    std::vector<Eigen::AlignedBox2d> mBoxes;
     std::vector<int> mOrder;
     std::vector<Node> mNodes;
 };

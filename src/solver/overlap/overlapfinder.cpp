@@ -65,7 +65,7 @@ struct Prepared
 {
     std::vector<Triangle> triangles;
     std::vector<int> source;
-    std::vector<Box2> boxes;
+    std::vector<Eigen::AlignedBox2d> boxes;
     double area = 0;
 };
 
@@ -83,9 +83,9 @@ Prepared prepare(const UvMatrix &uv, const std::vector<int> &which)
         if (turn < 0)
             std::swap(triangle[1], triangle[2]);
         result.area += 0.5 * std::abs(cross2(triangle[0], triangle[1], triangle[2]));
-        Box2 box;
+        Eigen::AlignedBox2d box;
         for (const Vec2 &p : triangle)
-            box.add(p);
+            box.extend(p);
         result.triangles.push_back(triangle);
         result.source.push_back(t);
         result.boxes.push_back(box);

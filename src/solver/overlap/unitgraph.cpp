@@ -11,7 +11,7 @@ namespace autocuts::overlap {
 namespace {
 
 //! Both directions of every pair of units, sorted, each once.
-IntLists symmetricLists(int count, std::vector<std::pair<int, int>> pairs)
+CsrList symmetricLists(int count, std::vector<std::pair<int, int>> pairs)
 {
     const std::size_t size = pairs.size();
     pairs.reserve(2 * size);
@@ -23,26 +23,6 @@ IntLists symmetricLists(int count, std::vector<std::pair<int, int>> pairs)
 }
 
 } // namespace
-
-IntLists::IntLists(int count, const std::vector<std::pair<int, int>> &entries)
-    : mFirst(count + 1, 0), mValue(entries.size())
-{
-    for (const auto &entry : entries)
-        ++mFirst[entry.first + 1];
-    for (int i = 0; i < count; ++i)
-        mFirst[i + 1] += mFirst[i];
-    std::vector<int> place(mFirst.begin(), mFirst.end() - 1);
-    for (const auto &entry : entries)
-        mValue[place[entry.first]++] = entry.second;
-}
-
-int IntLists::find(int index, int value) const
-{
-    const auto begin = mValue.begin() + mFirst[index];
-    const auto end = mValue.begin() + mFirst[index + 1];
-    const auto place = std::lower_bound(begin, end, value);
-    return place != end && *place == value ? static_cast<int>(place - mValue.begin()) : -1;
-}
 
 UnitGraph makeUnitGraph(const MeshData &mesh, const std::vector<bool> &cut,
                         const std::vector<bool> &protectedPair, const std::vector<OverlapPair> &overlaps)

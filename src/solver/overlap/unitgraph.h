@@ -1,36 +1,13 @@
-// The pieces that may be cut apart, who is joined to whom, and who overlaps whom.
+// The pieces that may be cut apart, which of them are joined, and which overlap.
 #pragma once
 
 #include "model/plain/meshdata.h"
+#include "solver/base/csrlist.h"
 #include "solver/overlap/overlapfinder.h"
 
-#include <span>
-#include <utility>
 #include <vector>
 
 namespace autocuts::overlap {
-
-//! Lists of ints, one list per index, in one array.
-class IntLists
-{
-public:
-    //! \param entries (index, value); every list keeps the order of the entries
-    IntLists(int count, const std::vector<std::pair<int, int>> &entries);
-    IntLists() = default;
-
-    std::span<const int> operator[](int index) const
-    {
-        return {mValue.data() + mFirst[index], mValue.data() + mFirst[index + 1]};
-    }
-    //! Place of a value among all values of all lists, -1 when its list has no such value.
-    //! \pre the list is sorted
-    int find(int index, int value) const;
-    int totalSize() const { return static_cast<int>(mValue.size()); }
-
-private:
-    std::vector<int> mFirst{0};
-    std::vector<int> mValue;
-};
 
 //! A *unit* is a set of triangles that stay together: one polygon, or several tied by protected pairs. Units
 //! are joined by *links*: uncut edge pairs between two units.
@@ -44,11 +21,11 @@ struct UnitGraph
 
     int unitCount = 0;
     std::vector<int> unitOfTriangle;
-    IntLists triangles;      //!< of each unit, rising
+    CsrList triangles;       //!< of each unit, rising
     std::vector<Link> links; //!< in the order of the edge pairs
-    IntLists linksOfUnit;
-    IntLists neighbours;   //!< of each unit, rising, each once
-    IntLists conflicts;    //!< units that overlap each unit, rising, each once
+    CsrList linksOfUnit;
+    CsrList neighbours;    //!< of each unit, rising, each once
+    CsrList conflicts;     //!< units that overlap each unit, rising, each once
     int innerOverlaps = 0; //!< overlapping pairs inside one unit: no cut can help
 
     int across(int link, int unit) const { return links[link].a == unit ? links[link].b : links[link].a; }

@@ -1,30 +1,38 @@
 #include "solver/overlap/uvseparation.h"
 
+#include "model/plain/uvseams.h"
 #include "model/plain/uvlayout.h"
 #include "solver/base/cutmesh.h"
-#include "solver/overlap/overlapseparation.h"
 
 namespace autocuts::overlap {
 
-Separated separateUv(const MeshData &mesh, const UvMatrix &uv, const std::atomic<bool> *cancel)
+SeparationResult separateSteered(const Snapshot &snapshot, const UvMatrix &soupUv,
+                                 const std::vector<bool> &cut, const std::atomic<bool> *cancel)
 {
+    SeparationOptions options;
+    options.cancel = cancel;
+    if (!snapshot.pairWeight.empty()) {
+        options.pairWeight.resize(cut.size());
+        for (std::size_t e = 0; e < cut.size(); ++e)
+            options.pairWeight[e] = snapshot.edgeWeight(e);
+    }
+    std::vector<bool> joined(cut.size());
+    for (std::size_t e = 0; e < cut.size(); ++e)
+        joined[e] = snapshot.isJoined(e);
+    return separateOverlaps(*snapshot.mesh, soupUv, cut, joined, options);
+}
+
+Separated separateUv(const Snapshot &snapshot, const UvMatrix &uv, const std::atomic<bool> *cancel)
+{
+    const MeshData &mesh = *snapshot.mesh;
     const ChartMap before = findCharts(mesh, uv);
     const UvMatrix soup = soupUv(mesh, uv);
 
-    const Eigen::AlignedBox2d box = layoutBox(uv);
-    const double tolerance = box.isEmpty() ? 0 : 1e-6 * box.diagonal().norm();
+    const std::vector<bool> open = openCornerPairs(mesh, uv);
     CutFlags cut(mesh.edgePairs.size(), false);
-    for (std::size_t e = 0; e < cut.size(); ++e) {
-        const EdgePair &pair = mesh.edgePairs[e];
-        bool agree = true;
-        for (int end = 0; end < 2; ++end)
-            agree =
-                agree && (soup.row(pair.corner[end][0]) - soup.row(pair.corner[end][1])).norm() <= tolerance;
-        cut[e] = !pair.diagonal && !agree;
-    }
-    SeparationOptions options;
-    options.cancel = cancel;
-    const SeparationResult result = separateOverlaps(mesh, soup, cut, {}, options);
+    for (std::size_t e = 0; e < cut.size(); ++e)
+        cut[e] = open[2 * e] || open[2 * e + 1];
+    const SeparationResult result = separateSteered(snapshot, soup, cut, cancel);
 
     Separated separated;
     separated.complete = result.complete;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "model/plain/chart.h"
+#include "model/plain/snapshot.h"
+#include "solver/overlap/overlapseparation.h"
 
 #include <atomic>
 
@@ -12,12 +14,18 @@ struct Separated
 {
     ChartMap charts;
     int newSeams = 0;        //!< edges cut
-    int unresolvedPairs = 0; //!< overlaps inside single polygons
+    int unresolvedPairs = 0; //!< overlaps inside single polygons and joined groups of them
     bool complete = true;    //!< false when cancelled: then nothing was cut
 };
 
-//! Cuts the charts of a map that cover themselves. \param uv one row per corner; a non-finite row means that
-//! the corner has no UV
-Separated separateUv(const MeshData &mesh, const UvMatrix &uv, const std::atomic<bool> *cancel = nullptr);
+//! Separates overlaps with the user's steering: edges that the user joined are not cut, and the painted
+//! weights scale the cost of the others. \param soupUv, cut see separateOverlaps()
+//! \throws std::invalid_argument when a size does not fit the mesh
+SeparationResult separateSteered(const Snapshot &snapshot, const UvMatrix &soupUv,
+                                 const std::vector<bool> &cut, const std::atomic<bool> *cancel = nullptr);
+
+//! Cuts the charts of a map that cover themselves, with the steering of the snapshot.
+//! \param uv one row per corner; a non-finite row means that the corner has no UV
+Separated separateUv(const Snapshot &snapshot, const UvMatrix &uv, const std::atomic<bool> *cancel = nullptr);
 
 } // namespace autocuts::overlap

@@ -80,10 +80,10 @@ void BottomLeft::occupyLocked(WorkMeter &work)
         const Outline &outline = mProblem.outlines[i];
         if (!mProblem.locked[i] || outline.points.empty())
             continue;
-        const Box2 bin{mProblem.lower, mProblem.upper};
+        const Eigen::AlignedBox2d bin(mProblem.lower, mProblem.upper);
         const double reach = mProblem.unit * outline.radius;
         const Vec2 centre = mProblem.given[i].position;
-        if (!bin.near({centre - Vec2::Constant(reach), centre + Vec2::Constant(reach)}, mProblem.gutter))
+        if (!areNear(bin, {centre - Vec2::Constant(reach), centre + Vec2::Constant(reach)}, mProblem.gutter))
             continue;
         // A locked island does not sit on the pixels' raster: its own half pixel comes on top.
         const ItemRaster item =

@@ -8,16 +8,16 @@ namespace autocuts::packing {
 
 DistanceField::DistanceField(const Outline &outline, double cell, double reach, WorkMeter &work)
 {
-    Box2 box;
+    Eigen::AlignedBox2d box;
     for (const Vec2 &p : outline.hull)
-        box.add(p);
-    mBoxLower = box.lower;
-    mBoxUpper = box.upper;
-    const Vec2 size = box.upper - box.lower + Vec2::Constant(2 * reach);
+        box.extend(p);
+    mBoxLower = box.min();
+    mBoxUpper = box.max();
+    const Vec2 size = box.sizes() + Vec2::Constant(2 * reach);
     constexpr double mostNodes = 1 << 18;
     mCell = std::max(cell, std::sqrt(size.x() * size.y() / mostNodes));
     mInverse = 1 / mCell;
-    mLower = box.lower - Vec2::Constant(reach);
+    mLower = box.min() - Vec2::Constant(reach);
     mColumns = static_cast<int>(size.x() * mInverse) + 3;
     mRows = static_cast<int>(size.y() * mInverse) + 3;
     findNearestEdges(outline, work);

@@ -35,10 +35,10 @@ void sortInPlane(Vec2 *begin, Vec2 *end, int leaf)
 {
     if (end - begin <= leaf)
         return;
-    Box2 box;
+    Eigen::AlignedBox2d box;
     for (const Vec2 *p = begin; p != end; ++p)
-        box.add(*p);
-    const Vec2 size = box.upper - box.lower;
+        box.extend(*p);
+    const Vec2 size = box.sizes();
     const int axis = size.x() >= size.y() ? 0 : 1;
     Vec2 *middle = begin + ((end - begin) / 2 + leaf - 1) / leaf * leaf;
     std::sort(begin, end, [axis](const Vec2 &p, const Vec2 &q) {
@@ -67,10 +67,10 @@ Separation::Separation(const PackProblem &problem, double scale, WorkMeter &work
         const int count = static_cast<int>(body.samples.size());
         for (int begin = 0; begin < count; begin += clusterSize) {
             Cluster cluster{Vec2::Zero(), 0, begin, std::min(begin + clusterSize, count)};
-            Box2 box;
+            Eigen::AlignedBox2d box;
             for (int k = cluster.begin; k < cluster.end; ++k)
-                box.add(body.samples[k]);
-            cluster.centre = 0.5 * (box.lower + box.upper);
+                box.extend(body.samples[k]);
+            cluster.centre = 0.5 * (box.min() + box.max());
             for (int k = cluster.begin; k < cluster.end; ++k)
                 cluster.radius = std::max(cluster.radius, (body.samples[k] - cluster.centre).norm());
             body.clusters.push_back(cluster);
@@ -197,10 +197,10 @@ Separation::Evaluation Separation::evaluate(int body, const Pose &pose, WorkMete
 bool Separation::confine(int body, Pose &pose) const
 {
     const Turn turn(pose.angle, mLayout.scale);
-    Box2 box;
+    Eigen::AlignedBox2d box;
     for (const Vec2 &p : mProblem.outlines[body].hull)
-        box.add(turn(p));
-    const Vec2 low = mProblem.lower - box.lower, high = mProblem.upper - box.upper;
+        box.extend(turn(p));
+    const Vec2 low = mProblem.lower - box.min(), high = mProblem.upper - box.max();
     if (low.x() > high.x() || low.y() > high.y())
         return false;
     pose.position = pose.position.cwiseMax(low).cwiseMin(high);

@@ -66,7 +66,7 @@ void collectBoundary(const MeshData &mesh, const std::vector<int> &faceChart, co
 struct ChartSize
 {
     double uvArea = 0, area = 0;
-    Box2 box;
+    Eigen::AlignedBox2d box;
 };
 
 std::vector<ChartSize> measureCharts(const MeshData &mesh, const ChartMap &charts, const UvMatrix &uv)
@@ -79,7 +79,7 @@ std::vector<ChartSize> measureCharts(const MeshData &mesh, const ChartMap &chart
         std::array<Vec2, 3> p;
         for (int k = 0; k < 3; ++k) {
             p[k] = uv.row(mesh.triangles[t][k]).transpose();
-            sizes[chart].box.add(p[k]);
+            sizes[chart].box.extend(p[k]);
         }
         sizes[chart].uvArea += 0.5 * std::abs(cross2(p[0], p[1], p[2]));
         sizes[chart].area += mesh.triangleArea[t];
@@ -149,7 +149,7 @@ void equalizeTexelDensity(const MeshData &mesh, const ChartMap &charts, UvMatrix
         if (chart < 0 || !usable(chart) || isLocked(locked, chart))
             continue;
         const double factor = std::sqrt(uvArea / area * sizes[chart].area / sizes[chart].uvArea);
-        const Vec2 middle = 0.5 * (sizes[chart].box.lower + sizes[chart].box.upper);
+        const Vec2 middle = 0.5 * (sizes[chart].box.min() + sizes[chart].box.max());
         for (int c = mesh.faceStart[f]; c < mesh.faceStart[f + 1]; ++c) {
             const Vec2 p = uv.row(c).transpose();
             uv.row(c) = (middle + factor * (p - middle)).transpose();

@@ -1,7 +1,10 @@
 // A packing task in the packer's own terms, and a layout of it. Plain: no Qt.
 #pragma once
 
+#include "model/plain/packingsettings.h"
 #include "solver/packing/outline.h"
+
+#include <Eigen/Geometry>
 
 #include <cmath>
 
@@ -49,23 +52,12 @@ struct PackProblem
     bool movable(int island) const { return !locked[island] && !outlines[island].points.empty(); }
 };
 
-//! Axis-parallel box.
-struct Box2
+//! True when the boxes are nearer than distance in both directions.
+inline bool areNear(const Eigen::AlignedBox2d &a, const Eigen::AlignedBox2d &b, double distance)
 {
-    Vec2 lower = Vec2::Constant(1e300), upper = Vec2::Constant(-1e300);
-
-    void add(const Vec2 &p)
-    {
-        lower = lower.cwiseMin(p);
-        upper = upper.cwiseMax(p);
-    }
-    //! True when the boxes are nearer than distance in both directions.
-    bool near(const Box2 &o, double distance) const
-    {
-        return lower.x() - distance < o.upper.x() && o.lower.x() - distance < upper.x() &&
-               lower.y() - distance < o.upper.y() && o.lower.y() - distance < upper.y();
-    }
-};
+    return a.min().x() - distance < b.max().x() && b.min().x() - distance < a.max().x() &&
+           a.min().y() - distance < b.max().y() && b.min().y() - distance < a.max().y();
+}
 
 //! The points of an outline where a layout puts them.
 inline void placePoints(const Outline &outline, const Pose &pose, double scale, std::vector<Vec2> &result)

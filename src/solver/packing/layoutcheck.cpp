@@ -1,5 +1,7 @@
 #include "solver/packing/layoutcheck.h"
 
+#include "solver/base/segmentcrossing.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -62,8 +64,8 @@ bool cellKeepsDistance(const PackProblem &problem, const std::vector<PlacedEdge>
 }
 
 //! \pre the edges of different islands keep their distance: then a component is inside or outside as a whole
-bool nothingContained(const PackProblem &problem, const Layout &layout, const std::vector<Box2> &boxes,
-                      double &tests)
+bool nothingContained(const PackProblem &problem, const Layout &layout,
+                      const std::vector<Eigen::AlignedBox2d> &boxes, double &tests)
 {
     const auto contains = [&](int outer, int inner) {
         const Turn turn(layout.poses[inner].angle, problem.scaleOf(inner, layout.scale));
@@ -83,16 +85,16 @@ bool nothingContained(const PackProblem &problem, const Layout &layout, const st
             order.push_back(i);
     }
     std::sort(order.begin(), order.end(), [&](int i, int j) {
-        const double a = boxes[i].lower.x(), b = boxes[j].lower.x();
+        const double a = boxes[i].min().x(), b = boxes[j].min().x();
         return a < b || (a == b && i < j);
     });
     for (std::size_t i = 0; i < order.size(); ++i) {
         for (std::size_t j = i + 1; j < order.size(); ++j) {
             const int a = order[i], b = order[j];
-            if (boxes[b].lower.x() > boxes[a].upper.x())
+            if (boxes[b].min().x() > boxes[a].max().x())
                 break;
             tests += 0.2;
-            if ((problem.locked[a] && problem.locked[b]) || !boxes[a].near(boxes[b], 0))
+            if ((problem.locked[a] && problem.locked[b]) || !areNear(boxes[a], boxes[b], 0))
                 continue;
             if (contains(a, b) || contains(b, a))
                 return false;
@@ -130,10 +132,10 @@ bool isValidLayout(const PackProblem &problem, const Layout &layout, WorkMeter &
     for (int c = 0; c < grid.cellCount() && valid; ++c)
         valid = cellKeepsDistance(problem, edges, grid.begin(c), grid.end(c), tests);
     if (valid) {
-        std::vector<Box2> boxes(problem.count());
+        std::vector<Eigen::AlignedBox2d> boxes(problem.count());
         for (const PlacedEdge &e : edges) {
-            boxes[e.island].add(e.a);
-            boxes[e.island].add(e.b);
+            boxes[e.island].extend(e.a);
+            boxes[e.island].extend(e.b);
         }
         valid = nothingContained(problem, layout, boxes, tests);
     }

@@ -1,7 +1,7 @@
 // The shape of an island as the packer sees it: its edges, centred and in the packer's units.
 #pragma once
 
-#include "solver/packing/packing.h"
+#include "solver/packing/packisland.h"
 
 namespace autocuts::packing {
 

@@ -14,7 +14,7 @@ namespace autocuts::packing {
 
 namespace {
 
-void checkSettings(const PackSettings &settings)
+void checkSettings(const PackOptions &settings)
 {
     const Vec2 size = settings.upper - settings.lower;
     if (!isUsablePoint(settings.lower) || !isUsablePoint(settings.upper) || !(size.minCoeff() > 0))
@@ -31,19 +31,19 @@ double chooseUnit(const std::vector<PackIsland> &islands)
     double area = 0, extent = 0;
     for (const PackIsland &island : islands) {
         area += islandArea(island);
-        Box2 box;
+        Eigen::AlignedBox2d box;
         for (const Vec2 &p : island.points) {
             if (isUsablePoint(p))
-                box.add(p);
+                box.extend(p);
         }
-        if (box.lower.x() <= box.upper.x())
-            extent = std::max(extent, (box.upper - box.lower).maxCoeff());
+        if (!box.isEmpty())
+            extent = std::max(extent, box.sizes().maxCoeff());
     }
     const double unit = std::max(std::sqrt(area), 1e-3 * extent);
     return unit > 1e-150 ? unit : 1;
 }
 
-PackProblem makeProblem(const std::vector<PackIsland> &islands, const PackSettings &settings)
+PackProblem makeProblem(const std::vector<PackIsland> &islands, const PackOptions &settings)
 {
     PackProblem problem;
     problem.unit = chooseUnit(islands);
@@ -103,7 +103,7 @@ Layout largestShelves(const PackProblem &problem, WorkMeter &work)
 //! Independent starts, each with its share of the effort. Their number depends on the settings alone, and
 //! each has its own seed, so that the number of threads does not change the result.
 Layout searchFrom(const PackProblem &problem, const Layout &start, double ceiling,
-                  const PackSettings &settings, const std::atomic<bool> *cancel,
+                  const PackOptions &settings, const std::atomic<bool> *cancel,
                   const std::function<void(double)> &progress)
 {
     constexpr double secondsPerStart = 2.5;
@@ -133,7 +133,7 @@ Layout searchFrom(const PackProblem &problem, const Layout &start, double ceilin
                              [](const Layout &a, const Layout &b) { return a.scale < b.scale; });
 }
 
-Layout solve(const PackProblem &problem, const PackSettings &settings, const std::atomic<bool> *cancel,
+Layout solve(const PackProblem &problem, const PackOptions &settings, const std::atomic<bool> *cancel,
              const std::function<void(double)> &progress)
 {
     WorkMeter work(0, cancel);
@@ -159,16 +159,16 @@ Layout solve(const PackProblem &problem, const PackSettings &settings, const std
     return search(shelves, std::numeric_limits<double>::infinity());
 }
 
-double efficiency(const PackProblem &problem, const PackSettings &settings, double scale)
+double efficiency(const PackProblem &problem, const PackOptions &settings, double scale)
 {
     double area = 0;
-    const Box2 bin{settings.lower, settings.upper};
+    const Eigen::AlignedBox2d bin(settings.lower, settings.upper);
     for (int i = 0; i < problem.count(); ++i) {
         const double reach = problem.unit * problem.outlines[i].radius;
         const Vec2 &centre = problem.given[i].position;
         // Locked islands outside the bin cover nothing of it.
         if (!problem.locked[i] ||
-            bin.near({centre - Vec2::Constant(reach), centre + Vec2::Constant(reach)}, 0))
+            areNear(bin, {centre - Vec2::Constant(reach), centre + Vec2::Constant(reach)}, 0))
             area += problem.outlines[i].area * std::pow(problem.scaleOf(i, scale), 2);
     }
     return area / (settings.upper - settings.lower).prod();
@@ -176,7 +176,7 @@ double efficiency(const PackProblem &problem, const PackSettings &settings, doub
 
 } // namespace
 
-PackResult packIslands(const std::vector<PackIsland> &islands, const PackSettings &settings,
+PackResult packIslands(const std::vector<PackIsland> &islands, const PackOptions &settings,
                        const std::atomic<bool> *cancel, const std::function<void(double)> &progress)
 {
     checkSettings(settings);

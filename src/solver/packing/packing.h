@@ -1,36 +1,21 @@
 // Packing of UV islands into a rectangle: the interface. Plain: no Qt.
 #pragma once
 
-#include "model/plain/types.h"
+#include "model/plain/packingsettings.h"
+#include "solver/packing/packisland.h"
 
-#include <array>
 #include <atomic>
 #include <functional>
 #include <vector>
 
 namespace autocuts::packing {
 
-//! One rigid piece of the UV map.
-struct PackIsland
-{
-    std::vector<Vec2> points;                  //!< UV units; points that are not finite are ignored
-    std::vector<std::array<int, 3>> triangles; //!< indices into points, any winding
-    std::vector<std::array<int, 2>> boundary;  //!< open edges, indices into points
-    bool locked = false;                       //!< keeps its place and size and is an obstacle
-};
-
-//! Which turns the packer may make.
-enum class PackRotation { Free, Quarter, None };
-
-//! What the user can choose about packing. A texel is 1 / textureSize UV units.
-struct PackSettings
+//! What the user sets, and what the packer needs beyond that. A texel is 1 / textureSize UV units. The tile
+//! is not looked at: the bin is given, see tileOptions().
+struct PackOptions : PackingSettings
 {
     Vec2 lower = Vec2::Zero(), upper = Vec2::Ones(); //!< the bin, UV units
-    int textureSize = 2048;
-    double margin = 8;  //!< texels, true distance between two islands
-    double border = -1; //!< texels to the border of the bin; negative: half the margin
-    PackRotation rotation = PackRotation::Free;
-    bool keepScale = false;
+    double border = -1;  //!< texels to the border of the bin; negative: half the margin
     double effort = 0.5; //!< CPU seconds asked for; turned into counted work, never into clock readings
     unsigned seed = 1;
     int starts = 0;  //!< independent searches that share the effort; 0: chosen by the effort
@@ -59,7 +44,7 @@ struct PackResult
 //! \param progress called from the calling thread with the part of the work that is done, in [0, 1]
 //! \pre indices of triangles and boundary are in range
 //! \throws std::invalid_argument when the bin, the margin or the texture size is not a usable number
-PackResult packIslands(const std::vector<PackIsland> &islands, const PackSettings &settings,
+PackResult packIslands(const std::vector<PackIsland> &islands, const PackOptions &settings,
                        const std::atomic<bool> *cancel = nullptr,
                        const std::function<void(double)> &progress = {});
 

@@ -5,7 +5,7 @@
 namespace autocuts::packing {
 
 PackResult packMap(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &locked,
-                   const PackSettings &settings, UvMatrix &uv, const std::atomic<bool> *cancel,
+                   const PackOptions &settings, UvMatrix &uv, const std::atomic<bool> *cancel,
                    const std::function<void(double)> &progress)
 {
     UvMatrix packed = uv;
@@ -20,10 +20,15 @@ PackResult packMap(const MeshData &mesh, const ChartMap &charts, const std::vect
     return result;
 }
 
-Vec2 tileCorner(int udim)
+PackOptions tileOptions(const PackingSettings &settings)
 {
-    constexpr int first = 1001, perRow = 10;
-    return {(udim - first) % perRow, (udim - first) / perRow};
+    constexpr int perRow = 10;
+    const int tile = settings.udimTile - PackingSettings::firstTile;
+    PackOptions options;
+    static_cast<PackingSettings &>(options) = settings;
+    options.lower = Vec2(tile % perRow, tile / perRow);
+    options.upper = options.lower + Vec2::Ones();
+    return options;
 }
 
 } // namespace autocuts::packing

@@ -10,10 +10,10 @@ namespace autocuts::packing {
 //! \param uv one row per corner, UV units; stays as it is unless the result is complete
 //! \param locked per chart: obstacles; empty: none
 PackResult packMap(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &locked,
-                   const PackSettings &settings, UvMatrix &uv, const std::atomic<bool> *cancel = nullptr,
+                   const PackOptions &settings, UvMatrix &uv, const std::atomic<bool> *cancel = nullptr,
                    const std::function<void(double)> &progress = {});
 
-//! Lower left corner of a UDIM tile: 1001 is the unit square, ten in a row.
-Vec2 tileCorner(int udim);
+//! Options that pack into the UDIM tile of the settings: 1001 is the unit square, ten in a row.
+PackOptions tileOptions(const PackingSettings &settings);
 
 } // namespace autocuts::packing

@@ -181,12 +181,12 @@ ItemRaster rasterizeOutline(const Outline &outline, double angle, double pixelsP
     item.angle = angle;
     std::vector<Vec2> points;
     placePoints(outline, {angle, Vec2::Zero()}, pixelsPerUnit, points);
-    Box2 box;
+    Eigen::AlignedBox2d box;
     for (const Vec2 &p : points)
-        box.add(p);
-    item.low = box.lower;
-    item.size = box.upper - box.lower;
-    const Vec2 shift = Vec2::Constant(halfGutter + BinRaster::frame) - box.lower;
+        box.extend(p);
+    item.low = box.min();
+    item.size = box.sizes();
+    const Vec2 shift = Vec2::Constant(halfGutter + BinRaster::frame) - box.min();
     for (Vec2 &p : points)
         p += shift;
     const double radius = halfGutter + safety;

@@ -52,10 +52,4 @@ inline double pointSegmentSquared(const Vec2 &p, const Vec2 &a, const Vec2 &b)
     return (q - t * d).squaredNorm();
 }
 
-//! True when the open segments cross properly.
-inline bool segmentsCross(const Vec2 &a, const Vec2 &b, const Vec2 &c, const Vec2 &d)
-{
-    return (cross2(a, b, c) > 0) != (cross2(a, b, d) > 0) && (cross2(c, d, a) > 0) != (cross2(c, d, b) > 0);
-}
-
 } // namespace autocuts::packing

@@ -24,11 +24,11 @@ Block makeBlock(const PackProblem &problem, int island, double scale)
     if (problem.rotation != PackRotation::None && size.y() > size.x() && fits)
         block.angle += 0.5 * std::numbers::pi;
     const Turn turn(block.angle, scale);
-    Box2 box;
+    Eigen::AlignedBox2d box;
     for (const Vec2 &p : outline.hull)
-        box.add(turn(p));
-    block.low = box.lower;
-    block.size = box.upper - box.lower;
+        box.extend(turn(p));
+    block.low = box.min();
+    block.size = box.sizes();
     return block;
 }
 
@@ -41,16 +41,16 @@ std::optional<Layout> packShelves(const PackProblem &problem, double scale, Work
     const double gap = problem.gutter * (1 + 1e-9) + slack;
     const Vec2 lower = problem.lower + Vec2::Constant(slack), upper = problem.upper - Vec2::Constant(slack);
     std::vector<Block> blocks;
-    std::vector<Box2> obstacles;
+    std::vector<Eigen::AlignedBox2d> obstacles;
     double points = 0;
     for (int i = 0; i < problem.count(); ++i) {
         if (problem.movable(i)) {
             blocks.push_back(makeBlock(problem, i, scale));
             points += static_cast<double>(problem.outlines[i].hull.size());
         } else if (problem.locked[i]) {
-            Box2 box;
+            Eigen::AlignedBox2d box;
             for (const Vec2 &p : problem.outlines[i].hull)
-                box.add(p * problem.unit + problem.given[i].position);
+                box.extend(p * problem.unit + problem.given[i].position);
             obstacles.push_back(box);
         }
     }
@@ -64,20 +64,20 @@ std::optional<Layout> packShelves(const PackProblem &problem, double scale, Work
         shelf = std::max(shelf, block.size.y());
         if (!(at.y() + block.size.y() <= upper.y()) || !(block.size.x() <= upper.x() - lower.x()))
             return std::nullopt;
-        const Box2 box{at, at + block.size};
-        if (!(box.upper.x() <= upper.x())) {
+        const Eigen::AlignedBox2d box(at, at + block.size);
+        if (!(box.max().x() <= upper.x())) {
             at = Vec2(lower.x(), at.y() + shelf + gap);
             shelf = 0;
             continue;
         }
-        const auto hit =
-            std::find_if(obstacles.begin(), obstacles.end(), [&](const Box2 &o) { return o.near(box, gap); });
+        const auto hit = std::find_if(obstacles.begin(), obstacles.end(),
+                                      [&](const Eigen::AlignedBox2d &o) { return areNear(o, box, gap); });
         if (hit != obstacles.end()) {
-            at.x() = hit->upper.x() + gap * (1 + 1e-6) + slack;
+            at.x() = hit->max().x() + gap * (1 + 1e-6) + slack;
             continue;
         }
         layout.poses[block.island] = {block.angle, at - block.low};
-        at.x() = box.upper.x() + gap;
+        at.x() = box.max().x() + gap;
         ++next;
     }
     work.add(100 * static_cast<double>(blocks.size()) + 20 * points +

@@ -75,10 +75,10 @@ std::optional<Layout> fitSingleIsland(const PackProblem &problem, WorkMeter &wor
     const double angle = bestAngle(problem, outline, work);
     Layout layout{scaleAtAngle(problem, outline, angle) * (1 - 1e-12), problem.given};
     const Turn turn(angle, layout.scale);
-    Box2 box;
+    Eigen::AlignedBox2d box;
     for (const Vec2 &p : outline.hull)
-        box.add(turn(p));
-    layout.poses[only] = {angle, 0.5 * (problem.lower + problem.upper) - 0.5 * (box.lower + box.upper)};
+        box.extend(turn(p));
+    layout.poses[only] = {angle, 0.5 * (problem.lower + problem.upper) - 0.5 * (box.min() + box.max())};
     if (!isValidLayout(problem, layout, work))
         return std::nullopt;
     return layout;

@@ -185,11 +185,8 @@ void CutState::spreadCharts()
         cursor.x() += size.x();
         rowHeight = std::max(rowHeight, size.y());
     }
-    for (int c = 0; c < 3 * graph->triangleCount(); ++c) {
-        const Vec2 &s = shift[chart[c / 3]];
-        x[2 * static_cast<std::size_t>(c)] += s.x();
-        x[2 * static_cast<std::size_t>(c) + 1] += s.y();
-    }
+    for (int c = 0; c < 3 * graph->triangleCount(); ++c)
+        cornerAt(x, c) += shift[chart[c / 3]];
 }
 
 } // namespace autocuts::search

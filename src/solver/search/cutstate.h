@@ -1,6 +1,7 @@
 // A seamed map in the form that a seam search changes step by step.
 #pragma once
 
+#include "solver/base/cornerat.h"
 #include "solver/base/seamedmap.h"
 #include "solver/search/seamgraph.h"
 
@@ -33,10 +34,7 @@ struct CutState
     double objective(double mu) const { return energy + mu * cost; }
     int chartCount() const { return static_cast<int>(chartArea.size()); }
     bool isCutSide(int side) const { return graph->across[side] < 0 || cut[graph->edgeOf[side]] != 0; }
-    Vec2 at(int corner) const
-    {
-        return {x[2 * static_cast<std::size_t>(corner)], x[2 * static_cast<std::size_t>(corner) + 1]};
-    }
+    Vec2 at(int corner) const { return cornerAt(x, corner); }
     //! Number of charts below smallestChart that are not whole pieces of the mesh.
     int smallParts() const;
     //! Number of cut edges at a point of the surface.

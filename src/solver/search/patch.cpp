@@ -61,12 +61,9 @@ void Patch::select(const CutState &state, std::span<const int> seeds, int size)
     }
 }
 
-bool Patch::join(const CutState &state, const std::vector<double> &x)
+//! Numbers the points: corners that hang together over edges that are not cut are one.
+void Patch::mergeCorners(const CutState &state)
 {
-    mState = &state;
-    mSegmentsKnown = false;
-    mSprings.clear();
-    mStiffness = 0;
     const int corners = 3 * static_cast<int>(mTriangles.size());
     mParent.resize(corners);
     for (int c = 0; c < corners; ++c)
@@ -94,6 +91,16 @@ bool Patch::join(const CutState &state, const std::vector<double> &x)
             mPoint[c] = mPoint[root];
         }
     }
+}
+
+bool Patch::join(const CutState &state, const std::vector<double> &x)
+{
+    mState = &state;
+    mSegmentsKnown = false;
+    mSprings.clear();
+    mStiffness = 0;
+    const int corners = 3 * static_cast<int>(mTriangles.size());
+    mergeCorners(state);
     const int points = static_cast<int>(mPointVertex.size());
     mPosition.assign(2 * points, 0.0);
     // mUnknown: -1 for the points that the surroundings hold, else the number of corners for now.

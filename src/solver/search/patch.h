@@ -66,10 +66,13 @@ public:
 
 private:
     void setTriangles(const std::vector<int> &triangles);
+    void mergeCorners(const CutState &state);
     void numberUnknowns();
     double energyAt(const std::vector<double> &position) const;
     double springEnergy(const std::vector<double> &position) const;
     void assemble();
+    void assembleTriangles();
+    void assembleSprings();
     bool solve();
     double flipFreeStep(double limit) const;
     bool lineSearch(double before, const PatchLimits &limits, double slope, double &after);

@@ -62,9 +62,23 @@ double Patch::smallestDeterminant() const
 
 void Patch::assemble()
 {
-    const Soup &soup = *mGraph->soup;
     mSystem.clear();
     mGradient.assign(2 * mSystem.count(), 0.0);
+    assembleTriangles();
+    assembleSprings();
+    for (int u = 0; u < mSystem.count(); ++u) {
+        BlockCholesky::Block &d = mSystem.diagonal(u);
+        const double lift = mFrozen[u] ? frozenPivot : 1e-9 * (d[0] + d[3]);
+        d[0] += lift;
+        d[3] += lift;
+        if (mFrozen[u])
+            mGradient[2 * u] = mGradient[2 * u + 1] = 0;
+    }
+}
+
+void Patch::assembleTriangles()
+{
+    const Soup &soup = *mGraph->soup;
     double gradient[6], h[21];
     for (std::size_t i = 0; i < mTriangles.size(); ++i) {
         const int *point = &mPoint[3 * i];
@@ -111,6 +125,10 @@ void Patch::assemble()
             }
         }
     }
+}
+
+void Patch::assembleSprings()
+{
     for (const Spring &s : mSprings) {
         const double w = 2 * mStiffness * s.weight;
         for (int sign = 1; sign >= -1; sign -= 2) {
@@ -126,14 +144,6 @@ void Patch::assemble()
             mSystem.offDiagonal(s.place)[0] -= w;
             mSystem.offDiagonal(s.place)[3] -= w;
         }
-    }
-    for (int u = 0; u < mSystem.count(); ++u) {
-        BlockCholesky::Block &d = mSystem.diagonal(u);
-        const double lift = mFrozen[u] ? frozenPivot : 1e-9 * (d[0] + d[3]);
-        d[0] += lift;
-        d[3] += lift;
-        if (mFrozen[u])
-            mGradient[2 * u] = mGradient[2 * u + 1] = 0;
     }
 }
 

@@ -51,20 +51,6 @@ SeamChain chainOf(const CutState &state, int edge)
     return chain;
 }
 
-std::vector<SeamChain> seamChains(const CutState &state)
-{
-    std::vector<SeamChain> chains;
-    std::vector<char> seen(state.cut.size(), 0);
-    for (int e = 0; e < static_cast<int>(state.cut.size()); ++e) {
-        if (!state.cut[e] || seen[e])
-            continue;
-        chains.push_back(chainOf(state, e));
-        for (const int other : chains.back().edges)
-            seen[other] = 1;
-    }
-    return chains;
-}
-
 SeamPaths::SeamPaths(const CutState &state)
     : mState(state), mBlocked(state.graph->vertexCount, 0), mAllowed(state.graph->vertexCount, 0),
       mDistance(state.graph->vertexCount, 0), mVia(state.graph->vertexCount, -1),

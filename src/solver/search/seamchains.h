@@ -19,9 +19,6 @@ struct SeamChain
     bool endsFreely(const CutState &state, bool last) const;
 };
 
-//! All chains, in the order of their first edges.
-std::vector<SeamChain> seamChains(const CutState &state);
-
 //! The chain that an edge belongs to. \pre it is cut
 SeamChain chainOf(const CutState &state, int edge);
 

@@ -75,7 +75,7 @@ std::shared_ptr<const SeamGraph> SeamGraph::build(std::shared_ptr<const Soup> so
     graph->vertex = whole.uvVertex;
     graph->vertexCount = whole.uvVertexCount;
     graph->edgeOf.assign(mesh.soupCornerCount(), -1);
-    std::vector<int> degree(graph->vertexCount, 0);
+    std::vector<std::pair<int, int>> edgesOfPoint;
     for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
         const EdgePair &pair = mesh.edgePairs[e];
         for (int which = 0; which < 2; ++which)
@@ -87,17 +87,9 @@ std::shared_ptr<const SeamGraph> SeamGraph::build(std::shared_ptr<const Soup> so
         graph->cost.push_back(weight * snapshot.edgeWeight(e));
         graph->rule.push_back(ruleOf(snapshot, e));
         for (const int v : graph->ends.back())
-            ++degree[v];
+            edgesOfPoint.emplace_back(v, static_cast<int>(e));
     }
-    graph->edgeStart.assign(graph->vertexCount + 1, 0);
-    for (int v = 0; v < graph->vertexCount; ++v)
-        graph->edgeStart[v + 1] = graph->edgeStart[v] + degree[v];
-    graph->edgeList.resize(graph->edgeStart.back());
-    std::vector<int> filled(graph->edgeStart.begin(), graph->edgeStart.end() - 1);
-    for (std::size_t e = 0; e < graph->ends.size(); ++e) {
-        for (const int v : graph->ends[e])
-            graph->edgeList[filled[v]++] = static_cast<int>(e);
-    }
+    graph->edgesOfPoint = {graph->vertexCount, edgesOfPoint};
     graph->border.assign(graph->vertexCount, false);
     for (int side = 0; side < mesh.soupCornerCount(); ++side) {
         if (graph->across[side] < 0)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/snapshot.h"
+#include "solver/base/csrlist.h"
 #include "solver/base/cutmesh.h"
 #include "solver/base/soup.h"
 #include "solver/preference/meshsymmetry.h"
@@ -42,14 +43,11 @@ struct SeamGraph
     //! Cuts the mirror images of all cut edges as well.
     void makeSymmetric(CutFlags &cut) const;
     int triangleCount() const { return soup->triangleCount(); }
-    std::span<const int> edgesAt(int v) const
-    {
-        return {edgeList.data() + edgeStart[v], edgeList.data() + edgeStart[v + 1]};
-    }
+    std::span<const int> edgesAt(int v) const { return edgesOfPoint[v]; }
     //! The point at the other end of an edge.
     int farEnd(int e, int v) const { return ends[e][0] == v ? ends[e][1] : ends[e][0]; }
 
-    std::vector<int> edgeStart, edgeList; //!< edges at each point, in rising order
+    CsrList edgesOfPoint; //!< edges at each point, in rising order
 };
 
 } // namespace autocuts::search

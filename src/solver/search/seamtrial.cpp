@@ -1,10 +1,14 @@
 #include "solver/search/seamtrial.h"
 
 #include "model/plain/unionfind.h"
+#include "solver/base/cornerat.h"
+#include "solver/base/rigidfit.h"
+#include "solver/base/springladder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace autocuts::search {
 
@@ -19,46 +23,6 @@ constexpr int stepsPerSpring = 3;
 constexpr int guardedSteps = 10;
 //! So many relaxations bar contacts from the start after one that had to.
 constexpr int stayGuarded = 3;
-
-//! Least-squares rigid motion of `moving` onto `fixed`.
-class RigidFit
-{
-public:
-    void add(const Vec2 &fixed, const Vec2 &moving)
-    {
-        mFixed.push_back(fixed);
-        mMoving.push_back(moving);
-    }
-    bool empty() const { return mFixed.empty(); }
-    void fit()
-    {
-        Vec2 a = Vec2::Zero(), b = Vec2::Zero();
-        for (std::size_t i = 0; i < mFixed.size(); ++i) {
-            a += mFixed[i];
-            b += mMoving[i];
-        }
-        a /= double(mFixed.size());
-        b /= double(mFixed.size());
-        double dot = 0, cross = 0;
-        for (std::size_t i = 0; i < mFixed.size(); ++i) {
-            const Vec2 u = mMoving[i] - b, v = mFixed[i] - a;
-            dot += u.dot(v);
-            cross += u.x() * v.y() - u.y() * v.x();
-        }
-        const double length = std::hypot(dot, cross);
-        mCos = length > 0 ? dot / length : 1;
-        mSin = length > 0 ? cross / length : 0;
-        mShift = a - turn(b);
-    }
-    Vec2 apply(const Vec2 &p) const { return turn(p) + mShift; }
-
-private:
-    Vec2 turn(const Vec2 &p) const { return {mCos * p.x() - mSin * p.y(), mSin * p.x() + mCos * p.y()}; }
-
-    std::vector<Vec2> mFixed, mMoving;
-    double mCos = 1, mSin = 0;
-    Vec2 mShift = Vec2::Zero();
-};
 
 } // namespace
 
@@ -235,11 +199,10 @@ bool SeamTrial::closeGaps(const std::vector<int> &close)
         return false;
     if (mPatch.join(mState, mX) && mPatch.smallestDeterminant() > smallestStart)
         return true;
-    setFlags(close, true);
-    mPatch.join(mState, mX);
-    mPatch.addSprings(close);
-    double stiffness = firstSpring;
-    for (int level = 0; level < springLevels; ++level, stiffness *= 10) {
+    return climbSprings(firstSpring, springLevels, [&](double stiffness) {
+        setFlags(close, true);
+        mPatch.join(mState, mX);
+        mPatch.addSprings(close);
         mPatch.setStiffness(stiffness);
         PatchLimits limits;
         limits.steps = stepsPerSpring;
@@ -247,23 +210,13 @@ bool SeamTrial::closeGaps(const std::vector<int> &close)
         mPatch.minimize(limits);
         mPatch.store(mX);
         setFlags(close, false);
-        if (mPatch.join(mState, mX) && mPatch.smallestDeterminant() > smallestStart)
-            return true;
-        if (level + 1 == springLevels)
-            break;
-        setFlags(close, true);
-        mPatch.join(mState, mX);
-        mPatch.addSprings(close);
-    }
-    return false;
+        return mPatch.join(mState, mX) && mPatch.smallestDeterminant() > smallestStart;
+    });
 }
 
-//! Moves the pieces of the patch that nothing holds rigidly to where their edges will be closed.
-//! \pre the edges are flagged as cut
-void SeamTrial::alignPieces(const std::vector<int> &close)
+//! Pieces that hang together with the surroundings are settled, or the largest one when there is none.
+SeamTrial::Pieces SeamTrial::findPieces() const
 {
-    const SeamGraph &graph = *mState.graph;
-    const MeshData &mesh = *graph.soup->mesh;
     const std::vector<int> &triangles = mPatch.triangles();
     const int count = static_cast<int>(triangles.size());
     UnionFind pieces(count);
@@ -273,33 +226,42 @@ void SeamTrial::alignPieces(const std::vector<int> &close)
             const int side = 3 * triangles[i] + k;
             if (mState.isCutSide(side))
                 continue;
-            const int other = mPatch.localOf(graph.across[side] / 3);
+            const int other = mPatch.localOf(mState.graph->across[side] / 3);
             if (other < 0)
                 heldAt[i] = 1;
             else
                 pieces.unite(i, other);
         }
     }
-    const auto [piece, pieceCount] = pieces.labels();
-    if (pieceCount < 2)
-        return;
-    std::vector<char> settled(pieceCount, 0);
+    Pieces result;
+    int pieceCount = 0;
+    std::tie(result.piece, pieceCount) = pieces.labels();
+    std::vector<char> &settled = result.settled;
+    settled.assign(pieceCount, 0);
     std::vector<int> size(pieceCount, 0);
     for (int i = 0; i < count; ++i) {
-        settled[piece[i]] |= heldAt[i];
-        ++size[piece[i]];
+        settled[result.piece[i]] |= heldAt[i];
+        ++size[result.piece[i]];
     }
     if (std::find(settled.begin(), settled.end(), 1) == settled.end())
         settled[std::max_element(size.begin(), size.end()) - size.begin()] = 1;
-    const auto at = [this](int corner) {
-        return Vec2(mX[2 * static_cast<std::size_t>(corner)], mX[2 * static_cast<std::size_t>(corner) + 1]);
-    };
+    return result;
+}
+
+//! Moves the pieces of the patch that nothing holds rigidly to where their edges will be closed.
+//! \pre the edges are flagged as cut
+void SeamTrial::alignPieces(const std::vector<int> &close)
+{
+    const MeshData &mesh = *mState.graph->soup->mesh;
+    const std::vector<int> &triangles = mPatch.triangles();
+    auto [piece, settled] = findPieces();
+    const int pieceCount = static_cast<int>(settled.size());
     for (bool again = true; again;) {
         again = false;
         for (int p = 0; p < pieceCount; ++p) {
             if (settled[p])
                 continue;
-            RigidFit fit;
+            std::vector<PointMatch> matches;
             for (const int e : close) {
                 const EdgePair &pair = mesh.edgePairs[e];
                 for (int which = 0; which < 2; ++which) {
@@ -308,22 +270,20 @@ void SeamTrial::alignPieces(const std::vector<int> &close)
                     if (piece[moving] != p || !settled[piece[fixed]])
                         continue;
                     for (int end = 0; end < 2; ++end)
-                        fit.add(at(pair.corner[end][1 - which]), at(pair.corner[end][which]));
+                        matches.push_back({cornerAt(mX, pair.corner[end][1 - which]),
+                                           cornerAt(mX, pair.corner[end][which])});
                 }
             }
-            if (fit.empty())
+            if (matches.empty())
                 continue;
-            fit.fit();
+            const RigidMotion motion = fitRigid(matches);
             settled[p] = 1;
             again = true;
-            for (int i = 0; i < count; ++i) {
+            for (std::size_t i = 0; i < triangles.size(); ++i) {
                 if (piece[i] != p)
                     continue;
-                for (int c = 3 * triangles[i]; c < 3 * triangles[i] + 3; ++c) {
-                    const Vec2 q = fit.apply(at(c));
-                    mX[2 * static_cast<std::size_t>(c)] = q.x();
-                    mX[2 * static_cast<std::size_t>(c) + 1] = q.y();
-                }
+                for (int c = 3 * triangles[i]; c < 3 * triangles[i] + 3; ++c)
+                    cornerAt(mX, c) = motion(cornerAt(mX, c));
             }
         }
     }

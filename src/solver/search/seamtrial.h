@@ -52,6 +52,13 @@ private:
     void closeLoneEdges(SeamChange &change);
     void setFlags(const std::vector<int> &edges, bool cut);
     bool closeGaps(const std::vector<int> &close);
+    //! What hangs together in the patch while edges are cut.
+    struct Pieces
+    {
+        std::vector<int> piece;    //!< per triangle of the patch
+        std::vector<char> settled; //!< per piece: it stays where it is
+    };
+    Pieces findPieces() const;
     void alignPieces(const std::vector<int> &close);
     double solve(const SeamChange &change, const TrialTerms &terms, double before, double costGain);
     void relaxChart(const std::vector<int> &triangles, int steps, bool guarded);

@@ -1,17 +1,10 @@
 #include "solver/search/segments.h"
 
+#include "solver/base/segmentcrossing.h"
+
 #include <algorithm>
 
 namespace autocuts::search {
-
-namespace {
-
-double side(double ax, double ay, double bx, double by, double cx, double cy)
-{
-    return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
-}
-
-} // namespace
 
 void Segments::clear()
 {
@@ -57,13 +50,7 @@ bool Segments::cross(const std::vector<double> &position, std::vector<int> *touc
             if (a.bottom > b.top || b.bottom > a.top || (a.segment >= moving && b.segment >= moving))
                 continue;
             const Fixed p = coordinates(a.segment), q = coordinates(b.segment);
-            const double pqa = side(p.ax, p.ay, p.bx, p.by, q.ax, q.ay);
-            const double pqb = side(p.ax, p.ay, p.bx, p.by, q.bx, q.by);
-            if (!((pqa > 0 && pqb < 0) || (pqa < 0 && pqb > 0)))
-                continue;
-            const double qpa = side(q.ax, q.ay, q.bx, q.by, p.ax, p.ay);
-            const double qpb = side(q.ax, q.ay, q.bx, q.by, p.bx, p.by);
-            if (!((qpa > 0 && qpb < 0) || (qpa < 0 && qpb > 0)))
+            if (!segmentsCross({p.ax, p.ay}, {p.bx, p.by}, {q.ax, q.ay}, {q.bx, q.by}))
                 continue;
             if (!touched)
                 return true;

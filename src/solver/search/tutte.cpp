@@ -1,5 +1,6 @@
 #include "solver/search/tutte.h"
 
+#include "solver/base/cornerat.h"
 #include "solver/linear/cholmodsolver.h"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ double sideLength(const Soup &soup, int side)
 {
     const auto &s = soup.restShape[side / 3];
     const int a = side % 3, b = (side + 1) % 3;
-    return std::hypot(s[2 * a] - s[2 * b], s[2 * a + 1] - s[2 * b + 1]);
+    const Vec2 way = cornerAt(s, a) - cornerAt(s, b);
+    return std::hypot(way.x(), way.y());
 }
 
 double loopLength(const Soup &soup, const std::vector<int> &loop)
@@ -26,112 +28,160 @@ double loopLength(const Soup &soup, const std::vector<int> &loop)
     return sum;
 }
 
-} // namespace
-
-std::vector<double> tutteEmbedding(const Soup &soup, const CutMesh &cut)
+//! The linear system of an embedding. Its unknowns are the UV vertices off the outer loops, then one virtual
+//! vertex per inner loop.
+class Embedding
 {
-    const std::vector<std::vector<int>> loops = cut.boundaryLoops();
-    std::vector<int> outer(cut.chartCount, -1);
-    std::vector<double> outerLength(cut.chartCount, 0);
-    for (std::size_t i = 0; i < loops.size(); ++i) {
-        const int chart = cut.chart[loops[i].front() / 3];
-        const double length = loopLength(soup, loops[i]);
-        if (outer[chart] < 0 || length > outerLength[chart]) {
-            outer[chart] = static_cast<int>(i);
-            outerLength[chart] = length;
-        }
-    }
-    std::vector<double> chartArea(cut.chartCount, 0);
-    for (int t = 0; t < soup.triangleCount(); ++t)
-        chartArea[cut.chart[t]] += soup.weight[t] * std::numbers::pi;
+public:
+    Embedding(const Soup &soup, const CutMesh &cut)
+        : mSoup(soup), mCut(cut), mLoops(cut.boundaryLoops()), mOuter(cut.chartCount, -1),
+          mPosition(cut.uvVertexCount, Vec2::Zero()), mUnknown(cut.uvVertexCount, 0)
+    {}
 
-    // Unknowns: UV vertices off the outer loops, then one virtual vertex per inner loop.
-    std::vector<Vec2> position(cut.uvVertexCount, Vec2::Zero());
-    std::vector<bool> fixed(cut.uvVertexCount, false);
-    for (int chart = 0; chart < cut.chartCount; ++chart) {
-        if (outer[chart] < 0)
-            throw std::invalid_argument("tutteEmbedding: a chart has no boundary");
-        const double radius = std::sqrt(chartArea[chart] / std::numbers::pi);
-        double walked = 0;
-        for (const int side : loops[outer[chart]]) {
-            const double angle = 2 * std::numbers::pi * walked / outerLength[chart];
-            position[cut.uvVertex[side]] = radius * Vec2(std::cos(angle), std::sin(angle));
-            fixed[cut.uvVertex[side]] = true;
-            walked += sideLength(soup, side);
+    std::vector<double> run()
+    {
+        fixOuterLoops();
+        for (int &unknown : mUnknown) {
+            if (unknown == 0)
+                unknown = mCount++;
         }
-    }
-    std::vector<int> unknown(cut.uvVertexCount, -1);
-    int count = 0;
-    for (int v = 0; v < cut.uvVertexCount; ++v) {
-        if (!fixed[v])
-            unknown[v] = count++;
+        mDiagonal.assign(mCount, 0.0);
+        for (Eigen::VectorXd &right : mRight)
+            right = Eigen::VectorXd::Zero(mCount + static_cast<int>(mLoops.size()));
+        connectEdges();
+        const int total = fillInnerLoops();
+        for (int i = 0; i < mCount; ++i)
+            mEntries.emplace_back(i, i, mDiagonal[i]);
+        if (total > 0)
+            solve(total);
+        std::vector<double> x(mSoup.coordinateCount());
+        for (int c = 0; c < mSoup.mesh->soupCornerCount(); ++c)
+            cornerAt(x, c) = mPosition[mCut.uvVertex[c]];
+        return x;
     }
 
-    std::vector<Eigen::Triplet<double>> entries;
-    std::vector<double> diagonal(count, 0.0);
-    Eigen::VectorXd right[2] = {Eigen::VectorXd::Zero(count + static_cast<int>(loops.size())),
-                                Eigen::VectorXd::Zero(count + static_cast<int>(loops.size()))};
-    const auto connect = [&](int a, int b, double w) { // pulls vertex a towards vertex b
-        const int i = unknown[a];
-        if (i < 0)
+private:
+    static constexpr int fixed = -1;
+
+    int chartOf(const std::vector<int> &loop) const { return mCut.chart[loop.front() / 3]; }
+    double weightOf(int side) const
+    {
+        return 1 / std::max(sideLength(mSoup, side), 1e-3 * mSoup.meanEdgeLength);
+    }
+
+    //! Puts the longest loop of every chart on a circle.
+    void fixOuterLoops()
+    {
+        std::vector<double> outerLength(mCut.chartCount, 0), chartArea(mCut.chartCount, 0);
+        for (std::size_t i = 0; i < mLoops.size(); ++i) {
+            const int chart = chartOf(mLoops[i]);
+            const double length = loopLength(mSoup, mLoops[i]);
+            if (mOuter[chart] < 0 || length > outerLength[chart]) {
+                mOuter[chart] = static_cast<int>(i);
+                outerLength[chart] = length;
+            }
+        }
+        for (int t = 0; t < mSoup.triangleCount(); ++t)
+            chartArea[mCut.chart[t]] += mSoup.weight[t] * std::numbers::pi;
+        for (int chart = 0; chart < mCut.chartCount; ++chart) {
+            if (mOuter[chart] < 0)
+                throw std::invalid_argument("tutteEmbedding: a chart has no boundary");
+            const double radius = std::sqrt(chartArea[chart] / std::numbers::pi);
+            double walked = 0;
+            for (const int side : mLoops[mOuter[chart]]) {
+                const double angle = 2 * std::numbers::pi * walked / outerLength[chart];
+                mPosition[mCut.uvVertex[side]] = radius * Vec2(std::cos(angle), std::sin(angle));
+                mUnknown[mCut.uvVertex[side]] = fixed;
+                walked += sideLength(mSoup, side);
+            }
+        }
+    }
+
+    //! Pulls vertex a towards vertex b.
+    void pull(int a, int b, double w)
+    {
+        const int i = mUnknown[a];
+        if (i == fixed)
             return;
-        diagonal[i] += w;
-        if (fixed[b]) {
-            right[0][i] += w * position[b].x();
-            right[1][i] += w * position[b].y();
-        } else if (unknown[b] < i) {
-            entries.emplace_back(i, unknown[b], -w);
+        mDiagonal[i] += w;
+        if (mUnknown[b] == fixed) {
+            mRight[0][i] += w * mPosition[b].x();
+            mRight[1][i] += w * mPosition[b].y();
+        } else if (mUnknown[b] < i) {
+            mEntries.emplace_back(i, mUnknown[b], -w);
         }
-    };
-    for (int side = 0; side < static_cast<int>(cut.neighbour.size()); ++side) {
-        if (cut.neighbour[side] >= 0 && cut.neighbour[side] < side)
-            continue; // each edge once
-        const int a = cut.uvVertex[side];
-        const int b = cut.uvVertex[side / 3 * 3 + (side + 1) % 3];
-        const double w = 1 / std::max(sideLength(soup, side), 1e-3 * soup.meanEdgeLength);
-        connect(a, b, w);
-        connect(b, a, w);
     }
-    int total = count;
-    for (std::size_t i = 0; i < loops.size(); ++i) {
-        if (outer[cut.chart[loops[i].front() / 3]] == static_cast<int>(i))
-            continue;
-        const int hub = total++;
-        double sum = 0;
-        for (const int side : loops[i]) {
-            const double w = 1 / std::max(sideLength(soup, side), 1e-3 * soup.meanEdgeLength);
-            const int v = unknown[cut.uvVertex[side]];
-            diagonal[v] += w;
-            sum += w;
-            entries.emplace_back(hub, v, -w);
+
+    void connectEdges()
+    {
+        for (int side = 0; side < static_cast<int>(mCut.neighbour.size()); ++side) {
+            if (mCut.neighbour[side] >= 0 && mCut.neighbour[side] < side)
+                continue; // each edge once
+            const int a = mCut.uvVertex[side];
+            const int b = mCut.uvVertex[side / 3 * 3 + (side + 1) % 3];
+            const double w = weightOf(side);
+            pull(a, b, w);
+            pull(b, a, w);
         }
-        entries.emplace_back(hub, hub, sum);
     }
-    for (int i = 0; i < count; ++i)
-        entries.emplace_back(i, i, diagonal[i]);
-    if (total > 0) {
+
+    //! Connects the virtual vertices. \returns the number of all unknowns
+    int fillInnerLoops()
+    {
+        int total = mCount;
+        for (std::size_t i = 0; i < mLoops.size(); ++i) {
+            if (mOuter[chartOf(mLoops[i])] == static_cast<int>(i))
+                continue;
+            const int hub = total++;
+            double sum = 0;
+            for (const int side : mLoops[i]) {
+                const double w = weightOf(side);
+                const int v = mUnknown[mCut.uvVertex[side]];
+                mDiagonal[v] += w;
+                sum += w;
+                mEntries.emplace_back(hub, v, -w);
+            }
+            mEntries.emplace_back(hub, hub, sum);
+        }
+        return total;
+    }
+
+    void solve(int total)
+    {
         linear::LinearSolver::Matrix matrix(total, total);
-        matrix.setFromTriplets(entries.begin(), entries.end());
+        matrix.setFromTriplets(mEntries.begin(), mEntries.end());
         linear::CholmodSolver solver;
         solver.analyze(matrix, linear::LinearSolver::Order::FillReducing);
         if (!solver.factorize(matrix))
             throw std::runtime_error("tutteEmbedding: the system could not be solved");
         Eigen::VectorXd solution[2];
         for (int axis = 0; axis < 2; ++axis) {
-            right[axis].conservativeResize(total);
-            solver.solve(right[axis], solution[axis]);
+            mRight[axis].conservativeResize(total);
+            solver.solve(mRight[axis], solution[axis]);
         }
-        for (int v = 0; v < cut.uvVertexCount; ++v) {
-            if (unknown[v] >= 0)
-                position[v] = Vec2(solution[0][unknown[v]], solution[1][unknown[v]]);
+        for (int v = 0; v < mCut.uvVertexCount; ++v) {
+            if (mUnknown[v] != fixed)
+                mPosition[v] = Vec2(solution[0][mUnknown[v]], solution[1][mUnknown[v]]);
         }
     }
-    std::vector<double> x(soup.coordinateCount());
-    for (std::size_t c = 0; c < cut.uvVertex.size(); ++c) {
-        x[2 * c] = position[cut.uvVertex[c]].x();
-        x[2 * c + 1] = position[cut.uvVertex[c]].y();
-    }
-    return x;
+
+    const Soup &mSoup;
+    const CutMesh &mCut;
+    std::vector<std::vector<int>> mLoops;
+    std::vector<int> mOuter;     //!< per chart, its longest loop
+    std::vector<Vec2> mPosition; //!< per UV vertex
+    std::vector<int> mUnknown;   //!< per UV vertex, its unknown or `fixed`
+    int mCount = 0;              //!< unknowns that are UV vertices
+    std::vector<Eigen::Triplet<double>> mEntries;
+    std::vector<double> mDiagonal;
+    Eigen::VectorXd mRight[2];
+};
+
+} // namespace
+
+std::vector<double> tutteEmbedding(const Soup &soup, const CutMesh &cut)
+{
+    return Embedding(soup, cut).run();
 }
 
 } // namespace autocuts::search

@@ -1,5 +1,6 @@
 #include "solver/unwrap/coarsetofine.h"
 
+#include "solver/base/cornerat.h"
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
 #include "solver/multires/maprefiner.h"
@@ -152,23 +153,21 @@ void leaveDiagonals(const Soup &soup, SeamedMap &map)
         const int moving = pair.triangle[which];
         for (const int other : edgesOf[moving])
             map.cut[other] = other != static_cast<int>(e) && !mesh.edgePairs[other].diagonal;
-        const auto at = [&](int corner) { return &map.x[2 * static_cast<std::size_t>(corner)]; };
         std::array<Vec2, 2> end, rest;
         for (int i = 0; i < 2; ++i) {
             const int own = pair.corner[i][which], other = pair.corner[i][1 - which];
-            at(own)[0] = at(other)[0];
-            at(own)[1] = at(other)[1];
-            end[i] = Vec2(at(own)[0], at(own)[1]);
-            rest[i] = Vec2(soup.restShape[moving][2 * (own % 3)], soup.restShape[moving][2 * (own % 3) + 1]);
+            cornerAt(map.x, own) = cornerAt(map.x, other);
+            end[i] = cornerAt(map.x, own);
+            rest[i] = cornerAt(soup.restShape[moving], own % 3);
         }
         // The third corner as at rest, turned and scaled with the diagonal.
         const int third = 3 * moving + 3 - pair.corner[0][which] % 3 - pair.corner[1][which] % 3;
-        const Vec2 far(soup.restShape[moving][2 * (third % 3)], soup.restShape[moving][2 * (third % 3) + 1]);
+        const Vec2 far = cornerAt(soup.restShape[moving], third % 3);
         const Vec2 from = rest[1] - rest[0], to = end[1] - end[0], arm = far - rest[0];
         const double norm = from.squaredNorm();
         const double c = from.dot(to) / norm, s = (from.x() * to.y() - from.y() * to.x()) / norm;
-        at(third)[0] = end[0].x() + c * arm.x() - s * arm.y();
-        at(third)[1] = end[0].y() + s * arm.x() + c * arm.y();
+        cornerAt(map.x, third) =
+            Vec2(end[0].x() + c * arm.x() - s * arm.y(), end[0].y() + s * arm.x() + c * arm.y());
     }
 }
 
@@ -176,10 +175,8 @@ SeamedMap fineMap(const Soup &soup, const multires::MapRefiner &refiner)
 {
     SeamedMap map;
     map.x.resize(soup.coordinateCount());
-    for (std::size_t c = 0; c < refiner.uv.size(); ++c) {
-        map.x[2 * c] = refiner.uv[c].x();
-        map.x[2 * c + 1] = refiner.uv[c].y();
-    }
+    for (std::size_t c = 0; c < refiner.uv.size(); ++c)
+        cornerAt(map.x, static_cast<int>(c)) = refiner.uv[c];
     const MeshData &mesh = *soup.mesh;
     map.cut.resize(mesh.edgePairs.size());
     for (std::size_t e = 0; e < map.cut.size(); ++e)

@@ -128,7 +128,7 @@ void place(const Soup &soup, const SeamedMap &map, const UnwrapOptions &options,
     const MeshData &mesh = *soup.mesh;
     const ChartMap charts = chartsOf(mesh, CutMesh(mesh, map.cut));
     const std::vector<packing::PackIsland> islands = packing::makePackIslands(mesh, result.uv, charts);
-    packing::PackSettings settings = options.packing;
+    packing::PackOptions settings = options.packing;
     settings.threads = options.threads;
     if (options.quality == UnwrapQuality::Draft)
         settings.effort = std::min(settings.effort, hurriedPackEffort);

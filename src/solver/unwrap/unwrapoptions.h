@@ -11,7 +11,7 @@ namespace autocuts::unwrap {
 //! How much work goes into the seams.
 enum class UnwrapQuality { Draft, Standard, Best };
 
-enum class UnwrapStage { Optimizing, Separating, Packing };
+enum class UnwrapStage { Optimizing, Packing };
 
 struct UnwrapProgress
 {
@@ -28,7 +28,7 @@ struct UnwrapOptions
     UnwrapQuality quality = UnwrapQuality::Standard;
     bool allowOverlaps = false;
     bool pack = true; //!< false: the islands stay where the solver put them
-    packing::PackSettings packing;
+    packing::PackOptions packing;
     int threads = 1; //!< the result does not depend on it
 };
 

@@ -111,10 +111,10 @@ std::optional<LiveArrangement> LivePacker::makeArrangement(const MeshData &mesh,
         area += boxes[p].volume();
         result.extent.push_back(boxes[p].sizes());
     }
-    packing::PackSettings settings;
+    packing::PackOptions settings;
     settings.textureSize = packing.textureSize;
     settings.margin = packing.margin;
-    settings.rotation = packing::PackRotation::None;
+    settings.rotation = PackRotation::None;
     settings.keepScale = true;
     settings.effort = packEffort;
     double side = std::max(1.0, std::sqrt(area / firstFill));

@@ -30,33 +30,17 @@ QString translated(const char *text)
     return MapController::tr(text);
 }
 
-packing::PackSettings packSettings(const PackingSettings &packing)
+packing::PackOptions packOptions(const PackingSettings &packing)
 {
-    packing::PackSettings settings;
-    settings.lower = packing::tileCorner(packing.udimTile);
-    settings.upper = settings.lower + Vec2::Ones();
-    settings.textureSize = packing.textureSize;
-    settings.margin = packing.margin;
-    switch (packing.rotation) {
-    case PackingSettings::Rotation::None:
-        settings.rotation = packing::PackRotation::None;
-        break;
-    case PackingSettings::Rotation::Quarter:
-        settings.rotation = packing::PackRotation::Quarter;
-        break;
-    case PackingSettings::Rotation::Free:
-        settings.rotation = packing::PackRotation::Free;
-        break;
-    }
-    settings.keepScale = packing.keepScale;
-    settings.threads = QThread::idealThreadCount();
-    return settings;
+    packing::PackOptions options = packing::tileOptions(packing);
+    options.threads = QThread::idealThreadCount();
+    return options;
 }
 
 //! Packs the charts; the locked ones, and when only some are to be packed the others, stay where they are.
 //! Returns false when there is no room.
 bool packInto(UvMatrix &uv, const MeshData &mesh, const ChartMap &charts, const IslandMarks &marks,
-              const std::vector<bool> &movable, const packing::PackSettings &settings, JobControl &control)
+              const std::vector<bool> &movable, const packing::PackOptions &settings, JobControl &control)
 {
     const RigidPieces rigid = rigidPieces(charts, marks, movable);
     return packing::packMap(mesh, rigid.pieces, rigid.locked, settings, uv, &control.stop(),
@@ -100,7 +84,7 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, dou
     unwrap::UnwrapOptions options;
     options.quality = quality;
     options.maxDistortion = maxDistortion;
-    options.packing = packSettings(input.packing);
+    options.packing = packOptions(input.packing);
     options.packing.keepScale = false;
     options.threads = QThread::idealThreadCount();
     const unwrap::UnwrapResult made =
@@ -174,7 +158,7 @@ MapJobResult finishJob(const MapInput &input, const LiveSolve &live, double maxD
     if (!snapshot.placesIslands() && !lieFree(mesh, result.uv, control)) {
         const std::vector<bool> all(mesh.faceCount(), true);
         if (!packInto(result.uv, mesh, findCharts(mesh, result.uv), IslandMarks::none(mesh), all,
-                      packSettings(input.packing), control) &&
+                      packOptions(input.packing), control) &&
             !control.stop())
             result.problem = noRoom(input.packing);
     }
@@ -198,7 +182,7 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
         result.problem = translated("Select the islands to pack first");
         return result;
     }
-    packing::PackSettings settings = packSettings(input.packing);
+    packing::PackOptions settings = packOptions(input.packing);
     if (target.box) {
         settings.lower = target.box->min();
         settings.upper = target.box->max();
@@ -221,7 +205,7 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
 MapJobResult separateJob(const MapInput &input, JobControl &control)
 {
     const MeshData &mesh = input.mesh();
-    const overlap::Separated separated = overlap::separateUv(mesh, input.uv, &control.stop());
+    const overlap::Separated separated = overlap::separateUv(input.snapshot, input.uv, &control.stop());
     MapJobResult result;
     result.edit = UvEdit::Separate;
     if (!separated.complete) {
@@ -230,16 +214,16 @@ MapJobResult separateJob(const MapInput &input, JobControl &control)
     }
     result.uv = input.uv;
     const std::vector<bool> all(mesh.faceCount(), true);
-    if (!packInto(result.uv, mesh, separated.charts, input.marks, all, packSettings(input.packing),
-                  control)) {
+    if (!packInto(result.uv, mesh, separated.charts, input.marks, all, packOptions(input.packing), control)) {
         result.uv.resize(0, 2);
         result.problem = noRoom(input.packing);
         return result;
     }
     result.message = translated("Separated, edges cut: %1").arg(separated.newSeams);
     if (separated.unresolvedPairs > 0)
-        result.problem = translated("Overlaps inside single polygons, which stay whole: %1")
-                             .arg(separated.unresolvedPairs);
+        result.problem =
+            translated("Overlaps inside single polygons or across joined edges, which stay whole: %1")
+                .arg(separated.unresolvedPairs);
     return result;
 }
 

@@ -1,7 +1,10 @@
 #include "views/control/shownmap.h"
 
+#include "model/plain/uvseams.h"
 #include "model/plain/uvlayout.h"
 #include "views/control/workspace.h"
+
+#include <algorithm>
 
 namespace autocuts {
 
@@ -67,19 +70,9 @@ void ShownMap::refresh() const
         return;
     const MeshData &mesh = document->mesh();
     mUv = soupUv(mesh, document->uv());
-    // The same tolerance as findCharts().
-    const Eigen::AlignedBox2d box = layoutBox(document->uv());
-    const double tolerance = box.isEmpty() ? 0 : 1e-6 * box.diagonal().norm();
-    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
-        const EdgePair &edge = mesh.edgePairs[e];
-        if (edge.diagonal)
-            continue;
-        for (int end = 0; end < 2; ++end) {
-            const auto distance =
-                (mUv.row(edge.corner[end][0]) - mUv.row(edge.corner[end][1])).cwiseAbs().maxCoeff();
-            mSeparation[2 * e + end] = distance <= tolerance ? 0 : 1; // also 1 where there is no UV
-        }
-    }
+    const std::vector<bool> open = openCornerPairs(mesh, document->uv());
+    std::transform(open.begin(), open.end(), mSeparation.begin(),
+                   [](bool apart) { return apart ? 1.f : 0.f; });
 }
 
 } // namespace autocuts

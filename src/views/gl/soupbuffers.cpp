@@ -39,11 +39,6 @@ bool hasUv(const UvMatrix &uv, int triangle)
     return uv.middleRows(3 * triangle, 3).allFinite();
 }
 
-double signedUvArea(const UvMatrix &uv, int t)
-{
-    return cross2(uv.row(3 * t), uv.row(3 * t + 1), uv.row(3 * t + 2));
-}
-
 } // namespace
 
 std::vector<SoupVertex> soupVertices(const MeshData &mesh, const MeshAdjacency &adjacency,
@@ -114,27 +109,6 @@ std::vector<int> liveIslands(const MeshData &mesh, std::span<const float> separa
         sets.unite(mesh.triangleFace[pair.triangle[0]], mesh.triangleFace[pair.triangle[1]]);
     }
     return sets.labels().first;
-}
-
-std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &uv, std::span<const int> islands)
-{
-    std::vector<double> islandArea(mesh.faceCount(), 0); // there are not more islands than faces
-    double total = 0;
-    for (int t = 0; t < mesh.triangleCount(); ++t) {
-        if (islands[mesh.triangleFace[t]] < 0)
-            continue;
-        islandArea[islands[mesh.triangleFace[t]]] += signedUvArea(uv, t);
-        total += std::abs(signedUvArea(uv, t));
-    }
-    std::vector<bool> flipped(mesh.triangleCount(), false);
-    for (int t = 0; t < mesh.triangleCount(); ++t) {
-        if (islands[mesh.triangleFace[t]] < 0)
-            continue;
-        const double area = signedUvArea(uv, t);
-        const bool mirrored = islandArea[islands[mesh.triangleFace[t]]] < 0;
-        flipped[t] = std::abs(area) >= 1e-14 * total && (area < 0) != mirrored;
-    }
-    return flipped;
 }
 
 namespace {

@@ -61,8 +61,6 @@ UvMatrix ghostUv(const MeshData &mesh, const UvMatrix &uv, std::span<const float
 //! Per face, its island in the live map: what hangs together when nearly joined pairs are joined. Numbered by
 //! their lowest faces like those of the document. \param separation as ShownMap::separation()
 std::vector<int> liveIslands(const MeshData &mesh, std::span<const float> separation);
-//! Triangles with UVs that are turned against their island. \param islands per face, -1 without UVs
-std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &uv, std::span<const int> islands);
 
 //! What the colours of faces are made from.
 struct FaceInput

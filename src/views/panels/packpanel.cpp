@@ -87,11 +87,11 @@ void PackPanel::addPlacingRows(QFormLayout *form)
 {
     mRotation = new QComboBox;
     mRotation->setObjectName("rotation"_L1);
-    mRotation->addItem(tr("None"), int(PackingSettings::Rotation::None));
-    mRotation->addItem(tr("Quarter turns"), int(PackingSettings::Rotation::Quarter));
-    mRotation->addItem(tr("Any angle"), int(PackingSettings::Rotation::Free));
+    mRotation->addItem(tr("None"), int(PackRotation::None));
+    mRotation->addItem(tr("Quarter turns"), int(PackRotation::Quarter));
+    mRotation->addItem(tr("Any angle"), int(PackRotation::Free));
     connect(mRotation, &QComboBox::activated, this, [this] {
-        const auto rotation = PackingSettings::Rotation(mRotation->currentData().toInt());
+        const auto rotation = PackRotation(mRotation->currentData().toInt());
         changePackingSettings([rotation](PackingSettings &s) { s.rotation = rotation; });
     });
     addRow(form, tr("Rotation"), mRotation, tr("How islands may be turned to fit"));
@@ -156,7 +156,7 @@ void PackPanel::takeTextureSize()
     const int size = mTextureSize->currentText().toInt();
     changePackingSettings([size](PackingSettings &settings) {
         settings.textureSize = size;
-        settings.margin = std::min(settings.margin, size);
+        settings.margin = std::min<double>(settings.margin, size);
     });
 }
 
@@ -180,8 +180,8 @@ void PackPanel::showSettings(const PackingSettings &settings)
     if (!mTextureSize->lineEdit()->hasFocus() || !mTextureSize->lineEdit()->isModified())
         mTextureSize->setEditText(QString::number(settings.textureSize));
     mMargin->setMaximum(std::min(settings.textureSize, 9999));
-    mMargin->setValue(settings.margin);
-    mMarginUv->setText(tr("= %1 UV").arg(significantText(double(settings.margin) / settings.textureSize, 3)));
+    mMargin->setValue(static_cast<int>(settings.margin));
+    mMarginUv->setText(tr("= %1 UV").arg(significantText(settings.margin / settings.textureSize, 3)));
     mRotation->setCurrentIndex(mRotation->findData(int(settings.rotation)));
     mKeepScale->setChecked(settings.keepScale);
     mTile->setValue(settings.udimTile);

@@ -3,6 +3,8 @@
 #include "model/document/document.h"
 #include "model/document/selectiontools.h"
 #include "model/document/similarislands.h"
+#include "model/plain/uvlayout.h"
+#include "solver/metrics/flippedtriangles.h"
 
 #include <algorithm>
 #include <numeric>
@@ -46,14 +48,6 @@ QList<int> edgesByFaces(const Document &document, const QList<int> &faces, Accep
             result.append(edge);
     }
     return result;
-}
-
-//! Twice the signed area of a triangle in the map; not a number without UVs.
-double signedUvArea(const MeshData &mesh, const UvMatrix &uv, int triangle)
-{
-    const auto &corners = mesh.triangles[triangle];
-    const Vec2 a = uv.row(corners[0]), b = uv.row(corners[1]), c = uv.row(corners[2]);
-    return (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
 }
 
 } // namespace
@@ -170,21 +164,15 @@ QList<int> facesOfSimilarIslands(const Document &document, const QList<int> &fac
 QList<int> flippedFaces(const Document &document)
 {
     const MeshData &mesh = document.mesh();
-    const Islands &islands = document.islands();
-    std::vector<double> sum(islands.count(), 0);
-    const auto forEachTriangle = [&](auto visit) {
-        for (int triangle = 0; triangle < mesh.triangleCount(); ++triangle) {
-            const int island = islands.islandOfFace(mesh.triangleFace[triangle]);
-            if (island >= 0)
-                visit(triangle, island, signedUvArea(mesh, document.uv(), triangle));
-        }
-    };
-    forEachTriangle([&](int, int island, double area) { sum[island] += area; });
+    std::vector<int> islands(mesh.faceCount());
+    for (int face = 0; face < mesh.faceCount(); ++face)
+        islands[face] = document.islands().islandOfFace(face);
+    const std::vector<bool> triangles = flippedTriangles(mesh, soupUv(mesh, document.uv()), islands);
     std::vector<bool> flipped(mesh.faceCount(), false);
-    forEachTriangle([&](int triangle, int island, double area) {
-        if (area * sum[island] < 0)
-            flipped[mesh.triangleFace[triangle]] = true;
-    });
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        if (triangles[t])
+            flipped[mesh.triangleFace[t]] = true;
+    }
     return indicesOf(flipped);
 }
 

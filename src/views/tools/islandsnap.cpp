@@ -24,7 +24,7 @@ IslandSnap::IslandSnap(const Document &document, const std::vector<int> &moving,
     const PackingSettings &packing = document.packingSettings();
     for (int island = 0; island < islands.count(); ++island) {
         if (!moves[island])
-            addSides(islands.box(island), double(packing.margin) / packing.textureSize);
+            addSides(islands.box(island), packing.margin / packing.textureSize);
     }
     const Vec2 done = now.min() - start.min();
     const UvTopology topology = findUvTopology(document.mesh(), document.uv());

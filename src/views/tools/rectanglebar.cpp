@@ -50,6 +50,19 @@ RectangleBar::RectangleBar(Workspace &workspace, QWidget *view) : QFrame(view), 
     setObjectName(u"rectangleBar"_s);
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
+    makeWidgets();
+    addColors();
+    connectWidgets();
+    connect(&workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
+        if (event.type == ChangeEvent::Type::Rectangle)
+            refresh();
+    });
+    view->installEventFilter(this);
+    hide();
+}
+
+void RectangleBar::makeWidgets()
+{
     mColor = button(this, "rectangleColor", {}, tr("Colour"));
     mName = new QLineEdit(this);
     mName->setObjectName(u"rectangleName"_s);
@@ -77,8 +90,10 @@ RectangleBar::RectangleBar(Workspace &workspace, QWidget *view) : QFrame(view), 
     for (QWidget *widget :
          std::initializer_list<QWidget *>{mColor, mName, mHard, mWeight, mAssign, mPack, mClear, mRemove})
         layout->addWidget(widget);
-    addColors();
+}
 
+void RectangleBar::connectWidgets()
+{
     using Edit = EditRectangles::Edit;
     connect(mName, &QLineEdit::editingFinished, this,
             [this] { edit(Edit::Rename, [this](LayoutRectangle &r) { r.name = mName->text().trimmed(); }); });
@@ -104,12 +119,6 @@ RectangleBar::RectangleBar(Workspace &workspace, QWidget *view) : QFrame(view), 
         if (Document *document = mWorkspace.document())
             pushCommand(EditRectangles::remove(*document, {{mId}}));
     });
-    connect(&workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
-        if (event.type == ChangeEvent::Type::Rectangle)
-            refresh();
-    });
-    view->installEventFilter(this);
-    hide();
 }
 
 void RectangleBar::addColors()

@@ -35,7 +35,9 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    void makeWidgets();
     void addColors();
+    void connectWidgets();
     void refresh();
     void place();
     //! Null when it does not exist.

@@ -1,0 +1,41 @@
+#include "solver/metrics/flippedtriangles.h"
+
+#include <cmath>
+
+namespace autocuts::metrics {
+
+namespace {
+
+//! As UvMetrics: a triangle with less than this share of the UV area has no side that it could show.
+constexpr double smallestArea = 1e-14;
+
+//! Twice the area.
+double signedUvArea(const UvMatrix &uv, int t)
+{
+    return cross2(uv.row(3 * t), uv.row(3 * t + 1), uv.row(3 * t + 2));
+}
+
+} // namespace
+
+std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &soupUv, std::span<const int> islands)
+{
+    std::vector<double> packing::islandArea(mesh.faceCount(), 0); // there are not more islands than faces
+    double total = 0;
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        if (islands[mesh.triangleFace[t]] < 0)
+            continue;
+        packing::islandArea[islands[mesh.triangleFace[t]]] += signedUvArea(soupUv, t);
+        total += std::abs(signedUvArea(soupUv, t));
+    }
+    std::vector<bool> flipped(mesh.triangleCount(), false);
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        if (islands[mesh.triangleFace[t]] < 0)
+            continue;
+        const double area = signedUvArea(soupUv, t);
+        const bool mirrored = packing::islandArea[islands[mesh.triangleFace[t]]] < 0;
+        flipped[t] = std::abs(area) >= smallestArea * total && (area < 0) != mirrored;
+    }
+    return flipped;
+}
+
+} // namespace autocuts::metrics
