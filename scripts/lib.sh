@@ -9,23 +9,24 @@ fail() {
     exit 1
 }
 
-# Names of the packages of scripts/packages that are not installed.
+# missing_packages LIST...: names of the packages in the lists that are not installed.
 missing_packages() {
     local package
-    while read -r package; do
+    cat "$@" | while read -r package; do
         case $package in '' | '#'*) continue ;; esac
         if [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
             printf '%s\n' "$package"
         fi
-    done <"$root/scripts/packages"
+    done
 }
 
-# Installs what is missing, as root or through sudo; without either says what to install.
+# install_packages [LIST...]: installs what is missing of scripts/packages and further lists, as root or through sudo;
+# without either says what to install.
 install_packages() {
     command -v dpkg-query >/dev/null ||
         fail "this is not a Debian system: install the equivalents of the packages in scripts/packages, then build with cmake"
     local missing
-    mapfile -t missing < <(missing_packages)
+    mapfile -t missing < <(missing_packages "$root/scripts/packages" "$@")
     [ ${#missing[@]} -gt 0 ] || return 0
     local as_root=()
     if [ "$(id -u)" -ne 0 ]; then

@@ -1,10 +1,16 @@
 // The command line's contract: every command and option is understood, every mistake has a message.
-#include "cli/clioptions.h"
+#include "cli/clihelp.h"
+#include "cli/clitable.h"
 
+#include <QFile>
+#include <QRegularExpression>
 #include <QTest>
+
+#include <algorithm>
 
 using namespace autocuts;
 using namespace autocuts::unwrap;
+using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
@@ -19,6 +25,13 @@ CliOptions parsed(const char *line)
     if (!options)
         qWarning("%s", qPrintable(options.error().toString()));
     return options.ok() ? options.value() : CliOptions{};
+}
+
+//! A text file of the repository.
+QString contents(const char *path)
+{
+    QFile file(QStringLiteral(AUTOCUTS_SOURCE_DIR "/") + QString::fromLatin1(path));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
 } // namespace
@@ -133,20 +146,116 @@ private Q_SLOTS:
 
     void helpAndVersion()
     {
-        for (const char *line : {"--help", "-h", "help", "unwrap --help", "pack a -h"})
+        for (const char *line :
+             {"--help", "-h", "help", "unwrap --help", "pack a -h", "pack --help --margin 3"})
             QCOMPARE(parsed(line).command, CliOptions::Command::Help);
         QCOMPARE(parsed("--version").command, CliOptions::Command::Version);
+        QCOMPARE(parsed("--man-page").command, CliOptions::Command::ManPage);
+        QCOMPARE(parsed("--markdown").command, CliOptions::Command::Markdown);
+    }
+
+    void commandsThatMakeMapsCanBeStopped()
+    {
+        QStringList making;
+        for (const CliCommand &command : cliCommands()) {
+            CliOptions options;
+            options.command = command.id;
+            if (options.makesMap())
+                making << command.name;
+        }
+        QCOMPARE(making, (QStringList{u"unwrap"_s, u"pack"_s, u"separate"_s}));
+        QVERIFY(!CliOptions{}.makesMap());
+    }
+
+    void commandsTakeTheContractsOptions_data()
+    {
+        QTest::addColumn<QString>("command");
+        QTest::addColumn<QStringList>("names");
+        const QStringList common{u"-o"_s,        u"--texture-size"_s, u"--margin"_s, u"--rotation"_s,
+                                 u"--tile"_s,    u"--pack-time"_s,    u"--layout"_s, u"--report"_s,
+                                 u"--threads"_s, u"--time-limit"_s,   u"--seed"_s};
+        QTest::newRow("unwrap") << u"unwrap"_s
+                                << common +
+                                       words(u"--max-distortion --lambda --init --weights --energy --solver "
+                                             "--quality --creases --crease-strength --visibility "
+                                             "--symmetry --allow-overlaps --no-pack"_s);
+        QTest::newRow("pack") << u"pack"_s << common + words(u"--into --keep-scale"_s);
+        QTest::newRow("separate") << u"separate"_s << common;
+        QTest::newRow("check") << u"check"_s << words(u"--texture-size --json"_s);
+        for (const QString &name : {u"convert"_s, u"replay"_s, u"sample"_s})
+            QTest::newRow(qPrintable(name)) << name << QStringList{u"-o"_s};
+    }
+    void commandsTakeTheContractsOptions()
+    {
+        QFETCH(QString, command);
+        QFETCH(QStringList, names);
+        names << u"--quiet"_s;
+        const auto row = std::find_if(cliCommands().begin(), cliCommands().end(),
+                                      [&](const CliCommand &c) { return c.name == command; });
+        QVERIFY(row != cliCommands().end());
+        QStringList taken;
+        for (const CliOption &option : cliOptions()) {
+            if (row->takes(option.group))
+                taken << option.names.first();
+        }
+        names.sort();
+        taken.sort();
+        QCOMPARE(taken, names);
+    }
+
+    //! The default that the texts name is a value of the option, and changes nothing when it is given.
+    void defaultsInTheTextsAreTrue()
+    {
+        int checked = 0;
+        for (const CliOption &option : cliOptions()) {
+            if (option.standard.isEmpty() || option.names.contains(u"--threads"_s))
+                continue;
+            CliOptions given;
+            QVERIFY2(!option.read(given, option.standard), qPrintable(option.names.first()));
+            const CliOptions standard;
+            QCOMPARE(given.settings, standard.settings);
+            QCOMPARE(given.unwrap.maxDistortion, standard.unwrap.maxDistortion);
+            QCOMPARE(given.unwrap.quality, standard.unwrap.quality);
+            QCOMPARE(given.unwrap.packing.textureSize, standard.unwrap.packing.textureSize);
+            QCOMPARE(given.unwrap.packing.margin, standard.unwrap.packing.margin);
+            QCOMPARE(given.unwrap.packing.rotation, standard.unwrap.packing.rotation);
+            QCOMPARE(given.unwrap.packing.effort, standard.unwrap.packing.effort);
+            QCOMPARE(given.tile, standard.tile);
+            ++checked;
+        }
+        QCOMPARE(checked, 15);
+    }
+
+    void helpSaysAllInItsWidth()
+    {
         const QString help = usageText();
-        for (const char *word :
-             {"unwrap",    "pack",         "separate",         "check",        "convert",
-              "sample",    "-o",           "--max-distortion", "--lambda",     "--init",
-              "--weights", "--energy",     "--allow-overlaps", "--no-pack",    "--texture-size",
-              "--margin",  "--rotation",   "--pack-time",      "--solver",     "--quality",
-              "--layout",  "--report",     "--threads",        "--time-limit", "--seed",
-              "--quiet",   "--keep-scale", "--json",           "130"})
-            QVERIFY2(help.contains(QLatin1String(word)), word);
-        for (const QString &line : help.split(QLatin1Char('\n')))
-            QVERIFY2(line.size() <= 110, qPrintable(line));
+        for (const CliCommand &command : cliCommands())
+            QVERIFY2(help.contains(u"autocuts-cli "_s + command.name + u' '), qPrintable(command.name));
+        for (const CliOption &option : cliOptions())
+            QVERIFY2(help.contains(u"\n  "_s + option.names.join(u", "_s) + u' '),
+                     qPrintable(option.names.first()));
+        for (const CliExitCode &exit : cliExitCodes())
+            QVERIFY2(help.contains(u"\n  "_s + QString::number(exit.code) + u' '), qPrintable(exit.meaning));
+        for (const QString &line : help.split(u'\n'))
+            QVERIFY2(line.size() <= 110 && !line.endsWith(u' '), qPrintable(line));
+        // Options of one heading stand together.
+        for (const QString &heading : {u"unwrap"_s, u"unwrap, pack, separate"_s, u"pack"_s})
+            QCOMPARE(help.count(u'\n' + heading + u":\n"_s), 1);
+    }
+
+    void readmeAndManualPageAreOfTheTable()
+    {
+        const QString readme = contents("README.md"), page = contents("docs/autocuts-cli.1");
+        QVERIFY2(readme.contains(u'\n' + markdownTables()), "write it again: scripts/docs");
+        QVERIFY2(page == manualPage(), "write it again: scripts/docs");
+        for (const CliOption &option : cliOptions())
+            QVERIFY(page.contains(u"\n.TP\n\\fB"_s + QString(option.names.first()).replace(u'-', u"\\-"_s)));
+        // A line that begins with a dot or an apostrophe is a request to man; only those of the page itself
+        // may.
+        static const QRegularExpression request(u"^\\.(\\\\\"|TH|SH|SS|TP|br)( |$)"_s);
+        for (const QString &line : page.split(u'\n'))
+            QVERIFY2(!(line.startsWith(u'.') || line.startsWith(u'\'')) || line.contains(request),
+                     qPrintable(line));
     }
 
     void mistakesAreExplained_data()

@@ -10,6 +10,7 @@
 
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 using namespace autocuts;
 using namespace autocuts::packing;
@@ -165,7 +166,7 @@ private Q_SLOTS:
     {
         const auto throws = [](const PackOptions &settings) {
             try {
-                packIslands({}, settings);
+                std::ignore = packIslands({}, settings);
             } catch (const std::invalid_argument &) {
                 return true;
             }

@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <functional>
+#include <tuple>
 
 #ifdef Q_OS_LINUX
 #include <sys/resource.h>
@@ -126,7 +127,7 @@ void checkOpened(const LoadedProject &project)
     QCOMPARE(reopened->lost, QStringList());
     QVERIFY(reopened->state == project.state);
     if (project.extras.journal)
-        replay(*project.extras.journal);
+        std::ignore = replay(*project.extras.journal);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "cli/batchpacking.h"
 #include "cli/mapreporting.h"
+#include "cli/clihelp.h"
 #include "commands/replay.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
@@ -51,6 +52,12 @@ public:
         switch (mOptions.command) {
         case Command::Help:
             mOut << usageText() << Qt::flush;
+            return 0;
+        case Command::ManPage:
+            mOut << manualPage() << Qt::flush;
+            return 0;
+        case Command::Markdown:
+            mOut << markdownTables() << Qt::flush;
             return 0;
         case Command::Version:
             mOut << "autocuts-cli " << QCoreApplication::applicationVersion() << Qt::endl;

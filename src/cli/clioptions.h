@@ -10,24 +10,32 @@
 
 namespace autocuts {
 
-//! What `autocuts-cli` was asked to do.
+//! What `autocuts-cli` was asked to do. clitable.h says which command takes which option.
 struct CliOptions
 {
-    enum class Command { Help, Version, Unwrap, Pack, Separate, Check, Convert, Sample, Replay };
+    enum class Command {
+        Help,
+        Version,
+        ManPage,  //!< the manual page on stdout
+        Markdown, //!< the tables of the README on stdout
+        Unwrap,
+        Pack,
+        Separate,
+        Check,
+        Convert,
+        Sample,
+        Replay
+    };
 
     //! True when the command makes a map: these can be stopped early.
-    bool makesMap() const
-    {
-        return command == Command::Unwrap || command == Command::Pack || command == Command::Separate;
-    }
-
+    bool makesMap() const;
     bool hasRectangle() const { return given.contains(QStringLiteral("--into")); }
     //! Takes the UDIM tile of the packing settings for the bin.
     void packIntoTile();
 
     Command command = Command::Help;
     QString input;     //!< file; for Sample its name
-    QStringList given; //!< names of all options as written
+    QStringList given; //!< the options as written; -o for --output
     QString output;    //!< -o
     SolveSettings settings;
     unwrap::UnwrapOptions unwrap; //!< of the packing: the bin is that of --tile or --into
@@ -41,8 +49,5 @@ struct CliOptions
 
 //! Reads the arguments after the program's name. An Error is a mistake in the usage (exit code 2).
 Result<CliOptions> parseCommandLine(const QStringList &arguments);
-
-//! The text of --help.
-QString usageText();
 
 } // namespace autocuts

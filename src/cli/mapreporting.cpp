@@ -117,7 +117,7 @@ QStringList mapProblems(const Scene &scene, const MapReport &report)
         // problem is what textures are drawn with.
         const UvMatrix &uv = scene.uvSets.front().uv;
         const std::vector<bool> flipped =
-            flippedTriangles(mesh, soupUv(mesh, uv), findCharts(mesh, uv).faceChart);
+            metrics::flippedTriangles(mesh, soupUv(mesh, uv), findCharts(mesh, uv).faceChart);
         if (const auto n = std::count(flipped.begin(), flipped.end(), true))
             problems << counted(n, "triangle is flipped", "triangles are flipped");
     }

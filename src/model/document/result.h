@@ -22,7 +22,7 @@ struct Error
 
 //! Either a value or an Error.
 template <typename T>
-class Result
+class [[nodiscard]] Result
 {
 public:
     Result(T value) : mContent(std::move(value)) {}

@@ -50,7 +50,7 @@ private:
 
 //! Takes the next word off the front of `rest`; false when only blanks or a comment are left. What stood
 //! before the word is the difference of the data pointers.
-bool nextWord(std::string_view &rest, std::string_view &word);
+[[nodiscard]] bool nextWord(std::string_view &rest, std::string_view &word);
 
 //! The words of a name argument: everything up to the line end, without blanks around it.
 std::string_view nameArgument(std::string_view arguments);
@@ -66,10 +66,10 @@ struct ObjCornerWord
 
 //! Parses a whole word as a finite or non-finite number; false when it is not a number. Overflow gives
 //! infinity.
-bool parseNumber(std::string_view word, double &value);
+[[nodiscard]] bool parseNumber(std::string_view word, double &value);
 
 //! Parses a 1-based or negative index and makes it 0-based. `count` elements were defined before this line.
 //! \returns false when the word is no integer, is 0, or reaches back before the first element
-bool parseIndex(std::string_view word, std::int64_t count, std::int64_t &index);
+[[nodiscard]] bool parseIndex(std::string_view word, std::int64_t count, std::int64_t &index);
 
 } // namespace autocuts

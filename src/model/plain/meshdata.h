@@ -115,8 +115,10 @@ struct MeshData
     //! meshes the triangles of faces near to each other have near numbers, whatever the order of the faces.
     //! \pre all indices are in range, every face has at least three corners, positions are finite and at most
     //! 1e150 \throws std::invalid_argument when the precondition does not hold
-    static std::shared_ptr<const MeshData> build(PositionMatrix positions, std::vector<int> faceStart,
-                                                 std::vector<int> cornerVertex, std::vector<int> faceObject);
+    [[nodiscard]] static std::shared_ptr<const MeshData> build(PositionMatrix positions,
+                                                               std::vector<int> faceStart,
+                                                               std::vector<int> cornerVertex,
+                                                               std::vector<int> faceObject);
 
     //! Checks the invariants of everything derived; empty when all hold, else the first broken one.
     std::string validate() const;

@@ -40,7 +40,7 @@ struct Soup
 
     //! Triangles without area get a thin stand-in shape and a weight near zero, so that they stay unfolded
     //! without pulling at the others. \throws std::invalid_argument when the mesh has no area at all
-    static std::shared_ptr<const Soup> build(std::shared_ptr<const MeshData> mesh);
+    [[nodiscard]] static std::shared_ptr<const Soup> build(std::shared_ptr<const MeshData> mesh);
 };
 
 //! The coordinates as one row per soup corner.

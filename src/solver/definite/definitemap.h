@@ -27,13 +27,14 @@ struct DefiniteMap
 //! The definite map that the solver's state stands for: finished, relaxed, without overlaps inside a chart
 //! unless they are allowed, shortened seams, and without pins and rectangles every chart at the texel density
 //! of the whole. \returns nothing when cancelled
-std::optional<DefiniteMap> makeDefiniteMap(const homotopy::Solver &solver, const DefiniteMapOptions &options,
-                                           const std::atomic<bool> *cancel = nullptr);
+[[nodiscard]] std::optional<DefiniteMap> makeDefiniteMap(const homotopy::Solver &solver,
+                                                         const DefiniteMapOptions &options,
+                                                         const std::atomic<bool> *cancel = nullptr);
 
 //! Cuts every chart that covers itself until none does, and lays out flat the polygons that lie on
 //! themselves. Apart from these the UVs stay as they are. Returns false when cancelled: then nothing was cut.
-bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
-                    const std::atomic<bool> *cancel = nullptr);
+[[nodiscard]] bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
+                                  const std::atomic<bool> *cancel = nullptr);
 
 //! Gives every chart the texel density of the whole.
 void equalizeDensity(const Soup &soup, SeamedMap &map);

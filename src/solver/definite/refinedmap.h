@@ -18,8 +18,9 @@ struct RefinedMapOptions
 //! where their triangles were; they may lie over each other. When `stop` becomes true the map so far is
 //! returned. \param progress told the part that is done, in [0, 1], from one thread at a time \returns
 //! nothing when stopped before there was a map
-std::optional<SeamedMap> makeRefinedMap(const homotopy::Solver &solver, const RefinedMapOptions &options,
-                                        const std::atomic<bool> *stop = nullptr,
-                                        const std::function<void(double)> &progress = {});
+[[nodiscard]] std::optional<SeamedMap> makeRefinedMap(const homotopy::Solver &solver,
+                                                      const RefinedMapOptions &options,
+                                                      const std::atomic<bool> *stop = nullptr,
+                                                      const std::function<void(double)> &progress = {});
 
 } // namespace autocuts::definite

@@ -18,7 +18,7 @@ constexpr int paddedRow(int n)
 
 //! Replaces a symmetric positive definite n x n matrix by its inverse; all of it is read and written. Returns
 //! false when a pivot is not above `smallest`.
-bool invertFront(float *a, int n, int stride, float smallest);
+[[nodiscard]] bool invertFront(float *a, int n, int stride, float smallest);
 
 //! t = w b: w is p x p, b and t have p rows and are filled up to the stride.
 void multiplyFront(const float *w, int wStride, const float *b, float *t, int p, int stride);

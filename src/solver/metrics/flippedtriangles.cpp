@@ -19,12 +19,12 @@ double signedUvArea(const UvMatrix &uv, int t)
 
 std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &soupUv, std::span<const int> islands)
 {
-    std::vector<double> packing::islandArea(mesh.faceCount(), 0); // there are not more islands than faces
+    std::vector<double> islandArea(mesh.faceCount(), 0); // there are not more islands than faces
     double total = 0;
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         if (islands[mesh.triangleFace[t]] < 0)
             continue;
-        packing::islandArea[islands[mesh.triangleFace[t]]] += signedUvArea(soupUv, t);
+        islandArea[islands[mesh.triangleFace[t]]] += signedUvArea(soupUv, t);
         total += std::abs(signedUvArea(soupUv, t));
     }
     std::vector<bool> flipped(mesh.triangleCount(), false);
@@ -32,7 +32,7 @@ std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &soupUv,
         if (islands[mesh.triangleFace[t]] < 0)
             continue;
         const double area = signedUvArea(soupUv, t);
-        const bool mirrored = packing::islandArea[islands[mesh.triangleFace[t]]] < 0;
+        const bool mirrored = islandArea[islands[mesh.triangleFace[t]]] < 0;
         flipped[t] = std::abs(area) >= smallestArea * total && (area < 0) != mirrored;
     }
     return flipped;

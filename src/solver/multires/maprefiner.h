@@ -46,7 +46,7 @@ private:
         std::vector<Vec2> keptUv; //!< per corner of the fan
         Vec2 firstEnd, lastEnd;   //!< UVs at both ends of the fan
     };
-    bool refineOne();
+    [[nodiscard]] bool refineOne();
     void findSectors(const std::vector<int> &fan, bool hasFirst, bool hasLast);
     Vec2 placeIn(const Sector &sector, const Comeback &back, bool &good);
     void addToFan(const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const Vec2 &a, const Vec2 &b);

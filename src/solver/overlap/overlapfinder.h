@@ -50,7 +50,7 @@ bool visitOverlaps(const UvMatrix &uv, const OverlapOptions &options,
                    const std::function<bool(int, int, double)> &visit);
 
 //! All overlapping pairs. \param uv three rows per triangle
-OverlapList findOverlaps(const UvMatrix &uv, const OverlapOptions &options = {});
+[[nodiscard]] OverlapList findOverlaps(const UvMatrix &uv, const OverlapOptions &options = {});
 
 //! The overlapping pairs among some triangles. \param triangles indices of triangles of uv, each once
 OverlapList findOverlapsAmong(const UvMatrix &uv, const std::vector<int> &triangles,

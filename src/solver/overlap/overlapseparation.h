@@ -23,7 +23,7 @@ struct SeparationOptions
     const std::atomic<bool> *cancel = nullptr;
 };
 
-struct SeparationResult
+struct [[nodiscard]] SeparationResult
 {
     std::vector<bool> cut;         //!< per edge pair: what was cut before, and the new seams
     std::int64_t overlapPairs = 0; //!< overlapping triangle pairs inside one chart, before

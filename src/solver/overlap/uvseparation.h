@@ -10,7 +10,7 @@
 namespace autocuts::overlap {
 
 //! Charts free of overlaps inside themselves; they still lie where they were.
-struct Separated
+struct [[nodiscard]] Separated
 {
     ChartMap charts;
     int newSeams = 0;        //!< edges cut

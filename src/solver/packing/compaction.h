@@ -18,7 +18,7 @@ public:
     void setScale(double scale);
     //! Pushes until a whole sweep found nothing to push.
     //! \return false when that did not happen within the given number of sweeps
-    bool resolve(int sweeps, WorkMeter &work);
+    [[nodiscard]] bool resolve(int sweeps, WorkMeter &work);
 
 private:
     struct Body
@@ -51,6 +51,7 @@ private:
 
 //! Grows the scale in small steps, up to the ceiling, as long as the pushes succeed and the layout passes the
 //! exact test. \pre layout is valid \return the largest valid layout found
-Layout compactLayout(const PackProblem &problem, const Layout &layout, double ceiling, WorkMeter &work);
+[[nodiscard]] Layout compactLayout(const PackProblem &problem, const Layout &layout, double ceiling,
+                                   WorkMeter &work);
 
 } // namespace autocuts::packing

@@ -29,7 +29,7 @@ struct PackPlacement
     Vec2 translation = Vec2::Zero();
 };
 
-struct PackResult
+struct [[nodiscard]] PackResult
 {
     double scale = 1;                      //!< common to all islands that are not locked
     std::vector<PackPlacement> placements; //!< one per island; locked ones must be left alone

@@ -10,6 +10,6 @@ namespace autocuts::packing {
 
 //! Boxes in rows, tallest first, around the boxes of locked islands. Distances hold by construction.
 //! \return nothing when they do not fit at this scale
-std::optional<Layout> packShelves(const PackProblem &problem, double scale, WorkMeter &work);
+[[nodiscard]] std::optional<Layout> packShelves(const PackProblem &problem, double scale, WorkMeter &work);
 
 } // namespace autocuts::packing

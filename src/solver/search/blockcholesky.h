@@ -29,7 +29,7 @@ public:
     Block &diagonal(int row) { return mDiagonal[row]; }
 
     //! False when a pivot is not positive.
-    bool factorize();
+    [[nodiscard]] bool factorize();
     //! Solves in place: two numbers per block row. \pre factorize() returned true
     void solve(double *b) const;
 

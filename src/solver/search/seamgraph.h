@@ -36,8 +36,9 @@ struct SeamGraph
     std::vector<int> rank;     //!< per point: place in an order of elimination with little fill
 
     //! \param symmetry that the cuts shall have, null for none
-    static std::shared_ptr<const SeamGraph> build(std::shared_ptr<const Soup> soup, const Snapshot &snapshot,
-                                                  const preference::MeshSymmetry *symmetry = nullptr);
+    [[nodiscard]] static std::shared_ptr<const SeamGraph>
+    build(std::shared_ptr<const Soup> soup, const Snapshot &snapshot,
+          const preference::MeshSymmetry *symmetry = nullptr);
 
     bool isMirrored() const { return !mirror.empty(); }
     //! Cuts the mirror images of all cut edges as well.

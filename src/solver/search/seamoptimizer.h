@@ -57,7 +57,7 @@ struct OptimizedMap
 //! Searches for the shortest seams within the bound. Deterministic unless stopped. \returns the best map
 //! found, which may be above the bound when that cannot be met; nothing when no start without a fold was
 //! found
-std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph> &graph,
-                                          const OptimizeOptions &options);
+[[nodiscard]] std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph> &graph,
+                                                        const OptimizeOptions &options);
 
 } // namespace autocuts::search

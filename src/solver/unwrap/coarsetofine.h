@@ -28,8 +28,10 @@ bool suitsCoarseToFine(const Snapshot &snapshot);
 //! `unwrapCoarse` cut and map it, carries seams and map to the fine mesh and relaxes there. No chart covers
 //! itself unless overlaps are allowed. \returns nothing when the mesh cannot be coarsened or the map cannot
 //! be carried over
-std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                                      const UnwrapOptions &options, const CoarseUnwrap &unwrapCoarse,
-                                      const std::atomic<bool> *stop = nullptr, int coarseTriangles = 6'000);
+[[nodiscard]] std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup,
+                                                    const Snapshot &snapshot, const UnwrapOptions &options,
+                                                    const CoarseUnwrap &unwrapCoarse,
+                                                    const std::atomic<bool> *stop = nullptr,
+                                                    int coarseTriangles = 6'000);
 
 } // namespace autocuts::unwrap

@@ -13,7 +13,7 @@ namespace autocuts::unwrap {
 //! valid map so far: seams finished, separated and packed with little effort.
 //! \param progress called now and then, from one thread at a time but not always the same one
 //! \throws std::invalid_argument when the mesh has no area or an option is out of range
-UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options,
+[[nodiscard]] UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options,
                         const std::atomic<bool> *stop = nullptr,
                         const std::function<void(const UnwrapProgress &)> &progress = {});
 

@@ -1,0 +1,17 @@
+// The texts about the command line: all are made from its table.
+#pragma once
+
+#include <QString>
+
+namespace autocuts {
+
+//! The text of --help, in lines of at most 110 characters.
+QString usageText();
+
+//! The manual page autocuts-cli(1), for man.
+QString manualPage();
+
+//! The tables of commands, options and exit codes for the README.
+QString markdownTables();
+
+} // namespace autocuts

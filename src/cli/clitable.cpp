@@ -1,0 +1,352 @@
+#include "cli/clitable.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+using Command = CliOptions::Command;
+using Output = CliCommand::Output;
+using Group = OptionGroup;
+using namespace Qt::Literals::StringLiterals;
+using Problem = std::optional<QString>;
+
+//! The field of the options that an option sets.
+template <class T>
+using Field = std::function<T &(CliOptions &)>;
+
+template <class T>
+Field<T> fieldOf(T CliOptions::*member)
+{
+    return [member](CliOptions &options) -> T & { return options.*member; };
+}
+
+template <class T>
+Field<T> fieldOf(T SolveSettings::*member)
+{
+    return [member](CliOptions &options) -> T & { return options.settings.*member; };
+}
+
+template <class T>
+Field<T> fieldOf(T unwrap::UnwrapOptions::*member)
+{
+    return [member](CliOptions &options) -> T & { return options.unwrap.*member; };
+}
+
+template <class T>
+Field<T> fieldOf(T PackingSettings::*member)
+{
+    return [member](CliOptions &options) -> T & { return options.unwrap.packing.*member; };
+}
+
+template <class T>
+Field<T> fieldOf(T packing::PackOptions::*member)
+{
+    return [member](CliOptions &options) -> T & { return options.unwrap.packing.*member; };
+}
+
+CliOption text(Group group, const QStringList &names, const Field<QString> &field, const QString &meaning)
+{
+    return {
+        group, names, u"FILE"_s, meaning, {}, [field](CliOptions &options, const QString &value) -> Problem {
+            field(options) = value;
+            return std::nullopt;
+        }};
+}
+
+CliOption flag(Group group, const QString &name, const Field<bool> &field, bool value, const QString &meaning)
+{
+    return {group, {name}, {}, meaning, {}, [field, value](CliOptions &options, const QString &) -> Problem {
+                field(options) = value;
+                return std::nullopt;
+            }};
+}
+
+//! A default outside the range stands for none.
+template <class T>
+CliOption number(Group group, const QString &name, const QString &value, const Field<T> &field, double low,
+                 double high, const QString &meaning)
+{
+    CliOptions defaults;
+    const std::optional<double> standard = field(defaults);
+    const bool hasStandard = standard && *standard >= low && *standard <= high;
+    return {group,
+            {name},
+            value,
+            meaning,
+            hasStandard ? QString::number(*standard) : QString(),
+            [field, low, high](CliOptions &options, const QString &word) -> Problem {
+                bool ok = false;
+                const double parsed = word.toDouble(&ok);
+                if (!ok || !(parsed >= low && parsed <= high))
+                    return u"a number from %1 to %2"_s.arg(low).arg(high);
+                field(options) = parsed;
+                return std::nullopt;
+            }};
+}
+
+template <class T>
+CliOption integer(Group group, const QString &name, const Field<T> &field, int low, int high,
+                  const QString &meaning)
+{
+    CliOptions defaults;
+    return {group,
+            {name},
+            u"N"_s,
+            meaning,
+            QString::number(field(defaults)),
+            [field, low, high](CliOptions &options, const QString &word) -> Problem {
+                bool ok = false;
+                const int parsed = word.toInt(&ok);
+                if (!ok || parsed < low || parsed > high)
+                    return u"a whole number from %1 to %2"_s.arg(low).arg(high);
+                field(options) = static_cast<T>(parsed);
+                return std::nullopt;
+            }};
+}
+
+template <class T>
+CliOption choice(Group group, const QString &name, const Field<T> &field,
+                 const std::vector<std::pair<QString, T>> &words, const QString &meaning)
+{
+    CliOptions defaults;
+    QStringList known;
+    QString standard;
+    for (const auto &[word, value] : words) {
+        known << word;
+        if (value == field(defaults))
+            standard = word;
+    }
+    return {group,
+            {name},
+            known.join(QLatin1Char('|')),
+            meaning,
+            standard,
+            [field, words, known](CliOptions &options, const QString &given) -> Problem {
+                const auto found = std::find_if(words.begin(), words.end(),
+                                                [&](const auto &word) { return word.first == given; });
+                if (found == words.end())
+                    return known.join(u" or "_s);
+                field(options) = found->second;
+                return std::nullopt;
+            }};
+}
+
+//! Four numbers, or the name of a rectangle.
+Problem readRectangle(CliOptions &options, const QString &value)
+{
+    const QStringList parts = value.split(u',');
+    bool allNumbers = parts.size() == 4;
+    std::vector<double> sides;
+    for (const QString &part : parts) {
+        bool ok = false;
+        sides.push_back(part.toDouble(&ok));
+        allNumbers = allNumbers && ok;
+    }
+    if (!allNumbers) {
+        options.intoRectangle = value;
+        return std::nullopt;
+    }
+    constexpr double farthest = 1000;
+    const bool inRange =
+        std::all_of(sides.begin(), sides.end(), [](double side) { return std::abs(side) <= farthest; });
+    if (!inRange || !(sides[0] < sides[2]) || !(sides[1] < sides[3]))
+        return u"left,bottom,right,top in UV units"_s;
+    options.unwrap.packing.lower = {sides[0], sides[1]};
+    options.unwrap.packing.upper = {sides[2], sides[3]};
+    return std::nullopt;
+}
+
+Problem readLayout(CliOptions &options, const QString &value)
+{
+    const QString suffix = QFileInfo(value).suffix().toLower();
+    if (suffix != u"png" && suffix != u"svg")
+        return u"a .png or .svg file"_s;
+    options.layout = value;
+    return std::nullopt;
+}
+
+CliOption defaultingTo(CliOption option, const QString &standard)
+{
+    option.standard = standard;
+    return option;
+}
+
+std::vector<CliOption> solvingOptions()
+{
+    constexpr Group group = Group::Solving;
+    return {
+        number(group, u"--max-distortion"_s, u"X"_s, fieldOf(&unwrap::UnwrapOptions::maxDistortion), 4.0001,
+               1e6,
+               u"find the shortest seams with which the mean symmetric Dirichlet energy stays at or below "
+               "this; 4 is no distortion"_s),
+        number(group, u"--lambda"_s, u"X"_s, fieldOf(&unwrap::UnwrapOptions::lambda), 0, 1,
+               u"in place of a bound: a fixed balance between distortion and seams, from 0 (cut freely) to 1 "
+               "(hardly cut)"_s),
+        choice(group, u"--init"_s, fieldOf(&SolveSettings::start),
+               {{u"rigid"_s, StartMode::Rigid},
+                {u"tutte"_s, StartMode::Tutte},
+                {u"random"_s, StartMode::Random},
+                {u"uv"_s, StartMode::ExistingUv}},
+               u"start from every triangle flat on its own, a Tutte embedding, random places, or the UVs of "
+               "the file"_s),
+        choice(group, u"--weights"_s, fieldOf(&SolveSettings::weighting),
+               {{u"length"_s, SeamWeighting::Length}, {u"count"_s, SeamWeighting::Count}},
+               u"what a seam costs: its length, or 1 per edge"_s),
+        choice(group, u"--energy"_s, fieldOf(&SolveSettings::energy),
+               {{u"symmetric-dirichlet"_s, DistortionEnergy::SymmetricDirichlet},
+                {u"amips"_s, DistortionEnergy::Amips}},
+               u"how distortion is measured while solving: isometric, or conformal (AMIPS)"_s),
+        choice(group, u"--solver"_s, fieldOf(&SolveSettings::solver),
+               {{u"fast"_s, SolverKind::Fast}, {u"exact"_s, SolverKind::Exact}},
+               u"preconditioned conjugate gradients, or a full factorisation in every step"_s),
+        choice(group, u"--quality"_s, fieldOf(&unwrap::UnwrapOptions::quality),
+               {{u"draft"_s, unwrap::UnwrapQuality::Draft},
+                {u"standard"_s, unwrap::UnwrapQuality::Standard},
+                {u"best"_s, unwrap::UnwrapQuality::Best}},
+               u"how long to search for shorter seams"_s),
+        choice(group, u"--creases"_s, fieldOf(&SolveSettings::creases),
+               {{u"off"_s, CreaseMode::Off}, {u"auto"_s, CreaseMode::Auto}, {u"on"_s, CreaseMode::On}},
+               u"put seams along sharp edges; auto does so on meshes that have creases"_s),
+        number(group, u"--crease-strength"_s, u"X"_s, fieldOf(&SolveSettings::creaseStrength), 0, 1,
+               u"part of its cost that a seam on a sharp edge saves, 0 to 1"_s),
+        number(group, u"--visibility"_s, u"X"_s, fieldOf(&SolveSettings::visibility), 0, 1,
+               u"how much seams prefer hidden places, 0 (not at all) to 1"_s),
+        flag(group, u"--symmetry"_s, fieldOf(&SolveSettings::symmetry), true,
+             u"make symmetric cuts on symmetric meshes"_s),
+        flag(group, u"--allow-overlaps"_s, fieldOf(&unwrap::UnwrapOptions::allowOverlaps), true,
+             u"do not cut islands that overlap themselves"_s),
+        flag(group, u"--no-pack"_s, fieldOf(&unwrap::UnwrapOptions::pack), false,
+             u"leave the islands where the solver put them, scaled to the unit square"_s),
+    };
+}
+
+std::vector<CliOption> packingOptions()
+{
+    return {
+        integer(Group::Texture, u"--texture-size"_s, fieldOf(&PackingSettings::textureSize), 16, 65536,
+                u"texels along each side of the unit square; all texel figures refer to it"_s),
+        number(Group::Packing, u"--margin"_s, u"X"_s, fieldOf(&PackingSettings::margin), 0, 4096,
+               u"texels between islands, and half of it to the border"_s),
+        choice(Group::Packing, u"--rotation"_s, fieldOf(&PackingSettings::rotation),
+               {{u"free"_s, PackRotation::Free},
+                {u"90"_s, PackRotation::Quarter},
+                {u"none"_s, PackRotation::None}},
+               u"how islands may be turned"_s),
+        integer(Group::Packing, u"--tile"_s, fieldOf(&PackingSettings::udimTile), PackingSettings::firstTile,
+                PackingSettings::lastTile,
+                u"UDIM tile to pack into: 1001 is the unit square, there are ten tiles in a row"_s),
+        number(
+            Group::Packing, u"--pack-time"_s, u"SECONDS"_s, fieldOf(&packing::PackOptions::effort), 0, 3600,
+            u"effort that goes into packing, in CPU seconds of a usual machine; it is counted in steps, so "
+            "that the result does not depend on the clock"_s),
+    };
+}
+
+std::vector<CliOption> placingOptions()
+{
+    return {
+        {Group::Placing,
+         {u"--into"_s},
+         u"RECTANGLE"_s,
+         u"in place of a tile: left,bottom,right,top in UV units, or the name of a rectangle of the session, "
+         "whose islands are packed while the others stay"_s,
+         {},
+         readRectangle},
+        flag(Group::Placing, u"--keep-scale"_s, fieldOf(&PackingSettings::keepScale), true,
+             u"keep the size of the islands; otherwise all get the same texel density"_s),
+    };
+}
+
+std::vector<CliOption> makingOptions()
+{
+    constexpr Group group = Group::Making;
+    return {
+        {group,
+         {u"--layout"_s},
+         u"FILE"_s,
+         u"draw a picture of the layout, .png or .svg: islands, seams, overlaps hatched"_s,
+         {},
+         readLayout},
+        text(group, {u"--report"_s}, fieldOf(&CliOptions::report),
+             u"write the figures of the result as JSON"_s),
+        defaultingTo(integer(group, u"--threads"_s, fieldOf(&unwrap::UnwrapOptions::threads), 1, 1024,
+                             u"threads to use; the result does not depend on it"_s),
+                     u"all cores"_s),
+        number(group, u"--time-limit"_s, u"SECONDS"_s, fieldOf(&CliOptions::timeLimit), 0.001, 1e9,
+               u"stop then and write the best map so far"_s),
+        integer(group, u"--seed"_s, fieldOf(&SolveSettings::seed), 0, 2'000'000'000,
+                u"seed of everything random: the same command gives the same bytes"_s),
+    };
+}
+
+} // namespace
+
+const std::vector<CliCommand> &cliCommands()
+{
+    using enum OptionGroup;
+    static const std::vector<CliCommand> commands{
+        {Command::Unwrap, u"unwrap"_s, u"IN"_s, Output::Needed, Solving | Texture | Packing | Making,
+         u"make a UV map"_s},
+        {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed, Texture | Packing | Placing | Making,
+         u"arrange the islands of an existing map anew"_s},
+        {Command::Separate, u"separate"_s, u"IN"_s, Output::Needed, Texture | Packing | Making,
+         u"cut islands that overlap themselves, then pack"_s},
+        {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | Measuring,
+         u"measure a map and say what is wrong with it"_s},
+        {Command::Convert,
+         u"convert"_s,
+         u"IN"_s,
+         Output::Needed,
+         {},
+         u"write another file format; OBJ to OBJ changes nothing"_s},
+        {Command::Replay,
+         u"replay"_s,
+         u"SESSION"_s,
+         Output::Optional,
+         {},
+         u"do again what was done in a session, and say whether it gives the same"_s},
+        {Command::Sample,
+         u"sample"_s,
+         u"NAME"_s,
+         Output::Needed,
+         {},
+         u"write a sample: bumpycube, character, torus or machine"_s},
+    };
+    return commands;
+}
+
+const std::vector<CliOption> &cliOptions()
+{
+    static const std::vector<CliOption> options = [] {
+        std::vector<CliOption> all{
+            text(Group::Output, {u"-o"_s, u"--output"_s}, fieldOf(&CliOptions::output), u"file to write"_s)};
+        for (const auto &some : {solvingOptions(), packingOptions(), makingOptions(), placingOptions()})
+            all.insert(all.end(), some.begin(), some.end());
+        all.push_back(flag(Group::Measuring, u"--json"_s, fieldOf(&CliOptions::json), true,
+                           u"print the figures as JSON"_s));
+        all.push_back(flag(Group::Everything, u"--quiet"_s, fieldOf(&CliOptions::quiet), true,
+                           u"no progress and no figures, only warnings and errors"_s));
+        return all;
+    }();
+    return options;
+}
+
+const std::vector<CliExitCode> &cliExitCodes()
+{
+    static const std::vector<CliExitCode> codes{
+        {0, u"done; also after --time-limit, then with the status time_limit in the report"_s},
+        {1,
+         u"failed; one line on stderr says what, where and what to do, and an existing output file is left "
+         "as it was"_s},
+        {2, u"wrong usage"_s},
+        {130, u"interrupted by Ctrl-C; the best valid map so far has been written"_s},
+    };
+    return codes;
+}
+
+} // namespace autocuts
