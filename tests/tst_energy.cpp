@@ -306,17 +306,18 @@ private Q_SLOTS:
         const auto soup = Soup::build(mesh);
         Snapshot snapshot;
         snapshot.mesh = mesh;
-        snapshot.pairState.assign(mesh->cornerPairCount(), PairState::Free);
-        snapshot.pairWeight.assign(mesh->cornerPairCount(), 1.0);
+        Steering &steering = snapshot.editSteering();
+        steering.pairState.assign(mesh->cornerPairCount(), PairState::Free);
+        steering.pairWeight.assign(mesh->cornerPairCount(), 1.0);
         int edge = 0;
         while (mesh->edgePairs[edge].diagonal)
             ++edge;
-        snapshot.pairState[2 * edge] = PairState::Cut;
-        snapshot.pairState[2 * edge + 1] = PairState::Joined;
+        steering.pairState[2 * edge] = PairState::Cut;
+        steering.pairState[2 * edge + 1] = PairState::Joined;
         int painted = edge + 1;
         while (mesh->edgePairs[painted].diagonal)
             ++painted;
-        snapshot.pairWeight[2 * painted] = 3;
+        steering.pairWeight[2 * painted] = 3;
         const std::vector<double> weights = pairWeights(*soup, snapshot);
         QCOMPARE(weights[2 * edge], 0.0);
         QCOMPARE(weights[2 * edge + 1], 100 * soup->pairLength[2 * edge + 1]);

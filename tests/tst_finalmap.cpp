@@ -99,7 +99,7 @@ private Q_SLOTS:
             {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}}));
         const std::array<Vec2, 3> places{Vec2(5, 0), Vec2(7.5, 0), Vec2(5, 2.5)};
         for (int k = 0; k < 3; ++k)
-            snapshot.pins.push_back({3 + k, places[k], true});
+            snapshot.editSteering().pins.push_back({3 + k, places[k], true});
         const Solved solver(snapshot);
         const auto map = makeRefinedMap(solver, {.maxDistortion = 5});
         QVERIFY(map);
@@ -124,12 +124,13 @@ private Q_SLOTS:
     {
         Snapshot snapshot = snapshotOf(test::sphere(12, 16));
         const MeshData &mesh = *snapshot.mesh;
-        snapshot.pairState.assign(mesh.cornerPairCount(), PairState::Free);
+        Steering &steering = snapshot.editSteering();
+        steering.pairState.assign(mesh.cornerPairCount(), PairState::Free);
         const std::vector<int> cut{20, 21}, joined{100, 140};
         for (const int edge : cut)
-            snapshot.pairState[2 * edge] = snapshot.pairState[2 * edge + 1] = PairState::Cut;
+            steering.pairState[2 * edge] = steering.pairState[2 * edge + 1] = PairState::Cut;
         for (const int edge : joined)
-            snapshot.pairState[2 * edge] = snapshot.pairState[2 * edge + 1] = PairState::Joined;
+            steering.pairState[2 * edge] = steering.pairState[2 * edge + 1] = PairState::Joined;
         const Solved solver(snapshot);
         const auto map = makeRefinedMap(solver, {.maxDistortion = 4.3});
         QVERIFY(map);
@@ -167,7 +168,7 @@ private Q_SLOTS:
             snapshotOf(test::polygonMesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, -1, 0}, {1, -1, 0}},
                                          {{0, 1, 2, 3}, {0, 4, 5, 1}}));
         const MeshData &mesh = *snapshot.mesh;
-        snapshot.pairState.assign(mesh.cornerPairCount(), PairState::Joined);
+        snapshot.editSteering().pairState.assign(mesh.cornerPairCount(), PairState::Joined);
         const auto soup = Soup::build(snapshot.mesh);
         const double degrees[] = {0, 0, 100, 200, -200, -100};
         SeamedMap map;
@@ -215,7 +216,7 @@ private Q_SLOTS:
         QCOMPARE(findCharts(mesh, cornerUv(*soup, map)).count, 1);
         const int staying = pinned ? 0 : 2;
         if (pinned)
-            snapshot.pins.push_back({0, {map.x[0], map.x[1]}, true});
+            snapshot.editSteering().pins.push_back({0, {map.x[0], map.x[1]}, true});
         SeamedMap opened = map;
         openSeams(*soup, snapshot, opened);
         QCOMPARE(findCharts(mesh, cornerUv(*soup, opened)).count, 3);
@@ -235,7 +236,7 @@ private Q_SLOTS:
     void pinsAreLeftToTheSolver()
     {
         Snapshot snapshot = snapshotOf(test::sphere(10, 12));
-        snapshot.pins.push_back({0, Vec2(0.3, 0.2), false, 10});
+        snapshot.editSteering().pins.push_back({0, Vec2(0.3, 0.2), false, 10});
         const Solved solver(snapshot);
         const auto made = makeDefiniteMap(solver, {});
         const auto map = makeRefinedMap(solver, {});

@@ -40,7 +40,7 @@ std::unique_ptr<Solver> annealed(const test::MeshPtr &mesh, int steps, std::vect
     Snapshot snapshot;
     snapshot.mesh = mesh;
     snapshot.settings.delta = 1;
-    snapshot.pairState = std::move(states);
+    snapshot.editSteering().pairState = std::move(states);
     auto solver = std::make_unique<Solver>();
     solver->load(snapshot);
     AnnealOptions options;

@@ -2,8 +2,10 @@
 #include "commands/editrectangles.h"
 #include "commands/setislandflags.h"
 #include "commands/setuvs.h"
+#include "model/document/makesnapshot.h"
 #include "model/samples/samples.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/mapjobs.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
@@ -111,6 +113,30 @@ private Q_SLOTS:
         QCOMPARE(studio.map.figures()->metrics.flipped, 0);
         QCOMPARE(studio.map.figures()->metrics.overlapPairs, 0);
         QVERIFY(studio.map.figures()->metrics.symDirichlet <= 4.5);
+    }
+
+    //! At the time of the order the newest result of a run has not been taken yet.
+    void finishingStartsFromTheMapThatWasSettled()
+    {
+        Studio studio;
+        studio.solver.run();
+        QVERIFY(!studio.solver.result());
+        MapInput input;
+        studio.solver.whenPaused([&] {
+            const Document &document = studio.document();
+            input.snapshot = makeSnapshot(document);
+            input.uv = document.uv();
+            input.uvScale = document.uvScale();
+            input.packing = document.packingSettings();
+            input.live = {studio.solver.result(), true};
+        });
+        studio.map.finish(4.5);
+        QVERIFY(studio.ends());
+        QCOMPARE(studio.failed.count(), 0);
+        QVERIFY(input.live.result);
+        QVERIFY(!input.live.result->status.converged);
+        JobControl control;
+        QVERIFY(studio.document().uv() == finishJob(input, 4.5, control).uv);
     }
 
     //! The seam search knows no rectangles: the solve itself has to get to its end.

@@ -257,9 +257,10 @@ private Q_SLOTS:
         Snapshot snapshot;
         snapshot.mesh = meshCalled(QStringLiteral("sphere"));
         const MeshData &mesh = *snapshot.mesh;
-        snapshot.pairState.assign(mesh.cornerPairCount(), PairState::Free);
+        Steering &steering = snapshot.editSteering();
+        steering.pairState.assign(mesh.cornerPairCount(), PairState::Free);
         const std::size_t edge = mesh.edgePairs.size() / 2;
-        snapshot.pairState[2 * edge] = snapshot.pairState[2 * edge + 1] = PairState::Cut;
+        steering.pairState[2 * edge] = steering.pairState[2 * edge + 1] = PairState::Cut;
         const auto soup = Soup::build(snapshot.mesh);
         const auto map = carried(snapshot, soup);
         QVERIFY(map);

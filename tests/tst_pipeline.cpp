@@ -107,8 +107,9 @@ bool isSeam(const MeshData &mesh, const UvMatrix &uv, int e)
 
 void setState(Snapshot &snapshot, int e, PairState state)
 {
-    snapshot.pairState.resize(snapshot.mesh->cornerPairCount(), PairState::Free);
-    snapshot.pairState[2 * e] = snapshot.pairState[2 * e + 1] = state;
+    Steering &steering = snapshot.editSteering();
+    steering.pairState.resize(snapshot.mesh->cornerPairCount(), PairState::Free);
+    steering.pairState[2 * e] = steering.pairState[2 * e + 1] = state;
 }
 
 //! An open tube of quads: vertices are segments * ring + segment.
@@ -311,7 +312,8 @@ private Q_SLOTS:
             Snapshot snapshot = snapshotOf(mesh);
             snapshot.settings.start = static_cast<StartMode>(start);
             if (snapshot.settings.start == StartMode::ExistingUv)
-                snapshot.startUv = startUvFromCorners(*mesh, mesh->positions(mesh->cornerVertex, {0, 1}));
+                snapshot.startUv = std::make_shared<const UvMatrix>(
+                    startUvFromCorners(*mesh, mesh->positions(mesh->cornerVertex, {0, 1})));
             const UnwrapResult result = unwrapMesh(snapshot, draft());
             QCOMPARE(problemWith(*mesh, result.uv), QString());
             QVERIFY(result.withinBound);
@@ -359,7 +361,7 @@ private Q_SLOTS:
                      PairState::Cut);
         const UnwrapResult result = unwrapMesh(snapshot, draft());
         for (std::size_t e = 0; e < mesh->edgePairs.size(); ++e) {
-            if (snapshot.pairState[2 * e] == PairState::Cut)
+            if (snapshot.steering->pairState[2 * e] == PairState::Cut)
                 QVERIFY(result.cut[e] && isSeam(*mesh, result.uv, static_cast<int>(e)));
         }
         QVERIFY(measureUv(*mesh, result.uv).charts >= 2);
@@ -372,11 +374,12 @@ private Q_SLOTS:
         const auto mesh = tube(rings, segments);
         for (const int cheap : {1, 6}) {
             Snapshot snapshot = snapshotOf(mesh);
-            snapshot.pairWeight.assign(mesh->cornerPairCount(), 1);
+            Steering &steering = snapshot.editSteering();
+            steering.pairWeight.assign(mesh->cornerPairCount(), 1);
             double expected = 0;
             for (int r = 0; r < rings; ++r) {
                 const int e = edgeBetween(*mesh, segments * r + cheap, segments * (r + 1) + cheap);
-                snapshot.pairWeight[2 * e] = snapshot.pairWeight[2 * e + 1] = 0.1;
+                steering.pairWeight[2 * e] = steering.pairWeight[2 * e + 1] = 0.1;
                 expected += mesh->edgePairs[e].length;
             }
             const UnwrapResult result = unwrapMesh(snapshot, draft());

@@ -146,7 +146,7 @@ private Q_SLOTS:
     {
         Snapshot snapshot;
         snapshot.mesh = sample("bumpycube");
-        snapshot.pairWeight.assign(snapshot.mesh->cornerPairCount(), 3.0);
+        snapshot.editSteering().pairWeight.assign(snapshot.mesh->cornerPairCount(), 3.0);
         SeamPreference preference;
         const std::vector<double> angles = dihedralAngles(*snapshot.mesh);
         const Snapshot weighted = preference.applied(snapshot);
@@ -156,10 +156,10 @@ private Q_SLOTS:
                 QVERIFY(std::abs(weighted.edgeWeight(e) - expected) < 1e-12);
         }
         snapshot.settings.creases = CreaseMode::Off;
-        QVERIFY(preference.applied(snapshot).pairWeight == snapshot.pairWeight);
+        QVERIFY(preference.applied(snapshot).steering == snapshot.steering);
         snapshot.settings.creases = CreaseMode::On;
         snapshot.settings.creaseStrength = 0;
-        QVERIFY(preference.applied(snapshot).pairWeight == snapshot.pairWeight);
+        QVERIFY(preference.applied(snapshot).steering == snapshot.steering);
     }
 
     void cutsFollowTheCubesEdges()

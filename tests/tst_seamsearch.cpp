@@ -296,13 +296,14 @@ private Q_SLOTS:
     {
         Snapshot snapshot;
         snapshot.mesh = test::sphere(10, 14);
-        snapshot.pairState.assign(snapshot.mesh->cornerPairCount(), PairState::Free);
+        Steering &steering = snapshot.editSteering();
+        steering.pairState.assign(snapshot.mesh->cornerPairCount(), PairState::Free);
         const int edges = static_cast<int>(snapshot.mesh->edgePairs.size());
         Random random(3);
         for (int i = 0; i < edges / 10; ++i) {
             const int e = random.below(edges);
             const PairState state = i % 10 == 0 ? PairState::Cut : PairState::Joined;
-            snapshot.pairState[2 * e] = snapshot.pairState[2 * e + 1] = state;
+            steering.pairState[2 * e] = steering.pairState[2 * e + 1] = state;
         }
         const auto graph = graphOf(snapshot);
         const auto found = optimizeSeams(graph, littleEffort());

@@ -1,7 +1,10 @@
 // The solver: descent without flips, starts, directions against each other, steering, determinism.
+#include "model/samples/samples.h"
 #include "solver/homotopy/anneal.h"
 #include "solver/homotopy/budget.h"
+#include "solver/homotopy/liveschedule.h"
 #include "solver/homotopy/solver.h"
+#include "solver/preference/seampreference.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
@@ -9,7 +12,9 @@
 #include <cmath>
 
 using namespace autocuts;
+using namespace autocuts::energy;
 using namespace autocuts::homotopy;
+using namespace autocuts::preference;
 
 namespace {
 
@@ -59,9 +64,10 @@ private Q_SLOTS:
         snapshot.settings.start = static_cast<StartMode>(start);
         if (snapshot.settings.start == StartMode::ExistingUv) {
             // Every third corner has no UV at all.
-            snapshot.startUv = UvMatrix::Random(meshes[mesh]->soupCornerCount(), 2);
-            for (Eigen::Index c = 0; c < snapshot.startUv.rows(); c += 3)
-                snapshot.startUv(c, 0) = std::nan("");
+            UvMatrix uv = UvMatrix::Random(meshes[mesh]->soupCornerCount(), 2);
+            for (Eigen::Index c = 0; c < uv.rows(); c += 3)
+                uv(c, 0) = std::nan("");
+            snapshot.startUv = std::make_shared<const UvMatrix>(uv);
         }
         Solver solver;
         solver.load(snapshot);
@@ -141,14 +147,15 @@ private Q_SLOTS:
     {
         const auto mesh = test::quadCube();
         Snapshot snapshot = snapshotOf(mesh, 0.5, 1);
-        snapshot.pairState.assign(mesh->cornerPairCount(), PairState::Free);
+        Steering &steering = snapshot.editSteering();
+        steering.pairState.assign(mesh->cornerPairCount(), PairState::Free);
         std::vector<int> edges;
         for (std::size_t e = 0; e < mesh->edgePairs.size(); ++e) {
             if (!mesh->edgePairs[e].diagonal)
                 edges.push_back(static_cast<int>(e));
         }
         for (const int p : {2 * edges[0], 2 * edges[0] + 1})
-            snapshot.pairState[p] = PairState::Joined;
+            steering.pairState[p] = PairState::Joined;
         Solver solver;
         solver.load(snapshot);
         AnnealOptions options;
@@ -169,8 +176,8 @@ private Q_SLOTS:
         Snapshot snapshot = snapshotOf(test::grid(4), 0.2, 0.1);
         snapshot.settings.solver = static_cast<SolverKind>(solver);
         snapshot.settings.start = StartMode::Tutte;
-        snapshot.pins.push_back({0, Vec2(3, 2), true, 1});
-        snapshot.pins.push_back({40, Vec2(4, 2.5), false, 5});
+        snapshot.editSteering().pins.push_back({0, Vec2(3, 2), true, 1});
+        snapshot.editSteering().pins.push_back({40, Vec2(4, 2.5), false, 5});
         Solver stepper;
         stepper.load(snapshot);
         for (int i = 0; i < 400; ++i)
@@ -193,7 +200,7 @@ private Q_SLOTS:
         box.upper = Vec2(0.6, 2);
         for (int c = 0; c < mesh->soupCornerCount(); ++c)
             box.soupCorners.push_back(c);
-        snapshot.rectangles.push_back(box);
+        snapshot.editSteering().rectangles.push_back(box);
         Solver solver;
         solver.load(snapshot);
         for (int i = 0; i < 200; ++i)
@@ -258,6 +265,33 @@ private Q_SLOTS:
         QVERIFY(last.distortion < 4.1);
     }
 
+    void aNewBalanceSharesTheSteering()
+    {
+        // Step by step the same as when everything is built anew.
+        Snapshot snapshot = snapshotOf(test::sphere(8, 12), 0.1, 0.2);
+        Steering &steering = snapshot.editSteering();
+        steering.pairState.assign(snapshot.mesh->cornerPairCount(), PairState::Free);
+        steering.pairState[20] = steering.pairState[21] = PairState::Joined;
+        steering.pins = {{0, Vec2(0.3, 0.2), false, 10}, {7, Vec2(0.5, 0.1), true, 1}};
+        Solver shared, anew;
+        shared.load(snapshot);
+        anew.load(snapshot);
+        for (const double delta : {0.1, 0.02, 0.005}) {
+            snapshot.settings.delta = delta;
+            snapshot.settings.lambda *= 0.5;
+            shared.update(snapshot);
+            QVERIFY(shared.snapshot().steering == snapshot.steering);
+            Snapshot copy = snapshot;
+            copy.editSteering();
+            anew.update(copy);
+            QVERIFY(anew.snapshot().steering != snapshot.steering);
+            for (int i = 0; i < 5; ++i) {
+                QCOMPARE(shared.step().energy, anew.step().energy);
+                QVERIFY(shared.coordinates() == anew.coordinates());
+            }
+        }
+    }
+
     void budgetFindsTheLambda()
     {
         // Runs that behave like excess = 8 lambda^0.8.
@@ -268,6 +302,65 @@ private Q_SLOTS:
             budget.report(distortion);
         }
         QVERIFY2(distortion <= 4.1 && distortion > 4.09, qPrintable(QString::number(distortion)));
+    }
+
+    void aLiveRunEndsWithinItsBound_data()
+    {
+        QTest::addColumn<QString>("sample");
+        QTest::addColumn<double>("bound");
+        QTest::newRow("bumpy cube") << QStringLiteral("bumpycube") << 4.1;
+        QTest::newRow("bumpy cube, tight") << QStringLiteral("bumpycube") << 4.04;
+        QTest::newRow("character") << QStringLiteral("character") << 4.1;
+        QTest::newRow("torus") << QStringLiteral("torus") << 4.1;
+    }
+    void aLiveRunEndsWithinItsBound()
+    {
+        QFETCH(QString, sample);
+        QFETCH(double, bound);
+        const Scene scene = makeSample(sample).value();
+        Solver solver;
+        solver.load(SeamPreference().applied(snapshotOf(scene.mesh, 0.05, 1)));
+        QVERIFY(runToTheEnd(solver, bound));
+        const Soup &soup = solver.soup();
+        const std::vector<double> energy = symmetricDirichlet(soup, solver.coordinates());
+        double distortion = 0;
+        for (int t = 0; t < soup.triangleCount(); ++t)
+            distortion += soup.weight[t] * energy[t];
+        QVERIFY2(distortion <= bound, qPrintable(QString::number(distortion)));
+        QVERIFY2(distortion > 4 + 0.5 * (bound - 4), qPrintable(QString::number(distortion)));
+    }
+
+    //! The distortion jumps over all that counts as near to the bound.
+    void theScheduleEndsWithALambdaThatKeepsTheBound()
+    {
+        const auto soup = Soup::build(test::sphere(8, 12));
+        LiveSchedule schedule(*soup, 4.1);
+        SolveSettings settings;
+        StepResult step;
+        double kept = 0;
+        do {
+            schedule.apply(settings);
+            step.distortion = settings.lambda > 0.03 ? 4.3 : 4.02 + settings.lambda;
+            if (step.distortion < 4.1)
+                kept = std::max(kept, settings.lambda);
+        } while (schedule.report(step));
+        QVERIFY(step.distortion < 4.1);
+        QCOMPARE(settings.lambda, kept);
+    }
+
+    void theScheduleGivesUpABoundOutOfReach()
+    {
+        const auto soup = Soup::build(test::sphere(8, 12));
+        LiveSchedule schedule(*soup, 4.1);
+        SolveSettings settings;
+        StepResult step;
+        step.distortion = 4.5;
+        int steps = 0;
+        do {
+            schedule.apply(settings);
+            QVERIFY(++steps < 1000);
+        } while (schedule.report(step));
+        QVERIFY(settings.lambda < 1e-4);
     }
 };
 

@@ -330,7 +330,7 @@ private:
     static double outsideShare(const Snapshot &snapshot, const std::vector<double> &x)
     {
         double worst = 0;
-        for (const UvRectangle &box : snapshot.rectangles) {
+        for (const UvRectangle &box : snapshot.steering->rectangles) {
             const double side = (box.upper - box.lower).minCoeff();
             for (int corner : box.soupCorners) {
                 const Vec2 place(x[2 * corner], x[2 * corner + 1]);

@@ -3,6 +3,9 @@
 #include "solver/live/worker.h"
 #include "support/meshbuilders.h"
 
+#include <QDir>
+#include <QScopeGuard>
+#include <QSemaphore>
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
@@ -22,15 +25,17 @@ std::shared_ptr<Snapshot> snapshotOf(const test::MeshPtr &mesh)
     snapshot->mesh = mesh;
     snapshot->settings.lambda = 0.1;
     snapshot->settings.delta = 0.05;
+    static std::uint64_t last = 0;
+    snapshot->token.uv = ++last;
     return snapshot;
 }
 
 //! A worker on its thread, and the results that it gave.
 struct Bench : QObject
 {
-    Bench()
+    explicit Bench(int threads = 1)
     {
-        worker = new SolveWorker;
+        worker = new SolveWorker(threads);
         worker->moveToThread(&thread);
         QObject::connect(&thread, &QThread::finished, worker, &QObject::deleteLater);
         QObject::connect(worker, &SolveWorker::resultReady, this, [this] {
@@ -49,10 +54,10 @@ struct Bench : QObject
     }
 
     //! Until the worker has made the steps, or has come to rest.
-    void runAndWait(quint64 run, std::shared_ptr<const Snapshot> snapshot, int steps)
+    void runAndWait(std::shared_ptr<const Snapshot> snapshot, int steps)
     {
         QSignalSpy waiting(worker, &SolveWorker::waiting);
-        worker->start(run, std::move(snapshot), Vec2::Zero());
+        worker->start(std::move(snapshot), Vec2::Zero());
         worker->runSteps(steps);
         QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, patience);
     }
@@ -80,13 +85,13 @@ private Q_SLOTS:
 
         Bench bench;
         QSignalSpy waiting(bench.worker, &SolveWorker::waiting);
-        bench.worker->start(5, snapshot, Vec2::Zero());
+        bench.worker->start(snapshot, Vec2::Zero());
         bench.worker->runSteps(7);
         QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, patience);
         QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->status.iteration == 7,
                                  patience);
         const SolveResult &last = *bench.results.back();
-        QCOMPARE(last.run, quint64(5));
+        QVERIFY(last.token == snapshot->token);
         const std::vector<double> &x = solver.coordinates();
         QVERIFY(std::equal(x.begin(), x.end(), last.soupUv.data()));
         for (int p = 0; p < snapshot->mesh->cornerPairCount(); ++p)
@@ -96,10 +101,40 @@ private Q_SLOTS:
             QCOMPARE(bench.trace[i].iteration, i + 1);
     }
 
+    void theThreadsDoNotChangeTheMap()
+    {
+        // Large enough for several jobs in every loop of a step.
+        const auto snapshot = snapshotOf(test::torus(60, 40));
+        std::vector<UvMatrix> maps;
+        for (const int threads : {1, 2, 3}) {
+            Bench bench(threads);
+            bench.runAndWait(snapshot, 15);
+            QTRY_COMPARE_WITH_TIMEOUT(bench.results.back()->status.iteration, 15, patience);
+            maps.push_back(bench.results.back()->soupUv);
+        }
+        QVERIFY(maps[1] == maps[0]);
+        QVERIFY(maps[2] == maps[0]);
+    }
+
+    void aStepRunsOnAllThreads()
+    {
+        // Each thread of the process has a folder there.
+        const QDir tasks(QStringLiteral("/proc/self/task"));
+        if (!tasks.exists())
+            QSKIP("The system does not list the threads of a process");
+        const auto threads = [&] { return tasks.entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(); };
+        Bench bench(1);
+        bench.runAndWait(snapshotOf(test::sphere(8, 12)), 1);
+        const auto before = threads();
+        Bench wide(4);
+        wide.runAndWait(snapshotOf(test::sphere(8, 12)), 1);
+        QCOMPARE(threads() - before, 4);
+    }
+
     void theMapBeginsAroundTheCentre()
     {
         Bench bench;
-        bench.worker->start(1, snapshotOf(test::sphere(8, 12)), Vec2(3, 4));
+        bench.worker->start(snapshotOf(test::sphere(8, 12)), Vec2(3, 4));
         QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty(), patience);
         const Eigen::RowVector2d mean = bench.results.back()->soupUv.colwise().mean();
         QVERIFY((mean - Eigen::RowVector2d(3, 4)).norm() < 0.5);
@@ -112,7 +147,7 @@ private Q_SLOTS:
         const auto after = std::make_shared<Snapshot>(*before);
         after->settings.lambda = 0.5;
         Bench bench;
-        bench.worker->start(1, before, Vec2::Zero());
+        bench.worker->start(before, Vec2::Zero());
         bench.worker->run();
         QTRY_VERIFY_WITH_TIMEOUT(!bench.trace.empty(), patience);
         bench.worker->update(after);
@@ -126,7 +161,7 @@ private Q_SLOTS:
     {
         const auto before = snapshotOf(test::sphere(8, 12));
         Bench bench;
-        bench.worker->start(1, before, Vec2::Zero());
+        bench.worker->start(before, Vec2::Zero());
         bench.worker->run();
         QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->status.converged, patience);
         const int iteration = bench.results.back()->status.iteration;
@@ -140,7 +175,7 @@ private Q_SLOTS:
     {
         const auto before = snapshotOf(test::sphere(12, 12));
         Bench bench;
-        bench.worker->start(1, before, Vec2::Zero());
+        bench.worker->start(before, Vec2::Zero());
         bench.worker->runSteps(3);
         QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->status.iteration == 3,
                                  patience);
@@ -158,7 +193,7 @@ private Q_SLOTS:
         const auto before = snapshotOf(test::sphere(100, 100));
         Bench bench;
         QSignalSpy settled(bench.worker, &SolveWorker::pausedMapReady);
-        bench.runAndWait(1, before, 3);
+        bench.runAndWait(before, 3);
         bench.worker->pauseWithMap();
         for (int edit = 0; edit < 5; ++edit) {
             QTest::qWait(10);
@@ -177,7 +212,7 @@ private Q_SLOTS:
         snapshot->settings.delta = 0.005;
         Bench bench;
         QSignalSpy settled(bench.worker, &SolveWorker::pausedMapReady);
-        bench.runAndWait(2, snapshot, 60);
+        bench.runAndWait(snapshot, 60);
         const int steps = bench.results.back()->status.iteration;
         QVERIFY(steps > 20);
         Solver solver;
@@ -190,7 +225,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(settled.count(), 1, patience);
         const auto map = bench.worker->takePausedMap();
         QVERIFY(map);
-        QCOMPARE(map->run, quint64(2));
+        QVERIFY(map->token == snapshot->token);
         const MeshData &mesh = *snapshot->mesh;
         for (int s = 0; s < mesh.soupCornerCount(); ++s) {
             QCOMPARE(map->cornerUv(mesh.cornerOfSoup(s), 0), expected.x[2 * s]);
@@ -203,7 +238,7 @@ private Q_SLOTS:
         Bench bench;
         QSignalSpy waiting(bench.worker, &SolveWorker::waiting);
         bench.worker->setMode(SolveMode::Budget, 4.2);
-        bench.worker->start(1, snapshotOf(test::sphere(10, 12)), Vec2::Zero());
+        bench.worker->start(snapshotOf(test::sphere(10, 12)), Vec2::Zero());
         bench.worker->run();
         QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, patience);
         QTRY_VERIFY_WITH_TIMEOUT(bench.results.back()->status.converged, patience);
@@ -213,25 +248,95 @@ private Q_SLOTS:
         QVERIFY(status.islands < snapshotOf(test::sphere(10, 12))->mesh->triangleCount() / 4);
     }
 
+    //! What was made before an order that makes it void, and not taken yet.
+    void whatIsVoidCannotBeTaken()
+    {
+        QThread thread;
+        SolveWorker worker(1);
+        worker.moveToThread(&thread);
+        QSemaphore rests, settlings, gate;
+        const auto whileItIsBusy = [&](const auto &act) {
+            QMetaObject::invokeMethod(
+                &worker, [&] { gate.acquire(); }, Qt::QueuedConnection);
+            act();
+            gate.release();
+        };
+        connect(
+            &worker, &SolveWorker::waiting, this, [&] { rests.release(); }, Qt::DirectConnection);
+        connect(
+            &worker, &SolveWorker::pausedMapReady, this, [&] { settlings.release(); }, Qt::DirectConnection);
+        const auto first = snapshotOf(test::sphere(12, 12)), second = snapshotOf(first->mesh);
+        thread.start();
+        const auto end = qScopeGuard([&] {
+            worker.pause();
+            thread.quit();
+            thread.wait();
+        });
+        worker.start(first, Vec2::Zero());
+        worker.runSteps(1);
+        QVERIFY(rests.tryAcquire(1, patience));
+        QVERIFY(worker.takeRest());
+        QVERIFY(!worker.takeRest());
+        worker.runSteps(1);
+        QVERIFY(rests.tryAcquire(1, patience));
+        bool atRest = true, hasSettled = true, hasResult = true;
+        whileItIsBusy([&] {
+            worker.runSteps(1);
+            atRest = worker.takeRest();
+        });
+        QVERIFY(!atRest);
+        QVERIFY(rests.tryAcquire(1, patience));
+        worker.settle();
+        QVERIFY(settlings.tryAcquire(1, patience));
+        whileItIsBusy([&] {
+            worker.runSteps(1);
+            hasSettled = worker.takePausedMap().has_value();
+        });
+        QVERIFY(!hasSettled);
+        QVERIFY(rests.tryAcquire(1, patience));
+        whileItIsBusy([&] {
+            worker.start(second, Vec2::Zero());
+            hasResult = worker.takeResult() != nullptr;
+        });
+        QVERIFY(!hasResult);
+    }
+
+    void resultsNameTheStateTheyGoOnFrom()
+    {
+        const auto snapshot = snapshotOf(test::sphere(8, 12));
+        StateToken pushed = snapshot->token;
+        ++pushed.uv;
+        Bench bench;
+        bench.runAndWait(snapshot, 1);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.results.back()->status.iteration == 1, patience);
+        QVERIFY(bench.results.back()->token == snapshot->token);
+        bench.worker->setToken(pushed);
+        bench.worker->runSteps(1);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.results.back()->status.iteration == 2, patience);
+        QVERIFY(bench.results.back()->token == pushed);
+    }
+
     void aMeshWithoutAreaFailsInWords()
     {
         PositionMatrix positions = PositionMatrix::Zero(3, 3);
         Bench bench;
         QSignalSpy failed(bench.worker, &SolveWorker::failed);
-        bench.worker->start(1, snapshotOf(MeshData::build(positions, {0, 3}, {0, 1, 2}, {0})), Vec2::Zero());
+        bench.worker->start(snapshotOf(MeshData::build(positions, {0, 3}, {0, 1, 2}, {0})), Vec2::Zero());
         QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, patience);
         QVERIFY(!failed.first().first().toString().isEmpty());
         // And the next model is solved as if nothing had been.
-        bench.worker->start(2, snapshotOf(test::sphere(8, 12)), Vec2::Zero());
+        const auto next = snapshotOf(test::sphere(8, 12));
+        bench.worker->start(next, Vec2::Zero());
         bench.worker->runSteps(1);
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->run == 2, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->token == next->token,
+                                 patience);
     }
 
     void ordersFromAllSidesLeaveOneStateBehind()
     {
         Bench bench;
-        for (quint64 run = 1; run <= 40; ++run) {
-            bench.worker->start(run, snapshotOf(test::sphere(run % 3 == 0 ? 12 : 8, 12)), Vec2::Zero());
+        for (int run = 1; run <= 40; ++run) {
+            bench.worker->start(snapshotOf(test::sphere(run % 3 == 0 ? 12 : 8, 12)), Vec2::Zero());
             bench.worker->run();
             if (run % 2)
                 bench.worker->pauseWithMap();
@@ -240,9 +345,10 @@ private Q_SLOTS:
             bench.worker->pause();
         }
         bench.worker->setMode(SolveMode::Manual, 4.1);
-        bench.worker->start(99, snapshotOf(test::sphere(8, 12)), Vec2::Zero());
+        const auto last = snapshotOf(test::sphere(8, 12));
+        bench.worker->start(last, Vec2::Zero());
         bench.worker->runSteps(2);
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->run == 99 &&
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->token == last->token &&
                                      bench.results.back()->status.iteration == 2,
                                  patience);
     }

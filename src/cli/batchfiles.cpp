@@ -127,7 +127,8 @@ Result<Snapshot> BatchFiles::snapshot(const Scene &scene, const SolveSettings &s
     snapshot.mesh = scene.mesh;
     snapshot.settings = settings;
     if (settings.start == StartMode::ExistingUv)
-        snapshot.startUv = startUvFromCorners(*scene.mesh, scene.uvSets.front().uv);
+        snapshot.startUv =
+            std::make_shared<const UvMatrix>(startUvFromCorners(*scene.mesh, scene.uvSets.front().uv));
     return snapshot;
 }
 

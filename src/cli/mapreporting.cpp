@@ -5,7 +5,7 @@
 #include "model/io/uvexport.h"
 #include "model/plain/chart.h"
 #include "model/plain/uvlayout.h"
-#include "solver/metrics/flippedtriangles.h"
+#include "model/plain/flippedtriangles.h"
 #include "solver/overlap/overlapfinder.h"
 
 #include <algorithm>
@@ -117,7 +117,7 @@ QStringList mapProblems(const Scene &scene, const MapReport &report)
         // problem is what textures are drawn with.
         const UvMatrix &uv = scene.uvSets.front().uv;
         const std::vector<bool> flipped =
-            metrics::flippedTriangles(mesh, soupUv(mesh, uv), findCharts(mesh, uv).faceChart);
+            flippedTriangles(mesh, soupUv(mesh, uv), findCharts(mesh, uv).faceChart);
         if (const auto n = std::count(flipped.begin(), flipped.end(), true))
             problems << counted(n, "triangle is flipped", "triangles are flipped");
     }

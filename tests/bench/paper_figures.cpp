@@ -220,7 +220,8 @@ void Gallery::fourStarts()
         Snapshot snapshot = snapshotOf(model);
         snapshot.settings.start = start;
         if (start == StartMode::ExistingUv)
-            snapshot.startUv = startUvFromCorners(*model.mesh, projected(*model.mesh));
+            snapshot.startUv =
+                std::make_shared<const UvMatrix>(startUvFromCorners(*model.mesh, projected(*model.mesh)));
         solver.load(snapshot);
         annealSoup(solver, {.lambda = 0.05, .stepsPerLevel = 5 * slowSteps}, nullptr);
         Figures f;
@@ -265,8 +266,9 @@ void Gallery::propagatedCut()
     panels[0].caption = captionOf(QStringLiteral("before"), before);
     const std::size_t edge = strainedEdge(solver, panels[0]);
     Snapshot snapshot = solver.snapshot();
-    snapshot.pairState.assign(model.mesh->cornerPairCount(), PairState::Free);
-    snapshot.pairState[2 * edge] = snapshot.pairState[2 * edge + 1] = PairState::Cut;
+    Steering &steering = snapshot.editSteering();
+    steering.pairState.assign(model.mesh->cornerPairCount(), PairState::Free);
+    steering.pairState[2 * edge] = steering.pairState[2 * edge + 1] = PairState::Cut;
     snapshot.settings.delta = warmDelta;
     solver.update(snapshot);
     for (int i = 0; i < slowSteps; ++i)

@@ -243,30 +243,32 @@ std::vector<EditResult> measureEdits(const WarmState &state, int threads)
                     state.x[2 * static_cast<std::size_t>(corner) + 1]);
     };
     const auto setStates = [&](Snapshot &s, PairState pairState) {
-        s.pairState.assign(mesh.cornerPairCount(), PairState::Free);
+        Steering &steering = s.editSteering();
+        steering.pairState.assign(mesh.cornerPairCount(), PairState::Free);
         for (const int p : pairs)
-            s.pairState[p] = pairState;
+            steering.pairState[p] = pairState;
     };
     const std::vector<std::pair<std::string, std::function<void(Snapshot &)>>> edits{
         {"cut", [&](Snapshot &s) { setStates(s, PairState::Cut); }},
         {"join", [&](Snapshot &s) { setStates(s, PairState::Joined); }},
         {"paint",
          [&](Snapshot &s) {
-             s.pairWeight.assign(mesh.cornerPairCount(), 1.0);
+             Steering &steering = s.editSteering();
+             steering.pairWeight.assign(mesh.cornerPairCount(), 1.0);
              for (const int p : pairs)
-                 s.pairWeight[p] = 3;
+                 steering.pairWeight[p] = 3;
          }},
         {"soft pin",
          [&](Snapshot &s) {
-             s.pins.push_back({corners[0], at(corners[0]) + Vec2(0.1, 0), false, 10});
+             s.editSteering().pins.push_back({corners[0], at(corners[0]) + Vec2(0.1, 0), false, 10});
          }},
         {"hard pin",
          [&](Snapshot &s) {
-             s.pins.push_back({corners[0], at(corners[0]), true, 1});
+             s.editSteering().pins.push_back({corners[0], at(corners[0]), true, 1});
          }},
         {"box",
          [&](Snapshot &s) {
-             s.rectangles.push_back(
+             s.editSteering().rectangles.push_back(
                  {at(corners[0]) - Vec2(0.1, 0.1), at(corners[0]) + Vec2(0.1, 0.1), corners, false, 1});
          }},
     };

@@ -3,13 +3,32 @@
 #include "model/plain/uvlayout.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 
 namespace autocuts {
 
+namespace {
+
+std::uint64_t newRevision()
+{
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
+
+//! False for what only the user sees.
+bool steers(const RectangleEvent &event)
+{
+    return (event.properties & ~(RectangleEvent::Name | RectangleEvent::Color)) != 0;
+}
+
+} // namespace
+
 Document::Document(Scene scene) : Document(FromState(), DocumentState::initial(std::move(scene))) {}
 
-Document::Document(FromState, DocumentState state) : mState(std::move(state)) {}
+Document::Document(FromState, DocumentState state)
+    : mState(std::move(state)), mToken{newRevision(), newRevision(), newRevision()}
+{}
 
 Document::~Document() = default;
 
@@ -18,6 +37,32 @@ Result<std::unique_ptr<Document>> Document::create(DocumentState state)
     if (const QString problem = state.validate(); !problem.isEmpty())
         return Error{problem, state.scene.path, 0, {}};
     return std::unique_ptr<Document>(new Document(FromState(), std::move(state)));
+}
+
+void Document::announce(const ChangeEvent &event)
+{
+    switch (event.type) {
+    case ChangeEvent::Type::UvSet:
+        mToken.topology = newRevision();
+        break;
+    case ChangeEvent::Type::Uv:
+        mToken.uv = newRevision();
+        break;
+    case ChangeEvent::Type::Rectangle:
+        if (!steers(static_cast<const RectangleEvent &>(event)))
+            break;
+        [[fallthrough]];
+    case ChangeEvent::Type::Seam:
+    case ChangeEvent::Type::Pin:
+    case ChangeEvent::Type::SolveSettings:
+        mToken.steering = newRevision();
+        break;
+    case ChangeEvent::Type::IslandFlag:
+    case ChangeEvent::Type::Tag:
+    case ChangeEvent::Type::PackingSettings:
+        break;
+    }
+    Q_EMIT changed(event);
 }
 
 const Islands &Document::islands() const
@@ -67,7 +112,7 @@ void Document::setUvs(int uvSet, const IndexRanges &corners, const UvMatrix &val
         return;
     if (uvSet == mState.activeUvSet)
         mIslands.reset();
-    Q_EMIT changed(UvEvent(uvSet, UvEvent::Values, std::move(changedCorners)));
+    announce(UvEvent(uvSet, UvEvent::Values, std::move(changedCorners)));
 }
 
 void Document::setUvScale(int uvSet, double scale)
@@ -75,8 +120,7 @@ void Document::setUvScale(int uvSet, double scale)
     if (mState.uvScales[uvSet] == scale)
         return;
     mState.uvScales[uvSet] = scale;
-    ++mSettingsRevision;
-    Q_EMIT changed(UvEvent(uvSet, UvEvent::Scale, {}));
+    announce(UvEvent(uvSet, UvEvent::Scale, {}));
 }
 
 void Document::insertUvSet(int index, UvSet set, double scale)
@@ -85,7 +129,7 @@ void Document::insertUvSet(int index, UvSet set, double scale)
     mState.uvScales.insert(mState.uvScales.begin() + index, scale);
     if (index <= mState.activeUvSet)
         ++mState.activeUvSet;
-    Q_EMIT changed(UvSetEvent(UvSetEvent::Change::Added, index));
+    announce(UvSetEvent(UvSetEvent::Change::Added, index));
 }
 
 void Document::removeUvSet(int index)
@@ -95,13 +139,11 @@ void Document::removeUvSet(int index)
     const bool wasActive = index == mState.activeUvSet;
     if (index < mState.activeUvSet || mState.activeUvSet == static_cast<int>(uvSets().size()))
         --mState.activeUvSet;
-    if (wasActive) {
-        mIslands.reset();
-        ++mTopologyRevision;
-    }
-    Q_EMIT changed(UvSetEvent(UvSetEvent::Change::Removed, index));
     if (wasActive)
-        Q_EMIT changed(UvSetEvent(UvSetEvent::Change::Activated, mState.activeUvSet));
+        mIslands.reset();
+    announce(UvSetEvent(UvSetEvent::Change::Removed, index));
+    if (wasActive)
+        announce(UvSetEvent(UvSetEvent::Change::Activated, mState.activeUvSet));
 }
 
 void Document::renameUvSet(int index, const QString &name)
@@ -109,7 +151,7 @@ void Document::renameUvSet(int index, const QString &name)
     if (uvSets()[index].name == name)
         return;
     mState.scene.uvSets[index].name = name;
-    Q_EMIT changed(UvSetEvent(UvSetEvent::Change::Renamed, index));
+    announce(UvSetEvent(UvSetEvent::Change::Renamed, index));
 }
 
 void Document::setActiveUvSet(int index)
@@ -118,8 +160,7 @@ void Document::setActiveUvSet(int index)
         return;
     mState.activeUvSet = index;
     mIslands.reset();
-    ++mTopologyRevision;
-    Q_EMIT changed(UvSetEvent(UvSetEvent::Change::Activated, index));
+    announce(UvSetEvent(UvSetEvent::Change::Activated, index));
 }
 
 } // namespace autocuts

@@ -4,6 +4,7 @@
 #include "model/document/changeevent.h"
 #include "model/document/documentstate.h"
 #include "model/document/result.h"
+#include "model/plain/statetoken.h"
 #include "model/document/undostack.h"
 #include "model/plain/meshadjacency.h"
 
@@ -52,10 +53,8 @@ public:
     //! Neighbours on the mesh; built on first use.
     const MeshAdjacency &adjacency() const;
 
-    //! Counts changes of the mesh's seam states and of the active UV set; never goes back, not even by undo.
-    std::uint64_t topologyRevision() const { return mTopologyRevision; }
-    //! Counts changes of everything else that a solve depends on, UV values excepted.
-    std::uint64_t settingsRevision() const { return mSettingsRevision; }
+    //! Of the present state. Every change gives it another one, undo too.
+    const StateToken &token() const { return mToken; }
 
     UndoStack &undoStack() { return mUndoStack; }
     const UndoStack &undoStack() const { return mUndoStack; }
@@ -99,11 +98,12 @@ private:
     void removeUvSet(int index);
     void renameUvSet(int index, const QString &name);
     void setActiveUvSet(int index);
+    //! Renews the token and emits changed().
+    void announce(const ChangeEvent &event);
 
     DocumentState mState;
     UndoStack mUndoStack;
-    std::uint64_t mTopologyRevision = 1;
-    std::uint64_t mSettingsRevision = 1;
+    StateToken mToken;
     mutable std::unique_ptr<const Islands> mIslands;
     mutable std::unique_ptr<const MeshAdjacency> mAdjacency;
 };

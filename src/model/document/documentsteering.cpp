@@ -38,8 +38,7 @@ void Document::setSeamStates(const IndexRanges &cornerPairs, std::span<const Pai
     IndexRanges changedPairs = assign(mState.seams.states, cornerPairs, values);
     if (changedPairs.isEmpty())
         return;
-    ++mTopologyRevision;
-    Q_EMIT changed(SeamEvent(SeamEvent::State, std::move(changedPairs)));
+    announce(SeamEvent(SeamEvent::State, std::move(changedPairs)));
 }
 
 void Document::setSeamWeights(const IndexRanges &cornerPairs, std::span<const double> values)
@@ -47,8 +46,7 @@ void Document::setSeamWeights(const IndexRanges &cornerPairs, std::span<const do
     IndexRanges changedPairs = assign(mState.seams.weights, cornerPairs, values);
     if (changedPairs.isEmpty())
         return;
-    ++mSettingsRevision;
-    Q_EMIT changed(SeamEvent(SeamEvent::Weight, std::move(changedPairs)));
+    announce(SeamEvent(SeamEvent::Weight, std::move(changedPairs)));
 }
 
 void Document::setPin(int corner, const std::optional<UvPin> &pin)
@@ -68,10 +66,9 @@ void Document::setPin(int corner, const std::optional<UvPin> &pin)
     } else {
         return;
     }
-    ++mSettingsRevision;
     IndexRanges corners;
     corners.append(corner);
-    Q_EMIT changed(PinEvent(std::move(corners)));
+    announce(PinEvent(std::move(corners)));
 }
 
 void Document::setRectangle(int id, const std::optional<LayoutRectangle> &rectangle)
@@ -93,9 +90,7 @@ void Document::setRectangle(int id, const std::optional<LayoutRectangle> &rectan
     }
     if (properties == 0)
         return;
-    if ((properties & ~(RectangleEvent::Name | RectangleEvent::Color)) != 0)
-        ++mSettingsRevision;
-    Q_EMIT changed(RectangleEvent(id, properties));
+    announce(RectangleEvent(id, properties));
 }
 
 void Document::setFaceFlags(const IndexRanges &faces, std::span<const IslandFlags> values)
@@ -111,7 +106,7 @@ void Document::setFaceFlags(const IndexRanges &faces, std::span<const IslandFlag
     });
     IndexRanges changedFaces = assign(mState.marks.faceFlags, faces, values);
     if (!changedFaces.isEmpty())
-        Q_EMIT changed(IslandFlagEvent(properties, std::move(changedFaces)));
+        announce(IslandFlagEvent(properties, std::move(changedFaces)));
 }
 
 void Document::setTag(const QString &name, const QList<int> &faces)
@@ -128,7 +123,7 @@ void Document::setTag(const QString &name, const QList<int> &faces)
         tags.erase(it);
     else
         it->faces = faces;
-    Q_EMIT changed(TagEvent(name));
+    announce(TagEvent(name));
 }
 
 void Document::setSolveSettings(const SolveSettings &settings)
@@ -137,8 +132,7 @@ void Document::setSolveSettings(const SolveSettings &settings)
     if (properties == 0)
         return;
     mState.solveSettings = settings;
-    ++mSettingsRevision;
-    Q_EMIT changed(SolveSettingsEvent(properties));
+    announce(SolveSettingsEvent(properties));
 }
 
 void Document::setPackingSettings(const PackingSettings &settings)
@@ -147,7 +141,7 @@ void Document::setPackingSettings(const PackingSettings &settings)
     if (properties == 0)
         return;
     mState.packingSettings = settings;
-    Q_EMIT changed(PackingSettingsEvent(properties));
+    announce(PackingSettingsEvent(properties));
 }
 
 } // namespace autocuts

@@ -16,14 +16,14 @@ std::vector<std::vector<int>> soupCornersByCorner(const MeshData &mesh)
     return result;
 }
 
-void addConstraints(Snapshot &snapshot, const Document &document)
+void addConstraints(Steering &steering, const Document &document)
 {
     const MeshData &mesh = document.mesh();
     const double toSolver = 1 / document.uvScale();
     const auto soupCorners = soupCornersByCorner(mesh);
     for (const UvPin &pin : document.constraints().pins) {
         for (int s : soupCorners[pin.corner])
-            snapshot.pins.push_back({s, toSolver * pin.position, pin.hard, pin.weight});
+            steering.pins.push_back({s, toSolver * pin.position, pin.hard, pin.weight});
     }
     for (const LayoutRectangle &rectangle : document.constraints().rectangles) {
         UvRectangle box;
@@ -36,7 +36,7 @@ void addConstraints(Snapshot &snapshot, const Document &document)
                 box.soupCorners.insert(box.soupCorners.end(), soupCorners[c].begin(), soupCorners[c].end());
         }
         if (!box.soupCorners.empty())
-            snapshot.rectangles.push_back(std::move(box));
+            steering.rectangles.push_back(std::move(box));
     }
 }
 
@@ -59,14 +59,14 @@ Snapshot makeSnapshot(const Document &document, std::optional<StartMode> start)
     snapshot.mesh = state.scene.mesh;
     snapshot.settings = state.solveSettings;
     snapshot.settings.start = start.value_or(snapshot.settings.start);
-    snapshot.pairState = state.seams.states;
-    snapshot.pairWeight = state.seams.weights;
-    snapshot.topologyRevision = document.topologyRevision();
-    snapshot.settingsRevision = document.settingsRevision();
-    addConstraints(snapshot, document);
-    if (snapshot.settings.start == StartMode::ExistingUv && hasUvs(document)) {
-        snapshot.startUv = soupUv(*snapshot.mesh, document.uv()) / document.uvScale();
-    }
+    Steering &steering = snapshot.editSteering();
+    steering.pairState = state.seams.states;
+    steering.pairWeight = state.seams.weights;
+    addConstraints(steering, document);
+    snapshot.token = document.token();
+    if (snapshot.settings.start == StartMode::ExistingUv && hasUvs(document))
+        snapshot.startUv =
+            std::make_shared<const UvMatrix>(soupUv(*snapshot.mesh, document.uv()) / document.uvScale());
     return snapshot;
 }
 

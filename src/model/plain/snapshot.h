@@ -1,6 +1,7 @@
 // What the solver gets to see: a const copy of the steering beside the shared mesh. Plain: no Qt.
 #pragma once
 
+#include "model/plain/statetoken.h"
 #include "model/plain/meshdata.h"
 #include "model/plain/solvesettings.h"
 #include "model/plain/types.h"
@@ -35,32 +36,46 @@ struct UvRectangle
     bool operator==(const UvRectangle &) const = default;
 };
 
-//! Everything a solve depends on. Const once built. Units: the solver scales the mesh so that its area is pi;
-//! pins, rectangles and start UVs are in those units.
-struct Snapshot
+//! What the user asked of single edges, corners and islands. Units as Snapshot.
+struct Steering
 {
-    std::shared_ptr<const MeshData> mesh;
-    SolveSettings settings;
     std::vector<PairState> pairState; //!< per corner pair; empty: all free
     std::vector<double> pairWeight;   //!< per corner pair, painted factor >= 0; empty: all 1
     std::vector<Pin> pins;
     std::vector<UvRectangle> rectangles;
-    UvMatrix startUv;                   //!< per soup corner, for StartMode::ExistingUv; else empty
-    std::uint64_t topologyRevision = 0; //!< changes with the mesh and with what is cut
-    std::uint64_t settingsRevision = 0; //!< changes with everything else
+};
 
+//! Everything a solve depends on. Const once built. Units: the solver scales the mesh so that its area is pi;
+//! pins, rectangles and start UVs are in those units. Copies share everything but the settings.
+struct Snapshot
+{
+    std::shared_ptr<const MeshData> mesh;
+    SolveSettings settings;
+    std::shared_ptr<const Steering> steering = std::make_shared<const Steering>(); //!< never null
+    std::shared_ptr<const UvMatrix> startUv; //!< per soup corner, for StartMode::ExistingUv; else null
+    StateToken token; //!< of the document's state; the default when there is no document
+
+    //! Gives this snapshot a steering of its own to be changed, a copy of the one that it had.
+    Steering &editSteering()
+    {
+        const auto own = std::make_shared<Steering>(*steering);
+        steering = own;
+        return *own;
+    }
     //! True when pins or rectangles say where islands lie and how large they are.
-    bool placesIslands() const { return !pins.empty() || !rectangles.empty(); }
+    bool placesIslands() const { return !steering->pins.empty() || !steering->rectangles.empty(); }
     //! True when the user joined a side of the edge.
     bool isJoined(std::size_t edge) const
     {
-        return !pairState.empty() &&
-               (pairState[2 * edge] == PairState::Joined || pairState[2 * edge + 1] == PairState::Joined);
+        const std::vector<PairState> &state = steering->pairState;
+        return !state.empty() &&
+               (state[2 * edge] == PairState::Joined || state[2 * edge + 1] == PairState::Joined);
     }
     //! Factor on the cost of a seam along an edge: the mean of its corner pairs' weights.
     double edgeWeight(std::size_t edge) const
     {
-        return pairWeight.empty() ? 1 : 0.5 * (pairWeight[2 * edge] + pairWeight[2 * edge + 1]);
+        const std::vector<double> &weight = steering->pairWeight;
+        return weight.empty() ? 1 : 0.5 * (weight[2 * edge] + weight[2 * edge + 1]);
     }
 };
 

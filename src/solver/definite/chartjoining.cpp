@@ -135,8 +135,9 @@ private:
 
     bool cutByUser(std::size_t edge) const
     {
-        return !mSnapshot.pairState.empty() && (mSnapshot.pairState[2 * edge] == PairState::Cut ||
-                                                mSnapshot.pairState[2 * edge + 1] == PairState::Cut);
+        return !mSnapshot.steering->pairState.empty() &&
+               (mSnapshot.steering->pairState[2 * edge] == PairState::Cut ||
+                mSnapshot.steering->pairState[2 * edge + 1] == PairState::Cut);
     }
 
     Vec2 place(int corner) const { return cornerAt(mMap.x, corner); }

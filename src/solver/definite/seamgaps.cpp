@@ -50,7 +50,7 @@ void openSeams(const Soup &soup, const Snapshot &snapshot, SeamedMap &map)
     for (int t = 0; t < mesh.triangleCount(); ++t)
         importance[charts.chart[t]] += soup.weight[t];
     const double all = std::accumulate(importance.begin(), importance.end(), 0.0);
-    for (const Pin &pin : snapshot.pins)
+    for (const Pin &pin : snapshot.steering->pins)
         importance[charts.chart[pin.soupCorner / 3]] += all;
     std::vector<int> order(charts.chartCount);
     std::iota(order.begin(), order.end(), 0);

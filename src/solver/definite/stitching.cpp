@@ -61,7 +61,7 @@ std::vector<int> badTriangles(const Soup &soup, const std::vector<double> &x)
 
 bool isCut(const Snapshot &snapshot, std::size_t pair)
 {
-    return !snapshot.pairState.empty() && snapshot.pairState[pair] == PairState::Cut;
+    return !snapshot.steering->pairState.empty() && snapshot.steering->pairState[pair] == PairState::Cut;
 }
 
 //! Terms that hold in every stage: distortion, soft and hard pins (as stiff springs), rectangles.
@@ -73,7 +73,8 @@ struct ShapeTerms
 
     ShapeTerms(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot)
         : distortion(energy::makeDistortionTerm(soup, snapshot.settings.energy)),
-          pins(stiffened(snapshot.pins)), boxes(snapshot.rectangles, snapshot.settings.boxWeight)
+          pins(stiffened(snapshot.steering->pins)),
+          boxes(snapshot.steering->rectangles, snapshot.settings.boxWeight)
     {}
 
     std::vector<const energy::EnergyTerm *> all() const { return {distortion.get(), &pins, &boxes}; }

@@ -101,12 +101,12 @@ std::vector<double> pairWeights(const Soup &soup, const Snapshot &snapshot)
             weights[p] = w * diagonalWeight;
             continue;
         }
-        if (!snapshot.pairWeight.empty())
-            w *= snapshot.pairWeight[p];
-        if (!snapshot.pairState.empty()) {
-            if (snapshot.pairState[p] == PairState::Cut)
+        if (!snapshot.steering->pairWeight.empty())
+            w *= snapshot.steering->pairWeight[p];
+        if (!snapshot.steering->pairState.empty()) {
+            if (snapshot.steering->pairState[p] == PairState::Cut)
                 w = 0;
-            else if (snapshot.pairState[p] == PairState::Joined)
+            else if (snapshot.steering->pairState[p] == PairState::Joined)
                 w *= joinedWeight;
         }
         weights[p] = w;

@@ -77,9 +77,9 @@ std::vector<double> initialUv(const Soup &soup, const Snapshot &snapshot)
         repairTriangles(soup, x);
         break;
     case StartMode::ExistingUv:
-        if (snapshot.startUv.rows() == soup.mesh->soupCornerCount()) {
+        if (snapshot.startUv && snapshot.startUv->rows() == soup.mesh->soupCornerCount()) {
             for (int c = 0; c < soup.mesh->soupCornerCount(); ++c)
-                cornerAt(x, c) = snapshot.startUv.row(c).transpose();
+                cornerAt(x, c) = snapshot.startUv->row(c).transpose();
         }
         repairTriangles(soup, x);
         break;

@@ -13,6 +13,9 @@ constexpr int stepsPerLevel = 40;
 constexpr double usedEnough = 0.85;
 constexpr int fewestRounds = 2;
 constexpr int mostRounds = 8;
+//! Rounds that may follow when the last of those did not keep the bound, and what lambda is multiplied by.
+constexpr int mostRetries = 12;
+constexpr double retryFactor = 0.6;
 
 } // namespace
 
@@ -31,6 +34,7 @@ void LiveSchedule::resume(double lambda, double delta)
 {
     mBudget = DistortionBudget(mBound, lambda);
     mRound = mStep = 0;
+    mKeptLambda = mKeptDistortion = 0;
     mLevel = 0;
     while (mLevel + 1 < mLevels.size() && mLevels[mLevel] > delta)
         ++mLevel;
@@ -39,6 +43,7 @@ void LiveSchedule::resume(double lambda, double delta)
 void LiveSchedule::reheat()
 {
     mRound = 1;
+    mKeptLambda = mKeptDistortion = 0;
     mLevel = 0;
     mStep = 0;
 }
@@ -52,14 +57,31 @@ bool LiveSchedule::report(const StepResult &step)
     mStep = 0;
     if (++mLevel < levels().size())
         return true;
-    const bool met = step.distortion <= mBound && step.distortion - 4 >= usedEnough * (mBound - 4);
-    mBudget.report(step.distortion);
     ++mRound;
-    if (mRound >= mostRounds || (met && mRound >= fewestRounds)) {
-        mLevel = levels().size() - 1; // stays cold
-        return false;
+    if (chooseLambda(step.distortion)) {
+        mLevel = 0;
+        return true;
     }
-    mLevel = 0;
+    mLevel = levels().size() - 1; // stays cold
+    return false;
+}
+
+//! For the next round. \returns false when the one that ended with this distortion was the last
+bool LiveSchedule::chooseLambda(double distortion)
+{
+    const double lambda = mBudget.lambda();
+    const bool kept = distortion <= mBound;
+    if (kept && distortion > mKeptDistortion) {
+        mKeptLambda = lambda;
+        mKeptDistortion = distortion;
+    }
+    mBudget.report(distortion);
+    if (mRound < mostRounds)
+        return mRound < fewestRounds || !kept || distortion - 4 < usedEnough * (mBound - 4);
+    if (mRound == mostRounds + mostRetries || (kept && (mRound > mostRounds || lambda == mKeptLambda)))
+        return false;
+    const bool bestAgain = mRound == mostRounds && mKeptLambda > 0;
+    mBudget = DistortionBudget(mBound, bestAgain ? mKeptLambda : retryFactor * lambda);
     return true;
 }
 

@@ -14,7 +14,9 @@ namespace autocuts::homotopy {
 enum class SolveMode { Manual, Budget };
 
 //! The automatic schedule (paper, Algorithm 1) one step at a time: delta goes down level by level; then,
-//! warmed up again, with the lambda that brings the distortion nearer to the bound, until it is there.
+//! warmed up again, with the lambda that brings the distortion nearer to the bound, until it is there. If the
+//! search for that lambda does not end, the lambda of the best round that kept the bound has another round.
+//! If that one does not keep it, or none did, lambda is lowered round by round until one does.
 class LiveSchedule
 {
 public:
@@ -31,6 +33,7 @@ public:
     bool report(const StepResult &step);
 
 private:
+    bool chooseLambda(double distortion);
     const std::vector<double> &levels() const { return mRound == 0 ? mLevels : mReheatLevels; }
 
     DistortionBudget mBudget;
@@ -39,6 +42,7 @@ private:
     std::size_t mLevel = 0;
     int mStep = 0, mRound = 0;
     double mEnergy = 0;
+    double mKeptLambda = 0, mKeptDistortion = 0; //!< of the best round that kept the bound; 0: none did
 };
 
 //! Takes the steps that are left of a run that was paused at the lambda and delta of the solver.

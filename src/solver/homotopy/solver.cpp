@@ -35,12 +35,20 @@ std::unique_ptr<newton::NewtonDirection> makeDirection(const std::shared_ptr<con
     return newton::makeHubDirection(soup, std::move(held), team);
 }
 
-std::vector<Pin> hardPinsOf(const Snapshot &snapshot)
+std::vector<Pin> pinsOf(const Steering &steering, bool hard)
 {
-    std::vector<Pin> hard;
-    std::copy_if(snapshot.pins.begin(), snapshot.pins.end(), std::back_inserter(hard),
-                 [](const Pin &pin) { return pin.hard; });
-    return hard;
+    std::vector<Pin> pins;
+    std::copy_if(steering.pins.begin(), steering.pins.end(), std::back_inserter(pins),
+                 [hard](const Pin &pin) { return pin.hard == hard; });
+    return pins;
+}
+
+//! True when they differ in lambda and delta at most.
+bool sameButBalance(SolveSettings a, const SolveSettings &b)
+{
+    a.lambda = b.lambda;
+    a.delta = b.delta;
+    return a == b;
 }
 
 bool sameCorners(const std::vector<Pin> &a, const std::vector<Pin> &b)
@@ -62,7 +70,7 @@ void Solver::load(const Snapshot &snapshot)
     mIteration = 0;
     if (!mTeam)
         mTeam = std::make_unique<ThreadTeam>();
-    mHardPins = hardPinsOf(snapshot);
+    mHardPins = pinsOf(*snapshot.steering, true);
     mMinimizer = std::make_unique<newton::Minimizer>(
         mSoup, makeDirection(mSoup, snapshot.settings.solver, mHardPins, mTeam.get()), mTeam.get());
     rebuildTerms();
@@ -72,7 +80,13 @@ void Solver::update(const Snapshot &snapshot)
 {
     if (!mSoup || snapshot.mesh != mSoup->mesh)
         throw std::invalid_argument("Solver::update: another mesh than the one loaded");
-    std::vector<Pin> hard = hardPinsOf(snapshot);
+    if (snapshot.steering == mSnapshot.steering && sameButBalance(snapshot.settings, mSnapshot.settings)) {
+        mSnapshot = snapshot;
+        setBalance();
+        mMinimizer->invalidate();
+        return;
+    }
+    std::vector<Pin> hard = pinsOf(*snapshot.steering, true);
     const bool newUnknowns =
         snapshot.settings.solver != mSnapshot.settings.solver || !sameCorners(hard, mHardPins);
     mSnapshot = snapshot;
@@ -87,22 +101,25 @@ void Solver::rebuildTerms()
 {
     const SolveSettings &settings = mSnapshot.settings;
     mDistortion = energy::makeDistortionTerm(mSoup, settings.energy, mTeam.get());
-    mDistortion->setFactor(1 - settings.lambda);
     mSeparation = std::make_unique<energy::SeparationTerm>(mSoup, mTeam.get());
-    mSeparation->setFactor(settings.lambda);
-    mSeparation->setDelta(settings.delta);
     mSeparation->setWeights(energy::pairWeights(*mSoup, mSnapshot));
-    std::vector<Pin> soft;
-    std::copy_if(mSnapshot.pins.begin(), mSnapshot.pins.end(), std::back_inserter(soft),
-                 [](const Pin &pin) { return !pin.hard; });
-    mPins = std::make_unique<energy::PinTerm>(std::move(soft));
-    mBoxes = std::make_unique<energy::BoxTerm>(mSnapshot.rectangles, settings.boxWeight);
+    setBalance();
+    const Steering &steering = *mSnapshot.steering;
+    mPins = std::make_unique<energy::PinTerm>(pinsOf(steering, false));
+    mBoxes = std::make_unique<energy::BoxTerm>(steering.rectangles, settings.boxWeight);
     std::vector<const energy::EnergyTerm *> terms{mDistortion.get(), mSeparation.get()};
-    if (!mSnapshot.pins.empty())
+    if (!steering.pins.empty())
         terms.push_back(mPins.get());
-    if (!mSnapshot.rectangles.empty())
+    if (!steering.rectangles.empty())
         terms.push_back(mBoxes.get());
     mMinimizer->setTerms(std::move(terms));
+}
+
+void Solver::setBalance()
+{
+    mDistortion->setFactor(1 - mSnapshot.settings.lambda);
+    mSeparation->setFactor(mSnapshot.settings.lambda);
+    mSeparation->setDelta(mSnapshot.settings.delta);
 }
 
 //! Moves each hard-pinned corner towards its target as far as its own triangle allows.

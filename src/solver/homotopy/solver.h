@@ -51,6 +51,7 @@ public:
 
 private:
     void rebuildTerms();
+    void setBalance();
     void pullHardPins();
     template <class Term>
     double unweighted(Term &term) const;

@@ -26,7 +26,8 @@ double secondsBetween(Clock::time_point from, Clock::time_point to)
 
 } // namespace
 
-SolveWorker::SolveWorker() = default;
+SolveWorker::SolveWorker(int threads) : mThreads(threads) {}
+
 SolveWorker::~SolveWorker() = default;
 
 template <class Change>
@@ -40,16 +41,20 @@ void SolveWorker::order(Change &&change)
     QMetaObject::invokeMethod(this, &SolveWorker::work, Qt::QueuedConnection);
 }
 
-void SolveWorker::start(quint64 run, std::shared_ptr<const Snapshot> snapshot, const Vec2 &centre, bool warm)
+void SolveWorker::start(std::shared_ptr<const Snapshot> snapshot, const Vec2 &centre, bool warm)
 {
     order([&](Orders &orders) {
-        orders.run = run;
+        orders.start = true;
         orders.snapshot = std::move(snapshot);
+        orders.token.reset();
         orders.pulled = false;
         orders.warm = warm;
         orders.back.reset();
         orders.centre = centre;
         orders.makeMap = false;
+        mWaitingResult.reset();
+        mPausedMap.reset();
+        mAtRest = false;
     });
 }
 
@@ -58,6 +63,7 @@ void SolveWorker::update(std::shared_ptr<const Snapshot> snapshot, bool pulled,
 {
     order([&](Orders &orders) {
         orders.snapshot = std::move(snapshot);
+        orders.token.reset();
         orders.pulled = pulled;
         if (back)
             orders.back = std::move(back);
@@ -72,15 +78,19 @@ void SolveWorker::setMode(homotopy::SolveMode mode, double maxDistortion)
     });
 }
 
-quint64 SolveWorker::runSteps(int count)
+void SolveWorker::setToken(const StateToken &token)
 {
-    quint64 ticket = 0;
+    order([&](Orders &orders) { orders.token = token; });
+}
+
+void SolveWorker::runSteps(int count)
+{
     order([&](Orders &orders) {
         orders.steps = count;
         orders.makeMap = false;
-        ticket = orders.ticket = ++mLastTicket;
+        mPausedMap.reset();
+        mAtRest = false;
     });
-    return ticket;
 }
 
 void SolveWorker::pause()
@@ -93,9 +103,10 @@ void SolveWorker::pause()
 
 void SolveWorker::pauseWithMap()
 {
-    order([](Orders &orders) {
+    order([this](Orders &orders) {
         orders.steps = 0;
         orders.makeMap = true;
+        mPausedMap.reset();
     });
 }
 
@@ -109,6 +120,12 @@ std::optional<PausedMap> SolveWorker::takePausedMap()
 {
     const std::lock_guard lock(mMutex);
     return std::exchange(mPausedMap, std::nullopt);
+}
+
+bool SolveWorker::takeRest()
+{
+    const std::lock_guard lock(mMutex);
+    return std::exchange(mAtRest, false);
 }
 
 //! Runs until there is nothing to do; then the thread's event loop waits for the next order.
@@ -142,22 +159,26 @@ void SolveWorker::obey(Orders orders)
         mMaxDistortion = orders.maxDistortion;
         mSchedule.reset();
     }
-    if (orders.run != 0) {
+    if (orders.start) {
         begin(orders);
     } else if (orders.snapshot && mSolver) {
-        mSnapshot = std::make_shared<const Snapshot>(mPreference.applied(*orders.snapshot));
+        mSnapshot = std::make_shared<const Snapshot>(mPreference.applied(*orders.snapshot, mThreads));
+        mToken = mSnapshot->token;
         mPulled = orders.pulled;
         if (mSchedule && !mPulled)
             mSchedule->reheat();
         updateSolver(true);
         if (mIdle && !orders.steps) {
             orders.steps = -1; // there is something to do again
-            orders.ticket = mTicket;
+            const std::lock_guard lock(mMutex);
+            mAtRest = false;
         }
     } else if (orders.mode && mSolver) {
         updateSolver(false);
     }
-    if (orders.back && mSolver && orders.back->run == mRun) {
+    if (orders.token)
+        mToken = *orders.token;
+    if (orders.back && mSolver && orders.back->token.sameMap(mToken)) {
         const double *first = orders.back->soupUv.data();
         mSolver->setCoordinates({first, first + orders.back->soupUv.size()});
         mLast.energy = 0;
@@ -168,7 +189,6 @@ void SolveWorker::obey(Orders orders)
         const bool wasRunning = mStepsLeft != 0;
         mIdle = false;
         mStepsLeft = *orders.steps;
-        mTicket = orders.ticket;
         mMustMakeMap = orders.makeMap;
         if (mStepsLeft != 0) {
             mStatus.converged = false;
@@ -182,14 +202,15 @@ void SolveWorker::obey(Orders orders)
 
 void SolveWorker::begin(const Orders &orders)
 {
-    mRun = orders.run;
-    mSnapshot = std::make_shared<const Snapshot>(mPreference.applied(*orders.snapshot));
+    mSnapshot = std::make_shared<const Snapshot>(mPreference.applied(*orders.snapshot, mThreads));
+    mToken = mSnapshot->token;
     mSchedule.reset();
     mStatus = {};
     mLast = {};
     mTrace.clear();
     mMustMakeMap = mPulled = false;
     mSolver = std::make_unique<homotopy::Solver>();
+    mSolver->setThreads(mThreads);
     mSolver->load(*mSnapshot);
     if (mSnapshot->settings.start != StartMode::ExistingUv) {
         std::vector<double> x = mSolver->coordinates();
@@ -250,7 +271,18 @@ void SolveWorker::step()
     if (mStepsLeft == 0 || Clock::now() - mLastGiven >= resultInterval)
         giveResult();
     if (mStepsLeft == 0)
-        Q_EMIT waiting(mTicket);
+        comeToRest();
+}
+
+void SolveWorker::comeToRest()
+{
+    {
+        const std::lock_guard lock(mMutex);
+        if (mOrders.start || mOrders.steps)
+            return; // it goes on
+        mAtRest = true;
+    }
+    Q_EMIT waiting();
 }
 
 //! Lays out a result for whoever takes it, in place of one that nobody took yet.
@@ -258,7 +290,7 @@ void SolveWorker::giveResult()
 {
     const Soup &soup = mSolver->soup();
     auto result = std::make_shared<SolveResult>();
-    result->run = mRun;
+    result->token = mToken;
     result->soupUv = rowsOf(mSolver->coordinates());
     const int pairs = soup.mesh->cornerPairCount();
     result->separation.resize(pairs);
@@ -294,8 +326,10 @@ void SolveWorker::giveResult()
     bool isFirst = false;
     {
         const std::lock_guard lock(mMutex);
+        if (mOrders.start)
+            return; // another solve is to begin
         isFirst = !mWaitingResult;
-        if (mWaitingResult && mWaitingResult->run == mRun) {
+        if (mWaitingResult) {
             std::vector<TracePoint> &older = mWaitingResult->trace;
             older.insert(older.end(), result->trace.begin(), result->trace.end());
             result->trace.swap(older);
@@ -310,17 +344,18 @@ void SolveWorker::giveResult()
 //! begins again.
 void SolveWorker::makePausedMap()
 {
-    mMustMakeMap = false;
     const SeamedMap map =
         definite::stitchSoup(mSolver->sharedSoup(), mSolver->snapshot(), mSolver->coordinates(), &mInterrupt);
-    if (mInterrupt) {
-        mMustMakeMap = true;
+    if (mInterrupt)
         return;
-    }
+    PausedMap settledMap{mToken, cornerUv(mSolver->soup(), map)};
     {
         const std::lock_guard lock(mMutex);
-        mPausedMap = PausedMap{mRun, cornerUv(mSolver->soup(), map)};
+        if (mInterrupt)
+            return;
+        mPausedMap = std::move(settledMap);
     }
+    mMustMakeMap = false;
     Q_EMIT pausedMapReady();
 }
 

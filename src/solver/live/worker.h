@@ -7,6 +7,7 @@
 #include "solver/preference/seampreference.h"
 
 #include <QObject>
+#include <QThread>
 
 #include <atomic>
 #include <chrono>
@@ -39,7 +40,7 @@ struct TracePoint
 //! What the worker gives back.
 struct SolveResult
 {
-    quint64 run = 0;               //!< number that start() was given
+    StateToken token;              //!< of the document's state that the solve goes on from
     UvMatrix soupUv;               //!< one row per soup corner, solver units
     std::vector<float> separation; //!< s_delta per corner pair, in [0, 1)
     SolveStatus status;
@@ -49,12 +50,13 @@ struct SolveResult
 //! A map with definite seams, made from the solver's.
 struct PausedMap
 {
-    quint64 run = 0;
+    StateToken token;  //!< as SolveResult
     UvMatrix cornerUv; //!< solver units
 };
 
 //! Steps a Solver until told to stop. The functions may be called from any thread and return at once; what
-//! they ask for happens between two steps, and of several snapshots only the newest counts. The worker never
+//! they ask for happens between two steps, and of several snapshots only the newest counts. What the worker
+//! made before an order that makes it void cannot be taken any more once the order is given. The worker never
 //! sees the document.
 class SolveWorker final : public QObject
 {
@@ -63,25 +65,27 @@ class SolveWorker final : public QObject
 public:
     static constexpr int resultsPerSecond = 30;
 
-    SolveWorker();
+    //! \param threads of one step; no result depends on it
+    explicit SolveWorker(int threads = QThread::idealThreadCount());
     ~SolveWorker() override;
 
-    //! Begins a solve and forgets the one before.
-    //! \param run any number but 0, given back with the results
+    //! Begins a solve and forgets the one before, its results too.
     //! \param centre where the map is laid when it does not start from existing UVs, solver units
     //! \param warm the map has been solved before: in budget mode it is warmed up only
-    void start(quint64 run, std::shared_ptr<const Snapshot> snapshot, const Vec2 &centre, bool warm = false);
+    void start(std::shared_ptr<const Snapshot> snapshot, const Vec2 &centre, bool warm = false);
     //! Other settings or steering for the same mesh; the map goes on from where it is.
     //! \param pulled the user pulls at the map: in budget mode lambda and delta stay as they are until a
     //! snapshot that is not pulled
-    //! \param back a result of the same run that the map is taken back to first
+    //! \param back a result since start() that the map is taken back to first
     void update(std::shared_ptr<const Snapshot> snapshot, bool pulled = false,
                 std::shared_ptr<const SolveResult> back = nullptr);
     void setMode(homotopy::SolveMode mode, double maxDistortion);
-    //! Steps until told to stop. \returns a ticket that waiting() will name
-    quint64 run() { return runSteps(-1); }
-    //! Steps at most this many times, then waits. \returns a ticket that waiting() will name
-    quint64 runSteps(int count);
+    //! The settled map went into the document, which has this token since.
+    void setToken(const StateToken &token);
+    //! Steps until told to stop.
+    void run() { runSteps(-1); }
+    //! Steps at most this many times, then waits.
+    void runSteps(int count);
     //! The step at hand is finished and given out as a result.
     void pause();
     //! Pauses, then makes a settled map of the state; run() and start() cancel it.
@@ -90,15 +94,17 @@ public:
     //! The newest result and the steps of those that were never taken; null when none is waiting.
     std::shared_ptr<const SolveResult> takeResult();
     std::optional<PausedMap> takePausedMap();
+    //! True, once, when the solve stopped by itself and has not been told to go on since.
+    bool takeRest();
 
 Q_SIGNALS:
     //! A result is waiting. Sent once until it is taken, at most resultsPerSecond times a second.
     void resultReady();
     //! A settled map is waiting.
     void pausedMapReady();
-    //! The solve stopped by itself: it converged or the steps asked for are done. \param ticket of the last
-    //! order to run that was obeyed: a later one may be on its way
-    void waiting(quint64 ticket);
+    //! The solve stopped by itself: it converged or the steps asked for are done. takeRest() says whether
+    //! that still holds.
+    void waiting();
     //! \param message untranslated, one line
     void failed(const QString &message);
 
@@ -106,13 +112,13 @@ private:
     //! What was asked for and not yet begun.
     struct Orders
     {
-        quint64 run = 0; //!< not 0: begin with the snapshot
+        bool start = false; //!< begin with the snapshot
         std::shared_ptr<const Snapshot> snapshot;
+        std::optional<StateToken> token; //!< in place of the snapshot's
         bool pulled = false, warm = false;
         std::shared_ptr<const SolveResult> back; //!< the map to go on from
         Vec2 centre = Vec2::Zero();
         std::optional<int> steps; //!< 0: pause
-        quint64 ticket = 0;
         std::optional<homotopy::SolveMode> mode;
         double maxDistortion = 4.1;
         bool makeMap = false;
@@ -125,16 +131,19 @@ private:
     void begin(const Orders &orders);
     void updateSolver(bool steeringChanged);
     void step();
+    void comeToRest();
     void giveResult();
     void makePausedMap();
 
     // Shared between threads.
     std::mutex mMutex;
     Orders mOrders;
-    quint64 mLastTicket = 0;
     std::shared_ptr<SolveResult> mWaitingResult;
     std::optional<PausedMap> mPausedMap;
+    bool mAtRest = false;
     std::atomic<bool> mInterrupt = false; //!< there are orders: whatever takes long should end
+
+    const int mThreads;
 
     // Of the worker's thread.
     std::unique_ptr<homotopy::Solver> mSolver;
@@ -148,7 +157,7 @@ private:
     std::chrono::steady_clock::time_point mLastGiven, mRateSince;
     int mRateSteps = 0, mStalledSteps = 0;
     std::vector<TracePoint> mTrace;
-    quint64 mRun = 0, mTicket = 0;
+    StateToken mToken;
     int mStepsLeft = 0; //!< negative: until told to stop
     bool mPulled = false;
     bool mMustMakeMap = false;

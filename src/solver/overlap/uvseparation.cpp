@@ -11,7 +11,7 @@ SeparationResult separateSteered(const Snapshot &snapshot, const UvMatrix &soupU
 {
     SeparationOptions options;
     options.cancel = cancel;
-    if (!snapshot.pairWeight.empty()) {
+    if (!snapshot.steering->pairWeight.empty()) {
         options.pairWeight.resize(cut.size());
         for (std::size_t e = 0; e < cut.size(); ++e)
             options.pairWeight[e] = snapshot.edgeWeight(e);

@@ -65,10 +65,11 @@ Snapshot SeamPreference::applied(const Snapshot &snapshot, int threads)
     const std::vector<double> &factor = factors(snapshot, threads);
     if (factor.empty())
         return result;
-    result.pairWeight.resize(2 * factor.size(), 1);
+    std::vector<double> &weight = result.editSteering().pairWeight;
+    weight.resize(2 * factor.size(), 1);
     for (std::size_t e = 0; e < factor.size(); ++e) {
-        result.pairWeight[2 * e] *= factor[e];
-        result.pairWeight[2 * e + 1] *= factor[e];
+        weight[2 * e] *= factor[e];
+        weight[2 * e + 1] *= factor[e];
     }
     return result;
 }

@@ -12,9 +12,9 @@ SeamGraph::Rule ruleOf(const Snapshot &snapshot, std::size_t e)
 {
     if (snapshot.mesh->edgePairs[e].diagonal)
         return SeamGraph::Rule::NeverCut;
-    if (snapshot.pairState.empty())
+    if (snapshot.steering->pairState.empty())
         return SeamGraph::Rule::Free;
-    const PairState a = snapshot.pairState[2 * e], b = snapshot.pairState[2 * e + 1];
+    const PairState a = snapshot.steering->pairState[2 * e], b = snapshot.steering->pairState[2 * e + 1];
     if (a == PairState::Cut || b == PairState::Cut)
         return SeamGraph::Rule::AlwaysCut;
     return a == PairState::Joined || b == PairState::Joined ? SeamGraph::Rule::NeverCut

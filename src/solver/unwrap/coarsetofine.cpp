@@ -38,8 +38,8 @@ using Decisions = std::map<PointPair, std::array<std::pair<int, PairState>, 2>>;
 std::vector<bool> decidedEdges(const Snapshot &snapshot)
 {
     std::vector<bool> decided(snapshot.mesh->edgePairs.size(), false);
-    for (std::size_t p = 0; p < snapshot.pairState.size(); ++p) {
-        if (snapshot.pairState[p] != PairState::Free)
+    for (std::size_t p = 0; p < snapshot.steering->pairState.size(); ++p) {
+        if (snapshot.steering->pairState[p] != PairState::Free)
             decided[p / 2] = true;
     }
     return decided;
@@ -56,7 +56,7 @@ Decisions decisionsOf(const Snapshot &snapshot, const multires::ProgressiveMesh 
         const int side = 3 * pair.triangle[0] + pair.side(0);
         auto &ends = decisions[endsOf(fine, side)];
         for (int end = 0; end < 2; ++end)
-            ends[end] = {fine.point(pair.corner[end][0]), snapshot.pairState[2 * e + end]};
+            ends[end] = {fine.point(pair.corner[end][0]), snapshot.steering->pairState[2 * e + end]};
     }
     return decisions;
 }
@@ -64,12 +64,12 @@ Decisions decisionsOf(const Snapshot &snapshot, const multires::ProgressiveMesh 
 //! Mean painted weight around each point of the fine mesh.
 std::vector<double> pointWeights(const Snapshot &snapshot, const multires::ProgressiveMesh &fine)
 {
-    if (snapshot.pairWeight.empty())
+    if (snapshot.steering->pairWeight.empty())
         return {};
     std::vector<double> sum(fine.pointCount(), 0.0), count(fine.pointCount(), 0.0);
-    for (std::size_t p = 0; p < snapshot.pairWeight.size(); ++p) {
+    for (std::size_t p = 0; p < snapshot.steering->pairWeight.size(); ++p) {
         const int point = fine.point(snapshot.mesh->edgePairs[p / 2].corner[p % 2][0]);
-        sum[point] += snapshot.pairWeight[p];
+        sum[point] += snapshot.steering->pairWeight[p];
         ++count[point];
     }
     for (std::size_t i = 0; i < sum.size(); ++i)
@@ -85,10 +85,11 @@ Snapshot coarseSnapshot(const Snapshot &snapshot, const std::shared_ptr<const Me
     Snapshot coarse;
     coarse.mesh = mesh;
     coarse.settings = snapshot.settings;
+    Steering &steering = coarse.editSteering();
     if (!decisions.empty())
-        coarse.pairState.assign(mesh->cornerPairCount(), PairState::Free);
+        steering.pairState.assign(mesh->cornerPairCount(), PairState::Free);
     if (!weights.empty())
-        coarse.pairWeight.assign(mesh->cornerPairCount(), 1.0);
+        steering.pairWeight.assign(mesh->cornerPairCount(), 1.0);
     for (std::size_t e = 0; e < mesh->edgePairs.size(); ++e) {
         const EdgePair &pair = mesh->edgePairs[e];
         const auto pointOf = [&](int corner) { return points.point(3 * triangles[corner / 3] + corner % 3); };
@@ -96,10 +97,10 @@ Snapshot coarseSnapshot(const Snapshot &snapshot, const std::shared_ptr<const Me
         const auto found = decisions.find(std::minmax(ends[0], ends[1]));
         for (int end = 0; end < 2; ++end) {
             if (!weights.empty())
-                coarse.pairWeight[2 * e + end] = 0.5 * (weights[ends[0]] + weights[ends[1]]);
+                steering.pairWeight[2 * e + end] = 0.5 * (weights[ends[0]] + weights[ends[1]]);
             for (int i = 0; found != decisions.end() && i < 2; ++i) {
                 if (found->second[i].first == ends[end])
-                    coarse.pairState[2 * e + end] = found->second[i].second;
+                    steering.pairState[2 * e + end] = found->second[i].second;
             }
         }
     }

@@ -25,10 +25,11 @@ ActionStates::ActionStates(const StudioContext &context, QObject *parent) : QObj
 //! The search for a UV is repeated only when UVs changed.
 bool ActionStates::hasUvs() const
 {
-    if (mContext.workspace.uvRevision() == mUvRevision)
+    if (mContext.workspace.hasMapOf(mUvToken))
         return mHasUvs;
-    mUvRevision = mContext.workspace.uvRevision();
-    mHasUvs = autocuts::hasUvs(*mContext.workspace.document());
+    const Document &document = *mContext.workspace.document();
+    mUvToken = document.token();
+    mHasUvs = autocuts::hasUvs(document);
     return mHasUvs;
 }
 

@@ -1,11 +1,10 @@
 // Which actions are possible at the moment.
 #pragma once
 
+#include "model/plain/statetoken.h"
 #include "views/control/studiocontext.h"
 
 #include <QObject>
-
-#include <cstdint>
 
 namespace autocuts {
 
@@ -28,7 +27,7 @@ private:
     bool hasUvs() const;
 
     StudioContext mContext;
-    mutable std::uint64_t mUvRevision = 0; //!< that mHasUvs is about
+    mutable StateToken mUvToken; //!< of the state that mHasUvs is about
     mutable bool mHasUvs = false;
 };
 

@@ -21,6 +21,7 @@ constexpr int maxListedOverlaps = 100'000;
 MapFigures measured(const MeshData &mesh, const UvMatrix &uv, int textureSize, JobControl &control)
 {
     MapFigures figures;
+    figures.textureSize = textureSize;
     metrics::UvMetricsOptions options;
     options.textureSize = textureSize;
     options.cancel = &control.stop();
@@ -66,8 +67,6 @@ MapController::MapController(Workspace &workspace, SolverController &solver, QOb
         const bool textureSize =
             event.type == ChangeEvent::Type::PackingSettings &&
             (static_cast<const PackingSettingsEvent &>(event).properties & TextureSizeProperty);
-        if (textureSize)
-            mFiguresRevision = 0;
         if (textureSize || event.type == ChangeEvent::Type::Uv || event.type == ChangeEvent::Type::UvSet) {
             mMeasureSoon.start();
             Q_EMIT figuresChanged();
@@ -77,9 +76,11 @@ MapController::MapController(Workspace &workspace, SolverController &solver, QOb
 
 bool MapController::figuresAreFresh() const
 {
-    return mFigures && mFiguresRevision == mWorkspace.uvRevision();
+    return mFigures && mWorkspace.hasMapOf(mFigures->token) &&
+           mFigures->textureSize == mWorkspace.document()->packingSettings().textureSize;
 }
 
+//! \pre no solve runs, so that its result is the one that the map was made from
 MapInput MapController::input() const
 {
     const Document &document = *mWorkspace.document();
@@ -93,7 +94,9 @@ MapInput MapController::input() const
     input.selectedFaces = document.selection().faces;
     const QList<int> &edges = document.selection().edges;
     input.selectedEdges.assign(edges.begin(), edges.end());
-    input.revision = mWorkspace.uvRevision();
+    input.live.result = mSolver.result();
+    input.live.hasMoreToDo = input.live.result && mSolver.mode() == homotopy::SolveMode::Budget &&
+                             !input.live.result->status.converged;
     return input;
 }
 
@@ -107,15 +110,20 @@ void MapController::startJob(const QString &title,
             return;
         const auto given = std::make_shared<const MapInput>(input());
         mJobs.start(
-            title, [given, work](JobControl &control) { return work(*given, control); },
-            [this, revision = given->revision](const MapJobResult &result) { applyResult(revision, result); });
+            title,
+            [given, work](JobControl &control) {
+                MapJobResult result = work(*given, control);
+                result.token = given->snapshot.token;
+                return result;
+            },
+            [this](const MapJobResult &result) { applyResult(result); });
     });
 }
 
-void MapController::applyResult(std::uint64_t revision, const MapJobResult &result)
+void MapController::applyResult(const MapJobResult &result)
 {
     if (result.uv.rows() > 0) {
-        if (revision != mWorkspace.uvRevision()) {
+        if (!mWorkspace.hasMapOf(result.token)) {
             Q_EMIT failed(tr("The map was edited meanwhile: the result was not used"));
             return;
         }
@@ -136,11 +144,8 @@ void MapController::unwrap(unwrap::UnwrapQuality quality, double maxDistortion)
 
 void MapController::finish(double maxDistortion)
 {
-    LiveSolve live{mSolver.result()};
-    live.hasMoreToDo =
-        live.result && mSolver.mode() == homotopy::SolveMode::Budget && !live.result->status.converged;
-    startJob(tr("Finishing"), [live, maxDistortion](const MapInput &input, JobControl &control) {
-        return finishJob(input, live, maxDistortion, control);
+    startJob(tr("Finishing"), [maxDistortion](const MapInput &input, JobControl &control) {
+        return finishJob(input, maxDistortion, control);
     });
 }
 
@@ -184,10 +189,10 @@ void MapController::straightenSelection()
 
 void MapController::measure()
 {
+    mMeasuring.abandon(); // it measures a map or at a texture size that is no more
     const Document *document = mWorkspace.document();
     if (!document || figuresAreFresh())
         return;
-    mMeasuring.abandon(); // it measures a map that is no more
     const auto mesh = document->state().scene.mesh;
     const int textureSize = document->packingSettings().textureSize;
     mMeasuring.start(
@@ -195,9 +200,9 @@ void MapController::measure()
         [mesh, uv = document->uv(), textureSize](JobControl &control) {
             return measured(*mesh, uv, textureSize, control);
         },
-        [this, revision = mWorkspace.uvRevision()](MapFigures figures) {
+        [this, token = document->token()](MapFigures figures) {
             mFigures = std::move(figures);
-            mFiguresRevision = revision;
+            mFigures->token = token;
             Q_EMIT figuresChanged();
         });
 }

@@ -1,6 +1,7 @@
 // Work on whole maps off the GUI thread: unwrapping, finishing, packing, taking overlaps apart, measuring.
 #pragma once
 
+#include "model/plain/statetoken.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/unwrap/unwrap.h"
 #include "views/control/jobrunner.h"
@@ -24,6 +25,8 @@ struct PackTarget;
 //! The document's map in figures.
 struct MapFigures
 {
+    StateToken token; //!< of the state that was measured
+    int textureSize = 0;
     metrics::UvMetrics metrics;
     std::vector<int> overlapping;                 //!< triangles that overlap another one, rising
     std::vector<std::array<int, 2>> overlapPairs; //!< of triangles, the largest area first
@@ -80,7 +83,7 @@ Q_SIGNALS:
 private:
     MapInput input() const;
     void startJob(const QString &title, std::function<MapJobResult(const MapInput &, JobControl &)> work);
-    void applyResult(std::uint64_t revision, const MapJobResult &result);
+    void applyResult(const MapJobResult &result);
     void startPacking(const PackTarget &target);
     void measure();
 
@@ -90,7 +93,6 @@ private:
     JobRunner mMeasuring;
     QTimer mMeasureSoon;
     std::optional<MapFigures> mFigures;
-    std::uint64_t mFiguresRevision = 0;
 };
 
 } // namespace autocuts

@@ -109,20 +109,22 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, dou
     return result;
 }
 
-MapJobResult finishJob(const MapInput &input, const LiveSolve &live, double maxDistortion,
-                       JobControl &control)
+MapJobResult finishJob(const MapInput &input, double maxDistortion, JobControl &control)
 {
+    const LiveSolve &live = input.live;
     Snapshot snapshot = input.snapshot;
     if (!live.result) {
         snapshot.settings.start = StartMode::ExistingUv;
-        snapshot.startUv = soupUv(input.mesh(), input.uv) / input.uvScale;
+        snapshot.startUv = std::make_shared<const UvMatrix>(soupUv(input.mesh(), input.uv) / input.uvScale);
         snapshot.settings.delta = touchingDelta;
     } else {
         snapshot.settings.lambda = live.result->status.lambda;
         snapshot.settings.delta = live.result->status.delta;
     }
+    const int threads = QThread::idealThreadCount();
     homotopy::Solver solver;
-    solver.load(preference::SeamPreference().applied(snapshot));
+    solver.setThreads(threads);
+    solver.load(preference::SeamPreference().applied(snapshot, threads));
     if (live.result) {
         const double *first = live.result->soupUv.data();
         solver.setCoordinates({first, first + live.result->soupUv.size()});
@@ -140,7 +142,7 @@ MapJobResult finishJob(const MapInput &input, const LiveSolve &live, double maxD
     }
     definite::RefinedMapOptions options;
     options.maxDistortion = maxDistortion;
-    options.threads = QThread::idealThreadCount();
+    options.threads = threads;
     MapJobResult result;
     result.edit = UvEdit::Finish;
     const std::optional<SeamedMap> map =
@@ -162,7 +164,7 @@ MapJobResult finishJob(const MapInput &input, const LiveSolve &live, double maxD
             !control.stop())
             result.problem = noRoom(input.packing);
     }
-    const auto &states = snapshot.pairState;
+    const auto &states = snapshot.steering->pairState;
     const bool joins = std::find(states.begin(), states.end(), PairState::Joined) != states.end();
     if (joins && result.problem.isEmpty() && !overlap::findOverlaps(soupUv(mesh, result.uv)).pairs.empty())
         result.problem = translated("The map still covers itself: joined edges hold it together there. Clear "

@@ -20,6 +20,13 @@ namespace live {
 struct SolveResult;
 }
 
+//! The solver's own state, which knows more than the map that was made from it.
+struct LiveSolve
+{
+    std::shared_ptr<const live::SolveResult> result; //!< null when the map was edited since
+    bool hasMoreToDo = false;                        //!< paused before the schedule came to its end
+};
+
 //! What a job gets to see.
 struct MapInput
 {
@@ -31,7 +38,7 @@ struct MapInput
     Constraints constraints;
     QList<int> selectedFaces;
     std::vector<int> selectedEdges;
-    std::uint64_t revision = 0; //!< Workspace::uvRevision()
+    LiveSolve live; //!< that the map was made from
 
     const MeshData &mesh() const { return *snapshot.mesh; }
 };
@@ -39,6 +46,7 @@ struct MapInput
 //! What a job gives back.
 struct MapJobResult
 {
+    StateToken token; //!< of the state that the job was given
     UvEdit edit = UvEdit::Pack;
     UvMatrix uv;              //!< per corner, texture space; no rows: the map stays as it is
     QString message;          //!< what was done
@@ -54,18 +62,10 @@ struct PackTarget
     std::optional<Eigen::AlignedBox2d> box; //!< texture space; none: the tile of the settings
 };
 
-//! The solver's own state, which knows more than the map that was made from it.
-struct LiveSolve
-{
-    std::shared_ptr<const live::SolveResult> result; //!< null when the map was edited since
-    bool hasMoreToDo = false;                        //!< paused before the schedule came to its end
-};
-
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, double maxDistortion,
                        JobControl &control);
 //! Without a live solve the seams are those of the map; one that was paused early is taken to its end first.
-MapJobResult finishJob(const MapInput &input, const LiveSolve &live, double maxDistortion,
-                       JobControl &control);
+MapJobResult finishJob(const MapInput &input, double maxDistortion, JobControl &control);
 MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl &control);
 MapJobResult separateJob(const MapInput &input, JobControl &control);
 MapJobResult equalizeJob(const MapInput &input);

@@ -44,7 +44,7 @@ SolverController::~SolverController()
 
 bool SolverController::canContinue() const
 {
-    return mRun != 0;
+    return mToken.has_value();
 }
 
 void SolverController::setMode(homotopy::SolveMode mode)
@@ -106,11 +106,11 @@ void SolverController::run()
     const Document *document = mWorkspace.document();
     if (!document || mRunning)
         return;
-    if (mRun == 0)
+    if (!mToken)
         beginWhereTheMapIs();
     mStepping = false;
     setRunning(true, false);
-    mTicket = mWorker->run();
+    mWorker->run();
 }
 
 void SolverController::pause()
@@ -134,12 +134,12 @@ void SolverController::step()
     const Document *document = mWorkspace.document();
     if (!document)
         return;
-    if (mRun == 0)
+    if (!mToken)
         beginWhereTheMapIs();
     // The end of the step is told by waiting(), which then settles the map.
     mStepping = true;
     setRunning(true, false);
-    mTicket = mWorker->runSteps(1);
+    mWorker->runSteps(1);
 }
 
 void SolverController::restart()
@@ -150,15 +150,15 @@ void SolverController::restart()
     begin(document->solveSettings().start);
     mStepping = false;
     setRunning(true, false);
-    mTicket = mWorker->run();
+    mWorker->run();
 }
 
 void SolverController::discard()
 {
-    if (mRun == 0)
+    if (!mToken)
         return;
     mWorker->pause();
-    mRun = 0;
+    mToken.reset();
     mResult.reset();
     mPacker.reset();
     mWhenPaused.clear();
@@ -180,8 +180,10 @@ void SolverController::beginWhereTheMapIs()
 void SolverController::begin(StartMode start, bool warm)
 {
     const Document &document = *mWorkspace.document();
-    mRun = ++mLastRun;
+    const auto snapshot = std::make_shared<const Snapshot>(makeSnapshot(document, start));
+    mToken = snapshot->token;
     mResult.reset();
+    mBeforePulls.reset();
     mPacker.reset();
     mStatus = {};
     mTrace.clear();
@@ -189,7 +191,7 @@ void SolverController::begin(StartMode start, bool warm)
     mWorker->setMode(mMode, mMaxDistortion);
     // The map comes to lie in the middle of the unit square.
     const Vec2 centre = Vec2::Constant(0.5 / document.uvScale());
-    mWorker->start(mRun, std::make_shared<const Snapshot>(makeSnapshot(document, start)), centre, warm);
+    mWorker->start(snapshot, centre, warm);
     Q_EMIT statusChanged();
 }
 
@@ -214,36 +216,28 @@ void SolverController::documentReplaced()
     Q_EMIT stateChanged();
 }
 
-void SolverController::documentChanged(const ChangeEvent &event)
+void SolverController::documentChanged()
 {
-    switch (event.type) {
-    case ChangeEvent::Type::Uv:
-    case ChangeEvent::Type::UvSet:
-        if (!mPushing)
-            discard();
-        break;
-    case ChangeEvent::Type::Seam:
-    case ChangeEvent::Type::Pin:
-    case ChangeEvent::Type::Rectangle:
-    case ChangeEvent::Type::SolveSettings:
-        if (mRun != 0)
-            mSendSoon.start();
-        break;
-    case ChangeEvent::Type::IslandFlag:
-    case ChangeEvent::Type::Tag:
-    case ChangeEvent::Type::PackingSettings:
-        break;
-    }
+    if (!mToken)
+        return;
+    if (!mWorkspace.hasMapOf(*mToken))
+        discard();
+    else if (mWorkspace.document()->token() != *mToken)
+        mSendSoon.start();
 }
 
 void SolverController::sendSnapshot(const std::shared_ptr<const live::SolveResult> &back)
 {
-    if (mRun == 0 || !mWorkspace.document())
+    if (!mToken || !mWorkspace.hasMapOf(*mToken))
         return;
     Snapshot snapshot = makeSnapshot(*mWorkspace.document());
-    for (Pin pull : mPulls) {
-        pull.target /= mWorkspace.document()->uvScale();
-        snapshot.pins.push_back(pull);
+    mToken = snapshot.token;
+    if (!mPulls.empty()) {
+        std::vector<Pin> &pins = snapshot.editSteering().pins;
+        for (Pin pull : mPulls) {
+            pull.target /= mWorkspace.document()->uvScale();
+            pins.push_back(pull);
+        }
     }
     mWorker->update(std::make_shared<const Snapshot>(std::move(snapshot)), !mPulls.empty(), back);
 }
@@ -251,7 +245,7 @@ void SolverController::sendSnapshot(const std::shared_ptr<const live::SolveResul
 void SolverController::takeResult()
 {
     const std::shared_ptr<const live::SolveResult> result = mWorker->takeResult();
-    if (!result || result->run != mRun)
+    if (!result || !mToken || !result->token.sameMap(*mToken))
         return;
     mResult = result;
     mStatus = result->status;
@@ -296,9 +290,9 @@ void SolverController::addToTrace(const std::vector<live::TracePoint> &points)
 
 //! The solve stopped by itself: a single step is done, the budget is reached, or with the user's settings
 //! nothing moves any more. Then it stays on and waits for edits.
-void SolverController::workerWaits(quint64 ticket)
+void SolverController::workerWaits()
 {
-    if (ticket != mTicket)
+    if (!mWorker->takeRest())
         return; // it has been told to run since
     takeResult();
     if (mRunning && mPulls.empty() &&
@@ -309,13 +303,15 @@ void SolverController::workerWaits(quint64 ticket)
 void SolverController::takePausedMap()
 {
     const std::optional<live::PausedMap> settled = mWorker->takePausedMap();
-    if (!settled || settled->run != mRun || !mPausing)
+    if (!settled || !mPausing || !mToken || !settled->token.sameMap(*mToken))
         return;
     takeResult();
     Document &document = *mWorkspace.document();
-    mPushing = true;
+    // The push leaves the worker's state valid: it belongs to the document's new map from now on.
+    mToken.reset();
     pushCommand(std::make_unique<SetUvs>(document, UvEdit::Solve, document.uvScale() * settled->cornerUv));
-    mPushing = false;
+    mToken = document.token();
+    mWorker->setToken(*mToken);
     mShownMap.showDocument();
     setRunning(false, false);
     for (const auto &then : std::exchange(mWhenPaused, {}))

@@ -1,7 +1,6 @@
 // The only meeting of the document and the solver's worker: snapshots out, results in.
 #pragma once
 
-#include "model/document/changeevent.h"
 #include "solver/live/worker.h"
 #include "views/control/livepacker.h"
 
@@ -11,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace autocuts {
@@ -92,11 +92,11 @@ Q_SIGNALS:
 
 private:
     void documentReplaced();
-    void documentChanged(const ChangeEvent &event);
+    void documentChanged();
     void takeResult();
     void showResult();
     void takePausedMap();
-    void workerWaits(quint64 ticket);
+    void workerWaits();
     void workerFailed(const QString &message);
     void begin(StartMode start, bool warm = false);
     void beginWhereTheMapIs();
@@ -116,13 +116,13 @@ private:
     int mTraceStride = 1;
     homotopy::SolveMode mMode = homotopy::SolveMode::Budget;
     double mMaxDistortion = 4.1;
-    quint64 mLastRun = 0, mTicket = 0;
-    quint64 mRun = 0; //!< of the worker's state; 0: it has none that fits the document
+    //! Of the document's state that the worker goes on from; none when it has nothing that fits the document.
+    std::optional<StateToken> mToken;
     std::vector<std::function<void()>> mWhenPaused;
     std::vector<Pin> mPulls;
     std::shared_ptr<const live::SolveResult> mBeforePulls;
     QTimer mSendSoon; //!< one snapshot for all edits of one turn of the event loop
-    bool mRunning = false, mPausing = false, mStepping = false, mPushing = false;
+    bool mRunning = false, mPausing = false, mStepping = false;
 };
 
 } // namespace autocuts

@@ -26,7 +26,6 @@ void Workspace::open(std::unique_ptr<Document> document, const QString &sessionP
     mSessionPath = sessionPath;
     mNotes = notes;
     mRecovered = false;
-    ++mUvRevision;
     if (mDocument) {
         mRecorder = std::make_unique<JournalRecorder>(*mDocument, std::move(journal));
         attach();
@@ -43,11 +42,7 @@ void Workspace::close()
 
 void Workspace::attach()
 {
-    connect(mDocument.get(), &Document::changed, this, [this](const ChangeEvent &event) {
-        if (event.type == ChangeEvent::Type::Uv || event.type == ChangeEvent::Type::UvSet)
-            ++mUvRevision;
-        Q_EMIT changed(event);
-    });
+    connect(mDocument.get(), &Document::changed, this, &Workspace::changed);
     connect(mDocument.get(), &Document::selectionChanged, this, &Workspace::selectionChanged);
     const UndoStack &stack = mDocument->undoStack();
     connect(&stack, &QUndoStack::indexChanged, this, &Workspace::historyChanged);
@@ -72,6 +67,11 @@ QString Workspace::name() const
 bool Workspace::isModified() const
 {
     return mDocument && (mRecovered || !mDocument->undoStack().isClean());
+}
+
+bool Workspace::hasMapOf(const StateToken &token) const
+{
+    return mDocument && mDocument->token().sameMap(token);
 }
 
 void Workspace::setRecovered(bool recovered)

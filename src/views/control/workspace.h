@@ -45,9 +45,9 @@ public:
     //! \pre document()
     JournalRecorder &recorder() { return *mRecorder; }
 
-    //! Counts changes of the UVs of the active set, their count and the choice of the set; a job that began
-    //! at another count was overtaken by an edit. Never goes back.
-    std::uint64_t uvRevision() const { return mUvRevision; }
+    //! True when the open document still has the map that it had in the state of the token; a job that began
+    //! in a state for which this is false was overtaken by an edit.
+    bool hasMapOf(const StateToken &token) const;
 
 Q_SIGNALS:
     //! Another document is open, or none: everything may differ.
@@ -64,7 +64,6 @@ private:
     std::unique_ptr<JournalRecorder> mRecorder;
     QString mSessionPath;
     QStringList mNotes;
-    std::uint64_t mUvRevision = 1;
     bool mRecovered = false;
 };
 

@@ -4,7 +4,7 @@
 #include "model/document/selectiontools.h"
 #include "model/document/similarislands.h"
 #include "model/plain/uvlayout.h"
-#include "solver/metrics/flippedtriangles.h"
+#include "model/plain/flippedtriangles.h"
 
 #include <algorithm>
 #include <numeric>

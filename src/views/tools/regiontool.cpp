@@ -171,10 +171,10 @@ void RegionTool::search(int triangle, bool add)
         tr("Looking for a region"),
         [map = MapWithSeams(*context().workspace.document(), context().shownMap),
          triangle](JobControl &control) { return cleanPart(map, triangle, &control.stop()); },
-        [this, add, revision = context().workspace.uvRevision()](const CleanPart &part) {
+        [this, add, token = context().workspace.document()->token()](const CleanPart &part) {
             setState(State::Idle);
             mOneIsEnough = part.restIsClean;
-            if (revision == context().workspace.uvRevision())
+            if (context().workspace.hasMapOf(token))
                 select(part.faces, add);
         });
 }

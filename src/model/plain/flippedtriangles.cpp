@@ -1,8 +1,8 @@
-#include "solver/metrics/flippedtriangles.h"
+#include "model/plain/flippedtriangles.h"
 
 #include <cmath>
 
-namespace autocuts::metrics {
+namespace autocuts {
 
 namespace {
 
@@ -38,4 +38,4 @@ std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &soupUv,
     return flipped;
 }
 
-} // namespace autocuts::metrics
+} // namespace autocuts

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace autocuts::metrics {
+namespace autocuts {
 
 //! Triangles with UVs that are turned against their island, as textures are drawn with them: UvMetrics counts
 //! those of a fan instead. Triangles without area are not flipped.
@@ -13,4 +13,4 @@ namespace autocuts::metrics {
 std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &soupUv,
                                    std::span<const int> islands);
 
-} // namespace autocuts::metrics
+} // namespace autocuts
