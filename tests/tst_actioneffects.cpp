@@ -314,6 +314,26 @@ private Q_SLOTS:
         QCOMPARE(studio.entries(), 1);
     }
 
+    void closingWaitsForASave()
+    {
+        GridStudio studio;
+        studio.selectFaces({0});
+        studio.trigger("uv.cut");
+        const QString file = studio.path("a.acproj");
+        studio.answers.filesToSave = {file};
+        studio.trigger("file.save");
+        QVERIFY(studio.files.isSaving());
+        QVERIFY(studio.actions.file().mayClose());
+        QCOMPARE(studio.answers.unsavedAsked, 0);
+        QVERIFY(loadProject(file).value().state.seams == studio.document().seams());
+        // A save that fails meanwhile is a reason to ask.
+        studio.trigger("uv.join");
+        studio.files.save(studio.path("no/a.acproj"));
+        studio.answers.unsaved = Questions::Unsaved::Cancel;
+        QVERIFY(!studio.actions.file().mayClose());
+        QCOMPARE(studio.answers.unsavedAsked, 1);
+    }
+
     void saveAndOpen()
     {
         GridStudio studio;
@@ -322,6 +342,7 @@ private Q_SLOTS:
         const QString file = studio.path("Сессия один.acproj");
         studio.answers.filesToSave = {file};
         studio.trigger("file.save");
+        QVERIFY(studio.rests());
         QCOMPARE(studio.workspace.sessionPath(), file);
         QVERIFY(!studio.workspace.isModified());
         QCOMPARE(studio.preferences.lastFolder(), studio.folder.path());
@@ -329,6 +350,7 @@ private Q_SLOTS:
         studio.trigger("uv.join");
         studio.trigger("uv.clearSteering");
         studio.trigger("file.save"); // has its name now
+        QVERIFY(studio.rests());
         QVERIFY(!studio.workspace.isModified());
         studio.trigger("edit.undo");
         studio.trigger("file.sample.bumpycube");

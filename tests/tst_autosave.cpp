@@ -19,11 +19,11 @@ namespace {
 //! A save function that writes a small session with a number in it.
 Autosave::Save saving(int &number)
 {
-    return [&number](const QString &path) {
+    return [&number](const QString &path, const Autosave::Saved &saved) {
         test::Session session = test::gridSession(2, 0, 1);
         session.state.viewState = QByteArray::number(++number);
         session.extras.sessionPath = u"/projects/a.acproj"_s;
-        return saveAtomically(path, ProjectWriter().bytes(session.state, session.extras));
+        saved(saveAtomically(path, ProjectWriter().bytes(session.state, session.extras)));
     };
 }
 
@@ -87,6 +87,7 @@ private Q_SLOTS:
     void sessionInUseIsNotOffered();
     void unreadableLock();
     void damagedFileIsNotOffered();
+    void unwantedWhileItIsWritten();
     void killedWhileSaving();
 };
 
@@ -131,11 +132,13 @@ void TestAutosave::failureIsReported()
 {
     QTemporaryDir folder;
     int calls = 0;
-    const auto autosave = std::move(Autosave::start(folder.path(), [&](const QString &path) -> Result<Done> {
-                                        if (++calls == 1)
-                                            return Error{u"the disk is full"_s, path, 0, {}};
-                                        return Done{};
-                                    }).value());
+    const auto autosave =
+        std::move(Autosave::start(folder.path(), [&](const QString &path, const Autosave::Saved &saved) {
+                      if (++calls == 1)
+                          saved(Error{u"the disk is full"_s, path, 0, {}});
+                      else
+                          saved(Done{});
+                  }).value());
     QStringList messages;
     connect(autosave.get(), &Autosave::failed, this, [&](const Error &error) { messages << error.message; });
     autosave->setInterval(10);
@@ -153,7 +156,7 @@ void TestAutosave::failureIsReported()
 void leaveCrashed(const QString &folder, const QString &id)
 {
     int number = 41;
-    saving(number)(folder + u'/' + id + u".acproj"_s);
+    saving(number)(folder + u'/' + id + u".acproj"_s, [](const Result<Done> &) {});
     QFile lock(folder + u'/' + id + u".lock"_s);
     QVERIFY(lock.open(QIODevice::WriteOnly));
     // No process has this id; the name of the host is left out, as on systems that have none.
@@ -236,6 +239,31 @@ void TestAutosave::damagedFileIsNotOffered()
     file.close();
     QVERIFY(recoverableSessions(folder.path()).empty());
     QVERIFY(file.exists());
+}
+
+void TestAutosave::unwantedWhileItIsWritten()
+{
+    QTemporaryDir folder;
+    int number = 0;
+    std::vector<std::function<void()>> writes;
+    const auto autosave =
+        std::move(Autosave::start(folder.path(), [&](const QString &path, const Autosave::Saved &saved) {
+                      writes.push_back([=, &number] { saving(number)(path, saved); });
+                  }).value());
+    autosave->saveNow();
+    autosave->saveNow();
+    autosave->sessionSaved();
+    for (const auto &write : writes) {
+        write();
+        QVERIFY(!QFile::exists(autosave->file()));
+    }
+    // What is saved afterwards is wanted again.
+    autosave->saveNow();
+    autosave->sessionSaved();
+    autosave->saveNow();
+    writes[2]();
+    writes[3]();
+    QCOMPARE(numberIn(autosave->file()), 4);
 }
 
 void TestAutosave::killedWhileSaving()

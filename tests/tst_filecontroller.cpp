@@ -1,6 +1,9 @@
 // Files of the studio: opened and written off the GUI thread, recovered after a crash, never half done.
+#include "commands/editpins.h"
+#include "commands/replay.h"
 #include "commands/setseamstate.h"
 #include "model/io/meshfile.h"
+#include "support/editsupport.h"
 #include "support/meshbuilders.h"
 #include "views/control/filecontroller.h"
 #include "views/control/shownmap.h"
@@ -38,12 +41,21 @@ struct Desk
     Document &document() { return *workspace.document(); }
     bool rests()
     {
-        return QTest::qWaitFor([this] { return !files.jobs().isBusy(); }, patience);
+        return QTest::qWaitFor([this] { return !files.jobs().isBusy() && !files.isSaving(); }, patience);
     }
-    void cutAnEdge()
+    void openLargeGrid() { workspace.open(std::make_unique<Document>(test::sceneOf(test::grid(200))), {}); }
+    void cutAnEdge(int cornerPair = 6, quint64 gesture = 0)
     {
-        pushCommand(std::make_unique<SetSeamState>(document(), SetSeamState::Edit::Cut,
-                                                   IndexRanges::fromSorted(std::vector<int>{6, 7})));
+        auto command = std::make_unique<SetSeamState>(
+            document(), SetSeamState::Edit::Cut,
+            IndexRanges::fromSorted(std::vector<int>{cornerPair, cornerPair + 1}));
+        command->setGesture(gesture);
+        pushCommand(std::move(command));
+    }
+    void pinACorner()
+    {
+        pushCommand(std::make_unique<EditPins>(document(), EditPins::Edit::Pin,
+                                               std::vector<UvPin>{{0, {0.5, 0.5}, true, 1}}));
     }
 };
 
@@ -63,7 +75,8 @@ private Q_SLOTS:
         QCOMPARE(desk.opened.count(), 1);
         desk.cutAnEdge();
         QVERIFY(desk.workspace.isModified());
-        QVERIFY(desk.files.save(path));
+        desk.files.save(path);
+        QVERIFY(desk.rests());
         QVERIFY(!desk.workspace.isModified());
         QCOMPARE(desk.workspace.sessionPath(), path);
         const DocumentState saved = desk.document().state();
@@ -82,10 +95,125 @@ private Q_SLOTS:
         Desk desk(folder);
         desk.files.openSample(QStringLiteral("torus"));
         desk.cutAnEdge();
-        QVERIFY(!desk.files.save(folder.filePath(QStringLiteral("no such folder/a.acproj"))));
+        desk.files.save(folder.filePath(QStringLiteral("no such folder/a.acproj")));
+        QVERIFY(desk.rests());
         QCOMPARE(desk.failed.count(), 1);
         QVERIFY(desk.workspace.isModified());
         QVERIFY(desk.workspace.sessionPath().isEmpty());
+    }
+
+    void aFailedSaveOfWhatIsSavedChangesNothing()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        desk.files.save(folder.filePath(QStringLiteral("no such folder/a.acproj")));
+        QVERIFY(desk.rests());
+        QCOMPARE(desk.failed.count(), 1);
+        QVERIFY(!desk.workspace.isModified());
+    }
+
+    void eventsGoOnDuringASave()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("a.acproj"));
+        Desk desk(folder);
+        desk.openLargeGrid();
+        desk.cutAnEdge();
+        const DocumentState saved = desk.document().state();
+        QStringList order;
+        connect(&desk.files, &FileController::done, this, [&] { order << QStringLiteral("saved"); });
+        QMetaObject::invokeMethod(
+            this,
+            [&] {
+                order << QStringLiteral("event");
+                QVERIFY(desk.files.isSaving());
+                desk.pinACorner();
+            },
+            Qt::QueuedConnection);
+        desk.files.save(path);
+        order << QStringLiteral("begun");
+        QVERIFY(desk.workspace.isModified());
+        QVERIFY(desk.rests());
+        QCOMPARE(order,
+                 (QStringList{QStringLiteral("begun"), QStringLiteral("event"), QStringLiteral("saved")}));
+        // The file has the state as it was when the save began, and so has the saved mark.
+        const Result<LoadedProject> loaded = loadProject(path);
+        QVERIFY(loaded);
+        QVERIFY(loaded->state == saved);
+        QVERIFY(sameWork(replay(*loaded->extras.journal).value()->state(), saved));
+        QVERIFY(desk.workspace.isModified());
+        QCOMPARE(desk.document().constraints().pins.size(), std::size_t(1));
+        desk.document().undoStack().undo();
+        QVERIFY(!desk.workspace.isModified());
+        QVERIFY(desk.document().state() == saved);
+    }
+
+    void aGestureIsNotMergedAcrossASave()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        const quint64 gesture = desk.document().undoStack().newGesture();
+        desk.cutAnEdge(6, gesture);
+        const Seams saved = desk.document().seams();
+        desk.files.save(folder.filePath(QStringLiteral("a.acproj")));
+        desk.cutAnEdge(8, gesture);
+        QVERIFY(desk.rests());
+        QVERIFY(desk.workspace.isModified());
+        desk.document().undoStack().undo();
+        QVERIFY(desk.document().seams() == saved);
+        QVERIFY(!desk.workspace.isModified());
+    }
+
+    void savesKeepTheirOrder()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("a.acproj"));
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        std::vector<Seams> saved;
+        for (int pair : {6, 8, 10}) {
+            desk.cutAnEdge(pair);
+            saved.push_back(desk.document().seams());
+            desk.files.save(path);
+        }
+        QVERIFY(desk.rests());
+        QCOMPARE(desk.done.count(), 3);
+        QVERIFY(!desk.workspace.isModified());
+        QVERIFY(loadProject(path).value().state.seams == saved[2]);
+        QVERIFY(loadProject(path + QStringLiteral(".1")).value().state.seams == saved[1]);
+        QVERIFY(loadProject(path + QStringLiteral(".2")).value().state.seams == saved[0]);
+        // Of a failure in between only the last save counts.
+        desk.cutAnEdge(12);
+        desk.files.save(folder.filePath(QStringLiteral("no such folder/a.acproj")));
+        desk.files.save(path);
+        QVERIFY(desk.rests());
+        QVERIFY(!desk.workspace.isModified());
+        desk.cutAnEdge(14);
+        desk.files.save(path);
+        desk.cutAnEdge(16);
+        desk.files.save(folder.filePath(QStringLiteral("no such folder/a.acproj")));
+        QVERIFY(desk.rests());
+        QVERIFY(desk.workspace.isModified());
+    }
+
+    void closingLeavesNothingToRecover()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        desk.cutAnEdge();
+        desk.files.saveForRecoveryNow();
+        QVERIFY(desk.files.isSaving());
+        desk.files.close();
+        QVERIFY(recoveryFiles(folder).empty());
+        desk.files.openSample(QStringLiteral("torus"));
+        desk.cutAnEdge();
+        desk.files.saveForRecoveryNow();
+        desk.document().undoStack().undo(); // back to what is saved
+        QVERIFY(desk.rests());
+        QVERIFY(recoveryFiles(folder).empty());
     }
 
     void theDefaultsOfThePreferencesHold()
@@ -113,9 +241,11 @@ private Q_SLOTS:
         {
             Desk desk(folder);
             desk.files.openSample(QStringLiteral("torus"));
-            QVERIFY(desk.files.save(folder.filePath(QStringLiteral("a.acproj"))));
+            desk.files.save(folder.filePath(QStringLiteral("a.acproj")));
+            QVERIFY(desk.rests());
             desk.cutAnEdge();
             desk.files.saveForRecoveryNow();
+            QVERIFY(desk.rests());
             state = desk.document().state();
             // What a crash would leave: the session ends in order here, so its file is put aside.
             const QStringList files = QDir(recovery).entryList({QStringLiteral("*.acproj")}, QDir::Files);
@@ -148,6 +278,7 @@ private Q_SLOTS:
         desk.solver.run();
         QVERIFY(QTest::qWaitFor([&] { return desk.solver.status().iteration > 3; }, patience));
         desk.files.saveForRecoveryNow();
+        desk.files.waitForSaves();
         const std::vector<QString> files = recoveryFiles(folder);
         QCOMPARE(files.size(), std::size_t(1));
         const Result<LoadedProject> project = loadProject(files.front());
@@ -172,10 +303,51 @@ private Q_SLOTS:
         QCOMPARE(desk.failed.count(), 0);
         QVERIFY(desk.document().seams() == seams);
         QVERIFY(desk.workspace.isModified());
+        // The journal begins with the re-linked state.
+        desk.cutAnEdge(8);
+        const Journal journal = desk.workspace.recorder().journal();
+        QCOMPARE(journal.commands.size(), std::size_t(1));
+        QVERIFY(journal.initial.seams == seams);
+        QVERIFY(sameWork(replay(journal).value()->state(), desk.document().state()));
+        desk.document().undoStack().undo();
         desk.files.relink(folder.filePath(QStringLiteral("missing.obj")));
         QVERIFY(desk.rests());
         QCOMPARE(desk.failed.count(), 1);
         QVERIFY(desk.document().seams() == seams);
+    }
+
+    void anExchangeDoesNotLoseEdits()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        const QString changed = folder.filePath(QStringLiteral("changed.obj"));
+        desk.files.exportMesh(changed);
+        QVERIFY(desk.rests());
+        desk.cutAnEdge(6);
+        desk.files.relink(changed);
+        desk.cutAnEdge(8);
+        const DocumentState edited = desk.document().state();
+        QVERIFY(desk.rests());
+        QCOMPARE(desk.failed.count(), 1);
+        const auto error = desk.failed.first().first().value<Error>();
+        QVERIFY2(error.message.contains(QStringLiteral("was edited")), qPrintable(error.message));
+        QVERIFY(!error.remedy.isEmpty());
+        QVERIFY(desk.document().state() == edited);
+        QCOMPARE(desk.document().undoStack().index(), 2);
+        QCOMPARE(desk.workspace.recorder().journal().commands.size(), std::size_t(2));
+        // Nor does it take the place of another document, or of none.
+        desk.files.relink(changed);
+        desk.files.openSample(QStringLiteral("bumpycube"));
+        const Document *other = desk.workspace.document();
+        QVERIFY(desk.rests());
+        QCOMPARE(desk.failed.count(), 2);
+        QCOMPARE(desk.workspace.document(), other);
+        desk.files.relink(changed);
+        desk.files.close();
+        QVERIFY(desk.rests());
+        QCOMPARE(desk.failed.count(), 3);
+        QVERIFY(!desk.workspace.document());
     }
 
     void picturesAndMeshesAreWritten()

@@ -2,12 +2,18 @@
 #include "commands/changesettings.h"
 #include "commands/journalrecorder.h"
 #include "commands/replay.h"
+#include "commands/setseamstate.h"
+#include "commands/setseamweights.h"
 #include "commands/setuvs.h"
 #include "model/io/projectfile.h"
+#include "model/plain/polygonsides.h"
 #include "support/editsupport.h"
+#include "support/meshbuilders.h"
 #include "support/randomedits.h"
 
 #include <QTest>
+
+#include <algorithm>
 
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
@@ -28,6 +34,65 @@ void moveAll(Document &document, double by, quint64 gesture = 0)
     auto command = std::make_unique<SetUvs>(document, UvEdit::Move, uv, UvEditExtras{1, {}, {}});
     command->setGesture(gesture);
     pushCommand(std::move(command));
+}
+
+//! A state or weight per polygon side, which does not depend on how edges are numbered.
+template <typename T>
+std::vector<T> bySide(const MeshData &mesh, const std::vector<T> &values, T none)
+{
+    std::vector<T> result(static_cast<std::size_t>(mesh.cornerCount()), none);
+    for (int p = 0; p < static_cast<int>(mesh.edgePairs.size()); ++p) {
+        if (mesh.edgePairs[p].diagonal)
+            continue;
+        const SidePair sides = sidePair(mesh, p);
+        for (std::size_t i = 0; i < 2; ++i)
+            result[sides.startCorner[i]] = values[sides.cornerPair[i]];
+    }
+    return result;
+}
+
+std::vector<PairState> statesBySide(const Document &document)
+{
+    return bySide(document.mesh(), document.seams().states, PairState::Free);
+}
+
+std::vector<double> weightsBySide(const Document &document)
+{
+    return bySide(document.mesh(), document.seams().weights, 0.0);
+}
+
+//! Cuts one row of edges of a grid, halfway, and paints another one.
+void steer(Document &document)
+{
+    const MeshData &mesh = document.mesh();
+    std::vector<int> halfCut, pairs;
+    std::vector<std::pair<int, double>> painted;
+    for (int p = 0; p < static_cast<int>(mesh.edgePairs.size()); ++p) {
+        if (mesh.edgePairs[p].diagonal)
+            continue;
+        const SidePair sides = sidePair(mesh, p);
+        // The side that comes first in the file, whichever of the two the pair has first.
+        const std::size_t first = sides.startCorner[0] < sides.startCorner[1] ? 0 : 1;
+        if (mesh.cornerVertex[sides.startCorner[first]] % 67 == 20)
+            halfCut.push_back(sides.cornerPair[first]);
+        if (mesh.cornerVertex[sides.startCorner[first]] % 67 == 30)
+            painted.emplace_back(sides.cornerPair[1 - first], 1.0 + sides.startCorner[first] % 7);
+    }
+    std::sort(halfCut.begin(), halfCut.end());
+    std::sort(painted.begin(), painted.end());
+    pushCommand(
+        std::make_unique<SetSeamState>(document, SetSeamState::Edit::Cut, IndexRanges::fromSorted(halfCut)));
+    std::vector<double> weights;
+    for (const auto &[pair, weight] : painted) {
+        pairs.push_back(pair);
+        weights.push_back(weight);
+    }
+    pushCommand(std::make_unique<SetSeamWeights>(document, IndexRanges::fromSorted(pairs), weights));
+}
+
+LoadedProject fixture(const char *name)
+{
+    return loadProject(QStringLiteral(AUTOCUTS_SOURCE_DIR "/tests/data/") + QLatin1StringView(name)).value();
 }
 
 //! Replays the journal after a way through a project file.
@@ -58,6 +123,10 @@ private Q_SLOTS:
     void sizeOfForgottenCommandsIsBounded();
     void randomSessions_data();
     void randomSessions();
+    void numbersOfEdgesDoNotMatter();
+    void versionOneReplays();
+    void versionOneOfALargeMeshIsLeftOut();
+    void largeMeshReplays();
     void damagedJournal();
     void differentEndIsSeen();
 };
@@ -234,6 +303,86 @@ void TestJournal::randomSessions()
     }
     QVERIFY(recorder.journal().commands.size() > 10);
     QVERIFY(replays(recorder.journal(), document->state()));
+}
+
+void TestJournal::numbersOfEdgesDoNotMatter()
+{
+    // Two grids with the same faces whose places run in other directions: their edges have other numbers.
+    const test::MeshPtr one = test::grid(66);
+    PositionMatrix turned = one->positions;
+    turned.col(0) = one->positions.col(1);
+    turned.col(1) = -one->positions.col(0);
+    const test::MeshPtr two = MeshData::build(turned, one->faceStart, one->cornerVertex, one->faceObject);
+    const auto isSame = [](const EdgePair &a, const EdgePair &b) { return a.corner == b.corner; };
+    QVERIFY(one->triangles != two->triangles ||
+            !std::equal(one->edgePairs.begin(), one->edgePairs.end(), two->edgePairs.begin(), isSame));
+    Document first(test::sceneOf(one));
+    JournalRecorder recorder(first);
+    steer(first);
+    Journal journal = recorder.journal();
+    QCOMPARE(journal.commands.size(), std::size_t(2));
+    journal.initial = Document(test::sceneOf(two)).state();
+    const auto replayed = replay(journal);
+    QVERIFY(replayed.ok());
+    QVERIFY(first.seams().states != replayed.value()->seams().states);
+    QVERIFY(statesBySide(*replayed.value()) == statesBySide(first));
+    QVERIFY(weightsBySide(*replayed.value()) == weightsBySide(first));
+}
+
+void TestJournal::versionOneReplays()
+{
+    const LoadedProject loaded = fixture("journal-v1.acproj");
+    QVERIFY(loaded.lost.isEmpty());
+    QVERIFY(loaded.extras.journal);
+    QVERIFY(loaded.extras.journal->commands.size() > 10);
+    const auto replayed = replay(*loaded.extras.journal);
+    QVERIFY(replayed.ok());
+    QVERIFY(sameWork(replayed.value()->state(), loaded.state));
+    // It can go on in a file of today.
+    const auto document = std::move(Document::create(loaded.state).value());
+    JournalRecorder recorder(*document, loaded.extras.journal);
+    pushCommand(std::make_unique<SetSeamState>(*document, SetSeamState::Edit::Clear,
+                                               IndexRanges::all(document->mesh().cornerPairCount())));
+    QVERIFY(replays(recorder.journal(), document->state()));
+}
+
+//! The fixture was made before the triangles of large meshes were numbered along a curve.
+void TestJournal::versionOneOfALargeMeshIsLeftOut()
+{
+    const LoadedProject loaded = fixture("journal-v1-large.acproj");
+    QCOMPARE(loaded.state.scene.mesh->faceCount(), 66 * 66);
+    QVERIFY(loaded.lost.isEmpty());
+    QVERIFY(!loaded.extras.journal);
+    QVERIFY2(loaded.notes.join(u' ').contains(u"the journal was left out and begins anew"),
+             qPrintable(loaded.notes.join(u' ')));
+    // The seams are named by sides: both corner pairs of the edges of one row of quads. The edges that were
+    // selected cannot be known.
+    const std::vector<PairState> &states = loaded.state.seams.states;
+    QCOMPARE(std::count(states.begin(), states.end(), PairState::Cut), 2 * (65 + 66));
+    QCOMPARE(loaded.state.selection.mode, SelectionMode::Edges);
+    QVERIFY(loaded.state.selection.edges.isEmpty());
+}
+
+void TestJournal::largeMeshReplays()
+{
+    const LoadedProject loaded = fixture("journal-v2-large.acproj");
+    QVERIFY(loaded.lost.isEmpty());
+    QVERIFY(loaded.extras.journal);
+    QCOMPARE(loaded.extras.journal->commands.size(), std::size_t(2));
+    const auto replayed = replay(*loaded.extras.journal);
+    QVERIFY(replayed.ok());
+    QVERIFY(sameWork(replayed.value()->state(), loaded.state));
+    Document expected(test::sceneOf(test::grid(66)));
+    steer(expected);
+    QVERIFY(statesBySide(*replayed.value()) == statesBySide(expected));
+    QVERIFY(weightsBySide(*replayed.value()) == weightsBySide(expected));
+    // All edges on one boundary of the grid and across its middle are selected, wherever they stand.
+    const MeshAdjacency adjacency(*loaded.state.scene.mesh);
+    QCOMPARE(loaded.state.selection.edges.size(), 2 * 66);
+    for (int edge : loaded.state.selection.edges) {
+        const std::array<int, 2> &ends = adjacency.edgeVertices(edge);
+        QVERIFY((ends[0] % 67 == 0 || ends[0] % 67 == 33) && ends[1] % 67 == ends[0] % 67);
+    }
 }
 
 void TestJournal::damagedJournal()

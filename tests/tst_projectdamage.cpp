@@ -4,6 +4,7 @@
 #include "support/randomedits.h"
 #include "support/sessions.h"
 
+#include "model/io/projectmigration.h"
 #include "model/io/projectstate.h"
 
 #include <QFile>
@@ -156,7 +157,7 @@ void TestProjectDamage::files()
     QFETCH(bool, obj);
     const test::Session session = obj ? test::cubeSession() : test::gridSession(24, 30, 4);
     const QByteArray whole = ProjectWriter().bytes(session.state, session.extras);
-    const ProjectParts container = readContainer(whole, 1, {}).value();
+    const ProjectParts container = readContainer(whole, projectVersion, {}).value();
     const qint64 before = MemoryLimit::inUse();
     checkOpened(parseProject(whole, {}).value());
     const qint64 honest = MemoryLimit::inUse() - before;
@@ -172,7 +173,7 @@ void TestProjectDamage::files()
             std::vector<PackedBlock> blocks;
             for (const auto &[name, content] : parts)
                 blocks.push_back(packBlock(name, content, name == part->first));
-            bytes = containerBytes(1, blocks);
+            bytes = containerBytes(projectVersion, blocks);
         } else {
             damage(bytes, random);
         }

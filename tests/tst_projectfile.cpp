@@ -1,4 +1,5 @@
 // Project files: what is saved comes back, and what is damaged is found.
+#include "commands/replay.h"
 #include "model/io/objwriter.h"
 #include "model/io/projectfile.h"
 #include "model/io/projectmigration.h"
@@ -83,9 +84,10 @@ void compareStates(const DocumentState &a, const DocumentState &b)
 }
 
 //! The bytes of a session after a change of its parts, with checksums that fit again.
-QByteArray repacked(const QByteArray &bytes, const std::function<void(PartMap &)> &change, int version = 1)
+QByteArray repacked(const QByteArray &bytes, const std::function<void(PartMap &)> &change,
+                    int version = projectVersion)
 {
-    PartMap parts = readContainer(bytes, 1, {}).value().parts;
+    PartMap parts = readContainer(bytes, projectVersion, {}).value().parts;
     change(parts);
     std::vector<PackedBlock> blocks;
     for (const auto &[name, content] : parts)
@@ -97,7 +99,7 @@ QByteArray repacked(const QByteArray &bytes, const std::function<void(PartMap &)
 QByteArray withDamagedBlock(const test::Session &session, const QByteArray &name)
 {
     QByteArray bytes = bytesOf(session);
-    const QByteArray content = readContainer(bytes, 1, {}).value().parts.at(name);
+    const QByteArray content = readContainer(bytes, projectVersion, {}).value().parts.at(name);
     const PackedBlock block = packBlock(name, content, name != "thumbnail" && name != "journal");
     const qsizetype at = bytes.indexOf(block.checksum);
     bytes[at + 3] = static_cast<char>(bytes[at + 3] ^ 16);
@@ -116,7 +118,8 @@ private Q_SLOTS:
     void objSourceComesBack();
     void otherFormatsAreNoted();
     void writerKeepsTheModel();
-    void versionOneOpens();
+    void everyVersionOpens_data();
+    void everyVersionOpens();
     void newerVersionIsRefused();
     void migrationsRunInOrder();
     void migrationsFail();
@@ -197,10 +200,18 @@ void TestProjectFile::writerKeepsTheModel()
         QVERIFY(writer.bytes(session->state, session->extras) == bytesOf(*session));
 }
 
-void TestProjectFile::versionOneOpens()
+void TestProjectFile::everyVersionOpens_data()
 {
-    const Result<LoadedProject> loaded =
-        loadProject(QStringLiteral(AUTOCUTS_SOURCE_DIR "/tests/data/session-v1.acproj"));
+    QTest::addColumn<int>("version");
+    for (int version = 1; version <= projectVersion; ++version)
+        QTest::addRow("%d", version) << version;
+}
+
+void TestProjectFile::everyVersionOpens()
+{
+    QFETCH(int, version);
+    const QString folder = QStringLiteral(AUTOCUTS_SOURCE_DIR "/tests/data/");
+    const Result<LoadedProject> loaded = loadProject(folder + u"session-v%1.acproj"_s.arg(version));
     QVERIFY2(loaded.ok(), loaded.ok() ? "" : qPrintable(loaded.error().toString()));
     QCOMPARE(loaded->lost, QStringList());
     const test::Session expected = test::cubeSession();
@@ -208,6 +219,9 @@ void TestProjectFile::versionOneOpens()
     compareStates(loaded->state, expected.state);
     QCOMPARE(loaded->extras.thumbnail, expected.extras.thumbnail);
     QCOMPARE(loaded->extras.journal->commands.size(), std::size_t(1));
+    const Result<std::unique_ptr<Document>> replayed = replay(*loaded->extras.journal);
+    QVERIFY(replayed.ok());
+    QVERIFY(sameWork(replayed.value()->state(), expected.state));
 }
 
 void TestProjectFile::newerVersionIsRefused()
@@ -217,7 +231,7 @@ void TestProjectFile::newerVersionIsRefused()
     const Result<LoadedProject> loaded = parseProject(bytes, u"new.acproj"_s);
     QVERIFY(!loaded.ok());
     QVERIFY(loaded.error().message.contains(
-        u"saved by a newer Autocuts (its format is 2, this one reads up to 1)"));
+        u"saved by a newer Autocuts (its format is 3, this one reads up to 2)"));
     QCOMPARE(loaded.error().file, u"new.acproj"_s);
     QCOMPARE(loaded.error().remedy, u"Install a newer Autocuts"_s);
 }
@@ -342,12 +356,12 @@ void TestProjectFile::missingUvSet()
 void TestProjectFile::exchangedBlocks()
 {
     const test::Session session = test::cubeSession();
-    const ProjectParts container = readContainer(bytesOf(session), 1, {}).value();
+    const ProjectParts container = readContainer(bytesOf(session), projectVersion, {}).value();
     std::vector<PackedBlock> blocks;
     for (const auto &[name, content] : container.parts)
         blocks.push_back(packBlock(name, content));
     std::reverse(blocks.begin(), blocks.end());
-    const Result<LoadedProject> reversed = parseProject(containerBytes(1, blocks), {});
+    const Result<LoadedProject> reversed = parseProject(containerBytes(projectVersion, blocks), {});
     QVERIFY(reversed.ok());
     QVERIFY(reversed->lost.isEmpty());
     QVERIFY(reversed->state == session.state);
@@ -357,7 +371,7 @@ void TestProjectFile::exchangedBlocks()
                             [&](const auto &block) { return block.name == name; });
     };
     std::swap(named("seams")->name, named("marks")->name);
-    const Result<LoadedProject> swapped = parseProject(containerBytes(1, blocks), {});
+    const Result<LoadedProject> swapped = parseProject(containerBytes(projectVersion, blocks), {});
     QVERIFY(swapped.ok());
     QCOMPARE(swapped->lost, (QStringList{u"the seams"_s, u"the marks of the islands"_s}));
 }
@@ -393,7 +407,7 @@ void TestProjectFile::noSession_data()
     QTest::newRow("huge map") << QByteArray("\xbb\xff\xff\xff\xff\xff\xff\xff\xff");
     QTest::newRow("huge text") << QByteArray("\xa3\x7b\x7f\xff\xff\xff\xff\xff\xff\xff"
                                              "abc");
-    QTest::newRow("no blocks") << containerBytes(1, {});
+    QTest::newRow("no blocks") << containerBytes(projectVersion, {});
 }
 
 void TestProjectFile::noSession()
@@ -458,7 +472,8 @@ void TestProjectFile::bombIsRefused()
     PackedBlock large = packBlock("seams", content);
     block.size = qint64(1) << 40;
     large.size = 10;
-    const ProjectParts parts = readContainer(containerBytes(1, {block, large}), 1, {}).value();
+    const ProjectParts parts =
+        readContainer(containerBytes(projectVersion, {block, large}), projectVersion, {}).value();
     QVERIFY(parts.parts.empty());
     QCOMPARE(parts.damaged.size(), std::size_t(2));
 }

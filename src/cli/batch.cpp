@@ -149,9 +149,12 @@ private:
         if (!project)
             return fail(project.error());
         const std::optional<Journal> &journal = project->extras.journal;
-        if (!journal)
+        if (!journal) {
+            for (const QString &note : project->notes)
+                mErr << "autocuts-cli: note: " << note << Qt::endl;
             return fail({QStringLiteral("the session has no journal that could be replayed"), mOptions.input,
                          0, QStringLiteral("Use convert to write its present state")});
+        }
         Result<std::unique_ptr<Document>> document = replay(*journal);
         if (!document)
             return fail(document.error());

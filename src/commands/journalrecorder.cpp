@@ -4,6 +4,7 @@
 #include "commands/replay.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace autocuts {
 
@@ -17,15 +18,29 @@ DocumentState startState(const Document &document)
     return state;
 }
 
-qint64 sumOf(const std::vector<QByteArray> &commands)
+} // namespace
+
+JournalEntry::JournalEntry(const QCborMap &command)
+    : mBytes(command.toCborValue().toCbor()), mSize(mBytes.size())
+{}
+
+const QByteArray &JournalEntry::bytes()
 {
-    qint64 sum = 0;
-    for (const QByteArray &command : commands)
-        sum += command.size();
-    return sum;
+    std::call_once(mCompressed, [this] { mBytes = compressedEntry(mBytes); });
+    return mBytes;
 }
 
-} // namespace
+PendingJournal::PendingJournal(Journal past, std::vector<std::shared_ptr<JournalEntry>> newer)
+    : mPast(std::move(past)), mNewer(std::move(newer))
+{}
+
+Journal PendingJournal::finished() const
+{
+    Journal journal = mPast;
+    for (const std::shared_ptr<JournalEntry> &entry : mNewer)
+        journal.commands.push_back(entry->bytes());
+    return journal;
+}
 
 JournalRecorder::JournalRecorder(Document &document, std::optional<Journal> earlier)
     : mDocument(document), mFirst(document.undoStack().index())
@@ -38,30 +53,29 @@ JournalRecorder::JournalRecorder(Document &document, std::optional<Journal> earl
     connect(&document.undoStack(), &UndoStack::aboutToRelease, this, &JournalRecorder::takeOver);
 }
 
-Journal JournalRecorder::journal()
+PendingJournal JournalRecorder::pending()
 {
     const UndoStack &stack = mDocument.undoStack();
     const int done = stack.index();
     mEncoded.resize(static_cast<std::size_t>(done));
     qint64 bytes = byteCount();
     for (int i = std::max(mFirst, stack.releasedCount()); i < done && !mMustStartAnew; ++i) {
-        QByteArray &encoded = mEncoded[static_cast<std::size_t>(i)];
-        if (encoded.isEmpty()) {
-            encoded = journalEntry(static_cast<const DocumentCommand &>(*stack.command(i)).toCbor());
-            bytes += encoded.size();
+        std::shared_ptr<JournalEntry> &encoded = mEncoded[static_cast<std::size_t>(i)];
+        if (!encoded) {
+            encoded = std::make_shared<JournalEntry>(
+                static_cast<const DocumentCommand &>(*stack.command(i)).toCbor());
+            bytes += encoded->size();
         }
         mMustStartAnew = bytes > mByteLimit;
     }
     if (mMustStartAnew)
         startAnew();
-    Journal journal = mPast;
-    for (const QByteArray &encoded : mEncoded) {
-        if (!encoded.isEmpty())
-            journal.commands.push_back(encoded);
-    }
+    std::vector<std::shared_ptr<JournalEntry>> newer;
+    std::copy_if(mEncoded.begin(), mEncoded.end(), std::back_inserter(newer),
+                 [](const std::shared_ptr<JournalEntry> &encoded) { return encoded != nullptr; });
     if (!mEncoded.empty())
         mEncoded.pop_back();
-    return journal;
+    return {mPast, std::move(newer)};
 }
 
 void JournalRecorder::startAnew()
@@ -84,12 +98,12 @@ void JournalRecorder::takeOver(const UndoEntry &entry)
     const auto place = static_cast<std::size_t>(mDocument.undoStack().releasedCount());
     if (static_cast<int>(place) < mFirst || mMustStartAnew)
         return;
-    if (place < mEncoded.size() && !mEncoded[place].isEmpty())
-        mPast.commands.push_back(std::move(mEncoded[place]));
+    if (place < mEncoded.size() && mEncoded[place])
+        mPast.commands.push_back(mEncoded[place]->bytes());
     else
         mPast.commands.push_back(journalEntry(static_cast<const DocumentCommand &>(entry).toCbor()));
     if (place < mEncoded.size())
-        mEncoded[place].clear();
+        mEncoded[place].reset();
     if (byteCount() > mByteLimit) {
         mMustStartAnew = true;
         mPast.commands.clear();
@@ -98,7 +112,12 @@ void JournalRecorder::takeOver(const UndoEntry &entry)
 
 qint64 JournalRecorder::byteCount() const
 {
-    return sumOf(mPast.commands) + sumOf(mEncoded);
+    qint64 sum = 0;
+    for (const QByteArray &command : mPast.commands)
+        sum += command.size();
+    for (const std::shared_ptr<JournalEntry> &entry : mEncoded)
+        sum += entry ? entry->bytes().size() : 0;
+    return sum;
 }
 
 } // namespace autocuts

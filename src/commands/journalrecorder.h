@@ -4,9 +4,44 @@
 #include "model/document/document.h"
 #include "model/document/journal.h"
 
+#include <QCborMap>
+
+#include <memory>
+#include <mutex>
 #include <optional>
 
 namespace autocuts {
+
+//! A command's description, compressed when it is first asked for, on whatever thread that is.
+class JournalEntry final
+{
+public:
+    explicit JournalEntry(const QCborMap &command);
+
+    //! Before compression.
+    qint64 size() const { return mSize; }
+    //! As it stands in a Journal.
+    const QByteArray &bytes();
+
+private:
+    QByteArray mBytes;
+    qint64 mSize;
+    std::once_flag mCompressed;
+};
+
+//! A journal of which some commands may have to be compressed yet, so that it is quickly taken.
+class PendingJournal final
+{
+public:
+    PendingJournal(Journal past, std::vector<std::shared_ptr<JournalEntry>> newer);
+
+    //! Compresses what is left; can be called on another thread than the recorder's.
+    Journal finished() const;
+
+private:
+    Journal mPast;
+    std::vector<std::shared_ptr<JournalEntry>> mNewer;
+};
 
 //! Writes down the commands of a document: those on its undo stack that are done, and before them those that
 //! the stack has forgotten. What was undone is not in the journal.
@@ -28,7 +63,8 @@ public:
     void setByteLimit(qint64 bytes) { mByteLimit = bytes; }
 
     //! The journal up to the present state.
-    Journal journal();
+    PendingJournal pending();
+    Journal journal() { return pending().finished(); }
 
 private:
     void startAnew();
@@ -41,7 +77,7 @@ private:
     int mFirst;    //!< stack entries below it are part of mPast.initial
     //! Descriptions of the stack's entries by their place, as far as they were needed; never of the newest
     //! entry, which can still change.
-    std::vector<QByteArray> mEncoded;
+    std::vector<std::shared_ptr<JournalEntry>> mEncoded;
     qint64 mByteLimit = defaultByteLimit;
     bool mMustStartAnew = false;
 };

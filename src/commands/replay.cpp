@@ -37,12 +37,16 @@ Error atCommand(std::size_t index, Error error)
 
 } // namespace
 
+QByteArray compressedEntry(const QByteArray &command)
+{
+    QByteArray entry(sizeBytes, Qt::Uninitialized);
+    qToLittleEndian(static_cast<quint32>(command.size()), entry.data());
+    return entry + deflated(command);
+}
+
 QByteArray journalEntry(const QCborMap &command)
 {
-    const QByteArray bytes = command.toCborValue().toCbor();
-    QByteArray entry(sizeBytes, Qt::Uninitialized);
-    qToLittleEndian(static_cast<quint32>(bytes.size()), entry.data());
-    return entry + deflated(bytes);
+    return compressedEntry(command.toCborValue().toCbor());
 }
 
 Result<std::unique_ptr<Document>> replay(const Journal &journal)

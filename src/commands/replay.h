@@ -7,7 +7,8 @@
 
 namespace autocuts {
 
-//! A command's description as an entry of a journal.
+//! A command's description as an entry of a journal. \param command CBOR
+QByteArray compressedEntry(const QByteArray &command);
 QByteArray journalEntry(const QCborMap &command);
 
 //! A document in the journal's initial state on which all its commands were done. An Error names the first

@@ -1,6 +1,7 @@
 #include "commands/setseamstate.h"
 
 #include "commands/commandreading.h"
+#include "commands/seamdelta.h"
 
 #include <algorithm>
 
@@ -67,13 +68,13 @@ QString SetSeamState::label() const
 void SetSeamState::writePayload(QCborMap &map) const
 {
     map["edit"_L1] = static_cast<int>(mEdit);
-    mDelta.write(map);
+    writeSeamDelta(map, mDelta, document().mesh());
 }
 
 Result<std::unique_ptr<DocumentCommand>> SetSeamState::fromCbor(Document &document, CborReader &reader)
 {
     const Edit edit = reader.enumerator("edit"_L1, Edit::Join);
-    XorDelta delta = XorDelta::read(reader, sizeof(PairState), document.mesh().cornerPairCount());
+    XorDelta delta = readSeamDelta(reader, sizeof(PairState), document);
     const std::vector<PairState> states = delta.applied(document.seams().states.data());
     const bool valid =
         withoutDiagonals(document.mesh(), delta.indices()) == delta.indices() &&

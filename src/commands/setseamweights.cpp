@@ -1,6 +1,7 @@
 #include "commands/setseamweights.h"
 
 #include "commands/commandreading.h"
+#include "commands/seamdelta.h"
 #include "commands/setseamstate.h"
 
 #include <algorithm>
@@ -45,12 +46,12 @@ QString SetSeamWeights::label() const
 
 void SetSeamWeights::writePayload(QCborMap &map) const
 {
-    mDelta.write(map);
+    writeSeamDelta(map, mDelta, document().mesh());
 }
 
 Result<std::unique_ptr<DocumentCommand>> SetSeamWeights::fromCbor(Document &document, CborReader &reader)
 {
-    XorDelta delta = XorDelta::read(reader, sizeof(double), document.mesh().cornerPairCount());
+    XorDelta delta = readSeamDelta(reader, sizeof(double), document);
     const std::vector<double> weights = delta.applied(document.seams().weights.data());
     const auto inRange = [](double w) { return w >= 0 && w <= maxPaintedWeight; };
     const bool valid = withoutDiagonals(document.mesh(), delta.indices()) == delta.indices() &&

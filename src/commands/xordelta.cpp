@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
+#include <numeric>
 #include <optional>
 
 namespace autocuts {
@@ -188,6 +188,23 @@ qint64 XorDelta::byteCount() const
             bytes += static_cast<qint64>(block.capacity());
     }
     return bytes;
+}
+
+XorDelta XorDelta::renumbered(std::span<const int> indices) const
+{
+    std::vector<std::size_t> rising(indices.size());
+    std::iota(rising.begin(), rising.end(), std::size_t(0));
+    std::sort(rising.begin(), rising.end(),
+              [&](std::size_t a, std::size_t b) { return indices[a] < indices[b]; });
+    const QByteArray all = bits();
+    XorDelta result(mElementSize);
+    result.mBits.reserve(all.size());
+    for (std::size_t i : rising) {
+        result.mIndices.append(indices[i]);
+        result.mBits.append(all.constData() + qsizetype(mElementSize) * static_cast<qsizetype>(i),
+                            mElementSize);
+    }
+    return result;
 }
 
 void XorDelta::write(QCborMap &map, std::span<const int> order) const

@@ -63,6 +63,9 @@ public:
     //! Bytes held.
     qint64 byteCount() const;
 
+    //! The same differences at other indices. \param indices one per index of indices(), all different
+    XorDelta renumbered(std::span<const int> indices) const;
+
     //! "ranges" and "bits", not deflated: who writes them compresses the whole.
     void write(QCborMap &map, std::span<const int> order = {}) const;
     //! \pre order, when not empty, is a permutation of 0, ..., elementCount - 1

@@ -29,8 +29,9 @@ int main(int argc, char *argv[])
         std::printf("%c%d\n", kind, number);
         std::fflush(stdout);
     };
-    const auto autosave =
-        Autosave::start(folder, [&](const QString &file) { return saveAtomically(file, bytes()); });
+    const auto autosave = Autosave::start(folder, [&](const QString &file, const Autosave::Saved &saved) {
+        saved(saveAtomically(file, bytes()));
+    });
     if (!autosave)
         return 1;
     for (;;) {

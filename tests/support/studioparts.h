@@ -49,7 +49,7 @@ struct StudioParts
         return QTest::qWaitFor(
             [this] {
                 return !solver.isRunning() && !solver.isPausing() && !map.jobs().isBusy() &&
-                       !files.jobs().isBusy();
+                       !files.jobs().isBusy() && !files.isSaving();
             },
             60'000);
     }

@@ -1,10 +1,12 @@
 #include "model/document/cborvalues.h"
 
+#include "model/plain/polygonsides.h"
 #include "model/plain/settingsproperties.h"
 
 #include <QCborArray>
 #include <QtEndian>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -266,21 +268,47 @@ PackingSettings readPackingSettings(CborReader &reader)
     return settings;
 }
 
-QCborMap toCbor(const Selection &selection)
+QCborMap toCbor(const Selection &selection, const MeshData &mesh)
 {
+    std::vector<int> sides;
+    for (int edge : selection.edges)
+        sides.push_back(sideOfEdge(mesh, edge));
+    std::sort(sides.begin(), sides.end());
     return {{"mode"_L1, static_cast<int>(selection.mode)},
             {"faces"_L1, packedIntegers(selection.faces)},
-            {"edges"_L1, packedIntegers(selection.edges)},
+            {"sides"_L1, packedIntegers(sides)},
             {"corners"_L1, packedIntegers(selection.corners)}};
 }
 
+namespace {
+
+QList<int> readSelectedEdges(CborReader &reader, const MeshData &mesh)
+{
+    if (!reader.contains("sides"_L1)) {
+        const int edgeCount = static_cast<int>(mesh.edgePairs.size() + mesh.boundarySides.size());
+        const QList<int> edges = reader.indexSet("edges"_L1, edgeCount);
+        return hasNumbersOfVersion1(mesh) ? edges : QList<int>();
+    }
+    QList<int> edges = reader.indexSet("sides"_L1, mesh.cornerCount());
+    if (edges.isEmpty())
+        return edges;
+    const std::vector<int> edgeOfSide = edgesBySide(mesh);
+    for (int &edge : edges) {
+        edge = edgeOfSide[static_cast<std::size_t>(edge)];
+        if (edge < 0)
+            reader.fail();
+    }
+    return edges;
+}
+
+} // namespace
+
 Selection readSelection(CborReader &reader, const MeshData &mesh)
 {
-    const int edgeCount = static_cast<int>(mesh.edgePairs.size() + mesh.boundarySides.size());
     Selection selection;
     selection.mode = reader.enumerator("mode"_L1, SelectionMode::Islands);
     selection.faces = reader.indexSet("faces"_L1, mesh.faceCount());
-    selection.edges = reader.indexSet("edges"_L1, edgeCount);
+    selection.edges = readSelectedEdges(reader, mesh);
     selection.corners = reader.indexSet("corners"_L1, mesh.cornerCount());
     selection.normalize(mesh);
     return selection;

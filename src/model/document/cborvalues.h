@@ -68,13 +68,17 @@ QCborMap toCbor(const UvPin &pin);
 QCborMap toCbor(const LayoutRectangle &rectangle);
 QCborMap toCbor(const SolveSettings &settings);
 QCborMap toCbor(const PackingSettings &settings);
-QCborMap toCbor(const Selection &selection);
+//! Edges are named by the corner at which one of their sides starts.
+//! \pre the selection is valid for the mesh
+QCborMap toCbor(const Selection &selection, const MeshData &mesh);
 
 // What these return is valid unless the reader failed. A setting that is not there keeps its default.
 UvPin readPin(CborReader &reader, const MeshData &mesh);
 LayoutRectangle readRectangle(CborReader &reader, const MeshData &mesh);
 SolveSettings readSolveSettings(CborReader &reader);
 PackingSettings readPackingSettings(CborReader &reader);
+//! Edges that version 1 of the project files named by number are left out where the mesh has other numbers
+//! now.
 Selection readSelection(CborReader &reader, const MeshData &mesh);
 
 } // namespace autocuts

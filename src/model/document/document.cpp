@@ -27,7 +27,7 @@ bool steers(const RectangleEvent &event)
 Document::Document(Scene scene) : Document(FromState(), DocumentState::initial(std::move(scene))) {}
 
 Document::Document(FromState, DocumentState state)
-    : mState(std::move(state)), mToken{newRevision(), newRevision(), newRevision()}
+    : mState(std::move(state)), mToken{newRevision(), newRevision(), newRevision(), newRevision()}
 {}
 
 Document::~Document() = default;
@@ -49,8 +49,10 @@ void Document::announce(const ChangeEvent &event)
         mToken.uv = newRevision();
         break;
     case ChangeEvent::Type::Rectangle:
-        if (!steers(static_cast<const RectangleEvent &>(event)))
+        if (!steers(static_cast<const RectangleEvent &>(event))) {
+            mToken.layout = newRevision();
             break;
+        }
         [[fallthrough]];
     case ChangeEvent::Type::Seam:
     case ChangeEvent::Type::Pin:
@@ -60,6 +62,7 @@ void Document::announce(const ChangeEvent &event)
     case ChangeEvent::Type::IslandFlag:
     case ChangeEvent::Type::Tag:
     case ChangeEvent::Type::PackingSettings:
+        mToken.layout = newRevision();
         break;
     }
     Q_EMIT changed(event);

@@ -12,7 +12,7 @@ namespace autocuts {
 //! The commands that lead from one state of a document to another.
 struct Journal
 {
-    DocumentState initial; //!< without selection and view state, which no command depends on
+    DocumentState initial; //!< valid, without selection and view state, which no command depends on
     //! Each command's CBOR description as a zlib stream behind its size in four bytes, little-endian.
     std::vector<QByteArray> commands;
 };

@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QPointer>
 #include <QUuid>
 
 #include <algorithm>
@@ -134,13 +135,28 @@ void Autosave::sessionChanged()
 void Autosave::sessionSaved()
 {
     mTimer.stop();
+    mUnwanted = mSaving > 0;
     QFile::remove(mFile);
 }
 
 void Autosave::saveNow()
 {
     mTimer.stop();
-    if (const Result<Done> saved = mSave(mFile); !saved) {
+    mUnwanted = false;
+    ++mSaving;
+    mSave(mFile, [self = QPointer(this)](const Result<Done> &saved) {
+        if (self)
+            self->saveEnded(saved);
+    });
+}
+
+void Autosave::saveEnded(const Result<Done> &saved)
+{
+    --mSaving;
+    if (mUnwanted) {
+        QFile::remove(mFile);
+        mUnwanted = mSaving > 0;
+    } else if (!saved) {
         mTimer.start();
         Q_EMIT failed(saved.error());
     }

@@ -41,8 +41,10 @@ class Autosave final : public QObject
 public:
     static constexpr int defaultInterval = 2 * 60 * 1000; //!< milliseconds
 
-    //! Writes the session, as it is now, to the path.
-    using Save = std::function<Result<Done>(const QString &path)>;
+    using Saved = std::function<void(const Result<Done> &saved)>;
+    //! Writes the session, as it is now, to the path; may do so on another thread, in the order of the calls.
+    //! Calls `saved` on the thread of the Autosave when that has ended.
+    using Save = std::function<void(const QString &path, Saved saved)>;
 
     //! Begins a session.
     //! \param folder made when it is not there
@@ -50,7 +52,7 @@ public:
     //! it; an Error when another program has taken it up
     static Result<std::unique_ptr<Autosave>> start(const QString &folder, Save save,
                                                    const RecoverableSession *continued = nullptr);
-    //! Ends the session in order: nothing is left to recover.
+    //! Ends the session in order: nothing is left to recover. \pre no save is under way
     ~Autosave() override;
 
     //! \pre milliseconds > 0
@@ -61,11 +63,12 @@ public:
 
     //! There is something new to save: it will be, one interval after the first of these calls.
     void sessionChanged();
-    //! The user saved the session or went back to what is saved: nothing is left to recover.
+    //! The user saved the session or went back to what is saved: nothing is left to recover, of saves that
+    //! are under way neither.
     void sessionSaved();
 
 public Q_SLOTS:
-    //! Saves at once.
+    //! Saves now instead of when it is due.
     void saveNow();
 
 Q_SIGNALS:
@@ -75,10 +78,14 @@ Q_SIGNALS:
 private:
     Autosave(QString file, std::unique_ptr<QLockFile> lock, Save save);
 
+    void saveEnded(const Result<Done> &saved);
+
     QString mFile;
     std::unique_ptr<QLockFile> mLock;
     Save mSave;
     QTimer mTimer;
+    int mSaving = 0;        //!< saves under way
+    bool mUnwanted = false; //!< what they write is to be removed
 };
 
 } // namespace autocuts

@@ -3,6 +3,7 @@
 #include "model/io/projectmigration.h"
 #include "model/io/projectscene.h"
 #include "model/io/savefile.h"
+#include "model/plain/polygonsides.h"
 
 #include <QCborArray>
 #include <QCborMap>
@@ -132,6 +133,13 @@ Result<LoadedProject> parse(const QByteArray &bytes, const QString &path)
     project.state.scene = std::move(scene).value();
     const LostParts lost = readStateParts(parts, StateScope::Session, project.state);
     project.lost += lost.names;
+    if (container->version == 1 && !hasNumbersOfVersion1(*project.state.scene.mesh) &&
+        parts.erase("journal") > 0) {
+        parts.erase("journalStart");
+        project.notes
+            << u"the journal was left out and begins anew: it cannot be replayed, because it numbers the "
+               "edges of this model in a way that changed since"_s;
+    }
     const bool hadJournal = parts.contains("journal") || parts.contains("journalStart") ||
                             container->brokenOff ||
                             std::any_of(damaged.begin(), damaged.end(),

@@ -31,10 +31,10 @@ struct ProjectExtras
 //! A session as read.
 struct LoadedProject
 {
-    DocumentState state;
-    ProjectExtras extras;
-    QStringList lost;  //!< what was damaged and has been left out: "the seams", ...
-    QStringList notes; //!< what the user should know, `lost` included; one line each
+    DocumentState state;  //!< valid
+    ProjectExtras extras; //!< a journal begins with a valid state
+    QStringList lost;     //!< what was damaged and has been left out: "the seams", ...
+    QStringList notes;    //!< what the user should know, `lost` included; one line each
 };
 
 //! Makes project files. Keeps the packed model, the largest part, for the next time.

@@ -6,7 +6,10 @@ namespace autocuts {
 
 const std::vector<Migration> &projectMigrations()
 {
-    static const std::vector<Migration> migrations;
+    static const std::vector<Migration> migrations{
+        // Version 1 named edges in the journal and in the selection by number. These parts say themselves how
+        // they name them, and whoever reads them knows the mesh.
+        [](PartMap &) { return true; }};
     return migrations;
 }
 

@@ -9,7 +9,7 @@
 namespace autocuts {
 
 //! Version of the project files that this program writes.
-inline constexpr int projectVersion = 1;
+inline constexpr int projectVersion = 2;
 
 //! Changes the parts of a file of one version into those of the next one; false when they do not allow it.
 //! Parts that are damaged are not there.

@@ -286,7 +286,7 @@ PartMap statePartsOf(const DocumentState &state, StateScope scope)
     parts["settings"] =
         cborBytes({{"solve"_L1, toCbor(state.solveSettings)}, {"packing"_L1, toCbor(state.packingSettings)}});
     if (scope == StateScope::Session) {
-        parts["selection"] = cborBytes(toCbor(state.selection));
+        parts["selection"] = cborBytes(toCbor(state.selection, mesh));
         parts["view"] = state.viewState;
     }
     return parts;

@@ -30,9 +30,6 @@ struct Side
     bool sameEdge(const Side &o) const { return object == o.object && low == o.low && high == o.high; }
 };
 
-//! From this many faces on their order matters: what belongs to fewer fits into near caches.
-constexpr int orderedFaces = 4096;
-
 //! Soup corners are numbered by int, and there are less than three times as many.
 constexpr std::size_t maxCorners = std::numeric_limits<int>::max() / 3;
 
@@ -115,7 +112,7 @@ void measureTriangles(MeshData &mesh)
 
 std::vector<int> orderOfFaces(const MeshData &mesh)
 {
-    if (mesh.faceCount() >= orderedFaces) {
+    if (mesh.faceCount() >= spatiallyNumberedFaces) {
         PositionMatrix first(mesh.faceCount(), 3);
         for (int f = 0; f < mesh.faceCount(); ++f)
             first.row(f) = mesh.cornerPosition(mesh.faceStart[f]);

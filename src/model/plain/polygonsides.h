@@ -24,4 +24,22 @@ SidePair sidePair(const MeshData &mesh, int edgePair);
 //! and on sides along which a polygon meets itself.
 std::vector<int> edgePairsBySide(const MeshData &mesh);
 
+//! For every polygon corner the edge of MeshAdjacency that has the side from there to the next corner; -1 on
+//! sides along which a polygon meets itself.
+std::vector<int> edgesBySide(const MeshData &mesh);
+
+//! The corner at which the side of an edge of MeshAdjacency starts; of the two sides of an edge pair the
+//! first. \pre the edge is no diagonal
+int sideOfEdge(const MeshData &mesh, int edge);
+
+//! The corner at which the side of a corner pair starts: every corner pair has a side of its own.
+//! \pre the corner pair is on no diagonal
+int sideOfCornerPair(const MeshData &mesh, int cornerPair);
+//! The reverse. \pre the side that starts at the corner is one of the edge pair
+int cornerPairOfSide(const MeshData &mesh, int edgePair, int corner);
+
+//! True when the numbers of edges and corner pairs in files of version 1 are certainly those of this mesh:
+//! before larger meshes were numbered along a curve, the version was the same.
+bool hasNumbersOfVersion1(const MeshData &mesh);
+
 } // namespace autocuts

@@ -118,11 +118,14 @@ void FileActions::leaveSession(const std::function<void()> &then)
 
 bool FileActions::mayLeave()
 {
+    mContext.files.waitForSaves();
     if (!mContext.workspace.isModified())
         return true;
     switch (mQuestions.askUnsaved(mContext.workspace.name())) {
     case Questions::Unsaved::Save:
-        return save();
+        save();
+        mContext.files.waitForSaves();
+        return !mContext.workspace.isModified();
     case Questions::Unsaved::Discard:
         return true;
     case Questions::Unsaved::Cancel:
@@ -158,22 +161,25 @@ void FileActions::askOpen()
         openFile(path);
 }
 
-bool FileActions::save()
+void FileActions::save()
 {
     const QString path = mContext.workspace.sessionPath();
-    return path.isEmpty() ? saveAs() : mContext.files.save(path);
+    if (path.isEmpty())
+        saveAs();
+    else
+        mContext.files.save(path);
 }
 
-bool FileActions::saveAs()
+void FileActions::saveAs()
 {
     if (!mContext.workspace.document())
-        return false;
+        return;
     const QString path =
         mQuestions.fileToSave(tr("Save session"), proposedPath(QLatin1String(projectSuffix)), saveFilters());
     if (path.isEmpty())
-        return false;
+        return;
     rememberFolder(path);
-    return mContext.files.save(path);
+    mContext.files.save(path);
 }
 
 void FileActions::askRelink()

@@ -30,9 +30,9 @@ public:
     //! For the window's closeEvent. False when the user cancelled, or when a solve has to be settled first:
     //! then the window is closed again once it is.
     bool mayClose();
-    //! Saves under the session's own name, or asks for one. \returns false when it is not saved
-    bool save();
-    bool saveAs();
+    //! Saves under the session's own name, or asks for one.
+    void save();
+    void saveAs();
 
 private:
     void connectActions();

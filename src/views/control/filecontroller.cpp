@@ -1,7 +1,6 @@
 #include "views/control/filecontroller.h"
 
 #include "model/document/makesnapshot.h"
-#include "model/document/relink.h"
 #include "model/io/meshdoctor.h"
 #include "model/io/meshfile.h"
 #include "model/io/savefile.h"
@@ -10,7 +9,6 @@
 #include "views/control/workspace.h"
 #include "views/ui/preferences.h"
 
-#include <QBuffer>
 #include <QFileInfo>
 
 namespace autocuts {
@@ -136,7 +134,7 @@ void FileController::adopt(Scene scene)
         Q_EMIT failed(document.error());
         return;
     }
-    mAutosave.reset();
+    endAutosave();
     mWorkspace.open(std::move(document).value(), {}, std::nullopt, notes);
     beginAutosave(nullptr);
     applyPreferences();
@@ -152,7 +150,7 @@ void FileController::adoptProject(LoadedProject project, const QString &sessionP
         Q_EMIT failed(document.error());
         return;
     }
-    mAutosave.reset();
+    endAutosave();
     mWorkspace.open(std::move(document).value(), sessionPath, std::move(project.extras.journal), notes);
     if (recovered)
         mWorkspace.setRecovered(true);
@@ -166,7 +164,9 @@ void FileController::beginAutosave(const RecoverableSession *continued)
     if (mPreferences.values().autosaveMinutes <= 0)
         return;
     Result<std::unique_ptr<Autosave>> autosave = Autosave::start(
-        mRecoveryFolder, [this](const QString &path) { return saveForRecovery(path); }, continued);
+        mRecoveryFolder,
+        [this](const QString &path, const Autosave::Saved &saved) { saveForRecovery(path, saved); },
+        continued);
     if (!autosave) {
         Q_EMIT failed(autosave.error());
         return;
@@ -175,53 +175,56 @@ void FileController::beginAutosave(const RecoverableSession *continued)
     connect(mAutosave.get(), &Autosave::failed, this, &FileController::failed);
 }
 
+//! Autosaves that are under way must not write after the file for recovery was removed.
+void FileController::endAutosave()
+{
+    waitForSaves();
+    mAutosave.reset();
+}
+
 //! The state as it is, during a solve with the solver's map; that one is not in the journal.
-Result<Done> FileController::saveForRecovery(const QString &path)
+void FileController::saveForRecovery(const QString &path, const Autosave::Saved &saved)
 {
-    ProjectExtras saved = extras(mWorkspace.sessionPath());
-    const Document &document = *mWorkspace.document();
-    const std::shared_ptr<const live::SolveResult> live = mSolver.isRunning() ? mSolver.result() : nullptr;
-    if (!live)
-        return saveProjectBytes(mWriter.bytes(document.state(), saved), path);
-    DocumentState state = document.state();
-    state.scene.uvSets[state.activeUvSet].uv = documentUvs(document, live->soupUv);
-    saved.journal.reset();
-    return saveProjectBytes(mWriter.bytes(state, saved), path);
+    SessionToSave session = sessionNow(mWorkspace.sessionPath());
+    if (const std::shared_ptr<const live::SolveResult> live =
+            mSolver.isRunning() ? mSolver.result() : nullptr) {
+        session.state.scene.uvSets[session.state.activeUvSet].uv =
+            documentUvs(*mWorkspace.document(), live->soupUv);
+        session.journal.reset();
+    }
+    mSaver.save(std::move(session), path, saved);
 }
 
-ProjectExtras FileController::extras(const QString &sessionPath)
+SessionToSave FileController::sessionNow(const QString &sessionPath)
 {
+    Document &document = *mWorkspace.document();
     if (mViewState)
-        mWorkspace.document()->setViewState(mViewState());
-    ProjectExtras result;
-    result.journal = mWorkspace.recorder().journal();
-    result.sessionPath = sessionPath;
-    if (mThumbnail) {
-        QBuffer buffer(&result.thumbnail);
-        buffer.open(QIODevice::WriteOnly);
-        mThumbnail().save(&buffer, "PNG");
-    }
-    return result;
+        document.setViewState(mViewState());
+    return {document.state(), mWorkspace.recorder().pending(), mThumbnail ? mThumbnail() : QImage(),
+            sessionPath};
 }
 
-bool FileController::save(const QString &path)
+void FileController::save(const QString &path)
 {
-    Document *document = mWorkspace.document();
-    if (!document)
-        return false;
-    const ProjectExtras saving = extras(path);
-    const Result<Done> saved = saveProjectBytes(mWriter.bytes(document->state(), saving), path);
-    if (!saved) {
-        Q_EMIT failed(saved.error());
-        return false;
-    }
-    document->undoStack().setClean();
-    mWorkspace.setSessionPath(path);
-    mPreferences.addRecentFile(path);
-    if (mAutosave)
-        mAutosave->sessionSaved();
-    Q_EMIT done(tr("Saved %1").arg(QFileInfo(path).fileName()));
-    return true;
+    if (!mWorkspace.document())
+        return;
+    SessionToSave session = sessionNow(path);
+    mWorkspace.beginSave();
+    mSaver.save(std::move(session), path, [this, path](const Result<Done> &saved) {
+        mWorkspace.endSave(saved ? path : QString());
+        if (!saved) {
+            Q_EMIT failed(saved.error());
+            return;
+        }
+        if (mAutosave) {
+            // What was autosaved is older, but for edits during the save: those are autosaved again.
+            mAutosave->sessionSaved();
+            if (mWorkspace.isModified())
+                mAutosave->sessionChanged();
+        }
+        mPreferences.addRecentFile(path);
+        Q_EMIT done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    });
 }
 
 void FileController::relink(const QString &meshPath)
@@ -237,24 +240,39 @@ void FileController::relink(const QString &meshPath)
                 return scene.error();
             return relinkDocument(state, std::move(scene).value());
         },
-        [this](Result<Relinked> linked) {
-            if (!linked) {
-                Q_EMIT failed(linked.error());
-                return;
-            }
-            Result<std::unique_ptr<Document>> changed = Document::create(std::move(linked->state));
-            if (!changed) {
-                Q_EMIT failed(changed.error());
-                return;
-            }
-            mWorkspace.open(std::move(changed).value(), mWorkspace.sessionPath(), std::nullopt,
-                            linked->report.lines());
-            mWorkspace.setRecovered(true);
-            applyPreferences();
-            Q_EMIT opened();
+        [this, token = document->token()](Result<Relinked> linked) {
+            adoptRelinked(std::move(linked), token);
         });
     if (!started)
         tellBusy(meshPath);
+}
+
+//! \param token of the state that was re-linked
+void FileController::adoptRelinked(Result<Relinked> linked, const StateToken &token)
+{
+    if (!linked) {
+        Q_EMIT failed(linked.error());
+        return;
+    }
+    waitForSaves();
+    // A solve that runs is an edit that has not been entered yet.
+    if (!mWorkspace.isInState(token) || mSolver.isRunning() || mSolver.isPausing()) {
+        Q_EMIT failed(
+            Error{tr("The model was not re-linked, because the session was edited while the model was "
+                     "read"),
+                  linked->state.scene.path, 0, tr("Re-link it again and wait until it is read")});
+        return;
+    }
+    Result<std::unique_ptr<Document>> changed = Document::create(std::move(linked->state));
+    if (!changed) {
+        Q_EMIT failed(changed.error());
+        return;
+    }
+    mWorkspace.open(std::move(changed).value(), mWorkspace.sessionPath(), std::nullopt,
+                    linked->report.lines());
+    mWorkspace.setRecovered(true);
+    applyPreferences();
+    Q_EMIT opened();
 }
 
 void FileController::exportMesh(const QString &path)
@@ -312,7 +330,7 @@ void FileController::saveForRecoveryNow()
 
 void FileController::close()
 {
-    mAutosave.reset();
+    endAutosave();
     mWorkspace.close();
 }
 

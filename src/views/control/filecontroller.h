@@ -2,10 +2,12 @@
 // actions/fileactions.
 #pragma once
 
+#include "model/document/relink.h"
 #include "model/io/autosave.h"
 #include "model/io/projectfile.h"
 #include "model/io/uvexport.h"
 #include "views/control/jobrunner.h"
+#include "views/control/sessionsaver.h"
 
 #include <QImage>
 #include <QObject>
@@ -49,15 +51,19 @@ public:
     //! A model that the program makes by itself.
     void openSample(const QString &name);
     void recover(const RecoverableSession &session);
-    //! Puts the model, changed outside, in place of the one in the session; the steering is carried over.
+    //! Puts the model, changed outside, in place of the one in the session; the steering is carried over, the
+    //! history and the journal begin anew. Refused when the session is edited while the model is read.
     void relink(const QString &meshPath);
-    //! Saves the session at once. \returns false when that failed, after failed()
-    bool save(const QString &path);
+    //! Saves the session as it is now, off the GUI thread; done() or failed() follows.
+    void save(const QString &path);
+    bool isSaving() const { return mSaver.isBusy(); }
+    //! Waits for all saves and autosaves that have begun.
+    void waitForSaves() { mSaver.waitForDone(); }
     //! Writes the model with its map, off the GUI thread.
     void exportMesh(const QString &path);
     //! Writes a picture of the map, off the GUI thread. \param path .png or .svg
     void exportLayout(const QString &path, const LayoutOptions &options);
-    //! Autosaves at once instead of when it is due.
+    //! Autosaves now instead of when it is due.
     void saveForRecoveryNow();
     //! Ends the session in order.
     void close();
@@ -76,16 +82,18 @@ private:
     void applyPreferences();
     void tellBusy(const QString &path);
     void tellWritten(const Result<Done> &written, const QString &path);
-    Result<Done> saveForRecovery(const QString &path);
-    ProjectExtras extras(const QString &sessionPath);
+    void adoptRelinked(Result<Relinked> linked, const StateToken &token);
+    void saveForRecovery(const QString &path, const Autosave::Saved &saved);
+    SessionToSave sessionNow(const QString &sessionPath);
+    void endAutosave();
 
     Workspace &mWorkspace;
     SolverController &mSolver;
     Preferences &mPreferences;
     QString mRecoveryFolder;
     JobRunner mJobs{JobRunner::OnCancel::LetGo};
-    ProjectWriter mWriter;
     std::unique_ptr<Autosave> mAutosave;
+    SessionSaver mSaver; //!< behind mAutosave: what that saves is written before its end
     std::function<QImage()> mThumbnail;
     std::function<QByteArray()> mViewState;
 };

@@ -26,6 +26,7 @@ void Workspace::open(std::unique_ptr<Document> document, const QString &sessionP
     mSessionPath = sessionPath;
     mNotes = notes;
     mRecovered = false;
+    mSaving = 0;
     if (mDocument) {
         mRecorder = std::make_unique<JournalRecorder>(*mDocument, std::move(journal));
         attach();
@@ -49,10 +50,24 @@ void Workspace::attach()
     connect(&stack, &QUndoStack::cleanChanged, this, &Workspace::historyChanged);
 }
 
-void Workspace::setSessionPath(const QString &path)
+void Workspace::beginSave()
 {
-    mSessionPath = path;
-    mRecovered = false;
+    UndoStack &stack = mDocument->undoStack();
+    mWasSaved = mSaving == 0 && stack.isClean();
+    ++mSaving;
+    stack.setClean();
+    Q_EMIT historyChanged();
+}
+
+void Workspace::endSave(const QString &path)
+{
+    --mSaving;
+    if (!path.isEmpty()) {
+        mSessionPath = path;
+        mRecovered = false;
+    } else if (mSaving == 0 && !mWasSaved) {
+        mDocument->undoStack().resetClean();
+    }
     Q_EMIT historyChanged();
 }
 
@@ -66,12 +81,17 @@ QString Workspace::name() const
 
 bool Workspace::isModified() const
 {
-    return mDocument && (mRecovered || !mDocument->undoStack().isClean());
+    return mDocument && (mRecovered || mSaving > 0 || !mDocument->undoStack().isClean());
 }
 
 bool Workspace::hasMapOf(const StateToken &token) const
 {
     return mDocument && mDocument->token().sameMap(token);
+}
+
+bool Workspace::isInState(const StateToken &token) const
+{
+    return mDocument && mDocument->token() == token;
 }
 
 void Workspace::setRecovered(bool recovered)

@@ -34,11 +34,16 @@ public:
 
     //! Project file of the session; empty when it was never saved.
     const QString &sessionPath() const { return mSessionPath; }
-    void setSessionPath(const QString &path);
     //! What the title bar calls it: the file name of the session, else of the model.
     QString name() const;
     //! False when everything is saved, or nothing is open.
     bool isModified() const;
+    //! The state as it is now is being saved. It is the saved one from now on: later edits are told from it,
+    //! but until endSave() the session counts as modified. \pre document()
+    void beginSave();
+    //! A save has ended; saves end in the order in which they began. \pre the document is still the same
+    //! \param path where the state was saved, empty when that failed
+    void endSave(const QString &path);
     //! What a recovered session contains is nowhere saved but in the recovery file.
     void setRecovered(bool recovered);
     const QStringList &notes() const { return mNotes; }
@@ -48,6 +53,8 @@ public:
     //! True when the open document still has the map that it had in the state of the token; a job that began
     //! in a state for which this is false was overtaken by an edit.
     bool hasMapOf(const StateToken &token) const;
+    //! True when nothing was edited since the state of the token but selection and view.
+    bool isInState(const StateToken &token) const;
 
 Q_SIGNALS:
     //! Another document is open, or none: everything may differ.
@@ -64,6 +71,8 @@ private:
     std::unique_ptr<JournalRecorder> mRecorder;
     QString mSessionPath;
     QStringList mNotes;
+    int mSaving = 0;        //!< saves that have not ended
+    bool mWasSaved = false; //!< before the last save began
     bool mRecovered = false;
 };
 

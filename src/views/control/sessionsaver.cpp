@@ -1,0 +1,75 @@
+#include "views/control/sessionsaver.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+
+#include <exception>
+#include <new>
+
+namespace autocuts {
+
+namespace {
+
+Result<Done> write(ProjectWriter &writer, const SessionToSave &session, const QString &path)
+{
+    ProjectExtras extras;
+    extras.sessionPath = session.sessionPath;
+    if (session.journal)
+        extras.journal = session.journal->finished();
+    if (!session.thumbnail.isNull()) {
+        QBuffer buffer(&extras.thumbnail);
+        buffer.open(QIODevice::WriteOnly);
+        session.thumbnail.save(&buffer, "PNG");
+    }
+    return saveProjectBytes(writer.bytes(session.state, extras), path);
+}
+
+Result<Done> writeOrTell(ProjectWriter &writer, const SessionToSave &session, const QString &path)
+{
+    try {
+        return write(writer, session, path);
+    } catch (const std::bad_alloc &) {
+        return Error{SessionSaver::tr("there is not enough memory to save the session"), path, 0,
+                     SessionSaver::tr("Close other programs")};
+    } catch (const std::exception &e) {
+        return Error{QString::fromUtf8(e.what()), path, 0, {}};
+    }
+}
+
+} // namespace
+
+SessionSaver::SessionSaver(QObject *parent) : QObject(parent)
+{
+    // A pool of one thread starts its work in the order in which it comes.
+    mThread.setMaxThreadCount(1);
+}
+
+SessionSaver::~SessionSaver()
+{
+    mThread.waitForDone();
+}
+
+void SessionSaver::save(SessionToSave session, const QString &path, Saved saved)
+{
+    ++mSaving;
+    mThread.start([this, session = std::move(session), path, saved = std::move(saved)] {
+        Result<Done> result = writeOrTell(mWriter, session, path);
+        QMetaObject::invokeMethod(
+            this,
+            [this, saved, result = std::move(result)] {
+                --mSaving;
+                saved(result);
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void SessionSaver::waitForDone()
+{
+    while (isBusy()) {
+        mThread.waitForDone();
+        QCoreApplication::sendPostedEvents(this, QEvent::MetaCall);
+    }
+}
+
+} // namespace autocuts
