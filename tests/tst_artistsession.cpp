@@ -25,7 +25,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, mesh);
         if (test::meshFolder().empty())
-            QSKIP("there are no real meshes");
+            QSKIP(test::noMeshes);
         const QString file = QString::fromStdString(test::meshFolder()) + u'/' + mesh;
         test::Artist artist({1100, 750});
         const QString problem = test::runArtistSession(artist, file);

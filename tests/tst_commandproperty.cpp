@@ -53,7 +53,7 @@ void TestCommandProperty::undoAllAndRedoAll()
     QFETCH(QString, mesh);
     const test::MeshPtr data = meshNamed(mesh);
     if (!data)
-        QSKIP("The folder of real meshes is not there");
+        QSKIP(test::noMeshes);
     const auto document = test::layoutDocument(data);
     UndoStack &stack = document->undoStack();
     const DocumentState first = document->state();
@@ -98,7 +98,7 @@ void TestCommandProperty::replayGivesTheSameState()
     QFETCH(QString, mesh);
     const test::MeshPtr data = meshNamed(mesh);
     if (!data)
-        QSKIP("The folder of real meshes is not there");
+        QSKIP(test::noMeshes);
     const auto document = test::layoutDocument(data);
     const auto second = test::layoutDocument(data);
     test::RandomEdits edits(qHash(mesh, 11));

@@ -378,10 +378,11 @@ private Q_SLOTS:
         desk.files.exportMesh(path);
         QVERIFY(desk.rests());
         const Document *before = desk.workspace.document();
+        QSignalSpy ended(&desk.files.jobs(), &JobRunner::letGoEnded);
         desk.files.open(path);
         desk.files.jobs().cancel();
         QVERIFY(!desk.files.jobs().isBusy());
-        QTest::qWait(200);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 20'000);
         QCOMPARE(desk.workspace.document(), before);
     }
 

@@ -17,10 +17,10 @@ constexpr int patience = 20'000; //!< milliseconds
 int countUntilStopped(JobControl &control)
 {
     int count = 0;
-    while (!control.stop()) {
+    do {
         ++count;
         QThread::msleep(1);
-    }
+    } while (!control.stop());
     return count;
 }
 
@@ -91,9 +91,16 @@ private Q_SLOTS:
     void aCancelledJobGivesWhatItHas()
     {
         JobRunner runner;
+        std::atomic<bool> begun = false;
         int result = -1;
-        runner.start(QStringLiteral("Counting"), countUntilStopped, [&](int count) { result = count; });
-        QTest::qWait(20);
+        runner.start(
+            QStringLiteral("Counting"),
+            [&](JobControl &control) {
+                begun = true;
+                return countUntilStopped(control);
+            },
+            [&](int count) { result = count; });
+        QTRY_VERIFY_WITH_TIMEOUT(begun, patience);
         runner.cancel();
         QTRY_VERIFY_WITH_TIMEOUT(result > 0, patience);
     }
@@ -101,6 +108,7 @@ private Q_SLOTS:
     void aJobThatIsLetGoIsForgotten()
     {
         JobRunner runner(JobRunner::OnCancel::LetGo);
+        QSignalSpy ended(&runner, &JobRunner::letGoEnded);
         bool called = false;
         runner.start(QStringLiteral("Reading"), countUntilStopped, [&](int) { called = true; });
         runner.cancel();
@@ -109,13 +117,14 @@ private Q_SLOTS:
         QVERIFY(runner.start(
             QStringLiteral("Another"), [](JobControl &) { return 7; }, [&](int value) { result = value; }));
         QTRY_COMPARE_WITH_TIMEOUT(result, 7, patience);
-        QTest::qWait(50);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, patience);
         QVERIFY(!called);
     }
 
     void aCancelledJobKeepsNobodyWaiting()
     {
         JobRunner runner;
+        QSignalSpy ended(&runner, &JobRunner::letGoEnded);
         std::atomic<bool> release = false;
         const auto stubborn = [&release](JobControl &control) {
             control.setProgress(0.5);
@@ -146,7 +155,7 @@ private Q_SLOTS:
         begin();
         runner.abandon();
         release = true;
-        QTest::qWait(50);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 3, patience);
         QCOMPARE(late, 1);
     }
 

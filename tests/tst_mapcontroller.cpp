@@ -275,7 +275,7 @@ private Q_SLOTS:
     {
         Studio studio("character");
         studio.map.unwrap(UnwrapQuality::Best, 4.1);
-        QTest::qWait(50);
+        QTRY_VERIFY_WITH_TIMEOUT(studio.map.jobs().progress() > 0, patience);
         studio.map.cancel();
         QVERIFY(studio.ends());
         QCOMPARE(studio.stack().count(), 1);
@@ -287,10 +287,11 @@ private Q_SLOTS:
     void anotherDocumentThrowsTheResultAway()
     {
         Studio studio;
+        QSignalSpy ended(&studio.map.jobs(), &JobRunner::letGoEnded);
         studio.map.unwrap(UnwrapQuality::Draft, 4.2);
         studio.workspace.open(std::make_unique<Document>(makeSample(QStringLiteral("torus")).value()), {});
         QVERIFY(!studio.map.jobs().isBusy());
-        QTest::qWait(200);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, patience);
         QCOMPARE(studio.stack().count(), 0);
         QVERIFY(!studio.document().uv().allFinite());
     }

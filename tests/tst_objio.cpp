@@ -125,7 +125,7 @@ void TestObjIo::realMeshesAreByteIdentical()
 {
     const QStringList files = realMeshes();
     if (files.isEmpty())
-        QSKIP("no folder of real meshes");
+        QSKIP(test::noMeshes);
     QTemporaryDir folder;
     for (const QString &path : files) {
         const Result<Scene> scene = readMesh(path);
@@ -210,7 +210,7 @@ void TestObjIo::realMeshesChangeOnlyUvLines()
 {
     const QStringList files = realMeshes();
     if (files.isEmpty())
-        QSKIP("no folder of real meshes");
+        QSKIP(test::noMeshes);
     for (const QString &path : files) {
         Result<Scene> scene = readMesh(path);
         QVERIFY(scene.ok());

@@ -102,7 +102,9 @@ private:
         QTest::mousePress(&studio.uv, Qt::LeftButton, {}, start);
         for (int step = 1; step <= 10; ++step) {
             Canvases::moveMouse(studio.uv, start + QPoint(12, 9) * step, Qt::LeftButton);
-            QTest::qWait(20);
+            // The map follows.
+            const int iteration = studio.solver.status().iteration;
+            QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > iteration; }, 20'000));
         }
         QTest::mouseRelease(&studio.uv, Qt::LeftButton, {}, start + QPoint(120, 90));
     }

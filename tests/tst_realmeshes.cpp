@@ -66,12 +66,6 @@ class TestRealMeshes : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase()
-    {
-        if (test::meshFolder().empty())
-            QSKIP("the folder of real meshes is absent: set AUTOCUTS_MESHES");
-    }
-
     void countsAreTheJudges_data()
     {
         QTest::addColumn<int>("row");
@@ -86,7 +80,7 @@ private Q_SLOTS:
         const Counts &expected = allCounts[row];
         const auto mesh = test::readObjPolygons(test::meshFolder() + '/' + expected.file);
         if (!mesh)
-            QSKIP("this mesh is absent");
+            QSKIP(test::noMeshes);
         QCOMPARE(mesh->validate(), std::string());
         const MeshReport &report = mesh->report;
         QCOMPARE(report.faces, expected.faces);

@@ -366,7 +366,7 @@ private Q_SLOTS:
         QFETCH(QString, file);
         const std::string folder = test::meshFolder();
         if (folder.empty())
-            QSKIP("no meshes: set AUTOCUTS_MESHES");
+            QSKIP(test::noMeshes);
         const test::ObjUv obj = test::readObjUv(folder + "/" + file.toStdString());
         const MeshData &mesh = *obj.mesh;
         const UvMatrix uv =

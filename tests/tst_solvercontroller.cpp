@@ -8,6 +8,7 @@
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 
+#include <QSemaphore>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -64,9 +65,11 @@ private Q_SLOTS:
         SolveSettings settings = studio.document().solveSettings();
         settings.lambda = 0; // the start is the solution: the worker soon waits
         pushCommand(std::make_unique<ChangeSettings>(studio.document(), settings));
+        QSemaphore rests;
+        connect(&studio.solver, &SolverController::workerRests, [&rests] { rests.release(); });
         studio.solver.run();
         // The worker says so while this thread is not listening, and another run begins.
-        QThread::msleep(500);
+        QVERIFY(rests.tryAcquire(1, patience));
         studio.workspace.open(std::make_unique<Document>(makeSample(QStringLiteral("torus")).value()), {});
         studio.solver.setMode(SolveMode::Budget);
         studio.solver.run();
@@ -184,7 +187,12 @@ private Q_SLOTS:
         QCOMPARE(settings.lambda, studio.solver.status().lambda);
         QCOMPARE(settings.delta, studio.solver.status().delta);
         QVERIFY(settings.delta != 0.02);
-        QTest::qWait(50);
+        const auto steps = [&] { return studio.solver.status().iteration; };
+        const int before = steps();
+        QTRY_VERIFY_WITH_TIMEOUT(steps() > before && studio.solver.status().delta == settings.delta,
+                                 patience);
+        const int then = steps();
+        QTRY_VERIFY_WITH_TIMEOUT(steps() > then + 5, patience);
         QCOMPARE(studio.solver.status().delta, settings.delta);
     }
 
@@ -210,10 +218,11 @@ private Q_SLOTS:
         QVERIFY(!studio.shown.isLive());
         QCOMPARE(studio.stack().count(), 1);
         QVERIFY(studio.document().uv() == flat);
-        // Nothing comes after.
-        QTest::qWait(100);
+        // Nothing comes after: the next run's results follow all that the first one could say.
+        QVERIFY(studio.runsTo(1));
         QCOMPARE(studio.stack().count(), 1);
-        QVERIFY(!studio.shown.isLive());
+        QVERIFY(studio.document().uv() == flat);
+        QCOMPARE(studio.solver.trace().front().iteration, 1);
     }
 
     void whatWaitsForTheMapComesAfterIt()

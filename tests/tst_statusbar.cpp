@@ -136,7 +136,9 @@ private Q_SLOTS:
         QVERIFY(bench.bar.figures().figure(StatusBar::Energy) != QStringLiteral("–"));
         QVERIFY(bench.bar.figures().figure(StatusBar::Lambda).startsWith(QLatin1Char('0')));
         const int width = bench.bar.figures().sizeHint().width();
-        QTest::qWait(100);
+        const QString energy = bench.bar.figures().figure(StatusBar::Energy);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.bar.figures().figure(StatusBar::Energy) != energy,
+                                 test::panelPatience);
         QCOMPARE(bench.bar.figures().sizeHint().width(), width); // nothing moves while numbers run
         bench.solver.pause();
         QTRY_VERIFY_WITH_TIMEOUT(!bench.solver.isPausing(), test::panelPatience);

@@ -176,7 +176,7 @@ private Q_SLOTS:
         QFETCH(double, lambda);
         std::optional<Scene> scene = sceneNamed(mesh);
         if (!scene)
-            QSKIP("no meshes: set AUTOCUTS_MESHES");
+            QSKIP(test::noMeshes);
         Solve solve(std::move(*scene), lambda);
         // Left alone it has come to rest.
         solve.anneal(0.0625);
@@ -219,7 +219,7 @@ private Q_SLOTS:
         QFETCH(QString, mesh);
         std::optional<Scene> scene = sceneNamed(mesh);
         if (!scene)
-            QSKIP("no meshes: set AUTOCUTS_MESHES");
+            QSKIP(test::noMeshes);
         Solve solve(std::move(*scene), 0.05);
         QCOMPARE(solve.document.solveSettings().boxWeight, 100.0);
         const double distortionBefore = solve.finished().distortion(solve.solver.soup());
@@ -256,7 +256,7 @@ private Q_SLOTS:
         QFETCH(QString, mesh);
         std::optional<Scene> scene = sceneNamed(mesh);
         if (!scene)
-            QSKIP("no meshes: set AUTOCUTS_MESHES");
+            QSKIP(test::noMeshes);
         Canvases studio;
         Document &document = studio.open(overlapping(std::move(*scene)));
         const auto overlaps = [&] { return measureUv(document.mesh(), document.uv()).overlapPairs; };

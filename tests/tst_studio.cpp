@@ -144,13 +144,11 @@ private Q_SLOTS:
 
     void filesCanBeDropped()
     {
-        if (test::meshFolder().empty())
-            QSKIP("there are no real meshes");
-        StudioSession studio;
         const QString path =
             QString::fromStdString(test::meshFolder()) + QStringLiteral("/organic/cathead.obj");
         if (!QFileInfo::exists(path))
-            QSKIP("cathead.obj is missing");
+            QSKIP(test::noMeshes);
+        StudioSession studio;
         QMimeData data;
         data.setUrls({QUrl::fromLocalFile(path)});
         QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);

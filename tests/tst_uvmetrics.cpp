@@ -445,7 +445,7 @@ void TestUvMetrics::agreesWithTheIndependentProgram()
     if (program.isEmpty())
         QSKIP("AUTOCUTS_UVMETRICS does not name the uvmetrics program");
     if (path.isEmpty())
-        QSKIP("no meshes: set AUTOCUTS_MESHES");
+        QSKIP(test::noMeshes);
     QProcess process;
     process.start(program, {QStringLiteral("--json"), QStringLiteral("--margin"), path});
     QVERIFY(process.waitForFinished(60000));

@@ -196,7 +196,8 @@ private Q_SLOTS:
         bench.runAndWait(before, 3);
         bench.worker->pauseWithMap();
         for (int edit = 0; edit < 5; ++edit) {
-            QTest::qWait(10);
+            // A moment later each, or at once when there is nothing left to disturb.
+            QTest::qWaitFor([&] { return settled.count() > 0; }, 10);
             const auto after = std::make_shared<Snapshot>(*before);
             after->settings.lambda = 0.1 + 0.1 * edit;
             bench.worker->update(after);

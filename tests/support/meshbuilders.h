@@ -38,5 +38,7 @@ MeshPtr meshNamed(const QString &name);
 
 //! Where the real meshes are: $AUTOCUTS_MESHES or ../shared/meshes beside the checkout; empty when absent.
 std::string meshFolder();
+//! What a test says that is skipped because a real mesh is absent: scripts/test counts these.
+inline constexpr const char *noMeshes = "no meshes: set AUTOCUTS_MESHES";
 
 } // namespace autocuts::test

@@ -106,6 +106,7 @@ void JobRunner::jobEnded(Thread *thread)
         mLetGo.erase(job);
         if (ended.done && ended.thread->error().isEmpty())
             ended.done();
+        Q_EMIT letGoEnded();
         return;
     }
     const std::unique_ptr<Thread> ended = std::move(mThread);

@@ -85,6 +85,8 @@ Q_SIGNALS:
     void progressChanged();
     //! A job ended with an exception. \param message translated, one line
     void failed(const QString &message);
+    //! A job that nobody waited for any more has ended, and its result was used or thrown away.
+    void letGoEnded();
 
 private:
     class Thread;

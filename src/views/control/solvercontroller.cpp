@@ -25,6 +25,7 @@ SolverController::SolverController(Workspace &workspace, ShownMap &shownMap, QOb
     connect(mWorker, &live::SolveWorker::resultReady, this, &SolverController::takeResult);
     connect(mWorker, &live::SolveWorker::pausedMapReady, this, &SolverController::takePausedMap);
     connect(mWorker, &live::SolveWorker::waiting, this, &SolverController::workerWaits);
+    connect(mWorker, &live::SolveWorker::waiting, this, &SolverController::workerRests, Qt::DirectConnection);
     connect(mWorker, &live::SolveWorker::failed, this, &SolverController::workerFailed);
     connect(&workspace, &Workspace::documentReplaced, this, &SolverController::documentReplaced);
     connect(&workspace, &Workspace::changed, this, &SolverController::documentChanged);

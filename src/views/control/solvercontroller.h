@@ -87,6 +87,8 @@ Q_SIGNALS:
     void stateChanged();
     //! status() and trace(), at most 30 times a second.
     void statusChanged();
+    //! From the worker's thread: it waits, and this object will be told so by its event loop.
+    void workerRests();
     //! \param message translated, one line
     void failed(const QString &message);
 
