@@ -1,7 +1,7 @@
 // Charts (UV islands) and the disjoint sets behind them.
-#include "model/plain/uvseams.h"
 #include "model/plain/chart.h"
 #include "model/plain/unionfind.h"
+#include "model/plain/uvseams.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>

@@ -1,5 +1,5 @@
 // The command line packs into tiles and rectangles, by the marks of a session.
-#include "cli/clioptions.h"
+#include "cli/commandline.h"
 #include "commands/editrectangles.h"
 #include "commands/setislandflags.h"
 #include "model/io/projectfile.h"

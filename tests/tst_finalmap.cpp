@@ -59,11 +59,11 @@ private Q_SLOTS:
         const double bound = 4.2;
         const std::optional<DefiniteMap> made = makeDefiniteMap(solver, {.maxDistortion = bound});
         double progress = 0;
-        const std::optional<SeamedMap> map =
-            makeRefinedMap(solver, {.maxDistortion = bound}, nullptr, [&](double fraction) {
-                QVERIFY(fraction >= progress && fraction <= 1);
-                progress = fraction;
-            });
+        const std::optional<SeamedMap> map = makeRefinedMap(
+            solver, {.maxDistortion = bound}, {nullptr, 1, [&](const JobProgress &done) {
+                                                   QVERIFY(done.fraction >= progress && done.fraction <= 1);
+                                                   progress = done.fraction;
+                                               }});
         QVERIFY(made && map);
         QCOMPARE(map->validate(solver.soup()), std::string());
         QVERIFY(!coversItself(solver.soup(), *map));
@@ -113,8 +113,8 @@ private Q_SLOTS:
     void itDoesNotDependOnTheThreads()
     {
         const Solved solver(snapshotOf(test::sphere(12, 16)));
-        const auto one = makeRefinedMap(solver, {.threads = 1});
-        const auto two = makeRefinedMap(solver, {.threads = 2});
+        const auto one = makeRefinedMap(solver, {}, {nullptr, 1});
+        const auto two = makeRefinedMap(solver, {}, {nullptr, 2});
         QVERIFY(one && two);
         QVERIFY(one->cut == two->cut);
         QVERIFY(one->x == two->x);

@@ -223,7 +223,7 @@ private Q_SLOTS:
         QCOMPARE(findOverlaps(uv, options).pairs.size(), std::size_t(10));
         const std::atomic<bool> cancel{true};
         options = {};
-        options.cancel = &cancel;
+        options.job = &cancel;
         QCOMPARE(findOverlaps(uv, options).complete, false);
         QVERIFY(findOverlaps(UvMatrix(0, 2)).pairs.empty());
     }

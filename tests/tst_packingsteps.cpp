@@ -41,7 +41,7 @@ struct Desk
     //! The rule of the packer that a layout breaks, or nothing.
     QString broken(const Layout &layout) const
     {
-        PackSettings settings;
+        PackOptions settings;
         // As the packer does, the bin is a little larger than what its steps are told.
         settings.lower = problem.lower - Vec2::Constant(1e-9);
         settings.upper = problem.upper + Vec2::Constant(1e-9);

@@ -207,8 +207,7 @@ private Q_SLOTS:
             options.maxDistortion = 4.3;
             UvMatrix uv[3];
             for (int i = 0; i < 3; ++i) {
-                options.threads = options.packing.threads = i == 2 ? 3 : 1;
-                uv[i] = unwrapMesh(snapshotOf(mesh), options).uv;
+                uv[i] = unwrapMesh(snapshotOf(mesh), options, {nullptr, i == 2 ? 3 : 1}).uv;
             }
             QVERIFY(sameBytes(uv[0], uv[1]));
             QVERIFY(sameBytes(uv[0], uv[2]));
@@ -231,10 +230,11 @@ private Q_SLOTS:
         const auto mesh = pipelineMesh(tag.left(tag.lastIndexOf(QLatin1Char(' '))));
         std::atomic<bool> stop = calls == 0;
         int seen = 0;
-        const UnwrapResult result = unwrapMesh(snapshotOf(mesh), draft(), &stop, [&](const UnwrapProgress &) {
-            if (++seen == calls)
-                stop = true;
-        });
+        const UnwrapResult result =
+            unwrapMesh(snapshotOf(mesh), draft(), {&stop, 1, [&](const JobProgress &) {
+                                                       if (++seen == calls)
+                                                           stop = true;
+                                                   }});
         QCOMPARE(problemWith(*mesh, result.uv), QString());
         QCOMPARE(result.stopped, calls == 0 || seen >= calls); // few calls for a single triangle
     }
@@ -244,12 +244,12 @@ private Q_SLOTS:
         double last = 0;
         int calls = 0;
         bool falls = false;
-        std::ignore =
-            unwrapMesh(snapshotOf(test::quadCube()), draft(), nullptr, [&](const UnwrapProgress &p) {
-                falls = falls || p.fraction < last || p.fraction > 1;
-                last = p.fraction;
-                ++calls;
-            });
+        std::ignore = unwrapMesh(snapshotOf(test::quadCube()), draft(),
+                                 {nullptr, 1, [&](const JobProgress &p) {
+                                      falls = falls || p.fraction < last || p.fraction > 1;
+                                      last = p.fraction;
+                                      ++calls;
+                                  }});
         QVERIFY(calls > 10);
         QVERIFY(!falls);
         QVERIFY(last > 0.9);

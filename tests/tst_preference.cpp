@@ -49,8 +49,7 @@ UnwrapResult draft(const MeshPtr &mesh, const SolveSettings &settings, int threa
     UnwrapOptions options;
     options.quality = UnwrapQuality::Draft;
     options.pack = false;
-    options.threads = threads;
-    return unwrapMesh(snapshot, options);
+    return unwrapMesh(snapshot, options, {nullptr, threads});
 }
 
 //! Share of the seam length with both ends on the cube's edges or one mesh edge away from them. The sample's

@@ -1,12 +1,12 @@
 // Keeps the quality of the maps: figures of the sample models, pinned.
 #include "model/plain/chart.h"
 #include "model/samples/samples.h"
-#include "solver/definite/refinedmap.h"
 #include "solver/homotopy/liveschedule.h"
 #include "solver/metrics/uvmetrics.h"
-#include "solver/overlap/uvseparation.h"
-#include "solver/packing/packmap.h"
 #include "solver/preference/seampreference.h"
+#include "solver/unwrap/finishjob.h"
+#include "solver/unwrap/packjob.h"
+#include "solver/unwrap/separatejob.h"
 #include "solver/unwrap/unwrap.h"
 
 #include <Eigen/Geometry>
@@ -18,11 +18,8 @@
 #include <map>
 
 using namespace autocuts;
-using namespace autocuts::definite;
 using namespace autocuts::homotopy;
 using namespace autocuts::metrics;
-using namespace autocuts::overlap;
-using namespace autocuts::packing;
 using namespace autocuts::preference;
 using namespace autocuts::unwrap;
 
@@ -43,17 +40,15 @@ struct Figures
 constexpr double tolerance = 0.03;
 constexpr double maxDistortion = 4.1;
 
-PackSettings packSettings()
+JobContext onAllCores()
 {
-    PackSettings settings;
-    settings.threads = QThread::idealThreadCount();
-    return settings;
+    return {nullptr, QThread::idealThreadCount()};
 }
 
 //! Packs the charts of a map. \returns no rows when there is no room
 UvMatrix packed(const MeshData &mesh, const ChartMap &charts, UvMatrix uv)
 {
-    return packMap(mesh, charts, {}, packSettings(), uv).complete ? uv : UvMatrix(0, 2);
+    return packCharts(mesh, charts, {}, uv, onAllCores()) ? uv : UvMatrix(0, 2);
 }
 
 //! What a live solve for the bound and then Finish make of a model, packed.
@@ -65,11 +60,10 @@ UvMatrix finished(const std::shared_ptr<const MeshData> &mesh)
     Solver solver;
     solver.load(SeamPreference().applied(snapshot));
     runToTheEnd(solver, maxDistortion);
-    RefinedMapOptions options;
-    options.maxDistortion = maxDistortion;
-    options.threads = QThread::idealThreadCount();
-    const std::optional<SeamedMap> map = makeRefinedMap(solver, options);
-    const UvMatrix uv = cornerUv(solver.soup(), *map);
+    const SolveSettings &reached = solver.snapshot().settings;
+    FinishInput finish{.snapshot = snapshot, .maxDistortion = maxDistortion};
+    finish.live = {solver.coordinates(), reached.lambda, reached.delta};
+    const UvMatrix uv = finishMap(finish, onAllCores()).uv;
     return packed(*mesh, findCharts(*mesh, uv), uv);
 }
 
@@ -196,7 +190,9 @@ private:
             return finished(mesh);
         case Job::Separate: {
             const UvMatrix uv = boxProjection(*mesh);
-            return packed(*mesh, separateUv(*mesh, uv).charts, uv);
+            Snapshot snapshot;
+            snapshot.mesh = mesh;
+            return separateMap(snapshot, uv, {}, onAllCores()).uv;
         }
         case Job::Pack: {
             const UvMatrix &uv = draft(sample, mesh);
@@ -213,9 +209,7 @@ private:
         UnwrapOptions options;
         options.maxDistortion = maxDistortion;
         options.quality = quality;
-        options.packing = packSettings();
-        options.threads = QThread::idealThreadCount();
-        return unwrapMesh(snapshot, options).uv;
+        return unwrapMesh(snapshot, options, onAllCores()).uv;
     }
 
     //! Made once: it is packed again, too.

@@ -6,6 +6,7 @@
 #include "support/editsupport.h"
 #include "views/control/cleanfaces.h"
 
+#include <QSignalSpy>
 #include <QTest>
 
 #include <algorithm>

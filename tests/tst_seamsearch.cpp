@@ -283,7 +283,7 @@ private Q_SLOTS:
         snapshot.mesh = test::torus(12, 8);
         OptimizeOptions options = littleEffort();
         const auto one = optimizeSeams(graphOf(snapshot), options);
-        options.threads = 3;
+        options.job = {nullptr, 3};
         const auto three = optimizeSeams(graphOf(snapshot), options);
         QVERIFY(one && three);
         QVERIFY(one->map.x == three->map.x);
@@ -320,7 +320,7 @@ private Q_SLOTS:
         snapshot.mesh = test::sphere(10, 14);
         OptimizeOptions options = littleEffort();
         std::atomic<bool> stop = true;
-        options.stop = &stop;
+        options.job = &stop;
         const auto found = optimizeSeams(graphOf(snapshot), options);
         QVERIFY(found.has_value());
         const auto soup = Soup::build(snapshot.mesh);

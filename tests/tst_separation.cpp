@@ -157,7 +157,7 @@ private Q_SLOTS:
         for (const EdgePair &pair : mesh.edgePairs)
             QVERIFY(!pair.diagonal || inside(pair.triangle[0]) == inside(pair.triangle[1]));
         const std::atomic<bool> cancel = true;
-        options.cancel = &cancel;
+        options.job = &cancel;
         QVERIFY(cleanHalf(mesh, map.soup, map.cut, map.seed, options).empty());
     }
 
@@ -299,9 +299,9 @@ private Q_SLOTS:
         QCOMPARE(plain.size(), std::size_t(2));
 
         // The edges that would be cut are joined: another place it is. One side of an edge is enough.
-        snapshot.pairState.assign(2 * mesh.edgePairs.size(), PairState::Free);
+        snapshot.editSteering().pairState.assign(2 * mesh.edgePairs.size(), PairState::Free);
         for (int pair : plain)
-            snapshot.pairState[2 * pair + 1] = PairState::Joined;
+            snapshot.editSteering().pairState[2 * pair + 1] = PairState::Joined;
         const Separated elsewhere = separateUv(snapshot, uv);
         const std::set<int> other = cutPairs(mesh, elsewhere.charts);
         QCOMPARE(elsewhere.newSeams, 2);
@@ -310,14 +310,15 @@ private Q_SLOTS:
             QVERIFY(!other.contains(pair));
 
         // That place painted as cheap draws the cut without any joined edges.
-        snapshot.pairState.clear();
-        snapshot.pairWeight.assign(2 * mesh.edgePairs.size(), 1);
+        snapshot.editSteering().pairState.clear();
+        snapshot.editSteering().pairWeight.assign(2 * mesh.edgePairs.size(), 1);
         for (int pair : other)
-            snapshot.pairWeight[2 * pair] = snapshot.pairWeight[2 * pair + 1] = 0.5;
+            snapshot.editSteering().pairWeight[2 * pair] = snapshot.editSteering().pairWeight[2 * pair + 1] =
+                0.5;
         QCOMPARE(cutPairs(mesh, separateUv(snapshot, uv).charts), other);
 
         // All joined: nothing is cut, and the overlaps that stay are counted.
-        snapshot.pairState.assign(2 * mesh.edgePairs.size(), PairState::Joined);
+        snapshot.editSteering().pairState.assign(2 * mesh.edgePairs.size(), PairState::Joined);
         const Separated stuck = separateUv(snapshot, uv);
         QCOMPARE(stuck.newSeams, 0);
         QVERIFY(stuck.unresolvedPairs > 0);
@@ -345,7 +346,7 @@ private Q_SLOTS:
         const std::vector<bool> cut(map.mesh->edgePairs.size(), false);
         const std::atomic<bool> cancel{true};
         SeparationOptions options;
-        options.cancel = &cancel;
+        options.job = &cancel;
         const SeparationResult result =
             separateOverlaps(*map.mesh, soupUv(*map.mesh, map.uv), cut, {}, options);
         QVERIFY(!result.complete);

@@ -1,6 +1,6 @@
 // What the graphics card is given: positions, UVs, colours and lines, heat-maps and their colours.
-#include "model/plain/uvlayout.h"
 #include "model/plain/flippedtriangles.h"
+#include "model/plain/uvlayout.h"
 #include "solver/metrics/uvmetrics.h"
 #include "support/editsupport.h"
 #include "support/meshbuilders.h"

@@ -60,8 +60,8 @@ struct Patch
     }
     void decide(std::size_t edge, PairState state)
     {
-        snapshot.pairState.resize(mesh().cornerPairCount(), PairState::Free);
-        snapshot.pairState[2 * edge] = snapshot.pairState[2 * edge + 1] = state;
+        snapshot.editSteering().pairState.resize(mesh().cornerPairCount(), PairState::Free);
+        snapshot.editSteering().pairState[2 * edge] = snapshot.editSteering().pairState[2 * edge + 1] = state;
     }
     //! Every face at its place, moved by a map that depends on the face.
     std::vector<double> laidOut(const std::function<Vec2(int face, const Vec2 &place)> &moved) const

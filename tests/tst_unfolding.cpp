@@ -71,8 +71,9 @@ struct Fan
     }
     void join(std::size_t edge)
     {
-        snapshot.pairState.resize(mesh().cornerPairCount(), PairState::Free);
-        snapshot.pairState[2 * edge] = snapshot.pairState[2 * edge + 1] = PairState::Joined;
+        snapshot.editSteering().pairState.resize(mesh().cornerPairCount(), PairState::Free);
+        snapshot.editSteering().pairState[2 * edge] = snapshot.editSteering().pairState[2 * edge + 1] =
+            PairState::Joined;
     }
     //! How far the four corners of a face are from a square, as part of its side.
     double squareError(int face) const

@@ -287,7 +287,7 @@ private Q_SLOTS:
         });
         QVERIFY(!atRest);
         QVERIFY(rests.tryAcquire(1, patience));
-        worker.settle();
+        worker.pauseWithMap();
         QVERIFY(settlings.tryAcquire(1, patience));
         whileItIsBusy([&] {
             worker.runSteps(1);

@@ -1,14 +1,18 @@
 #include "cli/batch.h"
 
 #include "cli/batchpacking.h"
-#include "cli/mapreporting.h"
 #include "cli/clihelp.h"
+#include "cli/mapreporting.h"
+#include "cli/progressline.h"
 #include "commands/replay.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "model/io/savefile.h"
 #include "model/samples/samples.h"
-#include "solver/overlap/uvseparation.h"
+#include "solver/unwrap/finishjob.h"
+#include "solver/unwrap/packjob.h"
+#include "solver/unwrap/separatejob.h"
+#include "solver/unwrap/unwrap.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -74,6 +78,8 @@ public:
             return runMapping([this](Scene &scene) { return unwrapScene(scene); });
         case Command::Pack:
             return runMapping([this](Scene &scene) { return packScene(scene); });
+        case Command::Finish:
+            return runMapping([this](Scene &scene) { return finishScene(scene); });
         case Command::Separate:
             return runMapping([this](Scene &scene) { return separateScene(scene); });
         }
@@ -218,10 +224,9 @@ private:
         if (!snapshot)
             return snapshot.error();
         const unwrap::UnwrapResult result =
-            unwrap::unwrapMesh(snapshot.value(), mOptions.unwrap, &mStop.stop,
-                   [this](const unwrap::UnwrapProgress &p) { mProgress.show(p); });
+            unwrap::unwrapMesh(snapshot.value(), mOptions.unwrap, jobContext());
         if (mOptions.unwrap.pack && !result.packed)
-            return packing().noRoom();
+            return noRoomError(mOptions);
         setUv(scene, result.uv);
         Outcome outcome;
         outcome.iterations = result.iterations;
@@ -233,9 +238,7 @@ private:
             outcome.notes
                 << QStringLiteral("symmetric part of the seams: %1 %").arg(100 * *result.symmetry, 0, 'f', 1);
         if (!result.withinBound)
-            outcome.warnings << QStringLiteral("the distortion is %1, above the bound of %2")
-                                    .arg(result.distortion, 0, 'g', 6)
-                                    .arg(mOptions.unwrap.maxDistortion);
+            outcome.warnings << boundMissed(result.distortion);
         return outcome;
     }
 
@@ -245,44 +248,92 @@ private:
             return noUvs();
         UvMatrix uv = scene.uvSets.front().uv;
         const MeshData &mesh = *scene.mesh;
-        if (const Result<Done> packed = packing().pack(mesh, findCharts(mesh, uv), uv); !packed)
-            return packed.error();
+        const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, mesh);
+        if (!pack)
+            return pack.error();
+        const JobContext job = jobContext().part(0, 1, JobStage::Packing);
+        if (!unwrap::packCharts(mesh, findCharts(mesh, uv), pack.value(), uv, job))
+            return noRoomError(mOptions);
         setUv(scene, uv);
         return Outcome{};
     }
 
     Result<Outcome> separateScene(Scene &scene)
     {
+        using Separation = unwrap::SeparateResult::Outcome;
         if (!scene.hasUv())
             return noUvs();
-        const MeshData &mesh = *scene.mesh;
-        UvMatrix uv = scene.uvSets.front().uv;
         const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
         if (!snapshot)
             return snapshot.error();
+        const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, *scene.mesh);
+        if (!pack)
+            return pack.error();
+        const unwrap::SeparateResult made =
+            unwrap::separateMap(snapshot.value(), scene.uvSets.front().uv, pack.value(), jobContext());
         Outcome outcome;
-        const overlap::Separated separated = overlap::separateUv(snapshot.value(), uv, &mStop.stop);
-        if (!separated.complete) {
-            outcome.warnings << QStringLiteral("stopped before the overlaps were taken apart");
-            return outcome;
-        }
-        if (separated.newSeams == 0 && !hasOverlaps(mesh, uv)) {
+        switch (made.outcome) {
+        case Separation::Done:
+            setUv(scene, made.uv);
+            outcome.notes << QStringLiteral("edges cut to take overlaps apart: %1").arg(made.newSeams);
+            if (made.unresolvedPairs > 0)
+                outcome.warnings << QStringLiteral("overlaps inside single polygons or across joined edges, "
+                                                   "which stay whole: %1")
+                                        .arg(made.unresolvedPairs);
+            break;
+        case Separation::NoOverlaps:
             outcome.notes << QStringLiteral("there are no overlaps: the map stays as it is");
-            return outcome;
+            break;
+        case Separation::Stopped:
+            outcome.warnings << QStringLiteral("stopped before the overlaps were taken apart");
+            break;
+        case Separation::NoRoom:
+            return noRoomError(mOptions);
         }
-        if (const Result<Done> packed = packing().pack(mesh, separated.charts, uv); !packed)
-            return packed.error();
-        setUv(scene, uv);
-        outcome.notes << QStringLiteral("edges cut to take overlaps apart: %1").arg(separated.newSeams);
-        if (separated.unresolvedPairs > 0)
-            outcome.warnings
-                << QStringLiteral(
-                       "overlaps inside single polygons or across joined edges, which stay whole: %1")
-                       .arg(separated.unresolvedPairs);
         return outcome;
     }
 
-    BatchPacking packing() { return {mOptions, mFiles, mStop, mProgress}; }
+    Result<Outcome> finishScene(Scene &scene)
+    {
+        if (!scene.hasUv())
+            return noUvs();
+        const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+        if (!snapshot)
+            return snapshot.error();
+        unwrap::FinishInput finish;
+        finish.snapshot = snapshot.value();
+        finish.uv = scene.uvSets.front().uv;
+        finish.uvScale = mFiles.uvScale(scene);
+        finish.maxDistortion = mOptions.unwrap.maxDistortion;
+        finish.packing = mOptions.unwrap.packing;
+        const unwrap::FinishResult made = unwrap::finishMap(finish, jobContext());
+        Outcome outcome;
+        if (made.uv.rows() == 0) {
+            outcome.warnings << QStringLiteral("stopped before there was a finished map");
+            return outcome;
+        }
+        if (made.noRoom)
+            return noRoomError(mOptions);
+        setUv(scene, made.uv);
+        if (made.heldTogether)
+            outcome.warnings << QStringLiteral("the map still covers itself: joined edges hold it together");
+        if (made.distortion > mOptions.unwrap.maxDistortion)
+            outcome.warnings << boundMissed(made.distortion);
+        return outcome;
+    }
+
+    JobContext jobContext()
+    {
+        return {&mStop.stop, mOptions.threads,
+                [this](const JobProgress &progress) { mProgress.show(progress); }};
+    }
+
+    QString boundMissed(double distortion) const
+    {
+        return QStringLiteral("the distortion is %1, above the bound of %2")
+            .arg(distortion, 0, 'g', 6)
+            .arg(mOptions.unwrap.maxDistortion);
+    }
 
     Error noUvs() const
     {
@@ -348,13 +399,6 @@ private:
     {
         for (const QString &loss : BatchFiles::losses(scene, mOptions.output))
             mErr << "autocuts-cli: note: " << loss << Qt::endl;
-    }
-
-    static bool hasOverlaps(const MeshData &mesh, const UvMatrix &uv)
-    {
-        metrics::UvMetricsOptions options;
-        options.gutter = false;
-        return measureUv(mesh, uv, options).overlapPairs > 0;
     }
 
     CliOptions mOptions;

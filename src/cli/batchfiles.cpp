@@ -8,6 +8,7 @@
 #include "model/io/projectfile.h"
 #include "model/io/projectscene.h"
 #include "model/io/uvexport.h"
+#include "model/plain/uvlayout.h"
 
 #include <QFileInfo>
 
@@ -130,6 +131,11 @@ Result<Snapshot> BatchFiles::snapshot(const Scene &scene, const SolveSettings &s
         snapshot.startUv =
             std::make_shared<const UvMatrix>(startUvFromCorners(*scene.mesh, scene.uvSets.front().uv));
     return snapshot;
+}
+
+double BatchFiles::uvScale(const Scene &scene) const
+{
+    return mDocument ? mDocument->uvScale() : layoutScale(*scene.mesh, scene.uvSets.front().uv);
 }
 
 IslandMarks BatchFiles::marks(const MeshData &mesh) const

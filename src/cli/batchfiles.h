@@ -29,6 +29,8 @@ public:
     //! What the solver starts from: the session's steering, or none. \pre the scene is what read() gave
     Result<Snapshot> snapshot(const Scene &scene, const SolveSettings &settings) const;
 
+    //! Texture space per solver unit of the map: the session's, or that of the UVs.
+    double uvScale(const Scene &scene) const;
     //! What the session says of its islands; nothing without a session.
     IslandMarks marks(const MeshData &mesh) const;
     //! A rectangle of the session by its name; null when there is none.

@@ -1,7 +1,6 @@
 // The options of the command line program.
 #pragma once
 
-#include "model/document/result.h"
 #include "model/plain/solvesettings.h"
 #include "solver/unwrap/unwrap.h"
 
@@ -21,14 +20,13 @@ struct CliOptions
         Unwrap,
         Pack,
         Separate,
+        Finish,
         Check,
         Convert,
         Sample,
         Replay
     };
 
-    //! True when the command makes a map: these can be stopped early.
-    bool makesMap() const;
     bool hasRectangle() const { return given.contains(QStringLiteral("--into")); }
     //! Takes the UDIM tile of the packing settings for the bin.
     void packIntoTile();
@@ -39,6 +37,7 @@ struct CliOptions
     QString output;    //!< -o
     SolveSettings settings;
     unwrap::UnwrapOptions unwrap; //!< of the packing: the bin is that of --tile or --into
+    int threads = 1;              //!< the result does not depend on it
     QString intoRectangle;        //!< pack: name of a rectangle of the session
     QString layout;               //!< .png or .svg, empty for none
     QString report;               //!< .json, empty for none
@@ -46,8 +45,5 @@ struct CliOptions
     double timeLimit = 0;         //!< wall seconds, 0 for none
     bool quiet = false;
 };
-
-//! Reads the arguments after the program's name. An Error is a mistake in the usage (exit code 2).
-Result<CliOptions> parseCommandLine(const QStringList &arguments);
 
 } // namespace autocuts

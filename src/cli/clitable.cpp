@@ -176,14 +176,19 @@ CliOption defaultingTo(CliOption option, const QString &standard)
     return option;
 }
 
+std::vector<CliOption> boundOptions()
+{
+    return {
+        number(Group::Bound, u"--max-distortion"_s, u"X"_s, fieldOf(&unwrap::UnwrapOptions::maxDistortion),
+               4.0001, 1e6,
+               u"find the shortest seams with which the mean symmetric Dirichlet energy stays at or below "
+               "this; 4 is no distortion"_s)};
+}
+
 std::vector<CliOption> solvingOptions()
 {
     constexpr Group group = Group::Solving;
     return {
-        number(group, u"--max-distortion"_s, u"X"_s, fieldOf(&unwrap::UnwrapOptions::maxDistortion), 4.0001,
-               1e6,
-               u"find the shortest seams with which the mean symmetric Dirichlet energy stays at or below "
-               "this; 4 is no distortion"_s),
         number(group, u"--lambda"_s, u"X"_s, fieldOf(&unwrap::UnwrapOptions::lambda), 0, 1,
                u"in place of a bound: a fixed balance between distortion and seams, from 0 (cut freely) to 1 "
                "(hardly cut)"_s),
@@ -274,7 +279,7 @@ std::vector<CliOption> makingOptions()
          readLayout},
         text(group, {u"--report"_s}, fieldOf(&CliOptions::report),
              u"write the figures of the result as JSON"_s),
-        defaultingTo(integer(group, u"--threads"_s, fieldOf(&unwrap::UnwrapOptions::threads), 1, 1024,
+        defaultingTo(integer(group, u"--threads"_s, fieldOf(&CliOptions::threads), 1, 1024,
                              u"threads to use; the result does not depend on it"_s),
                      u"all cores"_s),
         number(group, u"--time-limit"_s, u"SECONDS"_s, fieldOf(&CliOptions::timeLimit), 0.001, 1e9,
@@ -290,12 +295,14 @@ const std::vector<CliCommand> &cliCommands()
 {
     using enum OptionGroup;
     static const std::vector<CliCommand> commands{
-        {Command::Unwrap, u"unwrap"_s, u"IN"_s, Output::Needed, Solving | Texture | Packing | Making,
+        {Command::Unwrap, u"unwrap"_s, u"IN"_s, Output::Needed, Bound | Solving | Texture | Packing | Making,
          u"make a UV map"_s},
         {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed, Texture | Packing | Placing | Making,
          u"arrange the islands of an existing map anew"_s},
         {Command::Separate, u"separate"_s, u"IN"_s, Output::Needed, Texture | Packing | Making,
          u"cut islands that overlap themselves, then pack"_s},
+        {Command::Finish, u"finish"_s, u"IN"_s, Output::Needed, Bound | Texture | Packing | Making,
+         u"make a half-solved map usable: seams decided, no overlaps, within the bound"_s},
         {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | Measuring,
          u"measure a map and say what is wrong with it"_s},
         {Command::Convert,
@@ -325,7 +332,8 @@ const std::vector<CliOption> &cliOptions()
     static const std::vector<CliOption> options = [] {
         std::vector<CliOption> all{
             text(Group::Output, {u"-o"_s, u"--output"_s}, fieldOf(&CliOptions::output), u"file to write"_s)};
-        for (const auto &some : {solvingOptions(), packingOptions(), makingOptions(), placingOptions()})
+        for (const auto &some :
+             {boundOptions(), solvingOptions(), packingOptions(), makingOptions(), placingOptions()})
             all.insert(all.end(), some.begin(), some.end());
         all.push_back(flag(Group::Measuring, u"--json"_s, fieldOf(&CliOptions::json), true,
                            u"print the figures as JSON"_s));

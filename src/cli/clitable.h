@@ -15,6 +15,7 @@ namespace autocuts {
 //! Options that belong together: a command takes whole groups.
 enum class OptionGroup {
     Output = 1,      //!< the file to write
+    Bound = 256,     //!< how much distortion is allowed
     Solving = 2,     //!< how seams and distortion are found
     Texture = 4,     //!< the texture that texel figures refer to
     Packing = 8,     //!< how islands are arranged

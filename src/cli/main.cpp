@@ -1,5 +1,6 @@
 // autocuts-cli: UV maps from scripts.
 #include "cli/batch.h"
+#include "cli/commandline.h"
 
 #include <QCoreApplication>
 
@@ -46,7 +47,7 @@ int main(int argc, char *argv[])
         return 2;
     }
     // The other commands have nothing to save: a signal simply ends them.
-    if (options.value().makesMap()) {
+    if (autocuts::makesMap(options.value())) {
         std::signal(SIGINT, interrupt);
         std::signal(SIGTERM, interrupt);
     }

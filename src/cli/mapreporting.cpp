@@ -4,8 +4,8 @@
 #include "model/io/savefile.h"
 #include "model/io/uvexport.h"
 #include "model/plain/chart.h"
-#include "model/plain/uvlayout.h"
 #include "model/plain/flippedtriangles.h"
+#include "model/plain/uvlayout.h"
 #include "solver/overlap/overlapfinder.h"
 
 #include <algorithm>

@@ -18,12 +18,11 @@ void ProgressLine::show(const QString &text)
     mSince.restart();
 }
 
-void ProgressLine::show(const unwrap::UnwrapProgress &progress)
+void ProgressLine::show(const JobProgress &progress)
 {
-    static const char *const stages[] = {"optimising", "separating", "packing"};
-    QString text = QStringLiteral("%1 %2 %")
-                       .arg(QLatin1String(stages[static_cast<int>(progress.stage)]))
-                       .arg(100 * progress.fraction, 3, 'f', 0);
+    const QString stage =
+        progress.stage == JobStage::Packing ? QStringLiteral("packing") : QStringLiteral("optimising");
+    QString text = QStringLiteral("%1 %2 %").arg(stage).arg(100 * progress.fraction, 3, 'f', 0);
     if (progress.distortion > 0)
         text += QStringLiteral("   distortion %1   seams %2")
                     .arg(progress.distortion, 0, 'f', 4)

@@ -1,7 +1,7 @@
 // Progress on a terminal.
 #pragma once
 
-#include "solver/unwrap/unwrap.h"
+#include "solver/base/jobcontext.h"
 
 #include <QElapsedTimer>
 #include <QString>
@@ -20,7 +20,7 @@ public:
     ProgressLine &operator=(const ProgressLine &) = delete;
 
     void show(const QString &text);
-    void show(const unwrap::UnwrapProgress &progress);
+    void show(const JobProgress &progress);
     //! Takes the line away, so that something else can be written.
     void clear();
 

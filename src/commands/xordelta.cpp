@@ -1,6 +1,6 @@
 #include "commands/xordelta.h"
 
-#include "model/plain/bitmap.h"
+#include "model/document/bitmap.h"
 #include "model/document/undostack.h"
 
 #include <QtEndian>

@@ -29,9 +29,8 @@ bench::MapReport finishedMap(const test::MeshPtr &mesh, const bench::Options &op
     UnwrapOptions unwrapping;
     unwrapping.quality = lambda ? UnwrapQuality::Draft : *options.map;
     unwrapping.lambda = lambda;
-    unwrapping.threads = options.threads;
     const bench::Time start = bench::Time::now();
-    const UnwrapResult result = unwrapMesh(snapshot, unwrapping);
+    const UnwrapResult result = unwrapMesh(snapshot, unwrapping, {nullptr, options.threads});
     return {(bench::Time::now() - start).cpu, result.distortion, result.seamLength};
 }
 

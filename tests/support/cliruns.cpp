@@ -1,6 +1,7 @@
 #include "support/cliruns.h"
 
 #include "cli/batch.h"
+#include "cli/commandline.h"
 
 #include <QFile>
 #include <QProcess>

@@ -7,30 +7,6 @@
 
 namespace autocuts {
 
-namespace {
-
-//! The number that most faces have; see the rule in the header.
-std::int32_t mostFrequent(const std::map<std::int32_t, int> &faceCount)
-{
-    std::int32_t best = 0;
-    int bestCount = 0;
-    for (const auto &[value, count] : faceCount) {
-        const bool replacesNone = best == 0 && count == bestCount;
-        if (count > bestCount || replacesNone) {
-            best = value;
-            bestCount = count;
-        }
-    }
-    return best;
-}
-
-} // namespace
-
-bool isValid(const IslandFlags &flags)
-{
-    return (flags.locked & ~1) == 0 && flags.stack >= 0 && flags.group >= 0;
-}
-
 IslandMarks IslandMarks::none(const MeshData &mesh)
 {
     IslandMarks marks;
@@ -40,16 +16,7 @@ IslandMarks IslandMarks::none(const MeshData &mesh)
 
 IslandFlags IslandMarks::flagsOf(const std::vector<int> &faces) const
 {
-    IslandFlags flags;
-    std::map<std::int32_t, int> stacks, groups;
-    for (int face : faces) {
-        flags.locked |= faceFlags[face].locked;
-        ++stacks[faceFlags[face].stack];
-        ++groups[faceFlags[face].group];
-    }
-    flags.stack = mostFrequent(stacks);
-    flags.group = mostFrequent(groups);
-    return flags;
+    return autocuts::flagsOf(faceFlags, faces);
 }
 
 std::vector<QString> IslandMarks::tagsOf(const std::vector<int> &faces) const

@@ -10,28 +10,15 @@
 #pragma once
 
 #include "model/plain/chart.h"
+#include "model/plain/islandflags.h"
 
 #include <Eigen/Geometry>
 #include <QList>
 #include <QString>
 
-#include <cstdint>
 #include <vector>
 
 namespace autocuts {
-
-//! Marks of a face, and of an island through its faces.
-struct IslandFlags
-{
-    std::int32_t locked = 0; //!< 0 or 1; locked islands are not moved by packing or by tools
-    std::int32_t stack = 0;  //!< islands of one stack lie on top of each other; 0 for none
-    std::int32_t group = 0;  //!< islands of one group move together; 0 for none
-
-    bool operator==(const IslandFlags &) const = default;
-};
-
-//! True when every field is in its range.
-bool isValid(const IslandFlags &flags);
 
 //! A named set of faces.
 struct IslandTag

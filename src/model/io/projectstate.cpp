@@ -1,6 +1,6 @@
 #include "model/io/projectstate.h"
 
-#include "model/plain/bitmap.h"
+#include "model/document/bitmap.h"
 #include "model/document/cborvalues.h"
 #include "model/io/packedarrays.h"
 #include "model/io/projectseams.h"

@@ -43,7 +43,7 @@ public:
             mDistortion = mMap.distortion(*mSoup);
             std::set<int> touched; // charts that have changed in this round
             for (const auto &[charts, edges] : neighbours(state)) {
-                if (tries >= mOptions.tries || (mOptions.cancel && mOptions.cancel->load()))
+                if (tries >= mOptions.tries || mOptions.job.stopped())
                     return joins;
                 if (touched.count(charts.first) || touched.count(charts.second) ||
                     mFailed.count(edges.front()))
@@ -72,7 +72,7 @@ public:
             for (const int e : looseEnds()) {
                 if (mFailed.count(e))
                     continue;
-                if (++tries > mOptions.tries || (mOptions.cancel && mOptions.cancel->load()))
+                if (++tries > mOptions.tries || mOptions.job.stopped())
                     return zipped;
                 if (close({e}, mMap.x, zipRings)) {
                     ++zipped;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/snapshot.h"
+#include "solver/base/jobcontext.h"
 #include "solver/definite/stitching.h"
 
 #include <atomic>
@@ -15,7 +16,7 @@ struct JoinOptions
     double costPerLength = 0.1; //!< most distortion (mean energy) per length of seam closed (solver units)
     bool allowOverlaps = false; //!< false: no chart may come to cover itself
     int tries = 100;            //!< joins tried at most
-    const std::atomic<bool> *cancel = nullptr;
+    JobContext job;
 };
 
 //! Tries pairs of neighbouring charts, the longest common seam first: moves the smaller one rigidly onto the

@@ -21,14 +21,14 @@ constexpr int mergeWork = 500'000;      // tries times triangles
 
 //! Relaxes a map as far as it may: without covering itself, unless that is allowed.
 void relaxAsAllowed(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, bool allowOverlaps,
-                    SeamedMap &map, const std::atomic<bool> *stop)
+                    SeamedMap &map, const JobContext &job)
 {
     SeamedMap relaxed = map;
-    relaxMap(soup, snapshot, relaxed, relaxSteps, stop);
+    relaxMap(soup, snapshot, relaxed, relaxSteps, job);
     if (!allowOverlaps && coversItself(*soup, relaxed)) {
         // The free way led over itself; the guarded one is slower.
         relaxed = map;
-        relaxWithoutOverlaps(soup, snapshot, relaxed, relaxSteps, stop);
+        relaxWithoutOverlaps(soup, snapshot, relaxed, relaxSteps, job);
         if (coversItself(*soup, relaxed))
             return;
     }
@@ -37,7 +37,7 @@ void relaxAsAllowed(const std::shared_ptr<const Soup> &soup, const Snapshot &sna
 
 //! Joins charts and closes seams as long as the bound leaves room for it.
 void shortenSeams(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                  const DefiniteMapOptions &options, SeamedMap &map, const std::atomic<bool> *stop)
+                  const DefiniteMapOptions &options, SeamedMap &map, const JobContext &job)
 {
     JoinOptions merge;
     // Giving every chart the same texel density costs a little at the end.
@@ -46,36 +46,35 @@ void shortenSeams(const std::shared_ptr<const Soup> &soup, const Snapshot &snaps
     merge.allowOverlaps = options.allowOverlaps;
     // A try costs time in proportion to the mesh.
     merge.tries = std::clamp(mergeWork / soup->triangleCount(), 10, 300);
-    merge.cancel = stop;
-    for (int round = 0; round < mergeRounds && !(stop && stop->load()); ++round) {
+    merge.job = job;
+    for (int round = 0; round < mergeRounds && !job.stopped(); ++round) {
         const int closed = joinCharts(soup, snapshot, map, merge) + zipSeams(soup, snapshot, map, merge);
         if (closed == 0)
             break;
-        relaxAsAllowed(soup, snapshot, options.allowOverlaps, map, stop);
+        relaxAsAllowed(soup, snapshot, options.allowOverlaps, map, job);
     }
 }
 
 } // namespace
 
 std::optional<DefiniteMap> makeDefiniteMap(const homotopy::Solver &solver, const DefiniteMapOptions &options,
-                                           const std::atomic<bool> *cancel)
+                                           const JobContext &job)
 {
-    const auto cancelled = [cancel] { return cancel && cancel->load(std::memory_order_relaxed); };
     const std::shared_ptr<const Soup> soup = solver.sharedSoup();
     const Snapshot &snapshot = solver.snapshot();
     DefiniteMap result;
-    result.map = stitchSoup(soup, snapshot, solver.coordinates(), cancel);
-    relaxMap(soup, snapshot, result.map, relaxSteps, cancel);
+    result.map = stitchSoup(soup, snapshot, solver.coordinates(), job);
+    relaxMap(soup, snapshot, result.map, relaxSteps, job);
     if (!options.allowOverlaps) {
-        if (!removeOverlaps(*soup, snapshot, result.map, cancel))
+        if (!removeOverlaps(*soup, snapshot, result.map, job))
             return std::nullopt;
-        relaxAsAllowed(soup, snapshot, false, result.map, cancel);
+        relaxAsAllowed(soup, snapshot, false, result.map, job);
     }
     result.seedDistortion = result.map.distortion(*soup);
-    shortenSeams(soup, snapshot, options, result.map, cancel);
+    shortenSeams(soup, snapshot, options, result.map, job);
     if (!snapshot.placesIslands())
         equalizeDensity(*soup, result.map);
-    if (cancelled())
+    if (job.stopped())
         return std::nullopt;
     return result;
 }
@@ -89,15 +88,14 @@ void equalizeDensity(const Soup &soup, SeamedMap &map)
         cornerAt(map.x, c) = uv.row(mesh.cornerOfSoup(c)).transpose();
 }
 
-bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
-                    const std::atomic<bool> *cancel)
+bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map, const JobContext &job)
 {
-    overlap::SeparationResult result = overlap::separateSteered(snapshot, rowsOf(map.x), map.cut, cancel);
+    overlap::SeparationResult result = overlap::separateSteered(snapshot, rowsOf(map.x), map.cut, job);
     if (!result.complete)
         return false;
     map.cut = std::move(result.cut);
     if (result.unresolvedPairs > 0)
-        unfoldUnits(soup, snapshot, map, cancel);
+        unfoldUnits(soup, snapshot, map, job);
     return true;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/plain/chart.h"
+#include "solver/base/jobcontext.h"
 #include "solver/definite/stitching.h"
 #include "solver/homotopy/solver.h"
 
@@ -29,12 +30,12 @@ struct DefiniteMap
 //! of the whole. \returns nothing when cancelled
 [[nodiscard]] std::optional<DefiniteMap> makeDefiniteMap(const homotopy::Solver &solver,
                                                          const DefiniteMapOptions &options,
-                                                         const std::atomic<bool> *cancel = nullptr);
+                                                         const JobContext &job = {});
 
 //! Cuts every chart that covers itself until none does, and lays out flat the polygons that lie on
 //! themselves. Apart from these the UVs stay as they are. Returns false when cancelled: then nothing was cut.
 [[nodiscard]] bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
-                                  const std::atomic<bool> *cancel = nullptr);
+                                  const JobContext &job = {});
 
 //! Gives every chart the texel density of the whole.
 void equalizeDensity(const Soup &soup, SeamedMap &map);

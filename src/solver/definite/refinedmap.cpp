@@ -36,11 +36,11 @@ void placeNear(const Soup &soup, SeamedMap &map, const std::vector<double> &befo
 } // namespace
 
 std::optional<SeamedMap> makeRefinedMap(const homotopy::Solver &solver, const RefinedMapOptions &options,
-                                        const std::atomic<bool> *stop,
-                                        const std::function<void(double)> &progress)
+                                        const JobContext &job)
 {
     const Snapshot &snapshot = solver.snapshot();
-    std::optional<DefiniteMap> made = makeDefiniteMap(solver, {.maxDistortion = options.maxDistortion}, stop);
+    std::optional<DefiniteMap> made =
+        makeDefiniteMap(solver, {.maxDistortion = options.maxDistortion}, job.quiet());
     if (!made)
         return std::nullopt;
     const Soup &soup = solver.soup();
@@ -52,16 +52,14 @@ std::optional<SeamedMap> makeRefinedMap(const homotopy::Solver &solver, const Re
     search.effort = {0, {{searchMoves, 1}}};
     search.given.push_back(made->map);
     search.seed = snapshot.settings.seed;
-    search.threads = options.threads;
-    search.stop = stop;
+    search.job = job;
     std::mutex mutex;
     int total = 1, done = 0;
     search.start = [&](int steps) { total = std::max(steps, 1); };
     search.progress = [&](int steps, double, double) {
         const std::lock_guard lock(mutex);
         done += steps;
-        if (progress)
-            progress(std::min(1.0, double(done) / total));
+        job.report(std::min(1.0, double(done) / total));
     };
     std::optional<search::OptimizedMap> found =
         search::optimizeSeams(search::SeamGraph::build(solver.sharedSoup(), snapshot), search);

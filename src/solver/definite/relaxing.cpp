@@ -32,7 +32,7 @@ bool coversItself(const Soup &soup, const SeamedMap &map)
 }
 
 int relaxWithoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map,
-                         int steps, const std::atomic<bool> *cancel)
+                         int steps, const JobContext &job)
 {
     const CutMesh state(*soup->mesh, map.cut);
     const auto distortion = energy::makeDistortionTerm(soup, snapshot.settings.energy);
@@ -46,7 +46,7 @@ int relaxWithoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot
     if (!std::isfinite(minimizer.energy(map.x)))
         return 0;
     int done = 0;
-    while (done < steps && !(cancel && cancel->load(std::memory_order_relaxed))) {
+    while (done < steps && !job.stopped()) {
         const newton::Minimizer::Step step = minimizer.step(map.x);
         ++done;
         if (step.before - step.after <= stall * std::abs(step.before))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/snapshot.h"
+#include "solver/base/jobcontext.h"
 #include "solver/definite/stitching.h"
 
 #include <atomic>
@@ -15,6 +16,6 @@ bool coversItself(const Soup &soup, const SeamedMap &map);
 //! itself, at most `steps` Newton steps or until the energy stalls. Returns the number of steps; 0 also when
 //! some boundary touches itself from the start. \pre no chart covers itself
 int relaxWithoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map,
-                         int steps, const std::atomic<bool> *cancel = nullptr);
+                         int steps, const JobContext &job = {});
 
 } // namespace autocuts::definite

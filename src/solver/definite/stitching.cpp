@@ -26,11 +26,6 @@ constexpr int springLevels = 5; // 0.3, 3, ... 3000
 constexpr int stepsPerSpring = 4;
 constexpr double stall = 1e-7;
 
-bool cancelled(const std::atomic<bool> *cancel)
-{
-    return cancel && cancel->load(std::memory_order_relaxed);
-}
-
 //! Puts the corners of each UV vertex at their average.
 std::vector<double> snapped(const CutMesh &state, const std::vector<double> &x)
 {
@@ -92,7 +87,7 @@ private:
 
 //! Pulls the merged corners together until snapping flips nothing. Returns false when it still would.
 bool pullTogether(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const CutMesh &state,
-                  std::vector<double> &x, std::vector<double> &snap, const std::atomic<bool> *cancel)
+                  std::vector<double> &x, std::vector<double> &snap, const JobContext &job)
 {
     ShapeTerms shape(soup, snapshot);
     energy::SeparationTerm springs(soup);
@@ -109,7 +104,7 @@ bool pullTogether(const std::shared_ptr<const Soup> &soup, const Snapshot &snaps
     return climbSprings(firstSpring, springLevels, [&](double stiffness) {
         springs.setFactor(stiffness);
         minimizer.setTerms(terms);
-        for (int i = 0; i < stepsPerSpring && !cancelled(cancel); ++i)
+        for (int i = 0; i < stepsPerSpring && !job.stopped(); ++i)
             minimizer.step(x);
         snap = snapped(state, x);
         return badTriangles(*soup, snap).empty();
@@ -148,7 +143,7 @@ bool release(const MeshData &mesh, const Snapshot &snapshot, const std::vector<i
 } // namespace
 
 SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, CutFlags cut,
-                   const std::vector<double> &start, const std::atomic<bool> *cancel)
+                   const std::vector<double> &start, const JobContext &job)
 {
     const MeshData &mesh = *soup->mesh;
     std::vector<double> x = start;
@@ -156,7 +151,7 @@ SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snap
         const CutMesh state(mesh, cut);
         std::vector<double> snap = snapped(state, x);
         std::vector<int> bad = badTriangles(*soup, snap);
-        if (bad.empty() || pullTogether(soup, snapshot, state, x, snap, cancel)) {
+        if (bad.empty() || pullTogether(soup, snapshot, state, x, snap, job)) {
             SeamedMap map{std::move(cut), std::move(snap)};
             return map;
         }
@@ -177,7 +172,7 @@ SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snap
 }
 
 SeamedMap stitchSoup(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                     const std::vector<double> &x, const std::atomic<bool> *cancel)
+                     const std::vector<double> &x, const JobContext &job)
 {
     const MeshData &mesh = *soup->mesh;
     energy::SeparationTerm separation(soup);
@@ -190,11 +185,11 @@ SeamedMap stitchSoup(const std::shared_ptr<const Soup> &soup, const Snapshot &sn
     for (std::size_t e = 0; e < cut.size(); ++e)
         cut[e] = !mesh.edgePairs[e].diagonal && !(merges(2 * e) && merges(2 * e + 1));
     dropClosedCuts(mesh, cut);
-    return stitchTo(soup, snapshot, std::move(cut), x, cancel);
+    return stitchTo(soup, snapshot, std::move(cut), x, job);
 }
 
 int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map, int steps,
-             const std::atomic<bool> *cancel)
+             const JobContext &job)
 {
     const CutMesh state(*soup->mesh, map.cut);
     const ShapeTerms shape(soup, snapshot);
@@ -202,7 +197,7 @@ int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, 
                                 newton::makeExactDirection(soup, {state.uvVertex, state.uvVertexCount}));
     minimizer.setTerms(shape.all());
     int done = 0;
-    while (done < steps && !cancelled(cancel)) {
+    while (done < steps && !job.stopped()) {
         const newton::Minimizer::Step step = minimizer.step(map.x);
         ++done;
         if (step.before - step.after <= stall * std::abs(step.before))

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/plain/snapshot.h"
+#include "solver/base/jobcontext.h"
 #include "solver/base/seamedmap.h"
 
 #include <atomic>
@@ -15,15 +16,15 @@ namespace autocuts::definite {
 //! together step by step with the distortion minimised; what still flips stays cut.
 //! \pre every triangle is positively oriented at x
 SeamedMap stitchSoup(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                     const std::vector<double> &x, const std::atomic<bool> *cancel = nullptr);
+                     const std::vector<double> &x, const JobContext &job = {});
 
 //! Closes the given map to other cut flags, as stitchSoup() does. Edges that cannot be closed stay cut.
 SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, CutFlags cut,
-                   const std::vector<double> &x, const std::atomic<bool> *cancel = nullptr);
+                   const std::vector<double> &x, const JobContext &job = {});
 
 //! Minimises the distortion (and pins and rectangles) with the seams fixed, at most `steps` Newton steps or
 //! until the energy stalls. Returns the number of steps.
 int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map, int steps,
-             const std::atomic<bool> *cancel = nullptr);
+             const JobContext &job = {});
 
 } // namespace autocuts::definite

@@ -29,7 +29,7 @@ bool allHaveBorders(const CutMesh &units)
 
 //! Coordinates of the folded units in shapes of little distortion, wherever.
 std::vector<double> unfolded(const Soup &soup, const CutMesh &units, const std::vector<bool> &folded,
-                             const std::atomic<bool> *cancel)
+                             const JobContext &job)
 {
     const MeshData &mesh = *soup.mesh;
     std::vector<double> x = search::tutteEmbedding(soup, units);
@@ -51,7 +51,7 @@ std::vector<double> unfolded(const Soup &soup, const CutMesh &units, const std::
             problem.faces.push_back(face);
     }
     std::sort(problem.faces.begin(), problem.faces.end());
-    const homotopy::LocalSolution solution = homotopy::solveLocally(mesh, uv, problem, cancel);
+    const homotopy::LocalSolution solution = homotopy::solveLocally(mesh, uv, problem, job.quiet());
     for (int c = 0; c < mesh.soupCornerCount(); ++c)
         cornerAt(x, c) = solution.uv.row(mesh.cornerOfSoup(c)).transpose();
     return x;
@@ -71,7 +71,7 @@ std::vector<bool> foldedOnes(const CutMesh &units, const std::vector<double> &x)
 
 } // namespace
 
-void unfoldUnits(const Soup &soup, const Snapshot &snapshot, SeamedMap &map, const std::atomic<bool> *cancel)
+void unfoldUnits(const Soup &soup, const Snapshot &snapshot, SeamedMap &map, const JobContext &job)
 {
     const MeshData &mesh = *soup.mesh;
     CutFlags apart(map.cut.size());
@@ -81,7 +81,7 @@ void unfoldUnits(const Soup &soup, const Snapshot &snapshot, SeamedMap &map, con
     std::vector<bool> folded = foldedOnes(units, map.x);
     if (std::find(folded.begin(), folded.end(), true) == folded.end() || !allHaveBorders(units))
         return;
-    const std::vector<double> x = unfolded(soup, units, folded, cancel);
+    const std::vector<double> x = unfolded(soup, units, folded, job);
     std::vector<std::vector<int>> triangles(units.chartCount);
     for (int t = 0; t < mesh.triangleCount(); ++t)
         triangles[units.chart[t]].push_back(t);

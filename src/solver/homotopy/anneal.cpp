@@ -25,7 +25,7 @@ int annealSteps(const Soup &soup, const AnnealOptions &options)
     return static_cast<int>(deltaLevels(soup, options.startDelta).size()) * options.stepsPerLevel;
 }
 
-StepResult annealSoup(Solver &solver, const AnnealOptions &options, const std::atomic<bool> *cancel,
+StepResult annealSoup(Solver &solver, const AnnealOptions &options, const JobContext &job,
                       const std::function<void(const StepResult &)> &onStep)
 {
     StepResult last;
@@ -36,7 +36,7 @@ StepResult annealSoup(Solver &solver, const AnnealOptions &options, const std::a
         solver.update(snapshot);
         double energy = 0;
         for (int i = 0; i < options.stepsPerLevel; ++i) {
-            if (cancel && cancel->load(std::memory_order_relaxed))
+            if (job.stopped())
                 return last;
             last = solver.step();
             if (onStep)

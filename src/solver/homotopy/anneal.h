@@ -1,6 +1,7 @@
 // The automatic schedule of the homotopy: delta halved level by level.
 #pragma once
 
+#include "solver/base/jobcontext.h"
 #include "solver/homotopy/solver.h"
 
 #include <atomic>
@@ -33,7 +34,7 @@ int annealSteps(const Soup &soup, const AnnealOptions &options);
 //! Takes options.stepsPerLevel Newton steps at each of deltaLevels(). A level ends early when it has stalled.
 //! The snapshot's lambda and delta are replaced; everything else in it is kept. \param onStep called after
 //! each step \returns the last step
-StepResult annealSoup(Solver &solver, const AnnealOptions &options, const std::atomic<bool> *cancel,
+StepResult annealSoup(Solver &solver, const AnnealOptions &options, const JobContext &job,
                       const std::function<void(const StepResult &)> &onStep = {});
 
 } // namespace autocuts::homotopy

@@ -85,14 +85,14 @@ bool LiveSchedule::chooseLambda(double distortion)
     return true;
 }
 
-bool runToTheEnd(Solver &solver, double maxDistortion, const std::atomic<bool> *stop,
+bool runToTheEnd(Solver &solver, double maxDistortion, const JobContext &job,
                  const std::function<void()> &onStep)
 {
     Snapshot snapshot = solver.snapshot();
     LiveSchedule schedule(solver.soup(), maxDistortion);
     schedule.resume(snapshot.settings.lambda, snapshot.settings.delta);
     do {
-        if (stop && stop->load(std::memory_order_relaxed))
+        if (job.stopped())
             return false;
         SolveSettings settings = snapshot.settings;
         schedule.apply(settings);

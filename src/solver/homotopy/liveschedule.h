@@ -1,6 +1,7 @@
 // Who chooses lambda and delta of a live solve.
 #pragma once
 
+#include "solver/base/jobcontext.h"
 #include "solver/homotopy/budget.h"
 #include "solver/homotopy/solver.h"
 
@@ -47,7 +48,7 @@ private:
 
 //! Takes the steps that are left of a run that was paused at the lambda and delta of the solver.
 //! \param onStep called before each step \returns false when stopped
-bool runToTheEnd(Solver &solver, double maxDistortion, const std::atomic<bool> *stop = nullptr,
+bool runToTheEnd(Solver &solver, double maxDistortion, const JobContext &job = {},
                  const std::function<void()> &onStep = {});
 
 } // namespace autocuts::homotopy

@@ -209,26 +209,19 @@ private:
     std::vector<double> mX;
 };
 
-bool cancelled(const std::atomic<bool> *cancel)
-{
-    return cancel && cancel->load(std::memory_order_relaxed);
-}
-
 //! Springs that get stiffer until the points can be put where they belong.
-bool pullToTargets(Part &part, const energy::DistortionTerm &distortion, const std::atomic<bool> *cancel,
-                   const std::function<void(double)> &progress)
+bool pullToTargets(Part &part, const energy::DistortionTerm &distortion, const JobContext &job)
 {
     int pull = 0;
     return climbSprings(firstPull, pulls, [&](double weight) {
-        if (cancelled(cancel))
+        if (job.stopped())
             return false;
         const energy::PinTerm springs(part.pins(weight));
         newton::Minimizer minimizer(part.soup(), newton::makeExactDirection(part.soup(), part.unknowns()));
         minimizer.setTerms({&distortion, &springs});
-        for (int i = 0; i < stepsPerPull && !cancelled(cancel); ++i)
+        for (int i = 0; i < stepsPerPull && !job.stopped(); ++i)
             minimizer.step(part.x());
-        if (progress)
-            progress(0.5 * ++pull / pulls);
+        job.report(0.5 * ++pull / pulls);
         return part.reachTargets();
     });
 }
@@ -236,7 +229,7 @@ bool pullToTargets(Part &part, const energy::DistortionTerm &distortion, const s
 } // namespace
 
 LocalSolution solveLocally(const MeshData &mesh, const UvMatrix &uv, const LocalProblem &problem,
-                           const std::atomic<bool> *cancel, const std::function<void(double)> &progress)
+                           const JobContext &job)
 {
     LocalSolution solution;
     solution.uv = uv;
@@ -247,25 +240,24 @@ LocalSolution solveLocally(const MeshData &mesh, const UvMatrix &uv, const Local
     const auto distortion = energy::makeDistortionTerm(part.soup(), DistortionEnergy::SymmetricDirichlet);
     distortion->setFactor(1);
     solution.before = distortion->value(part.x());
-    const bool reached = problem.targets.empty() || pullToTargets(part, *distortion, cancel, progress);
+    const bool reached = problem.targets.empty() || pullToTargets(part, *distortion, job);
     if (reached && part.unknowns().count > 0) {
         newton::Minimizer minimizer(part.soup(), newton::makeExactDirection(part.soup(), part.unknowns()));
         minimizer.setTerms({distortion.get()});
-        for (int i = 0; i < mostSteps && !cancelled(cancel); ++i) {
+        for (int i = 0; i < mostSteps && !job.stopped(); ++i) {
             const newton::Minimizer::Step step = minimizer.step(part.x());
-            if (progress)
-                progress(0.5 + 0.5 * (i + 1) / mostSteps);
+            job.report(0.5 + 0.5 * (i + 1) / mostSteps);
             if (step.before - step.after <= stall * std::abs(step.before))
                 break;
         }
     }
     solution.after = distortion->value(part.x());
-    solution.outcome = cancelled(cancel) ? LocalSolution::Outcome::Cancelled
-                       : reached         ? LocalSolution::Outcome::Solved
-                                         : LocalSolution::Outcome::Stuck;
+    solution.outcome = job.stopped() ? LocalSolution::Outcome::Cancelled
+                       : reached     ? LocalSolution::Outcome::Solved
+                                     : LocalSolution::Outcome::Stuck;
     if (reached)
         solution.uv = part.result();
-    if (cancelled(cancel))
+    if (job.stopped())
         solution.uv = uv;
     return solution;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/meshdata.h"
+#include "solver/base/jobcontext.h"
 
 #include <atomic>
 #include <functional>
@@ -41,7 +42,6 @@ struct LocalSolution
 //! mirrored as a whole is solved as it lies. Faces without area in 3D follow their points.
 //! \param uv one row per corner, texture space
 LocalSolution solveLocally(const MeshData &mesh, const UvMatrix &uv, const LocalProblem &problem,
-                           const std::atomic<bool> *cancel = nullptr,
-                           const std::function<void(double)> &progress = {});
+                           const JobContext &job = {});
 
 } // namespace autocuts::homotopy

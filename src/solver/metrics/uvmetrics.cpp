@@ -78,7 +78,7 @@ void measureCharts(const UvTriangles &triangles, UvMetrics &metrics)
 }
 
 void measureOverlaps(const UvMatrix &uv, const UvTopology &topology, const UvTriangles &triangles,
-                     const std::atomic<bool> *cancel, UvMetrics &metrics)
+                     const JobContext &job, UvMetrics &metrics)
 {
     // Corners of one UV vertex may differ by the tolerance of the charts: bring them together, so that
     // neighbours only touch.
@@ -101,7 +101,7 @@ void measureOverlaps(const UvMatrix &uv, const UvTopology &topology, const UvTri
     }
     overlap::OverlapOptions options;
     options.minAreaRatio = 0;
-    options.cancel = cancel;
+    options.job = job;
     const double threshold = 1e-9 * triangles.totalUvArea;
     double sum = 0;
     std::int64_t pairs = 0, sameChart = 0;
@@ -156,7 +156,7 @@ UvMetrics measureUv(const MeshData &mesh, const UvMatrix &uv, const UvMetricsOpt
     measureDistortion(mesh, uv, triangles, metrics);
     measurePacking(topology, options.textureSize, metrics);
     if (options.overlaps)
-        measureOverlaps(uv, topology, triangles, options.cancel, metrics);
+        measureOverlaps(uv, topology, triangles, options.job, metrics);
     if (options.gutter) {
         const double gutter = smallestGutter(uv, topology);
         if (std::isfinite(gutter)) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/meshdata.h"
+#include "solver/base/jobcontext.h"
 #include "solver/metrics/uvfigures.h"
 
 #include <atomic>
@@ -14,7 +15,7 @@ struct UvMetricsOptions
     int textureSize = 2048; //!< for figures in texels: texels along a side of the unit square
     bool overlaps = true;   //!< false: the overlap figures stay missing
     bool gutter = true;     //!< false: the distances between charts stay missing
-    const std::atomic<bool> *cancel = nullptr; //!< stops the overlap test, whose figures then are missing
+    JobContext job;         //!< stops the overlap test, whose figures then are missing
 };
 
 //! \param uv one row per corner; a non-finite row means that the corner has no UV

@@ -135,9 +135,7 @@ private:
 std::vector<int> cleanHalf(const MeshData &mesh, const UvMatrix &soupUv, const std::vector<bool> &cut,
                            int seedTriangle, const OverlapOptions &options)
 {
-    const auto isCancelled = [&] {
-        return options.cancel && options.cancel->load(std::memory_order_relaxed);
-    };
+    const auto isCancelled = [&] { return options.job.stopped(); };
     auto [triangles, graph, complete] = conflictsOfChart(mesh, soupUv, cut, seedTriangle, options);
     if (!complete)
         return {};

@@ -5,15 +5,15 @@
 namespace autocuts::overlap {
 
 MinCutSplitter::MinCutSplitter(const UnitGraph &graph, const std::vector<std::int64_t> &capacity,
-                               std::vector<int> &part, int &nextPart, const std::atomic<bool> *cancel)
-    : mGraph(graph), mCapacity(capacity), mPart(part), mNextPart(nextPart), mCancel(cancel), mFinder(graph),
+                               std::vector<int> &part, int &nextPart, const JobContext &job)
+    : mGraph(graph), mCapacity(capacity), mPart(part), mNextPart(nextPart), mJob(job), mFinder(graph),
       mLocal(graph.unitCount, -1)
 {}
 
 bool MinCutSplitter::exhausted() const
 {
     constexpr std::int64_t mostVisits = 20'000'000;
-    return mVisited > mostVisits || (mCancel && mCancel->load(std::memory_order_relaxed));
+    return mVisited > mostVisits || mJob.stopped();
 }
 
 std::vector<int> MinCutSplitter::split(int label)

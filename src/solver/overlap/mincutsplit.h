@@ -1,6 +1,7 @@
 // Splits charts between overlapping layers along short seams.
 #pragma once
 
+#include "solver/base/jobcontext.h"
 #include "solver/overlap/maxflow.h"
 #include "solver/overlap/sheets.h"
 #include "solver/overlap/unitgraph.h"
@@ -21,7 +22,7 @@ public:
     //! \param part label of each unit, changed by split()
     //! \param nextPart the first unused label
     MinCutSplitter(const UnitGraph &graph, const std::vector<std::int64_t> &capacity, std::vector<int> &part,
-                   int &nextPart, const std::atomic<bool> *cancel);
+                   int &nextPart, const JobContext &job);
 
     //! \return labels that still hold overlaps: none, unless cancelled or the chart has so many separate
     //! overlaps that cutting them one by one would take too long
@@ -37,7 +38,7 @@ private:
     const std::vector<std::int64_t> &mCapacity;
     std::vector<int> &mPart;
     int &mNextPart;
-    const std::atomic<bool> *mCancel;
+    JobContext mJob;
     SheetFinder mFinder;
     std::vector<int> mLocal;                  //!< number of each unit inside the graph being cut
     std::map<int, std::vector<int>> mMembers; //!< units of each label being split

@@ -108,7 +108,7 @@ bool visitAmong(const UvMatrix &uv, const std::vector<int> &which, const Overlap
     const BoxTree tree(std::move(prepared.boxes));
     unsigned untilPoll = 0;
     return tree.visitOverlappingPairs([&](int a, int b) {
-        if (options.cancel && (++untilPoll & 1023u) == 0 && options.cancel->load(std::memory_order_relaxed))
+        if ((++untilPoll & 1023u) == 0 && options.job.stopped())
             return false;
         const double area = intersectionArea(prepared.triangles[a], prepared.triangles[b]);
         if (!(area > minArea))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/types.h"
+#include "solver/base/jobcontext.h"
 
 #include <atomic>
 #include <cstddef>
@@ -16,7 +17,7 @@ struct OverlapOptions
     double minAreaRatio = 1e-10;       //!< a pair counts when its intersection exceeds this part of totalArea
     double totalArea = 0;              //!< UV area to compare with; 0: the sum over the given triangles
     std::size_t maxPairs = 50'000'000; //!< findOverlaps() stops there
-    const std::atomic<bool> *cancel = nullptr; //!< set to true from any thread to stop
+    JobContext job;                    //!< set to true from any thread to stop
 };
 
 //! Two triangles, first < second, and the UV area of their intersection.

@@ -72,7 +72,7 @@ public:
             for (int u : members)
                 triangles.insert(triangles.end(), mGraph.triangles[u].begin(), mGraph.triangles[u].end());
             OverlapList list = findOverlapsAmong(mUv, triangles, mOptions);
-            if (mOptions.cancel && mOptions.cancel->load(std::memory_order_relaxed))
+            if (mOptions.job.stopped())
                 return false;
             if (list.complete || members.size() == 1) {
                 pairs.insert(pairs.end(), list.pairs.begin(), list.pairs.end());
@@ -132,7 +132,7 @@ std::vector<int> overlappingParts(const UnitGraph &graph, const std::vector<int>
 void splitParts(const UnitGraph &graph, const std::vector<std::int64_t> &capacity,
                 const SeparationOptions &options, std::vector<int> &part, int &nextPart)
 {
-    MinCutSplitter splitter(graph, capacity, part, nextPart, options.cancel);
+    MinCutSplitter splitter(graph, capacity, part, nextPart, options.job);
     for (int label : overlappingParts(graph, part)) {
         if (options.method == SeparationMethod::Greedy) {
             splitIntoCleanRegions(graph, label, part, nextPart);
@@ -176,7 +176,7 @@ SeparationResult separateOverlaps(const MeshData &mesh, const UvMatrix &soupUv, 
     search.minAreaRatio = options.minAreaRatio;
     search.totalArea = totalUvArea(soupUv);
     search.maxPairs = 8'000'000;
-    search.cancel = options.cancel;
+    search.job = options.job;
     OverlapCollector collector(graph, soupUv, search);
     result.complete = collector.run(part, nextPart);
     if (!result.complete)
@@ -192,7 +192,7 @@ SeparationResult separateOverlaps(const MeshData &mesh, const UvMatrix &soupUv, 
     const std::vector<std::int64_t> capacity = linkCapacities(mesh, graph, options.pairWeight);
     splitParts(graph, capacity, options, part, nextPart);
     joinCleanParts(graph, capacity, part);
-    if (options.cancel && options.cancel->load(std::memory_order_relaxed)) {
+    if (options.job.stopped()) {
         result = {};
         result.cut = cut;
         result.complete = false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/meshdata.h"
+#include "solver/base/jobcontext.h"
 
 #include <atomic>
 #include <cstdint>
@@ -20,7 +21,7 @@ struct SeparationOptions
     SeparationMethod method = SeparationMethod::MinCut;
     std::vector<double> pairWeight; //!< per edge pair, factor >= 0 on the cost of cutting it; empty: all 1
     double minAreaRatio = 1e-10;    //!< an overlap counts above this part of the total UV area
-    const std::atomic<bool> *cancel = nullptr;
+    JobContext job;
 };
 
 struct [[nodiscard]] SeparationResult

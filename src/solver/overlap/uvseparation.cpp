@@ -1,16 +1,16 @@
 #include "solver/overlap/uvseparation.h"
 
-#include "model/plain/uvseams.h"
 #include "model/plain/uvlayout.h"
+#include "model/plain/uvseams.h"
 #include "solver/base/cutmesh.h"
 
 namespace autocuts::overlap {
 
 SeparationResult separateSteered(const Snapshot &snapshot, const UvMatrix &soupUv,
-                                 const std::vector<bool> &cut, const std::atomic<bool> *cancel)
+                                 const std::vector<bool> &cut, const JobContext &job)
 {
     SeparationOptions options;
-    options.cancel = cancel;
+    options.job = job;
     if (!snapshot.steering->pairWeight.empty()) {
         options.pairWeight.resize(cut.size());
         for (std::size_t e = 0; e < cut.size(); ++e)
@@ -22,7 +22,7 @@ SeparationResult separateSteered(const Snapshot &snapshot, const UvMatrix &soupU
     return separateOverlaps(*snapshot.mesh, soupUv, cut, joined, options);
 }
 
-Separated separateUv(const Snapshot &snapshot, const UvMatrix &uv, const std::atomic<bool> *cancel)
+Separated separateUv(const Snapshot &snapshot, const UvMatrix &uv, const JobContext &job)
 {
     const MeshData &mesh = *snapshot.mesh;
     const ChartMap before = findCharts(mesh, uv);
@@ -32,7 +32,7 @@ Separated separateUv(const Snapshot &snapshot, const UvMatrix &uv, const std::at
     CutFlags cut(mesh.edgePairs.size(), false);
     for (std::size_t e = 0; e < cut.size(); ++e)
         cut[e] = open[2 * e] || open[2 * e + 1];
-    const SeparationResult result = separateSteered(snapshot, soup, cut, cancel);
+    const SeparationResult result = separateSteered(snapshot, soup, cut, job);
 
     Separated separated;
     separated.complete = result.complete;

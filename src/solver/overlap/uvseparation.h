@@ -3,6 +3,7 @@
 
 #include "model/plain/chart.h"
 #include "model/plain/snapshot.h"
+#include "solver/base/jobcontext.h"
 #include "solver/overlap/overlapseparation.h"
 
 #include <atomic>
@@ -22,10 +23,10 @@ struct [[nodiscard]] Separated
 //! weights scale the cost of the others. \param soupUv, cut see separateOverlaps()
 //! \throws std::invalid_argument when a size does not fit the mesh
 SeparationResult separateSteered(const Snapshot &snapshot, const UvMatrix &soupUv,
-                                 const std::vector<bool> &cut, const std::atomic<bool> *cancel = nullptr);
+                                 const std::vector<bool> &cut, const JobContext &job = {});
 
 //! Cuts the charts of a map that cover themselves, with the steering of the snapshot.
 //! \param uv one row per corner; a non-finite row means that the corner has no UV
-Separated separateUv(const Snapshot &snapshot, const UvMatrix &uv, const std::atomic<bool> *cancel = nullptr);
+Separated separateUv(const Snapshot &snapshot, const UvMatrix &uv, const JobContext &job = {});
 
 } // namespace autocuts::overlap

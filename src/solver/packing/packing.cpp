@@ -1,5 +1,6 @@
 #include "solver/packing/packing.h"
 
+#include "solver/base/parallel.h"
 #include "solver/packing/packsearch.h"
 #include "solver/packing/shelves.h"
 #include "solver/packing/singleisland.h"
@@ -7,8 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
+#include <numeric>
 #include <stdexcept>
-#include <thread>
 
 namespace autocuts::packing {
 
@@ -103,42 +105,36 @@ Layout largestShelves(const PackProblem &problem, WorkMeter &work)
 //! Independent starts, each with its share of the effort. Their number depends on the settings alone, and
 //! each has its own seed, so that the number of threads does not change the result.
 Layout searchFrom(const PackProblem &problem, const Layout &start, double ceiling,
-                  const PackOptions &settings, const std::atomic<bool> *cancel,
-                  const std::function<void(double)> &progress)
+                  const PackOptions &settings, const JobContext &job)
 {
     constexpr double secondsPerStart = 2.5;
     constexpr int mostStarts = 16;
     const double wanted = settings.starts > 0 ? settings.starts : settings.effort / secondsPerStart;
     const int starts = static_cast<int>(std::clamp(wanted, 1.0, 1.0 * mostStarts));
-    const int threads = std::clamp(settings.threads, 1, starts);
     const double share = settings.effort / starts;
     std::vector<Layout> found(starts, start);
-    const auto work = [&](int thread) {
-        for (int i = thread; i < starts; i += threads) {
-            const auto report = [&, i](double part) { progress((i + part) / starts); };
-            const bool reports = progress && thread == 0;
-            WorkMeter meter(share, cancel, reports ? std::function<void(double)>(report) : nullptr);
-            PackSearch search(problem, start, ceiling, settings.seed + 0x100000000ULL * i);
-            search.run(meter, share);
-            found[i] = search.best();
-        }
-    };
-    std::vector<std::thread> helpers;
-    for (int t = 1; t < threads; ++t)
-        helpers.emplace_back(work, t);
-    work(0);
-    for (std::thread &helper : helpers)
-        helper.join();
+    std::mutex mutex;
+    std::vector<double> done(starts, 0);
+    parallelFor(starts, job.threads(), [&](int i) {
+        const JobContext::Sink report = [&, i](const JobProgress &progress) {
+            const std::lock_guard lock(mutex);
+            done[i] = progress.fraction;
+            job.report(std::accumulate(done.begin(), done.end(), 0.0) / starts);
+        };
+        WorkMeter meter(share, job.reports() ? job.watchedBy(report) : job);
+        PackSearch search(problem, start, ceiling, settings.seed + 0x100000000ULL * i);
+        search.run(meter, share);
+        found[i] = search.best();
+    });
     return *std::max_element(found.begin(), found.end(),
                              [](const Layout &a, const Layout &b) { return a.scale < b.scale; });
 }
 
-Layout solve(const PackProblem &problem, const PackOptions &settings, const std::atomic<bool> *cancel,
-             const std::function<void(double)> &progress)
+Layout solve(const PackProblem &problem, const PackOptions &settings, const JobContext &job)
 {
-    WorkMeter work(0, cancel);
+    WorkMeter work(0, job.quiet());
     const auto search = [&](const Layout &start, double ceiling) {
-        return searchFrom(problem, start, ceiling, settings, cancel, progress);
+        return searchFrom(problem, start, ceiling, settings, job);
     };
     const Layout none{0, problem.given};
     if (settings.keepScale) {
@@ -177,7 +173,7 @@ double efficiency(const PackProblem &problem, const PackOptions &settings, doubl
 } // namespace
 
 PackResult packIslands(const std::vector<PackIsland> &islands, const PackOptions &settings,
-                       const std::atomic<bool> *cancel, const std::function<void(double)> &progress)
+                       const JobContext &job)
 {
     checkSettings(settings);
     const PackProblem problem = makeProblem(islands, settings);
@@ -192,7 +188,7 @@ PackResult packIslands(const std::vector<PackIsland> &islands, const PackOptions
         return result;
     }
     const bool anyRoom = (problem.size().array() >= 0).all();
-    const Layout layout = anyRoom ? solve(problem, settings, cancel, progress) : Layout{0, problem.given};
+    const Layout layout = anyRoom ? solve(problem, settings, job) : Layout{0, problem.given};
     result.complete = layout.scale > 0;
     const double scale = result.complete ? layout.scale : problem.unit;
     result.scale = result.complete && !settings.keepScale ? scale / problem.unit : 1;
@@ -205,8 +201,7 @@ PackResult packIslands(const std::vector<PackIsland> &islands, const PackOptions
         result.placements[i].translation =
             pose.position - Turn(pose.angle, result.scale)(problem.outlines[i].centre);
     }
-    if (progress)
-        progress(1);
+    job.report(1);
     return result;
 }
 

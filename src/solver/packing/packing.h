@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/packingsettings.h"
+#include "solver/base/jobcontext.h"
 #include "solver/packing/packisland.h"
 
 #include <atomic>
@@ -18,8 +19,7 @@ struct PackOptions : PackingSettings
     double border = -1;  //!< texels to the border of the bin; negative: half the margin
     double effort = 0.5; //!< CPU seconds asked for; turned into counted work, never into clock readings
     unsigned seed = 1;
-    int starts = 0;  //!< independent searches that share the effort; 0: chosen by the effort
-    int threads = 1; //!< over the starts; does not change the result
+    int starts = 0; //!< independent searches that share the effort; 0: chosen by the effort
 };
 
 //! Where an island goes: p' = scale * R(angle) * p + translation. Never mirrored.
@@ -38,14 +38,15 @@ struct [[nodiscard]] PackResult
                            //!< cancelled before the first layout. The placements then leave all as it was.
 };
 
+//! Effort of packing, in seconds, when there is no time: enough for a usable layout of hundreds of islands.
+inline constexpr double hurriedEffort = 0.1;
+
 //! Packs islands at one common scale, as large as it can find. Every layout that is returned as complete has
 //! passed an exact test of distances, crossings and containment. The same arguments give the same bits.
-//! \param cancel when it becomes true, the best layout so far is returned soon
-//! \param progress called from the calling thread with the part of the work that is done, in [0, 1]
+//! When the job is stopped, the best layout so far is returned soon.
 //! \pre indices of triangles and boundary are in range
 //! \throws std::invalid_argument when the bin, the margin or the texture size is not a usable number
 PackResult packIslands(const std::vector<PackIsland> &islands, const PackOptions &settings,
-                       const std::atomic<bool> *cancel = nullptr,
-                       const std::function<void(double)> &progress = {});
+                       const JobContext &job = {});
 
 } // namespace autocuts::packing

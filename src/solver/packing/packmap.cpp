@@ -5,14 +5,12 @@
 namespace autocuts::packing {
 
 PackResult packMap(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &locked,
-                   const PackOptions &settings, UvMatrix &uv, const std::atomic<bool> *cancel,
-                   const std::function<void(double)> &progress)
+                   const PackOptions &settings, UvMatrix &uv, const JobContext &job)
 {
     UvMatrix packed = uv;
     if (!settings.keepScale)
         equalizeTexelDensity(mesh, charts, packed, locked);
-    PackResult result =
-        packIslands(makePackIslands(mesh, packed, charts, locked), settings, cancel, progress);
+    PackResult result = packIslands(makePackIslands(mesh, packed, charts, locked), settings, job);
     if (result.complete) {
         applyPlacements(result, mesh, charts, packed, locked);
         uv = std::move(packed);

@@ -1,6 +1,8 @@
 // Counted work in place of a clock, and the flag that stops it. Plain: no Qt.
 #pragma once
 
+#include "solver/base/jobcontext.h"
+
 #include <atomic>
 #include <functional>
 
@@ -11,15 +13,16 @@ namespace autocuts::packing {
 class WorkMeter
 {
 public:
-    WorkMeter(double limitSeconds, const std::atomic<bool> *cancel, std::function<void(double)> progress = {})
-        : mLimit(limitSeconds * 1e9), mCancel(cancel), mProgress(std::move(progress))
+    //! \param job told the part of the limit that is used up
+    explicit WorkMeter(double limitSeconds, const JobContext &job = {})
+        : mLimit(limitSeconds * 1e9), mJob(job)
     {}
 
     void add(double nanoseconds)
     {
         mSpent += nanoseconds;
-        if (mProgress && mSpent >= mNextReport) {
-            mProgress(fraction());
+        if (mJob.reports() && mSpent >= mNextReport) {
+            mJob.report(fraction());
             mNextReport = mSpent + 0.01 * mLimit;
         }
     }
@@ -28,15 +31,14 @@ public:
     double fraction() const { return mLimit > 0 && mSpent < mLimit ? mSpent / mLimit : 1; }
     bool exhausted() const { return mSpent >= mLimit; }
     double spentSeconds() const { return mSpent * 1e-9; }
-    bool cancelled() const { return mCancel && mCancel->load(std::memory_order_relaxed); }
+    bool cancelled() const { return mJob.stopped(); }
     bool stop() const { return exhausted() || cancelled(); }
 
 private:
     double mLimit;
     double mSpent = 0;
     double mNextReport = 0;
-    const std::atomic<bool> *mCancel;
-    std::function<void(double)> mProgress;
+    JobContext mJob;
 };
 
 } // namespace autocuts::packing

@@ -37,7 +37,7 @@ public:
     Run(const std::shared_ptr<const SeamGraph> &graph, const OptimizeOptions &options, CutState state,
         std::uint64_t seed)
         : mOptions(options), mGraph(graph), mState(std::move(state)),
-          mSearch(mState, seed, {options.mu.value_or(firstMu), !options.allowOverlaps, options.stop}),
+          mSearch(mState, seed, {options.mu.value_or(firstMu), !options.allowOverlaps, options.job}),
           mBest(mState)
     {
         mBestScore = score();
@@ -265,7 +265,7 @@ std::optional<CutState> tryFirstMap(const std::shared_ptr<const SeamGraph> &grap
     seed.shrinkage = leastShrinkage * std::pow(mostShrinkage / leastShrinkage, place);
     seed.joinBorders = number % 2 == 1;
     seed.seed = options.seed * 1000 + static_cast<std::uint64_t>(number);
-    seed.stop = options.stop;
+    seed.job = options.job;
     const std::vector<char> cut = fewCuts(*graph, seed);
     SeamedMap map;
     map.cut.assign(cut.begin(), cut.end());
@@ -318,7 +318,7 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
         if (round > 0)
             iterations += keepMostPromising(runs, effort.rounds[round - 1].survivors);
         const bool last = round + 1 == effort.rounds.size();
-        parallelFor(static_cast<int>(runs.size()), options.threads, [&](int i) {
+        parallelFor(static_cast<int>(runs.size()), options.job.threads(), [&](int i) {
             if (round == 0)
                 begin(i);
             if (!runs[i])

@@ -1,6 +1,7 @@
 // The automatic cutter: from the mesh to short seams at a given distortion.
 #pragma once
 
+#include "solver/base/jobcontext.h"
 #include "solver/base/seamedmap.h"
 #include "solver/search/seamgraph.h"
 
@@ -39,8 +40,7 @@ struct OptimizeOptions
     OptimizeEffort effort;
     std::vector<SeamedMap> given; //!< further maps to start from
     std::uint64_t seed = 1;
-    int threads = 1; //!< the result does not depend on it
-    const std::atomic<bool> *stop = nullptr;
+    JobContext job;                 //!< reports by `start` and `progress` only
     std::function<void(int)> start; //!< called once with the number of steps that the job has
     //! Called now and then from any thread with the number of steps done since, and the distortion and seam
     //! length of some map.

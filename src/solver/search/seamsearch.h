@@ -1,6 +1,7 @@
 // Shortens the seams of a map step by step, and opens new ones where distortion concentrates.
 #pragma once
 
+#include "solver/base/jobcontext.h"
 #include "solver/base/random.h"
 #include "solver/search/seamchains.h"
 #include "solver/search/seamtrial.h"
@@ -15,7 +16,7 @@ struct SearchOptions
 {
     double mu = 0.06; //!< energy that one unit of seam is worth
     bool guarded = true;
-    const std::atomic<bool> *stop = nullptr;
+    JobContext job;
 };
 
 //! Local search on one map: lowers energy + mu * cost, never raises it.
@@ -45,7 +46,7 @@ public:
     double work() const { return mTrial.work(); }
     //! Newton steps so far.
     int steps() { return mTrial.patch().steps(); }
-    bool stopped() const { return mOptions.stop && mOptions.stop->load(std::memory_order_relaxed); }
+    bool stopped() const { return mOptions.job.stopped(); }
     struct Counts
     {
         int tried = 0, kept = 0;

@@ -294,7 +294,7 @@ std::vector<char> fewCuts(const SeamGraph &graph, const SeedOptions &options)
     if (options.joinBorders)
         joinBorders(graph, cost, cut);
 
-    const auto stopped = [&] { return options.stop && options.stop->load(std::memory_order_relaxed); };
+    const auto stopped = [&] { return options.job.stopped(); };
     for (int added = 0; added < options.paths && !stopped(); ++added) {
         const CutMesh state(mesh, cut);
         const std::vector<double> shrunk = shrinkage(graph, tutteEmbedding(*graph.soup, state));

@@ -1,6 +1,7 @@
 // Maps to start a seam search from: few cuts, found by what a map to the disk shrinks most.
 #pragma once
 
+#include "solver/base/jobcontext.h"
 #include "solver/search/cutstate.h"
 
 #include <atomic>
@@ -16,7 +17,7 @@ struct SeedOptions
     double shrinkage = 0.7;   //!< points that the embedding shrinks less get no path: logarithm of the area
     bool joinBorders = false; //!< first of all, paths between the borders of each chart
     std::uint64_t seed = 1;   //!< of the random factors on the lengths of the edges
-    const std::atomic<bool> *stop = nullptr;
+    JobContext job;
 };
 
 //! Cuts closed charts open along a path between two far points, charts with handles to disks, then adds path

@@ -51,13 +51,11 @@ void Ranking::setTotal(int steps)
 
 void Ranking::stepDone(int steps)
 {
-    if (!mReport)
-        return;
     const std::scoped_lock lock(mMutex);
     mSteps += steps;
     mProgress.fraction =
         std::max(mProgress.fraction, optimizingShare * std::min(1.0, double(mSteps) / mTotalSteps));
-    mReport(mProgress);
+    mJob.report(mProgress);
 }
 
 void Ranking::found(double distortion, double seamLength)
@@ -70,14 +68,12 @@ void Ranking::found(double distortion, double seamLength)
     }
 }
 
-void Ranking::stage(UnwrapStage stage, double fraction)
+void Ranking::packing(double fraction)
 {
-    if (!mReport)
-        return;
     const std::scoped_lock lock(mMutex);
-    mProgress.stage = stage;
+    mProgress.stage = JobStage::Packing;
     mProgress.fraction = fraction;
-    mReport(mProgress);
+    mJob.report(mProgress);
 }
 
 } // namespace autocuts::unwrap

@@ -26,9 +26,7 @@ struct Candidate
 class Ranking
 {
 public:
-    Ranking(const UnwrapOptions &options, const std::function<void(const UnwrapProgress &)> &report)
-        : mOptions(options), mReport(report)
-    {}
+    Ranking(const UnwrapOptions &options, const JobContext &job) : mOptions(options), mJob(job) {}
 
     //! Among those within the bound fewer small charts win, then cheaper seams; lower distortion outside of
     //! it.
@@ -40,18 +38,19 @@ public:
     //! True when some map has been found.
     bool hasAny() const { return mHasAny; }
     void found(double distortion, double seamLength);
-    void stage(UnwrapStage stage, double fraction);
+    //! The map is found, and islands are being packed.
+    void packing(double fraction);
 
     //! Share of the progress bar that is for finding the map; the rest is for packing.
     static constexpr double optimizingShare = 0.9;
 
 private:
     const UnwrapOptions &mOptions;
-    const std::function<void(const UnwrapProgress &)> &mReport;
+    const JobContext &mJob;
     std::mutex mMutex;
     std::atomic<bool> mHasAny = false;
     int mTotalSteps = 1, mSteps = 0;
-    UnwrapProgress mProgress;
+    JobProgress mProgress;
 };
 
 } // namespace autocuts::unwrap

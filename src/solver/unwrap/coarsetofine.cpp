@@ -187,13 +187,13 @@ SeamedMap fineMap(const Soup &soup, const multires::MapRefiner &refiner)
 }
 
 //! Makes the carried map usable: whole, without overlaps, relaxed, at one texel density.
-bool settle(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const UnwrapOptions &options,
-            SeamedMap &map, const std::atomic<bool> *stop)
+bool makeUsable(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                const UnwrapOptions &options, SeamedMap &map, const JobContext &job)
 {
     if (!map.validate(*soup).empty())
-        map = definite::stitchTo(soup, snapshot, map.cut, map.x, stop);
+        map = definite::stitchTo(soup, snapshot, map.cut, map.x, job);
     SeamedMap relaxed = map;
-    definite::relaxMap(soup, snapshot, relaxed, fineSteps, stop);
+    definite::relaxMap(soup, snapshot, relaxed, fineSteps, job);
     if (options.allowOverlaps || !definite::coversItself(*soup, relaxed)) {
         map = std::move(relaxed);
     } else {
@@ -201,7 +201,7 @@ bool settle(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, c
         if (definite::coversItself(*soup, map) && !definite::removeOverlaps(*soup, snapshot, map))
             return false;
         SeamedMap guarded = map;
-        definite::relaxWithoutOverlaps(soup, snapshot, guarded, fineSteps, stop);
+        definite::relaxWithoutOverlaps(soup, snapshot, guarded, fineSteps, job);
         if (!definite::coversItself(*soup, guarded))
             map = std::move(guarded);
         if ((options.lambda || map.distortion(*soup) > options.maxDistortion) &&
@@ -216,14 +216,14 @@ bool settle(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, c
 //! Once the whole way, with a share of the allowed distortion for the coarse map.
 std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
                                 const UnwrapOptions &options, double share, int coarseTriangles,
-                                const CoarseUnwrap &unwrapCoarse, const std::atomic<bool> *stop)
+                                const CoarseUnwrap &unwrapCoarse, const JobContext &job)
 {
     const std::vector<bool> decided = decidedEdges(snapshot);
     multires::ProgressiveMesh mesh(*soup->mesh, decided);
     const Decisions decisions = decisionsOf(snapshot, mesh, decided);
     const std::vector<double> weights = pointWeights(snapshot, mesh);
     std::vector<double> preferred =
-        pointWeights(preference::SeamPreference().applied(snapshot, options.threads), mesh);
+        pointWeights(preference::SeamPreference().applied(snapshot, job.threads()), mesh);
     mesh.coarsen(coarseTriangles);
     if (mesh.triangleCount() > leastReduction * soup->triangleCount())
         return std::nullopt;
@@ -248,7 +248,7 @@ std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const S
     carried.iterations = result.iterations;
     carried.lambda = result.lambda;
     carried.delta = result.delta;
-    if (!settle(soup, snapshot, options, carried.map, stop))
+    if (!makeUsable(soup, snapshot, options, carried.map, job))
         return std::nullopt;
     return carried;
 }
@@ -263,18 +263,18 @@ bool suitsCoarseToFine(const Snapshot &snapshot)
 
 std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
                                       const UnwrapOptions &options, const CoarseUnwrap &unwrapCoarse,
-                                      const std::atomic<bool> *stop, int coarseTriangles)
+                                      const JobContext &job, int coarseTriangles)
 {
     std::optional<CarriedMap> best;
     for (const double share : coarseShares) {
         std::optional<CarriedMap> carried =
-            carry(soup, snapshot, options, share, coarseTriangles, unwrapCoarse, stop);
+            carry(soup, snapshot, options, share, coarseTriangles, unwrapCoarse, job);
         if (!carried)
             break;
         const double distortion = carried->map.distortion(*soup);
         if (!best || distortion < best->map.distortion(*soup))
             best = std::move(carried);
-        if (options.lambda || distortion <= options.maxDistortion || (stop && stop->load()))
+        if (options.lambda || distortion <= options.maxDistortion || job.stopped())
             break;
     }
     return best;

@@ -1,6 +1,7 @@
 // A map of a large mesh by way of a coarser one.
 #pragma once
 
+#include "solver/base/jobcontext.h"
 #include "solver/base/seamedmap.h"
 #include "solver/unwrap/unwrapoptions.h"
 
@@ -31,7 +32,6 @@ bool suitsCoarseToFine(const Snapshot &snapshot);
 [[nodiscard]] std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup,
                                                     const Snapshot &snapshot, const UnwrapOptions &options,
                                                     const CoarseUnwrap &unwrapCoarse,
-                                                    const std::atomic<bool> *stop = nullptr,
-                                                    int coarseTriangles = 6'000);
+                                                    const JobContext &job = {}, int coarseTriangles = 6'000);
 
 } // namespace autocuts::unwrap

@@ -82,9 +82,9 @@ struct ChainResult
 
 ChainResult runChain(const Snapshot &start, const ChainPlan &plan, std::optional<StartMode> startMode,
                      const QualityPlan &quality, const UnwrapOptions &options, Ranking &ranking,
-                     const std::atomic<bool> *stop)
+                     const JobContext &job)
 {
-    const auto stopped = [&] { return stop && stop->load(std::memory_order_relaxed); };
+    const auto stopped = [&] { return job.stopped(); };
     Snapshot snapshot = start;
     snapshot.settings.delta = 1;
     if (startMode)
@@ -110,7 +110,7 @@ ChainResult runChain(const Snapshot &start, const ChainPlan &plan, std::optional
         anneal.startDelta = run == 0 ? 1 : plan.reheat;
         anneal.lambda = options.lambda.value_or(budget.lambda());
         anneal.stepsPerLevel = quality.stepsPerLevel;
-        homotopy::annealSoup(solver, anneal, stop, [&](const homotopy::StepResult &) {
+        homotopy::annealSoup(solver, anneal, job, [&](const homotopy::StepResult &) {
             ++result.iterations;
             ranking.stepDone(1);
         });
@@ -124,7 +124,7 @@ ChainResult runChain(const Snapshot &start, const ChainPlan &plan, std::optional
         }
         // The first map must come about, whatever is asked meanwhile.
         std::optional<definite::DefiniteMap> made =
-            definite::makeDefiniteMap(solver, making, ranking.hasAny() ? stop : nullptr);
+            definite::makeDefiniteMap(solver, making, ranking.hasAny() ? job.quiet() : JobContext());
         if (!made)
             break;
         budget.report(made->seedDistortion);
@@ -143,7 +143,7 @@ ChainResult runChain(const Snapshot &start, const ChainPlan &plan, std::optional
 } // namespace
 
 std::optional<Candidate> bestOfSoupChains(const Snapshot &snapshot, const UnwrapOptions &options,
-                                          Ranking &ranking, const std::atomic<bool> *stop, int &iterations)
+                                          Ranking &ranking, const JobContext &job, int &iterations)
 {
     const std::shared_ptr<const Soup> soup = Soup::build(snapshot.mesh);
     const QualityPlan plan = planFor(options.quality, soup->triangleCount());
@@ -155,9 +155,9 @@ std::optional<Candidate> bestOfSoupChains(const Snapshot &snapshot, const Unwrap
     ranking.setTotal(steps);
 
     std::vector<ChainResult> results(plan.chains);
-    parallelFor(plan.chains, options.threads, [&](int i) {
+    parallelFor(plan.chains, job.threads(), [&](int i) {
         results[i] = runChain(snapshot, chainPlans[i], startOf(i, snapshot.settings.start), plan, options,
-                              ranking, stop);
+                              ranking, job);
     });
     std::optional<Candidate> best;
     for (ChainResult &chain : results) {

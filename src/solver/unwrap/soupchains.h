@@ -1,6 +1,7 @@
 // The paper's continuous way: chains of annealing runs on the triangle soup.
 #pragma once
 
+#include "solver/base/jobcontext.h"
 #include "solver/unwrap/candidates.h"
 
 #include <atomic>
@@ -12,6 +13,6 @@ namespace autocuts::unwrap {
 //! finished even when `stop` is set, unless some other map has been found before.
 //! \param iterations receives the number of Newton steps
 std::optional<Candidate> bestOfSoupChains(const Snapshot &snapshot, const UnwrapOptions &options,
-                                          Ranking &ranking, const std::atomic<bool> *stop, int &iterations);
+                                          Ranking &ranking, const JobContext &job, int &iterations);
 
 } // namespace autocuts::unwrap

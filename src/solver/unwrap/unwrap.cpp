@@ -17,7 +17,6 @@ namespace autocuts::unwrap {
 
 namespace {
 
-constexpr double hurriedPackEffort = 0.1;
 constexpr double fullEffortTriangles = 2000;
 
 //! The seam search knows seams, weights and the symmetric Dirichlet energy; what else steers the solver, and
@@ -75,7 +74,7 @@ bool isComplicated(const MeshData &mesh)
 std::optional<Candidate> searchedMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
                                      const UnwrapOptions &options, const std::optional<Candidate> &other,
                                      const preference::MeshSymmetry *symmetry, Ranking &ranking,
-                                     const std::atomic<bool> *stop, int &iterations)
+                                     const JobContext &job, int &iterations)
 {
     search::OptimizeOptions search;
     search.maxDistortion = options.maxDistortion;
@@ -84,8 +83,7 @@ std::optional<Candidate> searchedMap(const std::shared_ptr<const Soup> &soup, co
     if (other)
         search.given.push_back(other->map);
     search.seed = snapshot.settings.seed;
-    search.threads = options.threads;
-    search.stop = stop;
+    search.job = job;
     search.start = [&](int steps) { ranking.setTotal(steps); };
     search.progress = [&](int steps, double distortion, double seamLength) {
         ranking.found(distortion, seamLength);
@@ -117,8 +115,8 @@ void fitUnitSquare(UvMatrix &uv)
 }
 
 //! Fills result.uv and result.packed.
-void place(const Soup &soup, const SeamedMap &map, const UnwrapOptions &options,
-           const std::atomic<bool> *stop, Ranking &ranking, UnwrapResult &result)
+void place(const Soup &soup, const SeamedMap &map, const UnwrapOptions &options, const JobContext &job,
+           Ranking &ranking, UnwrapResult &result)
 {
     result.uv = cornerUv(soup, map);
     if (!options.pack) {
@@ -129,22 +127,21 @@ void place(const Soup &soup, const SeamedMap &map, const UnwrapOptions &options,
     const ChartMap charts = chartsOf(mesh, CutMesh(mesh, map.cut));
     const std::vector<packing::PackIsland> islands = packing::makePackIslands(mesh, result.uv, charts);
     packing::PackOptions settings = options.packing;
-    settings.threads = options.threads;
     if (options.quality == UnwrapQuality::Draft)
-        settings.effort = std::min(settings.effort, hurriedPackEffort);
-    const auto pack = [&](const std::atomic<bool> *cancel) {
-        return packing::packIslands(islands, settings, cancel, [&](double done) {
-            ranking.stage(UnwrapStage::Packing,
-                          Ranking::optimizingShare + (1 - Ranking::optimizingShare) * done);
-        });
+        settings.effort = std::min(settings.effort, packing::hurriedEffort);
+    const auto pack = [&](const JobContext &packJob) {
+        const JobContext::Sink report = [&](const JobProgress &done) {
+            ranking.packing(Ranking::optimizingShare + (1 - Ranking::optimizingShare) * done.fraction);
+        };
+        return packing::packIslands(islands, settings, packJob.watchedBy(report));
     };
     packing::PackResult packed;
-    if (!(stop && stop->load()))
-        packed = pack(stop);
+    if (!job.stopped())
+        packed = pack(job);
     if (!packed.complete) {
         // Stopped before the first layout, or there is no room: a hurried attempt tells.
-        settings.effort = std::min(settings.effort, hurriedPackEffort);
-        packed = pack(nullptr);
+        settings.effort = std::min(settings.effort, packing::hurriedEffort);
+        packed = pack(job.unstoppable());
     }
     result.packed = packed.complete;
     if (packed.complete)
@@ -163,17 +160,16 @@ void checkOptions(const UnwrapOptions &options)
 
 //! The way of large meshes; nothing when this mesh does not take it.
 std::optional<UnwrapResult> unwrapLarge(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                                        const UnwrapOptions &options, const std::atomic<bool> *stop,
-                                        const std::function<void(const UnwrapProgress &)> &progress)
+                                        const UnwrapOptions &options, const JobContext &job)
 {
     if (!suitsCoarseToFine(snapshot))
         return std::nullopt;
     const std::optional<CarriedMap> carried = mapByCoarse(
         soup, snapshot, options,
         [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions) {
-            return unwrapMesh(coarse, coarseOptions, stop, progress);
+            return unwrapMesh(coarse, coarseOptions, job);
         },
-        stop);
+        job);
     if (!carried)
         return std::nullopt;
     UnwrapResult result;
@@ -186,16 +182,15 @@ std::optional<UnwrapResult> unwrapLarge(const std::shared_ptr<const Soup> &soup,
     result.lambda = carried->lambda;
     result.delta = carried->delta;
     result.withinBound = options.lambda || result.distortion <= options.maxDistortion;
-    Ranking ranking(options, progress);
-    place(*soup, carried->map, options, stop, ranking, result);
-    result.stopped = stop && stop->load();
+    Ranking ranking(options, job);
+    place(*soup, carried->map, options, job, ranking, result);
+    result.stopped = job.stopped();
     return result;
 }
 
 } // namespace
 
-UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, const std::atomic<bool> *stop,
-                        const std::function<void(const UnwrapProgress &)> &progress)
+UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, const JobContext &job)
 {
     checkOptions(options);
     const std::shared_ptr<const Soup> soup = Soup::build(given.mesh);
@@ -207,23 +202,23 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, con
         symmetry = preference::findSymmetry(*snapshot.mesh);
     // A coarser mesh would not be symmetric.
     if (!symmetry) {
-        if (std::optional<UnwrapResult> large = unwrapLarge(soup, snapshot, options, stop, progress))
+        if (std::optional<UnwrapResult> large = unwrapLarge(soup, snapshot, options, job))
             return std::move(*large);
     }
-    snapshot = preference::SeamPreference().applied(snapshot, options.threads);
-    Ranking ranking(options, progress);
+    snapshot = preference::SeamPreference().applied(snapshot, job.threads());
+    Ranking ranking(options, job);
     UnwrapResult result;
     const bool search = canSearch(snapshot, options);
     const auto soupMap = [&](UnwrapQuality quality) {
         UnwrapOptions how = options;
         how.quality = quality;
-        return bestOfSoupChains(snapshot, how, ranking, stop, result.iterations);
+        return bestOfSoupChains(snapshot, how, ranking, job, result.iterations);
     };
     std::optional<Candidate> best;
     const auto fits = [&] { return best && best->distortion <= options.maxDistortion; };
     if (symmetry)
-        best = searchedMap(soup, snapshot, options, {}, &*symmetry, ranking, stop, result.iterations);
-    const bool isSymmetric = fits() || (best && stop && stop->load());
+        best = searchedMap(soup, snapshot, options, {}, &*symmetry, ranking, job, result.iterations);
+    const bool isSymmetric = fits() || (best && job.stopped());
     // The soup starts from a given map, and from anything.
     const bool fromUvs = snapshot.settings.start == StartMode::ExistingUv;
     if (!search)
@@ -232,10 +227,10 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, con
         best = soupMap(UnwrapQuality::Draft);
     if (search && !isSymmetric) {
         std::optional<Candidate> found =
-            searchedMap(soup, snapshot, options, best, nullptr, ranking, stop, result.iterations);
+            searchedMap(soup, snapshot, options, best, nullptr, ranking, job, result.iterations);
         if (!best || (found && ranking.better(*found, *best)))
             best = std::move(found);
-        const bool stopped = stop && stop->load();
+        const bool stopped = job.stopped();
         if (!best || (!stopped && best->distortion > options.maxDistortion)) {
             found = soupMap(options.quality);
             if (!best || (found && ranking.better(*found, *best)))
@@ -250,8 +245,8 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, con
     result.lambda = best->lambda;
     result.delta = best->delta;
     result.withinBound = options.lambda || best->distortion <= options.maxDistortion;
-    place(*soup, best->map, options, stop, ranking, result);
-    result.stopped = stop && stop->load();
+    place(*soup, best->map, options, job, ranking, result);
+    result.stopped = job.stopped();
     return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/snapshot.h"
+#include "solver/base/jobcontext.h"
 #include "solver/unwrap/unwrapoptions.h"
 
 #include <atomic>
@@ -14,7 +15,6 @@ namespace autocuts::unwrap {
 //! \param progress called now and then, from one thread at a time but not always the same one
 //! \throws std::invalid_argument when the mesh has no area or an option is out of range
 [[nodiscard]] UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options,
-                        const std::atomic<bool> *stop = nullptr,
-                        const std::function<void(const UnwrapProgress &)> &progress = {});
+                                      const JobContext &job = {});
 
 } // namespace autocuts::unwrap

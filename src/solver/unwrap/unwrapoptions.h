@@ -11,16 +11,6 @@ namespace autocuts::unwrap {
 //! How much work goes into the seams.
 enum class UnwrapQuality { Draft, Standard, Best };
 
-enum class UnwrapStage { Optimizing, Packing };
-
-struct UnwrapProgress
-{
-    UnwrapStage stage = UnwrapStage::Optimizing;
-    double fraction = 0;   //!< of the whole job, 0 to 1
-    double distortion = 0; //!< of the best map so far, 0 while there is none
-    double seamLength = 0; //!< of the best map so far, solver units
-};
-
 struct UnwrapOptions
 {
     double maxDistortion = 4.1;   //!< bound on the mean symmetric Dirichlet energy, > 4
@@ -29,7 +19,6 @@ struct UnwrapOptions
     bool allowOverlaps = false;
     bool pack = true; //!< false: the islands stay where the solver put them
     packing::PackOptions packing;
-    int threads = 1; //!< the result does not depend on it
 };
 
 struct UnwrapResult

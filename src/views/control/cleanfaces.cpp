@@ -16,18 +16,18 @@ MapWithSeams::MapWithSeams(const Document &document, const ShownMap &shownMap)
         cut[e] = !mesh->edgePairs[e].diagonal && shownMap.isSeam(static_cast<int>(e));
 }
 
-CleanPart cleanPart(const MapWithSeams &map, int triangle, const std::atomic<bool> *cancel)
+CleanPart cleanPart(const MapWithSeams &map, int triangle, const JobContext &job)
 {
     if (!map.soupUv.middleRows(3 * triangle, 3).allFinite())
         return {};
     overlap::OverlapOptions options;
-    options.cancel = cancel;
+    options.job = job;
     std::vector<int> triangles = overlap::cleanHalf(*map.mesh, map.soupUv, map.cut, triangle, options);
     CleanPart part;
     part.restIsClean = !triangles.empty();
     if (triangles.empty())
         triangles = overlap::cleanRegion(*map.mesh, map.soupUv, map.cut, triangle, options);
-    if (cancel && *cancel)
+    if (job.stopped())
         return {};
     for (int t : triangles) {
         // The triangles of a face follow each other.

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "model/plain/meshdata.h"
+#include "solver/base/jobcontext.h"
 
 #include <QList>
 
-#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -34,6 +34,6 @@ struct CleanPart
 //! A part around a triangle that nowhere covers itself (paper, figure 9). When its island comes apart in two
 //! clean parts, the one with the triangle, so that moving it away leaves no overlap in the island; else the
 //! largest region that can be grown around it. Empty when the triangle has no UVs, or when cancelled.
-CleanPart cleanPart(const MapWithSeams &map, int triangle, const std::atomic<bool> *cancel = nullptr);
+CleanPart cleanPart(const MapWithSeams &map, int triangle, const JobContext &job = {});
 
 } // namespace autocuts

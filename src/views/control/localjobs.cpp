@@ -1,8 +1,9 @@
 #include "model/document/edgechains.h"
 #include "model/plain/chart.h"
 #include "solver/homotopy/localsolve.h"
-#include "views/control/mapcontroller.h"
 #include "views/control/mapjobs.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 
@@ -12,7 +13,7 @@ namespace {
 
 QString translated(const char *text)
 {
-    return MapController::tr(text);
+    return QCoreApplication::translate("autocuts::MapController", text);
 }
 
 //! Pins hold their points.
@@ -96,7 +97,8 @@ MapJobResult relaxJob(const MapInput &input, JobControl &control)
             problem.held.push_back(topology.cornerRoot[c]);
     }
     const homotopy::LocalSolution solution = homotopy::solveLocally(
-        mesh, input.uv, problem, &control.stop(), [&](double fraction) { control.setProgress(fraction); });
+        mesh, input.uv, problem,
+        {&control.stop(), 1, [&](const JobProgress &done) { control.setProgress(done.fraction); }});
     MapJobResult result = localResult(solution, UvEdit::Relax, static_cast<int>(problem.faces.size()));
     if (result.problem.isEmpty())
         result.message = translated("Relaxed: distortion %1 before, %2 now")
@@ -126,7 +128,8 @@ MapJobResult straightenJob(const MapInput &input, JobControl &control)
         return result;
     }
     const homotopy::LocalSolution solution = homotopy::solveLocally(
-        mesh, input.uv, problem, &control.stop(), [&](double fraction) { control.setProgress(fraction); });
+        mesh, input.uv, problem,
+        {&control.stop(), 1, [&](const JobProgress &done) { control.setProgress(done.fraction); }});
     MapJobResult result = localResult(solution, UvEdit::Straighten, static_cast<int>(found.chains.size()));
     if (result.problem.isEmpty())
         result.message = translated("Chains made straight: %1, distortion %2 before, %3 now")

@@ -24,12 +24,12 @@ MapFigures measured(const MeshData &mesh, const UvMatrix &uv, int textureSize, J
     figures.textureSize = textureSize;
     metrics::UvMetricsOptions options;
     options.textureSize = textureSize;
-    options.cancel = &control.stop();
+    options.job = &control.stop();
     figures.metrics = metrics::measureUv(mesh, uv, options);
     if (figures.metrics.overlapPairs == 0)
         return figures;
     overlap::OverlapOptions overlapOptions;
-    overlapOptions.cancel = &control.stop();
+    overlapOptions.job = &control.stop();
     overlapOptions.minAreaRatio = 1e-9; // as UvMetrics::overlapPairs
     overlapOptions.maxPairs = maxListedOverlaps;
     overlap::OverlapList overlaps = overlap::findOverlaps(soupUv(mesh, uv), overlapOptions);

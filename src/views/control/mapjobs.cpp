@@ -1,17 +1,13 @@
 #include "views/control/mapjobs.h"
 
-#include "model/document/rigidpieces.h"
-#include "model/plain/uvlayout.h"
-#include "solver/definite/refinedmap.h"
-#include "solver/homotopy/liveschedule.h"
 #include "solver/live/worker.h"
-#include "solver/overlap/overlapfinder.h"
-#include "solver/overlap/uvseparation.h"
 #include "solver/packing/islandgeometry.h"
 #include "solver/packing/packmap.h"
-#include "solver/preference/seampreference.h"
-#include "views/control/mapcontroller.h"
+#include "solver/unwrap/finishjob.h"
+#include "solver/unwrap/packjob.h"
+#include "solver/unwrap/separatejob.h"
 
+#include <QCoreApplication>
 #include <QThread>
 
 #include <algorithm>
@@ -20,32 +16,31 @@ namespace autocuts {
 
 namespace {
 
-//! Corners of a finished map that are no farther apart than this belong together, squared solver units.
-constexpr double touchingDelta = 1e-9;
-//! A live solve often takes about so many steps.
-constexpr double usualSteps = 1000;
-
 QString translated(const char *text)
 {
-    return MapController::tr(text);
+    return QCoreApplication::translate("autocuts::MapController", text);
 }
 
-packing::PackOptions packOptions(const PackingSettings &packing)
+//! What the job does at the moment; empty when its title says it.
+QString stageText(const JobProgress &progress)
 {
-    packing::PackOptions options = packing::tileOptions(packing);
-    options.threads = QThread::idealThreadCount();
-    return options;
+    if (progress.stage == JobStage::SolvingToTheEnd)
+        return translated("solving to the end");
+    if (progress.seamLength > 0)
+        return translated("best so far: seams %1, distortion %2")
+            .arg(progress.seamLength, 0, 'f', 2)
+            .arg(progress.distortion, 0, 'f', 3);
+    return {};
 }
 
-//! Packs the charts; the locked ones, and when only some are to be packed the others, stay where they are.
-//! Returns false when there is no room.
-bool packInto(UvMatrix &uv, const MeshData &mesh, const ChartMap &charts, const IslandMarks &marks,
-              const std::vector<bool> &movable, const packing::PackOptions &settings, JobControl &control)
+JobContext contextOf(JobControl &control)
 {
-    const RigidPieces rigid = rigidPieces(charts, marks, movable);
-    return packing::packMap(mesh, rigid.pieces, rigid.locked, settings, uv, &control.stop(),
-                            [&](double fraction) { control.setProgress(fraction); })
-        .complete;
+    return {&control.stop(), QThread::idealThreadCount(),
+            [&control, shown = QString()](const JobProgress &progress) mutable {
+                control.setProgress(progress.fraction);
+                if (const QString text = stageText(progress); text != shown)
+                    control.setStage(shown = text);
+            }};
 }
 
 int packedCharts(const ChartMap &charts, const std::vector<bool> &movable)
@@ -56,16 +51,6 @@ int packedCharts(const ChartMap &charts, const std::vector<bool> &movable)
             packed[charts.faceChart[f]] = true;
     }
     return static_cast<int>(std::count(packed.begin(), packed.end(), true));
-}
-
-//! True when all islands lie in the unit square and none over another.
-bool lieFree(const MeshData &mesh, const UvMatrix &uv, JobControl &control)
-{
-    overlap::OverlapOptions options;
-    options.maxPairs = 1;
-    options.cancel = &control.stop();
-    return uv.minCoeff() >= 0 && uv.maxCoeff() <= 1 &&
-           overlap::findOverlaps(soupUv(mesh, uv), options).pairs.empty();
 }
 
 QString noRoom(const PackingSettings &packing)
@@ -84,17 +69,9 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, dou
     unwrap::UnwrapOptions options;
     options.quality = quality;
     options.maxDistortion = maxDistortion;
-    options.packing = packOptions(input.packing);
+    options.packing = packing::tileOptions(input.packing);
     options.packing.keepScale = false;
-    options.threads = QThread::idealThreadCount();
-    const unwrap::UnwrapResult made =
-        unwrap::unwrapMesh(input.snapshot, options, &control.stop(), [&](const unwrap::UnwrapProgress &progress) {
-            control.setProgress(progress.fraction);
-            if (progress.seamLength > 0)
-                control.setStage(translated("best so far: seams %1, distortion %2")
-                                     .arg(progress.seamLength, 0, 'f', 2)
-                                     .arg(progress.distortion, 0, 'f', 3));
-        });
+    const unwrap::UnwrapResult made = unwrap::unwrapMesh(input.snapshot, options, contextOf(control));
     MapJobResult result;
     result.edit = UvEdit::Solve;
     result.uv = made.uv;
@@ -111,64 +88,32 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, dou
 
 MapJobResult finishJob(const MapInput &input, double maxDistortion, JobControl &control)
 {
-    const LiveSolve &live = input.live;
-    Snapshot snapshot = input.snapshot;
-    if (!live.result) {
-        snapshot.settings.start = StartMode::ExistingUv;
-        snapshot.startUv = std::make_shared<const UvMatrix>(soupUv(input.mesh(), input.uv) / input.uvScale);
-        snapshot.settings.delta = touchingDelta;
-    } else {
-        snapshot.settings.lambda = live.result->status.lambda;
-        snapshot.settings.delta = live.result->status.delta;
+    unwrap::FinishInput finish;
+    finish.snapshot = input.snapshot;
+    finish.uv = input.uv;
+    finish.uvScale = input.uvScale;
+    if (const live::SolveResult *live = input.live.result.get()) {
+        const double *first = live->soupUv.data();
+        finish.live = {{first, first + live->soupUv.size()},
+                       live->status.lambda,
+                       live->status.delta,
+                       input.live.hasMoreToDo};
     }
-    const int threads = QThread::idealThreadCount();
-    homotopy::Solver solver;
-    solver.setThreads(threads);
-    solver.load(preference::SeamPreference().applied(snapshot, threads));
-    if (live.result) {
-        const double *first = live.result->soupUv.data();
-        solver.setCoordinates({first, first + live.result->soupUv.size()});
-    }
-    double begun = 0;
-    if (live.hasMoreToDo) {
-        control.setStage(translated("solving to the end"));
-        int steps = 0;
-        homotopy::runToTheEnd(solver, maxDistortion, &control.stop(), [&] {
-            ++steps;
-            begun = 0.5 * steps / (steps + usualSteps); // their number is not known
-            control.setProgress(begun);
-        });
-        control.setStage({});
-    }
-    definite::RefinedMapOptions options;
-    options.maxDistortion = maxDistortion;
-    options.threads = threads;
+    finish.maxDistortion = maxDistortion;
+    finish.packing = packing::tileOptions(input.packing);
+    const unwrap::FinishResult made = unwrap::finishMap(finish, contextOf(control));
     MapJobResult result;
     result.edit = UvEdit::Finish;
-    const std::optional<SeamedMap> map =
-        definite::makeRefinedMap(solver, options, &control.stop(), [&](double fraction) {
-            control.setProgress(begun + (1 - begun) * fraction);
-        });
-    if (!map) {
+    result.uv = made.uv;
+    if (made.uv.rows() == 0)
         result.problem = translated("Finishing was cancelled: the map stays as it was");
-        return result;
-    }
-    result.uv = input.uvScale * cornerUv(solver.soup(), *map);
-    result.message = translated("Finished: distortion %1").arg(map->distortion(solver.soup()), 0, 'f', 4);
-    // Islands that grew or were cut off may lie over others. Pins and rectangles say where islands belong.
-    const MeshData &mesh = input.mesh();
-    if (!snapshot.placesIslands() && !lieFree(mesh, result.uv, control)) {
-        const std::vector<bool> all(mesh.faceCount(), true);
-        if (!packInto(result.uv, mesh, findCharts(mesh, result.uv), IslandMarks::none(mesh), all,
-                      packOptions(input.packing), control) &&
-            !control.stop())
-            result.problem = noRoom(input.packing);
-    }
-    const auto &states = snapshot.steering->pairState;
-    const bool joins = std::find(states.begin(), states.end(), PairState::Joined) != states.end();
-    if (joins && result.problem.isEmpty() && !overlap::findOverlaps(soupUv(mesh, result.uv)).pairs.empty())
+    else if (made.noRoom)
+        result.problem = noRoom(input.packing);
+    else if (made.heldTogether)
         result.problem = translated("The map still covers itself: joined edges hold it together there. Clear "
                                     "some joins and finish again");
+    else
+        result.message = translated("Finished: distortion %1").arg(made.distortion, 0, 'f', 4);
     return result;
 }
 
@@ -176,25 +121,24 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
 {
     const MeshData &mesh = input.mesh();
     const ChartMap charts = findCharts(mesh, input.uv);
-    std::vector<bool> movable(mesh.faceCount(), target.all);
+    unwrap::PackJob pack{.options = packing::tileOptions(input.packing), .faceFlags = input.marks.faceFlags};
+    pack.movable.assign(mesh.faceCount(), target.all);
     for (int face : target.faces.isEmpty() ? input.selectedFaces : target.faces)
-        movable[face] = true;
-    if (std::find(movable.begin(), movable.end(), true) == movable.end()) {
-        MapJobResult result;
+        pack.movable[face] = true;
+    MapJobResult result;
+    if (std::find(pack.movable.begin(), pack.movable.end(), true) == pack.movable.end()) {
         result.problem = translated("Select the islands to pack first");
         return result;
     }
-    packing::PackOptions settings = packOptions(input.packing);
     if (target.box) {
-        settings.lower = target.box->min();
-        settings.upper = target.box->max();
+        pack.options.lower = target.box->min();
+        pack.options.upper = target.box->max();
     }
-    MapJobResult result;
-    result.uv = input.uv;
-    if (packInto(result.uv, mesh, charts, input.marks, movable, settings, control)) {
-        result.message = translated("Islands packed: %1").arg(packedCharts(charts, movable));
+    UvMatrix uv = input.uv;
+    if (unwrap::packCharts(mesh, charts, pack, uv, contextOf(control))) {
+        result.uv = std::move(uv);
+        result.message = translated("Islands packed: %1").arg(packedCharts(charts, pack.movable));
     } else {
-        result.uv.resize(0, 2);
         result.problem = control.stop() ? translated("Packing was cancelled: the map stays as it was")
                          : target.box
                              ? translated("There is no room in the rectangle: draw a larger one or use "
@@ -206,26 +150,32 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
 
 MapJobResult separateJob(const MapInput &input, JobControl &control)
 {
-    const MeshData &mesh = input.mesh();
-    const overlap::Separated separated = overlap::separateUv(input.snapshot, input.uv, &control.stop());
+    using Outcome = unwrap::SeparateResult::Outcome;
+    const unwrap::PackJob pack{.options = packing::tileOptions(input.packing),
+                               .faceFlags = input.marks.faceFlags};
+    const unwrap::SeparateResult made =
+        unwrap::separateMap(input.snapshot, input.uv, pack, contextOf(control));
     MapJobResult result;
     result.edit = UvEdit::Separate;
-    if (!separated.complete) {
+    switch (made.outcome) {
+    case Outcome::Done:
+        result.uv = made.uv;
+        result.message = translated("Separated, edges cut: %1").arg(made.newSeams);
+        if (made.unresolvedPairs > 0)
+            result.problem =
+                translated("Overlaps inside single polygons or across joined edges, which stay whole: %1")
+                    .arg(made.unresolvedPairs);
+        break;
+    case Outcome::NoOverlaps:
+        result.message = translated("There are no overlaps: the map stays as it is");
+        break;
+    case Outcome::Stopped:
         result.problem = translated("Separating was cancelled: the map stays as it was");
-        return result;
-    }
-    result.uv = input.uv;
-    const std::vector<bool> all(mesh.faceCount(), true);
-    if (!packInto(result.uv, mesh, separated.charts, input.marks, all, packOptions(input.packing), control)) {
-        result.uv.resize(0, 2);
+        break;
+    case Outcome::NoRoom:
         result.problem = noRoom(input.packing);
-        return result;
+        break;
     }
-    result.message = translated("Separated, edges cut: %1").arg(separated.newSeams);
-    if (separated.unresolvedPairs > 0)
-        result.problem =
-            translated("Overlaps inside single polygons or across joined edges, which stay whole: %1")
-                .arg(separated.unresolvedPairs);
     return result;
 }
 

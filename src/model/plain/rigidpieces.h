@@ -1,7 +1,8 @@
 // What packing moves as one piece.
 #pragma once
 
-#include "model/document/islands.h"
+#include "model/plain/chart.h"
+#include "model/plain/islandflags.h"
 
 namespace autocuts {
 
@@ -13,7 +14,7 @@ struct RigidPieces
 };
 
 //! \param movable per face: pieces without such a face are obstacles, as are the locked ones; empty: all are
-RigidPieces rigidPieces(const ChartMap &charts, const IslandMarks &marks,
+RigidPieces rigidPieces(const ChartMap &charts, const std::vector<IslandFlags> &faceFlags,
                         const std::vector<bool> &movable = {});
 
 } // namespace autocuts

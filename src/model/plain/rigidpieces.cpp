@@ -1,4 +1,4 @@
-#include "model/document/rigidpieces.h"
+#include "model/plain/rigidpieces.h"
 
 #include "model/plain/unionfind.h"
 
@@ -11,12 +11,12 @@ namespace {
 
 //! The label of the piece of each chart, and how many pieces there are.
 std::pair<std::vector<int>, int> pieceLabels(const std::vector<std::vector<int>> &chartFaces,
-                                             const IslandMarks &marks)
+                                             const std::vector<IslandFlags> &faceFlags)
 {
     UnionFind pieces(static_cast<int>(chartFaces.size()));
     std::map<int, int> firstOfStack, firstOfGroup;
     for (int c = 0; c < static_cast<int>(chartFaces.size()); ++c) {
-        const IslandFlags flags = marks.flagsOf(chartFaces[c]);
+        const IslandFlags flags = flagsOf(faceFlags, chartFaces[c]);
         if (flags.stack != 0)
             pieces.unite(c, firstOfStack.try_emplace(flags.stack, c).first->second);
         if (flags.group != 0)
@@ -27,17 +27,17 @@ std::pair<std::vector<int>, int> pieceLabels(const std::vector<std::vector<int>>
 
 } // namespace
 
-RigidPieces rigidPieces(const ChartMap &charts, const IslandMarks &marks, const std::vector<bool> &movable)
+RigidPieces rigidPieces(const ChartMap &charts, const std::vector<IslandFlags> &faceFlags, const std::vector<bool> &movable)
 {
     const auto chartFaces = charts.faces();
-    const auto [label, count] = pieceLabels(chartFaces, marks);
+    const auto [label, count] = pieceLabels(chartFaces, faceFlags);
     RigidPieces result{charts, std::vector<bool>(count)};
     result.pieces.count = count;
     for (int &chart : result.pieces.faceChart)
         chart = chart < 0 ? chart : label[chart];
     std::vector<bool> moves(count, movable.empty());
     for (std::size_t c = 0; c < chartFaces.size(); ++c) {
-        if (marks.flagsOf(chartFaces[c]).locked != 0)
+        if (flagsOf(faceFlags, chartFaces[c]).locked != 0)
             result.locked[label[c]] = true;
         if (!movable.empty() &&
             std::any_of(chartFaces[c].begin(), chartFaces[c].end(), [&](int face) { return movable[face]; }))

@@ -1,0 +1,153 @@
+#include "cli/commandline.h"
+
+#include "cli/clitable.h"
+
+#include <QThread>
+
+#include <algorithm>
+#include <map>
+
+namespace autocuts {
+
+namespace {
+
+using Command = CliOptions::Command;
+
+Error usageError(const QString &message)
+{
+    return Error{message, {}, 0, QStringLiteral("See autocuts-cli --help")};
+}
+
+//! Reads the arguments of one call by the tables of commands and options.
+class Parser final
+{
+public:
+    explicit Parser(const QStringList &arguments) : mArguments(arguments) {}
+
+    Result<CliOptions> parse()
+    {
+        if (mArguments.isEmpty())
+            return usageError(QStringLiteral("no command given"));
+        const QString word = take();
+        static const std::map<QString, Command> informing{{QStringLiteral("--help"), Command::Help},
+                                                          {QStringLiteral("-h"), Command::Help},
+                                                          {QStringLiteral("help"), Command::Help},
+                                                          {QStringLiteral("--version"), Command::Version},
+                                                          {QStringLiteral("--man-page"), Command::ManPage},
+                                                          {QStringLiteral("--markdown"), Command::Markdown}};
+        if (const auto found = informing.find(word); found != informing.end()) {
+            mOptions.command = found->second;
+            return mOptions;
+        }
+        const auto command = std::find_if(cliCommands().begin(), cliCommands().end(),
+                                          [&](const CliCommand &row) { return row.name == word; });
+        if (command == cliCommands().end())
+            return usageError(QStringLiteral("unknown command \"%1\"").arg(word));
+        mOptions.command = command->id;
+        mOptions.threads = std::max(1, QThread::idealThreadCount());
+        while (!atEnd()) {
+            if (const Problem problem = readArgument(*command, take()))
+                return *problem;
+        }
+        if (mOptions.command == Command::Help)
+            return mOptions;
+        if (const Problem problem = finish(*command))
+            return *problem;
+        return mOptions;
+    }
+
+private:
+    using Problem = std::optional<Error>;
+
+    bool atEnd() const { return mNext >= mArguments.size(); }
+    QString take() { return mArguments[mNext++]; }
+
+    Problem readArgument(const CliCommand &command, const QString &argument)
+    {
+        if (!argument.startsWith(QLatin1Char('-')) || argument == QLatin1String("-")) {
+            if (!mOptions.input.isEmpty())
+                return usageError(QStringLiteral("one input only, but \"%1\" follows \"%2\"")
+                                      .arg(argument, mOptions.input));
+            mOptions.input = argument;
+            return std::nullopt;
+        }
+        if (argument == QLatin1String("--help") || argument == QLatin1String("-h")) {
+            mOptions.command = Command::Help;
+            return std::nullopt;
+        }
+        return readOption(command, argument);
+    }
+
+    //! "--name", "--name value" or "--name=value".
+    Problem readOption(const CliCommand &command, const QString &argument)
+    {
+        const qsizetype equals =
+            argument.startsWith(QLatin1String("--")) ? argument.indexOf(QLatin1Char('=')) : -1;
+        const QString name = argument.left(equals);
+        const auto option = std::find_if(cliOptions().begin(), cliOptions().end(),
+                                         [&](const CliOption &row) { return row.names.contains(name); });
+        if (option == cliOptions().end())
+            return usageError(QStringLiteral("unknown option %1").arg(name));
+        if (!command.takes(option->group))
+            return usageError(QStringLiteral("%1 does not belong to this command").arg(name));
+        QString value;
+        if (option->value.isEmpty()) {
+            if (equals >= 0)
+                return usageError(QStringLiteral("%1 takes no value").arg(name));
+        } else if (equals >= 0) {
+            value = argument.mid(equals + 1);
+        } else if (atEnd() || mArguments[mNext].startsWith(QLatin1String("--"))) {
+            // An option in place of the value was hardly meant as the name of a file.
+            return usageError(QStringLiteral("%1 needs a value").arg(name));
+        } else {
+            value = take();
+        }
+        mOptions.given << option->names.first();
+        if (const std::optional<QString> expected = option->read(mOptions, value))
+            return usageError(QStringLiteral("%1 takes %2, not \"%3\"").arg(name, *expected, value));
+        return std::nullopt;
+    }
+
+    //! What concerns several options.
+    Problem finish(const CliCommand &command)
+    {
+        if (mOptions.input.isEmpty())
+            return usageError(mOptions.command == Command::Sample ? QStringLiteral("no sample named")
+                                                                  : QStringLiteral("no input file given"));
+        if (command.output == CliCommand::Output::Needed && mOptions.output.isEmpty())
+            return usageError(QStringLiteral("no output file given (-o FILE)"));
+        if (mOptions.given.contains(QStringLiteral("--max-distortion")) && mOptions.unwrap.lambda)
+            return usageError(QStringLiteral("--max-distortion and --lambda exclude each other"));
+        packing::PackOptions &packing = mOptions.unwrap.packing;
+        if (packing.margin >= packing.textureSize)
+            return usageError(QStringLiteral("the margin of %1 texels is as wide as the whole texture of %2")
+                                  .arg(packing.margin)
+                                  .arg(packing.textureSize));
+        if (mOptions.hasRectangle() && mOptions.given.contains(QStringLiteral("--tile")))
+            return usageError(QStringLiteral("--into and --tile exclude each other"));
+        if (!mOptions.hasRectangle())
+            mOptions.packIntoTile();
+        packing.seed = mOptions.settings.seed;
+        return std::nullopt;
+    }
+
+    const QStringList &mArguments;
+    qsizetype mNext = 0;
+    CliOptions mOptions;
+};
+
+} // namespace
+
+bool makesMap(const CliOptions &options)
+{
+    return std::any_of(cliCommands().begin(), cliCommands().end(), [&options](const CliCommand &row) {
+        return row.id == options.command && row.takes(OptionGroup::Making);
+    });
+}
+
+Result<CliOptions> parseCommandLine(const QStringList &arguments)
+{
+    return Parser(arguments).parse();
+}
+
+} // namespace autocuts

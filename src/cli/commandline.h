@@ -1,0 +1,16 @@
+// Reads the arguments of the command line program by the table of commands and options.
+#pragma once
+
+#include "cli/clioptions.h"
+#include "model/document/result.h"
+
+namespace autocuts {
+
+//! \param arguments after the program's name
+//! \returns an Error for a mistake in the usage (exit code 2)
+Result<CliOptions> parseCommandLine(const QStringList &arguments);
+
+//! True when the command makes a map: these can be stopped early.
+bool makesMap(const CliOptions &options);
+
+} // namespace autocuts

@@ -1,0 +1,42 @@
+#include "solver/unwrap/separatejob.h"
+
+#include "model/plain/uvlayout.h"
+#include "solver/overlap/overlapfinder.h"
+#include "solver/overlap/uvseparation.h"
+
+namespace autocuts::unwrap {
+
+namespace {
+
+//! Share of the time that finding the cuts takes, for the progress.
+constexpr double cuttingShare = 0.1;
+
+bool hasOverlaps(const MeshData &mesh, const UvMatrix &uv)
+{
+    overlap::OverlapOptions options;
+    options.maxPairs = 1;
+    return !overlap::findOverlaps(soupUv(mesh, uv), options).pairs.empty();
+}
+
+} // namespace
+
+SeparateResult separateMap(const Snapshot &snapshot, const UvMatrix &uv, const PackJob &pack,
+                           const JobContext &job)
+{
+    const MeshData &mesh = *snapshot.mesh;
+    SeparateResult result;
+    result.uv = uv;
+    const overlap::Separated separated = overlap::separateUv(snapshot, uv, job.quiet());
+    result.newSeams = separated.newSeams;
+    result.unresolvedPairs = separated.unresolvedPairs;
+    if (!separated.complete)
+        result.outcome = SeparateResult::Outcome::Stopped;
+    else if (separated.newSeams == 0 && !hasOverlaps(mesh, uv))
+        result.outcome = SeparateResult::Outcome::NoOverlaps;
+    else if (!packCharts(mesh, separated.charts, pack, result.uv,
+                         job.part(cuttingShare, 1, JobStage::Packing)))
+        result.outcome = job.stopped() ? SeparateResult::Outcome::Stopped : SeparateResult::Outcome::NoRoom;
+    return result;
+}
+
+} // namespace autocuts::unwrap
