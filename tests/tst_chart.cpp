@@ -79,8 +79,8 @@ private Q_SLOTS:
         QCOMPARE(findCharts(*mesh, moved(1.1 * tolerance)).count, 2);
         QCOMPARE(countOpen(moved(1.1 * tolerance)), 8);
         // A face without UVs has no neighbour in the map.
-        uv.row(mesh->faceStart[0]).setConstant(std::numeric_limits<double>::quiet_NaN());
-        QVERIFY(countOpen(uv) > 0);
+        uv.topRows(mesh->faceStart[1]).setConstant(std::numeric_limits<double>::quiet_NaN());
+        QCOMPARE(countOpen(uv), 4);
     }
 
     void cutSeparatesChartsInFaceOrder()

@@ -61,11 +61,11 @@ class TestSolverController : public QObject
 private Q_SLOTS:
     void theEndOfAnotherRunDoesNotPause()
     {
+        QSemaphore rests; // outlives the worker
         Studio studio;
         SolveSettings settings = studio.document().solveSettings();
         settings.lambda = 0; // the start is the solution: the worker soon waits
         pushCommand(std::make_unique<ChangeSettings>(studio.document(), settings));
-        QSemaphore rests;
         connect(&studio.solver, &SolverController::workerRests, [&rests] { rests.release(); });
         studio.solver.run();
         // The worker says so while this thread is not listening, and another run begins.

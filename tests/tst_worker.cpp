@@ -197,7 +197,7 @@ private Q_SLOTS:
         bench.worker->pauseWithMap();
         for (int edit = 0; edit < 5; ++edit) {
             // A moment later each, or at once when there is nothing left to disturb.
-            QTest::qWaitFor([&] { return settled.count() > 0; }, 10);
+            (void)QTest::qWaitFor([&] { return settled.count() > 0; }, 10);
             const auto after = std::make_shared<Snapshot>(*before);
             after->settings.lambda = 0.1 + 0.1 * edit;
             bench.worker->update(after);
