@@ -162,7 +162,7 @@ private Q_SLOTS:
             if (makesMap(options))
                 making << command.name;
         }
-        QCOMPARE(making, (QStringList{u"unwrap"_s, u"pack"_s, u"separate"_s}));
+        QCOMPARE(making, (QStringList{u"unwrap"_s, u"pack"_s, u"separate"_s, u"finish"_s}));
         QVERIFY(!makesMap({}));
     }
 
@@ -238,7 +238,7 @@ private Q_SLOTS:
         for (const QString &line : help.split(u'\n'))
             QVERIFY2(line.size() <= 110 && !line.endsWith(u' '), qPrintable(line));
         // Options of one heading stand together.
-        for (const QString &heading : {u"unwrap"_s, u"unwrap, pack, separate"_s, u"pack"_s})
+        for (const QString &heading : {u"unwrap"_s, u"unwrap, finish"_s, u"unwrap, pack, separate, finish"_s, u"pack"_s})
             QCOMPARE(help.count(u'\n' + heading + u":\n"_s), 1);
     }
 

@@ -130,7 +130,7 @@ private Q_SLOTS:
         QStringList order;
         connect(&desk.files, &FileController::done, this, [&] { order << QStringLiteral("saved"); });
         QMetaObject::invokeMethod(
-            this,
+            &desk.files,
             [&] {
                 order << QStringLiteral("event");
                 QVERIFY(desk.files.isSaving());

@@ -64,10 +64,7 @@ Result<Scene> BatchFiles::read(const QString &path)
     Result<LoadedProject> project = loadProject(path);
     if (!project)
         return project.error();
-    Result<std::unique_ptr<Document>> document = Document::create(std::move(project->state));
-    if (!document)
-        return document.error();
-    mDocument = std::move(document).value();
+    mDocument = std::make_unique<Document>(std::move(project->state));
     mRecorder = std::make_unique<JournalRecorder>(*mDocument, std::move(project->extras.journal));
     Scene scene = activeFirst(mDocument->state());
     scene.notes.insert(scene.notes.end(), project->notes.begin(), project->notes.end());

@@ -51,16 +51,14 @@ QByteArray journalEntry(const QCborMap &command)
 
 Result<std::unique_ptr<Document>> replay(const Journal &journal)
 {
-    Result<std::unique_ptr<Document>> document = Document::create(journal.initial);
-    if (!document)
-        return document.error();
+    auto document = std::make_unique<Document>(journal.initial);
     // Nothing is going to be undone.
-    document.value()->undoStack().setMemoryLimit(0);
+    document->undoStack().setMemoryLimit(0);
     for (std::size_t i = 0; i < journal.commands.size(); ++i) {
         const std::optional<QCborMap> map = commandOf(journal.commands[i]);
         if (!map)
             return atCommand(i, damagedCommand());
-        Result<std::unique_ptr<DocumentCommand>> command = makeCommand(*map, *document.value());
+        Result<std::unique_ptr<DocumentCommand>> command = makeCommand(*map, *document);
         if (!command)
             return atCommand(i, command.error());
         pushCommand(std::move(command).value());

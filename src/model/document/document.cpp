@@ -24,9 +24,9 @@ bool steers(const RectangleEvent &event)
 
 } // namespace
 
-Document::Document(Scene scene) : Document(FromState(), DocumentState::initial(std::move(scene))) {}
+Document::Document(Scene scene) : Document(DocumentState::initial(std::move(scene))) {}
 
-Document::Document(FromState, DocumentState state)
+Document::Document(DocumentState state)
     : mState(std::move(state)), mToken{newRevision(), newRevision(), newRevision(), newRevision()}
 {}
 
@@ -36,7 +36,7 @@ Result<std::unique_ptr<Document>> Document::create(DocumentState state)
 {
     if (const QString problem = state.validate(); !problem.isEmpty())
         return Error{problem, state.scene.path, 0, {}};
-    return std::unique_ptr<Document>(new Document(FromState(), std::move(state)));
+    return std::make_unique<Document>(std::move(state));
 }
 
 void Document::announce(const ChangeEvent &event)

@@ -28,8 +28,10 @@ class Document final : public QObject
 public:
     //! A document for a model just loaded. \pre scene.mesh is not null
     explicit Document(Scene scene);
-    //! A document that continues from a complete state, with an empty history; an error when the state breaks
-    //! an invariant.
+    //! A document that continues from a complete state, with an empty history. \pre
+    //! state.validate().isEmpty()
+    explicit Document(DocumentState state);
+    //! The same for a state that may break an invariant: an error then.
     static Result<std::unique_ptr<Document>> create(DocumentState state);
     ~Document() override;
 
@@ -74,11 +76,6 @@ Q_SIGNALS:
 
 private:
     friend class DocumentCommand;
-
-    //! Marks the constructor that takes any valid state.
-    struct FromState
-    {};
-    Document(FromState, DocumentState state);
 
     // All indices must be in range and all values valid; values are given in the order of the indices.
     void setUvs(int uvSet, const IndexRanges &corners, const UvMatrix &values);

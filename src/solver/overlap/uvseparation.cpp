@@ -40,11 +40,16 @@ Separated separateUv(const Snapshot &snapshot, const UvMatrix &uv, const JobCont
     separated.unresolvedPairs = result.unresolvedPairs;
     const CutMesh state(mesh, result.cut);
     separated.charts.faceChart.assign(mesh.faceCount(), -1);
-    separated.charts.count = state.chartCount;
+    // Faces without UVs are in charts of the mesh, but not of the map.
+    std::vector<int> number(state.chartCount, -1);
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         const int face = mesh.triangleFace[t];
-        if (before.faceChart[face] >= 0)
-            separated.charts.faceChart[face] = state.chart[t];
+        if (before.faceChart[face] < 0)
+            continue;
+        int &chart = number[state.chart[t]];
+        if (chart < 0)
+            chart = separated.charts.count++;
+        separated.charts.faceChart[face] = chart;
     }
     return separated;
 }

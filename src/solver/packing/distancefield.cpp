@@ -11,6 +11,8 @@ DistanceField::DistanceField(const Outline &outline, double cell, double reach, 
     Eigen::AlignedBox2d box;
     for (const Vec2 &p : outline.hull)
         box.extend(p);
+    if (box.isEmpty())
+        box.extend(Vec2::Zero()); // an island without usable points
     mBoxLower = box.min();
     mBoxUpper = box.max();
     const Vec2 size = box.sizes() + Vec2::Constant(2 * reach);

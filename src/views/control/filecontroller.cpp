@@ -145,13 +145,9 @@ void FileController::adoptProject(LoadedProject project, const QString &sessionP
                                   const RecoverableSession *recovered)
 {
     const QStringList notes = project.notes + meshDoctorNotes(project.state.scene.mesh->report);
-    Result<std::unique_ptr<Document>> document = Document::create(std::move(project.state));
-    if (!document) {
-        Q_EMIT failed(document.error());
-        return;
-    }
     endAutosave();
-    mWorkspace.open(std::move(document).value(), sessionPath, std::move(project.extras.journal), notes);
+    mWorkspace.open(std::make_unique<Document>(std::move(project.state)), sessionPath,
+                    std::move(project.extras.journal), notes);
     if (recovered)
         mWorkspace.setRecovered(true);
     beginAutosave(recovered);
