@@ -23,8 +23,8 @@ void BlockCholesky::analyze(int count, std::vector<std::pair<int, int>> &lower)
     findRows();
 }
 
-//! The rows of the factor: row k holds the columns on the paths of the elimination tree from the entries of
-//! row k of the matrix up to k (Liu 1986).
+//! Finds the pattern of the factor. Row k of the factor holds the columns on the paths in the elimination
+//! tree that lead from the entries of row k of the matrix up to k (Liu 1986).
 void BlockCholesky::findRows()
 {
     mParent.assign(mCount, -1);
@@ -43,7 +43,7 @@ void BlockCholesky::findRows()
                 ++mColumnStart[j + 1];
             }
         }
-        // Rising column numbers are an order of elimination.
+        // Ascending column numbers are a valid order of elimination.
         std::sort(mPattern.begin() + mPatternStart[k], mPattern.end());
         mPatternStart[k + 1] = static_cast<int>(mPattern.size());
     }

@@ -1,4 +1,4 @@
-// Sparse Cholesky factorisation of small symmetric matrices of 2 x 2 blocks.
+// Sparse Cholesky factorisation of small symmetric positive definite matrices of 2 x 2 blocks.
 #pragma once
 
 #include <array>
@@ -7,55 +7,60 @@
 
 namespace autocuts::search {
 
-//! Up-looking Cholesky for the many small systems of the seam search (tens to some thousands of unknown
-//! points), where a general library spends most of its time on bookkeeping. Keeps its memory between systems.
+//! Up-looking Cholesky factorisation for the many small systems of the seam search: tens to some thousands of
+//! unknown points, two coordinates each. At these sizes a general library spends most of its time on
+//! bookkeeping. Buffers are reused from one system to the next.
 class BlockCholesky
 {
 public:
     //! A 2 x 2 block, row by row.
     using Block = std::array<double, 4>;
 
-    //! Starts a new pattern of `count` block rows, in the order of elimination.
-    //! \param lower pairs (row, column) with row > column; repetitions are fine
+    //! Sets the pattern of a new matrix with `count` block rows, numbered in the order of elimination.
+    //! \param lower blocks below the diagonal, as pairs (row, column) with row > column; duplicates are
+    //! allowed; sorted and made unique in place
     void analyze(int count, std::vector<std::pair<int, int>> &lower);
 
+    //! Number of block rows.
     int count() const { return mCount; }
     //! Sets all values to zero.
     void clear();
-    //! Place of block (row, column) among the values. \pre it is in the pattern, row > column
+    //! Index of block (row, column) for offDiagonal(). \pre the block is in the pattern, row > column
     int place(int row, int column) const;
     Block &offDiagonal(int place) { return mValue[place]; }
-    //! Diagonal block; only its lower triangle is used.
+    //! Diagonal block; only its lower triangle is read.
     Block &diagonal(int row) { return mDiagonal[row]; }
 
-    //! False when a pivot is not positive.
+    //! \returns false when the matrix is not positive definite
     [[nodiscard]] bool factorize();
-    //! Solves in place: two numbers per block row. \pre factorize() returned true
+    //! Replaces the right-hand side by the solution. \pre factorize() returned true
+    //! \param b two numbers per block row
     void solve(double *b) const;
 
 private:
-    //! Two numbers that are added and multiplied together.
+    //! SIMD vector of two numbers.
     using Pair = double __attribute__((vector_size(2 * sizeof(double))));
     struct Rows
     {
-        Pair first, second; //!< of a 2 x 2 block
+        Pair first, second; //!< rows of a 2 x 2 block
     };
     struct Columns
     {
-        Pair first, second;
+        Pair first, second; //!< columns of a 2 x 2 block
     };
 
     void findRows();
 
     int mCount = 0;
-    // The matrix, row by row.
+    // The matrix: blocks below the diagonal in compressed rows, and the diagonal blocks.
     std::vector<int> mRowStart, mColumn;
     std::vector<Block> mValue, mDiagonal;
-    // The factor: the columns of each row in order of elimination, the rows of each column, the blocks.
+    // The factor: the elimination tree (mParent), the columns of each row in order of elimination (mPattern),
+    // the rows of each column (mRowIndex) and the blocks column by column (mFactor).
     std::vector<int> mParent, mMark, mPatternStart, mPattern, mColumnStart, mRowIndex, mFilled;
     std::vector<Columns> mFactor;
     std::vector<Rows> mWork;
-    std::vector<Block> mPivot; //!< inverses of the lower triangular diagonal blocks
+    std::vector<Block> mPivot; //!< inverses of the factor's lower triangular diagonal blocks
 };
 
 } // namespace autocuts::search

@@ -9,7 +9,9 @@ namespace autocuts::search {
 
 namespace {
 
-constexpr double partingShare = 0.01; // of the way to the middle of the triangles at a point
+//! Share of the way from a point to the mean centroid of its triangles. Chosen by hand; its effect has not
+//! been measured.
+constexpr double partingShare = 0.01;
 
 int findRoot(std::vector<int> &parent, int i)
 {
@@ -61,7 +63,7 @@ void Patch::select(const CutState &state, std::span<const int> seeds, int size)
     }
 }
 
-//! Numbers the points: corners that hang together over edges that are not cut are one.
+//! Numbers the points: corners that are connected over uncut edges form one point.
 void Patch::mergeCorners(const CutState &state)
 {
     const int corners = 3 * static_cast<int>(mTriangles.size());
@@ -103,7 +105,7 @@ bool Patch::join(const CutState &state, const std::vector<double> &x)
     mergeCorners(state);
     const int points = static_cast<int>(mPointVertex.size());
     mPosition.assign(2 * points, 0.0);
-    // mUnknown: -1 for the points that the surroundings hold, else the number of corners for now.
+    // Until numberUnknowns(), mUnknown is -1 for held points and counts the corners seen so far for others.
     mUnknown.assign(points, 0);
     const auto hold = [&](int c) {
         const int p = mPoint[c];
@@ -127,7 +129,7 @@ bool Patch::join(const CutState &state, const std::vector<double> &x)
         if (mUnknown[p] < 0)
             continue;
         const double *at = &x[6 * static_cast<std::size_t>(mTriangles[c / 3]) + 2 * (c % 3)];
-        // A running mean leaves equal coordinates as they are, to the last bit.
+        // A running mean keeps equal coordinates bitwise equal.
         const double share = 1.0 / ++mUnknown[p];
         mPosition[2 * p] += share * (at[0] - mPosition[2 * p]);
         mPosition[2 * p + 1] += share * (at[1] - mPosition[2 * p + 1]);
@@ -188,7 +190,7 @@ void Patch::addSprings(const std::vector<int> &edges)
 
 void Patch::numberUnknowns()
 {
-    // Order of elimination: as in the whole mesh.
+    // The points are eliminated in the order that SeamGraph::rank gives for the whole mesh.
     std::vector<std::pair<int, int>> &order = mLower;
     order.clear();
     for (int p = 0; p < static_cast<int>(mUnknown.size()); ++p) {

@@ -1,4 +1,4 @@
-// The part of a map that one trial may move, and Newton's method on it.
+// The triangles that one trial may move, and Newton's method on them.
 #pragma once
 
 #include "solver/search/blockcholesky.h"
@@ -12,56 +12,62 @@
 
 namespace autocuts::search {
 
-//! How far Patch::minimize() goes.
+//! When Patch::minimize() stops.
 struct PatchLimits
 {
-    int steps = 6;
-    double tolerance = 1e-6; //!< stop when a step promises less
-    //! Give up when even twice the promise of the quadratic model leaves the energy above this.
+    int steps = 6; //!< Newton steps at most; the prototype's number, its effect has not been measured here
+    double tolerance = 1e-6; //!< stop when the predicted decrease (-gradient * direction) is not above this
+    //! Give up when the energy would stay above this even if it fell by the whole predicted decrease, twice
+    //! what the quadratic model gains.
     double hopeless = std::numeric_limits<double>::infinity();
     bool guarded = false; //!< no step may make boundary sides cross
 };
 
-//! Some triangles whose points may move while everything around them is held. Works on a copy of the
-//! coordinates until store(). Keeps its memory between uses; one per thread.
+//! A patch: the triangles around a change of seams whose points may move while everything outside is held.
+//! A point is a UV vertex of the patch. Works on a copy of the coordinates until store(). Buffers are reused;
+//! use one patch per thread.
 class Patch
 {
 public:
     explicit Patch(std::shared_ptr<const SeamGraph> graph);
 
-    //! Takes the triangles around `seeds`, nearest first, over the uncut sides, about `size` of them.
+    //! Selects about `size` triangles around `seeds`: breadth first, over uncut sides. Seeds are always
+    //! taken.
     void select(const CutState &state, std::span<const int> seeds, int size);
     const std::vector<int> &triangles() const { return mTriangles; }
-    //! Place of a triangle among triangles(), -1 outside.
+    //! Index of a triangle in triangles(), -1 outside the patch.
     int localOf(int triangle) const { return mLocal[triangle]; }
 
-    //! Finds the points of the patch as the flags of the state have it. Corners that share a point are put at
-    //! their mean, or where the surroundings hold them. False when these hold one point at two places.
+    //! Welds the corners of the patch to points according to the state's cut flags. A point shared with a
+    //! triangle outside is held there; any other one goes to the mean of its corners.
     //! \param x coordinates to start from, as in the state
+    //! \returns false when the surroundings hold one point at two positions
     bool join(const CutState &state, const std::vector<double> &x);
-    //! Moves the points on freshly opened edges a little into their own side, so that no two of them
-    //! coincide.
+    //! Moves the points on newly cut edges a little into their own side of the cut, so that the two sides no
+    //! longer coincide.
     void partSides(const std::vector<int> &edges);
-    //! Springs that pull the two sides of edges together until they can be closed.
+    //! Adds springs that pull the two sides of cut edges together, to stitch them afterwards.
     void addSprings(const std::vector<int> &edges);
     void setStiffness(double stiffness) { mStiffness = stiffness; }
 
-    //! Weighted energy of the patch without the springs; infinite when a triangle is turned over.
+    //! Area-weighted energy of the patch without the springs; infinite when a triangle is flipped.
     double energy() const { return energyAt(mPosition); }
-    //! Smallest determinant of the Jacobians.
+    //! Smallest Jacobian determinant of the patch; 1 at an isometry, not positive when a triangle is flipped.
     double smallestDeterminant() const;
-    //! Newton steps; returns the number of steps taken. \pre energy() is finite
+    //! Minimises energy and springs by Newton's method. \returns the number of steps taken
+    //! \pre energy() is finite
     int minimize(const PatchLimits &limits);
-    //! True when boundary sides cross, among those of the patch and with those of the state outside of it.
+    //! True when boundary sides of the patch cross each other or boundary sides of the state outside.
     bool crossesItself();
-    //! Writes the coordinates of the patch.
+    //! Writes the coordinates of the patch into x.
     void store(std::vector<double> &x) const;
-    //! Writes coordinates and energies, and updates the energy of the state.
+    //! Writes coordinates and triangle energies of the patch into the state and updates the state's energy.
     void commit(CutState &state) const;
 
-    //! Triangles times steps since the beginning: a measure of time that is the same everywhere.
+    //! Triangles times Newton steps since construction: a measure of time that does not depend on the
+    //! machine.
     double work() const { return mWork; }
-    //! Newton steps since the beginning.
+    //! Newton steps since construction.
     int steps() const { return mSteps; }
 
 private:
@@ -79,25 +85,25 @@ private:
 
     std::shared_ptr<const SeamGraph> mGraph;
     std::vector<int> mTriangles;
-    std::vector<int> mLocal;                 //!< per triangle of the mesh, -1 outside
-    std::vector<int> mPoint;                 //!< per local corner: point
+    std::vector<int> mLocal;                 //!< per triangle of the mesh: index in mTriangles, -1 outside
+    std::vector<int> mPoint;                 //!< per local corner: its point
     std::vector<int> mParent;                //!< union-find over local corners
-    std::vector<double> mPosition;           //!< per point
-    std::vector<int> mUnknown;               //!< per point, -1 held
-    std::vector<int> mPointVertex;           //!< per point, point of the surface
-    std::vector<std::array<int, 3>> mPlace;  //!< per local triangle: blocks (1,0), (2,0), (2,1)
+    std::vector<double> mPosition;           //!< per point: u, v in solver units
+    std::vector<int> mUnknown;               //!< per point: its block row in mSystem, -1 when held
+    std::vector<int> mPointVertex;           //!< per point: vertex of the uncut surface
+    std::vector<std::array<int, 3>> mPlace;  //!< per local triangle: places of blocks (1,0), (2,0), (2,1)
     std::vector<std::pair<int, int>> mLower; //!< scratch
     struct Spring
     {
-        int a, b; //!< points
-        int place;
-        double weight;
+        int a, b;      //!< points
+        int place;     //!< of the block in mSystem, -1 when a or b is held
+        double weight; //!< length of the edge, solver units
     };
     std::vector<Spring> mSprings;
     double mStiffness = 0;
     BlockCholesky mSystem;
     std::vector<double> mGradient, mDirection, mTrial;
-    std::vector<char> mFrozen; //!< per unknown: stands still because of a contact
+    std::vector<char> mFrozen; //!< per unknown: held during this step because of a crossing
     Segments mSegments;
     bool mSegmentsKnown = false;
     const CutState *mState = nullptr;

@@ -9,12 +9,14 @@ namespace autocuts::search {
 
 namespace {
 
-constexpr double armijo = 1e-4;
-constexpr double flipMargin = 0.9; // of the way to the first flip
-constexpr int maxHalvings = 12;
+constexpr double armijo = 1e-4;    // usual constant of the sufficient decrease condition
+constexpr double flipMargin = 0.9; // share of the way to the first flip that a step may go
+constexpr int maxHalvings = 12;    // of the step length
+// Step halvings because of crossing boundaries before the points at the crossing are frozen, and how often a
+// step is solved again with more points frozen. Chosen by hand; their effect has not been measured.
 constexpr int contactHalvings = 3;
 constexpr int freezeRounds = 4;
-constexpr double frozenPivot = 1e30;
+constexpr double frozenPivot = 1e30; // added to the diagonal of frozen unknowns: they do not move
 
 } // namespace
 
@@ -95,7 +97,7 @@ void Patch::assembleTriangles()
             continue;
         const int t = mTriangles[i];
         triangleDerivatives(p, soup.basis[t], soup.weight[t], gradient, h);
-        // Diagonal blocks start at h[0], h[5] and h[14] of the packed rows.
+        // Per corner: where the two rows of its diagonal block start in the packed lower triangle h.
         static constexpr int first[3][2] = {{0, 1}, {5, 8}, {14, 19}};
         for (int k = 0; k < 3; ++k) {
             if (unknown[k] < 0)
@@ -107,7 +109,7 @@ void Patch::assembleTriangles()
             d[2] += h[first[k][1]];
             d[3] += h[first[k][1] + 1];
         }
-        // Blocks (k, l): rows 2k and 2k + 1, columns 2l and 2l + 1.
+        // Per block: corners k and l, then where its rows 2k and 2k + 1 start at column 2l in h.
         static constexpr int pairs[3][4] = {{1, 0, 3, 6}, {2, 0, 10, 15}, {2, 1, 12, 17}};
         for (int n = 0; n < 3; ++n) {
             if (mPlace[i][n] < 0)
@@ -173,7 +175,7 @@ double Patch::flipFreeStep(double limit) const
                      v2 = mPosition[2 * r + 1] - mPosition[2 * p + 1];
         const double du1 = move(q, 0) - move(p, 0), dv1 = move(q, 1) - move(p, 1);
         const double du2 = move(r, 0) - move(p, 0), dv2 = move(r, 1) - move(p, 1);
-        // Area along the step: a s^2 + b s + c, c > 0.
+        // Twice the signed area after a step of length s is a s^2 + b s + c, with c > 0.
         const double a = du1 * dv2 - dv1 * du2;
         const double b = u1 * dv2 - v1 * du2 + du1 * v2 - dv1 * u2;
         const double c = u1 * v2 - v1 * u2;
@@ -218,7 +220,7 @@ bool Patch::lineSearch(double before, const PatchLimits &limits, double slope, d
 int Patch::minimize(const PatchLimits &limits)
 {
     if (limits.guarded)
-        crossesItself(); // finds the segments
+        crossesItself(); // fills mSegments
     double value = energy() + springEnergy(mPosition);
     std::vector<int> touched;
     for (int step = 0; step < limits.steps; ++step) {
@@ -243,7 +245,8 @@ int Patch::minimize(const PatchLimits &limits)
             }
             if (!limits.guarded)
                 return step;
-            // What the last, short step makes cross stands still while the rest moves.
+            // Freeze the points whose boundary sides cross after the last, shortest trial step, and solve
+            // again for the others.
             touched.clear();
             if (!mSegments.cross(mTrial, &touched))
                 return step;

@@ -1,4 +1,4 @@
-// What a seam search does with charts that are too small to keep, and the mirror images of its changes.
+// Joining or growing charts that are too small, and the mirror images of seam changes.
 #include "solver/search/seamsearch.h"
 
 #include <algorithm>
@@ -9,10 +9,11 @@ namespace autocuts::search {
 
 namespace {
 
-constexpr int absorbSteps = 12;
-constexpr double grownShare = 1.1;   // of the smallest chart
-constexpr int edgesPerNeighbour = 6; // that are tried
-constexpr int mostPatch = 3000;      // triangles around a chart that is absorbed
+// Chosen by hand; their effect has not been measured.
+constexpr int absorbSteps = 12;      // Newton steps per trial
+constexpr double grownShare = 1.1;   // area that a chart is grown to, relative to the least allowed area
+constexpr int edgesPerNeighbour = 6; // seam edges per neighbour from which growing is tried, about
+constexpr int mostPatch = 3000;      // triangles in the patch of a trial, at most
 constexpr double anyGain = -std::numeric_limits<double>::infinity();
 
 bool contains(const std::vector<int> &edges, int e)
@@ -22,8 +23,8 @@ bool contains(const std::vector<int> &edges, int e)
 
 } // namespace
 
-//! Adds the mirror images. What would open on one side and close on the other asks for something impossible,
-//! so that the trial refuses it.
+//! Adds the mirror images of the edges. An edge that would have to be both opened and closed ends up in both
+//! lists, and SeamTrial refuses the change.
 SeamChange SeamSearch::withMirrorImages(const SeamChange &change) const
 {
     const std::vector<int> &mirror = mState.graph->mirror;
@@ -43,7 +44,8 @@ SeamChange SeamSearch::withMirrorImages(const SeamChange &change) const
     return both;
 }
 
-//! The seams of a chart with each of its neighbours, the most length first.
+//! The common seam of a chart with each of its neighbours, longest seam first. Edges cut by the user are left
+//! out.
 std::vector<std::vector<int>> SeamSearch::seamsAround(int chart) const
 {
     const SeamGraph &graph = *mState.graph;
@@ -69,7 +71,7 @@ std::vector<std::vector<int>> SeamSearch::seamsAround(int chart) const
     return result;
 }
 
-//! Joins a chart to one of its neighbours, along as much of their common seam as can be closed.
+//! Joins a chart to one of its neighbours: stitches their whole common seam, else a half of it, a quarter ...
 bool SeamSearch::absorb(int chart)
 {
     const int triangles = static_cast<int>(std::count(mState.chart.begin(), mState.chart.end(), chart));
@@ -89,9 +91,9 @@ bool SeamSearch::absorb(int chart)
     return false;
 }
 
-//! Triangles next to a seam edge, nearest first, in the chart on the other side: so many that they and the
-//! chart together are large enough. Polygons stay whole. Nothing reaches beyond the line through the edge,
-//! where the chart will lie.
+//! Triangles of the neighbouring chart next to a seam edge, breadth first, until they and the chart together
+//! have grownShare of the least area. Polygons stay whole. Apart from that, all triangles lie on their own
+//! side of the line through the edge, because the chart will be put on the other side.
 std::vector<int> SeamSearch::regionAcross(int chart, int edge) const
 {
     const SeamGraph &graph = *mState.graph;
@@ -118,7 +120,7 @@ std::vector<int> SeamSearch::regionAcross(int chart, int edge) const
                 region.push_back(next);
         }
     };
-    std::size_t whole = 0; // what cannot be parted from these is in the region
+    std::size_t whole = 0; // the polygons of this many triangles are complete in the region
     for (std::size_t at = 0; at < region.size(); ++at) {
         for (; whole < region.size(); ++whole) {
             addNeighbours(region[whole], true);
@@ -131,7 +133,7 @@ std::vector<int> SeamSearch::regionAcross(int chart, int edge) const
     return region;
 }
 
-//! Cuts edges that part charts; these move apart, else nothing moves.
+//! Cuts edges that separate charts and moves the charts apart rigidly.
 void SeamSearch::cutApart(const std::vector<int> &edges)
 {
     CutState apart = mState;
@@ -142,7 +144,7 @@ void SeamSearch::cutApart(const std::vector<int> &edges)
     restore(apart);
 }
 
-//! Makes a chart large enough with a part of a neighbour: that part is cut off, then joined to it.
+//! Makes a chart large enough: cuts triangles off a neighbour and stitches them to the chart.
 bool SeamSearch::grow(int chart)
 {
     const int before = mState.smallParts();
@@ -182,7 +184,7 @@ bool SeamSearch::grow(int chart)
 
 void SeamSearch::absorbSmallCharts()
 {
-    std::set<int> failed; // by their first triangles
+    std::set<int> failed; // first triangles of the charts that could not be joined or grown
     while (!stopped() && mState.smallParts() > 0) {
         std::vector<int> first(mState.chartCount(), -1);
         for (int t = mState.graph->triangleCount() - 1; t >= 0; --t)

@@ -12,7 +12,7 @@ bool isNode(const CutState &state, int v)
     return state.graph->border[v] || state.cutsAt(v) != 2;
 }
 
-//! Appends edges from the end of the chain until a node or the first edge.
+//! Appends edges at the end of the chain until it reaches a node or its own first edge.
 void extend(const CutState &state, SeamChain &chain)
 {
     const SeamGraph &graph = *state.graph;

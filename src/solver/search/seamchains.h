@@ -1,4 +1,4 @@
-// Seams as chains between branch points, and shortest ways for new ones.
+// Seams as chains of edges between branch points, and shortest paths for new seams.
 #pragma once
 
 #include "solver/base/random.h"
@@ -9,34 +9,37 @@
 
 namespace autocuts::search {
 
-//! Cut edges in a row between two points where seams end, branch or meet a border; or a closed ring.
+//! A chain of cut edges between two vertices where seams end, branch or meet a border; or a closed ring.
 struct SeamChain
 {
     std::vector<int> edges;
-    std::vector<int> vertices; //!< one more than edges, in order; first and last are equal for a ring
+    std::vector<int> vertices; //!< of the uncut surface, one more than edges; first and last equal for a ring
 
-    //! True when the seam ends freely at its first or last point.
+    //! True when the seam has a free end inside the surface at its first or last vertex.
     bool endsFreely(const CutState &state, bool last) const;
 };
 
-//! The chain that an edge belongs to. \pre it is cut
+//! The chain that a cut edge belongs to. \pre the edge is cut
 SeamChain chainOf(const CutState &state, int edge);
 
-//! Shortest paths along edges by cost; keeps its memory.
+//! Shortest paths along edges by SeamGraph::cost (Dijkstra). Reuses its buffers.
 class SeamPaths
 {
 public:
     explicit SeamPaths(const CutState &state);
 
-    //! Marks points where a path may not pass nor end, until clear().
+    //! Forbids paths to pass or end at vertex v, until clear().
     void block(int v) { mBlocked[v] = mRound; }
-    //! Marks points that are no obstacle though seams run through them, until clear().
+    //! Lets paths pass vertex v even when it lies on a seam or border, until clear().
     void allow(int v) { mAllowed[v] = mRound; }
+    //! Forgets all calls of block() and allow().
     void clear() { ++mRound; }
 
-    //! Edges of the shortest path from `from` to `to` (or, with to = -1, to the nearest point on a seam or
-    //! border that is not blocked) that touches no seam and no border on its way; empty when there is none or
-    //! it is longer than `longest`. \param noise spread of the random factors on the costs
+    //! Shortest path between two vertices that touches no seam or border between its ends.
+    //! \param to -1: the nearest vertex on a seam or border that is not blocked
+    //! \param noise every edge cost is multiplied by exp(noise * r), r uniform in [-1, 1]
+    //! \param longest cost of the path at most
+    //! \returns the edges in order; empty when there is no such path
     std::vector<int> find(int from, int to, double noise, Random &random, double longest);
 
 private:

@@ -33,7 +33,8 @@ std::vector<int> eliminationOrder(const SeamGraph &graph)
     return linear::eliminationRanks(pattern);
 }
 
-//! What is wanted of one side is wanted of the other.
+//! Stores the mirror images and makes costs and rules symmetric: an edge and its image get their mean cost,
+//! and a free edge takes the rule of its image.
 void mirrorGraph(const MeshData &mesh, const preference::MeshSymmetry &symmetry, SeamGraph &graph)
 {
     graph.mirror = symmetry.mirrorEdge;

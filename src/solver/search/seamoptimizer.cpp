@@ -12,25 +12,40 @@ namespace autocuts::search {
 
 namespace {
 
-constexpr double firstHeat = 1; // edges
+// Mu is the energy that one unit of seam cost is worth. In the prototype its value at a bound of 4.1 ended
+// between 0.05 and 0.25, depending on the mesh. Where no other source is named, a number below was chosen by
+// hand and its effect has not been measured.
+
+//! Heat of the annealing at its start: the mean worsening that a large move is allowed, in mean edge lengths
+//! of seam.
+constexpr double firstHeat = 1;
 constexpr double firstMu = 0.1;
 constexpr double smallestMu = 0.005, largestMu = 1;
-//! What seams are worth near the bound in most maps, to rank those that are below and above it.
+//! Typical mu near the bound, to compare maps at different distortion: usualMu converts energy below the
+//! bound into seam cost, excessMu energy above it.
 constexpr double usualMu = 0.15, excessMu = 0.07;
-//! Where the first cuts stop. Round shapes do best with few, limbs get theirs in any case.
+//! Range of SeedOptions::shrinkage over the first cuts. The prototype used 0.7 alone. Large values give few
+//! cuts, which suits round shapes best; long limbs shrink so much that they get a cut at any value.
 constexpr double leastShrinkage = 0.7, mostShrinkage = 5;
-constexpr double hopelessExcess = 1; // of the first map above the bound, for a flat one
+//! The map without cuts is given up when its energy is this far above the bound after ten Newton steps.
+constexpr double hopelessExcess = 1;
 constexpr double leastMu = 1e-5;
-constexpr int boundRounds = 50;
-constexpr int squeezeMoves = 20;
+constexpr int boundRounds = 50;  // in which mu falls until the bound holds, at most
+constexpr int squeezeMoves = 20; // large moves per squeeze
+//! Other first cuts that are tried in place of one whose map folds or overlaps; a long limb may do so for
+//! single seeds.
 constexpr int firstTries = 3;
-constexpr int firstRelaxation = 60;     // steps
-constexpr double firstTolerance = 1e-2; // of the energy, in ten steps
+constexpr int firstRelaxation = 60;     // Newton steps on a first map, at most
+constexpr double firstTolerance = 1e-2; // energy gained in ten steps below which the relaxation ends
 constexpr int firstPolishes = 4;
-constexpr double fastFall = 0.25;       // of the energy above the bound, in one polish
-constexpr double densityReserve = 0.01; // of the distortion above 4, for charts of equal density
+//! While a polish lowers the energy above the bound by more than this share, mu stays. Without this rule,
+//! round shapes that start from one path ended with 5 to 10 % longer seams.
+constexpr double fastFall = 0.25;
+//! Share of (bound - 4) that is kept free in maps of several charts, because giving the charts one texel
+//! density afterwards costs some distortion.
+constexpr double densityReserve = 0.01;
 
-//! One map on its way to the bound.
+//! The search on one map, from its first cuts to the bound.
 class Run
 {
 public:
@@ -43,13 +58,15 @@ public:
         mBestScore = score();
     }
 
-    //! Seam cost that the map would have at the bound, or its objective where there is none.
+    //! What keepBest() minimises: the seam cost, plus a penalty for energy above the bound. With a given mu,
+    //! the objective.
     double score() const
     {
         if (mOptions.mu)
             return mState.objective(*mOptions.mu);
         return mState.cost + std::max(0.0, mState.energy - bound()) / excessMu;
     }
+    //! Seam cost that the map is expected to have once it is at the bound; ranks the runs after a round.
     double expectedCost() const
     {
         if (mOptions.mu)
@@ -58,9 +75,10 @@ public:
         return mState.cost + over / (over > 0 ? excessMu : usualMu);
     }
 
+    //! Relaxes the first map, joins small charts and polishes the seams.
     void start()
     {
-        // Even in a hurry: before this the map is badly distorted.
+        // Done even when stopped: without at least ten steps the map is badly distorted.
         for (int i = 0; i < firstRelaxation / 10; ++i) {
             if (mSearch.relaxAll(10) < firstTolerance || mSearch.stopped())
                 break;
@@ -72,7 +90,7 @@ public:
             const double before = mState.energy;
             mSearch.polish(1);
             mSearch.relaxAll(3);
-            // Cheap seams would spoil a map that is still on its way.
+            // Lowering mu while the energy still falls fast would open needless seams.
             if (before - mState.energy < fastFall * (mState.energy - bound()) || mState.energy < bound())
                 adaptMu(0.4);
             report(0);
@@ -81,6 +99,7 @@ public:
         report(0);
     }
 
+    //! Tries large moves while the heat falls to zero. Mu is adapted after every 20 moves (the prototype: 8).
     void search(int moves)
     {
         constexpr int interval = 20;
@@ -100,7 +119,8 @@ public:
         }
     }
 
-    //! Meets the bound: more seams until it holds, then as few as it allows.
+    //! Opens seams until the bound holds, then shortens them as far as the bound allows. Ends with the best
+    //! map of the run.
     void finish()
     {
         if (mOptions.mu || mSearch.stopped()) {
@@ -114,7 +134,8 @@ public:
         mSearch.relaxAll(10);
         if (mState.energy > bound())
             return;
-        // What room is left goes to the seams that cost least.
+        // Spend what is left of the bound: rising mu removes the seams that raise the energy least per
+        // length.
         mSearch.setCeiling(bound());
         mSearch.setHeat(0);
         for (int i = 0; i < mOptions.effort.squeezes && !mSearch.stopped(); ++i) {
@@ -136,7 +157,7 @@ public:
     bool fits() const { return mOptions.mu || mBest.energy <= bound(); }
 
 private:
-    //! Makes seams cheaper and cheaper until the bound holds.
+    //! Lowers mu step by step until the bound holds.
     void meetBound()
     {
         double mu = mSearch.mu();
@@ -158,14 +179,16 @@ private:
             mOptions.progress(steps, mBest.energy, mBest.length);
     }
 
+    //! Bound on the energy less a small reserve.
     double bound() const
     {
         const double reserve = mState.chartCount() > 1 ? densityReserve : 1e-4;
         return mOptions.maxDistortion - reserve * (mOptions.maxDistortion - 4);
     }
 
-    //! Seams get cheaper at once where the energy is above the bound and dearer where it is below; the
-    //! balance itself follows slowly.
+    //! Adapts mu to the distance from the bound: mu falls at once when the energy is above the bound and
+    //! rises when it is below, while the balance that it is derived from follows slowly.
+    //! \param power how fast the balance follows
     void adaptMu(double power)
     {
         if (mOptions.mu)
@@ -199,7 +222,7 @@ private:
     double mBalance = firstMu;
 };
 
-//! A start, unless it covers itself where that is not allowed.
+//! The state itself; nothing when charts overlap themselves and that is not allowed.
 std::optional<CutState> usable(CutState state, const OptimizeOptions &options)
 {
     if (!options.allowOverlaps && (!state.loopsAreInOrder() || state.boundariesOverlap()))
@@ -207,7 +230,8 @@ std::optional<CutState> usable(CutState state, const OptimizeOptions &options)
     return state;
 }
 
-//! The map without any cut, for surfaces that need none; nothing when that is not so.
+//! The map with no other cuts than the user's, relaxed; nothing when a chart is closed or the map misses the
+//! bound.
 std::optional<OptimizedMap> flatMap(const std::shared_ptr<const SeamGraph> &graph,
                                     const OptimizeOptions &options)
 {
@@ -242,7 +266,7 @@ std::optional<OptimizedMap> flatMap(const std::shared_ptr<const SeamGraph> &grap
     return OptimizedMap{state->map(), 0, trial.patch().steps()};
 }
 
-//! Ends the runs that promise least; returns the Newton steps that they have taken.
+//! Removes the least promising runs until `count` are left. \returns the Newton steps of the removed ones
 int keepMostPromising(std::vector<std::unique_ptr<Run>> &runs, int count)
 {
     std::stable_sort(runs.begin(), runs.end(),
@@ -255,11 +279,13 @@ int keepMostPromising(std::vector<std::unique_ptr<Run>> &runs, int count)
     return iterations;
 }
 
-//! \param number of the seed; each gives another map, and some give none
+//! First cuts and their map. \param number every number gives other cuts
+//! \returns nothing when the map has flipped triangles, or overlaps that are not allowed
 std::optional<CutState> tryFirstMap(const std::shared_ptr<const SeamGraph> &graph,
                                     const OptimizeOptions &options, int number)
 {
-    // From many paths to few, spread evenly in the logarithm whatever the number of seeds.
+    // Multiples of the golden ratio spread the numbers evenly over the logarithmic range, however many seeds
+    // there are.
     const double place = std::fmod(0.1 + 0.6180339887498949 * number, 1.0);
     SeedOptions seed;
     seed.shrinkage = leastShrinkage * std::pow(mostShrinkage / leastShrinkage, place);

@@ -1,4 +1,4 @@
-// The automatic cutter: from the mesh to short seams at a given distortion.
+// The automatic cutter: finds short seams within a bound on the distortion.
 #pragma once
 
 #include "solver/base/jobcontext.h"
@@ -14,49 +14,53 @@
 
 namespace autocuts::search {
 
-//! How much is tried. All starts take part in the first round, its survivors in the second, and so on. Those
-//! in the last round are taken to the bound, and the best wins.
+//! How much work the search does. Every first map is searched in the first round, the survivors in the
+//! second, and so on. The maps of the last round are taken to the bound, and the best one is the result. The
+//! plans of the unwrap and their origin are in unwrap/unwrap.cpp.
 struct OptimizeEffort
 {
     struct Round
     {
-        int moves = 0;     //!< large moves tried on each run
-        int survivors = 1; //!< so many of the most promising go on
+        int moves = 0;     //!< large moves tried on each map
+        int survivors = 1; //!< number of the most promising maps that enter the next round
     };
-    int seeds = 8; //!< different first cuts
+    int seeds = 8; //!< number of different first cuts
     std::vector<Round> rounds{{100, 2}, {2000, 1}};
-    int squeezes = 10; //!< times that what is left of the bound is spent
-    //! Above the bound the worth of seams falls by this factor, time after time, with so many large moves
-    //! each.
+    //! Number of passes at the end in which mu rises to four times its value, to spend what is left of the
+    //! bound on shorter seams.
+    int squeezes = 10;
+    //! While a map is above the bound at the end, mu is multiplied by boundFall again and again, each time
+    //! followed by boundMoves large moves. Drafts use 0.5 and 16 because these rounds took most of their
+    //! time.
     double boundFall = 0.85;
     int boundMoves = 8;
 };
 
 struct OptimizeOptions
 {
-    double maxDistortion = 4.1; //!< bound on the mean energy
-    std::optional<double> mu;   //!< instead of the bound: energy that one unit of seam is worth
+    double maxDistortion = 4.1; //!< bound on the mean symmetric Dirichlet energy, > 4
+    std::optional<double> mu;   //!< instead of the bound: energy that one unit of seam cost is worth
     bool allowOverlaps = false;
     OptimizeEffort effort;
-    std::vector<SeamedMap> given; //!< further maps to start from
-    std::uint64_t seed = 1;
-    JobContext job;                 //!< reports by `start` and `progress` only
-    std::function<void(int)> start; //!< called once with the number of steps that the job has
-    //! Called now and then from any thread with the number of steps done since, and the distortion and seam
-    //! length of some map.
+    std::vector<SeamedMap> given;   //!< further maps to start from
+    std::uint64_t seed = 1;         //!< of all random numbers
+    JobContext job;                 //!< for stopping and threads; progress goes to `start` and `progress`
+    std::function<void(int)> start; //!< called once with the number of large moves of the whole job
+    //! Called repeatedly from any thread with the number of large moves since the last call, and the
+    //! distortion and seam length of the best map of one run.
     std::function<void(int, double, double)> progress;
 };
 
 struct OptimizedMap
 {
     SeamedMap map;
-    double mu = 0;      //!< energy that one unit of seam was worth in the end
+    double mu = 0;      //!< energy that one unit of seam cost was worth at the end
     int iterations = 0; //!< Newton steps of all runs, on patches of all sizes
 };
 
-//! Searches for the shortest seams within the bound. Deterministic unless stopped. \returns the best map
-//! found, which may be above the bound when that cannot be met; nothing when no start without a fold was
-//! found
+//! Searches for the shortest seams within the bound. The same arguments give the same bits unless the job is
+//! stopped. \returns the best map found, above the bound when no map met it; nothing when no first map
+//! without flipped triangles (or without overlaps, where these are not allowed) was found
 [[nodiscard]] std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph> &graph,
                                                         const OptimizeOptions &options);
 

@@ -1,4 +1,5 @@
-// The larger changes that a seam search proposes.
+// The large moves that SeamSearch proposes at random. The kinds of moves are those of the prototype; lengths,
+// probabilities and noise were chosen by hand and their effect has not been measured.
 #include "solver/search/seamsearch.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@ namespace autocuts::search {
 
 int SeamSearch::randomSeamEdge()
 {
-    // Boundary sides are cut edges mostly; borders are skipped.
+    // A random boundary side, again when it is a border or was cut by the user.
     for (int i = 0; i < 20; ++i) {
         const int side = mState.boundary[mRandom.below(static_cast<int>(mState.boundary.size()))];
         const int e = mState.graph->edgeOf[side];
@@ -18,7 +19,7 @@ int SeamSearch::randomSeamEdge()
     return -1;
 }
 
-//! Another way for a part of a chain.
+//! Replaces a window of 2 to 40 edges of a chain by another path between the same ends.
 SeamChange SeamSearch::windowChange()
 {
     SeamChange change;
@@ -61,7 +62,7 @@ SeamChange SeamSearch::windowChange()
     return change;
 }
 
-//! A chain, or its end where it ends freely, closed.
+//! Closes a chain, or only its end when the chain has a free end. Nothing above 80 edges.
 SeamChange SeamSearch::removeChange()
 {
     SeamChange change;
@@ -82,7 +83,8 @@ SeamChange SeamSearch::removeChange()
     return change;
 }
 
-//! The end of a chain stays open and meets the seams elsewhere.
+//! Closes the end of a chain and connects the remaining part to the seams or the border by another path.
+//! Nothing when more than 60 edges would be closed.
 SeamChange SeamSearch::regraftChange()
 {
     SeamChange change;
@@ -93,7 +95,8 @@ SeamChange SeamSearch::regraftChange()
     const int n = static_cast<int>(chain.edges.size());
     if (n < 2)
         return change;
-    // Closed from `first` on; the new path starts there.
+    // The chain is closed from `middle` on, towards its last or first vertex; the new path starts at
+    // `middle`.
     const bool towardsLast =
         chain.endsFreely(mState, false) || (!chain.endsFreely(mState, true) && mRandom.uniform() < 0.5);
     const int middle = chain.endsFreely(mState, false) || chain.endsFreely(mState, true)
@@ -113,7 +116,7 @@ SeamChange SeamSearch::regraftChange()
     for (const int e : change.close)
         length += mState.graph->cost[e];
     const int from = towardsLast ? chain.vertices[middle] : chain.vertices[n - middle];
-    // Not along the part that stays, nor back to where it came from.
+    // The new path must not meet the chain again, neither the part that stays nor the old end.
     for (const int v : chain.vertices)
         mPaths.block(v);
     change.open = mPaths.find(from, -1, mRandom.uniform(0, 0.4), mRandom, 1.3 * length);
@@ -122,12 +125,12 @@ SeamChange SeamSearch::regraftChange()
     return change;
 }
 
-//! A new seam from a badly distorted place to the nearest one.
+//! Opens a seam from a badly distorted vertex to the nearest seam or border, of cost 1.5 at most.
 SeamChange SeamSearch::addChange()
 {
     SeamChange change;
     const SeamGraph &graph = *mState.graph;
-    // The worst of some random triangles, by excess energy.
+    // Of 60 random triangles, the one with most energy above that of an isometry.
     int worst = -1;
     double most = 0;
     for (int i = 0; i < 60; ++i) {

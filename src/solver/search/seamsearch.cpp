@@ -9,10 +9,13 @@ namespace autocuts::search {
 
 namespace {
 
-constexpr int zipLookAhead = 3;
-constexpr int disturbedTriangles = 60; // nearest to a change
-constexpr double leastGain = 2e-6;
-constexpr double promising = 0.6; // share of what a change moves that it may cost before the polish
+// The look-ahead is the prototype's. The others were chosen by hand; the effect of none has been measured.
+constexpr int zipLookAhead = 3;        // edges that are stitched in one trial, at most
+constexpr int disturbedTriangles = 60; // nearest to a change, whose vertices count as changed
+constexpr double leastGain = 2e-6;     // of energy + mu * cost
+//! A large move may first cost this share of mu * (cost of the edges that it opens and closes); it has to
+//! gain after the polish.
+constexpr double promising = 0.6;
 
 } // namespace
 
@@ -74,7 +77,7 @@ void SeamSearch::polish(int rounds)
     }
 }
 
-//! Closes seams from their free ends.
+//! Stitches seams from their free ends, up to zipLookAhead edges at a time. \returns the number of changes
 int SeamSearch::zipEnds()
 {
     const SeamGraph &graph = *mState.graph;
@@ -124,7 +127,8 @@ int SeamSearch::zipEnds()
     return zipped;
 }
 
-//! For every edge that leads from the boundary inwards: what opening it promises, at most.
+//! For every edge that leads from a boundary vertex inwards: the energy that opening it would gain by a
+//! quadratic model of the two parts of the vertex, over mu times its cost. Best first.
 std::vector<SeamSearch::Cut> SeamSearch::splitCandidates() const
 {
     const SeamGraph &graph = *mState.graph;
@@ -134,7 +138,7 @@ std::vector<SeamSearch::Cut> SeamSearch::splitCandidates() const
     {
         Vec2 gradient;
         double stiffness;
-        int edge; //!< behind it
+        int edge; //!< at the far side of these triangles, -1 at the boundary
     };
     std::vector<Part> fan;
     double gradient[6], h[21];
@@ -176,7 +180,8 @@ std::vector<SeamSearch::Cut> SeamSearch::splitCandidates() const
     return result;
 }
 
-//! The uncut edge at a point that goes on in the direction of an edge that ends there; -1 when there is none.
+//! The uncut edge at `vertex` that best continues the direction of `edge`, with a cosine above 0.3; -1 when
+//! there is none.
 int SeamSearch::straightOn(int edge, int vertex) const
 {
     const SeamGraph &graph = *mState.graph;
@@ -203,6 +208,8 @@ int SeamSearch::straightOn(int edge, int vertex) const
     return best;
 }
 
+//! Cuts edges that lead inwards from the boundary where that pays; two edges when one alone nearly does.
+//! \param most number of trials, 120 as in the prototype
 int SeamSearch::splitBoundary(int most)
 {
     const SeamGraph &graph = *mState.graph;
@@ -231,7 +238,7 @@ int SeamSearch::splitBoundary(int most)
     return split;
 }
 
-//! By how much the next change may make things worse, at random.
+//! Worsening that the next change is allowed: exponentially distributed, as in simulated annealing.
 double SeamSearch::heat()
 {
     return -std::log(1 - mRandom.uniform()) * mHeat * mMu * mState.graph->soup->meanEdgeLength;
@@ -239,6 +246,8 @@ double SeamSearch::heat()
 
 bool SeamSearch::tryLargeMove()
 {
+    // In the prototype rerouting a window was by far the most often accepted move. The probabilities, and the
+    // patch of 12 triangles per edge below, were chosen by hand.
     const double kind = mRandom.uniform();
     const Move move = kind < 0.6 ? Window : kind < 0.75 ? Remove : kind < 0.87 ? Regraft : Add;
     const SeamChange change = move == Window    ? windowChange()

@@ -1,4 +1,4 @@
-// Shortens the seams of a map step by step, and opens new ones where distortion concentrates.
+// Local search on one map: shortens its seams and opens new ones where distortion concentrates.
 #pragma once
 
 #include "solver/base/jobcontext.h"
@@ -11,15 +11,14 @@
 
 namespace autocuts::search {
 
-//! How a search goes.
 struct SearchOptions
 {
-    double mu = 0.06; //!< energy that one unit of seam is worth
-    bool guarded = true;
+    double mu = 0.06;    //!< energy that one unit of seam cost is worth; the prototype's first value
+    bool guarded = true; //!< no chart may come to overlap itself
     JobContext job;
 };
 
-//! Local search on one map: lowers energy + mu * cost, never raises it.
+//! Lowers energy + mu * cost of a map by trials on patches. It rises only with heat and for small charts.
 class SeamSearch
 {
 public:
@@ -27,22 +26,26 @@ public:
 
     void setMu(double mu);
     double mu() const { return mMu; }
-    //! Large moves may make things worse by about so many edges (simulated annealing).
+    //! Heat of the simulated annealing: mean worsening allowed to a large move, in mean edge lengths of seam.
+    //! Zero: none.
     void setHeat(double heat) { mHeat = heat; }
-    //! No step may lift the energy above this.
+    //! No change may raise the energy of the map above this.
     void setCeiling(double ceiling) { mCeiling = ceiling; }
 
-    //! Zips free ends and splits boundaries where that pays, until little changes or `rounds` are over.
+    //! Zips free ends and splits boundaries where that pays, for `rounds` rounds or until nothing changes.
     void polish(int rounds);
-    //! One random larger change: another way for a part of a seam, one less, one more. Returns true when
-    //! kept.
+    //! Tries one random large move: reroutes a part of a seam, closes one, regrafts one or adds one.
+    //! \returns true when the move was kept
     bool tryLargeMove();
-    //! Joins charts below CutState::smallestChart to their neighbours, whatever it costs below the ceiling.
+    //! Joins charts below CutState::smallestChart to their neighbours at any cost, as long as the energy
+    //! stays below the ceiling.
     void absorbSmallCharts();
+    //! See SeamTrial::relaxAll().
     double relaxAll(int steps) { return mTrial.relaxAll(steps, mOptions.guarded); }
-    //! Replaces the map under search. \pre of the same mesh
+    //! Replaces the map under search. \pre it is a map of the same mesh
     void restore(const CutState &state);
 
+    //! See Patch::work().
     double work() const { return mTrial.work(); }
     //! Newton steps so far.
     int steps() { return mTrial.patch().steps(); }
@@ -55,7 +58,9 @@ public:
     std::array<Counts, MoveCount> counts{};
 
 private:
-    static constexpr int smallPatch = 110, mediumPatch = 450; // triangles
+    //! Triangles of a patch: the usual size, and the one for trials whose result on the small patch was
+    //! close. The prototype's sizes; other sizes have not been measured.
+    static constexpr int smallPatch = 110, mediumPatch = 450;
 
     int zipEnds();
     int splitBoundary(int most);
@@ -74,8 +79,8 @@ private:
     double heat();
     struct Cut
     {
-        double score;
-        int edge, vertex;
+        double score;     //!< estimated energy gain over seam cost
+        int edge, vertex; //!< the edge, and its end on the boundary
     };
     std::vector<Cut> splitCandidates() const;
     int straightOn(int edge, int vertex) const;
@@ -88,10 +93,10 @@ private:
     Random mRandom;
     SeamTrial mTrial;
     SeamPaths mPaths;
-    // What failed is tried again only where something has changed since.
+    // A trial that failed is repeated only after something near it has changed. The clock counts changes.
     int mClock = 1;
-    std::vector<int> mChanged;               //!< per point of the surface
-    std::vector<int> mZipTried, mSplitTried; //!< per edge
+    std::vector<int> mChanged;               //!< per vertex of the uncut surface: clock of the last change
+    std::vector<int> mZipTried, mSplitTried; //!< per edge: clock of the last trial
 };
 
 } // namespace autocuts::search

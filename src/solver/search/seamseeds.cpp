@@ -12,10 +12,11 @@ namespace autocuts::search {
 
 namespace {
 
-//! Where a path may run on a mirrored mesh.
+//! Where a path may run on a mirrored mesh: anywhere, on one side of the plane of symmetry (only its ends may
+//! lie on the plane), or within the plane.
 enum class Way { Any, OneSide, AlongPlane };
 
-//! True when a path that has come to point v may go on along edge e.
+//! True when a path that has reached vertex v may continue along edge e.
 bool mayTake(const SeamGraph &graph, Way way, int e, int v, bool isStart)
 {
     if (graph.rule[e] == SeamGraph::Rule::NeverCut)
@@ -28,7 +29,8 @@ bool mayTake(const SeamGraph &graph, Way way, int e, int v, bool isStart)
     return (isStart || !graph.onPlane[v]) && (onPlane || graph.mirror[e] != e);
 }
 
-//! Distances over uncut edges from some points; -1 where nothing leads.
+//! Distances from the nearest of some vertices, along edges not joined by the user; -1: not reachable.
+//! \param via receives per vertex the last edge of its path, -1 without one
 std::vector<double> distances(const SeamGraph &graph, const std::vector<double> &cost,
                               const std::vector<int> &from, std::vector<int> &via, Way way = Way::Any)
 {
@@ -60,7 +62,9 @@ std::vector<double> distances(const SeamGraph &graph, const std::vector<double> 
     return distance;
 }
 
-//! Edge costs with a random factor each and smooth noise, so that every seed takes other ways.
+//! Edge costs times random factors and smooth noise (a sum of six waves), so that every seed finds other
+//! paths. Mirror images get equal costs. Amplitudes 0.15 and 0.2 were chosen by hand; their effect has not
+//! been measured.
 std::vector<double> noisyCosts(const SeamGraph &graph, Random &random)
 {
     const MeshData &mesh = *graph.soup->mesh;
@@ -87,12 +91,13 @@ std::vector<double> noisyCosts(const SeamGraph &graph, Random &random)
     return cost;
 }
 
+//! The vertex with the largest distance.
 int farthest(const std::vector<double> &distance)
 {
     return static_cast<int>(std::max_element(distance.begin(), distance.end()) - distance.begin());
 }
 
-//! Cuts a path that ends at v; returns its number of edges.
+//! Cuts the path that ends at v. \returns its number of edges
 int cutPath(const SeamGraph &graph, const std::vector<int> &via, int v, CutFlags &cut)
 {
     int edges = 0;
@@ -101,7 +106,7 @@ int cutPath(const SeamGraph &graph, const std::vector<int> &via, int v, CutFlags
     return edges;
 }
 
-//! True when a chart has a cut that does not part it from another one.
+//! True when a chart lies on both sides of some cut edge.
 bool isCutInside(const SeamGraph &graph, const std::vector<int> &chart, int c, const CutFlags &cut)
 {
     const std::vector<EdgePair> &pairs = graph.soup->mesh->edgePairs;
@@ -112,8 +117,9 @@ bool isCutInside(const SeamGraph &graph, const std::vector<int> &chart, int c, c
     return false;
 }
 
-//! Opens a closed chart symmetrically: along the plane, or from a point on it to both sides. Returns the
-//! number of edges of one side; 0 when no point of the chart is on the plane.
+//! Opens a closed chart symmetrically: by a path in the plane of symmetry, or by a path from a vertex on the
+//! plane and its mirror image. \returns the number of edges of the path without its image; 0 when no vertex
+//! of the chart lies on the plane
 int openAcrossPlane(const SeamGraph &graph, const std::vector<double> &cost, const std::vector<int> &points,
                     Random &random, CutFlags &cut)
 {
@@ -135,7 +141,7 @@ int openAcrossPlane(const SeamGraph &graph, const std::vector<double> &cost, con
     return edges;
 }
 
-//! Opens closed charts along a path and those with handles to disks.
+//! Opens closed charts along a path and cuts charts with handles to disks.
 void openCharts(const SeamGraph &graph, const std::vector<double> &cost, Random &random, CutFlags &cut)
 {
     const MeshData &mesh = *graph.soup->mesh;
@@ -176,7 +182,7 @@ void openCharts(const SeamGraph &graph, const std::vector<double> &cost, Random 
         std::vector<int> via;
         int start = graph.vertex[first[c]];
         const std::vector<double> around = distances(graph, cost, {start}, via);
-        // Some random point, so that the seeds differ.
+        // A random vertex of the chart, so that the seeds differ.
         std::vector<int> points;
         for (int v = 0; v < graph.vertexCount; ++v) {
             if (around[v] >= 0)
@@ -197,7 +203,8 @@ void openCharts(const SeamGraph &graph, const std::vector<double> &cost, Random 
     }
 }
 
-//! Paths that join the borders of each chart to its longest one, nearest first.
+//! Cuts a path from each boundary loop of a chart to the nearest loop that is already joined to the longest
+//! one (by number of edges).
 void joinBorders(const SeamGraph &graph, const std::vector<double> &cost, CutFlags &cut)
 {
     const MeshData &mesh = *graph.soup->mesh;
@@ -220,7 +227,7 @@ void joinBorders(const SeamGraph &graph, const std::vector<double> &cost, CutFla
     for (std::size_t i = 0; i < loops.size(); ++i) {
         if (joined[i])
             continue;
-        // From all of the loop at once: any of its points is as good as another.
+        // The path may start at any vertex of the loop.
         std::vector<int> from;
         for (const int side : loops[i])
             from.push_back(graph.vertex[side]);
@@ -239,7 +246,7 @@ void joinBorders(const SeamGraph &graph, const std::vector<double> &cost, CutFla
     graph.makeSymmetric(cut);
 }
 
-//! Per point of the surface: logarithm of its area over that in the embedding.
+//! Per vertex of the uncut surface: logarithm of the area of its triangles in 3D over that in the embedding.
 std::vector<double> shrinkage(const SeamGraph &graph, const std::vector<double> &x)
 {
     const Soup &soup = *graph.soup;
@@ -256,8 +263,9 @@ std::vector<double> shrinkage(const SeamGraph &graph, const std::vector<double> 
     return area;
 }
 
-//! Cuts the shortest path from a point to the nearest seam or border; on a mirrored mesh, if it can, without
-//! crossing the plane, where it would meet its own image. Returns false when there is none.
+//! Cuts the shortest path from a vertex to the nearest seam or border. On a mirrored mesh it does not cross
+//! the plane of symmetry if that can be avoided, because it would meet its own image there.
+//! \returns false when there is no path
 bool joinToSeam(const SeamGraph &graph, const std::vector<double> &cost, int v,
                 const std::vector<bool> &onSeam, CutFlags &cut)
 {

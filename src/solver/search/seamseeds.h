@@ -1,4 +1,4 @@
-// Maps to start a seam search from: few cuts, found by what a map to the disk shrinks most.
+// First cuts for the seam search: few paths, from where Tutte's embedding shrinks the surface most.
 #pragma once
 
 #include "solver/base/jobcontext.h"
@@ -13,16 +13,20 @@ namespace autocuts::search {
 
 struct SeedOptions
 {
-    int paths = 25;           //!< seams added to each chart at most
-    double shrinkage = 0.7;   //!< points that the embedding shrinks less get no path: logarithm of the area
-    bool joinBorders = false; //!< first of all, paths between the borders of each chart
-    std::uint64_t seed = 1;   //!< of the random factors on the lengths of the edges
+    //! Paths added to each chart at most. The prototype drew it between 5 and 25; here shrinkage decides.
+    int paths = 25;
+    //! Least logarithm of 3D area over UV area at a vertex for which a path is added. The prototype's value.
+    double shrinkage = 0.7;
+    bool joinBorders = false; //!< first join the borders of each chart by paths
+    std::uint64_t seed = 1;   //!< of the random factors on the edge costs
     JobContext job;
 };
 
-//! Cuts closed charts open along a path between two far points, charts with handles to disks, then adds path
-//! after path from the point that Tutte's embedding shrinks most to the nearest seam or border.
-//! \returns cut flags; what the user cut is cut, what the user joined is not cut but where handles need it
+//! Opens closed charts along a path between two distant vertices and cuts charts with handles to disks. Then
+//! adds paths one by one, each from the vertex that Tutte's embedding shrinks most to the nearest seam or
+//! border.
+//! \returns cut flags per edge pair: edges cut by the user are cut; edges joined by the user are cut only
+//! where handles require it
 std::vector<char> fewCuts(const SeamGraph &graph, const SeedOptions &options);
 
 } // namespace autocuts::search

@@ -15,13 +15,17 @@ namespace autocuts::search {
 namespace {
 
 constexpr double impossible = -std::numeric_limits<double>::infinity();
-//! A closed patch must not start from triangles flatter than this.
+// Where no other source is named, a number was chosen by hand and its effect has not been measured.
+
+//! Least Jacobian determinant from which a stitched patch is minimised.
 constexpr double smallestStart = 0.02;
+//! Springs that close a gap: first stiffness, and levels of ten times the stiffness each. The prototype began
+//! at 0.3 too, with four steps per level.
 constexpr double firstSpring = 0.3;
 constexpr int springLevels = 5;
 constexpr int stepsPerSpring = 3;
-constexpr int guardedSteps = 10;
-//! So many relaxations bar contacts from the start after one that had to.
+constexpr int guardedSteps = 10; // Newton steps with contacts barred
+//! Number of chart relaxations that bar contacts from the start after one whose free result overlapped.
 constexpr int stayGuarded = 3;
 
 } // namespace
@@ -48,7 +52,8 @@ void SeamTrial::setFlags(const std::vector<int> &edges, bool cut)
         mState.cut[e] = cut;
 }
 
-//! A cut edge that touches no other and no border is no seam: closes those left over. \pre flags are set
+//! Closes cut edges next to the change that touch neither another cut edge nor a border: the triangles on
+//! their two sides share both UV vertices, so that they open nothing. \pre the flags of the change are set
 void SeamTrial::closeLoneEdges(SeamChange &change)
 {
     const SeamGraph &graph = *mState.graph;
@@ -135,7 +140,7 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
     return accepted;
 }
 
-//! Takes the patch over.
+//! Writes the patch into the state and saves what undo() needs.
 void SeamTrial::keep()
 {
     mOldX.clear();
@@ -149,7 +154,7 @@ void SeamTrial::keep()
     mPatch.commit(mState);
 }
 
-//! Takes back what keep() did.
+//! Restores the coordinates and energies from before keep().
 void SeamTrial::undo()
 {
     for (std::size_t i = 0; i < mOldEnergy.size(); ++i) {
@@ -160,7 +165,8 @@ void SeamTrial::undo()
     mState.energy = mOldSum;
 }
 
-//! Newton on the joined patch; the energy that it ends with, infinite when the change is not allowed.
+//! Minimises the energy of the joined patch. \returns its energy at the end; infinite when boundaries would
+//! cross even at the start
 double SeamTrial::solve(const SeamChange &change, const TrialTerms &terms, double before, double costGain)
 {
     if (terms.guarded)
@@ -173,7 +179,7 @@ double SeamTrial::solve(const SeamChange &change, const TrialTerms &terms, doubl
     const double after = mPatch.energy();
     if (!(after < limits.hopeless) || !terms.guarded || !mPatch.crossesItself())
         return after;
-    // The free way leads over itself: once more from the start with contacts barred.
+    // Boundaries cross in the free result: start again with contacts barred.
     if (!mPatch.join(mState, mX))
         return std::numeric_limits<double>::infinity();
     mPatch.partSides(change.open);
@@ -185,9 +191,9 @@ double SeamTrial::solve(const SeamChange &change, const TrialTerms &terms, doubl
     return mPatch.energy();
 }
 
-//! Brings the two sides of edges together. \pre the edges are flagged as not cut
-//! \returns false when the patch cannot be closed without a fold; else mX is where to start and the patch is
-//! joined there
+//! Stitches edges: moves free components of the patch into place, then, where needed, pulls the two sides
+//! together by springs. \pre the edges are flagged as not cut
+//! \returns false when a triangle would come out flipped or nearly so; else the patch is joined at mX
 bool SeamTrial::closeGaps(const std::vector<int> &close)
 {
     setFlags(close, true);
@@ -214,7 +220,7 @@ bool SeamTrial::closeGaps(const std::vector<int> &close)
     });
 }
 
-//! Pieces that hang together with the surroundings are settled, or the largest one when there is none.
+//! Components connected to triangles outside the patch are settled; the largest one if there are none.
 SeamTrial::Pieces SeamTrial::findPieces() const
 {
     const std::vector<int> &triangles = mPatch.triangles();
@@ -248,7 +254,7 @@ SeamTrial::Pieces SeamTrial::findPieces() const
     return result;
 }
 
-//! Moves the pieces of the patch that nothing holds rigidly to where their edges will be closed.
+//! Moves every component that is not settled rigidly to the best fit of the edges to be stitched.
 //! \pre the edges are flagged as cut
 void SeamTrial::alignPieces(const std::vector<int> &close)
 {
@@ -289,7 +295,7 @@ void SeamTrial::alignPieces(const std::vector<int> &close)
     }
 }
 
-//! False when opening edges has made a chart too small to keep.
+//! False when opening edges has made further charts smaller than CutState::smallestChart.
 bool SeamTrial::keepsCharts(int oldSmallParts)
 {
     mTopologyChanged = true;
@@ -313,14 +319,14 @@ double SeamTrial::relaxAll(int steps, bool guarded)
     return before - mState.energy;
 }
 
-//! One chart on its own: its steps are as long as it allows.
+//! Relaxes one chart. Charts are relaxed one by one so that each has its own step length.
 void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool guarded)
 {
     mPatch.select(mState, triangles, 0);
     mPatch.join(mState, mState.x);
     PatchLimits limits;
     limits.steps = steps;
-    // Where the free way led over itself it will do so again for a while.
+    // A chart relaxation that overlapped will probably do so again; contacts are barred for a while.
     limits.guarded = guarded && mGuardedFor > 0;
     mPatch.minimize(limits);
     if (limits.guarded) {

@@ -1,4 +1,4 @@
-// Tries a change of the seams on a patch and keeps it when it pays.
+// One trial: changes the seams within a patch and keeps the change when the objective falls.
 #pragma once
 
 #include "solver/search/cutstate.h"
@@ -9,38 +9,41 @@
 
 namespace autocuts::search {
 
-//! Edges to open and to close in one go.
+//! Edge pairs to cut and to stitch in one change.
 struct SeamChange
 {
     std::vector<int> open, close;
 };
 
-//! What a change has to bring.
+//! Conditions for a change to be kept, and the effort spent on it. The defaults of mu, patchSize and steps
+//! are the prototype's.
 struct TrialTerms
 {
-    double mu = 0.06;      //!< energy that one unit of seam is worth
+    double mu = 0.06;      //!< energy that one unit of seam cost is worth
     int patchSize = 110;   //!< triangles that may move
-    int steps = 6;         //!< of Newton's method
-    double minGain = 1e-6; //!< least decrease of energy + mu * seam cost
+    int steps = 6;         //!< Newton steps
+    double minGain = 1e-6; //!< the decrease of energy + mu * seam cost must be larger
     double ceiling =
-        std::numeric_limits<double>::infinity(); //!< no gain may lift the energy of the map above it
-    bool guarded = true;                         //!< no chart may come to cover itself
+        std::numeric_limits<double>::infinity(); //!< the energy of the map may not rise above this
+    bool guarded = true;                         //!< no chart may come to overlap itself
 };
 
-//! One map under search. Every accepted change lowers energy + mu * cost exactly as computed: what is outside
-//! of the patch stands still.
+//! Trials on one map. The gain of a change is exact, not an estimate, because nothing outside the patch
+//! moves.
 class SeamTrial
 {
 public:
     explicit SeamTrial(CutState &state);
 
-    //! Makes the change and keeps it when it gains enough, else leaves the state as it was.
+    //! Makes the change and keeps it when it fulfils the terms, else leaves the state as it was.
+    //! \returns true when the change was kept
     bool attempt(const SeamChange &change, const TrialTerms &terms);
-    //! To be called when the state has been replaced from outside.
+    //! Must be called when the state has been replaced from outside.
     void reset() { mX = mState.x; }
-    //! Moves all points downhill; returns the energy gained.
+    //! Minimises the energy of every chart by Newton steps with the seams fixed. \returns the energy gained
     double relaxAll(int steps, bool guarded);
-    //! Gain of the last attempt, also when it was not enough; minus infinity when it could not be made.
+    //! Decrease of the objective by the last attempt, kept or not; minus infinity when the change could not
+    //! be made.
     double lastGain() const { return mLastGain; }
 
     CutState &state() { return mState; }
@@ -52,11 +55,11 @@ private:
     void closeLoneEdges(SeamChange &change);
     void setFlags(const std::vector<int> &edges, bool cut);
     bool closeGaps(const std::vector<int> &close);
-    //! What hangs together in the patch while edges are cut.
+    //! The connected components of the patch over its uncut sides.
     struct Pieces
     {
-        std::vector<int> piece;    //!< per triangle of the patch
-        std::vector<char> settled; //!< per piece: it stays where it is
+        std::vector<int> piece;    //!< per triangle of the patch: its component
+        std::vector<char> settled; //!< per component: it keeps its place
     };
     Pieces findPieces() const;
     void alignPieces(const std::vector<int> &close);
@@ -69,12 +72,12 @@ private:
 
     CutState &mState;
     Patch mPatch;
-    std::vector<double> mX; //!< equal to the coordinates of the state but for the patch of the moment
+    std::vector<double> mX; //!< coordinates of the state, except for the patch during an attempt
     double mLastGain = 0;
     std::vector<double> mOldX, mOldEnergy; //!< of the patch, before keep()
     double mOldSum = 0;
-    int mGuardedFor = 0;           //!< so many relaxations need not try the free way
-    bool mTopologyChanged = false; //!< the state's topology is that of the change
+    int mGuardedFor = 0;           //!< number of further chart relaxations that bar contacts from the start
+    bool mTopologyChanged = false; //!< the state's topology was updated during the attempt
 };
 
 } // namespace autocuts::search

@@ -1,4 +1,4 @@
-// Boundary sides near each other: do they cross?
+// Test whether boundary sides cross.
 #pragma once
 
 #include <utility>
@@ -6,19 +6,20 @@
 
 namespace autocuts::search {
 
-//! Segments between points of a patch (they move) and around them (they do not).
+//! Boundary sides in and around a patch: moving ones between points of the patch, fixed ones outside it.
 class Segments
 {
 public:
     void clear();
-    //! \param from,to points of the patch
+    //! \param from,to indices of patch points
     void addMoving(int from, int to) { mMoving.push_back({from, to}); }
     void addFixed(double ax, double ay, double bx, double by) { mFixed.push_back({ax, ay, bx, by}); }
+    //! True when there is no moving segment: then none can cross.
     bool empty() const { return mMoving.empty(); }
 
-    //! True when two segments cross, at least one of them moving; touching is no crossing.
-    //! \param position two coordinates per point
-    //! \param touched when given, receives the points of all crossing segments; else the first one ends it
+    //! True when a moving segment crosses another segment. Segments that only touch do not cross.
+    //! \param position two coordinates per point of the patch
+    //! \param touched receives the points of all moving segments that cross; null: stop at the first crossing
     bool cross(const std::vector<double> &position, std::vector<int> *touched = nullptr);
 
 private:
@@ -29,7 +30,7 @@ private:
     struct Box
     {
         double left, right, bottom, top;
-        int segment; //!< moving ones first
+        int segment; //!< index into mMoving, then (less their number) into mFixed
     };
 
     std::vector<std::pair<int, int>> mMoving;

@@ -9,7 +9,9 @@
 
 namespace autocuts::search {
 
-//! Energy density at the corners p (u, v each); 4 at an isometry, infinite when turned over.
+//! Symmetric Dirichlet energy density |J|^2 + |J^-1|^2: 4 at an isometry, infinite when flipped.
+//! \param p u and v of the three corners
+//! \param b maps them to the Jacobian J
 inline double triangleEnergy(const double *p, const Soup::Basis &b)
 {
     const double j00 = p[0] * b[0] + p[2] * b[2] + p[4] * b[4];
@@ -23,8 +25,9 @@ inline double triangleEnergy(const double *p, const Soup::Basis &b)
     return squares + squares / (det * det);
 }
 
-//! Gradient and positive semidefinite Hessian, both times `weight`: 6 numbers, and the lower triangle of 6 x
-//! 6 row by row. \pre the triangle is not turned over
+//! Gradient (6 numbers) and positive semidefinite Hessian (lower triangle of 6 x 6, row by row), both times
+//! `weight`. The eigenvalues of the Hessian in the Jacobian's space are known in closed form; only the twist
+//! mode can be negative and is clamped to zero. \pre the triangle is not flipped
 inline void triangleDerivatives(const double *p, const Soup::Basis &b, double weight, double *gradient,
                                 double *hessian)
 {
@@ -36,7 +39,7 @@ inline void triangleDerivatives(const double *p, const Soup::Basis &b, double we
     const double g = 0.5 * (j10 + j01), h = 0.5 * (j10 - j01);
     const double q = std::sqrt(e * e + h * h), r = std::sqrt(f * f + g * g);
     const double s1 = q + r;
-    const double s2 = (j00 * j11 - j01 * j10) / s1; // q - r without its loss of digits
+    const double s2 = (j00 * j11 - j01 * j10) / s1; // equals q - r, without the cancellation
     const double i1 = 1 / s1, i2 = 1 / s2;
     const double c1 = i1 * i1 * i1, c2 = i2 * i2 * i2;
     const double g1 = weight * 2 * (s1 - c1), g2 = weight * 2 * (s2 - c2);
@@ -54,7 +57,7 @@ inline void triangleDerivatives(const double *p, const Soup::Basis &b, double we
          {-root * rh, -root * re, root * re, -root * rh},
          {-root * sg, root * sf, root * sf, root * sg}}};
     const std::array<double, 4> curvature{h1, h2, twist, flip};
-    // First in the four entries of the Jacobian, then spread to the corners.
+    // The Hessian by the four entries of the Jacobian, then by the corners.
     double m[4][4];
     for (int i = 0; i < 4; ++i) {
         for (int j = 0; j <= i; ++j) {

@@ -97,7 +97,7 @@ private:
         }
     }
 
-    //! Pulls vertex a towards vertex b.
+    //! Adds the spring from vertex a to vertex b to the equation of a.
     void pull(int a, int b, double w)
     {
         const int i = mUnknown[a];
