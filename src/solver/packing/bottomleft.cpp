@@ -9,7 +9,7 @@ namespace {
 
 double pixelSize(const PackProblem &problem, int resolution)
 {
-    // The gutter's part of the bin counts, else a bin that is all margin would have no pixel.
+    // The gutter is added, because a bin that is hardly larger than its margins would have no pixels.
     const Vec2 size = problem.size() + Vec2::Constant(problem.gutter);
     constexpr double longestSide = 4000;
     return std::max(std::sqrt(size.x() * size.y()) / resolution, std::max(size.x(), size.y()) / longestSide);
@@ -21,7 +21,8 @@ BinRaster makeBin(const PackProblem &problem, double pixel)
     return BinRaster(static_cast<int>(std::ceil(size.x())), static_cast<int>(std::ceil(size.y())));
 }
 
-//! Above this many islands a search from the first row for each of them costs too much.
+//! From this many islands on, the search for an island starts at the row where the last one of similar size
+//! fitted, because starting from the first row for each of them costs too much. Chosen by hand, not measured.
 constexpr int manyIslands = 1500;
 
 } // namespace
@@ -85,7 +86,7 @@ void BottomLeft::occupyLocked(WorkMeter &work)
         const Vec2 centre = mProblem.given[i].position;
         if (!areNear(bin, {centre - Vec2::Constant(reach), centre + Vec2::Constant(reach)}, mProblem.gutter))
             continue;
-        // A locked island does not sit on the pixels' raster: its own half pixel comes on top.
+        // A locked island is not aligned to the pixels: half a pixel diagonal (.71) is added to the safety.
         const ItemRaster item =
             rasterizeOutline(outline, 0, std::min(mProblem.unit / mPixel, 1e4 / outline.radius), mHalfGutter,
                              mSafety + 0.71, work);
@@ -109,7 +110,7 @@ std::optional<Layout> BottomLeft::pack(double scale, const std::vector<int> &ord
     work.add(2000 + 0.1 * static_cast<double>(mBin.byteCount()));
     occupyLocked(work);
     Layout layout{scale, mProblem.given};
-    // Rows below which nothing of a size was found lately; used only when there are many islands.
+    // First row of the search for islands of about this radius; stays 0 below manyIslands.
     int firstRow = 0;
     double lastRadius = 0;
     int placed = 0;

@@ -131,7 +131,7 @@ bool Compaction::push(const Contact &contact)
     const Vec2 impulse = n * ((mTarget - distance) / give);
     move(contact.pointBody, armP, impulse);
     move(contact.edgeBody, armQ, -impulse);
-    // Less than the margin of the target is not worth another sweep.
+    // A contact nearer to the target than to the gutter does not ask for another sweep.
     return distance < 0.5 * (mTarget + mProblem->gutter);
 }
 
@@ -146,7 +146,7 @@ bool Compaction::pushFromWalls(int body)
             if (sign * (position[axis] - wall) >= reach)
                 continue;
             const Body &b = mBodies[body];
-            // Pushed a little beyond the wall, for the same reason as mTarget.
+            // Pushed a little farther than the wall, for the same reason as mTarget.
             const double inset = 0.5 * (mTarget - mProblem->gutter);
             double deepest = -inset;
             Vec2 arm = Vec2::Zero();
@@ -183,7 +183,7 @@ bool Compaction::resolve(int sweeps, WorkMeter &work)
         }
         if (contactsAreStale())
             collectContacts(work);
-        // There and back, so that pushes travel both ways.
+        // The order alternates, so that pushes travel through the islands in both directions.
         const std::size_t count = mContacts.size();
         for (std::size_t k = 0; k < count; ++k)
             pushed = push(mContacts[sweep % 2 == 0 ? k : count - 1 - k]) || pushed;
@@ -196,6 +196,8 @@ bool Compaction::resolve(int sweeps, WorkMeter &work)
 
 Layout compactLayout(const PackProblem &problem, const Layout &layout, double ceiling, WorkMeter &work)
 {
+    // Growth per step. The first is the prototype's; its compaction gained 0.3 to 2.5 % of scale on many
+    // islands and 2 to 5 % on few. The others were chosen by hand, not measured.
     constexpr double firstStep = 3e-3, smallestStep = 2e-4;
     constexpr int sweeps = 60;
     Layout best = layout;

@@ -56,7 +56,7 @@ void DistanceField::findNearestEdges(const Outline &outline, WorkMeter &work)
                 offer(std::min(i + corner % 2, mColumns - 1), std::min(j + corner / 2, mRows - 1), e);
         }
     }
-    // Two sweeps each way hand the nearest edge on from node to node.
+    // One sweep upwards and one downwards pass the nearest edge on from node to node.
     const auto take = [&](int i, int j, int di, int dj) {
         const int x = i + di, y = j + dj;
         if (x < 0 || y < 0 || x >= mColumns || y >= mRows)

@@ -1,4 +1,4 @@
-// Signed distance to an island, sampled on a grid in the island's own coordinates.
+// Signed distance to an island's outline, sampled on a grid in the coordinates of the outline.
 #pragma once
 
 #include "solver/packing/layout.h"
@@ -8,15 +8,16 @@
 
 namespace autocuts::packing {
 
-//! Distance to the outline, negative inside (winding number not zero); bilinear between the nodes.
+//! Distance to the outline, negative inside (winding number not zero), interpolated bilinearly between nodes.
 class DistanceField
 {
 public:
-    //! \param cell distance of two nodes, outline units; made larger when the grid would be too fine
-    //! \param reach how far the grid goes beyond the outline's box
+    //! \param cell spacing of the nodes, outline units; made larger when there would be more than 2^18 nodes
+    //! \param reach how far the grid extends beyond the outline's box, outline units
     DistanceField(const Outline &outline, double cell, double reach, WorkMeter &work);
 
-    //! Distance at (px, py); a large number off the grid. Scalars, because this is called millions of times.
+    //! Distance at (px, py), outline units; `far` outside the grid. Takes scalars because it is called
+    //! millions of times.
     double at(double px, double py) const
     {
         const double x = (px - mLower.x()) * mInverse, y = (py - mLower.y()) * mInverse;
@@ -29,9 +30,9 @@ public:
         const float above = d[mColumns] + u * (d[mColumns + 1] - d[mColumns]);
         return below + v * (above - below);
     }
-    //! Gradient of at(); zero off the grid.
+    //! Gradient of at(); zero outside the grid.
     Vec2 gradientAt(const Vec2 &p) const;
-    //! True when (px, py) is surely at least `limit` away from the outline.
+    //! True when (px, py) is outside the outline by at least `limit`. Conservative: false when in doubt.
     bool isFartherThan(double px, double py, double limit) const
     {
         const double dx = std::max(0.0, std::max(mBoxLower.x() - px, px - mBoxUpper.x()));

@@ -1,4 +1,4 @@
-// Guided local search: islands may overlap for a while and are moved to where they overlap least.
+// Guided local search: resolves a layout with overlapping islands by moving them to where they overlap least.
 #pragma once
 
 #include "solver/base/random.h"
@@ -6,27 +6,27 @@
 
 namespace autocuts::packing {
 
-//! Overlap of two islands = sum, over sample points of either, of how deep they are inside the other one
+//! The overlap of two islands is the sum, over the sample points of both, of the depth in the other island
 //! grown by the gutter. Every pair has a weight that grows while the pair overlaps, so that the search leaves
 //! local minima (Umetani et al. 2009; Gardeyn and Wauters 2025).
 class Separation
 {
 public:
-    //! \param scale near which the search will work
+    //! \param scale the scale at which the search will work, roughly; sets the spacing of grids and samples
     Separation(const PackProblem &problem, double scale, WorkMeter &work);
 
-    //! Takes this layout as the state of the search, less what sticks out of the bin, and forgets the
-    //! weights. \return false when an island is too large for the bin
+    //! Starts from this layout, with islands moved into the bin, and resets the weights.
+    //! \return false when an island is too large for the bin
     bool start(const Layout &layout, WorkMeter &work);
-    //! Moves every overlapping island once, then raises the weights of the pairs that still overlap.
+    //! Tries to move every overlapping island once, then raises the weights of the pairs that still overlap.
     void pass(Random &random, WorkMeter &work);
 
     const Layout &layout() const { return mLayout; }
-    double overlap() const { return mTotal; }   //!< sum over all pairs, UV units
+    double overlap() const { return mTotal; }   //!< sum of depths over all pairs, without weights, UV units
     double deepest() const { return mDeepest; } //!< largest depth of a sample point, UV units
 
 private:
-    //! Sample points that lie near each other.
+    //! Sample points that lie near each other and are rejected together.
     struct Cluster
     {
         Vec2 centre;
@@ -39,13 +39,14 @@ private:
         std::vector<Vec2> samples;
         std::vector<Cluster> clusters;
     };
-    //! Cost of a pose with its derivatives.
+    //! Weighted overlap of an island in a pose, with its derivatives.
     struct Evaluation
     {
         double cost = 0;
         Vec2 byPosition = Vec2::Zero();
         double byAngle = 0;
     };
+    //! Depth of the sample points of a pair, UV units.
     struct Depth
     {
         double sum = 0, deepest = 0;
@@ -79,9 +80,9 @@ private:
     const PackProblem &mProblem;
     Layout mLayout;
     std::vector<Body> mBodies;
-    std::vector<Frame> mFrames;                    //!< of mLayout
+    std::vector<Frame> mFrames;                    //!< per island: its pose in mLayout
     std::vector<double> mRadius;                   //!< UV units, at the layout's scale
-    std::vector<float> mWeights, mOverlap, mDepth; //!< symmetric, one entry per pair of islands
+    std::vector<float> mWeights, mOverlap, mDepth; //!< symmetric, one entry per ordered pair, see index()
     double mTotal = 0, mDeepest = 0;
 };
 

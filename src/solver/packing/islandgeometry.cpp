@@ -14,7 +14,8 @@ bool isLocked(const std::vector<bool> &locked, int chart)
     return !locked.empty() && locked[chart];
 }
 
-//! Numbers the distinct (vertex, UV) pairs of every chart; the number of each corner, -1 without a chart.
+//! Makes one point per distinct pair of welded vertex and UV in every chart. \returns per corner the index of
+//! its point within the island, -1 without a chart
 std::vector<int> collectPoints(const MeshData &mesh, const UvMatrix &uv, const std::vector<int> &cornerChart,
                                std::vector<PackIsland> &islands)
 {
@@ -40,7 +41,7 @@ std::vector<int> collectPoints(const MeshData &mesh, const UvMatrix &uv, const s
     return point;
 }
 
-//! Sides of faces that no other face of the chart shares.
+//! Finds the boundary of every chart: sides of faces that no other face of the chart shares.
 void collectBoundary(const MeshData &mesh, const std::vector<int> &faceChart, const std::vector<int> &point,
                      std::vector<PackIsland> &islands)
 {

@@ -1,4 +1,4 @@
-// A packing task in the packer's own terms, and a layout of it. Plain: no Qt.
+// A packing problem in the packer's own terms, and a layout that solves it. Plain: no Qt.
 #pragma once
 
 #include "model/plain/packingsettings.h"
@@ -10,56 +10,57 @@
 
 namespace autocuts::packing {
 
-//! A turn by an angle and a shift.
+//! Where an outline is put: turned about its centre, then moved.
 struct Pose
 {
-    double angle = 0;
+    double angle = 0;             //!< radians, counter-clockwise
     Vec2 position = Vec2::Zero(); //!< of the outline's centre, UV units
 };
 
-//! A rotation with its scale, applied many times.
+//! A rotation with a scale, precomputed for many points.
 struct Turn
 {
     double c, s;
     Turn(double angle, double scale) : c(scale * std::cos(angle)), s(scale * std::sin(angle)) {}
     Vec2 operator()(const Vec2 &p) const { return {c * p.x() - s * p.y(), s * p.x() + c * p.y()}; }
-    //! The transposed matrix: scale squared times the inverse.
+    //! Multiplies by the transposed matrix, which is scale squared times the inverse.
     Vec2 transposed(const Vec2 &p) const { return {c * p.x() + s * p.y(), c * p.y() - s * p.x()}; }
 };
 
+//! Where all islands are put.
 struct Layout
 {
-    double scale = 0; //!< UV units per unit of the outlines
-    std::vector<Pose> poses;
+    double scale = 0;        //!< of the islands that are not locked: UV units per unit of the outlines
+    std::vector<Pose> poses; //!< per island
 };
 
-//! What does not change while islands are being moved.
+//! The input of the search: what stays the same while islands are moved.
 struct PackProblem
 {
     std::vector<Outline> outlines;
-    std::vector<char> locked;
-    std::vector<Pose> given;                         //!< where the islands were
-    double unit = 1;                                 //!< UV units per unit of the outlines, as given
-    Vec2 lower = Vec2::Zero(), upper = Vec2::Ones(); //!< where points may be: the bin less its border
+    std::vector<char> locked;                        //!< per island
+    std::vector<Pose> given;                         //!< per island: its original pose
+    double unit = 1;                                 //!< original scale: UV units per unit of the outlines
+    Vec2 lower = Vec2::Zero(), upper = Vec2::Ones(); //!< allowed range of points: the bin less its border
     double gutter = 0;                               //!< least distance between two islands, UV units
     PackRotation rotation = PackRotation::Free;
 
     int count() const { return static_cast<int>(outlines.size()); }
     Vec2 size() const { return upper - lower; }
-    //! Locked islands keep the size they came with.
+    //! Scale of an island in a layout of this scale: locked islands keep their original size.
     double scaleOf(int island, double scale) const { return locked[island] ? unit : scale; }
-    //! False for islands without a point: nothing can go wrong with those.
+    //! False for locked islands and for islands without points.
     bool movable(int island) const { return !locked[island] && !outlines[island].points.empty(); }
 };
 
-//! True when the boxes are nearer than distance in both directions.
+//! True when the boxes are nearer to each other than `distance` along both axes.
 inline bool areNear(const Eigen::AlignedBox2d &a, const Eigen::AlignedBox2d &b, double distance)
 {
     return a.min().x() - distance < b.max().x() && b.min().x() - distance < a.max().x() &&
            a.min().y() - distance < b.max().y() && b.min().y() - distance < a.max().y();
 }
 
-//! The points of an outline where a layout puts them.
+//! Computes the points of an outline in a pose, UV units.
 inline void placePoints(const Outline &outline, const Pose &pose, double scale, std::vector<Vec2> &result)
 {
     const Turn turn(pose.angle, scale);

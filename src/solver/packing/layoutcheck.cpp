@@ -11,7 +11,7 @@ namespace {
 
 bool insideBin(const PackProblem &problem, const Layout &layout)
 {
-    // Rounding only: the problem's bin is a little smaller than the user's.
+    // For rounding only: the border of the problem is a little wider than the user's.
     const Vec2 slack = 1e-12 * (problem.lower.cwiseAbs() + problem.upper.cwiseAbs());
     const Vec2 lower = problem.lower - slack, upper = problem.upper + slack;
     for (int i = 0; i < problem.count(); ++i) {
@@ -21,7 +21,7 @@ bool insideBin(const PackProblem &problem, const Layout &layout)
         const Turn turn(pose.angle, layout.scale);
         for (const Vec2 &p : problem.outlines[i].hull) {
             const Vec2 q = turn(p) + pose.position;
-            // Written so that NaN fails.
+            // The comparison is false for NaN.
             if (!(q.x() >= lower.x() && q.y() >= lower.y() && q.x() <= upper.x() && q.y() <= upper.y()))
                 return false;
         }
@@ -63,7 +63,8 @@ bool cellKeepsDistance(const PackProblem &problem, const std::vector<PlacedEdge>
     return true;
 }
 
-//! \pre the edges of different islands keep their distance: then a component is inside or outside as a whole
+//! True when no island lies inside another one. Tests one point of each connected component.
+//! \pre edges of different islands keep their distance, so that a component is inside or outside as a whole
 bool nothingContained(const PackProblem &problem, const Layout &layout,
                       const std::vector<Eigen::AlignedBox2d> &boxes, double &tests)
 {

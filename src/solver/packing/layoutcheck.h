@@ -6,12 +6,12 @@
 
 namespace autocuts::packing {
 
-//! All edges of all islands as placed, sorted by island.
+//! The edges of all islands where the layout puts them, UV units, sorted by island.
 std::vector<PlacedEdge> placedEdges(const PackProblem &problem, const Layout &layout);
 
-//! True when every movable island lies in the bin and keeps the gutter to every other island: no edges
-//! cross or come nearer than the gutter, and no part of an island lies inside another one. Locked islands are
-//! not tested against each other, nor an island against itself.
+//! True when every movable island lies in the bin and keeps the gutter to every other island: no edges of two
+//! islands cross or come nearer than the gutter, and no connected part of an island lies inside another one.
+//! Locked islands are not tested against each other, and no island against itself.
 bool isValidLayout(const PackProblem &problem, const Layout &layout, WorkMeter &work);
 
 } // namespace autocuts::packing

@@ -21,7 +21,7 @@ bool lexicographicLess(const Vec2 &a, const Vec2 &b)
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }
 
-//! For each point the first one at exactly the same place, or -1 when it cannot be used.
+//! Welds points at exactly the same position: per point the first one there, -1 when the point is not usable.
 std::vector<int> weldPoints(const std::vector<Vec2> &points)
 {
     std::vector<int> order;
@@ -40,7 +40,7 @@ std::vector<int> weldPoints(const std::vector<Vec2> &points)
     return weld;
 }
 
-//! Edges across which the winding number of the union of triangles changes, and the open edges given.
+//! Edges where the winding number changes, and the island's boundary edges.
 std::vector<DirectedEdge> shapeEdges(const PackIsland &island, const std::vector<int> &weld)
 {
     std::vector<DirectedEdge> edges;
@@ -90,8 +90,8 @@ std::vector<DirectedEdge> shapeEdges(const PackIsland &island, const std::vector
     return result;
 }
 
-//! Sides of all triangles and all points: for islands without area and open edges, which must still be kept
-//! apart from the others.
+//! Sides of all triangles, and all points as edges of zero length: for islands without area and boundary,
+//! which still have to keep the gutter.
 std::vector<DirectedEdge> allEdges(const PackIsland &island, const std::vector<int> &weld)
 {
     std::vector<DirectedEdge> edges;
@@ -109,7 +109,7 @@ std::vector<DirectedEdge> allEdges(const PackIsland &island, const std::vector<i
     return edges;
 }
 
-//! Andrew's monotone chain.
+//! Convex hull, counter-clockwise (Andrew's monotone chain, 1979).
 std::vector<Vec2> convexHull(std::vector<Vec2> points)
 {
     std::sort(points.begin(), points.end(), lexicographicLess);
@@ -134,7 +134,7 @@ double leastBoxAngle(const std::vector<Vec2> &hull)
 {
     double best = std::numeric_limits<double>::infinity();
     double angle = 0;
-    // An outline of many sides has many nearly equal boxes: a sample of the sides is enough.
+    // At most about 64 sides are tried. Chosen by hand: hulls of many sides have many nearly equal boxes.
     const std::size_t step = hull.size() / 64 + 1;
     for (std::size_t i = 0; i < hull.size() && hull.size() > 1; i += step) {
         const Vec2 side = hull[(i + 1) % hull.size()] - hull[i];
@@ -159,7 +159,7 @@ void buildStrips(Outline &outline)
         rise += std::abs(ya - yb);
     }
     const double count = static_cast<double>(outline.edges.size());
-    // As many strips as give every edge about four entries.
+    // With this number of strips an edge is in about four of them.
     const int strips =
         rise > 0 ? static_cast<int>(std::clamp(4 * count * ((high - low) / rise), 1.0, count)) : 1;
     outline.stripLower = low;
@@ -198,7 +198,7 @@ void buildStrips(Outline &outline)
 
 bool isUsablePoint(const Vec2 &point)
 {
-    // Comparisons with NaN are false.
+    // The comparisons are false for NaN.
     return std::abs(point.x()) < 1e100 && std::abs(point.y()) < 1e100;
 }
 

@@ -27,7 +27,8 @@ void checkSettings(const PackOptions &settings)
             "packing: margin, border, texture size and effort must be finite and not negative");
 }
 
-//! The unit in which outlines are of the order of the bin: the root of the whole area.
+//! The unit of the outlines, in UV units: the square root of the total area, so that their coordinates are
+//! near 1 whatever the size of the map.
 double chooseUnit(const std::vector<PackIsland> &islands)
 {
     double area = 0, extent = 0;
@@ -52,7 +53,7 @@ PackProblem makeProblem(const std::vector<PackIsland> &islands, const PackOption
     problem.rotation = settings.rotation;
     const double texel = 1.0 / settings.textureSize;
     const Vec2 size = settings.upper - settings.lower;
-    // What single precision and text files round away.
+    // Room for the rounding of coordinates to single precision or in text files.
     const double rounding =
         1e-7 *
         std::max(size.maxCoeff(), settings.lower.cwiseAbs().cwiseMax(settings.upper.cwiseAbs()).maxCoeff());
@@ -68,7 +69,7 @@ PackProblem makeProblem(const std::vector<PackIsland> &islands, const PackOption
     return problem;
 }
 
-//! Shelves at the largest scale that a bisection finds. Scale 0 when there is none.
+//! The layout in shelves at the largest scale that a bisection finds; scale 0 when there is none.
 Layout largestShelves(const PackProblem &problem, WorkMeter &work)
 {
     double largest = 0;
@@ -77,7 +78,7 @@ Layout largestShelves(const PackProblem &problem, WorkMeter &work)
             largest = std::max(largest, problem.outlines[i].radius);
     }
     Layout best{0, problem.given};
-    // Islands that are all points look the same at any scale: keep them.
+    // Islands that are single points look the same at any scale: keep the original one.
     double high = largest > 0 ? problem.size().norm() / largest : problem.unit;
     double low = 0;
     for (int k = 0; k < 64 && low == 0 && !work.cancelled(); ++k) {
@@ -102,11 +103,13 @@ Layout largestShelves(const PackProblem &problem, WorkMeter &work)
     return best;
 }
 
-//! Independent starts, each with its share of the effort. Their number depends on the settings alone, and
-//! each has its own seed, so that the number of threads does not change the result.
+//! The best of several independent searches that share the effort. Their number depends on the settings alone
+//! and each has its own seed, so that the number of threads does not change the result.
 Layout searchFrom(const PackProblem &problem, const Layout &start, double ceiling,
                   const PackOptions &settings, const JobContext &job)
 {
+    // Chosen by hand. In the prototype one search hardly gained between 1 s and 10 s, while results of
+    // different searches varied by .01 to .036 of efficiency; hence several searches.
     constexpr double secondsPerStart = 2.5;
     constexpr int mostStarts = 16;
     const double wanted = settings.starts > 0 ? settings.starts : settings.effort / secondsPerStart;
@@ -162,7 +165,7 @@ double efficiency(const PackProblem &problem, const PackOptions &settings, doubl
     for (int i = 0; i < problem.count(); ++i) {
         const double reach = problem.unit * problem.outlines[i].radius;
         const Vec2 &centre = problem.given[i].position;
-        // Locked islands outside the bin cover nothing of it.
+        // Locked islands outside the bin do not count.
         if (!problem.locked[i] ||
             areNear(bin, {centre - Vec2::Constant(reach), centre + Vec2::Constant(reach)}, 0))
             area += problem.outlines[i].area * std::pow(problem.scaleOf(i, scale), 2);

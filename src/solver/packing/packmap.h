@@ -1,4 +1,4 @@
-// Packing the charts of a map: the one way that the window and the command line go.
+// Packs the charts of a UV map; used by the window and by the command line.
 #pragma once
 
 #include "model/plain/chart.h"
@@ -7,13 +7,13 @@
 
 namespace autocuts::packing {
 
-//! Gives the charts one texel density unless their scale is to be kept, packs them and moves their UVs.
-//! \param uv one row per corner, UV units; stays as it is unless the result is complete
-//! \param locked per chart: obstacles; empty: none
+//! Gives the charts one texel density (unless settings.keepScale), packs them and moves their UVs.
+//! \param locked per chart: it keeps its place as an obstacle; empty: none
+//! \param uv one row per corner, UV units; changed only when the result is complete
 PackResult packMap(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &locked,
                    const PackOptions &settings, UvMatrix &uv, const JobContext &job = {});
 
-//! Options that pack into the UDIM tile of the settings: 1001 is the unit square, ten in a row.
+//! Options for packing into the UDIM tile of the settings: 1001 is the unit square, ten tiles make a row.
 PackOptions tileOptions(const PackingSettings &settings);
 
 } // namespace autocuts::packing

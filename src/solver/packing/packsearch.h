@@ -1,4 +1,4 @@
-// The search for the largest scale: constructive layouts, compaction and separation put together.
+// The search for the largest scale: combines bottom-left packing, compaction and guided local search.
 #pragma once
 
 #include "solver/base/random.h"
@@ -11,28 +11,34 @@ namespace autocuts::packing {
 
 class Separation;
 
-//! One start of the search. Keeps the best layout that has passed the exact test.
+//! One search from one seed. Keeps the best layout that has passed the exact test.
 class PackSearch
 {
 public:
-    //! \param start a valid layout, or one of scale 0 when there is none
-    //! \param ceiling no larger scale is tried; infinite when there is no limit
+    //! \param start a valid layout; scale 0 when there is none
+    //! \param ceiling largest scale that is tried; infinite: no limit
     PackSearch(const PackProblem &problem, Layout start, double ceiling, std::uint64_t seed);
 
-    //! Looks for larger layouts until the effort (CPU seconds) is used up or the ceiling is reached.
+    //! Searches for larger layouts until the effort (counted CPU seconds) is used up or the ceiling is
+    //! reached.
     void run(WorkMeter &work, double effort);
 
     const Layout &best() const { return mBest; }
 
 private:
+    //! The movable islands, large ones first by a random measure of size. \param noise of the sizes; 0: none
     std::vector<int> randomOrder(double noise);
-    //! A valid layout at this scale by the constructive step, or nothing.
+    //! A valid layout at this scale by bottom-left packing, or nothing. \param first the order without noise
     std::optional<Layout> construct(BottomLeft &packer, double scale, bool first, WorkMeter &work);
+    //! Tries scales guess * ladderStep^k: brackets the largest one that works, then tries the next one with
+    //! random orders. \param budget counted CPU seconds
     void climbLadder(BottomLeft &packer, double guess, double budget, WorkMeter &work);
-    //! Repairs a layout with shallow overlaps; it may give way down to the best scale so far.
+    //! Resolves shallow overlaps by compaction, at a smaller scale if necessary, but above the best one so
+    //! far.
     std::optional<Layout> pushApart(const Layout &layout, WorkMeter &work) const;
-    //! Looks for a valid layout near this one, which may overlap.
+    //! Searches for a valid layout near one with overlaps: guided local search, then pushApart().
     std::optional<Layout> separate(Separation &separation, const Layout &layout, WorkMeter &work);
+    //! Enlarges the best layout a little, separates its overlaps and compacts it, again and again.
     void separateAndGrow(WorkMeter &work);
     void accept(const Layout &layout);
     bool atCeiling() const { return mBest.scale >= mCeiling; }
@@ -44,7 +50,8 @@ private:
     Random mRandom;
 };
 
-//! The scale at which the islands, grown by half the gutter, would cover this part of the bin.
+//! The scale at which the islands, grown by half the gutter, cover this share of the bin left by locked
+//! islands.
 double scaleForCover(const PackProblem &problem, double cover);
 
 } // namespace autocuts::packing

@@ -7,7 +7,7 @@ namespace autocuts::packing {
 
 namespace {
 
-//! Local bitmap in which an item is drawn before its runs are read off.
+//! Bitmap in which an item is drawn before its runs are read.
 class Canvas
 {
 public:
@@ -69,7 +69,7 @@ private:
     std::vector<std::uint64_t> mBits;
 };
 
-//! All points within radius of the segment a, b. Row centres are at integer + .5.
+//! Fills the pixels whose centres are within `radius` of the segment a, b. Row centres are at integer + .5.
 void drawCapsule(Canvas &canvas, const Vec2 &a, const Vec2 &b, double radius)
 {
     const Vec2 d = b - a;
@@ -110,7 +110,7 @@ struct Crossing
     int winding;
 };
 
-//! Pixels whose centres have a winding number other than zero.
+//! Fills the pixels whose centres have a winding number other than zero.
 void fillInside(Canvas &canvas, const Outline &outline, const std::vector<Vec2> &points, double &operations)
 {
     static thread_local std::vector<Crossing> crossings;
@@ -140,7 +140,7 @@ void fillInside(Canvas &canvas, const Outline &outline, const std::vector<Vec2> 
     operations += 12 * static_cast<double>(crossings.size());
 }
 
-//! Spreads neighbours apart, so that an obstacle is met after few runs.
+//! Puts runs into bit-reversed order: the first ones are spread over the item and soon meet an obstacle.
 void bitReverse(std::vector<PixelRun> &runs)
 {
     std::vector<PixelRun> result;

@@ -1,4 +1,4 @@
-// Dilated islands as runs of pixels, and the bin as rows of bits.
+// Rasters for bottom-left packing: dilated islands as runs of pixels, the bin as rows of bits.
 #pragma once
 
 #include "solver/packing/layout.h"
@@ -14,38 +14,44 @@ struct PixelRun
     int row, begin, length;
 };
 
-//! An island at one scale and angle, grown by half the gutter. Pixel coordinates start BinRaster::frame
-//! pixels left of and below the place where the grown island begins.
+//! An island at one scale and angle, grown by half the gutter. The origin of its pixel coordinates lies
+//! BinRaster::frame pixels left of and below the box of the grown island.
 struct ItemRaster
 {
     double angle = 0;
-    std::vector<PixelRun> runs; //!< in bit-reversed order: far apart ones first
+    std::vector<PixelRun> runs; //!< in bit-reversed order, so that consecutive runs lie far apart
     int rows = 0;               //!< rows that have a run, from 0
     Vec2 size = Vec2::Zero();   //!< box of the outline itself, pixels
     Vec2 low = Vec2::Zero();    //!< lower corner of that box relative to the outline's centre, pixels
     double centroidRow = 0;     //!< mean row of its pixels
 };
 
-//! \param pixelsPerUnit size of a pixel: outline units times this are pixels
-//! \param halfGutter in pixels \param safety added to the radius, pixels; .71 makes disjoint pixels a proof
+//! Draws an outline at an angle and reads its runs.
+//! \param pixelsPerUnit pixels per unit of the outline
+//! \param halfGutter pixels
+//! \param safety pixels, added to half the gutter. From .71 on, half a pixel diagonal, disjoint pixels prove
+//! that the gutter is kept; with less the layout has to be tested
 ItemRaster rasterizeOutline(const Outline &outline, double angle, double pixelsPerUnit, double halfGutter,
                             double safety, WorkMeter &work);
 
-//! Occupied pixels, kept at levels: bit x of level k tells whether any of the pixels x .. x + 2^k - 1 is
-//! occupied. A run is free when two such bits are clear, for 64 positions at once.
+//! The occupied pixels of the bin at several levels: bit x of level k of a row is set when any of the pixels
+//! x .. x + 2^k - 1 is occupied. A run is free when two such bits are clear, which is tested for 64 positions
+//! at once.
 class BinRaster
 {
 public:
-    static constexpr int frame = 2; //!< free pixels around the bin, so that grown islands may stick out
+    static constexpr int frame = 2; //!< pixels around the bin, because grown islands may stick out of it
 
     //! \param width,height in pixels, without the frame
     BinRaster(int width, int height);
 
+    //! Marks all pixels as free.
     void clear();
+    //! Marks the pixels of an item at (x, y) as occupied. \pre the item lies within bin and frame
     void occupy(const ItemRaster &item, int x, int y);
-    //! Marks the pixels of runs that were rasterised in place; what lies outside the bin is cut off.
+    //! The same for an item that may reach beyond the bin.
     void occupyClipped(const ItemRaster &item, int x, int y);
-    //! The first x in 0 .. lastX where the item is free in row y; -1 when there is none.
+    //! The first x in 0 .. lastX where the item fits with its lowest row at y; -1 when there is none.
     int firstFree(const ItemRaster &item, int y, int lastX, WorkMeter &work) const;
 
     int width() const { return mWidth; }

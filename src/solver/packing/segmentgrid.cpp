@@ -10,7 +10,7 @@ SegmentGrid::SegmentGrid(const std::vector<PlacedEdge> &edges, const Vec2 &lower
 {
     const Vec2 size = (upper - lower).cwiseMax(Vec2::Constant(1e-300));
     const double cells = std::clamp(static_cast<double>(edges.size()), 16.0, 1048576.0);
-    // Cells smaller than the reach would only multiply the entries.
+    // About one cell per edge; cells smaller than the reach would only add entries.
     const double wanted =
         std::max({std::sqrt(size.x() * size.y() / cells), 1.5 * reach, std::max(size.x(), size.y()) / 4096});
     mInverse = 1 / wanted;
@@ -36,7 +36,7 @@ void SegmentGrid::visitCells(const PlacedEdge &edge, double reach, Visit visit) 
     const double rise = b.y() - a.y();
     const int lastRow = row(b.y() + reach);
     for (int r = row(a.y() - reach); r <= lastRow; ++r) {
-        // The part of the edge within reach of this row; border rows go on to infinity.
+        // The part of the edge within reach of this row. The first and last row extend to infinity.
         double t0 = 0, t1 = 1;
         if (rise > 0) {
             if (r > 0)

@@ -12,8 +12,8 @@ struct PlacedEdge
     int island;
 };
 
-//! Cells that list the edges that come within `reach` of them. Edges and points outside the grid belong to
-//! the cells of its border.
+//! Lists per cell the edges that come within `reach` of it. Edges and points outside the grid belong to the
+//! cells at its border.
 class SegmentGrid
 {
 public:
@@ -22,7 +22,7 @@ public:
 
     int cellCount() const { return mColumns * mRows; }
     int cellOf(const Vec2 &p) const { return row(p.y()) * mColumns + column(p.x()); }
-    //! Indices of edges.
+    //! Range of the edge indices of a cell.
     const int *begin(int cell) const { return mEntries.data() + mStart[cell]; }
     const int *end(int cell) const { return mEntries.data() + mStart[cell + 1]; }
     int entryCount() const { return static_cast<int>(mEntries.size()); }

@@ -19,7 +19,7 @@ Block makeBlock(const PackProblem &problem, int island, double scale)
     const Outline &outline = problem.outlines[island];
     Block block{island, problem.rotation == PackRotation::Free ? outline.boxAngle : 0, {}, {}};
     Vec2 size = rotatedBox(outline.hull, block.angle);
-    // Lying boxes make low shelves.
+    // A box on its longer side makes a lower shelf.
     const bool fits = size.y() * scale <= problem.size().x() && size.x() * scale <= problem.size().y();
     if (problem.rotation != PackRotation::None && size.y() > size.x() && fits)
         block.angle += 0.5 * std::numbers::pi;
@@ -36,7 +36,7 @@ Block makeBlock(const PackProblem &problem, int island, double scale)
 
 std::optional<Layout> packShelves(const PackProblem &problem, double scale, WorkMeter &work)
 {
-    // Rounding must not eat into the gutter or the border.
+    // Slack for rounding, so that gutter and border are kept exactly.
     const double slack = 1e-12 * (problem.upper.cwiseAbs() + problem.lower.cwiseAbs()).maxCoeff();
     const double gap = problem.gutter * (1 + 1e-9) + slack;
     const Vec2 lower = problem.lower + Vec2::Constant(slack), upper = problem.upper - Vec2::Constant(slack);

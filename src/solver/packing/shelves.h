@@ -1,4 +1,4 @@
-// Shelves of boxes: the layout that always works.
+// Packing of bounding boxes in rows (shelves): the fallback that always works.
 #pragma once
 
 #include "solver/packing/layout.h"
@@ -8,7 +8,8 @@
 
 namespace autocuts::packing {
 
-//! Boxes in rows, tallest first, around the boxes of locked islands. Distances hold by construction.
+//! Puts the islands' boxes in rows, tallest first, around the boxes of locked islands. The gutter is kept by
+//! construction.
 //! \return nothing when they do not fit at this scale
 [[nodiscard]] std::optional<Layout> packShelves(const PackProblem &problem, double scale, WorkMeter &work);
 

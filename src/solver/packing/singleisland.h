@@ -1,4 +1,4 @@
-// One island alone in the bin.
+// Packing of a single island.
 #pragma once
 
 #include "solver/packing/layoutcheck.h"
@@ -7,9 +7,8 @@
 
 namespace autocuts::packing {
 
-//! Turns the only movable island so that its box allows the largest scale; exact up to the angle's last
-//! digits, because only the convex hull matters.
-//! \return nothing when there are several islands, obstacles, or no extent
+//! Turns the only island so that its box allows the largest scale: samples the angle, then refines it.
+//! \return nothing when there are several islands, or the island is locked or has no extent
 [[nodiscard]] std::optional<Layout> fitSingleIsland(const PackProblem &problem, WorkMeter &work);
 
 } // namespace autocuts::packing

@@ -1,4 +1,4 @@
-// Counted work in place of a clock, and the flag that stops it. Plain: no Qt.
+// Counted work in place of a clock, with stopping and progress. Plain: no Qt.
 #pragma once
 
 #include "solver/base/jobcontext.h"
@@ -8,16 +8,19 @@
 
 namespace autocuts::packing {
 
-//! Adds up what the kernels report, in calibrated nanoseconds of one core. Results depend on it, so it must
-//! never look at a clock.
+//! Adds up the work that the parts of the packer report, in nominal nanoseconds of one core. Results depend
+//! on it, so it never reads a clock. The factors at the calls of add() estimate times; how they were
+//! calibrated is not on record.
 class WorkMeter
 {
 public:
-    //! \param job told the part of the limit that is used up
+    //! \param limitSeconds nominal seconds; 0: no effort is left from the start
+    //! \param job receives the share of the limit that is used up, and is asked whether to stop
     explicit WorkMeter(double limitSeconds, const JobContext &job = {})
         : mLimit(limitSeconds * 1e9), mJob(job)
     {}
 
+    //! Adds work and reports progress at every percent.
     void add(double nanoseconds)
     {
         mSpent += nanoseconds;
@@ -27,7 +30,7 @@ public:
         }
     }
 
-    //! Part of the limit that is used up.
+    //! Share of the limit that is used up, in [0, 1].
     double fraction() const { return mLimit > 0 && mSpent < mLimit ? mSpent / mLimit : 1; }
     bool exhausted() const { return mSpent >= mLimit; }
     double spentSeconds() const { return mSpent * 1e-9; }
