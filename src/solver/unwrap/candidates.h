@@ -1,4 +1,4 @@
-// The maps that the ways of cutting find, compared; and the progress they make.
+// Comparison of the maps that an unwrap finds, and its progress.
 #pragma once
 
 #include "solver/base/seamedmap.h"
@@ -11,37 +11,41 @@
 
 namespace autocuts::unwrap {
 
-//! A map and where it came from.
+//! A map with its measures, and the parameters that it was found with.
 struct Candidate
 {
     SeamedMap map;
     double distortion = 0, seamLength = 0, seamCost = 0, lambda = 0, delta = 0;
-    int smallCharts = 0; //!< below CutState::smallestChart and not whole pieces of the mesh
+    int smallCharts = 0; //!< below CutState::smallestChart and not whole connected components of the mesh
 
-    //! Sets distortion, length, cost and the number of small charts.
+    //! Sets distortion, seamLength, seamCost and smallCharts from the map.
     void measure(const Soup &soup, const Snapshot &snapshot);
 };
 
-//! Compares candidates and reports progress; shared between threads.
+//! Compares candidates and reports the progress of an unwrap. May be used by several threads at once.
 class Ranking
 {
 public:
     Ranking(const UnwrapOptions &options, const JobContext &job) : mOptions(options), mJob(job) {}
 
-    //! Among those within the bound fewer small charts win, then cheaper seams; lower distortion outside of
-    //! it.
+    //! True when a is better than b. A map within the bound is better than one above it. Within the bound
+    //! fewer small charts win, then cheaper seams; above it lower distortion wins. With a given lambda, the
+    //! lower objective wins.
     bool better(const Candidate &a, const Candidate &b) const;
 
-    //! Sets how many steps the whole job has.
+    //! Sets the number of steps of the search that begins; the reported progress never goes back.
     void setTotal(int steps);
+    //! Reports that so many further steps are done.
     void stepDone(int steps);
     //! True when some map has been found.
     bool hasAny() const { return mHasAny; }
+    //! Stores the measures of a map that has been found, for the next report.
     void found(double distortion, double seamLength);
-    //! The map is found, and islands are being packed.
+    //! Reports progress while the islands are packed. \param fraction of the whole job
     void packing(double fraction);
 
-    //! Share of the progress bar that is for finding the map; the rest is for packing.
+    //! Share of the progress that is for finding the map; the rest is for packing. A guess that only the
+    //! progress depends on.
     static constexpr double optimizingShare = 0.9;
 
 private:

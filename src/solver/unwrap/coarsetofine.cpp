@@ -16,14 +16,16 @@ namespace autocuts::unwrap {
 
 namespace {
 
-//! Meshes of fewer triangles are cut as they are.
+// Chosen by hand; their effect has not been measured.
+
+//! Meshes of more triangles than this are coarsened first.
 constexpr int largeMesh = 25'000;
-//! Less is not worth the way.
+//! The coarse mesh has at most this share of the triangles, else coarsening is not worth the effort.
 constexpr double leastReduction = 0.6;
-//! Share of the allowed distortion that the coarse map may use: the fine one usually gets lower because it
-//! bends more freely. The second is for where it does not.
+//! Bounds for the coarse map, as shares of (bound - 4). The distortion of the fine map usually gets lower,
+//! because a finer mesh can bend more freely. The second share is tried when the fine map misses the bound.
 constexpr double coarseShares[] = {1.4, 0.9};
-constexpr int fineSteps = 30;
+constexpr int fineSteps = 30; // relaxation steps on the fine mesh, at most
 
 using PointPair = std::pair<int, int>;
 
@@ -32,9 +34,10 @@ PointPair endsOf(const multires::ProgressiveMesh &mesh, int side)
     return std::minmax(mesh.point(side), mesh.point(multires::ProgressiveMesh::next(side)));
 }
 
-//! What the user decided about an edge, at its two ends.
+//! The user's cuts and joins: per edge, given by the points at its ends, the state at each end.
 using Decisions = std::map<PointPair, std::array<std::pair<int, PairState>, 2>>;
 
+//! Per edge pair: true when the user cut or joined it at either end.
 std::vector<bool> decidedEdges(const Snapshot &snapshot)
 {
     std::vector<bool> decided(snapshot.mesh->edgePairs.size(), false);
@@ -77,7 +80,7 @@ std::vector<double> pointWeights(const Snapshot &snapshot, const multires::Progr
     return sum;
 }
 
-//! The snapshot with the coarse mesh in place of the fine one.
+//! A snapshot of the coarse mesh with the settings, cuts, joins and weights of the fine one.
 Snapshot coarseSnapshot(const Snapshot &snapshot, const std::shared_ptr<const MeshData> &mesh,
                         const multires::ProgressiveMesh &points, const std::vector<int> &triangles,
                         const Decisions &decisions, const std::vector<double> &weights)
@@ -107,7 +110,8 @@ Snapshot coarseSnapshot(const Snapshot &snapshot, const std::shared_ptr<const Me
     return coarse;
 }
 
-//! Puts the coarse map on the corners of the triangles that are left, at the scale of the solver.
+//! Writes UVs and cut flags of the coarse map to the remaining triangles of the fine mesh, in solver units
+//! (total area pi).
 void setCoarseMap(const MeshData &coarse, const UnwrapResult &result, const std::vector<int> &triangles,
                   const multires::ProgressiveMesh &points, multires::MapRefiner &refiner)
 {
@@ -131,8 +135,8 @@ void setCoarseMap(const MeshData &coarse, const UnwrapResult &result, const std:
     }
 }
 
-//! Moves the seams that run along diagonals to the outside of their polygons: the smaller part of such a
-//! polygon changes sides.
+//! Moves seams that run along polygon diagonals to polygon edges. At each such diagonal, the triangle at the
+//! end of the polygon moves to the other side of the seam.
 void leaveDiagonals(const Soup &soup, SeamedMap &map)
 {
     const MeshData &mesh = *soup.mesh;
@@ -145,7 +149,7 @@ void leaveDiagonals(const Soup &soup, SeamedMap &map)
         const EdgePair &pair = mesh.edgePairs[e];
         if (!pair.diagonal || !map.cut[e])
             continue;
-        // The triangle that moves lies at the end of its polygon; all of its other edges become seams.
+        // The triangle with fewer diagonals moves; its edges that are no diagonals become seams.
         const auto diagonals = [&](int t) {
             return std::count_if(edgesOf[t].begin(), edgesOf[t].end(),
                                  [&](int other) { return mesh.edgePairs[other].diagonal; });
@@ -161,7 +165,7 @@ void leaveDiagonals(const Soup &soup, SeamedMap &map)
             end[i] = cornerAt(map.x, own);
             rest[i] = cornerAt(soup.restShape[moving], own % 3);
         }
-        // The third corner as at rest, turned and scaled with the diagonal.
+        // The third corner keeps its position at rest relative to the diagonal, turned and scaled with it.
         const int third = 3 * moving + 3 - pair.corner[0][which] % 3 - pair.corner[1][which] % 3;
         const Vec2 far = cornerAt(soup.restShape[moving], third % 3);
         const Vec2 from = rest[1] - rest[0], to = end[1] - end[0], arm = far - rest[0];
@@ -172,6 +176,7 @@ void leaveDiagonals(const Soup &soup, SeamedMap &map)
     }
 }
 
+//! The refined map as coordinates and cut flags of the fine mesh.
 SeamedMap fineMap(const Soup &soup, const multires::MapRefiner &refiner)
 {
     SeamedMap map;
@@ -186,7 +191,8 @@ SeamedMap fineMap(const Soup &soup, const multires::MapRefiner &refiner)
     return map;
 }
 
-//! Makes the carried map usable: whole, without overlaps, relaxed, at one texel density.
+//! Makes the carried map valid: stitches what does not fit together, relaxes the map, removes overlaps unless
+//! they are allowed, and gives all charts one texel density. \returns false when overlaps cannot be removed
 bool makeUsable(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
                 const UnwrapOptions &options, SeamedMap &map, const JobContext &job)
 {
@@ -197,7 +203,8 @@ bool makeUsable(const std::shared_ptr<const Soup> &soup, const Snapshot &snapsho
     if (options.allowOverlaps || !definite::coversItself(*soup, relaxed)) {
         map = std::move(relaxed);
     } else {
-        // Relaxing went over itself: with barred boundaries, or with what it covers cut off.
+        // The relaxed map overlaps itself. Relax again with boundaries barred; if that misses the bound, cut
+        // the overlaps off the freely relaxed map instead.
         if (definite::coversItself(*soup, map) && !definite::removeOverlaps(*soup, snapshot, map))
             return false;
         SeamedMap guarded = map;
@@ -213,7 +220,7 @@ bool makeUsable(const std::shared_ptr<const Soup> &soup, const Snapshot &snapsho
     return true;
 }
 
-//! Once the whole way, with a share of the allowed distortion for the coarse map.
+//! One attempt of mapByCoarse(). \param share bound of the coarse map, see coarseShares
 std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
                                 const UnwrapOptions &options, double share, int coarseTriangles,
                                 const CoarseUnwrap &unwrapCoarse, const JobContext &job)

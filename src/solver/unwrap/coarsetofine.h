@@ -1,4 +1,4 @@
-// A map of a large mesh by way of a coarser one.
+// Unwrapping of a large mesh by way of a coarser version of it.
 #pragma once
 
 #include "solver/base/jobcontext.h"
@@ -12,23 +12,26 @@
 
 namespace autocuts::unwrap {
 
+//! A map of the fine mesh that was carried over from the coarse one.
 struct CarriedMap
 {
     SeamedMap map;
-    int iterations = 0; //!< of making the coarse map
-    double lambda = 0, delta = 0;
+    int iterations = 0;           //!< Newton steps for the coarse map
+    double lambda = 0, delta = 0; //!< of the coarse map
 };
 
-//! Makes the map of a coarse version of the mesh.
+//! Unwraps the coarse version of a mesh.
 using CoarseUnwrap = std::function<UnwrapResult(const Snapshot &, const UnwrapOptions &)>;
 
-//! True when the mesh is large and nothing steers single corners (pins, rectangles, existing UVs).
+//! True when the mesh has more than 25,000 triangles and nothing steers single corners: no pins, no
+//! rectangles, no start from existing UVs.
 bool suitsCoarseToFine(const Snapshot &snapshot);
 
-//! Coarsens the mesh (borders, cut and joined edges stay, painted weights are carried over), lets
-//! `unwrapCoarse` cut and map it, carries seams and map to the fine mesh and relaxes there. No chart covers
-//! itself unless overlaps are allowed. \returns nothing when the mesh cannot be coarsened or the map cannot
-//! be carried over
+//! Coarsens the mesh, unwraps the coarse one by `unwrapCoarse`, carries seams and map over to the fine mesh
+//! and relaxes the map there. Borders and the user's cut and joined edges are not collapsed; painted weights
+//! are carried over. No chart overlaps itself unless overlaps are allowed.
+//! \param coarseTriangles triangles of the coarse mesh. The default was chosen by hand, not measured
+//! \returns nothing when the mesh cannot be coarsened far enough or the map cannot be carried over
 [[nodiscard]] std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup,
                                                     const Snapshot &snapshot, const UnwrapOptions &options,
                                                     const CoarseUnwrap &unwrapCoarse,

@@ -12,10 +12,10 @@ namespace autocuts::unwrap {
 
 namespace {
 
-//! Corners of a map that are no farther apart than this belong together, squared solver units: far above
-//! rounding, far below any edge.
+//! Delta of the separation energy for a given map, solver units squared: corners much nearer to each other
+//! than its square root count as joined. Chosen by hand far above rounding and far below the edge lengths.
 constexpr double touchingDelta = 1e-9;
-//! A live solve often takes about so many steps; only the progress depends on it.
+//! Rough number of steps of a live solve. A guess that only the progress depends on.
 constexpr double usualSteps = 1000;
 
 void load(const FinishInput &input, int threads, homotopy::Solver &solver)
@@ -35,7 +35,7 @@ void load(const FinishInput &input, int threads, homotopy::Solver &solver)
         solver.setCoordinates(input.live->coordinates);
 }
 
-//! True when all islands lie in the unit square and none over another.
+//! True when all islands lie in the unit square and no triangles overlap.
 bool liesFree(const MeshData &mesh, const UvMatrix &uv, const JobContext &job)
 {
     overlap::OverlapOptions options;
@@ -58,7 +58,7 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
         const JobContext toTheEnd = job.part(0, 1, JobStage::SolvingToTheEnd);
         homotopy::runToTheEnd(solver, input.maxDistortion, job, [&] {
             ++steps;
-            begun = 0.5 * steps / (steps + usualSteps); // their number is not known
+            begun = 0.5 * steps / (steps + usualSteps); // the number of steps is not known beforehand
             toTheEnd.report(begun);
         });
     }
@@ -69,7 +69,7 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
         return result;
     result.uv = input.uvScale * cornerUv(solver.soup(), *map);
     result.distortion = map->distortion(solver.soup());
-    // Islands that grew or were cut off may lie over others. Pins and rectangles say where islands belong.
+    // Islands that grew or were cut off may overlap others. Where pins or rectangles place islands they stay.
     if (!input.snapshot.placesIslands() && !liesFree(mesh, result.uv, job)) {
         const bool packed = packCharts(mesh, findCharts(mesh, result.uv), {.options = input.packing},
                                        result.uv, job.part(0, 1, JobStage::Packing));

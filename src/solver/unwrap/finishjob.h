@@ -1,4 +1,4 @@
-// Finishing as the window and the command line do it: from a half-solved map to one that can be used.
+// The job "finish" of the window and the command line: makes a usable map of a live solve or of a given map.
 #pragma once
 
 #include "model/plain/snapshot.h"
@@ -8,36 +8,36 @@
 
 namespace autocuts::unwrap {
 
-//! Where a live solve was paused.
+//! State of the solver when a live solve was paused.
 struct LiveState
 {
     std::vector<double> coordinates; //!< of the soup, see Soup
     double lambda = 0, delta = 0;
-    bool hasMoreToDo = false; //!< paused before the schedule came to its end
+    bool hasMoreToDo = false; //!< paused before the end of the schedule
 };
 
 struct FinishInput
 {
     Snapshot snapshot;
-    UvMatrix uv;                   //!< per corner, texture space: the map to finish without a live solve
-    double uvScale = 1;            //!< texture space per solver unit
-    std::optional<LiveState> live; //!< that the map was made from
-    double maxDistortion = 4.1;    //!< bound on the mean distortion, > 4
-    packing::PackOptions packing;  //!< used when islands come to lie over each other
+    UvMatrix uv;        //!< per corner, texture space: the map to finish when there is no live solve
+    double uvScale = 1; //!< texture space units per solver unit
+    std::optional<LiveState> live; //!< the live solve that the map was made from
+    double maxDistortion = 4.1;    //!< bound on the mean symmetric Dirichlet energy, > 4
+    packing::PackOptions packing;  //!< used when islands overlap or leave the unit square
 };
 
 struct FinishResult
 {
-    UvMatrix uv;           //!< per corner, texture space; no rows: stopped before there was a map
+    UvMatrix uv;           //!< per corner, texture space; no rows when stopped before there was a map
     double distortion = 0; //!< mean symmetric Dirichlet energy
-    bool noRoom = false;   //!< islands lie over each other and there is no room to pack them
-    //! The map covers itself all the same: joined edges hold it together there.
+    bool noRoom = false;   //!< the islands had to be packed and there is no room for them
+    //! The map still has overlaps; edges joined by the user prevent cutting them apart.
     bool heldTogether = false;
 };
 
-//! Takes a live solve that was paused early to its end, makes a definite map of it, refines its seams, and
-//! packs when islands lie over each other or outside the unit square, unless pins or rectangles place them.
-//! Without a live solve the seams are those of the map.
+//! The whole finish: runs a paused solve to the end of its schedule, makes the refined map (a definite map
+//! whose seams the seam search has improved), and packs when islands overlap or leave the unit square, unless
+//! pins or rectangles place them. Without a live solve it starts from the seams of the given map.
 [[nodiscard]] FinishResult finishMap(const FinishInput &input, const JobContext &job = {});
 
 } // namespace autocuts::unwrap

@@ -1,4 +1,4 @@
-// Packing as the window and the command line do it.
+// The job "pack" of the window and the command line.
 #pragma once
 
 #include "model/plain/chart.h"
@@ -8,15 +8,16 @@
 
 namespace autocuts::unwrap {
 
+//! What to pack, and how.
 struct PackJob
 {
-    packing::PackOptions options;       //!< and the bin
-    std::vector<IslandFlags> faceFlags; //!< one per face; empty: none is locked, stacked or grouped
-    std::vector<bool> movable;          //!< per face; the charts of the others are obstacles; empty: all
-    bool hurryWhenStopped = false;      //!< stopped before there is a layout: make a quick one all the same
+    packing::PackOptions options;       //!< settings and bin
+    std::vector<IslandFlags> faceFlags; //!< per face; empty: none is locked, stacked or grouped
+    std::vector<bool> movable;          //!< per face; charts without such a face are obstacles; empty: all
+    bool hurryWhenStopped = false;      //!< when stopped before the first layout, still make a quick one
 };
 
-//! Packs charts: stacks and groups as one piece, around locked charts.
+//! Packs charts around locked ones; the charts of a stack or group move as one island.
 //! \param uv per corner, texture space; changed only when the result is true
 //! \returns false when there is no room, or when stopped before there was a layout
 [[nodiscard]] bool packCharts(const MeshData &mesh, const ChartMap &charts, const PackJob &pack, UvMatrix &uv,

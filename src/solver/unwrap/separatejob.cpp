@@ -8,7 +8,7 @@ namespace autocuts::unwrap {
 
 namespace {
 
-//! Share of the time that finding the cuts takes, for the progress.
+//! Share of the progress that is for finding the cuts. A guess that only the progress depends on.
 constexpr double cuttingShare = 0.1;
 
 bool hasOverlaps(const MeshData &mesh, const UvMatrix &uv)

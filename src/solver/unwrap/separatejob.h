@@ -1,4 +1,4 @@
-// Taking overlaps apart as the window and the command line do it.
+// The job "separate overlaps" of the window and the command line.
 #pragma once
 
 #include "model/plain/snapshot.h"
@@ -10,18 +10,19 @@ struct SeparateResult
 {
     enum class Outcome {
         Done,
-        NoOverlaps, //!< the map stays as it is
-        Stopped,    //!< the map stays as it is
-        NoRoom      //!< the map stays as it is: the pieces cannot be packed
+        NoOverlaps, //!< the map is unchanged
+        Stopped,    //!< the map is unchanged
+        NoRoom      //!< the map is unchanged, because its charts cannot be packed after the cuts
     };
     Outcome outcome = Outcome::Done;
     UvMatrix uv;             //!< per corner, texture space
-    int newSeams = 0;        //!< edges cut
-    int unresolvedPairs = 0; //!< overlaps inside single polygons or across joined edges, which stay whole
+    int newSeams = 0;        //!< number of edges that were cut
+    int unresolvedPairs = 0; //!< overlapping pairs within single polygons or held together by joined edges
 };
 
-//! Cuts charts that cover themselves, not along joined edges and rather where the weights are low, and packs.
-//! \param uv per corner, texture space; a non-finite row means that the corner has no UV
+//! Cuts charts that overlap themselves, preferably where painted weights are low and never along joined
+//! edges, and packs the charts.
+//! \param uv per corner, texture space; a non-finite row: the corner has no UV
 [[nodiscard]] SeparateResult separateMap(const Snapshot &snapshot, const UvMatrix &uv, const PackJob &pack,
                                          const JobContext &job = {});
 

@@ -1,4 +1,4 @@
-// The paper's continuous way: chains of annealing runs on the triangle soup.
+// The paper's method for the automatic mode: chains of annealing runs on the triangle soup.
 #pragma once
 
 #include "solver/base/jobcontext.h"
@@ -9,9 +9,9 @@
 
 namespace autocuts::unwrap {
 
-//! Runs several different chains, `options.threads` at a time, and returns the best map; the first one is
-//! finished even when `stop` is set, unless some other map has been found before.
-//! \param iterations receives the number of Newton steps
+//! Runs several different chains, on the job's threads, and returns the best of their definite maps. When the
+//! job is stopped before any map was found, the first map is still completed in few steps.
+//! \param iterations the number of Newton steps is added to it
 std::optional<Candidate> bestOfSoupChains(const Snapshot &snapshot, const UnwrapOptions &options,
                                           Ranking &ranking, const JobContext &job, int &iterations);
 

@@ -1,4 +1,4 @@
-// The whole way from a snapshot to a packed UV map: one path for the window and the command line.
+// The job "unwrap" of the window and the command line: from a snapshot to a packed UV map.
 #pragma once
 
 #include "model/plain/snapshot.h"
@@ -10,9 +10,8 @@
 
 namespace autocuts::unwrap {
 
-//! Makes the UV map. Deterministic unless stopped. When `stop` becomes true the job ends early with the best
-//! valid map so far: seams finished, separated and packed with little effort.
-//! \param progress called now and then, from one thread at a time but not always the same one
+//! Unwraps the mesh: cuts, maps and packs it. The same arguments give the same bits unless the job is
+//! stopped. When stopped, the job ends soon with the best valid map so far, packed with little effort.
 //! \throws std::invalid_argument when the mesh has no area or an option is out of range
 [[nodiscard]] UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options,
                                       const JobContext &job = {});

@@ -1,4 +1,4 @@
-// What unwrapping is asked for, and what it gives.
+// Options and result of the job "unwrap".
 #pragma once
 
 #include "solver/base/seamedmap.h"
@@ -8,32 +8,33 @@
 
 namespace autocuts::unwrap {
 
-//! How much work goes into the seams.
+//! How much work is spent on short seams.
 enum class UnwrapQuality { Draft, Standard, Best };
 
 struct UnwrapOptions
 {
     double maxDistortion = 4.1;   //!< bound on the mean symmetric Dirichlet energy, > 4
-    std::optional<double> lambda; //!< a fixed balance in place of the bound
+    std::optional<double> lambda; //!< weight of the separation (paper, equation 1) in place of the bound
     UnwrapQuality quality = UnwrapQuality::Standard;
     bool allowOverlaps = false;
-    bool pack = true; //!< false: the islands stay where the solver put them
+    bool pack = true; //!< false: the islands are not packed, and the map is scaled into the unit square
     packing::PackOptions packing;
 };
 
 struct UnwrapResult
 {
-    UvMatrix uv;           //!< per corner, in the unit square
+    UvMatrix uv;           //!< per corner, in the unit square or the bin of the packing
     CutFlags cut;          //!< per edge pair
     double distortion = 0; //!< mean symmetric Dirichlet energy, 4 is isometric
-    double seamLength = 0; //!< in solver units: seam_norm
-    int iterations = 0;    //!< Newton steps of the homotopy
+    double seamLength = 0; //!< 3D length in solver units (mesh area pi), seam_norm of the reports
+    int iterations = 0;    //!< Newton steps of soup and seam search
+    //! Lambda and delta of the separation at the end. The seam search has mu / (1 + mu) and 0.
     double lambda = 0, delta = 0;
-    bool stopped = false;    //!< cut short by `stop`: the best map until then
-    bool withinBound = true; //!< false when the bound could not be reached
-    //! Where it was asked for: share of the seam length that is symmetric; 0 where the mesh is not.
+    bool stopped = false;    //!< the job was stopped: this is the best map until then
+    bool withinBound = true; //!< false when the bound was not met
+    //! Share of the seam length that is symmetric, 0 on a mesh that is not. Set when symmetry is asked for.
     std::optional<double> symmetry;
-    bool packed = false; //!< false when packing was not asked for or there is no room for the margins
+    bool packed = false; //!< false when packing was not asked for or there is no room
 };
 
 } // namespace autocuts::unwrap
