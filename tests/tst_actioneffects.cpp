@@ -327,7 +327,7 @@ private Q_SLOTS:
         QCOMPARE(studio.answers.unsavedAsked, 0);
         QVERIFY(loadProject(file).value().state.seams == studio.document().seams());
         // A save that fails meanwhile is a reason to ask.
-        studio.trigger("uv.join");
+        studio.trigger("edit.undo");
         studio.files.save(studio.path("no/a.acproj"));
         studio.answers.unsaved = Questions::Unsaved::Cancel;
         QVERIFY(!studio.actions.file().mayClose());

@@ -121,7 +121,7 @@ public:
 
     //! Opens seams until the bound holds, then shortens them as far as the bound allows. Ends with the best
     //! map of the run.
-    void finish()
+    void takeToBound()
     {
         if (mOptions.mu || mSearch.stopped()) {
             restoreBest();
@@ -351,7 +351,7 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
                 return;
             runs[i]->search(effort.rounds[round].moves);
             if (last)
-                runs[i]->finish();
+                runs[i]->takeToBound();
         });
         std::erase_if(runs, [](const auto &run) { return !run; });
         if (runs.empty())
