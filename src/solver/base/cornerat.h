@@ -1,4 +1,4 @@
-// Places of corners in the solver's coordinates. Plain: no Qt.
+// UV position of a soup corner in the solver's flat coordinate vector. Plain: no Qt.
 #pragma once
 
 #include "model/plain/types.h"
@@ -8,7 +8,7 @@
 
 namespace autocuts {
 
-//! Where a soup corner lies: the view of x[2 * corner] and x[2 * corner + 1], see Soup.
+//! View of x[2 * corner] and x[2 * corner + 1], the UV position of a soup corner in solver units; see Soup.
 inline Eigen::Map<const Vec2> cornerAt(std::span<const double> x, int corner)
 {
     return Eigen::Map<const Vec2>(x.data() + 2 * static_cast<std::size_t>(corner));

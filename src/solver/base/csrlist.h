@@ -1,4 +1,4 @@
-// Many short lists in one array. Plain: no Qt.
+// Lists of ints stored one after another in one array (compressed sparse rows). Plain: no Qt.
 #pragma once
 
 #include <span>
@@ -7,10 +7,11 @@
 
 namespace autocuts {
 
-//! Lists of ints, one list per index, in one array (compressed sparse rows).
+//! One list of ints per index, all stored in one array.
 class CsrList
 {
 public:
+    //! \param count number of lists
     //! \param entries (index, value); every list keeps the order of the entries
     CsrList(int count, const std::vector<std::pair<int, int>> &entries);
     CsrList() = default;
@@ -19,7 +20,8 @@ public:
     {
         return {mValue.data() + mFirst[index], mValue.data() + mFirst[index + 1]};
     }
-    //! Place of a value among all values of all lists, -1 when its list has no such value.
+    //! Position of a value in the array of all lists, in [0, totalSize()); -1 when the list at `index` does
+    //! not contain it.
     //! \pre the list is sorted
     int find(int index, int value) const;
     int totalSize() const { return static_cast<int>(mValue.size()); }

@@ -31,7 +31,8 @@ CutMesh::CutMesh(const MeshData &mesh, const CutFlags &cut) : neighbour(mesh.sou
 std::vector<std::vector<int>> CutMesh::boundaryLoops() const
 {
     const int sides = static_cast<int>(neighbour.size());
-    // The boundary side that starts at each UV vertex; a fan of triangles has exactly one.
+    // The boundary side that starts at each UV vertex. A UV vertex is one fan of triangles, so there is at
+    // most one.
     std::vector<int> startingAt(uvVertexCount, -1);
     for (int s = 0; s < sides; ++s) {
         if (neighbour[s] < 0)
@@ -73,7 +74,8 @@ void dropClosedCuts(const MeshData &mesh, CutFlags &cut)
 
 namespace {
 
-//! A tree over the triangles that keeps polygons whole and crosses no cut; the edges off the tree are cut.
+//! Cuts every edge that a spanning tree over the triangles of each component does not cross. The tree
+//! contains all diagonals, so that polygons stay whole, and crosses no edge that is cut already.
 CutFlags cutOffTree(const MeshData &mesh, const CutFlags &given)
 {
     std::vector<std::vector<std::pair<int, int>>> around(mesh.triangleCount()); // (edge, other triangle)
@@ -85,7 +87,7 @@ CutFlags cutOffTree(const MeshData &mesh, const CutFlags &given)
         const auto [a, b] = mesh.edgePairs[e].triangle;
         around[a].emplace_back(static_cast<int>(e), b);
         around[b].emplace_back(static_cast<int>(e), a);
-        // The diagonals are in the tree from the start: their faces are its first pieces.
+        // Diagonals are in the tree from the start: the triangles of a polygon stay connected.
         if (mesh.edgePairs[e].diagonal) {
             tree.unite(a, b);
             cut[e] = false;
@@ -121,7 +123,7 @@ CutFlags cutToDisks(const MeshData &mesh, const CutFlags &given)
     const CutFlags before = given.empty() ? CutFlags(mesh.edgePairs.size(), false) : given;
     CutFlags cut = cutOffTree(mesh, before);
 
-    // Prune loose ends: vertices off the border with a single cut edge.
+    // Prune loose ends: at a vertex inside a chart where only one edge is cut, that cut is removed.
     const CutMesh state(mesh, before);
     std::vector<bool> border(state.uvVertexCount, false);
     std::vector<bool> open(state.chartCount, false);
@@ -156,7 +158,8 @@ CutFlags cutToDisks(const MeshData &mesh, const CutFlags &given)
         loose.pop();
         for (const int e : cutsAt[v]) {
             const int chart = state.chart[mesh.edgePairs[e].triangle[0]];
-            // A sphere keeps two edges: with fewer there is no border to map to a circle.
+            // A closed component keeps two cut edges: with fewer it has no border that could be mapped to a
+            // circle.
             if (!cut[e] || (!open[chart] && cutsLeft[chart] <= 2))
                 continue;
             cut[e] = false;

@@ -1,5 +1,4 @@
-// What a long computation is given to work with: when to end early, whom to tell how far it is, how many
-// threads.
+// Context of a long computation: stop flag, progress callback and number of threads.
 #pragma once
 
 #include <algorithm>
@@ -8,10 +7,10 @@
 
 namespace autocuts {
 
-//! Part of a job that is being done, as far as a user wants to know it.
+//! Stage of a job, as it is shown to the user.
 enum class JobStage { Working, SolvingToTheEnd, Packing };
 
-//! How far a job is.
+//! Progress of a job.
 struct JobProgress
 {
     double fraction = 0; //!< of the whole job, in [0, 1]
@@ -20,16 +19,17 @@ struct JobProgress
     double seamLength = 0; //!< of the best map so far, solver units
 };
 
-//! Passed by reference through everything that takes long. The default never stops, tells nobody and has one
-//! thread. Results do not depend on the number of threads.
+//! Passed by reference to every long computation. A default context never stops, reports no progress and
+//! allows one thread. Results do not depend on the number of threads.
 class JobContext
 {
 public:
-    //! Called from one thread at a time, not always the same one.
+    //! Receives progress; called from one thread at a time, but not always from the same one.
     using Sink = std::function<void(const JobProgress &)>;
 
     JobContext() = default;
-    //! \param stop when it becomes true the job ends soon, with what it has; outlives the job; null: never
+    //! \param stop when it becomes true, the job ends soon and returns what it has; must outlive the job;
+    //! null: the job is never stopped
     JobContext(const std::atomic<bool> *stop, int threads = 1, Sink sink = {})
         : mStop(stop), mThreads(std::max(1, threads)), mSink(std::move(sink))
     {}
@@ -48,7 +48,7 @@ public:
     }
     bool reports() const { return static_cast<bool>(mSink); }
 
-    //! A part of this job, from one fraction of it to another.
+    //! Context for a part of this job: its progress from 0 to 1 is reported as `begin` to `end` of this job.
     JobContext part(double begin, double end, JobStage stage = JobStage::Working) const
     {
         JobContext result = *this;
@@ -57,13 +57,13 @@ public:
         result.mStage = stage;
         return result;
     }
-    //! The same with another one to be told.
+    //! The same with another progress callback, which receives fractions from 0 to 1.
     JobContext watchedBy(Sink sink) const { return {mStop, mThreads, std::move(sink)}; }
-    //! The same without reports: for work whose share of the whole is not known.
+    //! The same without progress reports: for work whose share of the whole is not known.
     JobContext quiet() const { return {mStop, mThreads}; }
-    //! The same with one thread and no reports: for jobs that run beside each other.
+    //! The same with one thread and without progress reports: for jobs that run in parallel with each other.
     JobContext alone() const { return {mStop, 1}; }
-    //! The same but not to be stopped: for what must be done even in a hurry.
+    //! The same without the stop flag: for work that must be completed even after a stop.
     JobContext unstoppable() const
     {
         JobContext result = *this;

@@ -7,8 +7,9 @@ namespace autocuts {
 AUTOCUTS_CLONES
 void invertLanes(const EdgeMatrix &a, EdgeMatrix &inverse)
 {
+    // Small enough not to change valid pivots, large enough for a finite reciprocal in single precision.
     constexpr float leastPivot = 1e-30f;
-    // a = L D L^T with a unit diagonal of L, of which the inverse is W: a^-1 = W^T D^-1 W.
+    // a = L D L^T with a unit diagonal of L. With W the inverse of L: a^-1 = W^T D^-1 W.
     Lanes l[4][4], w[4][4];
     Lanes r[4]; // 1 / D
     int at = 0;

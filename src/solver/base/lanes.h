@@ -1,4 +1,5 @@
-// Eight triangles at a time: 6 x 6 kernels over vectors of eight floats (compiler vectors, any processor).
+// Vectors of eight floats and 4 x 4 matrix kernels for eight triangles at a time (compiler vectors, any
+// processor).
 #pragma once
 
 #include <cstddef>
@@ -9,11 +10,11 @@ namespace autocuts {
 
 constexpr int laneCount = 8;
 
-//! Eight floats that are added and multiplied together.
+//! Eight floats, one per triangle, with arithmetic on all of them at once.
 using Lanes = float __attribute__((vector_size(laneCount * sizeof(float))));
 
-//! What Lanes are aligned to. Compilers ask for less where the processor they compile for has shorter
-//! vectors, but functions compiled for several processors meet in memory.
+//! Alignment of Lanes in memory. Given explicitly, because compilers ask for less when they compile for a
+//! processor with shorter vectors, and functions compiled for different processors share data.
 constexpr std::size_t laneAlignment = laneCount * sizeof(float);
 
 template <class T>
@@ -34,8 +35,8 @@ struct LaneAllocator
 
 using LaneVector = std::vector<Lanes, LaneAllocator<Lanes>>;
 
-//! Eight symmetric 4 x 4 matrices over the edge vectors of as many triangles, in the order u1 - u0, u2 - u0,
-//! v1 - v0, v2 - v0. Lower triangles, packed row by row.
+//! Eight symmetric 4 x 4 matrices, one per triangle, over its edge vectors in the order u1 - u0, u2 - u0, v1
+//! - v0, v2 - v0. Lower triangles, packed row by row.
 struct alignas(laneAlignment) EdgeMatrix
 {
     Lanes entry[10];
@@ -44,10 +45,10 @@ struct alignas(laneAlignment) EdgeMatrix
     const Lanes &operator[](int i) const { return entry[i]; }
 };
 
-//! Inverses of eight positive definite matrices, as L D L^T. A pivot that is not positive counts as tiny.
+//! Inverts eight positive definite matrices by L D L^T. A pivot of 1e-30 or less is replaced by 1e-30.
 void invertLanes(const EdgeMatrix &a, EdgeMatrix &inverse);
 
-//! y = E^T A E x for eight matrices, E the map from corners (u0 v0 u1 v1 u2 v2) to edge vectors.
+//! y = E^T A E x for eight matrices; E maps corners (u0 v0 u1 v1 u2 v2) to edge vectors.
 inline void multiplyEdges(const EdgeMatrix &a, const Lanes *x, Lanes *y)
 {
     const Lanes e0 = x[2] - x[0], e1 = x[4] - x[0], e2 = x[3] - x[1], e3 = x[5] - x[1];

@@ -37,8 +37,9 @@ void parallelFor(int count, int threads, const std::function<void(int)> &job)
 
 namespace {
 
-//! Looks at a value this often before going to sleep, some fifty microseconds: what a step does between two
-//! of its loops seldom takes longer, and being woken up does.
+//! How often a waiting thread polls a value before it sleeps: about fifty microseconds. What a step does
+//! between two of its loops seldom takes longer, and waking a thread does. Chosen by hand; no measurement of
+//! its effect is recorded.
 constexpr int glances = 40000;
 
 template <class T>
@@ -102,7 +103,7 @@ void ThreadTeam::work(int thread)
     }
 }
 
-//! Keeps the exception being handled; no jobs of higher numbers are begun any more.
+//! Keeps the exception being handled. No job of a higher number is started afterwards.
 void ThreadTeam::keepError(int job)
 {
     const std::lock_guard lock(mErrorMutex);

@@ -1,4 +1,4 @@
-// Independent jobs on several threads.
+// Runs independent jobs on several threads.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,11 @@
 namespace autocuts {
 
 //! Calls job(0) ... job(count - 1), each once, on at most `threads` threads including the calling one, and
-//! waits. The jobs must not depend on each other. The first exception (by job number) is thrown again here.
+//! waits. The jobs must not depend on each other. Of the exceptions thrown by jobs, the one of the lowest job
+//! number is thrown again here.
 void parallelFor(int count, int threads, const std::function<void(int)> &job);
 
-//! Threads that stay and wait between the many short loops of a solver step.
+//! Threads that are started once and wait between the many short loops of a solver step.
 class ThreadTeam
 {
 public:
@@ -29,10 +30,10 @@ public:
     int threads() const { return static_cast<int>(mShares.size()); }
 
     //! Calls job(0) ... job(count - 1), in any order and on any of the threads, and waits. The jobs must not
-    //! depend on each other. Loops of as many jobs give each thread the same ones, as far as that keeps all
-    //! busy: what a job of one loop leaves in the caches of a processor the next one finds there. When some
-    //! throw, the exception of the first of them (by number) is thrown again here; those of higher numbers
-    //! may not have been called. Not to be called from two threads at a time.
+    //! depend on each other. Two loops with the same number of jobs assign the same jobs to each thread, as
+    //! far as all threads stay busy, so that the data of a job is still in the cache of its processor. Of the
+    //! exceptions thrown by jobs, the one of the lowest job number is thrown again here; jobs of higher
+    //! numbers may not have been called. Must not be called from two threads at a time.
     template <class Job>
     void run(int count, Job &&job)
     {
@@ -50,7 +51,7 @@ private:
     void work(int thread);
     void keepError(int job);
 
-    //! The jobs that are meant for one thread; others take of them when they have none left.
+    //! Jobs assigned to one thread. A thread that has finished its own takes jobs of others.
     struct alignas(64) Share
     {
         std::atomic<int> next = 0;
@@ -68,7 +69,7 @@ private:
     std::vector<std::thread> mHelpers;
 };
 
-//! On the team, or on the calling thread alone when there is none.
+//! Runs the jobs on the team, or on the calling thread alone when `team` is null.
 template <class Job>
 void runOn(ThreadTeam *team, int count, Job &&job)
 {
@@ -80,8 +81,9 @@ void runOn(ThreadTeam *team, int count, Job &&job)
     }
 }
 
-//! Elements that one job of a step takes: sums are formed per such a part and then added in order, so that
-//! they do not depend on the number of threads.
+//! Number of elements (triangles, corners, pairs) in one job of a solver step. Sums are formed per job and
+//! then added in the order of the jobs, so that they do not depend on the number of threads. Chosen by hand;
+//! no measurement of its effect is recorded.
 constexpr int jobSize = 1024;
 
 constexpr int jobCount(int elements)
@@ -89,7 +91,7 @@ constexpr int jobCount(int elements)
     return (elements + jobSize - 1) / jobSize;
 }
 
-//! Sum over all elements of what sum(first, end) gives for parts of them.
+//! Sum of sum(first, end) over consecutive ranges that together hold all elements.
 template <class Sum>
 double sumInOrder(ThreadTeam *team, int elements, Sum &&sum)
 {

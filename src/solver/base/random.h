@@ -1,11 +1,11 @@
-// A small generator whose numbers are the same on every machine.
+// Pseudo-random numbers that are the same on every machine.
 #pragma once
 
 #include <cstdint>
 
 namespace autocuts {
 
-//! splitmix64 (Steele, Lea and Flood 2014).
+//! The generator splitmix64 (Steele, Lea and Flood 2014).
 class Random
 {
 public:

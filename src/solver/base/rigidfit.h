@@ -1,4 +1,4 @@
-// The rigid motion between two sets of points. Plain: no Qt.
+// Rigid motion that fits one set of points to another. Plain: no Qt.
 #pragma once
 
 #include "model/plain/types.h"
@@ -7,7 +7,8 @@
 
 namespace autocuts {
 
-//! A rotation about the origin, then a translation; and the two points that were matched exactly.
+//! A rotation about the origin followed by a translation, and the centres of the two sets of points, which it
+//! maps onto each other.
 struct RigidMotion
 {
     double c = 1, s = 0;
@@ -18,15 +19,16 @@ struct RigidMotion
     Vec2 operator()(const Vec2 &p) const { return turned(p) + shift; }
 };
 
-//! A point that moves, and where it should come to lie.
+//! A moving point and its target.
 struct PointMatch
 {
     Vec2 fixed, moving;
     double weight = 1;
 };
 
-//! The motion that brings the moving points onto the fixed ones with the least weighted sum of squares; no
-//! rotation where none is better. \pre the weights have a positive sum
+//! The motion that takes the moving points to the fixed ones with the least weighted sum of squared
+//! distances; without rotation when no rotation is better than another.
+//! \pre the weights have a positive sum
 RigidMotion fitRigid(const std::vector<PointMatch> &matches);
 
 } // namespace autocuts

@@ -8,7 +8,7 @@ namespace autocuts {
 
 double SeamedMap::distortion(const Soup &soup) const
 {
-    // At scale s the mean is s^2 P + Q / s^2; the best scale gives 2 sqrt(P Q).
+    // With the map scaled by s the mean is (s^2 P + Q / s^2) / W. Its least value over s is 2 sqrt(P Q) / W.
     double p = 0, q = 0, w = 0;
     for (int t = 0; t < soup.triangleCount(); ++t) {
         if (soup.mesh->triangleDegenerate[t])

@@ -11,28 +11,29 @@
 
 namespace autocuts {
 
-//! A UV map with definite seams. Corners that share a UV vertex have bitwise equal coordinates; every
-//! triangle is positively oriented.
+//! A UV map whose seams are decided: every edge is either cut or not. Corners that share a UV vertex have
+//! bitwise equal coordinates; every triangle is positively oriented.
 struct SeamedMap
 {
     CutFlags cut;          //!< per edge pair
     std::vector<double> x; //!< coordinates, see Soup
 
     //! Mean symmetric Dirichlet energy at the best common scale; 4 is isometric. Triangles without area in 3D
-    //! do not count.
+    //! are left out.
     double distortion(const Soup &soup) const;
-    //! 3D length of the seams in solver units: seam_norm. Diagonals are never seams.
+    //! 3D length of the seams in solver units (seam_norm). Diagonals are never seams.
     double seamLength(const Soup &soup) const;
-    //! What a solve makes small: their length or count, each edge times its weight.
+    //! Cost of the seams that a solve minimises: the sum of each edge's weight times its length, or times the
+    //! mean edge length when seams are weighted by count. Solver units.
     double seamCost(const Soup &soup, const Snapshot &snapshot) const;
-    //! Empty when all invariants hold, else the first broken one.
+    //! Empty when all invariants hold, else a description of the first broken one.
     std::string validate(const Soup &soup) const;
 };
 
 //! Per-corner UVs of a seamed map, in solver units.
 UvMatrix cornerUv(const Soup &soup, const SeamedMap &map);
 
-//! The charts that cut flags give, by face.
+//! The charts of a cut mesh, per face.
 ChartMap chartsOf(const MeshData &mesh, const CutMesh &state);
 
 } // namespace autocuts

@@ -1,11 +1,12 @@
-// Do two segments cross? Plain: no Qt.
+// Test whether two segments cross. Plain: no Qt.
 #pragma once
 
 #include "model/plain/types.h"
 
 namespace autocuts {
 
-//! True when the segments a b and c d cross properly: segments that only touch, or lie on one line, do not.
+//! True when the segments a b and c d cross at an inner point of both. Segments that only touch or lie on one
+//! line do not cross.
 inline bool segmentsCross(const Vec2 &a, const Vec2 &b, const Vec2 &c, const Vec2 &d)
 {
     const auto opposite = [](double s, double t) { return (s > 0 && t < 0) || (s < 0 && t > 0); };

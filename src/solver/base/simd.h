@@ -1,9 +1,10 @@
-// Vector code that runs on any processor and uses what the present one has.
+// Compiles a function for several generations of processors.
 #pragma once
 
-//! Before a function: compiles it for several generations of processors; the fitting one is chosen when the
-//! program starts. All give the same bits, because nothing is contracted into fused operations. Elsewhere,
-//! and under sanitizers (which cannot run before the choice), the function is compiled once.
+//! Placed before a function: compiles it for several generations of x86-64 processors; the best one for the
+//! present processor is chosen when the program starts. All give the same bits, because multiplications and
+//! additions are not fused. With other compilers and processors, and under the address and thread sanitizers
+//! (which cannot run before that choice), the function is compiled once.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&     \
     !defined(__SANITIZE_THREAD__)
 #define AUTOCUTS_CLONES __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))

@@ -11,13 +11,14 @@ namespace autocuts {
 
 namespace {
 
-//! Height of a stand-in shape over its longest edge, and the edge of one without any extent over the mean
-//! edge.
+//! Stand-in shape of a triangle without area: its height relative to its longest edge; the longest edge
+//! relative to the mean edge when all corners coincide; and its weight relative to a triangle of its area.
+//! Chosen by hand; no measurement of its effect is recorded.
 constexpr double standInHeight = 1e-3;
 constexpr double standInEdge = 1e-3;
 constexpr double standInWeight = 1e-3;
 
-//! Isometric copy of a triangle in the plane: corner 0 at the origin, corner 1 on the u axis.
+//! Isometric copy of a 3D triangle in the plane: corner 0 at the origin, corner 1 on the u axis.
 std::array<double, 6> flatten(const Vec3 &a, const Vec3 &b, const Vec3 &c)
 {
     const Vec3 e1 = b - a;
@@ -28,13 +29,14 @@ std::array<double, 6> flatten(const Vec3 &a, const Vec3 &b, const Vec3 &c)
     return {0, 0, length, 0, x, y};
 }
 
-//! A thin triangle with (nearly) the edge lengths of a triangle without area.
+//! A thin triangle with nearly the edge lengths of a 3D triangle without area.
 std::array<double, 6> standIn(const Vec3 &a, const Vec3 &b, const Vec3 &c, double meanEdge)
 {
     const std::array<double, 3> length{(c - b).norm(), (a - c).norm(), (b - a).norm()}; // opposite to a, b, c
     const int apex = static_cast<int>(std::max_element(length.begin(), length.end()) - length.begin());
     const double base = std::max(length[apex], standInEdge * meanEdge);
-    // The corner opposite to the longest edge sits above it, where its two sides say.
+    // The corner opposite to the longest edge is placed above it, dividing it in the ratio of the other two
+    // edges.
     const double before = length[(apex + 2) % 3]; // from corner apex to corner apex + 1
     const double after = length[(apex + 1) % 3];
     const double share = before + after > 0 ? before / (before + after) : 0.5;

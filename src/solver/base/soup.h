@@ -1,4 +1,4 @@
-// The triangle soup in solver units: every triangle on its own, joined by corner pairs.
+// The triangle soup in solver units: separate triangles, related by corner pairs (paper, section 3).
 #pragma once
 
 #include "model/plain/snapshot.h"
@@ -10,15 +10,16 @@
 
 namespace autocuts {
 
-//! The corners that a soup corner is paired with: one across each of the two sides that meet at it.
+//! The soup corners that one soup corner is paired with: one across each of the two sides that meet at it.
 struct CornerPartners
 {
     std::array<int, 2> corner{-1, -1}; //!< soup corner; -1 at a border
     std::array<int, 2> pair{-1, -1};   //!< corner pair
 };
 
-//! Rest shapes and corner pairs, scaled so that the mesh has area pi. Immutable. Coordinates of the solver
-//! are a flat vector x of 2 * soupCornerCount() numbers: u and v of soup corner c are x[2c] and x[2c + 1].
+//! Rest shapes and corner pairs of the soup, the state of the paper in which all triangles are separate.
+//! Lengths are in *solver units*: the mesh is scaled to area pi. Immutable. Coordinates are a flat vector x
+//! of 2 * soupCornerCount() numbers: u and v of soup corner c are x[2c] and x[2c + 1].
 struct Soup
 {
     //! Linear map from a triangle's corners to its Jacobian: J(r, c) = sum over k of x(corner k)[r] * b[2k +
@@ -38,8 +39,9 @@ struct Soup
     int triangleCount() const { return static_cast<int>(basis.size()); }
     int coordinateCount() const { return 6 * triangleCount(); }
 
-    //! Triangles without area get a thin stand-in shape and a weight near zero, so that they stay unfolded
-    //! without pulling at the others. \throws std::invalid_argument when the mesh has no area at all
+    //! Builds the soup of a mesh. Triangles without area in 3D get a thin stand-in shape and a weight near
+    //! zero: they must not fold either but hardly pull at their neighbours.
+    //! \throws std::invalid_argument when the mesh has no area at all
     [[nodiscard]] static std::shared_ptr<const Soup> build(std::shared_ptr<const MeshData> mesh);
 };
 

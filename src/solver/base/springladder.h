@@ -1,10 +1,11 @@
-// Springs that grow stiffer until points lie where they belong.
+// Repeats an attempt with stiffer and stiffer springs.
 #pragma once
 
 namespace autocuts {
 
-//! Calls attempt(stiffness), each time with springs ten times as stiff as before, until it returns true.
-//! \return false when none of the attempts did
+//! Calls attempt(stiffness) at most `levels` times, with the stiffness `first` and then ten times the one
+//! before, until it returns true.
+//! \return false when no attempt returned true
 template <class Attempt>
 bool climbSprings(double first, int levels, Attempt &&attempt)
 {
