@@ -15,7 +15,7 @@ namespace {
 struct Nearest
 {
     double distance;
-    double t;    //!< place on the segment, 0 at its start
+    double t;    //!< position along the segment, 0 at its start
     Vec2 normal; //!< from the segment to the point
 };
 
@@ -40,7 +40,7 @@ BoundaryBarrierTerm::BoundaryBarrierTerm(const Soup &soup, const CutMesh &cut, s
         const Vec2 p = cornerAt(x, soupCorner);
         return places.try_emplace({p.x(), p.y()}, static_cast<int>(places.size())).first->second;
     };
-    // One soup corner stands for each UV vertex, so that equal vertices are equal numbers.
+    // One soup corner represents each UV vertex, so that equal UV vertices have equal numbers.
     std::vector<int> corner(cut.uvVertexCount, -1);
     for (int c = soup.mesh->soupCornerCount() - 1; c >= 0; --c)
         corner[cut.uvVertex[c]] = c;
@@ -55,7 +55,7 @@ BoundaryBarrierTerm::BoundaryBarrierTerm(const Soup &soup, const CutMesh &cut, s
 
 bool BoundaryBarrierTerm::collect(std::span<const double> x, std::vector<Contact> &contacts) const
 {
-    // Sweep over the boxes of the segments in u.
+    // Sweep in u over the bounding boxes of the segments.
     struct Box
     {
         double low, high, bottom, top;

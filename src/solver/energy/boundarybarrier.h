@@ -1,4 +1,4 @@
-// Keeps the boundary of each chart from crossing itself (Smith and Schaefer 2015).
+// Barrier term that keeps the boundary of each chart from crossing itself (Smith and Schaefer 2015).
 #pragma once
 
 #include "solver/base/cutmesh.h"
@@ -10,15 +10,15 @@
 
 namespace autocuts::energy {
 
-//! factor * sum of (reach / d - 1)^2 over the boundary vertices and the boundary edges of the same chart that
-//! are nearer to each other than `reach` (d is their distance), infinite where two boundary edges of one
-//! chart cross. A chart that is a disk, has no flipped triangle and no such crossing does not overlap itself.
-//! The Hessian is a diagonal bound of the Gauss-Newton one.
+//! factor * sum of (reach / d - 1)^2 over all pairs of a boundary vertex and a boundary edge of the same
+//! chart whose distance d is less than `reach`; infinite where two boundary edges of one chart cross. A chart
+//! that is a disk and has neither a flipped triangle nor such a crossing does not overlap itself. The Hessian
+//! is a diagonal upper bound of the Gauss-Newton Hessian.
 class BoundaryBarrierTerm final : public EnergyTerm
 {
 public:
-    //! \param x where the map is at first: boundary vertices at exactly the same place do not repel each
-    //! other \param reach in solver units; small against the edges
+    //! \param x the initial map: boundary vertices that coincide there do not repel each other
+    //! \param reach in solver units; should be small compared with the edges
     BoundaryBarrierTerm(const Soup &soup, const CutMesh &cut, std::span<const double> x, double factor,
                         double reach);
 
@@ -27,11 +27,11 @@ public:
                           HessianBlocks &blocks) const override;
 
 private:
-    //! A boundary side, from its start to its end, as soup corners that stand for their UV vertices.
+    //! A boundary side from its start to its end; both are soup corners that represent their UV vertices.
     struct Segment
     {
         int from, to;
-        int fromPlace, toPlace; //!< equal numbers: at the same place at first
+        int fromPlace, toPlace; //!< positions in the initial map; equal numbers coincide
         int chart;
     };
     struct Contact
@@ -39,8 +39,8 @@ private:
         int point, segment;
     };
 
-    //! Pairs of a segment's start and another segment that may be within reach; false when two segments
-    //! cross.
+    //! Collects all pairs of a segment's start and another segment that may be within reach.
+    //! \return false when two segments cross
     bool collect(std::span<const double> x, std::vector<Contact> &contacts) const;
 
     std::vector<Segment> mSegments;

@@ -30,7 +30,8 @@ double PinTerm::addDerivatives(std::span<const double> x, std::span<double> grad
 
 namespace {
 
-//! How much stiffer a hard rectangle is than a soft one.
+//! How many times stiffer a hard rectangle is than a soft one. Chosen by hand; no measurement of its effect
+//! is recorded.
 constexpr double hardBoxFactor = 100;
 
 //! Signed distance outside [lower, upper]: negative below, positive above, 0 inside.

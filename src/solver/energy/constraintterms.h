@@ -23,8 +23,8 @@ private:
 };
 
 //! Box energy B (paper, Eq. 10 and 11): squared distance outside the rectangle, per coordinate, over the
-//! corners that the rectangle acts on, times beta, times the rectangle's own weight, times 100 when it is
-//! hard. C1; its second derivative jumps at the sides.
+//! corners that the rectangle acts on. Multiplied by beta, by the rectangle's own weight, and by 100 when the
+//! rectangle is hard. Continuously differentiable; the second derivative jumps at the sides.
 class BoxTerm final : public EnergyTerm
 {
 public:

@@ -11,10 +11,10 @@ namespace autocuts::energy {
 
 namespace {
 
-//! Keeps Hessian entries and their products within single precision.
+//! Upper bound on Hessian entries: they and their products must stay finite in single precision.
 constexpr double largestEntry = 1e15;
 
-//! Coordinates behind the last triangle: the map of the right triangle onto itself.
+//! Coordinates of the places after the last triangle: the right triangle mapped to itself.
 constexpr double padding[6] = {0, 0, 1, 0, 0, 1};
 
 //! Edge vectors of eight triangles: u and v from corner 0 to corners 1 and 2.
@@ -52,7 +52,8 @@ inline void jacobian(const DirichletBlock &block, const Edges &e, Jacobian &j)
     j.j11 = e.v1 * block.basis[1] + e.v2 * block.basis[3];
 }
 
-//! Weighted energies; `smallest` becomes the smallest determinant so far, or not a number.
+//! Adds the weighted energies to `sum`. Lowers `smallest` to the smallest determinant, or to NaN when one is
+//! NaN.
 inline void energies(const DirichletBlock &block, const Jacobian &j, DoubleLanes &sum, DoubleLanes &smallest)
 {
     const DoubleLanes det = j.j00 * j.j11 - j.j01 * j.j10;
@@ -104,7 +105,7 @@ struct JacobianHessian
                 k[a][b] += scaled * mode[b];
         }
     }
-    //! Between the gradients g of one corner and h of another: 2 x 2, row by row.
+    //! The 2 x 2 block, row by row, between a corner with gradient g and a corner with gradient h.
     inline void between(const Lanes *g, const Lanes *h, Lanes *out) const
     {
         out[0] = g[0] * (k[0][0] * h[0] + k[1][0] * h[1]) + g[1] * (k[1][0] * h[0] + k[1][1] * h[1]);
@@ -114,7 +115,7 @@ struct JacobianHessian
     }
 };
 
-//! The same over the edge vectors. g and h: gradients of the corners 1 and 2.
+//! The matrix over the edge vectors instead. g and h are the gradients of corners 1 and 2.
 inline void overEdges(const JacobianHessian &k, const Lanes *g, const Lanes *h, EdgeMatrix &out)
 {
     Lanes a[4], b[4], c[4]; // corners 1-1, 2-1, 2-2
@@ -163,7 +164,7 @@ double dirichletSum(const DirichletBlock *blocks, const double *x, int triangles
     return total(sum, smallest);
 }
 
-// Long: the gradient and the Hessian share most of what is computed here.
+// One long function, because the gradient and the Hessian share most of the computation.
 AUTOCUTS_CLONES
 double dirichletDerivatives(const DirichletBlock *blocks, const double *x, int triangles, double factor,
                             double *gradient, EdgeMatrix *hessian)
@@ -182,7 +183,7 @@ double dirichletDerivatives(const DirichletBlock *blocks, const double *x, int t
         DoubleLanes q, r;
         roots(e * e + h * h, q);
         roots(f * f + g * g, r);
-        // s2 = q - r loses its digits when they are close: the determinant is their product.
+        // q - r cancels when q and r are close; the determinant is s1 * s2, hence s2 = det / s1.
         const DoubleLanes s1 = q + r, det = j.j00 * j.j11 - j.j01 * j.j10;
         const DoubleLanes i1 = 1 / s1, s2 = det * i1, i2 = s1 / det;
         const DoubleLanes c1 = i1 * i1 * i1, c2 = i2 * i2 * i2;
@@ -190,7 +191,7 @@ double dirichletDerivatives(const DirichletBlock *blocks, const double *x, int t
         const DoubleLanes turn = weight * ((s1 - c1) + (s2 - c2)) / q;
         const DoubleLanes flip = 2 * weight * (1 + (s1 * s1 + s1 * s2 + s2 * s2) * c1 * c2);
 
-        // Gradient over the Jacobian: turn * rotation part + flip * shearing part.
+        // Gradient with respect to the Jacobian: turn * its rotation part + flip * its shearing part.
         const DoubleLanes te = turn * e, th = turn * h, ff = flip * f, fg = flip * g;
         const DoubleLanes g00 = te + ff, g01 = fg - th, g10 = th + fg, g11 = te - ff;
         const DoubleLanes gu1 = g00 * block.basis[0] + g01 * block.basis[1];
@@ -219,7 +220,8 @@ double dirichletDerivatives(const DirichletBlock *blocks, const double *x, int t
         limited(weight * (2 + 6 * c2 * i2), curvature2);
         limited(turn > 0 ? turn : DoubleLanes{}, turning);
         limited(flip, flipping);
-        // Directions of the two parts; that of the shearing part is arbitrary for a similarity.
+        // Unit directions of the two parts. For a similarity the shearing part is zero and its direction
+        // arbitrary.
         const DoubleLanes iq = 1 / q, ir = r > 0 ? 1 / r : DoubleLanes{};
         narrow(e * iq, re);
         narrow(h * iq, rh);
@@ -250,11 +252,11 @@ double flipFreeStep(const double *x, const double *direction, int triangles, dou
         Edges p{}, d{};
         loadEdges(x + 6 * static_cast<std::ptrdiff_t>(t), triangles - t, p);
         loadEdges(direction + 6 * static_cast<std::ptrdiff_t>(t), triangles - t, d);
-        // Area along the step: a s^2 + b s + c, c > 0.
+        // Twice the area along the step: a s^2 + b s + c with c > 0.
         const DoubleLanes a = d.u1 * d.v2 - d.v1 * d.u2;
         const DoubleLanes b = p.u1 * d.v2 - p.v1 * d.u2 + d.u1 * p.v2 - d.v1 * p.u2;
         const DoubleLanes c = p.u1 * p.v2 - p.v1 * p.u2;
-        // No root before `step` when the parabola's bound from below stays positive.
+        // There is no root before `step` when this lower bound of the parabola is positive.
         const DoubleLanes zero{};
         const DoubleLanes bound = c + (b < 0 ? b : zero) * step + (a < 0 ? a : zero) * step * step;
         for (int lane = 0; lane < std::min(laneCount, triangles - t); ++lane) {

@@ -10,7 +10,8 @@ namespace autocuts::energy {
 
 using DoubleLanes = double __attribute__((vector_size(laneCount * sizeof(double))));
 
-//! Rest shapes of eight triangles. Behind the last triangle of a soup: a right triangle without weight.
+//! Rest shapes of eight triangles. Places after the last triangle of a soup hold a right triangle of weight
+//! 0.
 struct alignas(2 * laneAlignment) DirichletBlock
 {
     DoubleLanes
@@ -20,16 +21,17 @@ struct alignas(2 * laneAlignment) DirichletBlock
 
 std::vector<DirichletBlock> dirichletBlocks(const Soup &soup);
 
-//! Sum of weight * energy over `triangles` triangles from the first of `blocks` on, whose coordinates are x;
-//! infinite when one is flipped.
+//! Sum of weight * energy over `triangles` triangles, the first of which is the first of `blocks`; x holds
+//! their coordinates. Infinite when one is flipped.
 double dirichletSum(const DirichletBlock *blocks, const double *x, int triangles);
 
-//! The same sum; adds factor times the gradient to `gradient` and writes factor times the positive
+//! The same sum. Also adds factor times the gradient to `gradient` and writes factor times the positive
 //! semidefinite Hessian to `hessian`, one matrix per block.
 double dirichletDerivatives(const DirichletBlock *blocks, const double *x, int triangles, double factor,
                             double *gradient, EdgeMatrix *hessian);
 
-//! Smallest step, up to `limit`, at which one of the triangles at x loses its area along `direction`.
+//! Smallest step, at most `limit`, at which one of the triangles at x loses its area when it moves along
+//! `direction`.
 double flipFreeStep(const double *x, const double *direction, int triangles, double limit);
 
 } // namespace autocuts::energy

@@ -30,7 +30,7 @@ struct SingularValues
         q = std::sqrt(e * e + h * h);
         r = std::sqrt(f * f + g * g);
         s1 = q + r;
-        // s2 = q - r loses its digits when they are close: the determinant is q^2 - r^2.
+        // q - r cancels when q and r are close; the determinant is s1 * s2.
         s2 = (j00 * j11 - j01 * j10) / s1;
     }
 };
@@ -44,8 +44,8 @@ inline void modeVector(const Soup::Basis &b, double m00, double m01, double m10,
     }
 }
 
-//! Where the entries of an EdgeMatrix are found in a triangle's block: moving all three corners does nothing,
-//! so the rows of the corners 1 and 2 say all.
+//! Positions of the entries of an EdgeMatrix in a triangle's 6 x 6 block. Moving all three corners alike
+//! changes nothing, so the rows of corners 1 and 2 contain everything.
 constexpr std::array<int, 10> overEdges{5, 12, 14, 8, 13, 9, 17, 19, 18, 20};
 
 template <class Density>
@@ -108,7 +108,8 @@ private:
     {
         const SingularValues s(p, b);
         const DensityDerivatives d = Density::derivatives(s.s1, s.s2);
-        // Unit directions of the rotational and the shearing part; the latter is arbitrary for a similarity.
+        // Unit directions of the rotation and the shearing part. For a similarity the latter is zero and its
+        // direction arbitrary.
         const double re = s.e / s.q, rh = s.h / s.q;
         const double sf = s.r > 0 ? s.f / s.r : 1, sg = s.r > 0 ? s.g / s.r : 0;
         constexpr double root = 0.70710678118654752440;
@@ -135,7 +136,8 @@ private:
     double mFactor = 1;
 };
 
-//! The usual density, eight triangles at a time where single precision serves for the Hessian.
+//! The symmetric Dirichlet term. Where single precision is enough for the Hessian it is computed for eight
+//! triangles at a time.
 class SymmetricDirichletTerm final : public IsotropicTerm<SymmetricDirichletDensity>
 {
 public:

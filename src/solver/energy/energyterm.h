@@ -1,4 +1,4 @@
-// The interface of every term of the energy.
+// Interface of the terms of the energy, and the form of their Hessians.
 #pragma once
 
 #include "solver/base/lanes.h"
@@ -10,24 +10,24 @@
 
 namespace autocuts::energy {
 
-//! A positive semidefinite Hessian in the only shape that the terms need: a 6 x 6 block per triangle, a
-//! spring per corner pair, and a diagonal.
+//! A positive semidefinite Hessian, stored as all terms need it: a 6 x 6 block per triangle, a spring per
+//! corner pair, and a diagonal.
 struct HessianBlocks
 {
-    //! How the triangles' blocks are held.
+    //! How the blocks of the triangles are stored.
     enum class Precision { Double, Single };
 
     //! Double: lower triangle of the 6 x 6 block of each triangle, row by row: (0,0) (1,0) (1,1) (2,0) ...
     std::vector<std::array<double, 21>> triangle;
-    //! Single: the same over the edge vectors of eight triangles at a time (moving a triangle costs nothing),
-    //! zero behind the last one. Written by the distortion alone.
+    //! Single: the same blocks over the edge vectors of eight triangles at a time (moving a whole triangle
+    //! costs nothing), zero after the last triangle. Only the distortion term writes them.
     std::vector<EdgeMatrix> lanes;
-    //! Spring constant w of each corner pair: w / 2 * |x_a - x_b|^2. Written by the separation alone; zero in
-    //! new blocks.
+    //! Spring constant w of each corner pair, for the energy w / 2 * |x_a - x_b|^2. Only the separation term
+    //! writes them; new entries are zero.
     std::vector<double> pair;
-    std::vector<std::uint8_t> pairClosed; //!< 1 where the pair is all but joined (a hint for preconditioners)
+    std::vector<std::uint8_t> pairClosed; //!< 1 where the pair nearly coincides (a hint for preconditioners)
     int triangleCount = 0;
-    std::vector<double> ground; //!< per coordinate, on the diagonal; empty: all zero
+    std::vector<double> ground; //!< added to the diagonal, per coordinate; empty: all zero
 
     void resize(int triangles, int pairs, Precision precision = Precision::Double)
     {
@@ -41,7 +41,7 @@ struct HessianBlocks
         triangleCount = triangles;
     }
 
-    //! `ground`, with room for every coordinate.
+    //! `ground`, resized to hold every coordinate.
     std::vector<double> &addedGround()
     {
         ground.resize(6 * static_cast<std::size_t>(triangleCount), 0.0);
@@ -49,16 +49,17 @@ struct HessianBlocks
     }
 };
 
-//! One term of the energy over the coordinates x of a Soup (see soup.h). Immutable between two calls.
+//! One term of the energy, a function of the coordinates x of a Soup (see soup.h).
 class EnergyTerm
 {
 public:
     virtual ~EnergyTerm() = default;
 
-    //! Infinite where a triangle is flipped or has no area, if the term forbids that.
+    //! The term at x; infinite where a triangle is flipped or has no area, if the term forbids that.
     virtual double value(std::span<const double> x) const = 0;
-    //! Adds the gradient to `gradient` and a positive semidefinite model of the Hessian to `blocks`. Returns
-    //! value(x). \pre value(x) is finite; blocks has been sized
+    //! Adds the gradient to `gradient` and a positive semidefinite model of the Hessian to `blocks`.
+    //! \return value(x)
+    //! \pre value(x) is finite; `blocks` has been resized
     virtual double addDerivatives(std::span<const double> x, std::span<double> gradient,
                                   HessianBlocks &blocks) const = 0;
 };

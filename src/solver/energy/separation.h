@@ -1,4 +1,4 @@
-// The separation S of the corner pairs (paper, Eq. 3, 4 and 6, appendix A).
+// Separation S of the corner pairs (paper, Eq. 3, 4 and 6, and appendix A).
 #pragma once
 
 #include "solver/base/parallel.h"
@@ -9,13 +9,14 @@
 
 namespace autocuts::energy {
 
-//! factor / 2 * sum over corner pairs of weight * s_delta, s_delta = t / (t + delta) with t the squared
-//! distance of the pair; a fully cut edge therefore counts its weight once. The Hessian is the majoriser: a
-//! spring of constant factor * weight * delta / (t + delta)^2, always positive (appendix A).
+//! factor / 2 * sum over corner pairs of weight * s_delta, with s_delta = t / (t + delta) and t the squared
+//! distance of the pair. An edge has two corner pairs, so a fully cut edge counts its weight once. The
+//! Hessian is a majoriser, a spring of constant factor * weight * delta / (t + delta)^2, which is always
+//! positive (appendix A).
 class SeparationTerm final : public EnergyTerm
 {
 public:
-    //! \param team threads to use, not owned; none: the calling one
+    //! \param team threads to use, not owned; null: the calling thread only
     explicit SeparationTerm(std::shared_ptr<const Soup> soup, ThreadTeam *team = nullptr)
         : mSoup(std::move(soup)), mTeam(team)
     {}
@@ -42,9 +43,9 @@ private:
     double mDelta = 1;
 };
 
-//! The weights of the corner pairs as a snapshot asks: by length or by count (then every pair weighs the mean
-//! edge length, so that lambda keeps its meaning), times the painted weight, x100 when joined or on a
-//! diagonal, 0 when cut.
+//! Weights of the corner pairs for the settings and the steering of a snapshot. A pair weighs the length of
+//! its edge, or the mean edge length when seams are weighted by count (so that lambda keeps its meaning);
+//! times the painted weight; times 100 when joined or on a diagonal; 0 when cut.
 std::vector<double> pairWeights(const Soup &soup, const Snapshot &snapshot);
 
 } // namespace autocuts::energy
