@@ -39,7 +39,7 @@ struct CholmodSolver::Internals
 
 namespace {
 
-//! What has to be known about the BLAS under CHOLMOD. Any BLAS may be installed; OpenBLAS needs care.
+//! The BLAS that CHOLMOD uses. Any BLAS may be installed; OpenBLAS needs special care.
 class Blas
 {
 public:
@@ -47,10 +47,11 @@ public:
     {
         if (const auto setThreads = function<void(int)>("openblas_set_num_threads"))
             setThreads(1);
-        // Its threads would poll for work for a while, which no one gives them.
+        // Ends its worker threads, which would otherwise poll for work that never comes.
         if (const auto endThreads = function<int()>("blas_thread_shutdown_"))
             endThreads();
-        // OpenBLAS built without threads does not lock its buffers: two threads in it give wrong numbers.
+        // OpenBLAS built without threads does not lock its buffers: two threads that call it get wrong
+        // numbers.
         if (const auto parallel = function<int()>("openblas_get_parallel"))
             mThreadSafe = parallel() != 0;
     }
@@ -67,8 +68,9 @@ private:
     bool mThreadSafe = true;
 };
 
-//! Keeps CHOLMOD on the calling thread: it asks OpenMP for four threads in loops far too small for them, and
-//! results must not depend on the number of cores. Where the BLAS is not safe, lets in one thread at a time.
+//! While it lives, CHOLMOD runs on the calling thread only: otherwise it asks OpenMP for four threads in
+//! loops that are far too small for them, and results must not depend on the number of cores. Where the BLAS
+//! is not thread-safe, only one thread at a time may have a SerialRegion.
 class SerialRegion
 {
 public:

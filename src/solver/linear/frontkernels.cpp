@@ -37,7 +37,7 @@ inline float sumOf(const Lanes &v)
     return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
 }
 
-//! Sums of four vectors at once, each added up as sumOf() does.
+//! Sums over the lanes of four vectors at once, each added in the order of sumOf().
 inline void sumsOf(const Lanes &a, const Lanes &b, const Lanes &c, const Lanes &d, float *sums)
 {
     using Order = int __attribute__((vector_size(sizeof(Lanes))));
@@ -61,15 +61,15 @@ template <int Width>
 inline bool invertRows(float *a, int n, int stride, float smallest)
 {
     constexpr LaneNumbers number{0, 1, 2, 3, 4, 5, 6, 7};
-    // Gauss-Jordan without a choice of pivots, which positive definite matrices do not need.
+    // Gauss-Jordan elimination without pivoting, which positive definite matrices do not need.
     for (int k = 0; k < n; ++k) {
         float *row = a + static_cast<std::ptrdiff_t>(k) * stride;
         const float pivot = row[k];
         if (!(pivot > smallest))
             return false;
         const float inverse = 1 / pivot;
-        // Column k: the pivot becomes its inverse, the others start at zero. By masks: a float written alone
-        // and read at once as a part of a vector makes the processor wait.
+        // Column k: the pivot becomes its inverse, the other entries start at zero. Done by masks: when a
+        // single float is written and then read at once as part of a vector, the processor stalls.
         LaneNumbers own[Width];
         Lanes scaled[Width];
         for (int j = 0; j < Width; ++j) {
@@ -149,7 +149,7 @@ void reduceFront(const float *b, const float *t, int p, int r, int stride, float
     int i = 0;
     for (; i + 4 <= r; i += 4) {
         float *out = c + static_cast<std::ptrdiff_t>(i) * cStride;
-        // From the diagonal on; in pairs of vectors as far as that goes.
+        // From the diagonal on, in pairs of vectors where possible.
         int j = i / frontLanes;
         for (; j + 2 <= width; j += 2) {
             Lanes s00{}, s01{}, s10{}, s11{}, s20{}, s21{}, s30{}, s31{};
@@ -210,7 +210,7 @@ using TwoLanes = float __attribute__((vector_size(2 * sizeof(float))));
 using FourLanes = float __attribute__((vector_size(4 * sizeof(float))));
 using EightLanes = float __attribute__((vector_size(8 * sizeof(float))));
 
-//! to += from, for as many floats as a Vector has; anywhere in memory.
+//! to += from for as many floats as a Vector holds, at any address.
 template <class Vector>
 inline void addFloats(const float *from, float *to)
 {
@@ -221,7 +221,7 @@ inline void addFloats(const float *from, float *to)
     std::memcpy(to, &sum, sizeof sum);
 }
 
-//! An even number of floats.
+//! to += from for `count` floats, an even number.
 inline void addRow(const float *from, float *to, int count)
 {
     int j = 0;
@@ -247,7 +247,7 @@ void addUpdate(const float *update, int stride, const FrontRun *runs, int first,
             const int row = runs[r].place + i - runs[r].begin;
             float *const pivotLine = inPivots + static_cast<std::ptrdiff_t>(row) * pivotStride;
             float *const rowLine = inRows + static_cast<std::ptrdiff_t>(row) * rowStride - pivots;
-            const int diagonal = i - i % 2 - runs[r].begin; // where the row's node begins
+            const int diagonal = i - i % 2 - runs[r].begin; // column at which the row's node begins
             for (int q = r; q < count; ++q) {
                 const FrontRun &run = runs[q];
                 const int skip = q == r ? diagonal : 0;
@@ -277,7 +277,7 @@ void packFront(const float *t, int p, int stride, std::int32_t *packed)
 
 namespace {
 
-//! 16 `Vectors` entries of t^T x, for as many columns of t.
+//! Entries of t^T x for 16 * `Vectors` columns of t.
 template <int Vectors>
 inline void transposedColumns(const std::int32_t *t, int p, int words, const float *x, float *y)
 {
@@ -295,7 +295,7 @@ inline void transposedColumns(const std::int32_t *t, int p, int words, const flo
         lanes(y)[i] = sum[i];
 }
 
-//! Scalar products of `Rows` neighbouring rows, w x - t z, not yet added up over the lanes.
+//! Scalar products for `Rows` adjacent rows, w x - t z, before summing over the lanes.
 template <int Rows>
 inline void multiplyRows(const float *w, int wStride, const std::int32_t *t, int words, const float *x,
                          const float *z, Lanes *sum)
@@ -317,7 +317,7 @@ inline void multiplyRows(const float *w, int wStride, const std::int32_t *t, int
     }
 }
 
-//! Both scalars of a node, moved as one.
+//! Copies both scalars of a node at once.
 inline void copyNode(const float *from, float *to)
 {
     std::memcpy(to, from, 2 * sizeof(float));
@@ -369,14 +369,14 @@ void solveBackward(const PackedFront *fronts, int first, int end, int prefetchAh
     alignas(Lanes) float own[largestFront] = {}, solved[largestFront];
     for (int n = end - 1; n >= first; --n) {
         if (prefetchAhead > 0 && n >= prefetchAhead) {
-            // Going back, the processor does not see by itself what comes next.
+            // The processor does not predict a backward walk by itself.
             const PackedFront &next = fronts[n - prefetchAhead];
             fetch(next.inverse, static_cast<std::ptrdiff_t>(next.pivots) * next.pivotStride);
             fetch(next.coupling, static_cast<std::ptrdiff_t>(next.pivots) * next.stride / 2);
         }
         const PackedFront &f = fronts[n];
         const int words = f.stride / 2;
-        // Behind the last row there are zeros in t, which must not meet what is no number.
+        // After the last row t holds zeros, which must not be multiplied by values that are not numbers.
         if (words > 0)
             lanes(scratch + f.stride)[-2] = lanes(scratch + f.stride)[-1] = Lanes{};
         for (int i = 0; i < f.rows; ++i)

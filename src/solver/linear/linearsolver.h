@@ -6,8 +6,8 @@
 
 namespace autocuts::linear {
 
-//! Solves A x = b for a sparse symmetric positive definite A of which the lower triangle is given. analyze()
-//! once for a pattern, then factorize() for each set of values, then solve().
+//! Solves A x = b for a sparse symmetric positive definite A, given by its lower triangle. Call analyze()
+//! once per pattern, factorize() for each set of values, then solve().
 class LinearSolver
 {
 public:
@@ -17,10 +17,12 @@ public:
 
     enum class Order { FillReducing, Natural }; //!< Natural: the caller has ordered the unknowns
 
-    //! Order and symbolic factorisation of the pattern of `lower`.
+    //! Orders the unknowns and factorises the pattern of `lower` symbolically.
     //! \throws std::runtime_error when the library fails (out of memory)
     virtual void analyze(const Matrix &lower, Order order) = 0;
-    //! Numeric factorisation; false when the matrix is not positive definite. \pre the pattern of analyze()
+    //! Factorises numerically.
+    //! \return false when the matrix is not positive definite
+    //! \pre `lower` has the pattern of analyze()
     virtual bool factorize(const Matrix &lower) = 0;
     //! \pre factorize() returned true
     virtual void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) = 0;
