@@ -65,7 +65,7 @@ private:
     template <class Visit>
     void forEachEntry(Visit &&visit) const
     {
-        // The order is fixed, so that the n-th call always means the same entry.
+        // Visits the entries in a fixed order, so that the n-th call always means the same entry.
         for (int t = 0; t < mSoup->triangleCount(); ++t) {
             int entry = 0;
             for (int i = 0; i < 6; ++i) {
@@ -124,7 +124,8 @@ private:
             if (at < 0)
                 return;
             if (kind == 0) {
-                // Two corners of one triangle may share an unknown: then both halves meet on one entry.
+                // Two corners of one triangle may share an unknown: then both symmetric halves add to one
+                // entry.
                 const double twice = row == column && entryOffDiagonal(entry) ? 2 : 1;
                 values[at] += twice * blocks.triangle[index][entry];
             } else {
@@ -145,7 +146,8 @@ private:
         return entry != 0 && entry != 2 && entry != 5 && entry != 9 && entry != 14 && entry != 20;
     }
 
-    //! Adds a small shift to the diagonal: the energy does not change when everything moves as one.
+    //! Factorises with a small shift added to the diagonal: the energy does not change when all corners move
+    //! alike, so the Hessian alone may be singular.
     void factorize()
     {
         double *values = mMatrix.valuePtr();

@@ -10,9 +10,11 @@ namespace autocuts::newton {
 
 namespace {
 
-//! What a triangle is held by at least, in shares of its own stiffness: without it, M could not be inverted.
+//! Least stiffness that holds a triangle in place, relative to its own: without it, S could have no inverse.
+//! Chosen by hand; no measurement of its effect is recorded.
 constexpr float leastHold = 1e-4f;
-//! How much stiffer than its triangle a corner is held that must not move.
+//! How many times stiffer than its triangle a corner is held that must not move. Chosen by hand; no
+//! measurement of its effect is recorded.
 constexpr float fixedHold = 1e6f;
 
 using DoubleLanes = double __attribute__((vector_size(laneCount * sizeof(double))));
@@ -48,7 +50,7 @@ inline const float *flat(const Lanes *v)
 using Pairs = double __attribute__((vector_size(sizeof(Lanes))));
 using Order = int __attribute__((vector_size(sizeof(Lanes))));
 
-//! The two axes of a corner of eight triangles, out of the two Lanes in which slotOf() puts them.
+//! Splits the two Lanes in which slotOf() stores a corner of eight triangles into its two axes.
 inline void takeApart(const Lanes &first, const Lanes &second, Lanes &u, Lanes &v)
 {
     u = __builtin_shuffle(first, second, Order{0, 2, 8, 10, 4, 6, 12, 14});
@@ -67,7 +69,7 @@ inline void takeApart(const Lanes *block, Lanes *axes)
         takeApart(block[i], block[i + 1], axes[i], axes[i + 1]);
 }
 
-//! Both coordinates move as one double: half as many loads and stores.
+//! Reads both coordinates as one double: half as many loads and stores.
 inline double pairAt(const float *coordinates)
 {
     double both;
@@ -75,7 +77,8 @@ inline double pairAt(const float *coordinates)
     return both;
 }
 
-constexpr std::array<int, laneCount> placeOfLane{0, 1, 4, 5, 2, 3, 6, 7}; //!< which is its own inverse
+//! A permutation that is its own inverse.
+constexpr std::array<int, laneCount> placeOfLane{0, 1, 4, 5, 2, 3, 6, 7};
 
 inline void gatherPairs(const float *values, const LaneInts &slot, Lanes &u, Lanes &v)
 {
@@ -254,12 +257,12 @@ void pullCorners(const BlockInverse *inverses, const CornerInts *hubs, const Lan
 
 namespace {
 
-//! C of BlockInverse from K.
+//! Computes C of BlockInverse from K.
 inline void stiffen(const EdgeMatrix &k, const Lanes *give, EdgeMatrix &c)
 {
     // E diag(give) E^T = U^T D U per axis, U = [1 turn; 0 1]: with K' = U K U^T and T = (K' + D^-1)^-1,
-    // U C U^T = (K'^-1 + D)^-1 = K' T D^-1 = D^-1 - D^-1 T D^-1. The first form keeps its digits where the
-    // triangle is soft against what holds it, the second where it is stiff.
+    // U C U^T = (K'^-1 + D)^-1 = K' T D^-1 = D^-1 - D^-1 T D^-1. The first form is accurate where the
+    // triangle is soft compared with the springs that hold it, the second where it is stiff.
     Lanes turn[2], hold[4]; // hold = D^-1
     for (int axis = 0; axis < 2; ++axis) {
         const Lanes a = give[axis], b = give[2 + axis], e = give[4 + axis];
@@ -318,7 +321,7 @@ void prepareBlocks(const EdgeMatrix *hessian, const LinkInts *pairNumbers, const
     for (int b = first; b < end; ++b) {
         const std::ptrdiff_t at = 6 * static_cast<std::ptrdiff_t>(b);
         const EdgeMatrix &own = hessian[b];
-        // Over the corners; behind the last triangle there is nothing at all.
+        // Trace over the corners; zero after the last triangle.
         const Lanes trace = 2 * (own[0] + own[1] + own[2] + own[5] + own[8] + own[9]);
         const Lanes least = trace == 0 ? zero + 1 : leastHold * trace;
         Lanes grounds[6]{}, moves[6];

@@ -10,13 +10,17 @@ namespace autocuts::newton {
 
 namespace {
 
+//! Share of the predicted decrease that a step must reach (Armijo): the usual value, not tuned.
 constexpr double armijo = 1e-4;
-//! Share of the step to the first flip that may be taken.
+//! Share of the step to the first flip that may be taken. From the prototype; no measurement of its effect is
+//! recorded.
 constexpr double flipMargin = 0.9;
+//! Shortest and longest step of the line search. Chosen by hand; no measurement of their effect is recorded.
 constexpr int maxHalvings = 30;
 constexpr double longestStep = 64;
-//! A longer step is tried when the parabola through the first one has its minimum beyond this (doubling would
-//! not pay before 1.5).
+//! A longer step is tried when the parabola through the first one has its minimum beyond this multiple of it.
+//! By that parabola doubling pays from 1.5 on; 1.4 leaves a margin. Chosen by hand; no measurement of its
+//! effect is recorded.
 constexpr double promisingMinimum = 1.4;
 
 } // namespace
@@ -106,7 +110,8 @@ Minimizer::Step Minimizer::step(std::vector<double> &x)
     }
     std::vector<double> accepted;
     result.values = mValues;
-    // The majorised Hessian makes steps too short: double while that pays.
+    // The majorised Hessian makes steps too short: double the step while the energy falls. In the prototype
+    // this gave fewer iterations and shorter seams.
     const double bend = 2 * (value - result.before - length * slope) / (length * length);
     const bool promising = -slope > promisingMinimum * length * bend;
     while (halvings == 0 && promising && 2 * length <= bound) {

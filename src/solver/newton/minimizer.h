@@ -1,4 +1,4 @@
-// One Newton step on a sum of energy terms, with a line search that never flips a triangle.
+// Newton steps on a sum of energy terms, with a line search that never flips a triangle.
 #pragma once
 
 #include "solver/base/soup.h"
@@ -21,11 +21,11 @@ public:
         std::vector<double> values;   //!< of each term, after the step
     };
 
-    //! \param team threads to use, not owned; none: the calling one
+    //! \param team threads to use, not owned; null: the calling thread only
     Minimizer(std::shared_ptr<const Soup> soup, std::unique_ptr<NewtonDirection> direction,
               ThreadTeam *team = nullptr);
 
-    //! The terms are not owned and must outlive the next step.
+    //! Sets the terms, which are not owned and must outlive the next step.
     void setTerms(std::vector<const energy::EnergyTerm *> terms);
     //! To be called when a term has changed its parameters.
     void invalidate();
@@ -35,7 +35,7 @@ public:
     Step step(std::vector<double> &x);
 
 private:
-    //! Energy at x + length * mMove, which becomes mTrial; the terms' values go to mValues.
+    //! Energy at x + length * mMove. That point is written to mTrial, the values of the terms to mValues.
     double tryStep(const std::vector<double> &x, double length);
 
     std::shared_ptr<const Soup> mSoup;

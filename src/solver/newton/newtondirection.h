@@ -11,51 +11,51 @@
 
 namespace autocuts::newton {
 
-//! Which unknown each soup corner belongs to. The soup itself has one unknown per corner; a cut mesh shares
-//! one between the corners that have been merged. A corner with -1 is held where it is.
+//! The unknown that each soup corner belongs to. In the soup every corner has its own; in a cut mesh the
+//! corners of a UV vertex share one. A corner with -1 does not move.
 struct UnknownMap
 {
     std::vector<int> unknown;
     int count = 0;
 
-    //! One unknown per soup corner.
+    //! Every soup corner has its own unknown.
     static UnknownMap identity(int soupCorners);
     bool operator==(const UnknownMap &) const = default;
 };
 
-//! How a Newton direction is found. Implementations keep what they can between calls (orders, factors).
+//! Computes Newton directions. Implementations keep what they can between calls (orders, factors).
 class NewtonDirection
 {
 public:
     virtual ~NewtonDirection() = default;
 
-    //! Which form of the triangles' blocks compute() wants.
+    //! The form of the triangles' blocks that compute() needs.
     virtual energy::HessianBlocks::Precision precision() const
     {
         return energy::HessianBlocks::Precision::Double;
     }
-    //! Solves H p = -gradient for the Hessian given by `blocks`, exactly or nearly.
-    //! \param blocks of the wanted precision; may be used up
+    //! Solves H p = -gradient for the Hessian in `blocks`, exactly or approximately.
+    //! \param blocks in the form of precision(); may be overwritten
     //! \param gradient,direction per coordinate of the soup; corners that share an unknown get one direction,
-    //!        held corners get zero
+    //! held corners get zero
     //! \throws std::runtime_error when no descent direction can be found
     virtual void compute(energy::HessianBlocks &blocks, std::span<const double> gradient,
                          std::span<double> direction) = 0;
-    //! Says that the energy has changed its shape (another delta, other weights): what was kept is out of
-    //! date.
+    //! To be called when the parameters of the energy have changed (delta, weights): discards what was kept.
     virtual void invalidate() {}
 };
 
 //! Exact Newton: assembles the sparse Hessian and solves it by Cholesky. The symbolic analysis is done once.
 std::unique_ptr<NewtonDirection> makeExactDirection(std::shared_ptr<const Soup> soup, UnknownMap map);
 
-//! What factorises the hub matrix: the own multifrontal solver, or CHOLMOD alone (to compare with).
+//! Solver of the hub matrix: the multifrontal solver of this project, or CHOLMOD alone (for comparison).
 enum class HubFactor { Frontal, General };
 
-//! Truncated Newton: conjugate gradients on the same Hessian with the hub preconditioner, about 20 times
-//! cheaper. Only for the soup (one unknown per corner).
+//! Truncated Newton: conjugate gradients on the same Hessian with the hub preconditioner. A step is 20 to 51
+//! times cheaper than an exact one (measured from 3,000 to 124,000 triangles). Only for the soup (one unknown
+//! per corner).
 //! \param held per soup corner, true where it must not move; empty: none
-//! \param team threads to use, not owned; none: the calling one
+//! \param team threads to use, not owned; null: the calling thread only
 std::unique_ptr<NewtonDirection> makeHubDirection(std::shared_ptr<const Soup> soup, std::vector<bool> held,
                                                   ThreadTeam *team = nullptr,
                                                   HubFactor factor = HubFactor::Frontal);
