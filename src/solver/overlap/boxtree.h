@@ -1,4 +1,4 @@
-// Bounding-box tree in the plane: pairs of boxes that overlap, and nearest items.
+// Tree of bounding boxes in the plane, for finding pairs of overlapping boxes and nearest items.
 #pragma once
 
 #include "model/plain/types.h"
@@ -9,7 +9,7 @@
 
 namespace autocuts::overlap {
 
-//! True when the interiors meet; boxes that only touch do not overlap.
+//! True when the interiors of two boxes intersect; boxes that only touch do not overlap.
 inline bool interiorsMeet(const Eigen::AlignedBox2d &a, const Eigen::AlignedBox2d &b)
 {
     return a.min().x() < b.max().x() && b.min().x() < a.max().x() && a.min().y() < b.max().y() &&
@@ -37,7 +37,7 @@ public:
     const Eigen::AlignedBox2d &box(int item) const { return mBoxes[item]; }
 
     //! Calls visit(a, b) once for every two items whose boxes overlap, until it returns false.
-    //! \return false when visit did
+    //! \return false when visit returned false
     template <typename Visit>
     bool visitOverlappingPairs(Visit &&visit) const
     {

@@ -11,7 +11,8 @@ namespace autocuts::overlap {
 
 namespace {
 
-//! Units that overlap each other directly or over others, in two classes that must come apart.
+//! A connected set of units in the graph of overlaps, split into two layers: units of one layer overlap only
+//! units of the other, so the layers must be in different parts.
 struct Layers
 {
     std::array<std::vector<int>, 2> units;
@@ -19,8 +20,8 @@ struct Layers
     std::size_t size() const { return units[0].size() + units[1].size(); }
 };
 
-//! The layers of all overlaps among some units, those with the seed first, then the largest; nothing when
-//! some cannot be told apart.
+//! The layers of all overlaps among `members`: first those of the seed, then by falling size. Nothing when
+//! some set of overlapping units cannot be split into two layers.
 std::optional<std::vector<Layers>> findLayers(const UnitGraph &graph, const std::vector<int> &members,
                                               int seed)
 {
@@ -57,7 +58,7 @@ std::optional<std::vector<Layers>> findLayers(const UnitGraph &graph, const std:
     return all;
 }
 
-//! Smallest cuts through a chart between what must be at the seed and what must not.
+//! Splits a chart into two parts by minimum cuts: the near part has the seed.
 class TwoParts
 {
 public:
@@ -81,7 +82,7 @@ public:
         mFar.insert(mFar.end(), far.begin(), far.end());
     }
 
-    //! The layer of the two that is cheaper to have at the seed.
+    //! Index of the layer that is cheaper to have in the near part.
     int cheaper(const Layers &layers) const
     {
         const std::int64_t cost[2] = {flow(layers.units[0], layers.units[1]).run(),
@@ -89,7 +90,7 @@ public:
         return cost[0] <= cost[1] ? 0 : 1;
     }
 
-    //! True for the units of the mesh that are at the seed.
+    //! Per unit of the mesh: true when it is in the near part.
     std::vector<bool> part() const
     {
         MaxFlow last = flow({}, {});
@@ -101,7 +102,7 @@ public:
     }
 
 private:
-    //! The far units are the source: of equal cuts the one with the smallest part there is found.
+    //! The far units are the source: of several minimum cuts the one with the smallest far part is found.
     MaxFlow flow(const std::vector<int> &near, const std::vector<int> &far) const
     {
         MaxFlow flow(static_cast<int>(mMembers.size()));

@@ -8,7 +8,8 @@ namespace autocuts::overlap {
 
 namespace {
 
-//! Labels a region around the seed with `to`, within the units labelled `from`.
+//! Labels a region around the seed with `to`, using only units labelled `from`. The region grows breadth
+//! first and leaves out units that overlap it.
 void growRegion(const UnitGraph &graph, int seed, int from, int to, std::vector<int> &part)
 {
     std::vector<int> queue{seed};

@@ -58,7 +58,7 @@ bool MaxFlow::findLevels()
     return sinkFound;
 }
 
-//! Sends a blocking flow out of one source along rising levels.
+//! Sends a blocking flow out of one source along rising levels (Dinic 1970).
 std::int64_t MaxFlow::augmentFrom(int source)
 {
     std::int64_t total = 0;
@@ -110,7 +110,7 @@ std::int64_t MaxFlow::run()
                 flow += augmentFrom(n);
         }
     }
-    // The last search ran dry exactly at the cut.
+    // The last search reached exactly the nodes on the source's side of the cut.
     mReached.resize(mLevel.size());
     for (std::size_t n = 0; n < mLevel.size(); ++n)
         mReached[n] = mLevel[n] >= 0;

@@ -6,7 +6,7 @@
 
 namespace autocuts::overlap {
 
-//! Undirected graph with whole-number capacities, so that the flow ends after finitely many exact steps.
+//! Undirected graph with integer capacities, so that the computation is exact and ends.
 class MaxFlow
 {
 public:
@@ -16,9 +16,9 @@ public:
     void setSource(int node) { mSide[node] = Source; }
     void setSink(int node) { mSide[node] = Sink; }
 
-    //! Capacity of the smallest cut between all sources and all sinks. Call once.
+    //! Computes the capacity of the minimum cut between all sources and all sinks. Call once.
     std::int64_t run();
-    //! After run(): true for nodes on the source's side of a smallest cut. Of all smallest cuts the one with
+    //! After run(): true for nodes on the source's side of a minimum cut; of all minimum cuts the one with
     //! the fewest nodes on that side.
     const std::vector<bool> &sourceSide() const { return mReached; }
 

@@ -12,6 +12,8 @@ MinCutSplitter::MinCutSplitter(const UnitGraph &graph, const std::vector<std::in
 
 bool MinCutSplitter::exhausted() const
 {
+    // Bounds the time that the cuts of one chart may take. Chosen by hand; no measurement of its effect is
+    // recorded.
     constexpr std::int64_t mostVisits = 20'000'000;
     return mVisited > mostVisits || mJob.stopped();
 }
@@ -29,7 +31,7 @@ std::vector<int> MinCutSplitter::split(int label)
         const int current = open.back();
         open.pop_back();
         std::vector<Sheets> all = mFinder.find(mPart, mMembers[current]);
-        // A bound on the seam is enough to cut the short ones first.
+        // Short seams first: ordered by an upper bound of their cost, which is quick to compute.
         std::vector<std::pair<std::int64_t, std::size_t>> order;
         for (std::size_t i = 0; i < all.size(); ++i)
             order.emplace_back(perimeterBound(all[i]), i);
@@ -46,7 +48,8 @@ std::vector<int> MinCutSplitter::split(int label)
     return open;
 }
 
-//! Cutting out the whole of one layer is always possible; the cheaper of the two.
+//! Upper bound of the cost of separating two layers: cutting out the whole of one layer is always possible;
+//! the cheaper of the two counts.
 std::int64_t MinCutSplitter::perimeterBound(const Sheets &sheets) const
 {
     std::vector<int> layers[2];
@@ -72,7 +75,7 @@ std::int64_t MinCutSplitter::perimeterBound(const Sheets &sheets) const
 
 void MinCutSplitter::cutBetween(const Sheets &sheets, std::vector<int> &touched)
 {
-    // Earlier cuts may have separated some of the pairs already, or spread the rest over several labels.
+    // Earlier cuts may already have separated some of the pairs, or spread the rest over several parts.
     std::map<int, Sheets> left;
     for (const auto &[first, second] : sheets) {
         if (mPart[first] == mPart[second])

@@ -13,18 +13,18 @@
 
 namespace autocuts::overlap {
 
-//! Splits the units of one label until no two overlapping units share a label, each time along the smallest
-//! cut between two layers of an overlap.
+//! Splits the units of one part until no two overlapping units are in the same part, each time along the
+//! minimum cut between the two layers of an overlap.
 class MinCutSplitter
 {
 public:
     //! \param capacity per link of the graph, cost of cutting it, at least 1
-    //! \param part label of each unit, changed by split()
-    //! \param nextPart the first unused label
+    //! \param part the part of each unit, changed by split()
+    //! \param nextPart the first unused part
     MinCutSplitter(const UnitGraph &graph, const std::vector<std::int64_t> &capacity, std::vector<int> &part,
                    int &nextPart, const JobContext &job);
 
-    //! \return labels that still hold overlaps: none, unless cancelled or the chart has so many separate
+    //! \return parts that still hold overlaps: none, unless cancelled or the chart has so many separate
     //! overlaps that cutting them one by one would take too long
     std::vector<int> split(int label);
 
@@ -40,9 +40,9 @@ private:
     int &mNextPart;
     JobContext mJob;
     SheetFinder mFinder;
-    std::vector<int> mLocal;                  //!< number of each unit inside the graph being cut
-    std::map<int, std::vector<int>> mMembers; //!< units of each label being split
-    std::int64_t mVisited = 0;                //!< units that took part in all cuts so far
+    std::vector<int> mLocal;                  //!< index of each unit in the graph being cut
+    std::map<int, std::vector<int>> mMembers; //!< units of each part being split
+    std::int64_t mVisited = 0;                //!< sum over all cuts so far of the units in each
 };
 
 } // namespace autocuts::overlap

@@ -13,8 +13,8 @@ namespace {
 
 using Triangle = std::array<Vec2, 3>;
 
-//! A convex polygon on the stack; clipping a triangle by three lines gives at most six points, and rounding
-//! at most a few more.
+//! A convex polygon on the stack. Clipping a triangle by three lines gives at most six points; rounding may
+//! add a few more.
 struct ClipPolygon
 {
     std::array<Vec2, 12> point;
@@ -27,7 +27,7 @@ struct ClipPolygon
     }
 };
 
-//! True when a line along a side of `a` has all of `b` on its outer side or on itself.
+//! True when all of `b` is outside or on the line along one side of `a`.
 bool separatedBySide(const Triangle &a, const Triangle &b)
 {
     for (int i = 0; i < 3; ++i) {
@@ -40,7 +40,7 @@ bool separatedBySide(const Triangle &a, const Triangle &b)
     return false;
 }
 
-//! The part of the polygon on the left of the line from `from` along `direction`.
+//! Clips the polygon: keeps what is to the left of the line through `from` along `direction`.
 ClipPolygon clipped(const ClipPolygon &polygon, const Vec2 &from, const Vec2 &direction)
 {
     const auto height = [&](const Vec2 &p) {
@@ -60,7 +60,7 @@ ClipPolygon clipped(const ClipPolygon &polygon, const Vec2 &from, const Vec2 &di
     return result;
 }
 
-//! The finite triangles with area, turned counter-clockwise, and the rows they came from.
+//! All finite triangles with area, turned counter-clockwise, and their indices in the input.
 struct Prepared
 {
     std::vector<Triangle> triangles;
@@ -122,10 +122,10 @@ bool visitAmong(const UvMatrix &uv, const std::vector<int> &which, const Overlap
 
 double intersectionArea(const std::array<Vec2, 3> &a, const std::array<Vec2, 3> &b)
 {
-    // Two convex shapes have disjoint interiors exactly when a side of one of them separates them.
+    // Two convex polygons have disjoint interiors exactly when a side of one of them separates them.
     if (separatedBySide(a, b) || separatedBySide(b, a))
         return 0;
-    // Relative to a corner, so that a place far from the origin costs no digits.
+    // Computed relative to a corner, so that no digits are lost far from the origin.
     const Vec2 origin = a[0];
     ClipPolygon polygon;
     for (const Vec2 &p : a)

@@ -11,13 +11,13 @@
 
 namespace autocuts::overlap {
 
-//! What counts as an overlap, and when to stop.
+//! What counts as an overlap, how many are reported, and the job.
 struct OverlapOptions
 {
-    double minAreaRatio = 1e-10;       //!< a pair counts when its intersection exceeds this part of totalArea
-    double totalArea = 0;              //!< UV area to compare with; 0: the sum over the given triangles
+    double minAreaRatio = 1e-10; //!< a pair counts when its intersection exceeds this share of totalArea
+    double totalArea = 0;        //!< UV area to compare with; 0: the total of the given triangles
     std::size_t maxPairs = 50'000'000; //!< findOverlaps() stops there
-    JobContext job;                    //!< set to true from any thread to stop
+    JobContext job;                    //!< may be stopped from any thread
 };
 
 //! Two triangles, first < second, and the UV area of their intersection.
@@ -28,25 +28,26 @@ struct OverlapPair
     bool operator==(const OverlapPair &) const = default;
 };
 
-//! Overlapping pairs in rising order.
+//! Overlapping pairs in ascending order.
 struct OverlapList
 {
     std::vector<OverlapPair> pairs;
     bool complete = true; //!< false when cancelled or stopped at maxPairs
 };
 
-//! Area of the intersection of two triangles; exactly 0 when their interiors do not meet, decided without
-//! rounding. \pre both are counter-clockwise
+//! Area of the intersection of two triangles. Exactly 0 when their interiors do not meet, which is decided
+//! without rounding errors.
+//! \pre both are counter-clockwise
 double intersectionArea(const std::array<Vec2, 3> &a, const std::array<Vec2, 3> &b);
 
 //! Sum of the absolute areas of all finite triangles. \param uv three rows per triangle
 double totalUvArea(const UvMatrix &uv);
 
 //! Calls visit(a, b, area) for every two overlapping triangles, a < b, in an order that depends on the UVs
-//! only, until it returns false. Triangles may wind either way; those with a non-finite corner or exactly
-//! without area overlap nothing.
+//! only, until it returns false. Triangles may be oriented either way; those with a non-finite corner or an
+//! area of exactly 0 overlap nothing.
 //! \param uv three rows per triangle
-//! \return false when visit did or when cancelled
+//! \return false when visit returned false or when cancelled
 bool visitOverlaps(const UvMatrix &uv, const OverlapOptions &options,
                    const std::function<bool(int, int, double)> &visit);
 

@@ -24,8 +24,8 @@ void checkSizes(const MeshData &mesh, const UvMatrix &soupUv, const std::vector<
         throw std::invalid_argument("separateOverlaps: a size does not fit the mesh");
 }
 
-//! Units in breadth-first order over links that are not cut, from the first one of `members`; units that
-//! cannot be reached come last.
+//! Units in breadth-first order over uncut links, from the first one of `members`. Units that cannot be
+//! reached come last.
 std::vector<int> breadthFirst(const UnitGraph &graph, const std::vector<int> &members,
                               const std::vector<int> &part)
 {
@@ -49,8 +49,9 @@ std::vector<int> breadthFirst(const UnitGraph &graph, const std::vector<int> &me
     return order;
 }
 
-//! Overlapping triangle pairs inside each chart. A chart with more pairs than fit into memory (thousands of
-//! layers) is halved without regard to its seams until they do.
+//! Collects the overlapping triangle pairs inside each chart. A chart with more pairs than
+//! OverlapOptions::maxPairs (thousands of layers) is halved, regardless of seam length, until each half has
+//! fewer.
 class OverlapCollector
 {
 public:
@@ -58,7 +59,7 @@ public:
         : mGraph(graph), mUv(soupUv), mOptions(options)
     {}
 
-    //! \param part label of each unit, refined where charts are halved
+    //! \param part the part of each unit; charts that are halved get new parts
     //! \return false when cancelled
     bool run(std::vector<int> &part, int &nextPart)
     {
@@ -96,7 +97,7 @@ private:
     OverlapOptions mOptions;
 };
 
-//! Cost of every link as a whole number: length times weight, the dearest about 2^30.
+//! Cost of every link as an integer: length times weight, scaled so that the dearest costs about 2^30.
 std::vector<std::int64_t> linkCapacities(const MeshData &mesh, const UnitGraph &graph,
                                          const std::vector<double> &weight)
 {
@@ -115,7 +116,7 @@ std::vector<std::int64_t> linkCapacities(const MeshData &mesh, const UnitGraph &
     return capacity;
 }
 
-//! Labels that hold two overlapping units.
+//! Parts that hold two overlapping units.
 std::vector<int> overlappingParts(const UnitGraph &graph, const std::vector<int> &part)
 {
     std::vector<int> labels;
@@ -185,7 +186,7 @@ SeparationResult separateOverlaps(const MeshData &mesh, const UvMatrix &soupUv, 
     if (collector.pairs.empty())
         return result;
 
-    // Between the halves of a halved chart the overlaps are unknown, so that seam stays.
+    // Overlaps between the halves of a halved chart are unknown, so the seam between them stays.
     cutBetweenParts(mesh, graph, part, result);
     graph = makeUnitGraph(mesh, result.cut, protectedPair, collector.pairs);
     result.unresolvedPairs = graph.innerOverlaps;

@@ -11,7 +11,7 @@ namespace autocuts::overlap {
 
 namespace {
 
-//! Parts, what they share and what keeps them apart, while they are being merged.
+//! Merges parts in the order of their common seams: keeps the seam cost and the overlaps between parts.
 class PartMerger
 {
 public:
@@ -23,7 +23,7 @@ private:
     int find(int part);
 
     std::vector<int> &mPart;
-    std::vector<int> mMerged;                         //!< part that each part went into, or itself
+    std::vector<int> mMerged;                         //!< the part that each part was merged into, or itself
     std::vector<std::map<int, std::int64_t>> mShared; //!< cost of the seams with each neighbour
     std::vector<std::set<int>> mConflicts;
     std::set<std::tuple<std::int64_t, int, int>> mQueue; //!< (-cost, a, b), a < b
@@ -107,8 +107,8 @@ int PartMerger::find(int part)
     return part;
 }
 
-//! Numbers the connected pieces of all labels: a label may have fallen apart, and each piece can be treated
-//! on its own.
+//! Gives every connected set of units of one part a number of its own: a part may have become disconnected,
+//! and its components can then be treated separately.
 void relabelPieces(const UnitGraph &graph, std::vector<int> &part)
 {
     UnionFind pieces(graph.unitCount);
@@ -119,11 +119,11 @@ void relabelPieces(const UnitGraph &graph, std::vector<int> &part)
     part = pieces.labels().first;
 }
 
-//! The part that a unit should move to so that the seams get cheaper; its own when there is none.
+//! The part to which moving the unit makes the seams cheapest; its own part when no move lowers the cost.
 int cheaperPart(const UnitGraph &graph, const std::vector<std::int64_t> &capacity,
                 const std::vector<int> &part, int unit)
 {
-    std::map<int, std::int64_t> joined; // cost of the links to each part around
+    std::map<int, std::int64_t> joined; // cost of the unit's links to each neighbouring part
     for (int link : graph.linksOfUnit[unit])
         joined[part[graph.across(link, unit)]] += capacity[link];
     const auto conflicts = graph.conflicts[unit];
@@ -139,8 +139,8 @@ int cheaperPart(const UnitGraph &graph, const std::vector<std::int64_t> &capacit
     return best;
 }
 
-//! Moves single units over to neighbouring parts while that makes the seams cheaper and no overlap. Every
-//! move lowers the total cost, a whole number, so this ends.
+//! Moves single units to neighbouring parts while that lowers the seam cost and creates no overlap. Every
+//! move lowers the total cost, an integer, so this ends.
 void smoothParts(const UnitGraph &graph, const std::vector<std::int64_t> &capacity, std::vector<int> &part)
 {
     std::vector<int> queue;

@@ -1,4 +1,4 @@
-// Puts pieces together again after a separation.
+// Merges parts again after a separation.
 #pragma once
 
 #include "solver/overlap/unitgraph.h"
@@ -8,10 +8,10 @@
 
 namespace autocuts::overlap {
 
-//! Joins parts again where that makes no overlap, the longest common seam first, and straightens the seams
-//! between them, so that few pieces and short seams remain. Only parts that are linked are joined.
+//! Merges parts where that creates no overlap, the costliest common seam first, and straightens the seams
+//! between the rest, so that few parts and short seams remain. Only parts that share a link are merged.
 //! \param capacity per link of the graph, cost of cutting it, at least 1
-//! \param part label of each unit
+//! \param part the part of each unit
 void joinCleanParts(const UnitGraph &graph, const std::vector<std::int64_t> &capacity,
                     std::vector<int> &part);
 

@@ -8,7 +8,7 @@ namespace autocuts::overlap {
 
 namespace {
 
-//! A sum of doubles kept without rounding: components that do not overlap, the smallest first.
+//! A sum of doubles without rounding (Shewchuk 1997): components that do not overlap, the smallest first.
 class ExactSum
 {
 public:
@@ -35,7 +35,7 @@ public:
         add(product);
     }
 
-    //! The largest component outweighs all others together.
+    //! The largest component is greater than the sum of all others.
     int sign() const { return mSize == 0 ? 0 : mPart[mSize - 1] > 0 ? 1 : -1; }
 
 private:
@@ -59,7 +59,7 @@ int exactOrientation(const Vec2 &a, const Vec2 &b, const Vec2 &c)
 
 int orientation(const Vec2 &a, const Vec2 &b, const Vec2 &c)
 {
-    // Each of the two products carries three rounding errors of half an ulp, their difference one more.
+    // Each of the two products has three rounding errors of half an ulp, their difference one more.
     constexpr double half = std::numeric_limits<double>::epsilon() / 2;
     constexpr double bound = (3 + 16 * half) * half;
     const double left = (a.x() - c.x()) * (b.y() - c.y());

@@ -48,7 +48,7 @@ Sheets SheetFinder::grow(const std::vector<int> &part, int first, int second)
     return sheets;
 }
 
-//! Adds a pair to the current sheets if it overlaps, is free, and keeps the layers apart.
+//! Adds a pair to the current sheets if it overlaps, is in no sheets yet, and keeps the layers disjoint.
 bool SheetFinder::take(int first, int second)
 {
     const int place = mGraph.conflicts.find(first, second);

@@ -1,4 +1,4 @@
-// The two layers of a chart that lie over each other.
+// Finds the two layers of a part that overlap each other.
 #pragma once
 
 #include "solver/overlap/unitgraph.h"
@@ -8,19 +8,19 @@
 
 namespace autocuts::overlap {
 
-//! Overlapping pairs of units that belong together: walking from one pair to the next moves to a neighbour
-//! on one layer, on the other, or on both. All first units form one layer, all second units the other; no
-//! unit is in both (where the layers run into each other, as in a spiral, several of these cover them).
+//! A connected set of overlapping pairs of units: neighbouring pairs differ by a step to a neighbouring unit
+//! on one layer or on both. All first units form one layer, all second units the other; no unit is in both.
+//! Where two layers are connected to each other, as in a spiral, several Sheets are needed to hold all pairs.
 using Sheets = std::vector<std::pair<int, int>>;
 
-//! Finds all sheets among units of one label.
+//! Finds all sheets among the units of one part.
 class SheetFinder
 {
 public:
     explicit SheetFinder(const UnitGraph &graph);
 
-    //! \param part label of each unit
-    //! \param members the units with the label
+    //! \param part the part of each unit
+    //! \param members the units of one part
     std::vector<Sheets> find(const std::vector<int> &part, const std::vector<int> &members);
 
 private:
@@ -29,7 +29,7 @@ private:
 
     const UnitGraph &mGraph;
     std::vector<bool> mTaken;     //!< per entry of the conflict lists
-    std::vector<int> mFirstLayer; //!< last sheets that each unit was in, as a first or as a second unit
+    std::vector<int> mFirstLayer; //!< number of the last sheets with the unit in the first (second) layer
     std::vector<int> mSecondLayer;
     int mCurrent = 0;
 };

@@ -10,7 +10,7 @@ namespace autocuts::overlap {
 
 namespace {
 
-//! Both directions of every pair of units, sorted, each once.
+//! Adjacency lists of unordered pairs: sorted, each neighbour once.
 CsrList symmetricLists(int count, std::vector<std::pair<int, int>> pairs)
 {
     const std::size_t size = pairs.size();
