@@ -7,18 +7,18 @@ namespace autocuts::metrics {
 
 namespace {
 
-//! The map from a 3D triangle to its UV triangle, by what the figures need of it.
+//! The linear map from a 3D triangle to its UV triangle, reduced to what the figures need.
 struct TriangleMap
 {
-    double frobenius = 0; //!< squared Frobenius norm, a^2 + b^2 of the singular values
-    double inverse = 0;   //!< of the inverse map, a^-2 + b^-2
+    double frobenius = 0; //!< squared Frobenius norm, a^2 + b^2 with singular values a and b
+    double inverse = 0;   //!< the same of the inverse map, a^-2 + b^-2
     double aspect = 0;    //!< larger / smaller singular value
 };
 
 TriangleMap triangleMap(const MeshData &mesh, const UvMatrix &uv, const std::array<int, 3> &corners,
                         double area3d, double uvArea)
 {
-    // A frame on the longest side keeps the height of slivers accurate.
+    // A coordinate frame on the longest side keeps the height of slivers accurate.
     int longest = 0;
     double length = -1;
     for (int k = 0; k < 3; ++k) {
@@ -47,7 +47,7 @@ TriangleMap triangleMap(const MeshData &mesh, const UvMatrix &uv, const std::arr
     return map;
 }
 
-//! Area totals over the triangles that have both a UV and a 3D shape.
+//! Total areas of the triangles that have both UVs and area in 3D.
 struct Totals
 {
     double area3d = 0, uvArea = 0;
@@ -84,7 +84,7 @@ void countFlips(const UvTriangles &triangles, UvMetrics &metrics)
     metrics.flippedUvAreaRatio = triangles.totalUvArea > 0 ? flippedArea / triangles.totalUvArea : 0;
 }
 
-//! The value at rank ceil(0.99 n).
+//! The 99th percentile (nearest rank): the value at rank ceil(0.99 n).
 double nearestRank99(std::vector<double> values)
 {
     const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.99 * static_cast<double>(values.size())));
@@ -136,7 +136,7 @@ void measureDistortion(const MeshData &mesh, const UvMatrix &uv, const UvTriangl
     if (!(area > 0))
         return;
 
-    // The mean f s^2 + b / s^2 is least where s^2 = sqrt(b / f).
+    // Scaled by s, the mean f s^2 + b / s^2 is least where s^2 = sqrt(b / f).
     const double squaredScale = std::sqrt(backward / forward);
     metrics.symDirichletScale = std::sqrt(squaredScale);
     metrics.symDirichlet = 2 * std::sqrt(forward * backward) / area;

@@ -1,4 +1,4 @@
-// What a UV map is measured by.
+// The figures that describe a UV map.
 #pragma once
 
 #include "model/plain/types.h"
@@ -9,58 +9,59 @@
 
 namespace autocuts::metrics {
 
-//! A figure that does not exist (no UVs, one chart only, outside the unit square) is not a number.
+//! Value of a figure that does not exist (no UVs, one chart only, outside the unit square): not a number.
 inline constexpr double missingFigure = std::numeric_limits<double>::quiet_NaN();
 
-//! Figures of a UV map. Vertices are welded by exactly equal position; polygons are split by a fan from
-//! fanApex(), or from their first corner when there is no good apex, and fan diagonals are never edges.
-//! Signed UV area is positive when the UV triangle has the winding of its 3D face; totals sum |area|.
+//! Figures of a UV map. Vertices are welded where their positions are exactly equal. Polygons are split by a
+//! fan from fanApex(), or from their first corner when fanApex() finds none; fan diagonals are never edges.
+//! Signed UV area is positive when the UV triangle has the winding of its 3D face; totals sum |area|. 3D
+//! lengths and areas are in mesh units, UV ones in units of the texture square.
 struct UvMetrics
 {
     int faces = 0, triangles = 0, vertices = 0, weldedVertices = 0;
-    int zeroAreaTriangles = 0; //!< 3D area <= 1e-10 * longest edge squared; not in the distortion
+    int zeroAreaTriangles = 0; //!< 3D area <= 1e-10 * longest edge squared; left out of the distortion
     int facesWithoutUv = 0;
     int charts = 0, nonDiskCharts = 0, mirroredCharts = 0;
-    int zeroUvCharts = 0; //!< charts without UV area
+    int zeroUvCharts = 0; //!< charts with a UV area of 0
     int interiorEdges = 0, boundaryEdges = 0, nonManifoldEdges = 0;
     int missingUvEdges = 0; //!< interior edges with UVs on one side only
     int seamEdges = 0;
     double area3d = 0;
-    double seamLength = 0;           //!< 3D length of interior edges whose UVs disagree, each once
+    double seamLength = 0; //!< 3D length of interior edges whose sides differ in UV, each counted once
     double seamNorm = missingFigure; //!< seamLength / sqrt(area3d / pi)
     double boundaryLength = 0;
     double nonManifoldSeamLength = 0;
 
-    int flipped = 0;      //!< triangles against the sign of their chart
-    int uvDegenerate = 0; //!< |UV area| < 1e-14 of the total; not flips
+    int flipped = 0;      //!< triangles whose sign differs from that of their chart
+    int uvDegenerate = 0; //!< |UV area| < 1e-14 of the total; not counted as flips
     double flippedUvAreaRatio = 0;
 
     double symDirichlet = missingFigure; //!< area-weighted mean at the scale that minimises it; 4 = isometric
     double symDirichletMax = missingFigure, symDirichletP99 = missingFigure;
-    double symDirichletScale = missingFigure; //!< that scale: UVs times it have the size of the mesh
+    double symDirichletScale = missingFigure; //!< that scale: UVs multiplied by it have the size of the mesh
     int symDirichletInfinite = 0;             //!< collapsed triangles, left out of all distortion means
     double symDirichletInfiniteAreaRatio = 0;
     double l2Stretch = missingFigure;          //!< Sander et al. 2001; 1 = isometric
     double angleDistortion = missingFigure;    //!< mean ratio of the singular values; 1 = conformal
     double areaDistortion = missingFigure;     //!< mean of max(r, 1/r), r = UV area share / 3D area share
-    double texelDensitySpread = missingFigure; //!< largest / smallest density of a chart
+    double texelDensitySpread = missingFigure; //!< largest / smallest texel density of a chart
 
-    double overlapAreaRatio = missingFigure; //!< intersection areas of all triangle pairs / UV area
+    double overlapAreaRatio = missingFigure; //!< summed intersection areas of all triangle pairs / UV area
     std::int64_t overlapPairs = -1;          //!< pairs above 1e-9 of the UV area; -1: not measured
     std::int64_t overlapPairsSameChart = -1;
 
     double uvArea = 0;
     Vec2 uvMin = Vec2::Constant(missingFigure), uvMax = Vec2::Constant(missingFigure);
     bool inUnitSquare = false;              //!< within 1e-6
-    double packingBox = missingFigure;      //!< UV area / area of the box
-    double packingSquare = missingFigure;   //!< UV area / longer side of the box squared
-    double packingUnit = missingFigure;     //!< UV area when in the unit square
+    double packingBox = missingFigure;      //!< UV area / area of the bounding box
+    double packingSquare = missingFigure;   //!< UV area / square of the longer side of the bounding box
+    double packingUnit = missingFigure;     //!< UV area; only when in the unit square
     double minGutter = missingFigure;       //!< smallest UV distance between borders of different charts
     double minGutterTexels = missingFigure; //!< the same at the texture size
-    double borderGutter = missingFigure;    //!< from the UV box to the border of the unit square
+    double borderGutter = missingFigure;    //!< from the bounding box to the border of the unit square
     double borderGutterTexels = missingFigure;
 
-    // Per triangle of the mesh; for heat-maps.
+    // Per triangle of the mesh, for heat-maps.
     std::vector<double>
         triangleSymDirichlet; //!< at symDirichletScale; infinite when collapsed, NaN without UVs
     std::vector<double> triangleAreaStretch; //!< log of UV area share / 3D area share; > 0: too large in UV

@@ -33,7 +33,7 @@ double squaredDistance(const Segment &a, const Segment &b)
                      squaredDistance(b.to, a)});
 }
 
-//! Chart of all segments below each node, -1 when there are several.
+//! Per node: the chart of all segments below it, -1 when there are several.
 std::vector<int> nodeCharts(const overlap::BoxTree &tree, const std::vector<Segment> &segments)
 {
     const auto &nodes = tree.nodes();

@@ -5,8 +5,9 @@
 
 namespace autocuts::metrics {
 
-//! Smallest UV distance between open edges of two different charts; 0 when they cross, infinite when there is
-//! only one chart. \param uv one row per corner
+//! Smallest UV distance between open edges (seams and borders) of two different charts; 0 when they cross,
+//! infinite when there is only one chart.
+//! \param uv one row per corner
 double smallestGutter(const UvMatrix &uv, const UvTopology &topology);
 
 } // namespace autocuts::metrics

@@ -80,8 +80,8 @@ void measureCharts(const UvTriangles &triangles, UvMetrics &metrics)
 void measureOverlaps(const UvMatrix &uv, const UvTopology &topology, const UvTriangles &triangles,
                      const JobContext &job, UvMetrics &metrics)
 {
-    // Corners of one UV vertex may differ by the tolerance of the charts: bring them together, so that
-    // neighbours only touch.
+    // The corners of one UV vertex may differ by the tolerance with which charts are found. Move them to one
+    // place, so that adjacent triangles only touch.
     std::vector<int> source;
     for (int t = 0; t < triangles.count(); ++t) {
         if (!triangles.hasUv(t))

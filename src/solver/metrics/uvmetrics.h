@@ -1,4 +1,4 @@
-// The figures that describe a UV map, as tools and reports compare them.
+// Measures a UV map for tools and reports.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -12,12 +12,13 @@ namespace autocuts::metrics {
 //! What to measure.
 struct UvMetricsOptions
 {
-    int textureSize = 2048; //!< for figures in texels: texels along a side of the unit square
+    int textureSize = 2048; //!< texels along a side of the unit square, for figures in texels
     bool overlaps = true;   //!< false: the overlap figures stay missing
     bool gutter = true;     //!< false: the distances between charts stay missing
-    JobContext job;         //!< stops the overlap test, whose figures then are missing
+    JobContext job;         //!< may stop the overlap test, whose figures are then missing
 };
 
+//! Measures all figures of a map.
 //! \param uv one row per corner; a non-finite row means that the corner has no UV
 //! \throws std::invalid_argument when uv does not have one row per corner
 UvMetrics measureUv(const MeshData &mesh, const UvMatrix &uv, const UvMetricsOptions &options = {});

@@ -1,4 +1,4 @@
-// The triangles that UV figures are measured on, and sums over them. Internal to the metrics.
+// The triangles on which the figures are measured, and sums over them. Internal to the metrics.
 #pragma once
 
 #include "model/plain/chart.h"
@@ -19,22 +19,22 @@ struct ChartSums
     int euler() const { return vertices - edges + faces; }
 };
 
-//! Triangles of all faces by the fan rule of the figures, with their areas; those of a face have the numbers
-//! that its triangles have in the mesh.
+//! Triangles of all faces by the fan rule of UvMetrics, with their areas. They have the same numbers as in
+//! the mesh, face by face.
 struct UvTriangles
 {
     std::vector<std::array<int, 3>> corners;
     std::vector<int> face;
     std::vector<int> chart; //!< -1 without UVs
     std::vector<double> area3d;
-    std::vector<double> signedArea; //!< in UV; 0 without UVs
+    std::vector<double> signedArea; //!< signed area in UV; 0 without UVs
     std::vector<bool> zeroArea;     //!< no area in 3D
     double totalArea3d = 0, totalUvArea = 0;
     std::vector<ChartSums> charts;
 
     int count() const { return static_cast<int>(corners.size()); }
     bool hasUv(int t) const { return chart[t] >= 0; }
-    //! No area in UV, measured against the whole map.
+    //! True when the UV area is 0 compared with that of the whole map.
     bool uvDegenerate(int t) const;
 };
 
