@@ -13,12 +13,16 @@ namespace autocuts::preference {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
+//! What counts as sharp and smooth (dihedral angle), the largest share of rough edges around a crease, and
+//! the shares of creases in all edges and in the sharp edges of a hard surface; see creases() and
+//! isHardSurface(). Chosen by hand; no measurement of their effect is recorded.
 constexpr double sharpAngle = 40 * degree, smoothAngle = 15 * degree;
-constexpr double roughShare = 0.2;   // of the edges around a crease, at most
-constexpr double creaseShare = 0.01; // of all edges
-constexpr double clearShare = 0.7;   // of the sharp edges
+constexpr double roughShare = 0.2;   // largest share of the edges around a crease
+constexpr double creaseShare = 0.01; // least share of all edges
+constexpr double clearShare = 0.7;   // least share of the sharp edges
+//! The cost factor falls between these angles. Chosen by hand; no measurement of their effect is recorded.
 constexpr double rampBegin = 20 * degree, rampEnd = 60 * degree;
-constexpr double leastFactor = 1e-3; // a seam is never for nothing
+constexpr double leastFactor = 1e-3; // a seam always costs something
 
 std::vector<Vec3> faceNormals(const MeshData &mesh)
 {
@@ -50,7 +54,7 @@ std::vector<double> dihedralAngles(const MeshData &mesh)
 
 std::vector<bool> creases(const MeshData &mesh, const std::vector<double> &angles)
 {
-    // Lengths of all edges at each vertex and of those that are neither smooth nor sharp.
+    // Per vertex: length of all its edges, and of those that are neither smooth nor sharp.
     std::vector<double> all(mesh.vertexCount(), 0), rough(mesh.vertexCount(), 0);
     const auto isRough = [&](std::size_t e) { return angles[e] >= smoothAngle && angles[e] < sharpAngle; };
     for (std::size_t e = 0; e < angles.size(); ++e) {

@@ -1,4 +1,4 @@
-// Sharp edges: where they are and whether a mesh is made of them.
+// Sharp edges and creases, and whether a mesh is a hard surface.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -7,21 +7,22 @@
 
 namespace autocuts::preference {
 
-//! Per edge pair: angle between the normals of the two polygons, radians in [0, pi]; 0 on diagonals, so that
-//! a bent polygon has no edge inside.
+//! Per edge pair: angle between the normals of its two polygons, radians in [0, pi]; 0 on diagonals, so that
+//! a polygon that is not planar has no sharp edge inside.
 std::vector<double> dihedralAngles(const MeshData &mesh);
 
-//! Per edge pair: true for sharp edges (40 degrees or more) amid smooth surroundings: of the other edges at
-//! their ends at most a fifth by length has an angle from 15 to 40 degrees. A rough organic surface has sharp
-//! edges but hardly any of these.
+//! Per edge pair: true for creases. A crease is a sharp edge (40 degrees or more) in smooth surroundings: of
+//! the other edges at its ends, at most a fifth by length has an angle from 15 to 40 degrees. A rough organic
+//! surface has sharp edges but hardly any creases.
 std::vector<bool> creases(const MeshData &mesh, const std::vector<double> &angles);
 
-//! True when at least 1 % of the length of all edges is a crease, and at least 70 % of the length of the
-//! sharp ones.
+//! True when creases are at least 1 % of the length of all edges and at least 70 % of the length of the sharp
+//! ones.
 bool isHardSurface(const MeshData &mesh);
 
-//! Factor per edge pair: 1 on smooth edges, 1 - strength on those of 60 degrees or more, between from 20
-//! degrees on. \param strength in [0, 1]
+//! Cost factor per edge pair: 1 up to 20 degrees, 1 - strength from 60 degrees on, linear in between; at
+//! least 0.001.
+//! \param strength in [0, 1]
 std::vector<double> creaseFactors(const MeshData &mesh, double strength);
 
 } // namespace autocuts::preference

@@ -11,10 +11,13 @@ namespace autocuts::preference {
 
 namespace {
 
+//! Share of the edge length that must match under a plane of symmetry; from the second value on no other
+//! plane is tried. Chosen by hand; no measurement of their effect is recorded.
 constexpr double leastShare = 0.95, certainShare = 0.999;
+//! Distance within which two points match. Chosen by hand; no measurement of its effect is recorded.
 constexpr double tolerance = 0.1; // of the mean edge length
 
-//! Points in cubes of twice the tolerance, sorted by cube.
+//! Welded vertices sorted into cubes whose side is twice the tolerance.
 class PointGrid
 {
 public:
@@ -27,7 +30,7 @@ public:
         std::sort(mPoints.begin(), mPoints.end());
     }
 
-    //! The vertex nearest to a point within the radius, -1 when there is none.
+    //! The vertex nearest to a point within the tolerance, -1 when there is none.
     int nearest(const Vec3 &p) const
     {
         int best = -1;
@@ -73,7 +76,7 @@ EdgeKey keyOf(int a, int b)
     return {std::min(a, b), std::max(a, b)};
 }
 
-//! Which vertex and edge lies where the image of each one does.
+//! Finds the mirror image of each vertex and edge.
 class Matcher
 {
 public:
@@ -100,7 +103,7 @@ public:
             const EdgeKey key = keyOfEdge(e);
             const int a = found.mirrorVertex[key[0]], b = found.mirrorVertex[key[1]];
             const auto other = a < 0 || b < 0 ? mEdges.end() : mEdges.find(keyOf(a, b));
-            // Where several faces meet in one edge only the first pair has a partner.
+            // Where more than two faces meet at an edge, only its first pair gets a mirror image.
             if (other == mEdges.end() || mEdges.at(key) != static_cast<int>(e))
                 continue;
             found.mirrorEdge[e] = other->second;
@@ -135,7 +138,7 @@ private:
             const Vec3 p = mMesh.positions.row(v);
             mirror[v] = mGrid.nearest(p - 2 * found.normal.dot(p - found.point) * found.normal);
         }
-        // Only what is the other's image in turn.
+        // Keep only vertices that are each other's mirror images.
         const std::vector<int> one = mirror;
         for (int v = 0; v < mMesh.vertexCount(); ++v) {
             if (one[v] >= 0 && one[one[v]] != v)

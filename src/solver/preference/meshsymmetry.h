@@ -1,4 +1,4 @@
-// The reflection that maps a mesh onto itself.
+// Plane of symmetry of a mesh.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -8,19 +8,19 @@
 
 namespace autocuts::preference {
 
-//! A plane and what lies where its mirror image does.
+//! A plane of symmetry and the mirror images of vertices and edges.
 struct MeshSymmetry
 {
     Vec3 point = Vec3::Zero(), normal = Vec3::UnitX(); //!< the plane; the normal has unit length
-    std::vector<int> mirrorVertex; //!< per vertex (welded ones, others -1); itself on the plane, -1: none
-    std::vector<int> mirrorEdge;   //!< per edge pair, -1 without a partner and on diagonals
-    double matchedShare = 0;       //!< of the length of all edges but diagonals
+    std::vector<int> mirrorVertex; //!< per vertex: itself on the plane; -1: none, or not a welded vertex
+    std::vector<int> mirrorEdge;   //!< per edge pair; -1 without a mirror image and on diagonals
+    double matchedShare = 0; //!< share of the length of all edges except diagonals that has a mirror image
 };
 
 //! Looks for a plane of symmetry: first across x, y and z through the middle, then across the principal axes.
-//! Points match within a tenth of the mean edge length. \returns the plane under which most of the length of
-//! the edges matches; nothing when that is less than 95 %: the mesh is not symmetric, or its triangulation is
-//! not
+//! Points match within a tenth of the mean edge length.
+//! \returns the plane with the greatest share of matching edge length; nothing when that is less than 95 %,
+//! because the mesh or its triangulation is not symmetric
 std::optional<MeshSymmetry> findSymmetry(const MeshData &mesh);
 
 //! Share of the length of the cut edges whose mirror images are cut as well; 1 without any cut.

@@ -12,11 +12,12 @@ namespace autocuts::preference {
 
 namespace {
 
+//! Rays per vertex. Chosen by hand; no measurement of its effect is recorded.
 constexpr int rayCount = 64;
-constexpr double lift = 1e-4; // of the size of the mesh: rays start so far above the surface
+constexpr double lift = 1e-4; // distance of a ray's start from the surface, as a share of the mesh's diagonal
 constexpr int blockSize = 256;
 
-//! Directions about +z, evenly spread by the cosine.
+//! Directions around +z, distributed proportionally to their cosine with +z.
 std::vector<Vec3> halfSphere()
 {
     std::vector<Vec3> directions;
@@ -29,7 +30,7 @@ std::vector<Vec3> halfSphere()
     return directions;
 }
 
-//! Area-weighted normals of the welded vertices; zero where there is none.
+//! Area-weighted normals of the welded vertices; zero where a vertex has none.
 std::vector<Vec3> vertexNormals(const MeshData &mesh)
 {
     std::vector<Vec3> normals(mesh.vertexCount(), Vec3::Zero());

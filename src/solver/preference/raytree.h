@@ -1,4 +1,4 @@
-// Bounding-box tree in space that tells whether a ray meets a mesh.
+// Tree of bounding boxes in space that tells whether a ray meets a mesh.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -7,15 +7,16 @@
 
 namespace autocuts::preference {
 
-//! The triangles of a mesh, split at the median of the longest side of their boxes.
+//! The triangles of a mesh, split recursively at the median along the longest side of their box.
 class RayTree
 {
 public:
     explicit RayTree(const MeshData &mesh);
 
-    //! True when a ray meets a triangle from either side. \param direction need not be a unit vector
+    //! True when a ray meets a triangle from either side.
+    //! \param direction need not have unit length
     bool isHit(const Vec3 &from, const Vec3 &direction) const;
-    //! Diagonal of the box around the mesh.
+    //! Diagonal of the bounding box of the mesh.
     double size() const { return mNodes.empty() ? 0 : (mNodes[0].high - mNodes[0].low).norm(); }
 
 private:
@@ -28,7 +29,7 @@ private:
     struct Triangle
     {
         Vec3 corner, toSecond, toThird;
-        Vec3 middle() const { return 3 * corner + toSecond + toThird; } //!< times three
+        Vec3 middle() const { return 3 * corner + toSecond + toThird; } //!< three times the centroid
     };
 
     void build(int begin, int end);

@@ -1,28 +1,30 @@
-// Where seams should rather run, as weights.
+// Edge weights that make seams prefer creases and hidden places.
 #pragma once
 
 #include "model/plain/snapshot.h"
 
 namespace autocuts::preference {
 
-//! Computes the factors that the settings ask for and keeps them as long as nothing of that changes.
+//! Computes the cost factors that the settings ask for, and keeps them while the mesh and these settings stay
+//! the same.
 class SeamPreference
 {
 public:
-    //! The snapshot with the factors for creases and hidden places multiplied into the painted weights; with
-    //! neither it is the same snapshot.
+    //! The snapshot with the factors for creases and hidden places multiplied into the painted weights;
+    //! unchanged when the settings ask for neither.
     Snapshot applied(const Snapshot &snapshot, int threads = 1);
 
 private:
-    //! Per edge pair; empty when all are 1.
+    //! Cost factor per edge pair; empty when all are 1.
     const std::vector<double> &factors(const Snapshot &snapshot, int threads);
 
-    std::shared_ptr<const MeshData> mMesh; //!< that the rest is of
+    std::shared_ptr<const MeshData> mMesh; //!< mesh of the stored factors
     SolveSettings mSettings;
     std::vector<double> mFactors;
 };
 
-//! What CreaseMode::Auto comes to on a mesh: On or Off; the other modes stay.
+//! Replaces CreaseMode::Auto by On or Off, depending on whether the mesh is a hard surface; other modes are
+//! returned as they are.
 CreaseMode decided(CreaseMode mode, const MeshData &mesh);
 
 } // namespace autocuts::preference
