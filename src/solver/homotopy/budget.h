@@ -5,8 +5,8 @@
 
 namespace autocuts::homotopy {
 
-//! Steers lambda towards a distortion bound over repeated runs: the distortion above 4 grows about as a power
-//! of lambda, so the search is a damped secant in the logarithms of both.
+//! Adjusts lambda to a distortion bound over repeated runs. The distortion above 4 grows about as a power of
+//! lambda, so the search is a damped secant method in the logarithms of both.
 class DistortionBudget
 {
 public:
@@ -14,11 +14,11 @@ public:
     DistortionBudget(double bound, double firstLambda);
 
     double lambda() const { return mLambda; }
-    //! Tells what the run at lambda() gave; afterwards lambda() is the next one to try.
+    //! Reports the distortion of the run at lambda(); afterwards lambda() is the next one to try.
     void report(double distortion);
 
 private:
-    double mTarget; //!< a little below the bound, in units above 4
+    double mTarget; //!< distortion above 4 that is aimed at, a little below the bound
     double mLambda;
     double mLastLambda = 0, mLastExcess = 0;
 };

@@ -14,10 +14,11 @@ namespace autocuts::homotopy {
 
 namespace {
 
-//! A triangle whose distortion is beyond this is no start: it is placed undistorted instead.
+//! A triangle with a greater symmetric Dirichlet energy is placed undistorted instead of being used as a
+//! start. Chosen by hand; no measurement of its effect is recorded.
 constexpr double worstStartDistortion = 1e4;
 
-//! Writes triangle t undistorted, turned by `angle`, with its centroid at `centre`.
+//! Writes triangle t undistorted, rotated by `angle`, with its centroid at `centre`.
 void placeRigid(const Soup &soup, int t, double angle, const Vec2 &centre, std::vector<double> &x)
 {
     const auto &s = soup.restShape[t];
@@ -30,7 +31,8 @@ void placeRigid(const Soup &soup, int t, double angle, const Vec2 &centre, std::
     }
 }
 
-//! Places the triangles that are flipped or far too distorted rigidly, turned as the map turns them.
+//! Replaces triangles that are flipped or far too distorted by undistorted ones, with the rotation and
+//! centroid that the map gives them.
 void repairTriangles(const Soup &soup, std::vector<double> &x)
 {
     const std::vector<double> energy = energy::symmetricDirichlet(soup, x);
@@ -40,7 +42,7 @@ void repairTriangles(const Soup &soup, std::vector<double> &x)
         const double *p = &x[6 * static_cast<std::size_t>(t)];
         Vec2 centre((p[0] + p[2] + p[4]) / 3, (p[1] + p[3] + p[5]) / 3);
         const Soup::Basis &b = soup.basis[t];
-        // Rotation part of the Jacobian.
+        // Entries of the rotation part of the Jacobian, not normalised.
         const double e = p[0] * b[0] + p[2] * b[2] + p[4] * b[4] + p[1] * b[1] + p[3] * b[3] + p[5] * b[5];
         const double h = p[1] * b[0] + p[3] * b[2] + p[5] * b[4] - p[0] * b[1] - p[2] * b[3] - p[4] * b[5];
         double angle = std::atan2(h, e);

@@ -16,15 +16,19 @@ namespace autocuts::homotopy {
 
 namespace {
 
+//! Springs that pull the points to their targets, and the steps with each; then the most steps of the
+//! relaxation and the relative change of energy at which it ends. Chosen by hand; no measurement of their
+//! effect is recorded.
 constexpr double firstPull = 1;
-constexpr int pulls = 8; // 1, 10, ... 1e7
+constexpr int pulls = 8; // stiffness 1, 10, ... 1e7
 constexpr int stepsPerPull = 8;
 constexpr int mostSteps = 80;
 constexpr double stall = 1e-7;
-//! A triangle must keep this share of its area when points are put onto their targets.
+//! Each triangle must keep this share of its area at rest when points are put onto their targets. Chosen by
+//! hand; no measurement of its effect is recorded.
 constexpr double smallestDeterminant = 1e-4;
 
-//! The faces as a mesh of their own, in solver units.
+//! The faces to solve for, as a mesh of their own in solver units.
 class Part
 {
 public:
@@ -45,7 +49,7 @@ public:
     const newton::UnknownMap &unknowns() const { return mMap; }
     std::vector<double> &x() { return mX; }
 
-    //! The targets as springs, each on one corner of its point.
+    //! Springs to the targets, each on one corner of its point.
     std::vector<Pin> pins(double weight) const
     {
         std::vector<Pin> pins;
@@ -56,7 +60,7 @@ public:
         return pins;
     }
 
-    //! Puts the points onto their targets; false, and nothing happens, when that would turn a triangle over.
+    //! Puts the points onto their targets. Returns false and changes nothing when that would flip a triangle.
     bool reachTargets()
     {
         std::vector<double> x = mX;
@@ -106,7 +110,8 @@ private:
         return 0.5 * cross2(placeOf(c[0]), placeOf(c[1]), placeOf(c[2]));
     }
 
-    //! Faces that are turned over, against the others, stay; faces without area or UVs are left out.
+    //! Chooses the faces that can be solved. Faces with an orientation opposite to the others are held; faces
+    //! without area or UVs are left out.
     void chooseFaces()
     {
         std::vector<char> wanted(mMesh.faceCount()), usable(mMesh.faceCount(), 1), folded(mMesh.faceCount());
@@ -200,16 +205,16 @@ private:
     const LocalProblem &mProblem;
     std::vector<char> mHeld; //!< per point
     std::vector<int> mFaces,
-        mCorners; //!< of the part: its faces, and the corner of the mesh of each of its own
+        mCorners; //!< the chosen faces, and the mesh corner of each of their corners
     int mFolded = 0;
-    double mSide = 1, mScale = 1; //!< from texture space to solver units
+    double mSide = 1, mScale = 1; //!< orientation of the faces (-1: mirrored); texture space to solver units
     std::shared_ptr<const Soup> mSoup;
     std::map<int, std::vector<int>> mSoupCorners; //!< of each point
     newton::UnknownMap mMap;
     std::vector<double> mX;
 };
 
-//! Springs that get stiffer until the points can be put where they belong.
+//! Pulls the points with stiffer and stiffer springs until they can be put onto their targets.
 bool pullToTargets(Part &part, const energy::DistortionTerm &distortion, const JobContext &job)
 {
     int pull = 0;

@@ -43,7 +43,7 @@ std::vector<Pin> pinsOf(const Steering &steering, bool hard)
     return pins;
 }
 
-//! True when they differ in lambda and delta at most.
+//! True when the settings differ at most in lambda and delta.
 bool sameButBalance(SolveSettings a, const SolveSettings &b)
 {
     a.lambda = b.lambda;
@@ -133,7 +133,7 @@ void Solver::pullHardPins()
         const Vec2 b(triangle[2 * ((k + 2) % 3)], triangle[2 * ((k + 2) % 3) + 1]);
         const double before = cross2(p, a, b);
         const double after = cross2(pin.target, a, b);
-        // The area changes linearly along the way; at most nine tenths of it may go in one step.
+        // The area changes linearly with the movement; one step may take at most nine tenths of it.
         const double share = after >= 0.1 * before ? 1 : 0.9 * before / (before - after);
         const Vec2 moved = share == 1 ? pin.target : Vec2(p + share * (pin.target - p));
         triangle[2 * k] = moved.x();

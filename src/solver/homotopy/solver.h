@@ -1,4 +1,4 @@
-// The live solver: cuts and distortion optimised together on the triangle soup (paper, section 3).
+// The solver of the paper (section 3): optimises cuts and distortion together on the triangle soup.
 #pragma once
 
 #include "model/plain/snapshot.h"
@@ -13,27 +13,29 @@
 
 namespace autocuts::homotopy {
 
-//! What one step did.
+//! Result of one step.
 struct StepResult
 {
     int iteration = 0;     //!< steps since load()
     double energy = 0;     //!< (1 - lambda) D + lambda S + pins + boxes, after the step
-    double distortion = 0; //!< D: area-weighted mean of the distortion energy, 4 when isometric
-    double separation = 0; //!< S: the smoothed seam length (solver units)
-    double stepLength = 0; //!< 0: nothing left to gain
+    double distortion = 0; //!< D: area-weighted mean of the distortion density; 4 when isometric
+    double separation = 0; //!< S: smoothed seam length, solver units
+    double stepLength = 0; //!< 0: no descent was found
 };
 
-//! A stepper without threads: load() a snapshot, then step(); update() changes settings and steering between
-//! two steps and keeps the map. Every triangle stays positively oriented after every step.
+//! Takes one step at a time in the thread of the caller: load() a snapshot, then step(). update() changes
+//! settings and steering between two steps and keeps the map. After every step every triangle is positively
+//! oriented.
 class Solver
 {
 public:
     Solver();
     ~Solver();
 
-    //! Threads of one step; the result does not depend on it. To be called before load().
+    //! Number of threads of one step; the result does not depend on it. To be called before load().
     void setThreads(int threads);
-    //! Starts from the snapshot's start mode. \throws std::invalid_argument on a mesh without area
+    //! Starts from the snapshot's start mode.
+    //! \throws std::invalid_argument on a mesh without area
     void load(const Snapshot &snapshot);
     //! \pre load() was called with the same mesh
     void update(const Snapshot &snapshot);
@@ -46,7 +48,7 @@ public:
     const std::vector<double> &coordinates() const { return mX; }
     //! \pre every triangle is positively oriented at x
     void setCoordinates(std::vector<double> x);
-    //! s_delta of a corner pair: 0 joined, near 1 cut.
+    //! s_delta of a corner pair: 0 when it coincides, near 1 when far apart.
     double separation(int pair) const { return mSeparation->separation(mX, pair); }
 
 private:
@@ -69,9 +71,11 @@ private:
     int mIteration = 0;
 };
 
-//! Smallest delta that the homotopy needs: the square of 0.3 mean edge lengths, or of half a short edge (the
-//! fifth percentile) where the mesh is graded. Below it nothing merges any more; above it, joining pairs
-//! would fold triangles.
+//! Smallest delta of the homotopy: the square of 0.3 mean edge lengths, or, if less, of half the fifth
+//! percentile of the edge lengths (for graded meshes). Below it nothing merges any more; above it, stitching
+//! would flip triangles. 0.3 was found with the prototype (with deltas that did not scale with the square of
+//! the edge length, stitching fine meshes flipped thousands of triangles); one half and the percentile were
+//! chosen by hand.
 double finalDelta(const Soup &soup);
 
 } // namespace autocuts::homotopy
