@@ -1,4 +1,5 @@
 // The status bar: hint, messages, selection, figures, jobs, and what happens when there is little room.
+#include "commands/changesettings.h"
 #include "model/samples/samples.h"
 #include "support/editsupport.h"
 #include "support/panelbench.h"
@@ -137,6 +138,10 @@ private Q_SLOTS:
         QVERIFY(bench.bar.figures().figure(StatusBar::Lambda).startsWith(QLatin1Char('0')));
         const int width = bench.bar.figures().sizeHint().width();
         const QString energy = bench.bar.figures().figure(StatusBar::Energy);
+        // Also a solve that is at rest by now goes on with another balance.
+        SolveSettings settings = bench.workspace.document()->solveSettings();
+        settings.lambda *= 2;
+        pushCommand(std::make_unique<ChangeSettings>(*bench.workspace.document(), settings));
         QTRY_VERIFY_WITH_TIMEOUT(bench.bar.figures().figure(StatusBar::Energy) != energy,
                                  test::panelPatience);
         QCOMPARE(bench.bar.figures().sizeHint().width(), width); // nothing moves while numbers run
