@@ -16,15 +16,19 @@ namespace autocuts::definite {
 
 namespace {
 
-//! How far the triangles around a closed seam may move: rings of triangles.
+//! How many rings of triangles around a closed seam may move, for joined charts and for zipped edges, and the
+//! Newton steps in which they do. Chosen by hand; no measurement of their effect is recorded.
 constexpr int looseRings = 8;
 constexpr int zipRings = 5;
 constexpr int localSteps = 10;
-//! An edge fits when its ends are nearer to each other than this part of its length.
+//! An edge can be closed when its two sides are at most this far apart, as a share of its length. Chosen by
+//! hand; no measurement of its effect is recorded.
 constexpr double fitDistance = 0.6;
+//! Least UV area of each triangle at a closed seam, as a share of its area at rest. Chosen by hand; no
+//! measurement of its effect is recorded.
 constexpr double smallestDeterminant = 0.05;
 
-//! Joins charts and closes seams of one map, as long as the bound allows it and no chart covers itself.
+//! Joins charts and zips seams of one map within the limits.
 class Merger
 {
 public:
@@ -41,7 +45,7 @@ public:
             again = false;
             const CutMesh state(mMesh, mMap.cut);
             mDistortion = mMap.distortion(*mSoup);
-            std::set<int> touched; // charts that have changed in this round
+            std::set<int> touched; // charts that were changed in this round
             for (const auto &[charts, edges] : neighbours(state)) {
                 if (tries >= mOptions.tries || mOptions.job.stopped())
                     return joins;
@@ -61,7 +65,7 @@ public:
         return joins;
     }
 
-    //! Closes seams from their loose ends, edge by edge.
+    //! Closes seams edge by edge from their ends inside charts.
     int zipSeams()
     {
         int zipped = 0, tries = 0;
@@ -88,7 +92,7 @@ public:
 private:
     using ChartPair = std::pair<int, int>; //!< the larger chart first
 
-    //! Pairs of charts with a common seam and its edges, the longest seam first.
+    //! Pairs of adjacent charts and the edges of their common seam, the longest seam first.
     std::vector<std::pair<ChartPair, std::vector<int>>> neighbours(const CutMesh &state) const
     {
         std::vector<double> area(state.chartCount, 0);
@@ -117,7 +121,7 @@ private:
         return result;
     }
 
-    //! Cut edges with one end where the seam ends inside a chart.
+    //! Cut edges at one of whose ends the seam ends inside a chart.
     std::vector<int> looseEnds() const
     {
         const CutMesh state(mMesh, mMap.cut);
@@ -142,7 +146,7 @@ private:
 
     Vec2 place(int corner) const { return cornerAt(mMap.x, corner); }
 
-    //! The two corner pairs of an edge, seen from the chart that stays.
+    //! The two corner pairs of an edge; the fixed point is the one in `fixedChart`.
     std::array<PointMatch, 2> seamPoints(const CutMesh &state, int edge, int fixedChart) const
     {
         const EdgePair &pair = mMesh.edgePairs[edge];
@@ -154,7 +158,8 @@ private:
         return points;
     }
 
-    //! Finds the motion and the edges that fit under it; refits to those a few times.
+    //! Finds the rigid motion of the moving chart and the edges that fit under it. Fits, drops edges and fits
+    //! again, six times at most.
     std::pair<RigidMotion, std::vector<int>> align(const CutMesh &state, int fixedChart,
                                                    const std::vector<int> &edges) const
     {
@@ -167,7 +172,7 @@ private:
                     points.push_back(p);
             }
             motion = fitRigid(points);
-            // The worst third goes in the first rounds, then what does not fit.
+            // The first three rounds drop the worst third; the others keep exactly the edges that fit.
             std::vector<std::pair<double, int>> misfit;
             for (const int e : round < 3 ? kept : edges) {
                 double worst = 0;
@@ -203,7 +208,8 @@ private:
         return close(kept, std::move(x), looseRings);
     }
 
-    //! Closes edges whose sides lie near each other in x; keeps the result when it is worth it.
+    //! Closes edges whose sides are near each other in x. Keeps the result and returns true when the limits
+    //! allow it.
     bool close(const std::vector<int> &edges, std::vector<double> x, int rings)
     {
         SeamedMap trial{mMap.cut, std::move(x)};
@@ -228,8 +234,8 @@ private:
         return true;
     }
 
-    //! Puts the corners of the UV vertices on the closed edges at their average; false when that folds a
-    //! triangle.
+    //! Moves the corners of each UV vertex on the closed edges to their mean; returns false when that flips
+    //! or nearly flattens a triangle.
     bool snapSeam(const CutMesh &joined, const std::vector<int> &kept, std::vector<double> &x) const
     {
         std::set<int> vertices;
@@ -261,7 +267,7 @@ private:
         return true;
     }
 
-    //! Minimises the distortion of the triangles near the closed edges; everything else is held.
+    //! Minimises the distortion of the triangles around the closed edges; everything else is held.
     void relaxAround(const CutMesh &joined, const std::vector<int> &kept, int rings,
                      std::vector<double> &x) const
     {
@@ -287,7 +293,7 @@ private:
             }
             ring = std::move(next);
         }
-        // A UV vertex moves when all its triangles are loose.
+        // A UV vertex may move when all its triangles may.
         std::vector<bool> held(joined.uvVertexCount, false);
         for (int c = 0; c < mMesh.soupCornerCount(); ++c) {
             if (!loose[c / 3])
@@ -333,7 +339,7 @@ private:
     SeamedMap &mMap;
     const JoinOptions &mOptions;
     double mDistortion = 0;
-    std::set<int> mFailed; //!< first edges of seams that could not be closed
+    std::set<int> mFailed; //!< first edge of each seam that could not be closed
 };
 
 } // namespace

@@ -9,24 +9,26 @@
 
 namespace autocuts::definite {
 
-//! What joining charts may cost.
+//! Limits for joining charts and zipping seams.
 struct JoinOptions
 {
-    double maxDistortion = 4.1; //!< no join may take the map above this (or further above it)
-    double costPerLength = 0.1; //!< most distortion (mean energy) per length of seam closed (solver units)
-    bool allowOverlaps = false; //!< false: no chart may come to cover itself
-    int tries = 100;            //!< joins tried at most
+    double maxDistortion = 4.1; //!< no join may raise the mean distortion above this, or further above it
+    double costPerLength = 0.1; //!< most distortion (mean energy) per length of seam closed, solver units
+    bool allowOverlaps = false; //!< false: no chart may overlap itself afterwards
+    int tries = 100;            //!< most joins that are tried
     JobContext job;
 };
 
-//! Tries pairs of neighbouring charts, the longest common seam first: moves the smaller one rigidly onto the
-//! larger one along the seam, closes the part of the seam that fits, lets the surroundings relax, and keeps
-//! the result when it is worth it. Seams that the user cut stay. Returns the number of joins.
+//! Tries to join adjacent charts, the longest common seam first: moves the smaller chart rigidly onto the
+//! larger one along the seam, closes the part of the seam that fits, relaxes the triangles around it, and
+//! keeps the result if JoinOptions allow it. Seams that the user cut stay.
+//! \return the number of joins
 int joinCharts(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map,
                const JoinOptions &options);
 
-//! Closes seams that end inside a chart, edge by edge from their ends, under the same conditions. Returns the
-//! number of edges closed.
+//! Zips seams: closes, edge by edge, seams that end inside a chart, from their ends and under the same
+//! limits.
+//! \return the number of edges closed
 int zipSeams(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map,
              const JoinOptions &options);
 

@@ -14,19 +14,22 @@ namespace autocuts::definite {
 
 namespace {
 
+//! Most Newton steps of one relaxation and most rounds of closing seams; both end earlier when nothing is
+//! gained. Chosen by hand; no measurement of their effect is recorded.
 constexpr int relaxSteps = 60;
 constexpr int mergeRounds = 4;
-constexpr double densityReserve = 0.01; // of the distortion above 4
-constexpr int mergeWork = 500'000;      // tries times triangles
+constexpr double densityReserve = 0.01; // share of the distortion above 4, chosen by hand, not measured
+constexpr int mergeWork = 500'000;      // tries times triangles, chosen by hand, not measured
 
-//! Relaxes a map as far as it may: without covering itself, unless that is allowed.
+//! Relaxes a map. Unless overlaps are allowed, the map stays as it was when every relaxation makes a chart
+//! overlap itself.
 void relaxAsAllowed(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, bool allowOverlaps,
                     SeamedMap &map, const JobContext &job)
 {
     SeamedMap relaxed = map;
     relaxMap(soup, snapshot, relaxed, relaxSteps, job);
     if (!allowOverlaps && coversItself(*soup, relaxed)) {
-        // The free way led over itself; the guarded one is slower.
+        // Relaxing freely made a chart overlap itself; the barrier prevents that but is slower.
         relaxed = map;
         relaxWithoutOverlaps(soup, snapshot, relaxed, relaxSteps, job);
         if (coversItself(*soup, relaxed))
@@ -35,16 +38,16 @@ void relaxAsAllowed(const std::shared_ptr<const Soup> &soup, const Snapshot &sna
     map = std::move(relaxed);
 }
 
-//! Joins charts and closes seams as long as the bound leaves room for it.
+//! Joins charts and zips seams as long as the bound allows it.
 void shortenSeams(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
                   const DefiniteMapOptions &options, SeamedMap &map, const JobContext &job)
 {
     JoinOptions merge;
-    // Giving every chart the same texel density costs a little at the end.
+    // Giving all charts the same texel density at the end costs a little distortion.
     merge.maxDistortion = options.maxDistortion - densityReserve * (options.maxDistortion - 4);
     merge.costPerLength = options.costPerLength;
     merge.allowOverlaps = options.allowOverlaps;
-    // A try costs time in proportion to the mesh.
+    // The time of a try is proportional to the size of the mesh.
     merge.tries = std::clamp(mergeWork / soup->triangleCount(), 10, 300);
     merge.job = job;
     for (int round = 0; round < mergeRounds && !job.stopped(); ++round) {

@@ -1,5 +1,4 @@
-// From the solver's soup to a map that can be used: seams decided, overlaps cut apart, seams closed again
-// where they are not needed.
+// Makes a definite map from the soup: seams decided, overlaps cut apart, needless seams closed.
 #pragma once
 
 #include "model/plain/chart.h"
@@ -14,30 +13,32 @@ namespace autocuts::definite {
 
 struct DefiniteMapOptions
 {
-    double maxDistortion = 4.1; //!< closing seams must not take the map above this; may be infinite
-    double costPerLength = 0.1; //!< distortion that a closed seam may cost per length (solver units)
+    double maxDistortion = 4.1; //!< bound on the mean distortion when seams are closed; may be infinite
+    double costPerLength = 0.1; //!< most distortion per length of seam closed, solver units
     bool allowOverlaps = false;
 };
 
 struct DefiniteMap
 {
     SeamedMap map;
-    double seedDistortion = 0; //!< before seams were closed: what the solver's lambda led to
+    double seedDistortion = 0; //!< mean distortion before seams were closed: what the solver's lambda led to
 };
 
-//! The definite map that the solver's state stands for: finished, relaxed, without overlaps inside a chart
-//! unless they are allowed, shortened seams, and without pins and rectangles every chart at the texel density
-//! of the whole. \returns nothing when cancelled
+//! The definite map of the solver's state: stitched, relaxed, without overlaps inside a chart (unless
+//! allowed), and with needless seams closed. Without pins and rectangles every chart gets the texel density
+//! of the whole map.
+//! \returns nothing when cancelled
 [[nodiscard]] std::optional<DefiniteMap> makeDefiniteMap(const homotopy::Solver &solver,
                                                          const DefiniteMapOptions &options,
                                                          const JobContext &job = {});
 
-//! Cuts every chart that covers itself until none does, and lays out flat the polygons that lie on
-//! themselves. Apart from these the UVs stay as they are. Returns false when cancelled: then nothing was cut.
+//! Cuts charts that overlap themselves until none does, and lays polygons that overlap themselves flat. All
+//! other UVs stay as they are.
+//! \return false when cancelled: then nothing was cut
 [[nodiscard]] bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
                                   const JobContext &job = {});
 
-//! Gives every chart the texel density of the whole.
+//! Gives every chart the texel density of the whole map.
 void equalizeDensity(const Soup &soup, SeamedMap &map);
 
 } // namespace autocuts::definite

@@ -13,10 +13,12 @@ namespace autocuts::definite {
 
 namespace {
 
-//! Enough to mend what the live solve left over, few enough to keep what the artist saw.
+//! Moves of the seam search. Enough to close the seams that the live solve left half closed (on the sample
+//! "character" the search reduced 86 islands to 10), few enough to keep the layout that the artist saw. No
+//! measurement of other values is recorded.
 constexpr int searchMoves = 300;
 
-//! Turns and moves every chart, without scaling it, to where its corners were before, as nearly as it fits.
+//! Rotates and moves every chart, without scaling, to fit the previous positions of its corners best.
 void placeNear(const Soup &soup, SeamedMap &map, const std::vector<double> &before)
 {
     const CutMesh charts(*soup.mesh, map.cut);

@@ -1,4 +1,4 @@
-// From a live solve to the final map that it stands for.
+// Makes a refined map from a live solve: the definite map, improved by the seam search.
 #pragma once
 
 #include "solver/base/jobcontext.h"
@@ -13,11 +13,11 @@ struct RefinedMapOptions
     double maxDistortion = 4.1; //!< bound on the mean distortion, > 4
 };
 
-//! makeDefiniteMap(), and then the seam search from there: seams move, shorten and, where the bound needs it,
-//! grow. Maps with pins or rectangles are not searched, because the search knows neither. Charts end up about
-//! where their triangles were; they may lie over each other. When `stop` becomes true the map so far is
-//! returned. \param progress told the part that is done, in [0, 1], from one thread at a time \returns
-//! nothing when stopped before there was a map
+//! makeDefiniteMap() followed by the seam search, which moves and shortens seams and adds some where the
+//! bound requires it. Maps with pins or rectangles are not searched, because the search knows neither. Charts
+//! stay about where their triangles were; different charts may overlap. When the job is stopped, the best map
+//! so far is returned.
+//! \returns nothing when stopped before there was a map
 [[nodiscard]] std::optional<SeamedMap>
 makeRefinedMap(const homotopy::Solver &solver, const RefinedMapOptions &options, const JobContext &job = {});
 

@@ -12,10 +12,13 @@ namespace autocuts::definite {
 
 namespace {
 
-//! How near two parts of a boundary may come before they repel each other, in mean edge lengths.
+//! Distance below which two places of a boundary repel each other, in mean edge lengths. Chosen by hand; no
+//! measurement of its effect is recorded.
 constexpr double barrierReach = 0.1;
-//! Weight of one contact, in shares of the mean triangle.
+//! Weight of one contact relative to that of a mean triangle. Chosen by hand; no measurement of its effect is
+//! recorded.
 constexpr double barrierWeight = 0.05;
+//! Least relative change of the energy. Chosen by hand; no measurement of its effect is recorded.
 constexpr double stall = 1e-6;
 
 } // namespace

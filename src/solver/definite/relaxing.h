@@ -1,4 +1,4 @@
-// Relaxing a map that does not overlap itself, and keeping it so.
+// Relaxes a map without overlaps and keeps it free of them.
 #pragma once
 
 #include "model/plain/snapshot.h"
@@ -9,12 +9,13 @@
 
 namespace autocuts::definite {
 
-//! True when some chart covers itself.
+//! True when some chart overlaps itself.
 bool coversItself(const Soup &soup, const SeamedMap &map);
 
-//! Minimises the distortion (and rectangles and pins) with the seams fixed while no boundary may cross
-//! itself, at most `steps` Newton steps or until the energy stalls. Returns the number of steps; 0 also when
-//! some boundary touches itself from the start. \pre no chart covers itself
+//! Minimises the distortion, with rectangles and pins, while the seams stay as they are and no chart's
+//! boundary may cross itself. Ends after `steps` Newton steps or when the energy stalls.
+//! \return the number of steps; 0 also when some boundary touches itself from the start
+//! \pre no chart overlaps itself
 int relaxWithoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map,
                          int steps, const JobContext &job = {});
 

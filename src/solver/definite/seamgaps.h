@@ -1,4 +1,4 @@
-// Seams that can be told from the UVs alone.
+// Makes seams visible in the UVs: adjacent charts must not coincide along their seam.
 #pragma once
 
 #include "model/plain/snapshot.h"
@@ -6,9 +6,9 @@
 
 namespace autocuts::definite {
 
-//! A seam between two charts that lies in one place on both sides is none for whoever reads the UVs: the two
-//! count as one chart there. Moves the smaller chart of such a pair aside, by a thousandth of an edge; charts
-//! with pins stay before all others.
+//! Opens gaps at seams whose two sides have the same UVs. Seams are not stored in UVs, so such a seam does
+//! not exist for programs that read them, and its two charts count as one. Moves the less important (smaller)
+//! of the two charts aside by a thousandth of an edge; charts with pins are moved last.
 void openSeams(const Soup &soup, const Snapshot &snapshot, SeamedMap &map);
 
 } // namespace autocuts::definite

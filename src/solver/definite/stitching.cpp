@@ -15,18 +15,20 @@ namespace autocuts::definite {
 
 namespace {
 
-//! Pairs closer than this are merged (paper: 0.5).
+//! Pairs with a smaller separation are merged (paper, section 4: 0.5).
 constexpr double mergeSeparation = 0.5;
-//! A merged triangle must keep this share of its area at rest.
+//! Least UV area of a triangle after merging, as a share of its area at rest. Chosen by hand; no measurement
+//! of its effect is recorded.
 constexpr double smallestDeterminant = 1e-6;
-//! A spring is a separation with a delta far beyond any distance.
+//! With a delta far greater than any squared distance the separation is a plain spring.
 constexpr double springDelta = 1e6;
 constexpr double firstSpring = 0.3;
-constexpr int springLevels = 5; // 0.3, 3, ... 3000
+constexpr int springLevels = 5; // stiffness 0.3, 3, ... 3000; ladder and steps from the prototype
 constexpr int stepsPerSpring = 4;
+//! Least relative change of the energy. Chosen by hand; no measurement of its effect is recorded.
 constexpr double stall = 1e-7;
 
-//! Puts the corners of each UV vertex at their average.
+//! The coordinates with the corners of each UV vertex at their mean.
 std::vector<double> snapped(const CutMesh &state, const std::vector<double> &x)
 {
     std::vector<Vec2> sum(state.uvVertexCount, Vec2::Zero());
@@ -59,7 +61,7 @@ bool isCut(const Snapshot &snapshot, std::size_t pair)
     return !snapshot.steering->pairState.empty() && snapshot.steering->pairState[pair] == PairState::Cut;
 }
 
-//! Terms that hold in every stage: distortion, soft and hard pins (as stiff springs), rectangles.
+//! The terms that every stage has: distortion, pins (hard ones as stiff springs) and rectangles.
 struct ShapeTerms
 {
     std::unique_ptr<energy::DistortionTerm> distortion;
@@ -85,7 +87,8 @@ private:
     }
 };
 
-//! Pulls the merged corners together until snapping flips nothing. Returns false when it still would.
+//! Pulls the merged corners together with stiffer and stiffer springs until merging them flips nothing.
+//! \return false when it still does at the end
 bool pullTogether(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const CutMesh &state,
                   std::vector<double> &x, std::vector<double> &snap, const JobContext &job)
 {
@@ -111,8 +114,9 @@ bool pullTogether(const std::shared_ptr<const Soup> &soup, const Snapshot &snaps
     });
 }
 
-//! Cuts the edges of the bad triangles' faces and of some rings of faces around them; joined ones only when
-//! `force`. Returns true when that cut any.
+//! Cuts the edges of the faces of the bad triangles and of `rings` rings of faces around them; edges that the
+//! user joined only with `force`.
+//! \return true when an edge was cut
 bool release(const MeshData &mesh, const Snapshot &snapshot, const std::vector<int> &bad, int rings,
              bool force, CutFlags &cut)
 {
@@ -156,8 +160,8 @@ SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snap
             return map;
         }
         bad = badTriangles(*soup, snap);
-        // Each round cuts more, and wider as they go on without success; in the end every polygon is on its
-        // own and lies there undistorted.
+        // Each round cuts more edges, and more rings after every four rounds. In the last resort every
+        // polygon is a chart of its own and is placed undistorted.
         const int rings = round / 4;
         if (!release(mesh, snapshot, bad, rings, false, cut) &&
             !release(mesh, snapshot, bad, rings, true, cut)) {

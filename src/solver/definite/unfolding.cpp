@@ -16,7 +16,7 @@ bool keptTogether(const MeshData &mesh, const Snapshot &snapshot, const CutFlags
     return mesh.edgePairs[edge].diagonal || (!cut[edge] && snapshot.isJoined(edge));
 }
 
-//! Units without a border cannot be laid flat.
+//! True when every unit has a border: without one it cannot be mapped to the plane.
 bool allHaveBorders(const CutMesh &units)
 {
     std::vector<bool> open(units.chartCount, false);
@@ -27,7 +27,7 @@ bool allHaveBorders(const CutMesh &units)
     return std::find(open.begin(), open.end(), false) == open.end();
 }
 
-//! Coordinates of the folded units in shapes of little distortion, wherever.
+//! Coordinates in which the folded units have new shapes of low distortion, at arbitrary positions.
 std::vector<double> unfolded(const Soup &soup, const CutMesh &units, const std::vector<bool> &folded,
                              const JobContext &job)
 {
@@ -57,7 +57,7 @@ std::vector<double> unfolded(const Soup &soup, const CutMesh &units, const std::
     return x;
 }
 
-//! The units with an overlap inside of them.
+//! Per unit: true when two of its triangles overlap.
 std::vector<bool> foldedOnes(const CutMesh &units, const std::vector<double> &x)
 {
     std::vector<bool> folded(units.chartCount, false);

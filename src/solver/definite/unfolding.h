@@ -1,4 +1,4 @@
-// What cannot be cut apart and yet covers itself.
+// Lays polygons (and joined groups of polygons) flat that overlap themselves and must not be cut.
 #pragma once
 
 #include "model/plain/snapshot.h"
@@ -9,9 +9,9 @@
 
 namespace autocuts::definite {
 
-//! A *unit* is a set of triangles that no seam may part: a polygon, or polygons that the user joined. Gives
-//! the units that lie over themselves a new shape, with little distortion, as charts of their own. A unit
-//! keeps what it has when that does not help, as for joins that go round a tube.
+//! A *unit* is a set of triangles that no seam may separate: a polygon, or polygons that the user joined.
+//! Gives each unit that overlaps itself a new shape of low distortion, as a chart of its own. A unit keeps
+//! its shape when the new one overlaps itself, too, as with joined polygons around a tube.
 void unfoldUnits(const Soup &soup, const Snapshot &snapshot, SeamedMap &map, const JobContext &job = {});
 
 } // namespace autocuts::definite
