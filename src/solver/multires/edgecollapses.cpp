@@ -4,7 +4,7 @@
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
 
-#include <OpenMesh/Core/Geometry/QuadricT.hh> // does not include what it needs
+#include <OpenMesh/Core/Geometry/QuadricT.hh> // must come last: the header does not include what it needs
 
 #include <Eigen/Geometry>
 
@@ -16,15 +16,17 @@ namespace autocuts::multires {
 
 namespace {
 
-//! A collapse may not turn a triangle by more than this (cosine).
+//! Least cosine of the angle by which a collapse may rotate a triangle. This limit and the four below were
+//! chosen by hand; no measurement of their effect is recorded.
 constexpr double smallestTurn = 0.3;
-//! Nor make one thinner than this (area over longest edge squared; a regular one has 0.43).
+//! Least area of a triangle over its squared longest edge; 0.43 in an equilateral one.
 constexpr double thinnest = 0.02;
 //! Most triangles around a point.
 constexpr int largestFan = 14;
-//! Weight of squared edge lengths beside the distances to planes: keeps triangles even on flat ground.
+//! Weight of squared edge lengths compared with squared distances to planes: keeps triangles regular in flat
+//! regions.
 constexpr double evenness = 2e-3;
-//! Weight of the planes that hold borders in place.
+//! Weight of the planes that keep borders in place.
 constexpr double borderWeight = 3;
 
 struct Traits : OpenMesh::DefaultTraitsDouble
@@ -32,16 +34,18 @@ struct Traits : OpenMesh::DefaultTraitsDouble
     VertexTraits
     {
     public:
-        OpenMesh::Geometry::Quadricd quadric; //!< squared distances to the planes of what was here
-        int triangles = 0;                    //!< around the point
+        //! Sum of squared distances to the planes of all triangles merged into this point.
+        OpenMesh::Geometry::Quadricd quadric;
+        int triangles = 0; //!< number of triangles around the point
     };
 };
 
-//! A point has the number that it has outside.
+//! The surface in OpenMesh. Points keep their numbers.
 class HalfEdgeMesh : public OpenMesh::TriMesh_ArrayKernelT<Traits>
 {
 public:
-    //! What the decimater asks before each collapse: stands before OpenMesh's test of the topology.
+    //! The decimater asks this before each collapse; checks the limits here, then OpenMesh's test of the
+    //! topology.
     bool is_collapse_ok(HalfedgeHandle h)
     {
         const HalfedgeHandle back = opposite_halfedge_handle(h);
@@ -53,7 +57,7 @@ public:
     }
 
 private:
-    //! Whether the point opposite to an edge can lose that triangle.
+    //! True when the point opposite to an edge can lose its triangle at that edge.
     bool apexStays(HalfedgeHandle h) const
     {
         if (is_boundary(h))
@@ -65,7 +69,7 @@ private:
 
 using Point = HalfEdgeMesh::Point;
 
-//! The cost of a collapse and what it must not do to the triangles around it.
+//! The cost of a collapse and the limits on the shapes of triangles.
 class CollapseCost : public OpenMesh::Decimater::ModBaseT<HalfEdgeMesh>
 {
 public:
@@ -75,13 +79,14 @@ public:
     float collapse_priority(const CollapseInfo &info) override;
     void preprocess_collapse(const CollapseInfo &info) override;
 
-    std::vector<HalfEdgeCollapse> collapses; //!< so far
+    std::vector<HalfEdgeCollapse> collapses; //!< collapses so far, in order
 
 private:
     bool keepsShape(const Point &p, const Point &q, const Point &from, const Point &to) const;
 };
 
-//! Planes of the triangles, and planes through the borders that stand on them. A mean triangle has area 1.
+//! Adds to each point the planes of its triangles and, at borders, planes through the border perpendicular to
+//! them. The mesh is scaled to a mean triangle area of 1.
 void CollapseCost::initialize()
 {
     for (const auto face : mesh().faces()) {
@@ -112,7 +117,7 @@ void CollapseCost::initialize()
     }
 }
 
-//! Whether a triangle stays well shaped when one corner moves.
+//! True when a triangle keeps its shape within the limits while one corner moves.
 bool CollapseCost::keepsShape(const Point &p, const Point &q, const Point &from, const Point &to) const
 {
     const Point before = (p - from) % (q - from), after = (p - to) % (q - to);
@@ -150,7 +155,8 @@ void CollapseCost::preprocess_collapse(const CollapseInfo &info)
     collapses.push_back({info.v0.idx(), info.v1.idx()});
 }
 
-//! Builds the half-edges of a surface and locks what they cannot tell: OpenMesh knows an edge by its ends.
+//! Builds the half-edges of a surface. OpenMesh identifies an edge by its end points, so the ends of edges
+//! that differ in it are locked.
 class Builder
 {
 public:
@@ -169,7 +175,8 @@ public:
 private:
     using Handle = HalfEdgeMesh::VertexHandle;
 
-    //! Around their middle and at the size of a triangle, so that the digits of a float do for the costs.
+    //! Adds the points, centred and scaled to a mean triangle area of 1, so that the costs are accurate in
+    //! single precision.
     void addPoints()
     {
         double area = 0;
@@ -195,7 +202,7 @@ private:
 
     void addTriangles()
     {
-        static std::once_flag silenced; // OpenMesh prints what it refuses
+        static std::once_flag silenced; // OpenMesh prints a message for every face it refuses
         std::call_once(silenced, [] { omerr().disable(); });
         for (std::size_t t = 0; t < mSurface.alive.size(); ++t) {
             if (!mSurface.alive[t])
@@ -236,7 +243,7 @@ private:
 
     const CollapsingSurface &mSurface;
     HalfEdgeMesh &mMesh;
-    std::vector<int> mTriangle; //!< of each face
+    std::vector<int> mTriangle; //!< triangle of each face
     int mRefused = 0;
 };
 

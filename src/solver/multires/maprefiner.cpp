@@ -11,14 +11,19 @@ namespace autocuts::multires {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+//! Newton steps of one point. Chosen by hand; no measurement of its effect is recorded.
 constexpr int descentSteps = 6;
-//! Mean energy around a point above which its neighbours make room, and how often.
+//! Mean symmetric Dirichlet energy around a point above which its neighbours are moved to make room, and how
+//! often at most. Chosen by hand; no measurement of their effect is recorded.
 constexpr double crowded = 8;
 constexpr int repairRounds = 6;
-//! How much shorter a seam must become for a triangle to change banks, and most energy that it may have
-//! there.
+//! Largest ratio of new to old seam cost for which straighten() moves a triangle to the other side of a seam,
+//! and the greatest symmetric Dirichlet energy that the triangle may have there. Chosen by hand; no
+//! measurement of their effect is recorded.
 constexpr double straighter = 0.97;
 constexpr double roomy = 10;
+//! Most passes of straightening seams and number of passes of relaxing points, each time the triangles have
+//! doubled. Chosen by hand; no measurement of their effect is recorded.
 constexpr int straightenPasses = 20;
 constexpr int sweepsPerLevel = 3;
 
@@ -43,7 +48,7 @@ int MapRefiner::refineTo(int triangles)
     return folded;
 }
 
-//! Moves every point once to where its triangles are distorted less.
+//! Moves every UV point once to where its triangles are distorted less.
 void MapRefiner::sweep()
 {
     std::vector<char> done(uv.size(), 0);
@@ -57,8 +62,8 @@ void MapRefiner::sweep()
     }
 }
 
-//! Puts the corners that share a UV point with this one into mAround, counter-clockwise. True when they close
-//! up.
+//! Writes the corners that share a UV point with `corner` to mAround, counter-clockwise.
+//! \return true when they form a closed ring
 bool MapRefiner::sectorOf(int corner)
 {
     mAround.clear();
@@ -81,9 +86,9 @@ bool MapRefiner::sectorOf(int corner)
     return closed;
 }
 
-//! Moves the UV point of a corner to where its triangles are distorted less; points on the outline only into
-//! their own triangles, so that the outline never meets another part of it. Returns the mean energy around
-//! it.
+//! Moves the UV point of a corner to where its triangles are distorted less. Points on the outline may only
+//! move into their own triangles, so that the outline never meets another part of itself.
+//! \return the mean symmetric Dirichlet energy around the point
 double MapRefiner::improve(int corner, int steps)
 {
     const bool closed = sectorOf(corner);
@@ -106,8 +111,7 @@ double MapRefiner::improve(int corner, int steps)
     return value / area;
 }
 
-//! After a point has been placed at a corner's place: lets the points around it make room where it is
-//! crowded.
+//! Moves a new point and its neighbours while the mean energy around it is too high.
 void MapRefiner::makeRoom(int corner)
 {
     for (int round = 0; round < repairRounds && improve(corner, descentSteps) > crowded; ++round) {
@@ -126,7 +130,7 @@ double MapRefiner::costOf(int side) const
     return pointCost.empty() ? length : 0.5 * length * (pointCost[from] + pointCost[to]);
 }
 
-//! Shortens seams triangle by triangle.
+//! Shortens seams by moving single triangles to the other side of a seam.
 void MapRefiner::straighten()
 {
     for (int pass = 0, changed = 1; changed > 0 && pass < straightenPasses; ++pass) {
@@ -136,8 +140,8 @@ void MapRefiner::straighten()
     }
 }
 
-//! Moves a triangle with seams on two sides to the other bank of them when its third side is shorter and the
-//! notch that it fills there has room for it.
+//! Moves a triangle with seams on two sides across them when that makes the seam cheaper and the triangle
+//! fits into the gap there.
 bool MapRefiner::changeBank(int triangle)
 {
     int open = -1, seams = 0;
@@ -151,13 +155,13 @@ bool MapRefiner::changeBank(int triangle)
     }
     if (seams != 2)
         return false;
-    // The third side runs from b to a; w lies opposite to it.
+    // The third side runs from b to a; w is opposite to it.
     const int b = open, a = ProgressiveMesh::next(open), w = ProgressiveMesh::previous(open);
     if (costOf(open) > straighter * (costOf(a) + costOf(w)))
         return false;
-    const int acrossA = mMesh.across(a), acrossB = mMesh.across(w); // beyond a-w and w-b
+    const int acrossA = mMesh.across(a), acrossB = mMesh.across(w); // across a-w and w-b
     const int otherA = ProgressiveMesh::next(acrossA), otherB = acrossB;
-    // Both neighbours have to meet at w over sides that are not cut.
+    // Both neighbours must be connected at w over uncut sides.
     sectorOf(acrossA);
     if (std::find(mAround.begin(), mAround.end(), ProgressiveMesh::next(acrossB)) == mAround.end() ||
         acrossA / 3 == triangle || acrossB / 3 == triangle)
@@ -180,7 +184,7 @@ void MapRefiner::addToFan(const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const V
     mPointFan.add(mScale * p, mScale * a3, mScale * b3, a, b);
 }
 
-//! Sectors of the fan between the cuts that run from the kept point into it.
+//! Splits the fan at the cuts that run from the kept point into it.
 void MapRefiner::findSectors(const std::vector<int> &fan, bool hasFirst, bool hasLast)
 {
     const int count = static_cast<int>(fan.size());
@@ -193,7 +197,8 @@ void MapRefiner::findSectors(const std::vector<int> &fan, bool hasFirst, bool ha
     }
 }
 
-//! Where the removed point goes in a sector. \param good becomes false when a triangle folds there
+//! The place of the removed point in a sector.
+//! \param good set to false when a triangle flips there
 Vec2 MapRefiner::placeIn(const Sector &sector, const Comeback &back, bool &good)
 {
     const auto next = ProgressiveMesh::next, previous = ProgressiveMesh::previous;
@@ -256,7 +261,7 @@ bool MapRefiner::refineOne()
         if (sector.end == count)
             lastPlace = place;
     }
-    // The triangles that come back, and the flags of their sides.
+    // Sets the UVs and cut flags of the returning triangles.
     const auto comeBack = [&](int triangle, bool before) {
         int c = 3 * triangle;
         while (mMesh.point(c) != record.removed)

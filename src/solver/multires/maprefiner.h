@@ -1,4 +1,4 @@
-// Takes collapses back inside a UV map: no triangle folds, no chart comes to cover itself.
+// Undoes collapses inside a UV map: no triangle flips and no chart overlaps itself.
 #pragma once
 
 #include "solver/base/soup.h"
@@ -10,39 +10,40 @@
 namespace autocuts::multires {
 
 //! A map of the present surface of a ProgressiveMesh, refined with it. A point that comes back inside a chart
-//! is placed where its triangles are distorted least; one that comes back on a seam or border is placed on
-//! the straight side that ran there, on each bank of its own, so that the outlines of the charts stay as they
-//! are. That always succeeds up to the precision of numbers: the triangles around the kept point saw all of
-//! the polygon already.
+//! is placed where its triangles are distorted least. A point that comes back on a seam or border is placed
+//! on the straight side that replaced it, separately on each side of the seam, so that the outlines of charts
+//! do not change. This always succeeds up to rounding: the kept point sees the whole polygon around the
+//! returning one.
 class MapRefiner
 {
 public:
-    //! \param scale of the mesh's units to those of the map
+    //! \param scale factor from mesh units to those of the map
     MapRefiner(ProgressiveMesh &mesh, double scale);
 
-    //! UV of corner 3 t + k, and whether a side is cut, on living triangles. To be set before refining.
+    //! UV per corner 3 t + k, and whether side 3 t + k is cut, for triangles of the present surface. To be
+    //! set before refining.
     std::vector<Vec2> uv;
     std::vector<char> cut;
-    //! What a seam costs per length around each point; empty: 1.
+    //! Cost of a seam per length around each point; empty: 1.
     std::vector<double> pointCost;
-    //! False when seams must stay where they are.
+    //! False when seams must not be moved.
     bool mayStraighten = true;
 
-    //! Takes collapses back until that many triangles live (or all of them). \returns the number of points
-    //! that had to be placed although a triangle folded
+    //! Undoes collapses until the surface has `triangles` triangles (or all of them).
+    //! \returns the number of points that had to be placed although a triangle flips
     int refineTo(int triangles);
 
 private:
     struct Sector
     {
-        int begin, end;         //!< corners of the fan
-        bool hasFirst, hasLast; //!< with the triangle that comes back before, behind the fan
+        int begin, end;         //!< range of corners in the fan
+        bool hasFirst, hasLast; //!< with the returning triangle before the fan, after it
     };
-    //! A collapse that is taken back: the points, and the map around the kept one before.
+    //! A collapse that is being undone: its points, and the map around the kept point before.
     struct Comeback
     {
         int removed = -1, kept = -1;
-        std::vector<int> fan;     //!< corners at the kept point that go over to the removed one
+        std::vector<int> fan;     //!< corners at the kept point that return to the removed one
         std::vector<Vec2> keptUv; //!< per corner of the fan
         Vec2 firstEnd, lastEnd;   //!< UVs at both ends of the fan
     };
@@ -62,7 +63,7 @@ private:
     double mScale;
     std::vector<Sector> mSectors;
     PointFan mPointFan;
-    std::vector<int> mAround; //!< corners of a sector
+    std::vector<int> mAround; //!< corners found by sectorOf()
 };
 
 } // namespace autocuts::multires

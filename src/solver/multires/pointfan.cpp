@@ -11,9 +11,13 @@ namespace autocuts::multires {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+//! Newton steps of one point. Chosen by hand; no measurement of its effect is recorded.
 constexpr int descentSteps = 6;
-//! Mean energy of a point on a side above which it had better leave the side.
+//! Mean symmetric Dirichlet energy above which a point had better not stay on the side. Chosen by hand; no
+//! measurement of its effect is recorded.
 constexpr double flat = 100;
+//! How often a distance is halved in search of a valid position. Chosen by hand; no measurement of its effect
+//! is recorded.
 constexpr int halvings = 40;
 
 } // namespace
@@ -42,7 +46,7 @@ void PointFan::add(const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const Vec2 &a,
     spoke.a = a;
     spoke.b = b;
     const double height = length > 0 ? base.cross(side).norm() / length : 0;
-    // Triangles without area must not count, only not fold.
+    // Triangles without area must not flip but have no distortion.
     if (!(height > 1e-6 * length)) {
         spoke.length = 1;
         spoke.along = 0.5;
@@ -72,7 +76,7 @@ double PointFan::energy(const Vec2 &p, Vec2 *gradient) const
         const double squares = first.squaredNorm() + second.squaredNorm(), inverse = 1 / (det * det);
         sum += s.area * (squares + squares * inverse);
         if (gradient) {
-            const Vec2 turned(-first.y(), first.x()); // of the determinant over `second`
+            const Vec2 turned(-first.y(), first.x()); // derivative of the determinant by `second`
             *gradient +=
                 s.area / s.height * (2 * (1 + inverse) * second - 2 * squares * inverse / det * turned);
         }
@@ -80,7 +84,7 @@ double PointFan::energy(const Vec2 &p, Vec2 *gradient) const
     return sum;
 }
 
-//! Newton steps with a Hessian by differences.
+//! Newton steps whose Hessian comes from differences of gradients.
 void PointFan::descend(Vec2 &p, double &value, int steps) const
 {
     for (int step = 0; step < steps; ++step) {
@@ -115,8 +119,9 @@ void PointFan::descend(Vec2 &p, double &value, int steps) const
     }
 }
 
-//! Near the kept point, in the middle of the angle that the polygon has there: sees all of it. Returns the
-//! energy.
+//! Looks for a position near the kept point, on the bisector of the polygon's angle there, from where the
+//! whole polygon is visible.
+//! \return the energy; infinite when none was found
 double PointFan::placeNear(const Vec2 &kept, bool hasFirst, Vec2 &place) const
 {
     const Vec2 from = (hasFirst ? mSpokes.front().b : mSpokes.front().a) - kept;
@@ -137,7 +142,7 @@ double PointFan::placeNear(const Vec2 &kept, bool hasFirst, Vec2 &place) const
 
 Vec2 PointFan::placeInside(const Vec2 &kept, bool &good) const
 {
-    // The spokes run around the point: a of each is b of the one before.
+    // The triangles run around the point: a of each is b of the one before.
     Vec2 mean = Vec2::Zero();
     for (const Spoke &s : mSpokes)
         mean += s.a / double(mSpokes.size());
@@ -169,7 +174,8 @@ Vec2 PointFan::placeOnSide(const Vec2 &kept, const Vec2 &end, double share, bool
             break;
         }
     }
-    // Where the angle is half a turn or more, the side does not see its own ends: then a notch.
+    // Where the polygon's angle is 180 degrees or more, the triangles at the ends of the side would be flat:
+    // use a notch.
     if (!(value < flat * area())) {
         Vec2 notch;
         double other = placeNear(kept, hasFirst, notch);

@@ -1,4 +1,4 @@
-// The triangles around one point of a map, and the best place for the point.
+// The triangles around one point of a map, and the best position of the point.
 #pragma once
 
 #include "model/plain/types.h"
@@ -7,30 +7,33 @@
 
 namespace autocuts::multires {
 
-//! Triangles (point, a, b), each counter-clockwise, b of one being a of the next. Their shapes in space say
-//! how much the map distorts them; triangles without area in space only must not fold.
+//! Triangles (point, a, b), each counter-clockwise; b of one is a of the next. Their 3D shapes define the
+//! distortion of the map; triangles without area in 3D must not flip but have no distortion.
 class PointFan
 {
 public:
     void clear() { mSpokes.clear(); }
-    //! \param p,a3,b3 the triangle in space, in units of the map; p is the point
+    //! \param p,a3,b3 corners of the 3D triangle in units of the map; p is the point
+    //! \param a,b their UVs
     void add(const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const Vec2 &a, const Vec2 &b);
 
-    //! Area in space.
+    //! Area in 3D.
     double area() const;
-    //! Area times symmetric Dirichlet energy with the point at p, infinite when a triangle folds.
+    //! Area times symmetric Dirichlet energy with the point at p; infinite when a triangle flips.
     double energy(const Vec2 &p, Vec2 *gradient = nullptr) const;
-    //! True when p lies in one of the triangles with the point at `from`.
+    //! True when p is inside one of the triangles with the point at `from`.
     bool covers(const Vec2 &from, const Vec2 &p) const;
 
-    //! Moves p downhill; value is energy(p) before and after.
+    //! Moves p to lower energy.
+    //! \param value energy(p), before and after
     void descend(Vec2 &p, double &value, int steps) const;
-    //! A place for a point that comes out of `kept`, a corner of the polygon around it that sees all of it.
+    //! A position for a point that separates from `kept`, a corner of the polygon around the point from which
+    //! the whole polygon is visible.
     //! \param good false when none was found
     Vec2 placeInside(const Vec2 &kept, bool &good) const;
-    //! The same for a point on the outline: on the side from `kept` to `end` where that side sees the
-    //! polygon, else in a notch. \param hasFirst the first triangle begins at `kept` (else the last one ends
-    //! there)
+    //! The same for a point on the outline: on the side from `kept` to `end` where the polygon is visible
+    //! from that side, else in a notch beside `kept`.
+    //! \param hasFirst the first triangle begins at `kept` (else the last one ends there)
     Vec2 placeOnSide(const Vec2 &kept, const Vec2 &end, double share, bool hasFirst, bool &good) const;
 
 private:

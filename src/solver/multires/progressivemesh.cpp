@@ -40,7 +40,7 @@ void ProgressiveMesh::findPoints(const MeshData &mesh)
         mPosition[mPoint[c]] = mesh.cornerPosition(mesh.cornerOfSoup(c));
 }
 
-//! Puts the corners of a point into mRing, counter-clockwise; from the border's side on when there is one.
+//! Writes the corners of a point to mRing, counter-clockwise, starting at a border if there is one.
 void ProgressiveMesh::ringOf(int point)
 {
     mRing.clear();
@@ -87,15 +87,15 @@ void ProgressiveMesh::collapse(int removed, int kept)
         mPoint[mFan[i]] = kept;
     for (const int c : mRing) {
         if (c / 3 == record.triangle[0])
-            glue(firstCorner, mAcross[next(c)]); // removed, kept, r: the side kept to r goes on outside
+            glue(firstCorner, mAcross[next(c)]); // triangle (removed, kept, r): the side from kept to r stays
         else if (c / 3 == record.triangle[1])
-            glue(previous(lastCorner), mAcross[next(c)]); // removed, r, kept
+            glue(previous(lastCorner), mAcross[next(c)]); // triangle (removed, r, kept)
         else
             continue;
         mAlive[c / 3] = false;
         --mCount;
     }
-    // The fan has all points that are left of the triangles gone.
+    // The fan contains every remaining point of the removed triangles.
     for (int i = record.fanBegin; i < record.fanEnd; ++i) {
         for (const int c : {mFan[i], next(mFan[i]), previous(mFan[i])})
             mCornerOf[mPoint[c]] = c;
@@ -127,7 +127,7 @@ void ProgressiveMesh::refine()
             continue;
         mAlive[t] = true;
         ++mCount;
-        // A triangle that went kept its own neighbours in mind; these get it back.
+        // A removed triangle still knows its neighbours; they are linked to it again.
         for (int side = 3 * t; side < 3 * t + 3; ++side) {
             if (mAcross[side] >= 0)
                 mAcross[mAcross[side]] = side;

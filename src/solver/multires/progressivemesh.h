@@ -1,4 +1,4 @@
-// A surface that is made coarser by collapsing edges, each of which can be taken back.
+// A surface that is made coarser by edge collapses, each of which can be undone.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -9,10 +9,11 @@
 
 namespace autocuts::multires {
 
-//! Half-edge collapses (one end of an edge moves onto the other), so that vertices of the coarse surface are
-//! vertices of the fine one; edgeCollapses() chooses them. Works on the surface that the edge pairs make: its
-//! points are fans of triangles, whatever the vertices of the mesh do, so any mesh is a manifold with borders
-//! here. Triangles keep their numbers; a *side* is 3 t + k and runs from corner k to the next.
+//! A mesh with half-edge collapses (one end of an edge moves onto the other), so that vertices of the coarse
+//! surface are vertices of the fine one. edgeCollapses() chooses them. The surface is the one that the edge
+//! pairs define: each of its points is a single fan of triangles, even where several fans meet at one vertex
+//! of the mesh, so every mesh is a manifold with borders here. Triangles keep their numbers. A *side* is 3 t
+//! + k and runs from corner k to the next.
 class ProgressiveMesh
 {
 public:
@@ -21,15 +22,15 @@ public:
         int removed, kept;    //!< points
         int fanBegin, fanEnd; //!< in fan(): corners of `removed` that stayed, counter-clockwise from the
                               //!< first triangle on
-        std::array<int, 2> triangle{-1, -1}; //!< gone, before and behind the fan; -1 at a border
+        std::array<int, 2> triangle{-1, -1}; //!< removed triangles, before and after the fan; -1 at a border
     };
 
-    //! \param locked per edge pair: both its ends stay
+    //! \param locked per edge pair: true where both ends must stay
     ProgressiveMesh(const MeshData &mesh, const std::vector<bool> &locked);
 
-    //! Collapses until that many triangles are left or nothing can be collapsed any more.
+    //! Collapses edges until `triangles` are left or nothing can be collapsed.
     void coarsen(int triangles);
-    //! Takes the last collapse back. \pre there is one
+    //! Undoes the last collapse. \pre there is one
     void refine();
 
     const std::vector<Collapse> &collapses() const { return mCollapses; }
@@ -46,7 +47,7 @@ public:
     static int previous(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
 
     //! The present surface as a mesh of its own.
-    //! \param triangles receives the triangles in its order
+    //! \param triangles receives the numbers here of that mesh's triangles
     std::shared_ptr<const MeshData> extract(std::vector<int> &triangles) const;
 
 private:
@@ -61,8 +62,8 @@ private:
     int mCount = 0;
     std::vector<Collapse> mCollapses;
     std::vector<int> mFan;
-    std::vector<int> mCornerOf; //!< while collapsing: some living corner of each point
-    std::vector<int> mRing;     //!< scratch
+    std::vector<int> mCornerOf; //!< while collapsing: some corner of each point on the present surface
+    std::vector<int> mRing;     //!< corners found by ringOf()
 };
 
 } // namespace autocuts::multires
