@@ -14,9 +14,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr auto resultInterval = std::chrono::milliseconds(1000 / SolveWorker::resultsPerSecond);
-//! Speeds are told over at least this time, so that the figure can be read.
+//! Least time, in seconds, over which steps per second are averaged, so that the figure can be read. Chosen
+//! by hand.
 constexpr double rateWindow = 0.4;
-//! With fixed settings the worker waits for an edit after this many steps that changed nothing worth seeing.
+//! In manual mode the worker waits for an edit after this many stalled steps in a row. Chosen by hand; no
+//! measurement of its effect is recorded.
 constexpr int stalledStepsToWait = 10;
 
 double secondsBetween(Clock::time_point from, Clock::time_point to)
@@ -128,7 +130,7 @@ bool SolveWorker::takeRest()
     return std::exchange(mAtRest, false);
 }
 
-//! Runs until there is nothing to do; then the thread's event loop waits for the next order.
+//! Works until there is nothing to do; then the thread's event loop waits for the next order.
 void SolveWorker::work()
 {
     try {
@@ -169,7 +171,7 @@ void SolveWorker::obey(Orders orders)
             mSchedule->reheat();
         updateSolver(true);
         if (mIdle && !orders.steps) {
-            orders.steps = -1; // there is something to do again
+            orders.steps = -1; // the edit gave it something to do again
             const std::lock_guard lock(mMutex);
             mAtRest = false;
         }
@@ -228,7 +230,7 @@ void SolveWorker::begin(const Orders &orders)
     giveResult();
 }
 
-//! Gives the solver the snapshot, in budget mode with the schedule's lambda and delta.
+//! Passes the snapshot to the solver; in budget mode with the schedule's lambda and delta.
 void SolveWorker::updateSolver(bool steeringChanged)
 {
     SolveSettings settings = mSnapshot->settings;
@@ -279,13 +281,13 @@ void SolveWorker::comeToRest()
     {
         const std::lock_guard lock(mMutex);
         if (mOrders.start || mOrders.steps)
-            return; // it goes on
+            return; // new orders keep it running
         mAtRest = true;
     }
     Q_EMIT waiting();
 }
 
-//! Lays out a result for whoever takes it, in place of one that nobody took yet.
+//! Makes a result available, in place of an older one that was not taken.
 void SolveWorker::giveResult()
 {
     const Soup &soup = mSolver->soup();
@@ -327,7 +329,7 @@ void SolveWorker::giveResult()
     {
         const std::lock_guard lock(mMutex);
         if (mOrders.start)
-            return; // another solve is to begin
+            return; // another solve is about to start
         isFirst = !mWaitingResult;
         if (mWaitingResult) {
             std::vector<TracePoint> &older = mWaitingResult->trace;
@@ -340,8 +342,8 @@ void SolveWorker::giveResult()
         Q_EMIT resultReady();
 }
 
-//! Joins the nearly joined pairs. New orders end it without a result; unless they say otherwise, it then
-//! begins again.
+//! Makes a paused map by stitching the soup. New orders interrupt it; unless they cancel the map, it is then
+//! made again.
 void SolveWorker::makePausedMap()
 {
     const SeamedMap map =

@@ -1,4 +1,4 @@
-// The live solver on a thread of its own: newest snapshot in, newest result out.
+// The live solver on a thread of its own: takes the newest snapshot, gives out the newest result.
 #pragma once
 
 #include "model/plain/snapshot.h"
@@ -18,16 +18,16 @@
 
 namespace autocuts::live {
 
-//! Where a solve is.
+//! State of a solve.
 struct SolveStatus
 {
     int iteration = 0;
     double stepsPerSecond = 0;
     double energy = 0, distortion = 0, separation = 0; //!< as StepResult
-    double lambda = 0, delta = 0; //!< in effect; in budget mode not those of the snapshot
-    double seamLength = 0;  //!< of the edges that are nearer to cut than to joined, solver units: seam_norm
-    int islands = 0;        //!< that joining the other edges gives
-    bool converged = false; //!< nothing left to gain, or the budget is reached: the worker waits for an edit
+    double lambda = 0, delta = 0; //!< values in effect; in budget mode not those of the snapshot
+    double seamLength = 0;  //!< seam_norm of the edges that are nearer to cut than to joined, solver units
+    int islands = 0;        //!< UV islands that stitching the other edges gives
+    bool converged = false; //!< nothing left to gain, or the budget is met: the worker waits for an edit
 };
 
 //! One step in the history of a solve.
@@ -37,27 +37,27 @@ struct TracePoint
     float distortion = 0, separation = 0, delta = 0;
 };
 
-//! What the worker gives back.
+//! Result that the worker gives out.
 struct SolveResult
 {
-    StateToken token;              //!< of the document's state that the solve goes on from
+    StateToken token;              //!< state of the document that the solve continues from
     UvMatrix soupUv;               //!< one row per soup corner, solver units
     std::vector<float> separation; //!< s_delta per corner pair, in [0, 1)
     SolveStatus status;
-    std::vector<TracePoint> trace; //!< the steps since the result before
+    std::vector<TracePoint> trace; //!< the steps since the previous result
 };
 
-//! A map with definite seams, made from the solver's.
+//! A paused map: the definite map made from the soup when the solver is paused.
 struct PausedMap
 {
-    StateToken token;  //!< as SolveResult
-    UvMatrix cornerUv; //!< solver units
+    StateToken token;  //!< as in SolveResult
+    UvMatrix cornerUv; //!< one row per corner, solver units
 };
 
-//! Steps a Solver until told to stop. The functions may be called from any thread and return at once; what
-//! they ask for happens between two steps, and of several snapshots only the newest counts. What the worker
-//! made before an order that makes it void cannot be taken any more once the order is given. The worker never
-//! sees the document.
+//! Runs a Solver until told to stop. The functions may be called from any thread and return at once; what
+//! they ask for happens between two steps, and of several snapshots only the newest counts. Once an order is
+//! given, results made before it that it invalidates can no longer be taken. The worker never sees the
+//! document.
 class SolveWorker final : public QObject
 {
     Q_OBJECT
@@ -65,58 +65,58 @@ class SolveWorker final : public QObject
 public:
     static constexpr int resultsPerSecond = 30;
 
-    //! \param threads of one step; no result depends on it
+    //! \param threads number of threads of one step; no result depends on it
     explicit SolveWorker(int threads = QThread::idealThreadCount());
     ~SolveWorker() override;
 
-    //! Begins a solve and forgets the one before, its results too.
-    //! \param centre where the map is laid when it does not start from existing UVs, solver units
-    //! \param warm the map has been solved before: in budget mode it is warmed up only
+    //! Starts a solve and discards the previous one with its results.
+    //! \param centre centre of the map when it does not start from existing UVs, solver units
+    //! \param warm the map was solved before: in budget mode it is only reheated
     void start(std::shared_ptr<const Snapshot> snapshot, const Vec2 &centre, bool warm = false);
-    //! Other settings or steering for the same mesh; the map goes on from where it is.
-    //! \param pulled the user pulls at the map: in budget mode lambda and delta stay as they are until a
-    //! snapshot that is not pulled
-    //! \param back a result since start() that the map is taken back to first
+    //! Changes settings or steering for the same mesh; the map continues from where it is.
+    //! \param pulled the user is dragging the map: in budget mode lambda and delta stay as they are until a
+    //! snapshot with pulled = false
+    //! \param back a result since start() to which the map returns first
     void update(std::shared_ptr<const Snapshot> snapshot, bool pulled = false,
                 std::shared_ptr<const SolveResult> back = nullptr);
     void setMode(homotopy::SolveMode mode, double maxDistortion);
-    //! The settled map went into the document, which has this token since.
+    //! The paused map was put into the document, which now has this token.
     void setToken(const StateToken &token);
-    //! Steps until told to stop.
+    //! Runs until told to stop.
     void run() { runSteps(-1); }
-    //! Steps at most this many times, then waits.
+    //! Takes at most this many steps, then waits.
     void runSteps(int count);
-    //! The step at hand is finished and given out as a result.
+    //! Finishes the present step and gives it out as a result.
     void pause();
-    //! Pauses, then makes a settled map of the state; run() and start() cancel it.
+    //! Pauses, then makes a paused map; run() and start() cancel it.
     void pauseWithMap();
 
-    //! The newest result and the steps of those that were never taken; null when none is waiting.
+    //! The newest result, with the trace of results that were never taken; null when none is waiting.
     std::shared_ptr<const SolveResult> takeResult();
     std::optional<PausedMap> takePausedMap();
-    //! True, once, when the solve stopped by itself and has not been told to go on since.
+    //! True, once, when the solve stopped by itself and has not been told to continue since.
     bool takeRest();
 
 Q_SIGNALS:
     //! A result is waiting. Sent once until it is taken, at most resultsPerSecond times a second.
     void resultReady();
-    //! A settled map is waiting.
+    //! A paused map is waiting.
     void pausedMapReady();
-    //! The solve stopped by itself: it converged or the steps asked for are done. takeRest() says whether
-    //! that still holds.
+    //! The solve stopped by itself: it converged or took the steps asked for. takeRest() tells whether it
+    //! still rests.
     void waiting();
     //! \param message untranslated, one line
     void failed(const QString &message);
 
 private:
-    //! What was asked for and not yet begun.
+    //! Orders that were given and not yet carried out.
     struct Orders
     {
-        bool start = false; //!< begin with the snapshot
+        bool start = false; //!< start with the snapshot
         std::shared_ptr<const Snapshot> snapshot;
-        std::optional<StateToken> token; //!< in place of the snapshot's
+        std::optional<StateToken> token; //!< replaces the snapshot's token
         bool pulled = false, warm = false;
-        std::shared_ptr<const SolveResult> back; //!< the map to go on from
+        std::shared_ptr<const SolveResult> back; //!< the map to continue from
         Vec2 centre = Vec2::Zero();
         std::optional<int> steps; //!< 0: pause
         std::optional<homotopy::SolveMode> mode;
@@ -141,14 +141,14 @@ private:
     std::shared_ptr<SolveResult> mWaitingResult;
     std::optional<PausedMap> mPausedMap;
     bool mAtRest = false;
-    std::atomic<bool> mInterrupt = false; //!< there are orders: whatever takes long should end
+    std::atomic<bool> mInterrupt = false; //!< new orders have arrived: long computations should end
 
     const int mThreads;
 
-    // Of the worker's thread.
+    // Used by the worker's thread only.
     std::unique_ptr<homotopy::Solver> mSolver;
     preference::SeamPreference mPreference;
-    std::shared_ptr<const Snapshot> mSnapshot;       //!< with the preferences in its weights
+    std::shared_ptr<const Snapshot> mSnapshot; //!< with the seam preferences multiplied into its weights
     std::optional<homotopy::LiveSchedule> mSchedule; //!< in budget mode
     homotopy::SolveMode mMode = homotopy::SolveMode::Manual;
     double mMaxDistortion = 4.1;
