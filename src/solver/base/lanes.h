@@ -8,6 +8,7 @@
 
 namespace autocuts {
 
+//! Floats in a vector: as many as an AVX register holds.
 constexpr int laneCount = 8;
 
 //! Eight floats, one per triangle, with arithmetic on all of them at once.

@@ -12,6 +12,7 @@ namespace autocuts::definite {
 //! Limits for joining charts and zipping seams.
 struct JoinOptions
 {
+    //! Defaults as in DefiniteMapOptions; the tries were chosen by hand.
     double maxDistortion = 4.1; //!< no join may raise the mean distortion above this, or further above it
     double costPerLength = 0.1; //!< most distortion (mean energy) per length of seam closed, solver units
     bool allowOverlaps = false; //!< false: no chart may overlap itself afterwards

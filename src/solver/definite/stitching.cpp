@@ -81,6 +81,7 @@ private:
     {
         for (Pin &pin : pins) {
             if (pin.hard)
+                // Far stiffer than the distortion. Chosen by hand; no measurement of its effect is recorded.
                 pin.weight = 1e4;
         }
         return pins;
@@ -169,6 +170,7 @@ SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snap
                 for (int i = 0; i < 6; ++i)
                     x[6 * static_cast<std::size_t>(t) + i] = soup->restShape[t][i];
             }
+            // A guard against endless rounds; chosen by hand.
             if (round > 50)
                 throw std::runtime_error("stitchTo: a polygon cannot be laid out without a fold");
         }

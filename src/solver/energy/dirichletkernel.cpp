@@ -229,6 +229,7 @@ double dirichletDerivatives(const DirichletBlock *blocks, const double *x, int t
         narrow(g * ir, sg);
         for (int i = 0; i < 4; ++i)
             narrow(block.basis[i], b[i]);
+        // 1 / sqrt(2), which gives the modes unit length.
         constexpr float root = 0.70710678f;
         const Lanes first[4] = {0.5f * (re + sf), 0.5f * (sg - rh), 0.5f * (rh + sg), 0.5f * (re - sf)};
         const Lanes second[4] = {0.5f * (re - sf), -0.5f * (rh + sg), 0.5f * (rh - sg), 0.5f * (re + sf)};

@@ -112,6 +112,7 @@ private:
         // direction arbitrary.
         const double re = s.e / s.q, rh = s.h / s.q;
         const double sf = s.r > 0 ? s.f / s.r : 1, sg = s.r > 0 ? s.g / s.r : 0;
+        // 1 / sqrt(2), which gives the modes unit length.
         constexpr double root = 0.70710678118654752440;
         double d1[6], d2[6], twist[6], flip[6];
         modeVector(b, 0.5 * (re + sf), 0.5 * (sg - rh), 0.5 * (rh + sg), 0.5 * (re - sf), d1);

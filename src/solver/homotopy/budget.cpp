@@ -31,6 +31,7 @@ void DistortionBudget::report(double distortion)
     if (mLastLambda > 0 && mLastLambda != mLambda) {
         const double seen = std::log(excess / mLastExcess) / std::log(mLambda / mLastLambda);
         if (std::isfinite(seen))
+            // Two runs that are close together may give any exponent.
             power = std::clamp(seen, 0.5, 2.0);
     }
     mLastLambda = mLambda;

@@ -8,6 +8,7 @@
 
 namespace autocuts::linear {
 
+//! Floats in a vector: as many as an AVX register holds.
 constexpr int frontLanes = 8;
 
 //! Number of floats that a padded row of n entries takes.

@@ -12,8 +12,9 @@ namespace autocuts::metrics {
 //! Value of a figure that does not exist (no UVs, one chart only, outside the unit square): not a number.
 inline constexpr double missingFigure = std::numeric_limits<double>::quiet_NaN();
 
-//! Figures of a UV map. Vertices are welded where their positions are exactly equal. Polygons are split by a
-//! fan from fanApex(), or from their first corner when fanApex() finds none; fan diagonals are never edges.
+//! Figures of a UV map. Definitions and tolerances follow an independent measuring program, so that figures
+//! can be compared. Vertices are welded where their positions are exactly equal. Polygons are split by a fan
+//! from fanApex(), or from their first corner when fanApex() finds none; fan diagonals are never edges.
 //! Signed UV area is positive when the UV triangle has the winding of its 3D face; totals sum |area|. 3D
 //! lengths and areas are in mesh units, UV ones in units of the texture square.
 struct UvMetrics

@@ -122,6 +122,7 @@ void measureOverlaps(const UvMatrix &uv, const UvTopology &topology, const UvTri
 
 void measurePacking(const UvTopology &topology, int textureSize, UvMetrics &metrics)
 {
+    // How far a map may reach outside the unit square and still count as inside.
     constexpr double tolerance = 1e-6;
     if (!(topology.boxDiagonal() > 0))
         return;

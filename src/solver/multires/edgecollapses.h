@@ -18,10 +18,11 @@ struct HalfEdgeCollapse
 struct CollapsingSurface
 {
     const std::vector<Vec3> &position; //!< per point
-    const std::vector<int> &point;     //!< per corner, counter-clockwise; around each point one fan
-    const std::vector<int> &across;    //!< per side: the same side in the neighbour, -1 at a border
-    const std::vector<bool> &alive;    //!< per triangle: true when it is part of the surface
-    const std::vector<bool> &locked;   //!< per point: true when it must stay
+    //! Per corner, counter-clockwise in each triangle. The triangles around a point form one fan.
+    const std::vector<int> &point;
+    const std::vector<int> &across;  //!< per side: the same side in the neighbour, -1 at a border
+    const std::vector<bool> &alive;  //!< per triangle: true when it is part of the surface
+    const std::vector<bool> &locked; //!< per point: true when it must stay
 };
 
 //! The collapses of a quadric error decimation (Garland and Heckbert 1997), cheapest first, until `triangles`

@@ -216,6 +216,7 @@ Vec2 MapRefiner::placeIn(const Sector &sector, const Comeback &back, bool &good)
     const int begin = fan[sector.begin], end = fan[sector.end - 1];
     const auto share = [&](const Vec3 &far) {
         const double near = (removed3 - kept3).norm(), rest = (removed3 - far).norm();
+        // Not too near to either end. Chosen by hand; no measurement of its effect is recorded.
         return near + rest > 0 ? std::clamp(near / (near + rest), 0.05, 0.95) : 0.5;
     };
     if (sector.hasFirst && sector.hasLast)

@@ -90,6 +90,8 @@ void PointFan::descend(Vec2 &p, double &value, int steps) const
     for (int step = 0; step < steps; ++step) {
         Vec2 g, gu, gv;
         energy(p, &g);
+        // Step of the differences, relative to the size of the triangles. Chosen by hand; no measurement of
+        // its effect is recorded.
         const double h = 1e-4 * std::sqrt((mSpokes[0].a - p).squaredNorm());
         if (!(energy(p + Vec2(h, 0), &gu) < infinite) || !(energy(p + Vec2(0, h), &gv) < infinite))
             return;

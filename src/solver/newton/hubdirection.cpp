@@ -240,6 +240,8 @@ private:
             });
             mAnalyzed = true;
         }
+        // Small relative to the mean diagonal entry; a hundred times more after each failure, with CHOLMOD
+        // from the third attempt on. Chosen by hand; no measurement of its effect is recorded.
         double shift = 1e-7 * mMatrix.matrix().diagonal().mean();
         for (int attempt = 0; attempt < 9; ++attempt, shift *= 100) {
             mMatrix.addToDiagonal(shift);
