@@ -36,8 +36,8 @@ struct LaneAllocator
 
 using LaneVector = std::vector<Lanes, LaneAllocator<Lanes>>;
 
-//! Eight symmetric 4 x 4 matrices, one per triangle, over its edge vectors in the order u1 - u0, u2 - u0, v1
-//! - v0, v2 - v0. Lower triangles, packed row by row.
+//! Eight symmetric 4 x 4 matrices, one per triangle, over its edge vectors in the order u1 - u0, u2 - u0,
+//! v1 - v0, v2 - v0. Lower triangles, packed row by row.
 struct alignas(laneAlignment) EdgeMatrix
 {
     Lanes entry[10];

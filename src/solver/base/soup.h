@@ -40,7 +40,7 @@ struct Soup
     int coordinateCount() const { return 6 * triangleCount(); }
 
     //! Builds the soup of a mesh. Triangles without area in 3D get a thin stand-in shape and a weight near
-    //! zero: they must not fold either but hardly pull at their neighbours.
+    //! zero: they must not flip either but hardly pull at their neighbours.
     //! \throws std::invalid_argument when the mesh has no area at all
     [[nodiscard]] static std::shared_ptr<const Soup> build(std::shared_ptr<const MeshData> mesh);
 };

@@ -12,8 +12,8 @@ namespace autocuts::multires {
 //! A mesh with half-edge collapses (one end of an edge moves onto the other), so that vertices of the coarse
 //! surface are vertices of the fine one. edgeCollapses() chooses them. The surface is the one that the edge
 //! pairs define: each of its points is a single fan of triangles, even where several fans meet at one vertex
-//! of the mesh, so every mesh is a manifold with borders here. Triangles keep their numbers. A *side* is 3 t
-//! + k and runs from corner k to the next.
+//! of the mesh, so every mesh is a manifold with borders here. Triangles keep their numbers. A *side* is
+//! 3 t + k and runs from corner k to the next.
 class ProgressiveMesh
 {
 public:

@@ -82,7 +82,7 @@ public:
         mFar.insert(mFar.end(), far.begin(), far.end());
     }
 
-    //! Index of the layer that is cheaper to have in the near part.
+    //! Index (0 or 1) of the layer that is cheaper to have in the near part.
     int cheaper(const Layers &layers) const
     {
         const std::int64_t cost[2] = {flow(layers.units[0], layers.units[1]).run(),
