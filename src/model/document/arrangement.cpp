@@ -23,7 +23,7 @@ Eigen::Affine2d movedBy(const Vec2 &move)
     return result;
 }
 
-//! Keeps the point where it is.
+//! A linear map that leaves one point in place.
 Eigen::Affine2d about(const Vec2 &fixed, const Eigen::Matrix2d &linear)
 {
     Eigen::Affine2d result = Eigen::Affine2d::Identity();
@@ -39,7 +39,7 @@ Eigen::Matrix2d rotation(double angle)
     return quarters == std::round(quarters) ? Eigen::Matrix2d(turn.array().round()) : turn;
 }
 
-//! The points of the convex hull, counter-clockwise.
+//! The vertices of the convex hull, counter-clockwise.
 std::vector<Vec2> convexHull(std::vector<Vec2> points)
 {
     const auto before = [](const Vec2 &a, const Vec2 &b) {
@@ -64,18 +64,18 @@ std::vector<Vec2> convexHull(std::vector<Vec2> points)
     return hull;
 }
 
-//! To within 45 degrees of none: a box has four ways to lie along the axes.
+//! The equivalent turn of at most 45 degrees either way: a quarter turn does not change how a box is aligned.
 double smallestTurn(double angle)
 {
     return std::remainder(angle, quarter);
 }
 
-//! Random numbers that are the same everywhere (splitmix64).
+//! A random number generator that gives the same numbers on all platforms (splitmix64).
 class Dice
 {
 public:
     explicit Dice(std::uint64_t seed) : mState(seed) {}
-    //! Evenly from [-1, 1).
+    //! A number evenly distributed in [-1, 1).
     double next()
     {
         mState += 0x9E3779B97F4A7C15ull;
@@ -227,7 +227,7 @@ double turnToSmallestBox(std::span<const Vec2> points)
         for (const Vec2 &point : hull)
             box.extend(Vec2(along.dot(point), across.dot(point)));
         const double angle = smallestTurn(-std::atan2(along.y(), along.x()));
-        // Of boxes as small as each other the one that takes less turning.
+        // Among boxes of equal area, the one that needs the smaller turn is taken.
         const double area = box.volume();
         if (i == 0 || area < best * (1 - 1e-9) ||
             (area <= best * (1 + 1e-9) && std::abs(angle) < std::abs(turn))) {
@@ -240,7 +240,7 @@ double turnToSmallestBox(std::span<const Vec2> points)
 
 double turnToDirections(std::span<const Vec2> directions)
 {
-    // The fourth power makes directions alike that differ by quarter turns.
+    // The fourth power maps directions that differ by quarter turns to the same one.
     std::complex<double> sum = 0;
     for (const Vec2 &direction : directions) {
         const double length = direction.norm();

@@ -1,6 +1,7 @@
-// Laying out islands as whole pieces: aligning, distributing, mirroring, turning, scattering.
+// Arranging UV islands as rigid pieces: aligning, distributing, mirroring, turning, scattering.
 //
-// All of it gives affine maps of texture space, one per piece; what is locked is left to who applies them.
+// A *piece* is one island, or all islands of one group or stack. The functions return one affine map of
+// texture space per piece; the caller decides what to do with locked pieces.
 #pragma once
 
 #include "model/document/islands.h"
@@ -10,57 +11,58 @@
 
 namespace autocuts {
 
-//! An island, or the islands of one group or one stack: what keeps its arrangement.
+//! A piece: one island, or the islands of one group or one stack, which keep their arrangement.
 struct IslandPiece
 {
-    std::vector<int> islands; //!< rising
+    std::vector<int> islands; //!< ascending
     Eigen::AlignedBox2d box;
-    bool locked = false; //!< one of the islands is
+    bool locked = false; //!< at least one of the islands is locked
 };
 
-//! The pieces that the given islands belong to, by their lowest islands. A piece has all its islands, given
-//! or not.
+//! The pieces that the given islands belong to, ordered by their lowest islands. A piece contains all of its
+//! islands, also those that were not given.
 std::vector<IslandPiece> islandPieces(const Islands &islands, const IslandMarks &marks,
                                       const std::vector<int> &given);
 
 enum class AlignTo { Left, Right, Bottom, Top, CentreU, CentreV };
 
-//! Moves each piece to the side, or the middle, of the box around all of them; of the locked ones when there
-//! are any. A piece alone is aligned in the tile of the texture that its middle lies in.
+//! Moves each piece to one side, or to the middle, of the box around all pieces; when some are locked, of the
+//! box around the locked ones. A single piece is aligned in the texture tile that contains its centre.
 std::vector<Eigen::Affine2d> alignedPieces(std::span<const IslandPiece> pieces, AlignTo to);
 
 enum class Distribute { CentresU, CentresV, GapsU, GapsV };
 
-//! Moves the pieces between the first and the last one so that their middles, or the gaps between them, are
-//! equal along one axis. Fewer than three pieces stay.
+//! Moves the pieces between the first and the last one so that their centres, or the gaps between them, are
+//! evenly spaced along one axis. Fewer than three pieces are not moved.
 std::vector<Eigen::Affine2d> distributedPieces(std::span<const IslandPiece> pieces, Distribute distribute);
 
-//! Turns over about the middle of the box. \param axis 0: left becomes right, 1: top becomes bottom
+//! Mirrors a piece about the centre of its box. \param axis 0: swaps left and right, 1: swaps top and bottom
 Eigen::Affine2d mirroredPiece(const IslandPiece &piece, int axis);
 
-//! A turn about the middle of the box. \param angle radians, counter-clockwise; multiples of a quarter turn
-//! are exact
+//! Turns a piece about the centre of its box. \param angle radians, counter-clockwise; multiples of a quarter
+//! turn are exact
 Eigen::Affine2d turnedPiece(const IslandPiece &piece, double angle);
 
-//! The smallest turn, within 45 degrees, that brings the smallest box around the points to the axes.
-//! Points that are not finite do not count. \returns radians; 0 when the points have no extent
+//! The smallest turn, at most 45 degrees either way, that aligns the smallest box around the points with the
+//! axes. Points that are not finite are ignored. \returns radians; 0 when the points have no extent
 double turnToSmallestBox(std::span<const Vec2> points);
-//! The smallest turn that brings the directions, by their lengths and as a whole, to the axes.
+//! The smallest turn, in radians, that best aligns the directions with the axes. Directions count by their
+//! lengths.
 double turnToDirections(std::span<const Vec2> directions);
 
-//! How far pieces are scattered; each value is drawn evenly from both sides of where the piece is.
+//! How far pieces are scattered; each value is drawn evenly from a range on both sides of zero.
 struct ScatterRanges
 {
-    double move = 0;  //!< texture space, along each axis
-    double angle = 0; //!< radians
-    double scale = 0; //!< factors are from 1 / (1 + scale) to 1 + scale
+    double move = 0;  //!< texture space, largest distance along each axis
+    double angle = 0; //!< radians, largest angle
+    double scale = 0; //!< scale factors lie between 1 / (1 + scale) and 1 + scale
     unsigned seed = 1;
 
     bool operator==(const ScatterRanges &) const = default;
 };
 
-//! Moves, turns and scales every piece at random. The same input gives the same result, and what one piece
-//! gets does not depend on which others there are.
+//! Moves, turns and scales every piece at random. The same input gives the same result, and the result of a
+//! piece does not depend on the other pieces.
 std::vector<Eigen::Affine2d> scatteredPieces(std::span<const IslandPiece> pieces,
                                              const ScatterRanges &ranges);
 

@@ -1,4 +1,5 @@
-// Bits in a byte array, as sessions and undo entries store them: the lowest bit of each byte comes first.
+// Arrays of bits packed into bytes, as session files and undo entries store them: the lowest bit of a byte
+// comes first.
 #pragma once
 
 #include <QByteArray>

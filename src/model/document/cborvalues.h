@@ -1,4 +1,4 @@
-// Steering values to and from CBOR, for project files and the journal of commands.
+// Conversion of steering values to and from CBOR, for project files and the command journal.
 #pragma once
 
 #include "model/document/constraints.h"
@@ -13,14 +13,13 @@
 
 namespace autocuts {
 
-//! Reads a CBOR map that may hold anything. The first value that is missing or out of range makes it fail;
-//! from then on every call gives an empty value. Numbers are checked as they are read, so nothing out of
-//! range comes out, and no more memory is taken than the map itself has.
+//! Reads values from an untrusted CBOR map. The reader fails at the first value that is missing or out of
+//! range; every later call returns an empty value. Every number is checked, so no value out of range is
+//! returned, and the reader allocates no more memory than the map takes.
 class CborReader
 {
 public:
-    //! \pre the map was decoded without a QCborParserError: Qt 6.4 crashes on a map that broke off after a
-    //! key
+    //! \pre the map was decoded without a QCborParserError: Qt 6.4 crashes on a map that ends after a key
     explicit CborReader(const QCborMap &map) : mMap(map) {}
 
     bool failed() const { return mFailed; }
@@ -29,7 +28,7 @@ public:
 
     //! An integer in [low, high].
     qint64 integer(QLatin1StringView key, qint64 low, qint64 high);
-    //! An integer in [0, last] as an enumerator.
+    //! An integer in [0, last], converted to an enumerator.
     template <typename Enum>
     Enum enumerator(QLatin1StringView key, Enum last)
     {
@@ -40,14 +39,14 @@ public:
     double number(QLatin1StringView key, double low, double high);
     //! A point with finite coordinates.
     Vec2 point(QLatin1StringView key);
-    //! At most maxNameLength characters.
+    //! A string of at most maxNameLength characters.
     QString text(QLatin1StringView key);
     QByteArray bytes(QLatin1StringView key);
-    //! Strictly rising indices in [0, count).
+    //! Strictly ascending indices in [0, count).
     QList<int> indexSet(QLatin1StringView key, int count);
-    //! Ranges with indices in [0, count).
+    //! Index ranges whose indices are in [0, count).
     IndexRanges ranges(QLatin1StringView key, int count);
-    //! The maps of an array.
+    //! An array of maps.
     std::vector<QCborMap> maps(QLatin1StringView key);
     QCborMap map(QLatin1StringView key);
 
@@ -58,9 +57,9 @@ private:
     bool mFailed = false;
 };
 
-//! Integers as a byte string of little-endian 32-bit numbers.
+//! The integers as a byte string of 32-bit little-endian numbers.
 QByteArray packedIntegers(std::span<const int> values);
-//! Ranges as packedIntegers: first, end, first, end, ...
+//! The ranges in the form of packedIntegers(): first, end, first, end, ...
 QByteArray packedRanges(const IndexRanges &ranges);
 QCborValue cborPoint(const Vec2 &point);
 
@@ -68,17 +67,17 @@ QCborMap toCbor(const UvPin &pin);
 QCborMap toCbor(const LayoutRectangle &rectangle);
 QCborMap toCbor(const SolveSettings &settings);
 QCborMap toCbor(const PackingSettings &settings);
-//! Edges are named by the corner at which one of their sides starts.
+//! Edges are stored as the corner at which one of their sides starts.
 //! \pre the selection is valid for the mesh
 QCborMap toCbor(const Selection &selection, const MeshData &mesh);
 
-// What these return is valid unless the reader failed. A setting that is not there keeps its default.
+// The results are valid unless the reader failed. Settings that are missing keep their defaults.
 UvPin readPin(CborReader &reader, const MeshData &mesh);
 LayoutRectangle readRectangle(CborReader &reader, const MeshData &mesh);
 SolveSettings readSolveSettings(CborReader &reader);
 PackingSettings readPackingSettings(CborReader &reader);
-//! Edges that version 1 of the project files named by number are left out where the mesh has other numbers
-//! now.
+//! Version 1 of the project files stored edges by number. Such edges are left out when this mesh numbers its
+//! edges differently today.
 Selection readSelection(CborReader &reader, const MeshData &mesh);
 
 } // namespace autocuts

@@ -1,4 +1,4 @@
-// What Document::changed() tells: typed events that name what changed, so that views redraw only that.
+// The events of Document::changed(). They name what changed, so that views redraw only that.
 #pragma once
 
 #include "model/plain/indexranges.h"
@@ -8,7 +8,7 @@
 
 namespace autocuts {
 
-//! Base of all events; switch over type and cast to the struct of that name.
+//! Base of all events. Switch over type and cast to the struct of that name.
 struct ChangeEvent
 {
     enum class Type { Uv, UvSet, Seam, Pin, Rectangle, IslandFlag, Tag, SolveSettings, PackingSettings };
@@ -20,7 +20,7 @@ protected:
     ~ChangeEvent() = default;
 };
 
-//! UVs of one UV set.
+//! The UVs of one UV set changed.
 struct UvEvent final : ChangeEvent
 {
     enum Property { Values = 1, Scale = 2 };
@@ -31,10 +31,10 @@ struct UvEvent final : ChangeEvent
 
     int uvSet;
     int properties;      //!< mask of Property
-    IndexRanges corners; //!< whose UVs changed
+    IndexRanges corners; //!< the corners whose UVs changed
 };
 
-//! The list of UV sets, or which one is active.
+//! The list of UV sets or the active set changed.
 struct UvSetEvent final : ChangeEvent
 {
     enum class Change { Added, Removed, Renamed, Activated };
@@ -42,10 +42,10 @@ struct UvSetEvent final : ChangeEvent
     UvSetEvent(Change c, int i) : ChangeEvent(Type::UvSet), change(c), index(i) {}
 
     Change change;
-    int index; //!< of the set; after removal the one it had
+    int index; //!< of the set; after a removal, the index that it had
 };
 
-//! Seams.
+//! Seams changed: states or painted weights of corner pairs.
 struct SeamEvent final : ChangeEvent
 {
     enum Property { State = 1, Weight = 2 };
@@ -58,7 +58,7 @@ struct SeamEvent final : ChangeEvent
     IndexRanges cornerPairs;
 };
 
-//! Pins, added, removed or changed.
+//! Pins were added, removed or changed.
 struct PinEvent final : ChangeEvent
 {
     explicit PinEvent(IndexRanges changedCorners) : ChangeEvent(Type::Pin), corners(std::move(changedCorners))
@@ -67,7 +67,7 @@ struct PinEvent final : ChangeEvent
     IndexRanges corners;
 };
 
-//! One rectangle.
+//! One rectangle was added, removed or changed.
 struct RectangleEvent final : ChangeEvent
 {
     enum Property { Added = 1, Removed = 2, Bounds = 4, Faces = 8, Name = 16, Color = 32, Strength = 64 };
@@ -75,10 +75,10 @@ struct RectangleEvent final : ChangeEvent
     RectangleEvent(int rectangle, int mask) : ChangeEvent(Type::Rectangle), id(rectangle), properties(mask) {}
 
     int id;
-    int properties; //!< mask of Property; Strength is hard/soft and the weight
+    int properties; //!< mask of Property; Strength is the choice of hard or soft and the weight
 };
 
-//! Flags on faces.
+//! Flags of faces changed.
 struct IslandFlagEvent final : ChangeEvent
 {
     enum Property { Locked = 1, Stack = 2, Group = 4 };
@@ -91,7 +91,7 @@ struct IslandFlagEvent final : ChangeEvent
     IndexRanges faces;
 };
 
-//! One tag, added, removed or with other faces.
+//! One tag was added, removed or got other faces.
 struct TagEvent final : ChangeEvent
 {
     explicit TagEvent(QString tag) : ChangeEvent(Type::Tag), name(std::move(tag)) {}
@@ -99,7 +99,7 @@ struct TagEvent final : ChangeEvent
     QString name;
 };
 
-//! Settings of the solver.
+//! Settings of the solver changed.
 struct SolveSettingsEvent final : ChangeEvent
 {
     explicit SolveSettingsEvent(int mask) : ChangeEvent(Type::SolveSettings), properties(mask) {}
@@ -107,7 +107,7 @@ struct SolveSettingsEvent final : ChangeEvent
     int properties; //!< mask of SolveProperty
 };
 
-//! Settings of packing.
+//! Settings of the packer changed.
 struct PackingSettingsEvent final : ChangeEvent
 {
     explicit PackingSettingsEvent(int mask) : ChangeEvent(Type::PackingSettings), properties(mask) {}

@@ -16,7 +16,7 @@ std::uint64_t newRevision()
     return ++last;
 }
 
-//! False for what only the user sees.
+//! True when the event changes something that the solver reads.
 bool steers(const RectangleEvent &event)
 {
     return (event.properties & ~(RectangleEvent::Name | RectangleEvent::Color)) != 0;

@@ -1,4 +1,4 @@
-// The document: everything that is edited, its undo history, and the events that say what changed.
+// The document: the state that users edit, its undo history, and the events that report changes.
 #pragma once
 
 #include "model/document/changeevent.h"
@@ -18,31 +18,30 @@ namespace autocuts {
 
 class DocumentCommand;
 
-//! Keeps a session's state. Whatever belongs to the work is changed by commands on the undo stack only: the
-//! setters are private and reached through the commands' base class. A setter emits changed() when, and only
-//! when, something changed, and says precisely what. Selection and view state are no edits and set directly.
+//! Holds the state of a session. The state is changed only by commands on the undo stack: the setters are
+//! private and reached through DocumentCommand, the base class of the commands. A setter emits changed()
+//! exactly when something changed. Selection and view state do not count as edits and can be set directly.
 class Document final : public QObject
 {
     Q_OBJECT
 
 public:
-    //! A document for a model just loaded. \pre scene.mesh is not null
+    //! A document for a newly loaded model. \pre scene.mesh is not null
     explicit Document(Scene scene);
-    //! A document that continues from a complete state, with an empty history. \pre
-    //! state.validate().isEmpty()
+    //! A document with a complete state and an empty history. \pre state.validate().isEmpty()
     explicit Document(DocumentState state);
-    //! The same for a state that may break an invariant: an error then.
+    //! The same for a state that may violate an invariant: then an error.
     static Result<std::unique_ptr<Document>> create(DocumentState state);
     ~Document() override;
 
-    //! Everything, for saving and comparing.
+    //! The complete state, for saving and comparing.
     const DocumentState &state() const { return mState; }
     const MeshData &mesh() const { return *mState.scene.mesh; }
     const std::vector<UvSet> &uvSets() const { return mState.scene.uvSets; }
     int activeUvSet() const { return mState.activeUvSet; }
-    //! UVs of the active set, one row per corner, in texture space.
+    //! The UVs of the active set, one row per corner, in texture space.
     const UvMatrix &uv() const { return uvSets()[activeUvSet()].uv; }
-    //! Length in texture space of one unit of the solver, for the active set.
+    //! Length in texture space of one solver unit, for the active set.
     double uvScale() const { return mState.uvScales[activeUvSet()]; }
     const Seams &seams() const { return mState.seams; }
     const Constraints &constraints() const { return mState.constraints; }
@@ -50,24 +49,24 @@ public:
     const SolveSettings &solveSettings() const { return mState.solveSettings; }
     const PackingSettings &packingSettings() const { return mState.packingSettings; }
 
-    //! Islands of the active set; kept until the UVs change.
+    //! The islands of the active set, cached until the UVs change.
     const Islands &islands() const;
-    //! Neighbours on the mesh; built on first use.
+    //! The adjacency of the mesh, built on first use.
     const MeshAdjacency &adjacency() const;
 
-    //! Of the present state. Every change gives it another one, undo too.
+    //! The token of the current state. Every change gives it a new value, including undo.
     const StateToken &token() const { return mToken; }
 
     UndoStack &undoStack() { return mUndoStack; }
     const UndoStack &undoStack() const { return mUndoStack; }
 
     const Selection &selection() const { return mState.selection; }
-    //! Sorts the selection and drops what does not exist.
+    //! Sorts the selection and removes elements that do not exist.
     void setSelection(Selection selection);
     const QByteArray &viewState() const { return mState.viewState; }
     void setViewState(QByteArray viewState) { mState.viewState = std::move(viewState); }
 
-    //! Empty when all invariants hold, else the first broken one.
+    //! Returns an empty string, or the first invariant that does not hold.
     QString validate() const;
 
 Q_SIGNALS:
@@ -77,7 +76,7 @@ Q_SIGNALS:
 private:
     friend class DocumentCommand;
 
-    // All indices must be in range and all values valid; values are given in the order of the indices.
+    // All indices must be in range and all values valid. Values are given in the order of their indices.
     void setUvs(int uvSet, const IndexRanges &corners, const UvMatrix &values);
     void setUvScale(int uvSet, double scale);
     void setSeamStates(const IndexRanges &cornerPairs, std::span<const PairState> values);
@@ -85,13 +84,13 @@ private:
     void setPin(int corner, const std::optional<UvPin> &pin);
     void setRectangle(int id, const std::optional<LayoutRectangle> &rectangle);
     void setFaceFlags(const IndexRanges &faces, std::span<const IslandFlags> values);
-    //! No faces: the tag is removed.
+    //! Sets the faces of a tag; an empty list removes the tag.
     void setTag(const QString &name, const QList<int> &faces);
     void setSolveSettings(const SolveSettings &settings);
     void setPackingSettings(const PackingSettings &settings);
     void insertUvSet(int index, UvSet set, double scale);
-    //! \pre there are at least two UV sets. The active one stays active; when it is the one removed, the one
-    //! that takes its place, or else the last one, becomes active.
+    //! Removes a UV set; the active set stays active. When the active set is removed, the next one becomes
+    //! active, or the last one when there is no next. \pre there are at least two UV sets
     void removeUvSet(int index);
     void renameUvSet(int index, const QString &name);
     void setActiveUvSet(int index);

@@ -15,7 +15,7 @@ bool sameMesh(const std::shared_ptr<const MeshData> &a, const std::shared_ptr<co
 {
     if (a == b || !a || !b)
         return a == b;
-    // Everything else in a MeshData follows from these.
+    // Everything else in a MeshData is derived from these.
     return a->positions.rows() == b->positions.rows() && a->faceStart == b->faceStart &&
            a->cornerVertex == b->cornerVertex && a->faceObject == b->faceObject &&
            (a->positions.size() == 0 ||

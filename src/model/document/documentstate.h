@@ -1,4 +1,4 @@
-// Everything a session consists of, as one plain value: what a project file holds and what a test compares.
+// The complete state of a session as one plain value, as project files store it and tests compare it.
 #pragma once
 
 #include "model/document/constraints.h"
@@ -16,38 +16,39 @@
 
 namespace autocuts {
 
-//! Complete state of a Document. The steering (seams, constraints, marks) is one for all UV sets.
+//! The complete state of a Document. The steering (seams, constraints, marks) is shared by all UV sets.
 struct DocumentState
 {
-    //! The model. Its UV sets stand in the order of the file; unlike in a scene without a document the active
-    //! one is named by activeUvSet and need not be the first.
+    //! The model. Its UV sets are in the order of the file. In a scene without a document the first UV set is
+    //! the active one; here activeUvSet says which one is.
     Scene scene;
     int activeUvSet = 0;
-    //! Per UV set: the length in texture space of one unit of the solver, in which the mesh has area pi. So
-    //! texture = scale * solver, without an offset; see makeSnapshot().
+    //! For each UV set, the length in texture space of one solver unit (the mesh has area pi in solver
+    //! units): texture = scale * solver, without an offset. See makeSnapshot().
     std::vector<double> uvScales;
     Seams seams;
     Constraints constraints;
     IslandMarks marks;
     SolveSettings solveSettings;
     PackingSettings packingSettings;
-    Selection selection;  //!< restored by undo, but not an edit
-    QByteArray viewState; //!< opaque, written by the views; not an edit
+    Selection selection;  //!< restored by undo, but changing it is not an edit
+    QByteArray viewState; //!< opaque data of the views; changing it is not an edit
 
-    //! A document's state right after loading: no steering, default settings, at least one UV set.
+    //! The state right after loading: no steering, default settings, at least one UV set.
     //! \pre scene.mesh is not null
     static DocumentState initial(Scene scene);
 
-    //! Empty when all invariants hold, else the first broken one. Does not repeat MeshData::validate().
+    //! Returns an empty string, or the first invariant that does not hold. Does not repeat
+    //! MeshData::validate().
     QString validate() const;
 };
 
-//! True when all fields are equal, UVs and the mesh bit for bit. Scene::source is not compared: it is opaque,
-//! and belongs to the format that wrote it.
+//! True when all fields are equal, UVs and the mesh bit for bit. Scene::source is not compared: it is opaque
+//! data of the file format that wrote it.
 bool operator==(const DocumentState &a, const DocumentState &b);
 
-//! The name itself, or with a number behind it when another UV set has it already; shortened when it is
-//! longer than names may be.
+//! The name itself, or with a number appended when another UV set has it already. Shortened when it would be
+//! longer than maxNameLength.
 QString uniqueUvSetName(const std::vector<UvSet> &sets, const QString &wanted);
 
 } // namespace autocuts

@@ -7,7 +7,7 @@ namespace autocuts {
 
 namespace {
 
-//! Writes values to the given elements of an array; returns which of them changed.
+//! Writes values to the given elements of an array; returns the elements whose values changed.
 template <typename T>
 IndexRanges assign(std::vector<T> &array, const IndexRanges &indices, std::span<const T> values)
 {

@@ -9,7 +9,7 @@ namespace autocuts {
 
 namespace {
 
-//! Points beside each point, with the length of the edge between.
+//! For each point, its neighbours and the lengths of the edges to them.
 using Neighbours = std::map<int, std::map<int, double>>;
 
 Neighbours neighbours(const MeshData &mesh, const MeshAdjacency &adjacency, const UvTopology &topology,
@@ -33,7 +33,7 @@ Neighbours neighbours(const MeshData &mesh, const MeshAdjacency &adjacency, cons
     return result;
 }
 
-//! All points that hang together with the first one.
+//! All points connected to the first one.
 std::vector<int> connected(const Neighbours &all, int first, std::map<int, bool> &seen)
 {
     std::vector<int> result{first};

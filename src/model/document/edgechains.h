@@ -1,4 +1,4 @@
-// Chains of edges in the map, and the straight lines that they can become.
+// Chains of connected edges in a UV map, and straightening them.
 #pragma once
 
 #include "model/plain/meshadjacency.h"
@@ -11,26 +11,27 @@ namespace autocuts {
 
 struct UvTopology;
 
-//! Edges of the map one after the other. A point is a UV vertex, named by its first corner.
+//! A chain of edges in the UV map. A point is a UV vertex, named by its first corner.
 struct UvChain
 {
-    std::vector<int> points;     //!< at least three, from one end to the other
-    std::vector<double> lengths; //!< of the edges in 3D
+    std::vector<int> points;     //!< at least three points, from one end to the other
+    std::vector<double> lengths; //!< 3D lengths of the edges
 };
 
 struct UvChains
 {
     std::vector<UvChain> chains;
-    int left = 0; //!< connected edges that are no chain: a single edge, a closed loop, a fork
+    //! Number of connected sets of edges that are not chains: a single edge, a closed loop, a branching set.
+    int left = 0;
 };
 
-//! The chains that the edges make in the map; an edge on a seam lies in it twice.
-//! \param edges of MeshAdjacency
+//! Finds the chains that the given edges form in the UV map. An edge on a seam is in the map twice.
+//! \param edges edges of MeshAdjacency
 UvChains findUvChains(const MeshData &mesh, const MeshAdjacency &adjacency, const UvTopology &topology,
                       const std::vector<int> &edges);
 
-//! Where the points of a chain lie when it is straight: along the line through its ends, as long as it is,
-//! about the middle between its ends, spaced as in 3D. Nothing when the ends coincide.
+//! The positions of a chain's points when it is made straight: on the line through its two ends, with the
+//! length of the chain, centred between its ends, and spaced as in 3D. Empty when the ends coincide.
 std::vector<std::pair<int, Vec2>> straightened(const UvChain &chain, const UvMatrix &uv);
 
 } // namespace autocuts

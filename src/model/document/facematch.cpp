@@ -11,7 +11,7 @@ namespace autocuts {
 
 namespace {
 
-//! Positions closer than this part of the largest coordinate are the same: text files have six digits.
+//! Positions closer than this share of the largest coordinate are equal: text files often have six digits.
 constexpr double relativeTolerance = 2e-6;
 
 using Cell = std::array<double, 3>;
@@ -21,7 +21,7 @@ double largestCoordinate(const MeshData &mesh)
     return mesh.positions.size() == 0 ? 0 : mesh.positions.cwiseAbs().maxCoeff();
 }
 
-//! Welded vertices in a grid of cells as wide as the tolerance.
+//! A grid of the welded vertices, with cells as wide as the tolerance.
 class VertexGrid
 {
 public:
@@ -34,7 +34,7 @@ public:
         std::sort(mVertices.begin(), mVertices.end());
     }
 
-    //! The nearest vertex within the tolerance, of equally near ones the first; -1 when there is none.
+    //! The nearest vertex within the tolerance; the first among equally near ones, -1 when there is none.
     int nearest(const Vec3 &point) const
     {
         const Cell centre = cellOf(point);
@@ -69,14 +69,14 @@ private:
     std::vector<std::pair<Cell, int>> mVertices;
 };
 
-//! The vertices of a face, starting where that gives the smallest list; `first` is that corner.
+//! The vertices of a face, starting at the corner `first` that gives the lexicographically smallest list.
 struct FaceKey
 {
     std::vector<int> vertices;
     int first = 0;
 };
 
-//! \param vertexOf -1 for a vertex that cannot be in any key
+//! \param vertexOf -1 for a vertex that no key may contain
 template <typename VertexOf>
 FaceKey faceKey(const MeshData &mesh, int face, VertexOf &&vertexOf)
 {

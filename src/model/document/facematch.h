@@ -1,4 +1,4 @@
-// Which faces of two versions of a model are the same. Plain: no Qt.
+// Matches the faces of two versions of a model. Plain: no Qt.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -7,15 +7,15 @@
 
 namespace autocuts {
 
-//! The counterparts in the new mesh of the old one's faces and corners, -1 for none. At most one old face has
-//! a given counterpart.
+//! For the faces and corners of the old mesh, their counterparts in the new one; -1 for none. No face of the
+//! new mesh is the counterpart of two faces.
 struct FaceMatch
 {
     bool sameTopology = false; //!< the faces have the same vertex numbers in the same order
     std::vector<int> face, corner;
 };
 
-//! \see relinkDocument()
+//! Finds the counterparts by the rule of relinkDocument().
 FaceMatch matchFaces(const MeshData &before, const MeshData &after);
 
 } // namespace autocuts

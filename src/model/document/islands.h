@@ -1,12 +1,14 @@
-// UV islands of the active layout, and what the user marked on them.
+// UV islands of the active layout, and the marks that users put on them.
 //
-// Islands are derived from the UVs and have no identity of their own: an edit can split one or join two.
-// Marks are therefore kept per face, and an island has
-// - the lock when any of its faces has it (what was locked is never moved, whatever was joined to it),
-// - the stack or group that most of its faces have; "none" competes like any other value but loses a tie, and
-//   of other equally frequent ones the smallest number wins,
+// A UV island is a connected set of faces over uncut edges; the solver calls it a chart. Islands are derived
+// from the UVs and have no identity: an edit can split one island or stitch two into one. Marks are therefore
+// stored per face. An island has
+// - the lock when any of its faces is locked, so that a locked face never moves,
+// - the stack or group that most of its faces have; "none" counts as a value as well but loses a tie, and
+//   among other equally frequent values the smallest wins,
 // - a tag when at least half of its faces have it.
-// So the pieces of a cut island keep its marks, and joining keeps the marks of the larger part.
+// So both islands keep the marks after a cut, and an island stitched from two has the stack, group and tags
+// of the larger one.
 #pragma once
 
 #include "model/plain/chart.h"
@@ -24,7 +26,7 @@ namespace autocuts {
 struct IslandTag
 {
     QString name;     //!< not empty, unique
-    QList<int> faces; //!< strictly rising, not empty
+    QList<int> faces; //!< strictly ascending, not empty
 
     bool operator==(const IslandTag &) const = default;
 };
@@ -33,24 +35,24 @@ struct IslandTag
 struct IslandMarks
 {
     std::vector<IslandFlags> faceFlags; //!< one per face
-    std::vector<IslandTag> tags;        //!< rising by name
+    std::vector<IslandTag> tags;        //!< ascending by name
 
     static IslandMarks none(const MeshData &mesh);
 
-    //! The flags of the island that consists of these faces, by the rule above.
+    //! The flags of an island made of these faces, by the rule above.
     IslandFlags flagsOf(const std::vector<int> &faces) const;
-    //! The names of the tags of the island that consists of these faces, by the rule above.
+    //! The names of the tags of an island made of these faces, by the rule above.
     std::vector<QString> tagsOf(const std::vector<int> &faces) const;
-    //! Null when there is none.
+    //! The tag of a name, or null.
     const IslandTag *tag(const QString &name) const;
 
-    //! Empty when all invariants hold, else the first broken one.
+    //! Returns an empty string, or the first invariant that does not hold.
     QString validate(const MeshData &mesh) const;
 
     bool operator==(const IslandMarks &) const = default;
 };
 
-//! The islands of one layout, numbered by their lowest faces; faces without UVs are in none.
+//! The islands of one layout, numbered by their lowest faces. Faces without UVs are in no island.
 class Islands
 {
 public:
@@ -58,15 +60,15 @@ public:
 
     int count() const { return mCharts.count; }
     int faceCount() const { return static_cast<int>(mCharts.faceChart.size()); }
-    //! -1 when the face has no UVs.
+    //! The island of a face; -1 when the face has no UVs.
     int islandOfFace(int face) const { return mCharts.faceChart[face]; }
-    //! Faces in rising order.
+    //! The faces of an island in ascending order.
     const std::vector<int> &faces(int island) const { return mFaces[island]; }
-    //! Box of the island in texture space.
+    //! Bounding box of an island in texture space.
     const Eigen::AlignedBox2d &box(int island) const { return mBoxes[island]; }
-    //! Corners of the given islands in rising order.
+    //! Corners of the given islands in ascending order.
     std::vector<int> corners(const MeshData &mesh, const std::vector<int> &islands) const;
-    //! The islands that have one of these faces, in rising order.
+    //! The islands that contain at least one of these faces, in ascending order.
     std::vector<int> islandsOf(const QList<int> &faces) const;
 
 private:

@@ -1,4 +1,4 @@
-// What was done in a session, so that it can be done again.
+// The journal of a session: its commands, so that they can be replayed.
 #pragma once
 
 #include "model/document/documentstate.h"
@@ -9,11 +9,11 @@
 
 namespace autocuts {
 
-//! The commands that lead from one state of a document to another.
+//! The commands that lead from an initial state of a document to a later one.
 struct Journal
 {
-    DocumentState initial; //!< valid, without selection and view state, which no command depends on
-    //! Each command's CBOR description as a zlib stream behind its size in four bytes, little-endian.
+    DocumentState initial; //!< valid; without selection and view state, on which no command depends
+    //! The CBOR description of each command: its size in four bytes, little-endian, then a zlib stream.
     std::vector<QByteArray> commands;
 };
 

@@ -7,7 +7,7 @@ namespace autocuts {
 
 namespace {
 
-//! The soup corners of every corner, in rising order.
+//! For every corner, its soup corners in ascending order.
 std::vector<std::vector<int>> soupCornersByCorner(const MeshData &mesh)
 {
     std::vector<std::vector<int>> result(mesh.cornerCount());

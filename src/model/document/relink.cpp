@@ -13,7 +13,7 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-//! Carries the parts of a state over, one after the other.
+//! Transfers the parts of a state, one after the other.
 class Carrier
 {
 public:
@@ -55,8 +55,8 @@ private:
         return result;
     }
 
-    //! The scale is the texture length of a unit in which the whole mesh has area pi: it changes with the
-    //! share that the kept faces have in the whole.
+    //! The scale is the texture length of a unit in which the whole mesh has area pi, so it changes with the
+    //! share of the kept faces in the whole area.
     double scaleFactor() const
     {
         double before = 0;

@@ -1,4 +1,4 @@
-// Carrying a session over to a changed version of its model.
+// Transfers a session to a changed version of its model.
 #pragma once
 
 #include "model/document/documentstate.h"
@@ -7,7 +7,7 @@
 
 namespace autocuts {
 
-//! How many things were carried over, and how many were not.
+//! How many items were transferred, and how many were not.
 struct Carried
 {
     int kept = 0;
@@ -16,13 +16,13 @@ struct Carried
     bool operator==(const Carried &) const = default;
 };
 
-//! What became of a session when its model was exchanged.
+//! Says what was kept of a session when its model was replaced.
 struct RelinkReport
 {
-    //! Both models have the same polygons in the same order; positions may differ.
+    //! Both models have the same polygons in the same order. Positions may differ.
     bool sameTopology = false;
-    Carried faces;    //!< of the old model: found in the new one, or not
-    int newFaces = 0; //!< of the new model that the old one did not have
+    Carried faces;    //!< faces of the old model that were found in the new one, and that were not
+    int newFaces = 0; //!< faces of the new model that the old one does not have
     Carried seams;    //!< edges that are cut, joined or painted
     Carried pins, rectangleFaces, markedFaces;
     QStringList lostTags;
@@ -37,14 +37,14 @@ struct Relinked
     RelinkReport report;
 };
 
-//! The session on the new model. Settings, view, all UV sets and the steering are kept wherever a face has
-//! its counterpart; new faces have no UVs. The UV sets of the new file are not used. Selected edges are
+//! Transfers a session to a new model. Settings, view, all UV sets and the steering are kept wherever a face
+//! has a counterpart; new faces have no UVs. The UV sets of the new file are ignored. Selected edges are
 //! dropped.
 //!
-//! Faces are counterparts when both models have the same polygons of the same vertices in the same order, so
-//! that a model that was only deformed keeps everything. Else those that have the same corners in the same
-//! winding, at the same positions but for the rounding of text files; of several such faces the first
-//! one of the same object, or else the first one.
+//! When both models have the same polygons with the same vertices in the same order, faces of equal number
+//! are counterparts; a model that was only deformed keeps everything. Otherwise counterparts have the same
+//! corners in the same winding at the same positions, up to the rounding of text files. Among several such
+//! faces, the first one of the same object is taken, or the first one if there is none.
 //! \pre both have a mesh, and the state is valid
 Relinked relinkDocument(const DocumentState &state, Scene newScene);
 

@@ -8,13 +8,13 @@
 
 namespace autocuts {
 
-//! What went wrong, where, and what the user can do about it.
+//! What went wrong, where, and how the user can solve it.
 struct Error
 {
-    QString message;   //!< what is wrong, one line, no trailing full stop
-    QString file;      //!< path of the file concerned, empty when there is none
-    int line = 0;      //!< 1-based line in that file, 0 when unknown
-    QString remedy;    //!< what to do, one line, may be empty
+    QString message; //!< the problem, one line, no full stop at the end
+    QString file;    //!< path of the file; empty when there is none
+    int line = 0;    //!< 1-based line in that file, 0 when unknown
+    QString remedy;  //!< what to do, one line; may be empty
 
     //! "FILE:LINE: MESSAGE. REMEDY." on one line, for a terminal or a message box.
     QString toString() const;
@@ -44,9 +44,8 @@ private:
     std::variant<T, Error> mContent;
 };
 
-//! The value of a Result that has nothing to return but success.
+//! The value of a Result that returns nothing on success.
 struct Done
-{
-};
+{};
 
 } // namespace autocuts

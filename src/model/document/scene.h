@@ -1,4 +1,4 @@
-// A loaded file: its polygons, objects, materials and UV sets, and what a lossless save must give back.
+// A loaded model: its polygons, objects, materials and UV sets, and the data that saving must preserve.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -11,27 +11,28 @@
 
 namespace autocuts {
 
-//! A named UV set. One row per corner; a corner without a UV has a non-finite row.
+//! A named UV set. One row per corner; the row of a corner without a UV is not finite.
 struct UvSet
 {
     QString name;
     UvMatrix uv;
 };
 
-//! What was read besides the geometry and must come back on saving. One kind per file format family.
+//! Data read besides the geometry that must be written back on saving. One subclass per family of file
+//! formats.
 struct SceneSource
 {
     virtual ~SceneSource() = default;
 };
 
-//! A loaded model. The geometry is one polygon soup over all objects, shared and immutable; only the UV sets
-//! are ever changed.
+//! A loaded model. Its geometry is one polygon soup over all objects, shared and immutable; only the UV sets
+//! change.
 struct Scene
 {
-    QString path;   //!< file that it came from
+    QString path;   //!< the file it was loaded from
     QString format; //!< lower-case suffix of that file: "obj", "ply", ...
     std::shared_ptr<const MeshData> mesh;
-    std::vector<QString> objectNames; //!< by MeshData::faceObject
+    std::vector<QString> objectNames; //!< indexed by MeshData::faceObject
     std::vector<QString> materialNames;
     std::vector<int> faceMaterial; //!< index into materialNames, -1 for none
     std::vector<UvSet> uvSets;     //!< the first one is the active one

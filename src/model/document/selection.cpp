@@ -21,7 +21,7 @@ bool isDiagonal(const MeshData &mesh, int edge)
 void normalizeList(QList<int> &list, int count)
 {
     if (isIndexSet(list, count))
-        return; // leaves shared storage shared
+        return; // so that shared storage stays shared
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
     list.removeIf([&](int i) { return i < 0 || i >= count; });

@@ -1,4 +1,4 @@
-// What is selected. Not an edit: changing it adds no undo entry and does not dirty the file.
+// The selection. Changing it is not an edit: it adds no undo entry and does not modify the file.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -8,22 +8,22 @@
 
 namespace autocuts {
 
-//! What a click selects.
+//! The kind of element that a click selects.
 enum class SelectionMode { Vertices, Edges, Faces, Islands };
 
-//! Selected elements; the lists share their storage when copied. Islands are selected through their faces.
-//! The three lists are independent: each tool fills and reads the ones that it works on.
+//! The selected elements. The lists share their storage when copied. The three lists are independent: each
+//! tool uses those that it works on. Islands are selected by their faces.
 struct Selection
 {
     SelectionMode mode = SelectionMode::Faces;
-    QList<int> faces;   //!< strictly rising
-    QList<int> edges;   //!< edge numbers of MeshAdjacency, strictly rising, no diagonals
-    QList<int> corners; //!< polygon corners, strictly rising; a vertex is selected through its corners
+    QList<int> faces;   //!< strictly ascending
+    QList<int> edges;   //!< edge numbers of MeshAdjacency, strictly ascending, no diagonals
+    QList<int> corners; //!< polygon corners, strictly ascending; a vertex is selected by its corners
 
     bool isEmpty() const { return faces.isEmpty() && edges.isEmpty() && corners.isEmpty(); }
-    //! Sorts the lists and drops what is there twice, does not exist or is a diagonal.
+    //! Sorts the lists and removes duplicates, diagonals and elements that do not exist.
     void normalize(const MeshData &mesh);
-    //! Empty when all invariants hold, else the first broken one.
+    //! Returns an empty string, or the first invariant that does not hold.
     QString validate(const MeshData &mesh) const;
 
     bool operator==(const Selection &) const = default;

@@ -16,14 +16,14 @@ bool isTriangle(const MeshData &mesh, int face)
     return mesh.faceStart[face + 1] - mesh.faceStart[face] == 3;
 }
 
-//! True when the faces of an edge are triangles only.
+//! True when all faces of an edge are triangles.
 bool betweenTriangles(const MeshData &mesh, const MeshAdjacency &adjacency, int edge)
 {
     const auto &faces = adjacency.edgeFaces(edge);
     return isTriangle(mesh, faces[0]) && (faces[1] < 0 || isTriangle(mesh, faces[1]));
 }
 
-//! The only other boundary edge at the vertex, else -1.
+//! The other boundary edge at the vertex; -1 unless there is exactly one.
 int nextOnBoundary(const MeshAdjacency &adjacency, int edge, int vertex)
 {
     int next = -1;
@@ -37,7 +37,7 @@ int nextOnBoundary(const MeshAdjacency &adjacency, int edge, int vertex)
     return next;
 }
 
-//! The edge across an inner vertex with four edges: the one without a common face.
+//! At an inner vertex with four edges, the edge that has no face in common with the given one.
 int oppositeEdge(const MeshAdjacency &adjacency, int edge, int vertex)
 {
     const auto edges = adjacency.vertexEdges(vertex);
@@ -55,7 +55,7 @@ int oppositeEdge(const MeshAdjacency &adjacency, int edge, int vertex)
     return next;
 }
 
-//! The inner edge that turns least, by at most 60 degrees.
+//! The inner edge that continues straightest, with a turn of at most 60 degrees.
 int straightestEdge(const MeshData &mesh, const MeshAdjacency &adjacency, int edge, int vertex)
 {
     const auto direction = [&](int from, int to) {
@@ -63,7 +63,7 @@ int straightestEdge(const MeshData &mesh, const MeshAdjacency &adjacency, int ed
     };
     const Vec3 ahead = direction(adjacency.otherEnd(edge, vertex), vertex);
     int next = -1;
-    double best = 0.5 - 1e-9; // cosine of 60 degrees, with room for a regular triangulation's rounding
+    double best = 0.5 - 1e-9; // cosine of 60 degrees, with room for rounding in a regular triangulation
     for (int other : adjacency.vertexEdges(vertex)) {
         if (other == edge || adjacency.isBoundary(other))
             continue;
@@ -91,7 +91,7 @@ QList<int> toList(const Container &values)
     return QList<int>(values.begin(), values.end());
 }
 
-//! Marks of the vertices of the selected elements, or of the elements that are not selected.
+//! Marks the vertices of the selected elements, or those of the elements that are not selected.
 std::vector<bool> touchedVertices(const MeshData &mesh, const MeshAdjacency &adjacency,
                                   const Selection &selection, bool ofSelected)
 {

@@ -10,7 +10,8 @@ namespace autocuts {
 
 namespace {
 
-//! Rounds of refinement; colours then tell neighbourhoods of this radius apart.
+//! Rounds of colour refinement: colours distinguish neighbourhoods of this many faces in radius. Chosen by
+//! hand; its effect has not been measured.
 constexpr int refinementRounds = 8;
 constexpr double lengthTolerance = 1e-4;
 
@@ -22,7 +23,7 @@ std::uint64_t mixed(std::uint64_t value)
     return value ^ (value >> 31);
 }
 
-//! Colours of the faces of an island: equal for faces with the same neighbourhoods.
+//! Colours of the faces of an island, equal for faces with the same neighbourhoods.
 std::vector<std::uint64_t> faceColours(const MeshData &mesh, const MeshAdjacency &adjacency,
                                        const Islands &islands, int island,
                                        std::vector<std::uint64_t> &scratch)
@@ -52,7 +53,7 @@ std::vector<std::uint64_t> faceColours(const MeshData &mesh, const MeshAdjacency
     return next;
 }
 
-//! The same, sorted: equal for islands with the same neighbourhoods.
+//! The colours of an island's faces, sorted: equal for islands with the same neighbourhoods.
 std::vector<std::uint64_t> topologyColours(const MeshData &mesh, const MeshAdjacency &adjacency,
                                            const Islands &islands, int island,
                                            std::vector<std::uint64_t> &scratch)
@@ -81,7 +82,7 @@ bool sameLengths(const std::vector<double> &a, const std::vector<double> &b)
     });
 }
 
-//! Lays one island onto another one, face by face from a first pair on.
+//! Maps one island onto another, face by face, beginning with a given pair of corners.
 class IslandMatch
 {
 public:
@@ -96,7 +97,9 @@ public:
         }
     }
 
-    //! \param first corner of `to` \param source corner of `from` that it is laid on
+    //! Tries to map the islands from one pair of corners on.
+    //! \param first corner of `to`
+    //! \param source the corner of `from` that it is mapped to
     bool follow(int first, int source)
     {
         mSource.assign(mSource.size(), -1);
@@ -116,7 +119,7 @@ public:
     int source(int corner) const { return mSource[corner]; }
 
 private:
-    //! The corner `steps` further on in the polygon.
+    //! The corner `steps` places further in its polygon.
     int further(int corner, int steps) const
     {
         const int face = mAdjacency.faceOfCorner(corner), first = mMesh.faceStart[face];
@@ -138,7 +141,7 @@ private:
         if (mUsed[onto] || count != mMesh.faceStart[onto + 1] - mMesh.faceStart[onto])
             return false;
         for (int k = 0; k < count; ++k, corner = further(corner, 1), source = further(source, 1)) {
-            // The second length tells polygons apart that differ by their angles only.
+            // The second length distinguishes polygons with equal sides and different angles.
             if (!sameLength(corner, source, 1) || !sameLength(corner, source, 2))
                 return false;
             mSource[corner] = source;
@@ -148,8 +151,8 @@ private:
         return true;
     }
 
-    //! The corner from which the face on the other side runs along the same edge; -1 when there is none in
-    //! the island.
+    //! The corner at which the face on the other side of the edge starts that edge; -1 when the island has no
+    //! face there.
     int across(int corner, int island) const
     {
         const int edge = mAdjacency.edgeOfCorner(corner), face = mAdjacency.faceOfCorner(corner);
@@ -179,7 +182,7 @@ private:
     double mTolerance = 0;
     std::vector<int> mSource; //!< per corner
     std::vector<bool> mUsed;  //!< per face of `from`
-    std::vector<int> mQueue;  //!< faces of `to` that are laid
+    std::vector<int> mQueue;  //!< faces of `to` that have been mapped
 };
 
 } // namespace
@@ -210,7 +213,7 @@ std::vector<int> copiedCorners(const MeshData &mesh, const MeshAdjacency &adjace
     std::vector<std::uint64_t> scratch(mesh.faceCount(), 0);
     const auto colours = faceColours(mesh, adjacency, islands, from, scratch);
     const auto others = faceColours(mesh, adjacency, islands, to, scratch);
-    // It begins with a face of which there are as few as possible.
+    // Starting at the rarest colour leaves the fewest pairs to try.
     std::map<std::uint64_t, int> counts;
     for (std::uint64_t colour : colours)
         ++counts[colour];

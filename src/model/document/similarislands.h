@@ -1,4 +1,4 @@
-// Finding islands that are copies of each other: repeated bolts, wheels, windows.
+// Finds islands that are copies of each other, such as those of repeated bolts or wheels.
 #pragma once
 
 #include "model/plain/meshadjacency.h"
@@ -9,21 +9,21 @@ namespace autocuts {
 
 class Islands;
 
-//! What copies have in common.
+//! What two similar islands have in common.
 enum class Similarity {
-    Topology, //!< the same polygons, neighboured in the same way
-    Shape     //!< besides, the same lengths of sides in 3D, to within 1e-4 of the longest
+    Topology, //!< the same polygons, connected in the same way
+    Shape     //!< in addition the same 3D side lengths, to within 1e-4 of the longest
 };
 
-//! The islands similar to the given one, itself included, in rising order. Mirrored copies are similar. The
-//! comparison is by invariants (refined neighbourhood colours, sorted side lengths): copies are always found,
-//! and islands that differ are told apart in all but contrived cases.
+//! The islands similar to the given one, including itself, in ascending order. Mirrored copies are similar.
+//! The comparison uses invariants (refined neighbourhood colours, sorted side lengths): all copies are found;
+//! different islands are mistaken for copies only in contrived cases.
 std::vector<int> similarIslands(const MeshData &mesh, const MeshAdjacency &adjacency, const Islands &islands,
                                 int island, Similarity similarity);
 
-//! For every corner of island `to`, in the order of Islands::corners(), the corner of island `from` in its
-//! place, when `to` is a copy of `from` that is moved and turned but not mirrored: the same polygons with the
-//! same lengths, to within 1e-4 of the longest. Empty when it is not.
+//! When `to` is a copy of `from` that was moved and turned but not mirrored: for every corner of `to`, in the
+//! order of Islands::corners(), the matching corner of `from`. A copy has the same polygons with the same
+//! side lengths, to within 1e-4 of the longest. Empty when it is not a copy.
 std::vector<int> copiedCorners(const MeshData &mesh, const MeshAdjacency &adjacency, const Islands &islands,
                                int from, int to);
 

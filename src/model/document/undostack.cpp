@@ -4,7 +4,7 @@ namespace autocuts {
 
 namespace {
 
-//! The pool asks for memory in pieces of up to this many blocks.
+//! The pool allocates chunks of up to this many blocks. Chosen by hand; its effect has not been measured.
 constexpr std::size_t poolBlocksPerChunk = 256;
 
 } // namespace
@@ -29,7 +29,7 @@ UndoStack::UndoStack(QObject *parent)
 
 UndoEntry *UndoStack::entry(int index) const
 {
-    // Only push() puts entries here, and QUndoStack hands them out const.
+    // Only push() adds entries. QUndoStack returns them as const.
     return static_cast<UndoEntry *>(const_cast<QUndoCommand *>(command(index)));
 }
 

@@ -1,11 +1,11 @@
-// The undo history with a memory limit.
+// An undo history with a memory limit.
 //
-// QUndoStack can only be limited by a number of entries, and only while it is empty. Here the oldest entries
-// give up their contents when the limit is passed: they become obsolete, so that undoing one changes nothing
-// and merely takes it off the stack, and canUndoFurther() says beforehand that there is nothing left to undo.
-// The entries stay listed until then, because QUndoStack has no way to drop its oldest ones. They are always
-// the lowest ones, so what is above them stays exactly undoable. The saved mark is taken away once it cannot
-// be reached any more.
+// QUndoStack can only be limited to a number of entries, and only while it is empty. Here the oldest entries
+// release their contents when the memory limit is passed. They become obsolete: undoing one changes nothing
+// and only removes it from the stack. canUndoFurther() tells in advance that nothing is left to undo.
+// Released entries stay listed, because QUndoStack cannot drop its oldest ones. They are always the lowest
+// ones, so all entries above them can be undone exactly. The mark of the saved state is removed once that
+// state cannot be reached any more.
 #pragma once
 
 #include <QUndoStack>
@@ -17,21 +17,21 @@ namespace autocuts {
 
 class UndoStack;
 
-//! An entry that knows how much memory it takes and how to do with less.
+//! An entry that knows how much memory it takes and can release it.
 class UndoEntry : public QUndoCommand
 {
 public:
     ~UndoEntry() override;
 
-    //! True once the contents were given up.
+    //! True once the contents were released.
     bool isReleased() const { return mReleased; }
 
 protected:
-    //! Bytes held beyond the object itself, shared ones included.
+    //! Bytes held besides the object itself, including shared ones.
     virtual qint64 contentBytes() const = 0;
-    //! Called once no more merging is expected: the contents may be packed.
+    //! Called when no more merging is expected: the entry may compress its contents.
     virtual void compact() = 0;
-    //! Gives up the contents. undo() may be called once more and must then change nothing.
+    //! Releases the contents. undo() may be called once more and must then change nothing.
     virtual void clearContent() = 0;
 
 private:
@@ -39,46 +39,49 @@ private:
 
     void account();
 
-    std::shared_ptr<qint64> mTotal; //!< of the stack it is on; outlives it
+    //! Sum of the stack that it is on; shared, because entries may outlive the stack.
+    std::shared_ptr<qint64> mTotal;
     qint64 mAccounted = 0;
     bool mReleased = false;
 };
 
-//! QUndoStack with a memory limit. Macros must not be used: every entry is an UndoEntry.
+//! A QUndoStack with a memory limit. Macros must not be used: every entry has to be an UndoEntry.
 class UndoStack final : public QUndoStack
 {
     Q_OBJECT
 
 public:
-    //! Size up to which pool() hands out blocks of its own.
+    //! Blocks of up to this size, in bytes, come from the pool. Chosen by hand; its effect has not been
+    //! measured.
     static constexpr qint64 poolBlockSize = 16 * 1024;
     static constexpr qint64 defaultMemoryLimit = qint64(400) * 1024 * 1024;
 
     explicit UndoStack(QObject *parent = nullptr);
 
-    //! As QUndoStack::push(), which must not be called directly: packs the entry below and keeps the limit.
+    //! Use this instead of QUndoStack::push(). Also compacts the entry below and keeps the memory limit.
     void push(std::unique_ptr<UndoEntry> entry);
 
-    //! True when an entry that still has its contents can be undone.
+    //! True when the next entry to undo still has its contents.
     bool canUndoFurther() const;
-    //! The number of entries, counted from the oldest, that have given up their contents.
+    //! The number of entries, counted from the oldest, that have released their contents.
     int releasedCount() const;
 
     //! Bytes held by all entries.
     qint64 memoryUsed() const { return *mTotal; }
     qint64 memoryLimit() const { return mLimit; }
-    //! The newest entry that is done is never given up, however large. \pre bytes >= 0
+    //! The newest entry that is done is never released, however large. \pre bytes >= 0
     void setMemoryLimit(qint64 bytes);
 
-    //! Memory for the contents of entries, kept apart from everything that lives shortly.
+    //! Memory for the contents of entries, separate from the heap: without the pool, short-lived blocks
+    //! between them let the heap grow to about ten times its size.
     const std::shared_ptr<std::pmr::memory_resource> &pool() const { return mPool; }
 
-    //! A number for one gesture, brush stroke or solver run: entries with the same one merge. Never 0.
+    //! A new number for one gesture, brush stroke or solver run: entries with the same number merge. Never 0.
     quint64 newGesture() { return ++mLastGesture; }
 
 Q_SIGNALS:
-    //! The oldest entry is about to give up its contents: it cannot be undone from now on, and a journal has
-    //! to take it over.
+    //! The oldest entry is about to release its contents: it cannot be undone from now on. A journal has to
+    //! store it now.
     void aboutToRelease(const autocuts::UndoEntry &entry);
 
 private:

@@ -10,7 +10,8 @@ namespace autocuts {
 
 namespace {
 
-//! What makes two corners one vertex of an exported mesh: vertex, normal and all UVs, as bits.
+//! Two corners become one vertex of an exported mesh when their vertex, their normal and all their UVs have
+//! the same bits.
 using VertexKey = std::array<std::uint32_t, 1 + 3 + 2 * maxAssimpUvSets>;
 
 struct VertexKeyHash
@@ -38,7 +39,7 @@ aiVector3D toVector(const Vec3 &v)
     return {static_cast<ai_real>(v.x()), static_cast<ai_real>(v.y()), static_cast<ai_real>(v.z())};
 }
 
-//! Builds one exported mesh from faces of the soup.
+//! Builds one exported mesh from faces of the polygon soup.
 class MeshMaker
 {
 public:
@@ -69,10 +70,10 @@ private:
     const aiMesh *mOriginal;
     const AssimpPiece &mPiece;
     bool mTriangulate;
-    std::vector<int> mPolygonStart{0}, mCorners; //!< the faces to write, as soup polygon corners
-    std::vector<int> mSets;                      //!< UV sets that hold something here
-    std::vector<unsigned> mCornerVertex;         //!< exported vertex of every entry of mCorners
-    std::vector<int> mVertexCorner;              //!< a corner for every exported vertex
+    std::vector<int> mPolygonStart{0}, mCorners; //!< the faces to write, as polygon corners of the soup
+    std::vector<int> mSets;                      //!< UV sets with at least one UV in these faces
+    std::vector<unsigned> mCornerVertex;         //!< exported vertex of each entry of mCorners
+    std::vector<int> mVertexCorner;              //!< one corner of each exported vertex
 };
 
 void MeshMaker::collectPolygons(const std::vector<int> &faces)
@@ -154,7 +155,7 @@ void MeshMaker::splitVertices()
     }
 }
 
-//! Values of the original's vertices for the exported ones; nullptr stays nullptr.
+//! Copies per-vertex values of the original mesh to the exported vertices. nullptr stays nullptr.
 template <typename T>
 T *MeshMaker::gather(const T *values) const
 {
@@ -186,7 +187,8 @@ void MeshMaker::fillAttributes(aiMesh &out) const
     if (mOriginal) {
         out.mVertices = gather(mOriginal->mVertices);
         out.mNormals = gather(mOriginal->mNormals);
-        // Tangents belong to the old UVs and are left for the reader of the file to compute.
+        // Tangents belong to the old UVs. They are left out, so that the reader of the file computes new
+        // ones.
         for (unsigned set = 0; set < AI_MAX_NUMBER_OF_COLOR_SETS; ++set)
             out.mColors[set] = gather(mOriginal->mColors[set]);
     } else {

@@ -1,4 +1,4 @@
-// Turns faces of the soup back into a mesh for Assimp's exporters.
+// Converts faces of the polygon soup to a mesh for Assimp's exporters.
 #pragma once
 
 #include "model/io/assimpsource.h"
@@ -7,17 +7,18 @@ struct aiMesh;
 
 namespace autocuts {
 
-//! How the faces of one exported mesh are to be read.
+//! How one exported mesh is made.
 struct MeshOptions
 {
-    const PositionMatrix *normals = nullptr; //!< per corner, for soups that Assimp never saw
-    const aiMesh *original = nullptr;        //!< the mesh that the piece came from
+    const PositionMatrix *normals = nullptr; //!< per corner, for soups that were not read by Assimp
+    const aiMesh *original = nullptr;        //!< the mesh of the source from which the faces came
     AssimpPiece piece;
-    bool triangulate = false; //!< split polygons as MeshData does
+    bool triangulate = false; //!< split polygons in the same way as MeshData
 };
 
-//! A mesh of the given faces of the scene's soup with all UV sets; vertices are split where corners differ in
-//! UV or normal. Normals, colours and bones come from the original. The caller owns the result.
+//! Makes a mesh from the given faces of the scene with all UV sets. A vertex is split where its corners
+//! differ in UV or normal. Normals, colours and bones are copied from the original mesh. The caller owns the
+//! result.
 aiMesh *makeExportMesh(const Scene &scene, const std::vector<int> &faces, const MeshOptions &options);
 
 } // namespace autocuts

@@ -19,9 +19,11 @@ namespace autocuts {
 
 namespace {
 
+//! Limits as in objreader.cpp.
 constexpr qint64 maxFileSize = qint64(4) << 30;
 constexpr std::size_t maxElements = std::numeric_limits<int>::max() / 8;
 constexpr double maxCoordinate = 1e100;
+//! The node tree is read recursively; deeper ones are refused. Chosen by hand.
 constexpr int maxDepth = 2000;
 
 Eigen::Matrix4d toMatrix(const aiMatrix4x4 &m)
@@ -36,13 +38,13 @@ QString toName(const aiString &name)
     return QString::fromUtf8(name.C_Str());
 }
 
-//! Collects the meshes of all nodes into one soup.
+//! Collects the meshes of all nodes into one polygon soup.
 class SoupBuilder
 {
 public:
     SoupBuilder(const aiScene &scene, const QString &path) : mAi(scene), mPath(path) {}
 
-    //! False on an error, see error().
+    //! False on an error; see error().
     bool build(Scene &scene, AssimpSource &source);
     const Error &error() const { return *mError; }
 
@@ -52,7 +54,7 @@ private:
     bool addVertices(const aiNode &node, const aiMesh &mesh, const Eigen::Matrix4d &transform);
     bool addFaces(const aiNode &node, const aiMesh &mesh, int firstVertex, bool mirrored);
     void fillUvSets(Scene &scene) const;
-    //! Of the node; where it has none, of its first mesh.
+    //! The name of the node; of its first mesh when the node has none.
     QString objectName(const aiNode &node) const
     {
         const bool borrow = node.mName.length == 0 && node.mNumMeshes > 0 && node.mMeshes[0] < mAi.mNumMeshes;
@@ -181,7 +183,7 @@ void SoupBuilder::fillUvSets(Scene &scene) const
                 result.uv.row(c) << uv.x, uv.y;
             }
         }
-        // A set that no mesh has ends the list: files number their sets without gaps.
+        // A set that no mesh has ends the list: files number their UV sets without gaps.
         if (result.uv.rows() == 0)
             return;
         if (result.name.isEmpty())
@@ -212,9 +214,10 @@ bool SoupBuilder::build(Scene &scene, AssimpSource &source)
     return true;
 }
 
+//! The header of a PLY file has to end within this many bytes. Chosen by hand.
 constexpr qint64 maxPlyHeader = 1 << 20;
 
-//! What can be said without Assimp, whose messages about missing and empty files help nobody.
+//! Checks that need no Assimp: its messages about missing and empty files are not helpful.
 std::optional<Error> checkFile(const QString &path)
 {
     const QFileInfo info(path);
@@ -233,7 +236,7 @@ std::optional<Error> checkFile(const QString &path)
     if (!file.open(QIODevice::ReadOnly))
         return Error{QStringLiteral("the file cannot be read (%1)").arg(file.errorString()), path, 0,
                      QStringLiteral("Check its permissions")};
-    // Assimp never comes back from a PLY header without an end.
+    // Assimp hangs on a PLY header without an end.
     if (info.suffix().toLower() == QLatin1String("ply") && !file.peek(maxPlyHeader).contains("end_header"))
         return Error{QStringLiteral("the PLY header has no end"), path, 0,
                      QStringLiteral("The file is damaged or cut off: export the model again")};
@@ -254,7 +257,8 @@ Result<Scene> readWithAssimp(const QString &path)
         return *error;
     try {
         Assimp::Importer importer;
-        // Without this an FBX node becomes a chain of helper nodes, one for each part of its transform.
+        // Without this, Assimp reads an FBX node as a chain of helper nodes, one for each part of its
+        // transform.
         importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
         const aiScene *read = importer.ReadFile(QFile::encodeName(path).toStdString(), 0);
         if (!read || !read->mRootNode)

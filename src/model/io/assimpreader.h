@@ -6,11 +6,12 @@
 
 namespace autocuts {
 
-//! Reads a file as one soup in world space: texel density and packing need the true sizes, so every node's
-//! transform is applied to its meshes (and the corners of mirrored ones are reversed, so that they still face
-//! outwards). The scene in its own coordinates stays in the AssimpSource, and saving gives that back. Each
-//! node is one object, since Assimp splits what a file calls one object by material. All UV sets are read, v
-//! up. Polygons stay polygons; points and lines are left out and noted.
+//! Reads a file as one polygon soup in world space: texel density and packing need the true sizes, so each
+//! node's transform is applied to its meshes. The corner order of mirrored meshes is reversed, so that their
+//! faces still point outwards. The scene in its own coordinates is kept in the AssimpSource and written on
+//! saving. Each node becomes one object, since Assimp splits an object of the file by material. All UV sets
+//! are read, with v pointing up. Polygons stay polygons; points and lines are left out and mentioned in the
+//! notes.
 Result<Scene> readWithAssimp(const QString &path);
 
 } // namespace autocuts

@@ -12,7 +12,7 @@ namespace autocuts {
 
 namespace {
 
-//! A copy of the node tree without its meshes, and the copies in depth-first order.
+//! Copies the node tree without its meshes; also returns the copies in depth-first order.
 aiNode *copyTree(const aiNode &from, std::vector<aiNode *> &order)
 {
     auto *node = new aiNode;
@@ -53,7 +53,7 @@ aiMaterial *makeMaterial(const QString &name)
     return material;
 }
 
-//! The faces of each pair of object and material, -1 standing for none.
+//! The faces of each pair of object and material; -1 means none.
 std::map<std::pair<int, int>, std::vector<int>> facesByMaterial(const Scene &scene)
 {
     std::map<std::pair<int, int>, std::vector<int>> faces;
@@ -85,7 +85,7 @@ bool isInstanced(const AssimpSource &source)
     return std::adjacent_find(meshes.begin(), meshes.end()) != meshes.end();
 }
 
-//! True when a node has several meshes.
+//! True when at least one node has several meshes.
 bool hasSplitNodes(const AssimpSource &source)
 {
     return std::adjacent_find(source.pieces.begin(), source.pieces.end(),
@@ -93,7 +93,7 @@ bool hasSplitNodes(const AssimpSource &source)
            source.pieces.end();
 }
 
-//! Puts the root below a new one without transform.
+//! Puts a new root without transform above the root.
 void wrapRoot(aiScene &scene)
 {
     auto *root = new aiNode("Root");
@@ -109,7 +109,8 @@ ExportOptions exportOptions(const QString &format)
 {
     ExportOptions options;
     options.triangulate = format == QLatin1String("glb") || format == QLatin1String("gltf");
-    // Collada files with animations cannot be read back, and embedded textures crash the FBX exporter.
+    // Assimp cannot read back Collada files with animations, and its FBX exporter crashes on embedded
+    // textures.
     options.animations = format != QLatin1String("dae");
     options.embeddedTextures = options.rootTransform = format != QLatin1String("fbx");
     return options;
@@ -215,7 +216,7 @@ void ExportScene::makePlain(const Scene &scene)
         normals = objCornerNormals(*obj);
     const bool hasNormals = normals.rows() == scene.mesh->cornerCount() && normals.allFinite();
 
-    // One material more than there are names, for faces without any.
+    // One material more than there are names, for faces without a material.
     mScene->mNumMaterials = static_cast<unsigned>(scene.materialNames.size() + 1);
     mScene->mMaterials = new aiMaterial *[mScene->mNumMaterials];
     for (std::size_t m = 0; m < scene.materialNames.size(); ++m)

@@ -1,4 +1,4 @@
-// Scenes for Assimp's exporters, and what they lose.
+// Makes scenes for Assimp's exporters and lists what they lose.
 #pragma once
 
 #include "model/io/assimpsource.h"
@@ -9,23 +9,25 @@ struct aiScene;
 
 namespace autocuts {
 
-//! What of the source is handed to an exporter. Assimp's exporters differ in what they get right.
+//! What an exporter is given. Assimp's exporters differ in what they write correctly.
 struct ExportOptions
 {
-    bool triangulate = false; //!< as MeshData does, since Assimp's own split of concave polygons is poor
+    bool triangulate = false; //!< split polygons as MeshData does; Assimp splits concave polygons badly
     bool animations = true;
     bool embeddedTextures = true;
-    bool rootTransform = true; //!< false: the exporter ignores it, so it goes to a node below the root
+    //! False: the exporter ignores the root's transform, so it is moved to a node below the root.
+    bool rootTransform = true;
 };
 
-//! The options for a format, a lower-case suffix.
+//! The options for a format. \param format lower-case suffix
 ExportOptions exportOptions(const QString &format);
 
-//! What is lost of the source when it is exported, one line each.
+//! Lists the data of the source that an export loses, one line each.
 QStringList assimpLosses(const AssimpSource &source, const QString &format);
 
-//! A scene for Assimp's exporters. Nodes and materials belong to the Scene it was made from, which must live
-//! longer; meshes are its own, one per piece, with vertices split where a corner differs in UV or normal.
+//! A scene for Assimp's exporters. Nodes and materials belong to the Scene it was made from, which must
+//! outlive it. It owns its meshes, one per AssimpPiece; vertices are split where their corners differ in UV
+//! or normal.
 class ExportScene
 {
 public:
@@ -42,7 +44,7 @@ private:
     void makePlain(const Scene &scene);
 
     aiScene *mScene;
-    bool mBorrowed = false; //!< materials, textures, animations, cameras and lights are the source's
+    bool mBorrowed = false; //!< materials, textures, animations, cameras and lights belong to the source
     ExportOptions mOptions;
 };
 

@@ -1,4 +1,4 @@
-// The bridge between Assimp's scene and the polygon soup, used by the reader and the writer.
+// Links Assimp's scene and the polygon soup; used by the reader and the writer.
 #pragma once
 
 #include "model/document/scene.h"
@@ -10,25 +10,27 @@ struct aiScene;
 
 namespace autocuts {
 
-//! What Scene::uvSets looks like to Assimp: only so many sets.
+//! Assimp stores at most this many UV sets.
 inline constexpr int maxAssimpUvSets = 8;
 
-//! One mesh of one node of Assimp's scene, as a run of the soup's faces and vertices.
+//! One mesh of one node of Assimp's scene, which is a range of faces and vertices of the soup.
 struct AssimpPiece
 {
-    int node = 0;                     //!< number of the node, depth first
+    int node = 0;                     //!< index of the node in depth-first order
     unsigned mesh = 0;                //!< index into aiScene::mMeshes
     int firstVertex = 0;              //!< vertex i of the mesh is vertex firstVertex + i of the soup
-    int firstFace = 0, faceCount = 0; //!< in the soup
-    bool mirrored = false;            //!< corners run the other way than in the mesh: the transform mirrors
+    int firstFace = 0, faceCount = 0; //!< range of faces of the soup
+    //! The transform mirrors, so the corners are in reverse order of those in the mesh.
+    bool mirrored = false;
 };
 
-//! The scene as Assimp read it. Nodes, materials, normals, bones and animations are given back from here.
+//! The scene as Assimp read it. Saving writes its nodes, materials, normals, bones and animations back.
 struct AssimpSource final : SceneSource
 {
     std::shared_ptr<const aiScene> scene;
     std::vector<AssimpPiece>
-        pieces; //!< by node and place in the node, so their faces and vertices are in order
+        //! In the order of the nodes and of the meshes in a node, so that faces and vertices are ascending.
+        pieces;
 };
 
 } // namespace autocuts

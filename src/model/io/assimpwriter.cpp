@@ -15,8 +15,8 @@ namespace autocuts {
 
 namespace {
 
-//! Assimp's name of the exporter. Its binary FBX cannot be read back, and its binary PLY
-//! writes colours as what its header does not say.
+//! Assimp's id of the exporter for a suffix. Text variants are used for FBX and PLY: Assimp cannot read its
+//! own binary FBX, and its binary PLY writes colours in another type than its header declares.
 const char *exporterId(const QString &suffix)
 {
     if (suffix == QLatin1String("glb"))
@@ -37,8 +37,8 @@ QByteArrayView bytesOf(const aiExportDataBlob &blob)
 
 constexpr const char *companionBase = "autocuts-buffer";
 
-//! A gltf file with its one buffer inside: two files cannot be replaced at once, and a name in it would have
-//! to be escaped in a way that not every reader undoes.
+//! Embeds the buffer of a glTF file as base64. Two files cannot be replaced atomically, and the name of a
+//! buffer file would need escaping that some readers do not undo.
 QByteArray withEmbeddedBuffer(const aiExportDataBlob &main)
 {
     QByteArray text = bytesOf(main).toByteArray();
@@ -48,7 +48,7 @@ QByteArray withEmbeddedBuffer(const aiExportDataBlob &main)
     return text;
 }
 
-//! The blob belongs to the exporter; nullptr on failure.
+//! Exports to a blob that belongs to the exporter; nullptr on failure.
 const aiExportDataBlob *exportBlob(Assimp::Exporter &exporter, const Scene &scene, const QString &suffix,
                                    const ExportOptions &options)
 {
@@ -77,7 +77,7 @@ Result<Done> writeWithAssimp(const Scene &scene, const QString &path)
         Assimp::Exporter exporter;
         const aiExportDataBlob *blob = exportBlob(exporter, scene, suffix, options);
         if (!blob && options.animations) {
-            // Some animations are more than an exporter can express; they must not cost the user the UVs.
+            // Some animations cannot be expressed by an exporter. Then the model is written without them.
             options.animations = false;
             blob = exportBlob(exporter, scene, suffix, options);
         }

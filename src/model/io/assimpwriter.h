@@ -6,8 +6,8 @@
 
 namespace autocuts {
 
-//! Writes the scene with all its UV sets, the active one first, atomically. What the format cannot hold is
-//! lost: exportLosses() tells before. A gltf file holds its buffer itself, as base64.
+//! Writes the scene with all its UV sets, the active one first, atomically. Data that the format cannot hold
+//! is lost; exportLosses() lists it in advance. A glTF file contains its buffer as base64.
 //! \pre the suffix of path is glb, gltf, ply, dae or fbx
 Result<Done> writeWithAssimp(const Scene &scene, const QString &path);
 

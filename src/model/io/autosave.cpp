@@ -15,7 +15,8 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-//! A lock that names no process, left by a crash in the middle of making it, is dead after this time.
+//! A lock file that names no process, left by a crash while it was written, is removed after this time.
+//! Chosen by hand.
 constexpr int unreadableLockSeconds = 10;
 
 QString lockPathOf(const QString &file)
@@ -28,8 +29,8 @@ QString leftoversOf(const QString &lockPath)
     return QFileInfo(lockPath).completeBaseName() + u".acproj*"_s;
 }
 
-//! Null when a living process holds it. QLockFile itself sees whether the process in the lock still runs and
-//! is this program; a lock's age says nothing, since sessions last for days.
+//! Takes a lock; null when a running process holds it. QLockFile itself checks whether the process in the
+//! lock still runs and is this program. The age of a lock means nothing, since sessions may last for days.
 std::unique_ptr<QLockFile> tryLock(const QString &path)
 {
     auto lock = std::make_unique<QLockFile>(path);
@@ -46,7 +47,7 @@ std::unique_ptr<QLockFile> tryLock(const QString &path)
     return nullptr;
 }
 
-//! Removes everything of a session but its lock. \pre the lock is held
+//! Removes all files of a session except its lock. \pre the lock is held
 void removeFiles(const QString &folder, const QString &lockPath, bool keepSession)
 {
     QDir dir(folder);

@@ -1,8 +1,8 @@
-// Saving now and then, so that a crash costs minutes at most, and finding what a crash left behind.
+// Periodic saving and recovery of sessions after a crash.
 //
-// Every running session has a file ID.lock in a folder for recovery, held for as long as the program runs,
-// and after the first autosave a project file ID.acproj. Both vanish when the session ends in order. A
-// project file without a lock that a living process holds is what a crash left behind.
+// Each running session has a lock file ID.lock in the recovery folder, held while the program runs, and after
+// the first autosave a project file ID.acproj. Both are removed when the session ends normally. A project
+// file whose lock is not held by a running process was left by a crash.
 #pragma once
 
 #include "model/document/result.h"
@@ -18,61 +18,61 @@
 
 namespace autocuts {
 
-//! A session that ended without order.
+//! A session that did not end normally.
 struct RecoverableSession
 {
-    QString file;        //!< to be opened with loadProject()
-    QString sessionPath; //!< the file that the user knows the session by, empty when it was never saved
-    QDateTime savedAt;   //!< of the last autosave
+    QString file;        //!< project file for loadProject()
+    QString sessionPath; //!< the file that the user saved the session to; empty when it was never saved
+    QDateTime savedAt;   //!< time of the last autosave
 };
 
-//! All sessions in the folder that can be recovered, the newest first. Removes what is left of sessions that
-//! never came to an autosave, and of saves that were killed.
+//! All recoverable sessions in the folder, the newest first. Removes the files of sessions that ended before
+//! their first autosave, and of interrupted saves.
 std::vector<RecoverableSession> recoverableSessions(const QString &folder);
 
-//! Removes a session that nobody wants back; does nothing when it is in use.
+//! Removes a session that is not to be recovered; does nothing when a running process uses it.
 void discardSession(const RecoverableSession &session);
 
-//! The recovery file of one running session.
+//! Autosaves one running session to a recovery file.
 class Autosave final : public QObject
 {
     Q_OBJECT
 
 public:
-    static constexpr int defaultInterval = 2 * 60 * 1000; //!< milliseconds
+    static constexpr int defaultInterval = 2 * 60 * 1000; //!< milliseconds; chosen by hand
 
     using Saved = std::function<void(const Result<Done> &saved)>;
-    //! Writes the session, as it is now, to the path; may do so on another thread, in the order of the calls.
-    //! Calls `saved` on the thread of the Autosave when that has ended.
+    //! Writes the current session to the path. May do so on another thread, but saves must end in the order
+    //! of the calls. Calls `saved` on the thread of the Autosave afterwards.
     using Save = std::function<void(const QString &path, Saved saved)>;
 
-    //! Begins a session.
-    //! \param folder made when it is not there
-    //! \param continued a session to recover: its file is kept until the first autosave of this one replaces
-    //! it; an Error when another program has taken it up
+    //! Begins to autosave a session.
+    //! \param folder created when it does not exist
+    //! \param continued a recovered session: its file is kept until the first autosave of this session
+    //! replaces it. Error when another process has opened it
     static Result<std::unique_ptr<Autosave>> start(const QString &folder, Save save,
                                                    const RecoverableSession *continued = nullptr);
-    //! Ends the session in order: nothing is left to recover. \pre no save is under way
+    //! Ends the session normally and removes its recovery files. \pre no save is under way
     ~Autosave() override;
 
     //! \pre milliseconds > 0
     void setInterval(int milliseconds);
     int interval() const { return mTimer.interval(); }
-    //! The project file that it saves to.
+    //! The project file of the autosaves.
     const QString &file() const { return mFile; }
 
-    //! There is something new to save: it will be, one interval after the first of these calls.
+    //! Says that the session has changed. It is saved one interval after the first of these calls.
     void sessionChanged();
-    //! The user saved the session or went back to what is saved: nothing is left to recover, of saves that
-    //! are under way neither.
+    //! Says that the user saved the session or returned to the saved state. Removes the recovery file, also
+    //! that of a save that is under way.
     void sessionSaved();
 
 public Q_SLOTS:
-    //! Saves now instead of when it is due.
+    //! Saves at once instead of at the end of the interval.
     void saveNow();
 
 Q_SIGNALS:
-    //! An autosave failed. It is tried again after another interval.
+    //! An autosave failed. Another one follows after the interval.
     void failed(const autocuts::Error &error);
 
 private:
@@ -84,8 +84,8 @@ private:
     std::unique_ptr<QLockFile> mLock;
     Save mSave;
     QTimer mTimer;
-    int mSaving = 0;        //!< saves under way
-    bool mUnwanted = false; //!< what they write is to be removed
+    int mSaving = 0;        //!< number of saves under way
+    bool mUnwanted = false; //!< the files of these saves are to be removed
 };
 
 } // namespace autocuts

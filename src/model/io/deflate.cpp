@@ -6,7 +6,7 @@ namespace autocuts {
 
 namespace {
 
-//! No zlib stream expands further.
+//! The largest ratio of content to compressed size that a zlib stream can have (zlib technical details).
 constexpr qint64 largestExpansion = 1032;
 constexpr qint64 largestSize = qint64(4) << 30;
 

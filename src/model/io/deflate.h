@@ -1,4 +1,4 @@
-// Compression with a bound on what comes out.
+// Compression, and decompression with a limit on the size of the result.
 #pragma once
 
 #include <QByteArray>
@@ -7,15 +7,15 @@
 
 namespace autocuts {
 
-//! The bytes as a zlib stream.
+//! Compresses the bytes to a zlib stream.
 QByteArray deflated(QByteArrayView bytes);
 
-//! True when a zlib stream of so many bytes can hold `size` bytes at all: a size that is damaged or made up
-//! is found before memory is taken for it.
+//! True when a zlib stream of the given size can hold `size` bytes. Detects a damaged or forged size before
+//! memory is allocated for it.
 bool canInflateTo(qsizetype packedSize, qint64 size);
 
-//! What deflated() was given; nothing when the stream is damaged or does not give exactly `size` bytes. Takes
-//! `size` bytes of memory, whatever the stream holds.
+//! Decompresses a stream of deflated(); nothing when it is damaged or does not give exactly `size` bytes.
+//! Allocates `size` bytes, whatever the stream contains.
 std::optional<QByteArray> inflated(QByteArrayView packed, qint64 size);
 
 } // namespace autocuts

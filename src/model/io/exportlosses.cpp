@@ -7,7 +7,7 @@ namespace autocuts {
 
 namespace {
 
-//! True when the active set has UVs at some corners but not at all.
+//! True when the active set has UVs at some corners but not at all of them.
 bool hasPartialUv(const Scene &scene)
 {
     if (!scene.hasUv())

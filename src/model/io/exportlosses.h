@@ -1,4 +1,4 @@
-// Says before writing what a file format cannot hold.
+// Lists, before writing, the data that a file format cannot hold.
 #pragma once
 
 #include "model/document/scene.h"
@@ -7,7 +7,7 @@
 
 namespace autocuts {
 
-//! What of the scene will not be in a file of this format, one line each; empty when nothing is lost.
+//! The data of the scene that a file of this format loses, one line each; empty when nothing is lost.
 //! \param format lower-case suffix of the file to write
 QStringList exportLosses(const Scene &scene, const QString &format);
 

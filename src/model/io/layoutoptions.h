@@ -1,4 +1,4 @@
-// How pictures of UV layouts are drawn.
+// Options for pictures of UV layouts.
 #pragma once
 
 #include <QColor>
@@ -10,19 +10,20 @@ namespace autocuts {
 
 enum class LayoutBackground { Transparent, Dark, Light };
 
-//! How a layout is drawn. The unit square fills the picture, v up; what lies outside is not shown.
+//! How a layout is drawn. The picture shows the unit square with v pointing up; anything outside is cut off.
 struct LayoutOptions
 {
-    int size = 2048;   //!< texture size: pixels along each side, 16 to 16384
+    int size = 2048;   //!< pixels along each side, 16 to 16384
     bool edges = true; //!< draw the edges inside the islands
     bool fill = true;  //!< fill the islands
     bool seams = true; //!< draw the outlines of the islands
-    //! Pixels by which the fill of each island goes on beyond its outline, 0 to 256: for painting without a
-    //! bare rim. Never covers another island.
+    //! Pixels by which the fill of each island extends beyond its outline, 0 to 256, so that textures painted
+    //! over the picture have no empty border. Never covers another island.
     int bleed = 0;
     LayoutBackground background = LayoutBackground::Dark;
-    std::optional<QColor> islandColor, edgeColor, seamColor; //!< none: chosen by the background
-    std::vector<int> overlapping;                            //!< triangles of the mesh to hatch
+    //! Without a value, chosen to suit the background.
+    std::optional<QColor> islandColor, edgeColor, seamColor;
+    std::vector<int> overlapping; //!< triangles of the mesh to hatch
 };
 
 } // namespace autocuts

@@ -11,15 +11,15 @@ namespace {
 
 using Loop = LayoutPaths::Loop;
 
-//! Painting far outside the picture is slow and may overflow; one unit around it keeps line ends out of
-//! sight.
+//! The drawn region of UV space. Drawing far outside the picture is slow and may overflow; the picture is the
+//! unit square, and a border of one unit keeps line ends out of sight. Chosen by hand.
 constexpr double lowest = -1;
 constexpr double highest = 2;
 
-//! A side of a face or triangle.
+//! A side of a face or triangle with a direction.
 struct DirectedSide
 {
-    int chart, from, to; //!< chart and UV vertices
+    int chart, from, to; //!< chart, and UV vertices at the start and the end
 
     auto edge() const { return std::tuple(chart, std::min(from, to), std::max(from, to)); }
     bool operator<(const DirectedSide &o) const
@@ -28,7 +28,7 @@ struct DirectedSide
     }
 };
 
-//! Sides of all triangles, each triangle once around counter-clockwise.
+//! The sides of all triangles. Flipped triangles are reversed, so that all run counter-clockwise.
 std::vector<DirectedSide> triangleSides(const MeshData &mesh, const UvMatrix &uv, const UvTopology &topology)
 {
     std::vector<DirectedSide> sides;
@@ -50,8 +50,8 @@ std::vector<DirectedSide> triangleSides(const MeshData &mesh, const UvMatrix &uv
     return sides;
 }
 
-//! What is left when sides that run against each other along one edge have cancelled. As every triangle is a
-//! closed loop, as many sides leave a UV vertex as arrive there.
+//! Removes pairs of sides that run in opposite directions along one edge. Since every triangle is a closed
+//! loop, equally many of the remaining sides start and end at each UV vertex.
 std::vector<DirectedSide> cancelled(std::vector<DirectedSide> sides)
 {
     std::sort(sides.begin(), sides.end(),
@@ -73,7 +73,7 @@ std::vector<DirectedSide> cancelled(std::vector<DirectedSide> sides)
     return left;
 }
 
-//! Sides of faces on borders of their charts, in the winding of the faces.
+//! The sides of faces on the borders of their charts, in the winding of the faces.
 std::vector<DirectedSide> borderSides(const MeshData &mesh, const UvTopology &topology)
 {
     std::vector<DirectedSide> sides, border;
@@ -98,7 +98,7 @@ std::vector<DirectedSide> borderSides(const MeshData &mesh, const UvTopology &to
     return border;
 }
 
-//! A chain of sides, each beginning where the one before ends.
+//! A sequence of sides, each starting where the previous one ends.
 struct Chain
 {
     int chart;
@@ -141,7 +141,7 @@ bool isNear(const Loop &points)
                        [](const Vec2 &p) { return p.minCoeff() >= lowest && p.maxCoeff() <= highest; });
 }
 
-//! The part of a polygon on one side of a line along an axis.
+//! The part of a polygon on one side of an axis-parallel line.
 Loop clippedHalf(const Loop &loop, int axis, double limit, bool keepBelow)
 {
     const auto inside = [&](const Vec2 &p) { return keepBelow ? p[axis] <= limit : p[axis] >= limit; };
@@ -171,7 +171,7 @@ Loop clippedLoop(Loop loop)
     return loop;
 }
 
-//! Shortens a line to the visible surroundings; false when nothing is left.
+//! Clips a line to the drawn region; false when nothing is left.
 bool clipLine(Vec2 &a, Vec2 &b)
 {
     for (int axis = 0; axis < 2; ++axis) {

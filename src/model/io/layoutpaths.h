@@ -1,4 +1,4 @@
-// The outlines and lines that a picture of a UV layout consists of.
+// The outlines and lines of a picture of a UV layout.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -8,26 +8,26 @@
 
 namespace autocuts {
 
-//! Lines of a UV layout in UV units, cut off well outside the unit square.
+//! The lines of a UV layout in UV units, clipped to a region larger than the unit square.
 struct LayoutPaths
 {
     using Loop = std::vector<Vec2>;
     struct Line
     {
         std::vector<Vec2> points;
-        bool closed = false; //!< the last point is joined to the first
+        bool closed = false; //!< the last point is connected to the first
     };
 
-    //! Loops of each chart. They wind counter-clockwise around every triangle: filled by the non-zero rule
-    //! they give all that the chart covers, however often it is flipped or covers itself.
+    //! The loops of each island. They wind counter-clockwise around every triangle, so that the non-zero fill
+    //! rule covers the whole island, also where it is flipped or overlaps itself.
     std::vector<std::vector<Loop>> islands;
-    std::vector<Line> borders;                     //!< seams and boundaries
+    std::vector<Line> borders;                     //!< seams and mesh boundaries
     std::vector<std::pair<Vec2, Vec2>> innerEdges; //!< polygon edges that are not borders
-    std::vector<Loop> overlaps;                    //!< the triangles that were asked for
+    std::vector<Loop> overlaps;                    //!< the triangles given as `overlapping`
 };
 
 //! \param uv one row per corner; a non-finite row means that the corner has no UV
-//! \param overlapping triangles of the mesh; those out of range or without UVs are left out
+//! \param overlapping triangles of the mesh; those out of range or without UVs are ignored
 LayoutPaths layoutPaths(const MeshData &mesh, const UvMatrix &uv, const std::vector<int> &overlapping);
 
 } // namespace autocuts

@@ -1,4 +1,4 @@
-// Colours and line widths of the pictures of UV layouts.
+// Colours and line widths of pictures of UV layouts.
 #pragma once
 
 #include "model/io/layoutoptions.h"
@@ -8,17 +8,17 @@
 
 namespace autocuts {
 
-//! Looks of one picture; widths in pixels.
+//! The style of one picture; widths in pixels.
 struct LayoutStyle
 {
     QColor background, frame, edge, seam, overlap, overlapTint;
     double edgeWidth = 1, seamWidth = 2, frameWidth = 1;
     double hatchSpacing = 10, hatchWidth = 2;
 
-    //! Chosen so that the edges of a dense mesh do not drown the islands.
+    //! Chooses line widths so that the edges of a dense mesh do not hide the islands.
     LayoutStyle(const LayoutPaths &paths, const LayoutOptions &options);
 
-    //! Neighbouring numbers get clearly different hues.
+    //! Islands with consecutive numbers get clearly different hues.
     QColor islandColor(int chart) const;
 
 private:
@@ -26,7 +26,7 @@ private:
     std::optional<QColor> mIslandColor;
 };
 
-//! Null when the options are fine.
+//! Why the options are invalid; a null string when they are valid.
 QString layoutOptionsProblem(const LayoutOptions &options);
 
 } // namespace autocuts

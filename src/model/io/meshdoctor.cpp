@@ -4,7 +4,7 @@ namespace autocuts {
 
 namespace {
 
-//! "1 thing" or "n things".
+//! "1 thing" or "n things": the number with the singular or plural.
 QString counted(int count, const char *one, const char *many)
 {
     return QStringLiteral("%1 %2").arg(count).arg(QLatin1String(count == 1 ? one : many));

@@ -1,4 +1,4 @@
-// What was unusual about a mesh, in sentences.
+// Describes in sentences what is unusual about a mesh.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -7,7 +7,7 @@
 
 namespace autocuts {
 
-//! One sentence per finding: what was found and how it is handled. Empty for a mesh without peculiarities.
+//! One sentence per finding: what was found and how the program handles it. Empty when nothing is unusual.
 QStringList meshDoctorNotes(const MeshReport &report);
 
 } // namespace autocuts

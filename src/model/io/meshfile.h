@@ -1,4 +1,4 @@
-// Reading and writing mesh files of any supported format.
+// Reads and writes mesh files of all supported formats.
 #pragma once
 
 #include "model/document/result.h"
@@ -8,19 +8,20 @@
 
 namespace autocuts {
 
-//! Lower-case suffixes that readMesh() understands, OBJ first.
+//! The lower-case suffixes that readMesh() supports, OBJ first.
 QStringList readableFormats();
-//! Lower-case suffixes that writeMesh() understands, OBJ first.
+//! The lower-case suffixes that writeMesh() supports, OBJ first.
 QStringList writableFormats();
 
-//! Reads a mesh file; the suffix of the path, in any case, says the format.
+//! Reads a mesh file. The suffix of the path, in upper or lower case, gives the format.
 Result<Scene> readMesh(const QString &path);
 
-//! An Error when writeMesh() cannot write the format that the suffix of the path says.
+//! An Error when writeMesh() does not support the format given by the suffix.
 Result<Done> checkWriteFormat(const QString &path);
 
-//! Writes the scene with its active (first) UV set; the suffix of the path says the format. OBJ to OBJ loses
-//! nothing; for other formats see exportLosses(). On an Error an existing file is as it was.
+//! Writes the scene with its active (first) UV set in the format given by the suffix. Writing a scene from an
+//! OBJ file as OBJ loses nothing; for other formats see exportLosses(). On an Error an existing file is
+//! unchanged.
 Result<Done> writeMesh(const Scene &scene, const QString &path);
 
 } // namespace autocuts

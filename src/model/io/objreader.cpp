@@ -15,13 +15,15 @@ namespace autocuts {
 
 namespace {
 
+//! Bytes; chosen by hand.
 constexpr qint64 maxFileSize = qint64(4) << 30;
-//! Soup corners, times a few, must fit an int.
+//! Soup corners are up to three times as many; their number, and small multiples of it, has to fit into an
+//! int.
 constexpr std::size_t maxElements = std::numeric_limits<int>::max() / 8;
-//! Beyond this areas leave the range of double.
+//! Areas of meshes with larger coordinates may leave the range of doubles.
 constexpr double maxCoordinate = 1e100;
 
-//! Numbers names in the order of their first use.
+//! Numbers names in the order of first use.
 class NameTable
 {
 public:
@@ -39,7 +41,7 @@ private:
     std::vector<QString> mNames;
 };
 
-//! The highest index that was used before it was defined, and where.
+//! The highest index that was used before it was defined, and the line that used it.
 struct ForwardReference
 {
     std::int64_t index = -1;
@@ -83,7 +85,7 @@ private:
     std::vector<int> mFaceStart{0}, mCornerVertex, mFaceObject, mFaceMaterial;
     NameTable mObjects, mMaterials;
     std::string_view mObjectName;
-    int mObject = -1; //!< of the next face, -1 until a face asks for it
+    int mObject = -1; //!< of the next face; -1 until a face needs it
     int mMaterial = -1;
     int mFaceLines = 0;
     int mFirstSkippedLine = 0;
@@ -98,7 +100,7 @@ QString exportAgain()
 
 bool ObjParser::readVertex(std::string_view arguments)
 {
-    // What follows the three coordinates (a weight, a colour) is kept in the file and means nothing here.
+    // Values after the three coordinates (a weight or a colour) are ignored here; saving preserves them.
     std::string_view word;
     for (int k = 0; k < 3; ++k) {
         double value = 0;
@@ -176,7 +178,7 @@ bool ObjParser::readCorner(std::string_view word)
     return true;
 }
 
-//! Takes back the corners of a face that has fewer than three different vertices. False on an error.
+//! Removes the corners of a face that has fewer than three different vertices. False on an error.
 bool ObjParser::dropSmallFace(const ObjScanner &scanner, std::size_t begin)
 {
     if (mCornerVertex.size() - begin < 3 && !scanner.terminated())

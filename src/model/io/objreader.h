@@ -1,4 +1,4 @@
-// The project's own OBJ reader; together with objwriter it gives back every byte that is not a UV.
+// The project's own OBJ reader. Together with objwriter it preserves every byte that does not state a UV.
 #pragma once
 
 #include "model/document/result.h"
@@ -9,12 +9,13 @@
 namespace autocuts {
 
 //! Reads polygons, objects (o), materials (usemtl) and UVs. Everything else stays in the ObjSource of the
-//! scene. One UV set, or none when the file has no vt that a face uses; a corner whose vt is missing or not
-//! finite has a non-finite row. Faces of fewer than three different vertices are left out and noted. Errors
-//! name the line: wrong indices, coordinates that are no finite numbers, truncated or binary data.
+//! scene. The scene has one UV set, or none when no face uses a vt. The row of a corner is not finite when
+//! its vt is missing or not finite. Faces of fewer than three different vertices are left out and mentioned
+//! in the notes. Errors name the line: wrong indices, coordinates that are not finite numbers, truncated or
+//! binary data.
 Result<Scene> readObj(const QString &path);
 
-//! The same from bytes in memory; `path` is for messages and for Scene::path.
+//! Reads from bytes in memory; `path` is used in messages and for Scene::path.
 Result<Scene> parseObj(QByteArray bytes, const QString &path);
 
 } // namespace autocuts

@@ -30,11 +30,11 @@ void appendNumber(QByteArray &out, Number value)
     out.append(text, result.ptr - text);
 }
 
-//! Which old vt lines have to stay for statements other than faces.
+//! The old vt lines that have to stay, because statements other than faces refer to them.
 struct KeptLines
 {
-    std::int64_t count = 0;    //!< the first so many vt lines stay as they are
-    const char *end = nullptr; //!< new vt lines may only stand after this place in the source
+    std::int64_t count = 0;    //!< so many vt lines stay, counted from the first
+    const char *end = nullptr; //!< new vt lines may only be added after this place in the source
 };
 
 KeptLines findKeptLines(std::string_view bytes, std::int64_t total)
@@ -59,7 +59,7 @@ KeptLines findKeptLines(std::string_view bytes, std::int64_t total)
             std::int64_t index = 0;
             if (reference.empty() || !parseIndex(reference, seen, index))
                 continue;
-            // A relative index counts back from here, so everything before it has to stay.
+            // A relative index counts back from this line, so all vt lines before it have to stay.
             const bool relative = reference.front() == '-';
             kept.count = std::max(kept.count, std::min(total, relative ? seen : index + 1));
             if (relative)
@@ -83,14 +83,14 @@ public:
     QByteArray run();
 
 private:
-    //! A place for new vt lines.
+    //! A place in the file where new vt lines may be added.
     struct Slot
     {
         qsizetype body = 0; //!< offset in mBody
         qsizetype text = 0; //!< offset in mText of its first line
     };
 
-    //! The first slot also takes what faces before it needed: they refer forward.
+    //! The first slot also takes the vt lines of faces before it, which then refer to later lines.
     void openSlot() { mSlots.push_back({mBody.size(), mSlots.empty() ? 0 : mText.size()}); }
     void face(const ObjScanner &scanner);
     std::int64_t indexOf(int corner, std::string_view lineEnd);
@@ -100,12 +100,12 @@ private:
     const MeshData &mMesh;
     const UvMatrix &mUv;
     std::vector<int> mShared;
-    std::vector<int> mIndex; //!< 1-based vt number by first corner, 0: not yet written
+    std::vector<int> mIndex; //!< 1-based vt number by first corner; 0: not written yet
     KeptLines mKept;
     std::int64_t mNext = 1;  //!< number of the next new vt line
-    QByteArray mBody, mText; //!< the file without new vt lines; the new vt lines
+    QByteArray mBody, mText; //!< the file without new vt lines, and the new vt lines
     std::vector<Slot> mSlots;
-    bool mInSlot = false; //!< nothing but vt lines since the last slot was opened
+    bool mInSlot = false; //!< only vt lines were seen since the last slot was opened
     int mFaceLine = 0, mFace = 0;
     std::size_t mSkipped = 0;
 };
@@ -183,7 +183,8 @@ QByteArray ObjRewriter::run()
         if (first)
             append(mBody, bytes.substr(0, line.data() - bytes.data())); // a byte order mark
         first = false;
-        const bool open = !std::less<>()(line.data(), mKept.end); // after all that must keep its number
+        // True after all vt lines that must keep their numbers.
+        const bool open = !std::less<>()(line.data(), mKept.end);
         if (scanner.statement() == ObjStatement::TextureVertex && open) {
             if (!mInSlot)
                 openSlot();
@@ -208,7 +209,7 @@ QByteArray ObjRewriter::run()
 
 std::vector<int> sharedUvCorners(const MeshData &mesh, const UvMatrix &uv)
 {
-    // Corners by welded vertex, in rising order.
+    // Corners grouped by welded vertex, in ascending order.
     std::vector<int> start(mesh.vertexCount() + 1, 0);
     for (int v : mesh.cornerVertex)
         ++start[mesh.vertexWeld[v] + 1];

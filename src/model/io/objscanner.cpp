@@ -14,7 +14,7 @@ bool isBlank(char c)
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-//! True for a backslash that continues a line; it counts as a blank.
+//! True for a backslash that continues a line; it counts as white space.
 bool isContinuation(std::string_view text, std::size_t at)
 {
     return text[at] == '\\' && at + 1 < text.size() && (text[at + 1] == '\n' || text[at + 1] == '\r');
@@ -50,7 +50,7 @@ ObjStatement statementOf(std::string_view keyword)
     return ObjStatement::Other;
 }
 
-//! Names may end with a backslash (Windows paths), and in a comment it means nothing.
+//! In names a backslash may be the last character (Windows paths); in comments it has no meaning.
 bool canContinue(std::string_view keyword)
 {
     return !keyword.empty() && keyword.front() != '#' && keyword != "o" && keyword != "g" &&
@@ -157,7 +157,7 @@ bool parseNumber(std::string_view word, double &value)
     if (result.ec == std::errc::invalid_argument || result.ptr != end)
         return false;
     if (result.ec == std::errc::result_out_of_range) {
-        // Too large or too small for a double: the wider type tells which.
+        // The value is too large or too small for a double: a wider type tells which.
         long double wide = 0;
         const bool fits = std::from_chars(word.data(), end, wide).ec == std::errc();
         value = fits ? static_cast<double>(wide) : std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// The lines and words of an OBJ file, as views into its bytes; shared by the reader and the writer.
+// Splits OBJ files into lines and words, as views into their bytes; used by the reader and the writer.
 #pragma once
 
 #include <cstdint>
@@ -6,35 +6,35 @@
 
 namespace autocuts {
 
-//! What a line of an OBJ file states, as far as anybody here cares.
+//! The statements of OBJ files that the program distinguishes.
 enum class ObjStatement : std::uint8_t {
     Vertex,        //!< v
     TextureVertex, //!< vt
     Normal,        //!< vn
     Face,          //!< f
-    Element,       //!< l or surf: may refer to texture vertices
+    Element,       //!< l or surf: may refer to vt lines
     Object,        //!< o
     Material,      //!< usemtl
-    Other          //!< anything else, comments and empty lines included
+    Other          //!< anything else, including comments and empty lines
 };
 
-//! Walks through the logical lines: a backslash before the line end continues a line, except after names and
-//! in comments. Lines end with LF, CR LF, or CR where the file has no LF at all.
+//! Iterates over logical lines: a backslash before the line end continues a line, except after names and in
+//! comments. Lines end with LF or CR LF, or with CR in files without LF.
 class ObjScanner
 {
 public:
     explicit ObjScanner(std::string_view bytes);
 
-    //! Moves to the next logical line; false at the end of the bytes.
+    //! Moves to the next logical line; false at the end of the file.
     bool next();
 
     ObjStatement statement() const { return mStatement; }
-    std::string_view line() const { return mLine; }           //!< with its line end
-    std::string_view arguments() const { return mArguments; } //!< what follows the keyword
+    std::string_view line() const { return mLine; }           //!< including its line end
+    std::string_view arguments() const { return mArguments; } //!< everything after the keyword
     int lineNumber() const { return mLineNumber; }            //!< 1-based, of the first physical line
-    //! False when the bytes end before the line does.
+    //! False when the file ends without a line end.
     bool terminated() const { return !mLine.empty() && mLine.back() == mEndOfLine; }
-    //! The line end of the file's first line, LF when there is none.
+    //! The line end of the first line; LF when there is none.
     std::string_view lineEnd() const { return mLineEnd; }
 
 private:
@@ -45,17 +45,17 @@ private:
     ObjStatement mStatement = ObjStatement::Other;
     std::string_view mLine, mArguments;
     int mLineNumber = 0;
-    int mPhysicalLines = 0; //!< of the current logical line
+    int mPhysicalLines = 0; //!< number of physical lines in the current logical line
 };
 
-//! Takes the next word off the front of `rest`; false when only blanks or a comment are left. What stood
-//! before the word is the difference of the data pointers.
+//! Removes the next word from the front of `rest`; false when only white space or a comment is left. The
+//! difference of the data pointers gives the length of the text before the word.
 [[nodiscard]] bool nextWord(std::string_view &rest, std::string_view &word);
 
-//! The words of a name argument: everything up to the line end, without blanks around it.
+//! The argument of a name statement: everything up to the line end, without white space at both ends.
 std::string_view nameArgument(std::string_view arguments);
 
-//! A corner of a face or a line element as written: v, v/vt, v//vn or v/vt/vn. Missing parts are empty.
+//! A corner in an f or l line: v, v/vt, v//vn or v/vt/vn. Missing parts are empty.
 struct ObjCornerWord
 {
     std::string_view vertex, textureVertex, normal;
@@ -64,12 +64,12 @@ struct ObjCornerWord
     explicit ObjCornerWord(std::string_view word);
 };
 
-//! Parses a whole word as a finite or non-finite number; false when it is not a number. Overflow gives
-//! infinity.
+//! Parses a whole word as a number, finite or not; false when it is not a number. Overflow gives infinity.
 [[nodiscard]] bool parseNumber(std::string_view word, double &value);
 
-//! Parses a 1-based or negative index and makes it 0-based. `count` elements were defined before this line.
-//! \returns false when the word is no integer, is 0, or reaches back before the first element
+//! Parses a 1-based or negative index and converts it to a 0-based one. `count` elements were defined before
+//! this line.
+//! \returns false when the word is not an integer, is 0, or refers to an element before the first
 [[nodiscard]] bool parseIndex(std::string_view word, std::int64_t count, std::int64_t &index);
 
 } // namespace autocuts

@@ -1,4 +1,4 @@
-// What an OBJ file must get back on saving.
+// The data of an OBJ file that saving preserves.
 #pragma once
 
 #include "model/document/scene.h"
@@ -9,20 +9,21 @@
 
 namespace autocuts {
 
-//! The file itself, and where its UVs came from.
+//! The bytes of the file and the sources of its UVs.
 struct ObjSource final : SceneSource
 {
     QByteArray bytes;
-    std::vector<double> textureVertices;  //!< u and v of every vt line
-    std::vector<int> cornerTextureVertex; //!< 0-based vt of every corner of the mesh, -1 for none
-    std::vector<int> skippedFaces; //!< numbers (0-based, rising) of the f lines that are not in the mesh
+    std::vector<double> textureVertices;  //!< u and v of each vt line
+    std::vector<int> cornerTextureVertex; //!< 0-based vt number of each corner of the mesh, -1 for none
+    //! 0-based numbers of the f lines that are not in the mesh, ascending.
+    std::vector<int> skippedFaces;
 
-    //! The UVs as they are in the file, a row per corner; NaN where there is none.
+    //! The UVs in the file, one row per corner; NaN where there is none.
     UvMatrix originalUv() const;
 };
 
-//! The normal of every corner (3 columns) as the file gives it; NaN where there is none. Read from the bytes
-//! on demand, since only other formats need it.
+//! The normal of each corner in the file; NaN where there is none. Computed from the bytes on demand, since
+//! only other formats need it.
 PositionMatrix objCornerNormals(const ObjSource &source);
 
 } // namespace autocuts

@@ -13,7 +13,7 @@ namespace autocuts {
 
 namespace {
 
-//! The active UV set, or no UVs at all.
+//! The active UV set; rows without UVs when the scene has no UV set.
 UvMatrix activeUv(const Scene &scene)
 {
     if (!scene.uvSets.empty())
@@ -23,7 +23,7 @@ UvMatrix activeUv(const Scene &scene)
     return none;
 }
 
-//! True when no corner's UV differs, bit for bit; two missing UVs are equal.
+//! True when the UVs of all corners have the same bits; two missing UVs are equal.
 bool sameUv(const ObjSource &source, const UvMatrix &uv)
 {
     for (Eigen::Index c = 0; c < uv.rows(); ++c) {
@@ -38,14 +38,14 @@ bool sameUv(const ObjSource &source, const UvMatrix &uv)
     return true;
 }
 
-//! A name that stays one word list on one line.
+//! Replaces the characters that would end a name or the line.
 QByteArray cleanName(const QString &name, const char *fallback)
 {
     const QByteArray clean = name.simplified().toUtf8();
     return clean.isEmpty() ? QByteArray(fallback) : clean;
 }
 
-//! Names of the objects; objects that share a name would be joined on reading, so they get numbers.
+//! The names of the objects. Objects of equal names would be read as one, so they get numbers.
 std::vector<QByteArray> objectNames(const Scene &scene)
 {
     std::set<QByteArray> used;

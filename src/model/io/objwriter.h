@@ -1,4 +1,4 @@
-// The project's own OBJ writer: the original file with only its UVs changed, or a plain file.
+// The project's own OBJ writer: writes the original file with new UVs, or a new file.
 #pragma once
 
 #include "model/document/result.h"
@@ -8,10 +8,10 @@
 
 namespace autocuts {
 
-//! The file to write. When the scene came from an OBJ file this is that file: byte for byte when the active
-//! UV set is as it was read; otherwise with new vt lines in place of the old ones and new vt indices in the f
-//! lines. Corners of one welded vertex with the same UV share a vt. A scene from another format gives a plain
-//! file of o, v, vt, usemtl and f lines.
+//! The bytes to write. For a scene from an OBJ file these are the bytes of that file when the active UV set
+//! is unchanged; otherwise new vt lines replace the old ones, and f lines get new vt indices. Corners of one
+//! welded vertex with the same UV share a vt line. For other scenes it is a plain file of o, v, vt, usemtl
+//! and f lines.
 QByteArray objBytes(const Scene &scene);
 
 //! Writes objBytes() atomically.

@@ -1,4 +1,4 @@
-// Arrays of numbers as byte strings that compress well.
+// Stores arrays of numbers as byte strings that compress well.
 #pragma once
 
 #include "model/plain/types.h"
@@ -11,16 +11,16 @@
 
 namespace autocuts {
 
-//! Little-endian, all first bytes before all second bytes and so on: neighbouring numbers share their high
-//! bytes, which then stand together.
+//! Little-endian, with all first bytes before all second bytes and so on. Numbers next to each other often
+//! have equal high bytes, which come to stand together in this order.
 QByteArray packedArray(std::span<const int> values);
 QByteArray packedArray(std::span<const double> values);
 
-//! Nothing when the bytes are not exactly `count` numbers.
+//! Nothing when the byte string does not hold exactly `count` numbers.
 std::optional<std::vector<int>> unpackedIntegers(const QByteArray &bytes, qsizetype count);
 std::optional<std::vector<double>> unpackedDoubles(const QByteArray &bytes, qsizetype count);
 
-//! How many integers or doubles the bytes hold; -1 when they end within one.
+//! The number of integers or doubles in the byte string; -1 when it ends within one.
 qsizetype packedIntegerCount(const QByteArray &bytes);
 qsizetype packedDoubleCount(const QByteArray &bytes);
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr auto formatName = "autocuts-project"_L1;
 
-//! Of everything that the block consists of, so that neither a name nor a size can be exchanged.
+//! Checksum over the name, the size and the data of a block, so that none of them can be changed unnoticed.
 QByteArray checksumOf(const QByteArray &name, qint64 size, QByteArrayView data)
 {
     QCryptographicHash hash(QCryptographicHash::Sha256);
@@ -38,7 +38,7 @@ std::optional<QByteArray> unpackBlock(const PackedBlock &block)
     return inflated(block.data, block.size);
 }
 
-//! Walks through the container. The first thing that is not as it should be makes it fail.
+//! Reads the container. It fails at the first value that is not as expected.
 class ContainerReader
 {
 public:

@@ -1,4 +1,4 @@
-// The container of a project file: named blocks, each compressed and with a checksum of its own.
+// The container format of project files: named blocks, each compressed and with its own checksum.
 #pragma once
 
 #include "model/document/result.h"
@@ -11,36 +11,37 @@
 
 namespace autocuts {
 
-//! A block as it stands in the file.
+//! A block as stored in the file.
 struct PackedBlock
 {
     QByteArray name;
-    qint64 size = 0; //!< of the content
+    qint64 size = 0; //!< bytes of the uncompressed content
     QByteArray checksum;
-    QByteArray data; //!< a zlib stream, or the content itself when that has the same size
+    QByteArray data; //!< a zlib stream, or the content itself when its size is the same
 };
 
-//! \param compress false for what is compressed already
+//! Makes a block. \param compress false when the content is already compressed
 PackedBlock packBlock(const QByteArray &name, const QByteArray &content, bool compress = true);
 
-//! One CBOR map: "format", "version", then every block as name -> [size, checksum, data].
+//! Makes a container: one CBOR map with "format" and "version", then each block as name -> [size, checksum,
+//! data].
 QByteArray containerBytes(int version, const std::vector<PackedBlock> &blocks);
 
-//! The contents of a project file, as far as they are whole.
+//! The undamaged contents of a project file.
 struct ProjectParts
 {
     int version = 0;
-    std::map<QByteArray, QByteArray> parts; //!< content by name
-    std::vector<QByteArray> damaged;        //!< names of blocks whose checksum does not fit
-    bool brokenOff = false;                 //!< something after the last block cannot be read at all
+    std::map<QByteArray, QByteArray> parts; //!< content by name of the block
+    std::vector<QByteArray> damaged;        //!< names of blocks whose checksum is wrong
+    bool brokenOff = false;                 //!< the file could not be read after the last block
 
-    //! Null when it is not there.
+    //! The content of a block; null when it is missing.
     const QByteArray *part(const char *name) const;
 };
 
-//! Reads what is whole. An Error when it is no project file, or one of a version above `newest`.
-//! \param path for messages
-//! \param only names of the blocks wanted; empty: all
+//! Reads all undamaged blocks. Error when this is not a project file, or its version is above `newest`.
+//! \param path used in messages
+//! \param only names of the blocks to read; empty: all
 Result<ProjectParts> readContainer(const QByteArray &bytes, int newest, const QString &path,
                                    const std::vector<QByteArray> &only = {});
 

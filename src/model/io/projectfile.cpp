@@ -21,7 +21,7 @@ namespace {
 
 constexpr qint64 maxFileSize = qint64(4) << 30;
 
-//! Parts that hold little but compressed bytes.
+//! Blocks whose content is already compressed.
 bool isCompressed(const QByteArray &name)
 {
     return name == "thumbnail" || name == "journal";
@@ -32,7 +32,7 @@ bool isModel(const QByteArray &name)
     return name == "obj" || name == "polygons";
 }
 
-//! Order in the file: what can least be done without comes first, in case the file is cut off.
+//! Position of a block in the file: the most important ones come first, in case the file is truncated.
 int rank(const QByteArray &name)
 {
     if (isModel(name))
@@ -56,7 +56,7 @@ QByteArray journalCommands(const Journal &journal)
     return QCborMap{{"commands"_L1, commands}}.toCborValue().toCbor();
 }
 
-//! Both parts of the journal; false when it is damaged.
+//! Reads both blocks of the journal; false when they are damaged.
 bool readJournal(const PartMap &parts, const Scene &scene, Journal &journal)
 {
     const auto start = parts.find("journalStart");
@@ -152,8 +152,8 @@ Result<LoadedProject> parse(const QByteArray &bytes, const QString &path)
     return project;
 }
 
-//! Makes PATH.1 the file that PATH is now, and PATH.2 the one that PATH.1 was. PATH itself stays in place. A
-//! backup that cannot be made does not keep the session from being saved.
+//! Makes PATH.1 the current file, and PATH.2 the previous PATH.1. PATH stays in place. A failure to make a
+//! backup does not prevent saving.
 void rotateBackups(const QString &path)
 {
     namespace fs = std::filesystem;
@@ -162,7 +162,7 @@ void rotateBackups(const QString &path)
     std::error_code error;
     if (!fs::exists(file, error))
         return;
-    // Made under another name first, so that neither backup is ever half a file.
+    // Created under another name first, so that neither backup is ever incomplete.
     const fs::path fresh = beside(".new");
     fs::remove(fresh, error);
     fs::create_hard_link(fs::canonical(file, error), fresh, error);

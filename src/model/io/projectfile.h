@@ -1,8 +1,8 @@
-// Sessions as files: .acproj.
+// Session files (.acproj).
 //
-// One CBOR map (projectblocks.h) with the format's name and version, then blocks with a checksum each: the
-// model itself, every UV set at full precision, the steering, the settings, the selection, the view, a
-// thumbnail and the journal. The same session gives the same bytes.
+// A file is one CBOR map (projectblocks.h): the name and version of the format, then blocks with their own
+// checksums. The blocks hold the model, every UV set at full precision, the steering, the settings, the
+// selection, the view, a thumbnail and the journal. The same session always gives the same bytes.
 #pragma once
 
 #include "model/document/documentstate.h"
@@ -14,59 +14,59 @@
 
 namespace autocuts {
 
-//! Suffix of project files, lower case.
+//! Lower-case suffix of project files.
 inline constexpr const char *projectSuffix = "acproj";
 
-//! True when the path's suffix is that of project files, in any case.
+//! True when the suffix of the path is that of project files, in upper or lower case.
 bool isProjectPath(const QString &path);
 
-//! What a session holds besides its state.
+//! The data of a session besides its state.
 struct ProjectExtras
 {
     std::optional<Journal> journal; //!< its scene is that of the state
-    QByteArray thumbnail;           //!< PNG, may be empty
-    QString sessionPath;            //!< in recovery files: the file that the user knows the session by
+    QByteArray thumbnail;           //!< PNG; may be empty
+    QString sessionPath;            //!< in recovery files, the file that the user saved the session to
 };
 
-//! A session as read.
+//! A session read from a file.
 struct LoadedProject
 {
     DocumentState state;  //!< valid
-    ProjectExtras extras; //!< a journal begins with a valid state
-    QStringList lost;     //!< what was damaged and has been left out: "the seams", ...
-    QStringList notes;    //!< what the user should know, `lost` included; one line each
+    ProjectExtras extras; //!< when there is a journal, its initial state is valid
+    QStringList lost;     //!< damaged data that was left out, for example "the seams"
+    QStringList notes;    //!< notes for the user, including `lost`; one line each
 };
 
-//! Makes project files. Keeps the packed model, the largest part, for the next time.
+//! Makes project files. Caches the compressed model, which is the largest block.
 class ProjectWriter
 {
 public:
     QByteArray bytes(const DocumentState &state, const ProjectExtras &extras);
 
 private:
-    std::shared_ptr<const MeshData> mMesh; //!< that mModel was made from
+    std::shared_ptr<const MeshData> mMesh; //!< the mesh that mModel was made from
     PackedBlock mModel;
 };
 
-//! Saves a session. The file and its two backups, PATH.1 (the one before) and PATH.2, are changed so that at
-//! every moment, also when the program is killed, the file is there and whole.
+//! Saves a session and keeps two backups: PATH.1, the file before, and PATH.2, the one before that. A
+//! complete file exists under the path at every moment, even when the program is killed.
 Result<Done> saveProject(const DocumentState &state, const ProjectExtras &extras, const QString &path);
-//! The same for bytes that a ProjectWriter made.
+//! Saves bytes that a ProjectWriter made.
 Result<Done> saveProjectBytes(const QByteArray &bytes, const QString &path);
 
-//! Opens a session. Of a damaged file everything that is whole is given back, unless the model is damaged.
+//! Loads a session. Everything undamaged is recovered from a damaged file, unless the model is damaged.
 Result<LoadedProject> loadProject(const QString &path);
-//! The same from bytes in memory; `path` is for messages.
+//! Loads a session from bytes in memory; `path` is used in messages.
 Result<LoadedProject> parseProject(const QByteArray &bytes, const QString &path);
 
-//! What a list of sessions shows.
+//! What a list of sessions shows about one of them.
 struct ProjectSummary
 {
     QByteArray thumbnail;
     QString sessionPath;
 };
 
-//! Reads only the summary.
+//! Reads the summary only.
 Result<ProjectSummary> loadProjectSummary(const QString &path);
 
 } // namespace autocuts

@@ -7,8 +7,8 @@ namespace autocuts {
 const std::vector<Migration> &projectMigrations()
 {
     static const std::vector<Migration> migrations{
-        // Version 1 named edges in the journal and in the selection by number. These parts say themselves how
-        // they name them, and whoever reads them knows the mesh.
+        // Version 1 stored edges in the journal and in the selection by number. These blocks say which form
+        // they use, and their readers convert it, because that needs the mesh.
         [](PartMap &) { return true; }};
     return migrations;
 }

@@ -1,4 +1,4 @@
-// Bringing what older versions of the program saved up to date.
+// Converts the contents of older project files to the current version.
 #pragma once
 
 #include "model/io/projectstate.h"
@@ -8,18 +8,18 @@
 
 namespace autocuts {
 
-//! Version of the project files that this program writes.
+//! The version of project files that this program writes.
 inline constexpr int projectVersion = 2;
 
-//! Changes the parts of a file of one version into those of the next one; false when they do not allow it.
-//! Parts that are damaged are not there.
+//! Converts the blocks of one version to those of the next; false when that is impossible. Damaged blocks are
+//! missing from the map.
 using Migration = std::function<bool(PartMap &parts)>;
 
-//! The one for version 1 comes first. There are projectVersion - 1 of them.
+//! The migrations by version, from 1 on. There are projectVersion - 1.
 const std::vector<Migration> &projectMigrations();
 
 //! Applies all migrations from a version on. \pre version is at least 1
-//! \returns false when one of them fails, or when the version is newer than what the last one gives
+//! \returns false when a migration fails, or when the version is newer than the last one
 bool migrateParts(PartMap &parts, int version, const std::vector<Migration> &migrations);
 
 } // namespace autocuts

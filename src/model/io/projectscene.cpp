@@ -16,10 +16,11 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-//! Names that are made up must not take more memory than the faces that they are for.
+//! Damaged object names are replaced only when the numbers of the objects exceed the number of faces by at
+//! most this. It keeps a damaged file from taking much memory. Chosen by hand.
 constexpr int maxEmptyObjects = 1000;
 
-//! The file that the mesh was read from, or null.
+//! The OBJ source of the mesh, or null.
 const ObjSource *objSourceOf(const Scene &scene)
 {
     const auto *source = dynamic_cast<const ObjSource *>(scene.source.get());
@@ -47,7 +48,7 @@ bool readTexts(const QCborMap &map, QLatin1StringView key, std::vector<QString> 
     return true;
 }
 
-//! What the model consists of, for noticing that it was read back differently.
+//! Numbers of vertices, faces and corners, to detect a model that was read differently.
 QByteArray countsOf(const MeshData &mesh)
 {
     return packedArray(std::vector<int>{mesh.vertexCount(), mesh.faceCount(), mesh.cornerCount()});
@@ -70,7 +71,8 @@ int lastObject(const MeshData &mesh)
     return objects.empty() ? -1 : *std::max_element(objects.begin(), objects.end());
 }
 
-//! The names and notes of a scene that has its mesh; false, with the scene unchanged, when they are damaged.
+//! Reads the names and notes of a scene that has its mesh. False when they are damaged; then the scene is
+//! unchanged.
 bool readNames(const QCborMap &map, Scene &scene)
 {
     const MeshData &mesh = *scene.mesh;
@@ -118,7 +120,7 @@ Error damagedModel(const QString &path)
             u"Open a backup of it: the same name with .1 or .2 behind it"_s};
 }
 
-//! The offsets of faces with so many corners each; empty when the sizes do not add up.
+//! The start offsets of faces with the given numbers of corners; empty when the numbers do not add up.
 std::vector<int> startsOf(const std::vector<int> &sizes, std::size_t cornerCount)
 {
     std::vector<int> starts{0};
@@ -157,7 +159,7 @@ Result<Scene> readPolygons(const QByteArray &part, const QString &path)
     return scene;
 }
 
-//! Stands in for names that are damaged; false when the numbers of the objects are, too.
+//! Replaces damaged names; false when the object numbers are damaged as well.
 bool makeUpNames(Scene &scene, const QString &path)
 {
     scene.path = path;

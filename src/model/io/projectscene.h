@@ -1,4 +1,4 @@
-// The model inside a session, so that the session opens without the file it came from.
+// The blocks of a session that hold the model, so that a session opens without the model's file.
 #pragma once
 
 #include "model/document/result.h"
@@ -6,14 +6,16 @@
 
 namespace autocuts {
 
-//! The parts "scene" and, for a model from an OBJ file, "obj" with that file's bytes; else "polygons".
+//! The blocks "scene" and, for a model from an OBJ file, "obj" with the bytes of that file, or else
+//! "polygons".
 PartMap scenePartsOf(const Scene &scene);
 
-//! The scene without its UV sets. An Error when the model is damaged; when only its names are, `lost` tells.
-//! \param path of the session, for messages
+//! Reads the scene without its UV sets. Error when the model is damaged; when only its names are, `lost` says
+//! so.
+//! \param path path of the session, used in messages
 Result<Scene> readSceneParts(const PartMap &parts, const QString &path, QStringList &lost);
 
-//! What of the file that the model came from is not in a session, one line each; empty for OBJ.
+//! Data of the model's file that a session does not hold, one line each; empty for OBJ.
 QStringList sessionLosses(const Scene &scene);
 
 } // namespace autocuts

@@ -1,4 +1,4 @@
-// Seams in a form that does not depend on how polygons are triangulated.
+// Stores seams in a form that does not depend on how polygons are triangulated.
 #pragma once
 
 #include "model/document/cborvalues.h"
@@ -6,12 +6,13 @@
 
 namespace autocuts {
 
-//! The edges that are not free and unpainted: "sides", "states" and "weights", two numbers per edge each.
+//! Stores the edges that are cut, joined or painted, as "sides", "states" and "weights" with two numbers per
+//! edge each.
 QCborMap seamsToCbor(const Seams &seams, const MeshData &mesh);
 
-//! False, with the seams unchanged, when a value is out of range.
-//! \param[in,out] seams all free
-//! \param[out] lost edges that this mesh does not have
+//! Reads the seams; false when a value is out of range, and then the seams are unchanged.
+//! \param[in,out] seams all free on entry
+//! \param[out] lost number of edges that this mesh does not have
 bool readSeams(CborReader &reader, const MeshData &mesh, Seams &seams, int &lost);
 
 } // namespace autocuts

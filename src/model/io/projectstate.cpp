@@ -19,7 +19,7 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-//! Before the number of a UV set in the name of its part.
+//! A block of a UV set is named by this prefix and the number of the set.
 constexpr auto uvPrefix = "uv."_L1;
 
 QByteArray uvPartName(int index)
@@ -27,7 +27,7 @@ QByteArray uvPartName(int index)
     return QByteArray(uvPrefix.data()) + QByteArray::number(index);
 }
 
-//! All corners, those of one vertex beside each other: corners of one UV vertex then follow each other.
+//! All corners, grouped by vertex, so that corners of one UV vertex follow each other.
 std::vector<int> cornersByVertex(const MeshData &mesh)
 {
     std::vector<int> next(static_cast<std::size_t>(mesh.vertexCount()) + 1, 0);
@@ -40,8 +40,8 @@ std::vector<int> cornersByVertex(const MeshData &mesh)
     return order;
 }
 
-//! "repeats", one bit per corner in the order above: the UV is that of the corner before; "u" and "v" of all
-//! others.
+//! Stores a UV set. "repeats" has one bit per corner in the order of cornersByVertex(): the UV equals that of
+//! the previous corner. "u" and "v" hold all other UVs.
 QCborMap uvSetMap(const MeshData &mesh, const UvSet &set, double scale)
 {
     QByteArray repeats(bitmapSize(mesh.cornerCount()), '\0');
@@ -83,7 +83,7 @@ bool readUvs(CborReader &reader, const MeshData &mesh, UvMatrix &uv)
         next += !repeated;
         if (next == 0 || next > u->size())
             return false;
-        // Copied as bytes: some processors change the bits of a NaN that they move.
+        // Copied as bytes, because some processors change the bits of a NaN when they move it.
         std::memcpy(uv.data() + 2 * Eigen::Index(corner), &(*u)[next - 1], sizeof(double));
         std::memcpy(uv.data() + 2 * Eigen::Index(corner) + 1, &(*v)[next - 1], sizeof(double));
     }
@@ -127,7 +127,7 @@ bool readConstraints(CborReader &reader, DocumentState &state)
     return true;
 }
 
-//! The flags of the faces that have any: "faces", and three numbers for each in "flags".
+//! Stores the faces with flags in "faces", and three numbers for each in "flags".
 QCborMap marksMap(const IslandMarks &marks)
 {
     std::vector<int> faces, flags;
@@ -194,7 +194,7 @@ bool readSelectionPart(CborReader &reader, DocumentState &state)
     return true;
 }
 
-//! Adds the set of one part; false when it is damaged.
+//! Adds the UV set of a block; false when it is damaged.
 bool readUvSet(const QByteArray &part, DocumentState &state)
 {
     const std::optional<QCborMap> map = parsedMap(part);
@@ -213,7 +213,7 @@ bool readUvSet(const QByteArray &part, DocumentState &state)
     return true;
 }
 
-//! Numbers of the UV sets of which there is a part, rising.
+//! The numbers of the UV sets that have a block, ascending.
 std::vector<int> uvSetsIn(const PartMap &parts)
 {
     std::vector<int> result;

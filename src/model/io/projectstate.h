@@ -1,4 +1,4 @@
-// The parts of a session besides the model: UV sets, steering, settings, selection and view.
+// The blocks of a session besides the model: UV sets, steering, settings, selection and view.
 #pragma once
 
 #include "model/document/documentstate.h"
@@ -11,29 +11,29 @@
 
 namespace autocuts {
 
-//! Contents of blocks by name.
+//! Contents of the blocks by name.
 using PartMap = std::map<QByteArray, QByteArray>;
 
-//! What of a state goes into its parts.
+//! Which parts of a state are stored.
 enum class StateScope {
-    Session, //!< everything but the scene's static part
-    Journal  //!< the same without selection and view state
+    Session, //!< everything except the unchanging part of the scene
+    Journal  //!< the same, without selection and view state
 };
 
 PartMap statePartsOf(const DocumentState &state, StateScope scope);
 
-//! What was not whole, as the words that a message needs: "the seams", "UV set 2", ...
+//! What was damaged, in words for messages such as "the seams" or "UV set 2".
 struct LostParts
 {
     QStringList names;
-    int seams = 0; //!< seams that do not fit the mesh
+    int seams = 0; //!< number of seams on edges that the mesh does not have
 };
 
-//! Fills everything in the state but the scene's static part. What is missing or damaged in the parts gets
-//! its default and is listed. \pre state.scene has its mesh
+//! Reads everything in the state except the unchanging part of the scene. Missing or damaged values get their
+//! defaults and are listed in the result. \pre state.scene has its mesh
 LostParts readStateParts(const PartMap &parts, StateScope scope, DocumentState &state);
 
-//! A CBOR map from untrusted bytes; nothing when they are damaged or something else.
+//! Decodes untrusted bytes to a CBOR map; nothing when they are damaged or not a map.
 std::optional<QCborMap> parsedMap(const QByteArray &bytes);
 
 } // namespace autocuts

@@ -41,7 +41,7 @@ QByteArray jsonCount(const MapReport::Count &count)
     return count ? QByteArray::number(*count) : QByteArray("null");
 }
 
-//! A JSON object that is written key by key.
+//! Writes a JSON object, key by key.
 class ObjectWriter
 {
 public:
@@ -50,7 +50,7 @@ public:
     void add(const char *key, double value) { addRaw(key, jsonNumber(value)); }
     void add(const char *key, const MapReport::Count &value) { addRaw(key, jsonCount(value)); }
     void add(const char *key, int value) { addRaw(key, QByteArray::number(value)); }
-    //! An empty text counts as missing.
+    //! An empty string is written as null.
     void add(const char *key, const QString &value)
     {
         addRaw(key, value.isEmpty() ? "null" : jsonText(value));

@@ -12,14 +12,14 @@
 
 namespace autocuts {
 
-//! What a report says. Figures that are not known stay NaN or empty and are written as null. The figures mean
-//! what UvMetrics says; this struct repeats them because the model does not know the solver.
+//! The content of a report. Unknown figures stay NaN or empty and are written as null. The figures have the
+//! same meaning as in UvMetrics; they are repeated here because the model may not include the solver.
 struct MapReport
 {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     using Count = std::optional<qint64>;
 
-    // The stable keys that scripts rely on.
+    // Stable keys: scripts rely on them.
     Count triangles, charts;
     double seamLength = unknown, seamNorm = unknown;
     double symDirichlet = unknown, symDirichletMax = unknown;
@@ -30,7 +30,7 @@ struct MapReport
     double lambda = unknown, delta = unknown;
     QString status; //!< "done", "time_limit", "interrupted", ...
 
-    // More about the map.
+    // More figures of the map.
     QString input, output, layout;
     Count textureSize;
     Count faces, seamEdges, symDirichletInfinite, uvDegenerate, mirroredCharts, nonDiskCharts;
@@ -43,11 +43,11 @@ struct MapReport
 
     // The mesh as it was read.
     std::optional<MeshReport> mesh;
-    QStringList notes; //!< readable sentences: what was found and what was done
+    QStringList notes; //!< sentences for people: what was found and what was done
 };
 
-//! JSON, indented, ending in a line feed: every key always there, always in the same order. Numbers are as
-//! short as they can be and still read back exactly.
+//! Indented JSON that ends with a line feed. All keys are always present, in the same order. Numbers have the
+//! fewest digits from which the same value can be read.
 QByteArray reportJson(const MapReport &report);
 
 } // namespace autocuts

@@ -13,11 +13,12 @@ namespace autocuts {
 
 namespace {
 
-//! Makes a late "disk full" of a delayed write visible. QSaveFile syncs as well but ignores the outcome.
+//! Forces delayed writes, so that an error such as a full disk is noticed. QSaveFile also syncs but ignores
+//! the result.
 bool reachesDisk([[maybe_unused]] int handle)
 {
 #ifdef Q_OS_UNIX
-    // Some file systems cannot sync (EINVAL, EROFS); only a lost write is an error.
+    // Some file systems cannot sync (EINVAL, EROFS); only lost data is an error.
     return fsync(handle) == 0 || (errno != EIO && errno != ENOSPC && errno != EDQUOT);
 #else
     return true;
@@ -49,7 +50,7 @@ Result<Done> saveAtomically(const QString &path, QByteArrayView bytes,
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return writeError(path, file);
-    // The buffer must be flushed here: commit() does not notice when its own flush fails.
+    // flush() is called here because commit() does not notice when its own flush fails.
     const bool written = file.write(bytes.data(), bytes.size()) == bytes.size() && file.flush();
     if (!written || !reachesDisk(file.handle())) {
         const Error error = writeError(path, file);

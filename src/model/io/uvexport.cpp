@@ -17,7 +17,7 @@ Error layoutError(const QString &message)
     return {message, {}, 0, QStringLiteral("Choose a size from 16 to 16384 and a bleed from 0 to 256")};
 }
 
-//! Draws the paths with a painter; pixels, v up.
+//! Draws the paths with a QPainter, in pixels with v pointing up.
 class LayoutPainter
 {
 public:
@@ -70,7 +70,7 @@ private:
             mPainter.strokePath(path(mPaths.islands[i]),
                                 QPen(color, 2.0 * bleed, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         }
-        // What bled into an island gives way to it; where nothing bleeds, islands may lie on each other.
+        // With bleeding, islands replace what bled into them. Without it, overlapping islands are blended.
         if (bleed > 0)
             mPainter.setCompositionMode(QPainter::CompositionMode_Source);
         for (std::size_t i = 0; i < mPaths.islands.size(); ++i)
@@ -85,7 +85,7 @@ private:
             mPainter.drawLine(pixel(a), pixel(b));
     }
 
-    //! One tile of the diagonal hatching.
+    //! One tile of the diagonal hatching for overlaps.
     QImage hatchTile() const
     {
         const int side = static_cast<int>(mStyle.hatchSpacing);
@@ -124,7 +124,8 @@ private:
     double mSize;
 };
 
-//! Writes SVG by hand: smaller than a recorded drawing, with named groups, and always the same bytes.
+//! Writes SVG directly: smaller than a recorded QPainter drawing, with named groups, and always the same
+//! bytes.
 class SvgWriter
 {
 public:

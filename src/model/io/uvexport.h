@@ -1,4 +1,4 @@
-// Pictures of a UV layout: PNG to paint over, SVG to print or edit.
+// Pictures of UV layouts: PNG to paint over, SVG to print or edit.
 #pragma once
 
 #include "model/document/result.h"
@@ -9,8 +9,8 @@
 
 namespace autocuts {
 
-//! The bytes of a PNG file; an error when the size is out of range or there is not enough memory. The same
-//! input gives the same bytes. Needs no application object.
+//! The bytes of a PNG file; an error when the size is out of range or memory is short. The same input gives
+//! the same bytes. Needs no application object.
 //! \param uv one row per corner; a non-finite row means that the corner has no UV
 Result<QByteArray> layoutPng(const MeshData &mesh, const UvMatrix &uv, const LayoutOptions &options = {});
 

@@ -66,7 +66,8 @@ void findUvBox(const MeshData &mesh, const UvMatrix &uv, UvTopology &topology)
     }
 }
 
-//! Joins the sides of one 3D edge that agree in UV space; returns one side of each group and its size.
+//! Groups the sides on one 3D edge whose UVs agree; returns one side of each group and the number of sides in
+//! it.
 std::vector<std::pair<const Side *, int>> joinAgreeing(std::span<const Side> sides, const UvMatrix &uv,
                                                        double tolerance, UnionFind &faces, UnionFind &corners,
                                                        const std::vector<bool> &faceHasUv)

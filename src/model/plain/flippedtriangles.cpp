@@ -6,10 +6,11 @@ namespace autocuts {
 
 namespace {
 
-//! As UvMetrics: a triangle with less than this share of the UV area has no side that it could show.
+//! Triangles whose area is a smaller share of the whole UV area count as having no area. The same value as in
+//! UvMetrics; chosen by hand.
 constexpr double smallestArea = 1e-14;
 
-//! Twice the area.
+//! Twice the signed area of a triangle in UV space.
 double signedUvArea(const UvMatrix &uv, int t)
 {
     return cross2(uv.row(3 * t), uv.row(3 * t + 1), uv.row(3 * t + 2));
@@ -19,7 +20,7 @@ double signedUvArea(const UvMatrix &uv, int t)
 
 std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &soupUv, std::span<const int> islands)
 {
-    std::vector<double> islandArea(mesh.faceCount(), 0); // there are not more islands than faces
+    std::vector<double> islandArea(mesh.faceCount(), 0); // a mesh never has more islands than faces
     double total = 0;
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         if (islands[mesh.triangleFace[t]] < 0)

@@ -1,4 +1,4 @@
-// Which triangles of a map are flipped.
+// Finds the flipped triangles of a UV map.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -7,9 +7,11 @@
 
 namespace autocuts {
 
-//! Triangles with UVs that are turned against their island, as textures are drawn with them: UvMetrics counts
-//! those of a fan instead. Triangles without area are not flipped.
-//! \param soupUv three rows per triangle \param islands per face, -1 without UVs
+//! Returns which triangles have the opposite orientation to their island as a whole. An island is mirrored
+//! when the sum of its signed areas is negative. Triangles without UV area are not flipped. Renderers draw
+//! these triangles; UvMetrics counts the triangles of a fan instead, so its figures may differ on polygons.
+//! \param soupUv three rows per triangle
+//! \param islands the island of each face, -1 for a face without UVs
 std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &soupUv,
                                    std::span<const int> islands);
 

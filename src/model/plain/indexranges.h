@@ -1,4 +1,4 @@
-// Sorted index ranges: which elements of an array changed. Plain: no Qt.
+// Sets of array indices stored as sorted ranges. Plain: no Qt.
 #pragma once
 
 #include <vector>
@@ -13,14 +13,14 @@ struct IndexRange
     bool operator==(const IndexRange &) const = default;
 };
 
-//! A set of indices as rising ranges that neither touch nor overlap.
+//! A set of indices, stored as ascending ranges that neither touch nor overlap.
 class IndexRanges
 {
 public:
     IndexRanges() = default;
-    //! 0, ..., count - 1.
+    //! The set 0, ..., count - 1.
     static IndexRanges all(int count);
-    //! \pre sorted is strictly rising
+    //! \pre sorted is strictly ascending
     template <typename Container>
     static IndexRanges fromSorted(const Container &sorted)
     {
@@ -30,9 +30,9 @@ public:
         return result;
     }
 
-    //! \pre index is greater than every index so far
+    //! \pre index is greater than every index in the set
     void append(int index);
-    //! \pre range is not empty and begins after every index so far
+    //! \pre range is not empty and begins after every index in the set
     void append(IndexRange range);
 
     bool isEmpty() const { return mRanges.empty(); }
@@ -40,10 +40,10 @@ public:
     int count() const { return mCount; }
     const std::vector<IndexRange> &ranges() const { return mRanges; }
     bool contains(int index) const;
-    //! Gives back memory reserved for further ranges.
+    //! Frees memory that was reserved for more ranges.
     void squeeze() { mRanges.shrink_to_fit(); }
 
-    //! Calls visit(index) for each index in rising order.
+    //! Calls visit(index) for each index in ascending order.
     template <typename Visit>
     void forEach(Visit visit) const
     {

@@ -6,7 +6,7 @@ namespace autocuts {
 
 namespace {
 
-//! The number that most faces have; see the rule in the header.
+//! The value that most faces have. Ties are decided by the rule in model/document/islands.h.
 std::int32_t mostFrequent(const std::map<std::int32_t, int> &faceCount)
 {
     std::int32_t best = 0;

@@ -4,7 +4,8 @@ namespace autocuts {
 
 namespace {
 
-//! Groups the items 0, 1, ... by key(item), -1 meaning none; keeps their order.
+//! Groups the items 0, 1, ... by key(item) and keeps their order within a group. Items with key -1 are left
+//! out.
 template <typename Keys>
 IndexLists grouped(int listCount, int itemCount, Keys keys)
 {

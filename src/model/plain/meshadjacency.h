@@ -1,9 +1,10 @@
-// Who is next to whom on a mesh, for selecting. Plain: no Qt.
+// Adjacency of vertices, edges and faces of a mesh, for selecting. Plain: no Qt.
 //
-// Words. A *vertex* is a welded vertex (MeshData::vertexWeld). An *edge* is a side of a polygon: first all
-// edge pairs in their order, then all boundary sides. Diagonals keep their numbers, so that an edge number
-// below edgePairs.size() is an edge pair, but no list here contains one. On a non-manifold edge the pair and
-// the sides that are left over are edges of their own between the same vertices.
+// Terms. A *vertex* is a welded vertex (MeshData::vertexWeld). An *edge* is a side of a polygon. Edges are
+// numbered: first all edge pairs in their order, then all boundary sides. A number below edgePairs.size() is
+// therefore an edge pair. Diagonals keep their numbers, but no list of this class contains one. On a
+// non-manifold edge, the edge pair and the sides without a partner are separate edges between the same
+// vertices.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -14,7 +15,7 @@
 
 namespace autocuts {
 
-//! Lists of integers one after the other.
+//! A list of lists of integers in one array.
 struct IndexLists
 {
     std::vector<int> start{0};
@@ -36,7 +37,7 @@ public:
     bool isDiagonal(int edge) const { return mDiagonal[edge]; }
     //! True when the edge has only one face.
     bool isBoundary(int edge) const { return mEdgeFaces[edge][1] < 0; }
-    //! Both ends; equal for a side without length.
+    //! The two end vertices; equal for a side of length zero.
     const std::array<int, 2> &edgeVertices(int edge) const { return mEdgeVertices[edge]; }
     //! The end that is not the given one. \pre vertex is an end of the edge
     int otherEnd(int edge, int vertex) const

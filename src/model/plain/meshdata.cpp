@@ -20,7 +20,7 @@ namespace autocuts {
 
 namespace {
 
-//! One side of a triangle that is also a side of its polygon.
+//! A side of a triangle that is also a side of its polygon.
 struct Side
 {
     int object, low, high; //!< welded vertices, low < high
@@ -30,14 +30,15 @@ struct Side
     bool sameEdge(const Side &o) const { return object == o.object && low == o.low && high == o.high; }
 };
 
-//! Soup corners are numbered by int, and there are less than three times as many.
+//! Soup corners are numbered by int, and a polygon with n corners has 3 (n - 2) soup corners: less than three
+//! times as many.
 constexpr std::size_t maxCorners = std::numeric_limits<int>::max() / 3;
 
 void checkInput(const MeshData &mesh)
 {
     if (!mesh.positions.allFinite())
         throw std::invalid_argument("MeshData::build: a position is not finite");
-    // Areas are squares of lengths; their sums must stay finite.
+    // Areas are products of two lengths. This bound keeps them and their sums finite.
     if (mesh.positions.size() > 0 && mesh.positions.cwiseAbs().maxCoeff() > 1e150)
         throw std::invalid_argument("MeshData::build: a position is larger than 1e150");
     if (mesh.cornerVertex.size() > maxCorners)
@@ -78,14 +79,14 @@ void weld(MeshData &mesh)
     first.reserve(mesh.vertexCount() * 2);
     mesh.vertexWeld.resize(mesh.vertexCount());
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        // Adding zero turns -0 into +0.
+        // Adding zero turns -0 into +0, so that both give the same vertex.
         const std::array<double, 3> p{mesh.positions(v, 0) + 0.0, mesh.positions(v, 1) + 0.0,
                                       mesh.positions(v, 2) + 0.0};
         mesh.vertexWeld[v] = first.try_emplace(p, v).first->second;
     }
 }
 
-//! Length of a vector whose square may leave the range of doubles.
+//! The length of a vector, also where its square would overflow or underflow a double.
 double safeNorm(const Vec3 &v)
 {
     const double norm = v.norm();
@@ -161,12 +162,12 @@ EdgePair makePair(const MeshData &mesh, int t0, int k0, int t1, int k1)
     pair.length =
         (mesh.cornerPosition(mesh.triangles[t0][k0]) - mesh.cornerPosition(mesh.triangles[t0][(k0 + 1) % 3]))
             .norm();
-    // A polygon may also meet itself along its own sides: a bridge to a hole.
+    // A polygon may also meet itself along two of its own sides, at a bridge to a hole.
     pair.diagonal = mesh.triangleFace[t0] == mesh.triangleFace[t1];
     return pair;
 }
 
-//! A side of a triangle inside a polygon, by the corners at its ends.
+//! A side of a triangle inside a polygon, given by the corners at its ends.
 struct DiagonalSide
 {
     int low, high, triangle, side;
@@ -186,7 +187,7 @@ void pairDiagonals(MeshData &mesh, std::vector<DiagonalSide> &sides)
     sides.clear();
 }
 
-//! Sides along polygon edges; the sides along diagonals are paired at once.
+//! Returns the sides along polygon edges. Sides along diagonals are paired here and not returned.
 std::vector<Side> collectSides(MeshData &mesh)
 {
     std::vector<Side> sides;
@@ -217,21 +218,23 @@ std::vector<Side> collectSides(MeshData &mesh)
     return sides;
 }
 
-//! Two sides of one 3D edge that could be joined.
+//! Two sides of one 3D edge that could become an edge pair.
 struct Candidate
 {
     double smoothness;
     const Side *forward, *backward;
 };
 
-//! Every two sides that run in opposite directions, the smoothest continuation first.
+//! Returns all pairs of sides that run in opposite directions, the smoothest continuation first (largest dot
+//! product of the normals).
 std::vector<Candidate> findCandidates(const MeshData &mesh, const std::vector<Vec3> &normals,
                                       const Side *first, const Side *last)
 {
     std::vector<const Side *> forward, backward;
     for (const Side *s = first; s != last; ++s)
         (s->forward ? forward : backward).push_back(s);
-    // An edge with hundreds of faces has no meaningful partners; all of its candidates would fill the memory.
+    // On an edge with hundreds of faces no choice of partners is meaningful, and storing all candidates could
+    // exhaust the memory. The limit was chosen by hand: an edge reaches it with 256 sides in each direction.
     const bool crowded = forward.size() * backward.size() > 65536;
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < forward.size(); ++i) {
@@ -241,7 +244,8 @@ std::vector<Candidate> findCandidates(const MeshData &mesh, const std::vector<Ve
             const int b = backward[j]->triangle;
             if (a == b)
                 continue;
-            // A triangle without area takes any neighbour gladly: it is only a bridge.
+            // A triangle without area has no normal: it only connects its neighbours, so its pairs are made
+            // first.
             const bool bridge = mesh.triangleDegenerate[a] || mesh.triangleDegenerate[b];
             candidates.push_back({bridge ? 2.0 : normals[a].dot(normals[b]), forward[i], backward[j]});
         }
@@ -251,7 +255,7 @@ std::vector<Candidate> findCandidates(const MeshData &mesh, const std::vector<Ve
     return candidates;
 }
 
-//! Pairs the sides of one 3D edge: opposite directions only, smoothest continuation first.
+//! Pairs the sides of one 3D edge that run in opposite directions, the smoothest continuation first.
 void pairEdge(MeshData &mesh, const std::vector<Vec3> &normals, const Side *first, const Side *last)
 {
     const auto count = last - first;
@@ -265,7 +269,7 @@ void pairEdge(MeshData &mesh, const std::vector<Vec3> &normals, const Side *firs
         const Side *b = inOrder ? c.backward : c.forward;
         mesh.edgePairs.push_back(makePair(mesh, a->triangle, a->side, b->triangle, b->side));
     }
-    // Two sides of one triangle cannot be joined, yet nothing is wrong with their winding.
+    // Two sides of one triangle cannot form a pair, but their winding is not wrong.
     const bool windingDisagrees = count == 2 && first[0].forward == first[1].forward;
     const OpenSide reason = count > 2          ? OpenSide::NonManifold
                             : windingDisagrees ? OpenSide::Winding
@@ -318,7 +322,7 @@ void findComponents(MeshData &mesh)
     std::tie(mesh.component, mesh.componentCount) = sets.labels();
 }
 
-//! Faces with the same object and the same welded vertices as an earlier one, in any order.
+//! Counts faces that have the same object and the same welded vertices as an earlier face, in any order.
 int countDuplicateFaces(const MeshData &mesh)
 {
     std::vector<int> vertices(mesh.cornerCount());

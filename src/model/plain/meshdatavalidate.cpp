@@ -1,4 +1,4 @@
-// MeshData::validate(): every invariant of the derived data, checked without trusting any of it.
+// MeshData::validate(): checks every invariant of the derived data against the polygons.
 #include "model/plain/meshdata.h"
 
 #include "model/plain/unionfind.h"
@@ -121,7 +121,8 @@ std::string checkPair(const MeshData &mesh, const EdgePair &pair)
 
 std::string checkSides(const MeshData &mesh)
 {
-    std::vector<int> uses(mesh.soupCornerCount(), 0); // of the side that starts at this soup corner
+    // How often the side that starts at this soup corner is in a pair or on the boundary.
+    std::vector<int> uses(mesh.soupCornerCount(), 0);
     const EdgePair *last = nullptr;
     for (const EdgePair &pair : mesh.edgePairs) {
         if (std::string problem = checkPair(mesh, pair); !problem.empty())

@@ -20,8 +20,8 @@ Vec3 polygonNormal(const std::vector<Vec3> &points)
 
 namespace {
 
-//! The points times a power of two that brings the size of the polygon to about one. The products of four
-//! lengths below would leave the range of doubles otherwise; the power of two leaves every sign as it was.
+//! Scales the points by a power of two so that the polygon has a size of about one. The tests below multiply
+//! four lengths, which would leave the range of doubles otherwise; a power of two changes no sign.
 std::vector<Vec3> rescaled(const std::vector<Vec3> &points)
 {
     double extent = 0;
@@ -38,8 +38,8 @@ std::vector<Vec3> rescaled(const std::vector<Vec3> &points)
     return result;
 }
 
-//! Tells whether a fan from an apex is good. Most apexes fail, so the sides that are most likely to rule one
-//! out come first: those that ruled out the last ones, then the sides next to the apex.
+//! Tests whether a fan from an apex turns no triangle over. Most apexes fail, so the sides that are most
+//! likely to fail are tested first: those on which the last apexes failed, then those next to the apex.
 class FanTest
 {
 public:
@@ -71,22 +71,22 @@ public:
     }
 
 private:
-    //! The triangle of the apex and the side from a point to the next one lies against the normal.
+    //! True when the triangle made of the apex and a side points against the polygon's normal.
     bool turnsBack(int apex, int side) const
     {
         const Vec3 &o = mPoints[apex];
         const Vec3 x = (mPoints[side] - o).cross(mPoints[(side + 1) % mPoints.size()] - o);
-        // Summed in this order, as other tools do it: Eigen's dot() may round differently, and the sign
-        // decides.
+        // Written out because other tools sum in this order: Eigen's dot() may round differently, and only
+        // the sign counts.
         return !(x.x() * mNormal.x() + x.y() * mNormal.y() + x.z() * mNormal.z() >= 0);
     }
 
     const std::vector<Vec3> &mPoints;
     Vec3 mNormal;
-    std::vector<int> mCulprits; //!< sides, the latest first
+    std::vector<int> mCulprits; //!< sides on which an apex failed, the latest first
 };
 
-//! The polygon seen along the axis nearest to its normal, counter-clockwise.
+//! The polygon projected along the coordinate axis nearest to its normal, counter-clockwise.
 std::vector<Vec2> projected(const std::vector<Vec3> &points)
 {
     const Vec3 normal = polygonNormal(points);
@@ -110,7 +110,7 @@ bool insideTriangle(const Vec2 &p, const Vec2 &a, const Vec2 &b, const Vec2 &c)
     return cross2(a, b, p) >= 0 && cross2(b, c, p) >= 0 && cross2(c, a, p) >= 0;
 }
 
-//! Cuts off the roundest ear until three corners are left.
+//! Ear clipping: cuts off the ear with the best shape until three corners are left.
 class EarClipper
 {
 public:
@@ -132,8 +132,9 @@ public:
         std::vector<std::array<int, 3>> triangles;
         int lookAgainAt = mCount;
         for (int left = mCount; left > 3; --left) {
-            // Without ears the polygon crosses itself, and what was clipped may have freed others. Looking
-            // again each time would take quadratic time.
+            // No ear is left, so the polygon crosses itself. Earlier cuts may have made other corners ears,
+            // so all scores are computed again; not before half of the corners are gone, because that would
+            // take quadratic time.
             if (mOrder.begin()->first > -isEar && left <= lookAgainAt) {
                 lookAgainAt = left / 2;
                 evaluateAll();
@@ -157,9 +158,10 @@ public:
     }
 
 private:
-    static constexpr double isEar = 10; //!< added to the score of an ear
+    //! Added to the score of a corner that is an ear, so that ears come first.
+    static constexpr double isEar = 10;
 
-    //! Only corners that do not bulge can lie in an ear of a simple polygon: they go to a grid.
+    //! Puts the reflex corners into a grid: only they can lie inside an ear of a simple polygon.
     void fillGrid()
     {
         mLow = mHigh = mPoints[0];
@@ -202,7 +204,8 @@ private:
         return false;
     }
 
-    //! Scores a corner: the roundest ear first, then the least bad corner.
+    //! Computes the score of a corner. Ears come first, the best shape first; then the least bad other
+    //! corner.
     void evaluate(int corner)
     {
         const Vec2 &a = mPoints[mBefore[corner]];
@@ -228,8 +231,8 @@ private:
     int mCount;
     std::vector<int> mBefore, mAfter;
     std::vector<double> mScore;
-    std::vector<bool> mReflex;               //!< still in the polygon and not bulging
-    std::set<std::pair<double, int>> mOrder; //!< (-score, corner) of the corners left
+    std::vector<bool> mReflex;               //!< reflex and still in the polygon
+    std::set<std::pair<double, int>> mOrder; //!< (-score, corner) of the remaining corners
     Vec2 mLow, mHigh;
     int mCells = 1;
     std::vector<std::vector<int>> mGrid;
@@ -259,7 +262,8 @@ std::vector<std::array<int, 3>> triangulatePolygon(const std::vector<Vec3> &poin
         });
         if (covers)
             return ears;
-        // A twisted polygon: ears fold it too. The fan is as good as any and it is what measuring tools use.
+        // The polygon is so twisted that ear clipping turns triangles over as well. The fan from corner 0 is
+        // no worse, and other tools that measure UV maps use it.
         apex = 0;
     }
     const int n = static_cast<int>(points.size());

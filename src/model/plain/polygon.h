@@ -1,4 +1,4 @@
-// Splitting one polygon into triangles. Plain: no Qt.
+// Triangulation of one polygon. Plain: no Qt.
 #pragma once
 
 #include "model/plain/types.h"
@@ -8,20 +8,22 @@
 
 namespace autocuts {
 
-//! Area vector of a closed 3D polygon: normal direction, length twice the area.
+//! The area vector of a closed 3D polygon: its direction is the normal, its length twice the area.
 Vec3 polygonNormal(const std::vector<Vec3> &points);
 
-//! First point from which a fan turns no triangle against the polygon's normal; -1 when there is none. The
-//! rule is a contract: tools that measure the map must split polygons in the same way.
+//! The first point from which a fan turns no triangle against the polygon's normal; -1 when there is none.
+//! The rule must not change: tools that measure the map have to split polygons in the same way.
 int fanApex(const std::vector<Vec3> &points);
 
-//! Triangles (indices into points, in the polygon's winding) that cover the polygon: a fan from fanApex()
-//! when there is one, ear clipping in the plane of the polygon otherwise, or a fan from the first point where
-//! the polygon is so twisted that ears fold it as well. Always n - 2 triangles, each side of the polygon in
-//! exactly one of them. About n log n steps but for contrived shapes. \pre points.size() >= 3
+//! Triangulates a polygon: a fan from fanApex() when there is one, ear clipping in the plane of the polygon
+//! otherwise, and a fan from the first point when the polygon is so twisted that ear clipping turns triangles
+//! over as well. Always gives n - 2 triangles with each side of the polygon in exactly one of them. Takes
+//! about n log n steps except on contrived shapes.
+//! \pre points.size() >= 3
+//! \returns triangles as indices into points, in the winding of the polygon
 std::vector<std::array<int, 3>> triangulatePolygon(const std::vector<Vec3> &points);
 
-//! The same when the result of fanApex() is known already.
+//! The same for a known result of fanApex().
 std::vector<std::array<int, 3>> triangulatePolygon(const std::vector<Vec3> &points, int apex);
 
 } // namespace autocuts

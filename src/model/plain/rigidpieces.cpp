@@ -9,7 +9,7 @@ namespace autocuts {
 
 namespace {
 
-//! The label of the piece of each chart, and how many pieces there are.
+//! The piece of each chart, and the number of pieces.
 std::pair<std::vector<int>, int> pieceLabels(const std::vector<std::vector<int>> &chartFaces,
                                              const std::vector<IslandFlags> &faceFlags)
 {
@@ -27,7 +27,8 @@ std::pair<std::vector<int>, int> pieceLabels(const std::vector<std::vector<int>>
 
 } // namespace
 
-RigidPieces rigidPieces(const ChartMap &charts, const std::vector<IslandFlags> &faceFlags, const std::vector<bool> &movable)
+RigidPieces rigidPieces(const ChartMap &charts, const std::vector<IslandFlags> &faceFlags,
+                        const std::vector<bool> &movable)
 {
     const auto chartFaces = charts.faces();
     const auto [label, count] = pieceLabels(chartFaces, faceFlags);

@@ -1,4 +1,6 @@
-// What packing moves as one piece.
+// Groups the charts that packing moves together.
+//
+// A *piece* is one chart, or all charts of one stack or group.
 #pragma once
 
 #include "model/plain/chart.h"
@@ -6,14 +8,15 @@
 
 namespace autocuts {
 
-//! The charts of a map with those of one stack or one group made into one piece.
+//! The charts of a map, united to one piece where they belong to one stack or group.
 struct RigidPieces
 {
     ChartMap pieces;
-    std::vector<bool> locked; //!< per piece: an obstacle that keeps its place
+    std::vector<bool> locked; //!< per piece: it keeps its place, and others are packed around it
 };
 
-//! \param movable per face: pieces without such a face are obstacles, as are the locked ones; empty: all are
+//! Unites the charts to pieces.
+//! \param movable per face; a piece without a movable face is locked. Empty: all faces are movable
 RigidPieces rigidPieces(const ChartMap &charts, const std::vector<IslandFlags> &faceFlags,
                         const std::vector<bool> &movable = {});
 

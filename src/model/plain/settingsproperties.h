@@ -1,4 +1,4 @@
-// Names for the single settings, as bit masks: which of them differ. Plain: no Qt.
+// Bit masks that name single settings, to say which of them differ. Plain: no Qt.
 #pragma once
 
 #include "model/plain/packingsettings.h"
@@ -31,11 +31,11 @@ enum PackingProperty {
     KeepScaleProperty = 1 << 4
 };
 
-//! Mask of SolveProperty in which a and b differ.
+//! The mask of SolveProperty values in which a and b differ.
 int differences(const SolveSettings &a, const SolveSettings &b);
-//! Mask of PackingProperty in which a and b differ.
+//! The mask of PackingProperty values in which a and b differ.
 int differences(const PackingSettings &a, const PackingSettings &b);
-//! True when every field is in the range that its comment in solvesettings.h gives.
+//! True when every field is in the range that solvesettings.h gives for it.
 bool isValid(const SolveSettings &settings);
 
 } // namespace autocuts

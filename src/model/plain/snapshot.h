@@ -1,4 +1,4 @@
-// What the solver gets to see: a const copy of the steering beside the shared mesh. Plain: no Qt.
+// The input of a solve: the mesh, the steering and the settings at one moment. Plain: no Qt.
 #pragma once
 
 #include "model/plain/statetoken.h"
@@ -12,15 +12,15 @@
 
 namespace autocuts {
 
-//! What the user decided about a corner pair.
+//! The user's decision about a corner pair.
 enum class PairState : std::uint8_t { Free, Cut, Joined };
 
-//! A soup corner held at a place in UV space.
+//! A soup corner held at a position in UV space.
 struct Pin
 {
     int soupCorner = 0;
     Vec2 target = Vec2::Zero(); //!< solver units (mesh area pi)
-    bool hard = false;          //!< hard: exactly there; soft: a spring of the given weight
+    bool hard = false;          //!< true: held exactly; false: pulled by a spring
     double weight = 1;          //!< spring constant of a soft pin
 
     bool operator==(const Pin &) const = default;
@@ -31,47 +31,49 @@ struct UvRectangle
 {
     Vec2 lower = Vec2::Zero(), upper = Vec2::Ones(); //!< solver units (mesh area pi)
     std::vector<int> soupCorners;
-    bool hard = false; //!< hard: no corner may leave it
-    double weight = 1; //!< beta of this rectangle = SolveSettings::boxWeight * weight
+    bool hard = false; //!< true: no corner may leave it
+    double weight = 1; //!< the factor beta of this rectangle is SolveSettings::boxWeight * weight
     bool operator==(const UvRectangle &) const = default;
 };
 
-//! What the user asked of single edges, corners and islands. Units as Snapshot.
+//! The user's steering: decisions about edges, pins and rectangles. Units as in Snapshot.
 struct Steering
 {
-    std::vector<PairState> pairState; //!< per corner pair; empty: all free
-    std::vector<double> pairWeight;   //!< per corner pair, painted factor >= 0; empty: all 1
+    std::vector<PairState> pairState; //!< per corner pair; empty when all are free
+    std::vector<double> pairWeight;   //!< per corner pair, painted factor >= 0; empty when all are 1
     std::vector<Pin> pins;
     std::vector<UvRectangle> rectangles;
 };
 
-//! Everything a solve depends on. Const once built. Units: the solver scales the mesh so that its area is pi;
-//! pins, rectangles and start UVs are in those units. Copies share everything but the settings.
+//! The complete input of a solve. Const once built. Units: the solver scales the mesh to area pi; pins,
+//! rectangles and start UVs are in those units. Copies share everything but the settings.
 struct Snapshot
 {
     std::shared_ptr<const MeshData> mesh;
     SolveSettings settings;
     std::shared_ptr<const Steering> steering = std::make_shared<const Steering>(); //!< never null
-    std::shared_ptr<const UvMatrix> startUv; //!< per soup corner, for StartMode::ExistingUv; else null
-    StateToken token; //!< of the document's state; the default when there is no document
+    //! Per soup corner, for StartMode::ExistingUv; null otherwise.
+    std::shared_ptr<const UvMatrix> startUv;
+    //! The document's state that this was made from; default when there is no document.
+    StateToken token;
 
-    //! Gives this snapshot a steering of its own to be changed, a copy of the one that it had.
+    //! Replaces the shared steering by a copy that only this snapshot uses, and returns it for changes.
     Steering &editSteering()
     {
         const auto own = std::make_shared<Steering>(*steering);
         steering = own;
         return *own;
     }
-    //! True when pins or rectangles say where islands lie and how large they are.
+    //! True when pins or rectangles determine the places and sizes of charts.
     bool placesIslands() const { return !steering->pins.empty() || !steering->rectangles.empty(); }
-    //! True when the user joined a side of the edge.
+    //! True when the user joined at least one corner pair of the edge.
     bool isJoined(std::size_t edge) const
     {
         const std::vector<PairState> &state = steering->pairState;
         return !state.empty() &&
                (state[2 * edge] == PairState::Joined || state[2 * edge + 1] == PairState::Joined);
     }
-    //! Factor on the cost of a seam along an edge: the mean of its corner pairs' weights.
+    //! Factor on the cost of a seam along the edge: the mean of the weights of its two corner pairs.
     double edgeWeight(std::size_t edge) const
     {
         const std::vector<double> &weight = steering->pairWeight;
@@ -79,8 +81,9 @@ struct Snapshot
     }
 };
 
-//! Start UVs for StartMode::ExistingUv: the corners' UVs, scaled so that their area is pi like the mesh's.
-//! \param uv one row per corner, any scale; rows that are not finite stay so
+//! Makes the start UVs for StartMode::ExistingUv: the given UVs, scaled so that their total area is that of
+//! the mesh, pi.
+//! \param uv one row per corner, in any scale; non-finite rows stay non-finite
 //! \returns one row per soup corner
 UvMatrix startUvFromCorners(const MeshData &mesh, const UvMatrix &uv);
 

@@ -1,4 +1,4 @@
-// What the user can choose about a solve. Plain: no Qt.
+// The user's settings for a solve. Plain: no Qt.
 #pragma once
 
 namespace autocuts {
@@ -12,26 +12,29 @@ enum class CreaseMode { Off, Auto, On };
 //! Parameters of the energy (1 - lambda) D + lambda S (paper, Eq. 1) and of how it is minimised.
 struct SolveSettings
 {
-    double lambda = 0;       //!< balance in [0, 1]; 0 is distortion alone
-    double delta = 1;        //!< smoothing of the seamless L0 penalty (paper, Eq. 6), mesh area pi
-    double boxWeight = 100;  //!< beta, weight of the rectangles (paper, section 4)
+    double lambda = 0;      //!< balance in [0, 1]; 0 minimises distortion alone
+    double delta = 1;       //!< smoothing of the seamless L0 penalty (paper, Eq. 6), for a mesh of area pi
+    double boxWeight = 100; //!< beta, the weight of the rectangles (paper, section 4, which uses 100)
     DistortionEnergy energy = DistortionEnergy::SymmetricDirichlet;
     SeamWeighting weighting = SeamWeighting::Length;
     StartMode start = StartMode::Rigid;
     SolverKind solver = SolverKind::Fast;
     unsigned seed = 1;
-    // Where seams should rather run. These count for every way of cutting.
-    CreaseMode creases = CreaseMode::Auto; //!< seams along sharp edges; Auto: on meshes that have creases
-    double creaseStrength = 0.8;           //!< part of the cost that a seam on a sharp edge saves, in [0, 1]
-    double visibility = 0;                 //!< how much rather seams lie where they are hidden, in [0, 1]
-    bool symmetry = false;                 //!< symmetric cuts on symmetric meshes (automatic map only)
+    // Preferences for the places of seams. All ways of cutting use them.
+    //! Prefer seams along sharp edges; Auto: on meshes that have creases.
+    CreaseMode creases = CreaseMode::Auto;
+    //! Share of its cost that a seam saves on a sharp edge, in [0, 1]; the default was chosen by hand.
+    double creaseStrength = 0.8;
+    double visibility = 0; //!< how strongly hidden places are preferred for seams, in [0, 1]
+    bool symmetry = false; //!< symmetric seams on symmetric meshes; automatic mode only
 
     bool operator==(const SolveSettings &) const = default;
 };
 
-//! Weight of the pairs along the diagonals that triangulate a polygon (paper, section 4).
+//! Factor on the separation energy of pairs along diagonals, so that they stay together (paper, section 4).
 inline constexpr double diagonalWeight = 100;
-//! Weight of the pairs that the user joined; a cut pair has weight 0.
+//! Factor on the separation energy of pairs that the user joined: the value of the diagonals, chosen by hand.
+//! Pairs that the user cut have factor 0.
 inline constexpr double joinedWeight = 100;
 
 } // namespace autocuts

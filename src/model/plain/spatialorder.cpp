@@ -10,7 +10,7 @@ namespace {
 
 constexpr int bitsPerAxis = 21;
 
-//! Puts two zeros before each of the bits of a number.
+//! Inserts two zero bits before each bit of a number.
 std::uint64_t spread(std::uint32_t number)
 {
     std::uint64_t result = 0;

@@ -1,13 +1,13 @@
-// Which state of a document something was made from.
+// Identifies the state of a document that a snapshot, a job or a result was made from.
 #pragma once
 
 #include <cstdint>
 
 namespace autocuts {
 
-//! Names a state of a document. Whatever is made from a document for later use, on another thread above all,
-//! carries the token of that state; whoever uses it compares the parts that matter with the document's. No
-//! revision is ever given twice, neither to one document nor to two.
+//! Identifies a state of a document. Whatever is made from a document for later use, on another thread in
+//! particular, carries the token of that state. Before a result is used, the revisions that matter for it are
+//! compared with those of the document. Revisions are unique among all documents of the process.
 struct StateToken
 {
     std::uint64_t topology = 0; //!< the mesh, the list of UV sets and which one is active
@@ -15,7 +15,8 @@ struct StateToken
     std::uint64_t steering = 0; //!< seams, pins, rectangles and the settings of the solver
     std::uint64_t layout = 0;   //!< island flags, tags, names of rectangles and the settings of the packer
 
-    //! True when the map is the same in both states: what was made from one can replace that of the other.
+    //! True when the UV map is the same in both states, so that a result made from one may replace the map of
+    //! the other.
     bool sameMap(const StateToken &other) const { return topology == other.topology && uv == other.uv; }
 
     bool operator==(const StateToken &) const = default;

@@ -1,4 +1,4 @@
-// Matrix aliases used everywhere. Plain: no Qt.
+// Matrix types used everywhere. Plain: no Qt.
 #pragma once
 
 #include <Eigen/Core>

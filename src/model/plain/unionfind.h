@@ -1,4 +1,4 @@
-// Disjoint sets over 0 .. n - 1. Plain: no Qt.
+// Disjoint sets over 0, ..., n - 1. Plain: no Qt.
 #pragma once
 
 #include <numeric>
@@ -7,7 +7,7 @@
 
 namespace autocuts {
 
-//! Disjoint sets; the root of a set is its smallest member, so results do not depend on the order of unions.
+//! Disjoint sets. The root of a set is its smallest member, so results do not depend on the order of unions.
 class UnionFind
 {
 public:
@@ -35,7 +35,8 @@ public:
         return true;
     }
 
-    //! Numbers the sets 0, 1, ... by their smallest members; returns the number of each item's set.
+    //! Numbers the sets 0, 1, ... by their smallest members. Returns the number of each item's set, and how
+    //! many sets there are.
     std::pair<std::vector<int>, int> labels()
     {
         std::vector<int> label(mParent.size(), -1);

@@ -1,4 +1,4 @@
-// The cube of figure 6 of the paper: smooth bumps on every face, sharp cube edges between them.
+// A cube with smooth bumps on its faces and sharp edges between them, as in figure 6 of the paper.
 #include "model/samples/samplemodels.h"
 
 #include <cmath>
@@ -11,9 +11,9 @@ namespace {
 
 constexpr int quadsPerSide = 27;
 constexpr int bumpsPerSide = 3;
-constexpr double bumpHeight = 0.13; // the cube's side is 2
+constexpr double bumpHeight = 0.13; // for a cube with sides of length 2
 
-//! Bumps that end flat on the sides of the unit square, so that the cube's edges stay straight.
+//! Height of the bumps; zero on the sides of the unit square, so that the cube's edges stay straight.
 double bump(double u, double v)
 {
     const double a = std::sin(bumpsPerSide * std::numbers::pi * u);
@@ -28,7 +28,7 @@ PolygonModel makeBumpyCube()
     PolygonModel model;
     model.beginObject(QStringLiteral("bumpycube"));
     model.useMaterial(QStringLiteral("clay"));
-    std::map<std::array<int, 3>, int> known; // points by their place on the undisplaced lattice
+    std::map<std::array<int, 3>, int> known; // points by their coordinates on the undisplaced lattice
     constexpr int n = quadsPerSide;
     for (int axis = 0; axis < 3; ++axis) {
         for (const int sign : {-1, 1}) {
@@ -51,7 +51,7 @@ PolygonModel makeBumpyCube()
                 for (int i = 0; i < n; ++i) {
                     const int a = pointAt(i, j), b = pointAt(i + 1, j);
                     const int c = pointAt(i + 1, j + 1), d = pointAt(i, j + 1);
-                    // Alternating diagonals give the cuts no preferred direction.
+                    // Diagonals alternate, so that they do not suggest a direction for seams.
                     if ((i + j) % 2 == 0) {
                         model.addFace({a, b, c});
                         model.addFace({a, c, d});

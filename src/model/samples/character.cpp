@@ -1,4 +1,4 @@
-// A figure with head, arms and legs, grown by extrusion from a block and subdivided: all quads, genus 0.
+// A figure with head, arms and legs, extruded from a block and subdivided: quads only, genus 0.
 #include "model/samples/samplemodels.h"
 
 #include <array>
@@ -8,7 +8,7 @@ namespace autocuts::samples {
 
 namespace {
 
-//! The block that everything grows from: 3 x 3 x 2 cells, wider at the shoulders. Mirror symmetric in x.
+//! The block that is extruded: 3 x 3 x 2 cells, wider at the shoulders, symmetric in x.
 class Trunk
 {
 public:
@@ -22,8 +22,7 @@ public:
         }
     }
 
-    //! The face on the side of the block at the end (0 or 1) of an axis; the cell's number along that axis
-    //! does not matter.
+    //! The face at one end (0 or 1) of an axis. The cell's index along that axis is ignored.
     int face(int axis, int end, std::array<int, 3> cell) const
     {
         cell[axis] = end;
@@ -74,7 +73,7 @@ private:
     std::map<std::pair<int, std::array<int, 3>>, int> mFaces;
 };
 
-//! Among the faces added since `first`, the one whose centre lies farthest along a direction.
+//! Among the faces added since `first`, the one whose centre is farthest along a direction.
 int farthestFace(const PolygonModel &model, int first, const Vec3 &direction)
 {
     int best = first;
@@ -83,7 +82,8 @@ int farthestFace(const PolygonModel &model, int first, const Vec3 &direction)
         double reach = 0;
         for (int v : model.faces[f])
             reach += model.points[v].dot(direction) / static_cast<double>(model.faces[f].size());
-        // The margin makes the first of two mirrored faces win whatever the rounding.
+        // The margin makes sure that rounding does not decide between two mirrored faces: the first one is
+        // taken.
         if (reach > bestReach + 1e-9) {
             bestReach = reach;
             best = f;

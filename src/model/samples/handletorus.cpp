@@ -12,18 +12,19 @@ namespace autocuts::samples {
 namespace {
 
 constexpr int handles = 3;
-constexpr int sectorsPerHandle = 6; // two for each foot, one between the feet, one to the next handle
+constexpr int sectorsPerHandle = 6; // two for each foot, one between the feet, one before the next handle
 constexpr int sectors = handles * sectorsPerHandle;
 constexpr int sides = 8;
 constexpr int ringsPerHandle = 6;
 constexpr double ringRadius = 1.5, tubeRadius = 0.5;
 
-//! Joins two feet (regions of faces) by a tube that turns half around the radial axis between them.
+//! Connects two feet (sets of faces) by a tube that turns by 180 degrees around the radial axis between them.
 void addHandle(PolygonModel &model, const std::vector<int> &from, const std::vector<int> &to, double angle)
 {
     const std::vector<int> start = model.border(from);
     std::vector<int> end = model.border(to);
-    std::reverse(end.begin(), end.end()); // seen from inside the tube both run the same way
+    // Seen from inside the tube, both borders now have the same direction.
+    std::reverse(end.begin(), end.end());
     const Vec3 axis(std::cos(angle), 0, std::sin(angle));
     Vec3 pivot = Vec3::Zero();
     for (std::size_t i = 0; i < start.size(); ++i)
@@ -31,7 +32,7 @@ void addHandle(PolygonModel &model, const std::vector<int> &from, const std::vec
     const auto turned = [&](const Vec3 &p, double by) -> Vec3 {
         return pivot + Eigen::AngleAxisd(by, axis) * (p - pivot);
     };
-    // The point of the far foot that a half turn brings nearest to the first point of this one.
+    // The point of the second foot that is nearest to the first point of the first foot after half a turn.
     std::size_t shift = 0;
     for (std::size_t i = 1; i < end.size(); ++i) {
         const auto distance = [&](std::size_t k) {
@@ -42,7 +43,7 @@ void addHandle(PolygonModel &model, const std::vector<int> &from, const std::vec
     }
     std::rotate(end.begin(), end.begin() + static_cast<std::ptrdiff_t>(shift), end.end());
 
-    // Upwards first, then down on the other foot.
+    // Up from the first foot, then down to the second.
     const Vec3 side = axis.cross(Vec3::UnitY());
     const double sense = side.dot(model.points[start[0]] - pivot) > 0 ? -1 : 1;
     Vec3 foot = Vec3::Zero();
@@ -86,7 +87,7 @@ PolygonModel makeHandleTorus()
         for (int j = 0; j < sides; ++j)
             model.addFace({at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)});
     }
-    // A foot is two sectors of the two rows on the top of the tube.
+    // A foot is two sectors of the two rows of faces on top of the tube.
     const auto foot = [&](int sector) {
         const int f = sector * sides + 1;
         return std::vector<int>{f, f + 1, f + sides, f + sides + 1};

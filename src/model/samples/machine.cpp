@@ -56,7 +56,7 @@ void addMotor(PolygonModel &model)
     model.addLathe(axis, {{0.36, 0}, {0.40, 0.04}, {0.40, 0.86}, {0.36, 0.90}, {0.22, 0.92}}, 32);
     model.addLathe(frameAlong({-1.22, 0.62, 0}, -Vec3::UnitX()),
                    {{0.38, 0}, {0.38, 0.12}, {0.33, 0.19}, {0.2, 0.23}, {0, 0.25}}, 24);
-    for (int i = 0; i < 10; ++i) { // long thin faces on purpose
+    for (int i = 0; i < 10; ++i) { // long thin faces, on purpose
         const double angle = std::numbers::pi * (0.02 + 0.96 * i / 9.0);
         const Vec3 out(0, std::sin(angle), std::cos(angle));
         Frame fin = axis;
@@ -65,7 +65,7 @@ void addMotor(PolygonModel &model)
         fin.y = fin.z.cross(fin.x);
         model.addPrism(fin, {{0, -0.008}, {0.09, -0.005}, {0.09, 0.005}, {0, 0.008}}, 0.74);
     }
-    // Feet with a saddle: a concave polygon on both sides.
+    // Feet with a saddle: their two ends are concave polygons.
     for (const double x : {-1.05, -0.6}) {
         Frame foot{{x, 0.125, 0}, -Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX()};
         model.addPrism(foot,
@@ -130,7 +130,7 @@ void addPipes(PolygonModel &model)
     model.useMaterial(QStringLiteral("steel"));
     model.addPrism(upright(0.62, 1.06, 0), regularPolygon(16, 0.17), 0.05);
     model.addPrism(frameAlong({-0.3, 1.56, 0}, -Vec3::UnitX()), regularPolygon(16, 0.17), 0.05);
-    // A hand wheel valve: a cone of triangles and a thin wheel.
+    // A valve with a hand wheel: a cone of triangles and a thin wheel.
     model.addLathe(upright(0.1, 1.63, 0), {{0.1, 0}, {0.06, 0.08}, {0.03, 0.2}, {0, 0.24}}, 12);
     model.useMaterial(QStringLiteral("rubber"));
     model.addGear(upright(0.1, 1.78, 0), 6, 0.15, 0.19, 0.03);

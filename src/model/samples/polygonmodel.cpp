@@ -218,7 +218,7 @@ std::pair<std::vector<int>, std::vector<int>>
 PolygonModel::addWalls(const Frame &frame, const std::vector<Vec2> &profile, double height, double bevel)
 {
     const int n = static_cast<int>(profile.size());
-    // Moving every side inwards by the bevel keeps convex and concave profiles simple when it is small.
+    // Offsetting every side inwards by the bevel keeps profiles simple as long as the bevel is small.
     const auto inset = [&](int i) -> Vec2 {
         const Vec2 before = (profile[i] - profile[(i + n - 1) % n]).normalized();
         const Vec2 after = (profile[(i + 1) % n] - profile[i]).normalized();
@@ -297,7 +297,7 @@ void PolygonModel::addTube(const std::vector<Vec3> &path, double radius, int seg
     for (std::size_t k = 0; k < path.size(); ++k) {
         const Vec3 in = (path[k] - path[k == 0 ? 0 : k - 1]).stableNormalized();
         const Vec3 out = (path[std::min(k + 1, path.size() - 1)] - path[k]).stableNormalized();
-        // Turning the last frame by the least amount keeps the tube free of twist.
+        // The smallest rotation of the last frame keeps the tube from twisting.
         const auto turn = Eigen::Quaterniond::FromTwoVectors(frame.z, in + out);
         frame = {path[k], turn * frame.x, turn * frame.y, turn * frame.z};
         const std::vector<int> ring = addRing(segments, [&](int i) {

@@ -1,4 +1,4 @@
-// A small modeller for the samples: polygons that grow by extrusion, subdivision and simple solids.
+// A small polygon modeller for the samples: extrusion, subdivision and simple solids.
 #pragma once
 
 #include "model/document/scene.h"
@@ -12,7 +12,7 @@
 
 namespace autocuts::samples {
 
-//! A place and three directions (unit, right-handed): x and y span a profile, z is the way to go.
+//! A point and three unit directions (right-handed): x and y span a profile, z is the direction of extrusion.
 struct Frame
 {
     Vec3 origin = Vec3::Zero();
@@ -24,56 +24,56 @@ struct Frame
 //! A frame at a point whose z points along the given direction.
 Frame frameAlong(const Vec3 &origin, const Vec3 &direction);
 
-//! Polygons under construction. Faces are wound outwards; new ones belong to the current object and material.
+//! Polygons under construction. Faces point outwards; new ones belong to the current object and material.
 class PolygonModel
 {
 public:
     std::vector<Vec3> points;
     std::vector<std::vector<int>> faces;
 
-    //! Starts an object; faces added from now on belong to it.
+    //! Starts an object; faces added later belong to it.
     void beginObject(const QString &name);
-    //! Faces added from now on have this material.
+    //! Sets the material of faces added later.
     void useMaterial(const QString &name);
 
     int addPoint(const Vec3 &point);
     int addFace(std::vector<int> corners);
 
-    //! Moves a region of faces, leaving a band of quads behind. Its points p become
-    //! c + scale * (p - c) + offset (per axis), c being the mean of the region's points.
+    //! Moves a set of faces and adds a band of quads around it. A point p moves to c + scale * (p - c) +
+    //! offset (per axis), where c is the mean of the points of the set.
     void extrude(const std::vector<int> &region, const Vec3 &offset, const Vec3 &scale = Vec3::Ones());
 
-    //! The points around a region of faces, in the winding of the faces.
-    //! \pre the region has one simple border
+    //! The points around a set of faces, in the winding of the faces.
+    //! \pre the set has one simple border
     std::vector<int> border(const std::vector<int> &region) const;
 
-    //! Removes faces; the numbers of later ones move down.
+    //! Removes faces; the indices of later ones decrease.
     void removeFaces(std::vector<int> region);
 
-    //! One step of Catmull-Clark subdivision; points without faces go. \pre closed manifold
+    //! One step of Catmull-Clark subdivision; removes points without faces. \pre closed manifold
     void subdivide();
 
-    //! A straight solid over a closed profile (counter-clockwise seen against z), from z = 0 to `height`.
-    //! Each end is one polygon; with a bevel > 0 both rims are cut off by that much.
+    //! Adds a prism over a closed profile (counter-clockwise seen against z), from z = 0 to `height`. Each
+    //! end is one polygon; a positive bevel cuts off the edges of both ends by that length.
     void addPrism(const Frame &frame, const std::vector<Vec2> &profile, double height, double bevel = 0);
 
-    //! A gear from z = 0 to `height`: straight-sided teeth between two radii. Each end is a disk and a quad
-    //! per tooth.
+    //! Adds a gear from z = 0 to `height`, with straight teeth between two radii. Each end is a disk and one
+    //! quad per tooth.
     void addGear(const Frame &frame, int teeth, double inner, double outer, double height, double bevel = 0);
 
-    //! A solid of revolution about z. The profile gives (radius, z) from bottom to top; a radius of 0 at an
-    //! end closes it in a fan of triangles, any other end gets one polygon as its cap.
+    //! Adds a solid of revolution about z. The profile gives (radius, z) from bottom to top. An end with
+    //! radius 0 is closed by a fan of triangles, any other end by one polygon.
     void addLathe(const Frame &frame, const std::vector<Vec2> &profile, int segments);
 
-    //! A round tube along a path of points, capped by polygons at both ends.
+    //! Adds a round tube along a path of points, closed by a polygon at each end.
     void addTube(const std::vector<Vec3> &path, double radius, int segments);
 
-    //! The scene of these polygons. \pre every face was added after beginObject()
+    //! Makes a scene of these polygons. \pre every face was added after beginObject()
     Scene toScene() const;
 
 private:
     void dropUnusedPoints();
-    //! The sides of a prism; returns its bottom and top rings, counter-clockwise seen against z.
+    //! Adds the sides of a prism; returns its bottom and top rings, counter-clockwise seen against z.
     std::pair<std::vector<int>, std::vector<int>>
     addWalls(const Frame &frame, const std::vector<Vec2> &profile, double height, double bevel);
     std::vector<int> addRing(int segments, const std::function<Vec3(int)> &at);
