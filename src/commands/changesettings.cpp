@@ -9,7 +9,7 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-//! Text for a change of one property; null for none or several.
+//! The label for a change of one property; null when it changes none or several.
 const char *solveText(int properties)
 {
     switch (properties) {
@@ -42,7 +42,7 @@ const char *solveText(int properties)
     }
 }
 
-//! As solveText().
+//! The same for the packing settings.
 const char *packingText(int properties)
 {
     switch (properties) {

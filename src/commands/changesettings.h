@@ -1,4 +1,4 @@
-// Changing the settings of solving and packing.
+// Commands that change the settings of the solver and the packer.
 #pragma once
 
 #include "commands/documentcommand.h"
@@ -7,11 +7,11 @@
 
 namespace autocuts {
 
-//! Changes settings. While one slider is dragged the commands merge, but never those of different properties.
+//! Changes settings. Commands of one slider drag merge when they change the same properties.
 class ChangeSettings final : public DocumentCommand
 {
 public:
-    //! Settings that are not valid are left as they are.
+    //! Invalid settings are ignored.
     ChangeSettings(Document &document, const SolveSettings &solve, const PackingSettings &packing);
     ChangeSettings(Document &document, const SolveSettings &solve)
         : ChangeSettings(document, solve, document.packingSettings())
@@ -36,7 +36,8 @@ protected:
 private:
     SolveSettings mSolveBefore, mSolveAfter;
     PackingSettings mPackingBefore, mPackingAfter;
-    int mSolveProperties, mPackingProperties; //!< that this is about; stay when a drag returns to its start
+    //! The properties that this command changes; kept when a drag returns to its start.
+    int mSolveProperties, mPackingProperties;
 };
 
 } // namespace autocuts

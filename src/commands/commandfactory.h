@@ -1,4 +1,4 @@
-// Building commands again from what a journal holds.
+// Restores commands from their descriptions in a journal.
 #pragma once
 
 #include "commands/documentcommand.h"
@@ -8,10 +8,11 @@
 
 namespace autocuts {
 
-//! The command that toCbor() described, for a document in the state in which that command was made. It
-//! belongs to no gesture. An error, and no harm, when the map is damaged or does not fit the document's
-//! present state. \pre the map was decoded without a QCborParserError: Qt 6.4 crashes on looking into a map
-//! that broke off between a key and its value
+//! Restores the command that toCbor() described, for a document in the state in which that command was made.
+//! The command belongs to no gesture. Returns an Error, and changes nothing, when the map is damaged or does
+//! not fit the document.
+//! \pre the map was decoded without a QCborParserError: Qt 6.4 crashes on a map that ends between a key and
+//! its value
 Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Document &document);
 
 } // namespace autocuts

@@ -1,4 +1,4 @@
-// Numbers of the commands. They stand in journals: never change one or use it again.
+// Ids of the commands. They are stored in journals: never change or reuse one.
 #pragma once
 
 namespace autocuts {

@@ -1,4 +1,4 @@
-// What every command needs to read itself from a journal.
+// Shared by all commands that are read from a journal.
 #pragma once
 
 #include "model/document/cborvalues.h"
@@ -6,7 +6,7 @@
 
 namespace autocuts {
 
-//! The error for a command that cannot be read.
+//! The error for a command description that cannot be read.
 Error damagedCommand();
 
 } // namespace autocuts

@@ -92,7 +92,7 @@ bool cancelGesture(Document &document, quint64 gesture)
     UndoStack &stack = document.undoStack();
     if (gesture == 0 || !stack.canUndoFurther())
         return false;
-    // The stack hands its entries out const; only pushCommand() puts them there.
+    // The stack returns its entries as const; only pushCommand() adds any.
     auto *newest =
         static_cast<DocumentCommand *>(const_cast<QUndoCommand *>(stack.command(stack.index() - 1)));
     if (newest->mGesture != gesture)

@@ -1,4 +1,4 @@
-// The base of all commands: the only way to edit a document.
+// The base class of all commands. Commands are the only way to edit a document.
 #pragma once
 
 #include "commands/commandids.h"
@@ -10,14 +10,14 @@
 
 namespace autocuts {
 
-//! One edit. It is built against the document's present state, takes what it needs from it, and is then given
-//! to pushCommand() at once.
+//! One edit. It is constructed for the current state of the document, copies what it needs from it, and must
+//! then be given to pushCommand() at once.
 //!
-//! Merging: commands of one gesture (a drag, a brush stroke, a solver run) get one number of
-//! UndoStack::newGesture() and become one entry; without a number a command never merges. A gesture that
-//! returns to where it began leaves no entry.
+//! Merging: the commands of one gesture (a drag, a brush stroke, a solver run) have the same number from
+//! UndoStack::newGesture() and become one entry. A command without a number never merges. A gesture that
+//! returns to its start leaves no entry.
 //!
-//! Selection: undo and redo bring back the selection with which the command was made.
+//! Selection: undo and redo restore the selection that was current when the command was made.
 class DocumentCommand : public UndoEntry
 {
 public:
@@ -27,12 +27,13 @@ public:
     bool mergeWith(const QUndoCommand *newer) final;
 
     virtual CommandId commandId() const = 0;
-    //! False when executing it would leave the document as it is.
+    //! False when executing the command would not change the document.
     virtual bool hasAnyChanges() const = 0;
     void setGesture(quint64 gesture) { mGesture = gesture; }
     quint64 gesture() const { return mGesture; }
 
-    //! "id" and what makeCommand() needs to build the same edit again on a document in the state before it.
+    //! The command's "id" and the data from which makeCommand() restores it, for a document in the state
+    //! before it.
     //! \pre !isReleased()
     QCborMap toCbor() const;
 
@@ -42,19 +43,19 @@ protected:
     Document &document() const { return mDocument; }
 
     virtual void apply() = 0;
-    //! Brings back exactly the state before apply().
+    //! Restores exactly the state before apply().
     virtual void revert() = 0;
-    //! Becomes both edits in one; false when the two are of different kinds. The default is false.
+    //! Merges a newer command into this one. Returns false when their kinds differ; the default.
     virtual bool absorb(const DocumentCommand &newer);
     virtual void writePayload(QCborMap &map) const = 0;
-    //! Translated text for the history.
+    //! The translated text for the history.
     virtual QString label() const = 0;
-    //! Bytes of the contents of the derived class.
+    //! Bytes used by the contents of the derived class.
     virtual qint64 payloadBytes() const = 0;
     virtual void clearPayload() = 0;
     void compact() override {}
 
-    // For commands that consist of others.
+    // For commands that consist of other commands.
     static void applyPart(DocumentCommand &part) { part.apply(); }
     static void revertPart(DocumentCommand &part) { part.revert(); }
     static void compactPart(DocumentCommand &part) { part.compact(); }
@@ -68,7 +69,7 @@ protected:
         return map;
     }
 
-    // The document's setters; see there.
+    // The document's setters; documented there.
     void setUvs(int uvSet, const IndexRanges &corners, const UvMatrix &values);
     void setUvScale(int uvSet, double scale);
     void setSeamStates(const IndexRanges &cornerPairs, std::span<const PairState> values);
@@ -93,22 +94,22 @@ private:
 
     Document &mDocument;
     Selection mSelection;
-    qint64 mSelectionBytes = 0; //!< not shared with the entry below
+    qint64 mSelectionBytes = 0; //!< without those shared with the entry below
     quint64 mGesture = 0;
     bool mWasApplied = false;
-    bool mVanishes = false; //!< leaves the stack when undone
+    bool mVanishes = false; //!< it is removed from the stack when undone
 };
 
-//! Executes the command and puts it on its document's undo stack; returns false, and leaves the history as it
-//! is, when it would change nothing.
+//! Executes the command and puts it on its document's undo stack. When it would change nothing, returns false
+//! and leaves the history unchanged.
 bool pushCommand(std::unique_ptr<DocumentCommand> command);
 
-//! Takes back the newest entry without a trace when it belongs to the gesture: Escape during a drag.
+//! Undoes and removes the newest entry when it belongs to the gesture; for Escape during a drag.
 bool cancelGesture(Document &document, quint64 gesture);
 
-//! Translated text for the history with a number in it. \param one, many English source texts with %n
+//! A translated text with a number for the history. \param one, many English source texts with %n
 QString countedText(const char *one, const char *many, int count);
-//! Translated text for the history.
+//! A translated text for the history.
 QString plainText(const char *text);
 
 } // namespace autocuts

@@ -1,4 +1,4 @@
-// Pinning, unpinning and moving pins.
+// Commands that add, remove and move pins.
 #pragma once
 
 #include "commands/documentcommand.h"
@@ -8,17 +8,17 @@
 
 namespace autocuts {
 
-//! Pins by corner, before and after.
+//! The pins before and after an edit, by corner.
 using PinChanges = KeyedChanges<int, UvPin>;
 
-//! Adds, removes or changes pins; the commands of one drag merge.
+//! Adds, removes or changes pins. Commands of one drag merge.
 class EditPins final : public DocumentCommand
 {
 public:
     enum class Edit { Pin, Unpin, Move, Change };
 
-    //! Puts these pins in the place of those at their corners; pins that are not valid are left out.
-    //! \param edit what the history calls it, not Unpin
+    //! Sets these pins and replaces those at the same corners. Invalid pins are ignored.
+    //! \param edit decides the text in the history; must not be Unpin
     EditPins(Document &document, Edit edit, const std::vector<UvPin> &pins);
     //! Removes the pins at these corners.
     static std::unique_ptr<EditPins> unpin(Document &document, std::span<const int> corners);
@@ -41,11 +41,11 @@ private:
     PinChanges mChanges;
 };
 
-//! The changes that put these pins in the place of those at their corners.
+//! The changes that set these pins and replace those at the same corners.
 PinChanges changesToPins(const Document &document, const std::vector<UvPin> &pins);
-//! The pins after the changes as an array of maps. \pre no pin is removed
+//! The pins after the changes, as an array of maps. \pre no pin is removed
 QCborArray pinsToCbor(const PinChanges &changes);
-//! The pins of such an array.
+//! Reads an array written by pinsToCbor().
 std::vector<UvPin> readPins(CborReader &reader, QLatin1StringView key, const MeshData &mesh);
 
 } // namespace autocuts

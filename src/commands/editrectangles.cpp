@@ -66,7 +66,7 @@ void EditRectangles::revert()
 bool EditRectangles::absorb(const DocumentCommand &newer)
 {
     const auto &other = static_cast<const EditRectangles &>(newer);
-    // Drawing a new rectangle is one gesture: it is added, then resized.
+    // Drawing a new rectangle adds it and then resizes it, in one gesture.
     const bool drawing = mEdit == Edit::Add && other.mEdit == Edit::Resize && other.mChanges.count() == 1 &&
                          other.mChanges.changes().front().key == mChanges.changes().front().key;
     if (mEdit == Edit::Add ? !drawing : other.mEdit != mEdit)

@@ -1,4 +1,4 @@
-// Adding, removing and changing the rectangles that islands should stay inside.
+// Commands that add, remove and change bounding rectangles of islands.
 #pragma once
 
 #include "commands/documentcommand.h"
@@ -8,17 +8,18 @@
 
 namespace autocuts {
 
-//! Adds, removes or changes rectangles; the commands of one drag merge.
+//! Adds, removes or changes rectangles. Commands of one drag merge.
 class EditRectangles final : public DocumentCommand
 {
 public:
     enum class Edit { Add, Remove, Move, Resize, Assign, Rename, Recolor, Change };
 
-    //! Puts these rectangles in the place of those with their ids. Corners that are the wrong way round are
-    //! swapped; rectangles that do not exist or are not valid are left out. \param edit what the history
-    //! calls it: Move, Resize, Assign, Rename, Recolor, or Change for the rest
+    //! Replaces the rectangles with the same ids. Swapped corners are put in order; rectangles that do not
+    //! exist or are invalid are ignored.
+    //! \param edit decides the text in the history: Move, Resize, Assign, Rename, Recolor, or Change for
+    //! anything else
     EditRectangles(Document &document, Edit edit, const std::vector<LayoutRectangle> &rectangles);
-    //! Adds a rectangle; its id is chosen: see Constraints::nextRectangleId().
+    //! Adds a rectangle with the id from Constraints::nextRectangleId().
     static std::unique_ptr<EditRectangles> add(Document &document, LayoutRectangle rectangle);
     static std::unique_ptr<EditRectangles> remove(Document &document, std::span<const int> ids);
 

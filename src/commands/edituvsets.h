@@ -1,4 +1,4 @@
-// Choosing, adding, renaming and deleting UV sets.
+// Commands that choose, add, rename and delete UV sets.
 #pragma once
 
 #include "commands/documentcommand.h"
@@ -30,12 +30,12 @@ private:
     int mBefore, mAfter;
 };
 
-//! Adds a UV set behind the others and makes it the active one.
+//! Adds a UV set after the others and makes it the active one.
 class AddUvSet final : public DocumentCommand
 {
 public:
-    //! \param name when it is empty or taken, one that is free is made from it
-    //! \param source number of the set to copy, -1 for a set without UVs
+    //! \param name used to make an unused name when it is empty or in use
+    //! \param source index of the set to copy; -1 for a set without UVs
     AddUvSet(Document &document, const QString &name, int source = -1);
 
     CommandId commandId() const override { return CommandId::AddUvSet; }
@@ -56,11 +56,11 @@ private:
     int mActiveBefore;
 };
 
-//! Gives a UV set another name.
+//! Renames a UV set.
 class RenameUvSet final : public DocumentCommand
 {
 public:
-    //! Nothing changes when the name is empty or taken.
+    //! Changes nothing when the name is empty or in use.
     RenameUvSet(Document &document, int index, const QString &name);
 
     CommandId commandId() const override { return CommandId::RenameUvSet; }
@@ -80,7 +80,7 @@ private:
     QString mBefore, mAfter;
 };
 
-//! Deletes a UV set; the last one stays.
+//! Deletes a UV set. The last remaining one cannot be deleted.
 class DeleteUvSet final : public DocumentCommand
 {
 public:
@@ -104,7 +104,7 @@ private:
     int mActiveBefore;
     QString mName;
     double mScale;
-    XorDelta mContent; //!< from a layout without UVs to the deleted one
+    XorDelta mContent; //!< the difference from a layout without UVs to the deleted set
 };
 
 } // namespace autocuts

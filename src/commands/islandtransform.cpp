@@ -36,7 +36,8 @@ IslandTransform::command(const std::function<Eigen::Affine2d(int island)> &trans
     std::vector<Eigen::Affine2d> transforms;
     for (int island : mIslands)
         transforms.push_back(transformOf(island));
-    // The identity has to give back the very bits of the start, and a product would lose the sign of zero.
+    // The identity must give exactly the bits of the start; multiplying would lose the sign of a negative
+    // zero.
     const auto moved = [&](int owner, const Vec2 &point) {
         const Eigen::Affine2d &transform = transforms[owner];
         const bool identity = transform.matrix() == Eigen::Affine2d::Identity().matrix();
@@ -64,7 +65,7 @@ std::unique_ptr<SetUvs> movePieces(Document &document, UvEdit edit, std::span<co
     for (std::size_t p = 0; p < pieces.size(); ++p) {
         for (int island : pieces[p].islands) {
             if (pieces[p].locked)
-                continue; // the others of its group stay with the one that has the lock
+                continue; // one locked island keeps its whole piece in place
             pieceOf[island] = p;
             islands.push_back(island);
         }

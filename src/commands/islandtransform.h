@@ -1,4 +1,4 @@
-// Moving, rotating and scaling islands by one gesture.
+// Moves, rotates and scales islands in one gesture.
 #pragma once
 
 #include "commands/setuvs.h"
@@ -8,40 +8,40 @@
 
 namespace autocuts {
 
-//! Remembers the islands as they are when the gesture begins, so that each step is computed from there: no
-//! rounding adds up, and a gesture that returns to its start leaves no entry. Locked islands stay where they
-//! are; pins on the others travel along.
+//! Stores the islands at the beginning of a gesture and computes each step from there. Rounding errors
+//! therefore do not accumulate, and a gesture that returns to its start leaves no entry. Locked islands are
+//! not moved; pins on other islands move with them.
 class IslandTransform
 {
 public:
     //! \param edit Move, Rotate or Scale
-    //! \param islands numbers of Document::islands(), in any order
+    //! \param islands indices in Document::islands(), in any order
     IslandTransform(Document &document, UvEdit edit, const std::vector<int> &islands);
 
-    //! False when every island is locked.
+    //! False when all islands are locked.
     bool canMove() const { return !mCorners.empty(); }
     //! Number of the gesture, for cancelGesture().
     quint64 gesture() const { return mGesture; }
-    //! The command that brings the islands from where they are now to where the whole gesture has them.
-    //! \param transform from the UVs at the beginning, in texture space
+    //! The command that moves the islands from their current to their new places.
+    //! \param transform of the whole gesture, from the UVs at its beginning, in texture space
     std::unique_ptr<SetUvs> command(const Eigen::Affine2d &transform) const;
-    //! The same with a transform for each island. \param transformOf asked for islands that are not locked
+    //! The same with one transform per island. \param transformOf called for islands that are not locked
     std::unique_ptr<SetUvs> command(const std::function<Eigen::Affine2d(int island)> &transformOf) const;
 
 private:
     Document &mDocument;
     UvEdit mEdit;
     quint64 mGesture;
-    std::vector<int> mIslands; //!< that are not locked
+    std::vector<int> mIslands; //!< without the locked ones
     std::vector<int> mCorners;
-    std::vector<int> mOwner;  //!< per item of mCorners: place in mIslands
+    std::vector<int> mOwner;  //!< for each item of mCorners, its position in mIslands
     UvMatrix mStart;          //!< one row per item of mCorners
-    std::vector<UvPin> mPins; //!< at the beginning
+    std::vector<UvPin> mPins; //!< as they were at the beginning
     std::vector<int> mPinOwner;
 };
 
-//! The command that moves pieces, each with its islands and pins; locked ones stay.
-//! \param transforms one per piece, texture space
+//! The command that moves pieces with their islands and pins. Locked pieces are not moved.
+//! \param transforms one per piece, in texture space
 std::unique_ptr<SetUvs> movePieces(Document &document, UvEdit edit, std::span<const IslandPiece> pieces,
                                    std::span<const Eigen::Affine2d> transforms);
 

@@ -12,15 +12,15 @@
 
 namespace autocuts {
 
-//! A command's description, compressed when it is first asked for, on whatever thread that is.
+//! The description of a command, compressed on first use on any thread.
 class JournalEntry final
 {
 public:
     explicit JournalEntry(const QCborMap &command);
 
-    //! Before compression.
+    //! Bytes before compression.
     qint64 size() const { return mSize; }
-    //! As it stands in a Journal.
+    //! The compressed bytes, as in a Journal.
     const QByteArray &bytes();
 
 private:
@@ -29,13 +29,13 @@ private:
     std::once_flag mCompressed;
 };
 
-//! A journal of which some commands may have to be compressed yet, so that it is quickly taken.
+//! A journal with commands that may not be compressed yet, so that it can be made quickly.
 class PendingJournal final
 {
 public:
     PendingJournal(Journal past, std::vector<std::shared_ptr<JournalEntry>> newer);
 
-    //! Compresses what is left; can be called on another thread than the recorder's.
+    //! Compresses the remaining commands; may be called on another thread than the recorder's.
     Journal finished() const;
 
 private:
@@ -43,26 +43,27 @@ private:
     std::vector<std::shared_ptr<JournalEntry>> mNewer;
 };
 
-//! Writes down the commands of a document: those on its undo stack that are done, and before them those that
-//! the stack has forgotten. What was undone is not in the journal.
+//! Records the commands of a document: those on its undo stack that are done, and those that the stack has
+//! released. Commands that were undone are not in the journal.
 //!
-//! The journal is bounded: when it has grown too large, or when the user undoes what it does not contain any
-//! more, it begins anew with the state at that time.
+//! The size of the journal is limited. When it is exceeded, or when the user undoes a command that the
+//! journal does not contain, the journal starts again with the current state.
 class JournalRecorder final : public QObject
 {
     Q_OBJECT
 
 public:
+    //! Bytes; chosen by hand.
     static constexpr qint64 defaultByteLimit = qint64(32) * 1024 * 1024;
 
-    //! \param document must outlive the recorder; nothing was undone in it yet
-    //! \param earlier the journal that leads to the document's present state: of a session that was loaded
+    //! \param document must outlive the recorder; nothing has been undone in it
+    //! \param earlier for a loaded session, the journal that leads to the document's current state
     explicit JournalRecorder(Document &document, std::optional<Journal> earlier = std::nullopt);
 
     //! \pre bytes >= 0
     void setByteLimit(qint64 bytes) { mByteLimit = bytes; }
 
-    //! The journal up to the present state.
+    //! The journal up to the current state.
     PendingJournal pending();
     Journal journal() { return pending().finished(); }
 
@@ -73,10 +74,10 @@ private:
     qint64 byteCount() const;
 
     Document &mDocument;
-    Journal mPast; //!< with the commands that are not on the stack any more
-    int mFirst;    //!< stack entries below it are part of mPast.initial
-    //! Descriptions of the stack's entries by their place, as far as they were needed; never of the newest
-    //! entry, which can still change.
+    Journal mPast; //!< includes the commands that are no longer on the stack
+    int mFirst;    //!< entries of the stack below this index are part of mPast.initial
+    //! Descriptions of the stack's entries by index, made on demand. Not of the newest entry, because it can
+    //! still change.
     std::vector<std::shared_ptr<JournalEntry>> mEncoded;
     qint64 mByteLimit = defaultByteLimit;
     bool mMustStartAnew = false;

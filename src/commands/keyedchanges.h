@@ -1,4 +1,4 @@
-// Changes of things that have a key: what each was before and is after.
+// Changes of items that have a key, with their values before and after.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,9 @@
 
 namespace autocuts {
 
-//! Before and after of each changed thing, rising by key; nothing stands for "not there". Things that end as
-//! they began are left out, so an edit that returns to its start becomes empty.
+//! The values of all changed items before and after an edit, ascending by key; an empty value means that the
+//! item does not exist. Items with equal values before and after are left out, so an edit that returns to its
+//! start is empty.
 template <typename Key, typename Value>
 class KeyedChanges
 {
@@ -23,7 +24,7 @@ public:
     int count() const { return static_cast<int>(mChanges.size()); }
     const std::vector<Change> &changes() const { return mChanges; }
 
-    //! Adds a change, or replaces what the thing is after when it is here already.
+    //! Adds a change; replaces the value after it when there is a change for the key already.
     void add(Change change)
     {
         const auto it = std::lower_bound(mChanges.begin(), mChanges.end(), change.key,
@@ -37,7 +38,7 @@ public:
         }
     }
 
-    //! Becomes the change from this one's start to the newer one's end.
+    //! Appends a newer edit: the result leads from the start of this one to the end of that one.
     void combine(const KeyedChanges &newer)
     {
         for (const Change &change : newer.mChanges)

@@ -1,14 +1,14 @@
-// A whole new map for the active UV set: unwrapped, finished, packed.
+// The command that replaces the whole map of the active UV set, after unwrapping, finishing or packing.
 #pragma once
 
 #include "commands/setuvs.h"
 
 namespace autocuts {
 
-//! The command that puts the map into the document. The scale of the set becomes the map's
-//! (DocumentState::uvScales), and pins go to where their corners are then.
+//! Makes the command for a map. The set gets the scale of the map (DocumentState::uvScales), and pins move to
+//! the new UVs of their corners.
 //! \param uv one row per corner, texture space
-//! \param count for the text in the history; none: the islands of the map
+//! \param count number in the history's text; without it, the number of the map's islands
 std::unique_ptr<SetUvs> newMapCommand(Document &document, UvEdit edit, const UvMatrix &uv,
                                       std::optional<int> count = std::nullopt);
 

@@ -1,4 +1,4 @@
-// Doing again what a journal holds.
+// Replays the commands of a journal.
 #pragma once
 
 #include "commands/documentcommand.h"
@@ -7,15 +7,15 @@
 
 namespace autocuts {
 
-//! A command's description as an entry of a journal. \param command CBOR
+//! The journal entry of a command's description. \param command CBOR
 QByteArray compressedEntry(const QByteArray &command);
 QByteArray journalEntry(const QCborMap &command);
 
-//! A document in the journal's initial state on which all its commands were done. An Error names the first
-//! one that is damaged or does not fit.
+//! A document in the journal's initial state, after executing all its commands. An Error names the first
+//! command that is damaged or does not fit.
 Result<std::unique_ptr<Document>> replay(const Journal &journal);
 
-//! True when the states are equal but for selection and view state, which are not replayed.
+//! True when the states are equal, ignoring selection and view state, which a journal does not contain.
 bool sameWork(const DocumentState &a, const DocumentState &b);
 
 } // namespace autocuts

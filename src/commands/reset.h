@@ -1,4 +1,4 @@
-// Taking steering, settings or UVs back to what they were after loading.
+// The command that resets steering, settings or UVs to their state after loading.
 #pragma once
 
 #include "commands/documentcommand.h"
@@ -9,19 +9,19 @@
 
 namespace autocuts {
 
-//! Resets the chosen parts of the document by one entry.
+//! Resets the chosen parts of the document as one entry.
 class Reset final : public DocumentCommand
 {
 public:
-    //! Bits of what is reset.
+    //! Bits for what is reset.
     enum Part {
         SeamStates = 1,
         SeamWeights = 2,
         Pins = 4,
         Rectangles = 8,
         Marks = 16,    //!< flags and tags of islands
-        Settings = 32, //!< of solving and packing, to their defaults
-        Uvs = 64,      //!< of the active set: no corner has any
+        Settings = 32, //!< of the solver and the packer, to their defaults
+        Uvs = 64,      //!< of the active set: all corners lose their UVs
         Steering = SeamStates | SeamWeights | Pins | Rectangles,
         Everything = Steering | Marks | Settings | Uvs
     };
@@ -46,7 +46,8 @@ private:
     void add(std::unique_ptr<DocumentCommand> command);
 
     int mParts;
-    std::vector<std::unique_ptr<DocumentCommand>> mCommands; //!< independent of each other, all with changes
+    //! Independent of each other; each changes something.
+    std::vector<std::unique_ptr<DocumentCommand>> mCommands;
 };
 
 } // namespace autocuts

@@ -1,4 +1,4 @@
-// Changes of seams in journals, in a form that does not depend on the numbering of the mesh.
+// Stores changes of seams in journals, independently of how the mesh numbers its edges.
 #pragma once
 
 #include "commands/xordelta.h"
@@ -6,12 +6,13 @@
 
 namespace autocuts {
 
-//! Writes a delta over corner pairs as "sides": a delta over polygon sides, each named by the corner at which
-//! it starts, that is by its face and its number in the face. \pre it touches no diagonals
+//! Writes a delta over corner pairs as "sides": a delta over polygon sides. The corner at which a side starts
+//! names it, and with it the face and the number of the side in the face.
+//! \pre the delta has no diagonals
 void writeSeamDelta(QCborMap &map, const XorDelta &delta, const MeshData &mesh);
 
-//! The delta over corner pairs. What version 1 of the project files wrote, a delta over the numbers of corner
-//! pairs, is read as well where the mesh still has those numbers, and fails elsewhere.
+//! Reads a delta over corner pairs. Version 1 of the project files stored the numbers of corner pairs instead
+//! of sides; that is read where the mesh still has the same numbers, and fails elsewhere.
 XorDelta readSeamDelta(CborReader &reader, int elementSize, const Document &document);
 
 } // namespace autocuts

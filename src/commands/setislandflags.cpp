@@ -11,7 +11,7 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-//! The lowest positive number that no face has.
+//! The lowest positive number that no face uses.
 std::int32_t freeNumber(const std::vector<IslandFlags> &flags, std::int32_t IslandFlags::*field)
 {
     std::vector<std::int32_t> used;
@@ -77,7 +77,7 @@ std::unique_ptr<SetIslandFlags> SetIslandFlags::stackEach(Document &document,
     const std::vector<IslandFlags> &before = document.marks().faceFlags;
     std::vector<IslandFlags> after = before;
     for (const std::vector<int> &stack : stacks) {
-        // Looked for once more each time, so that the stacks differ.
+        // Determined again for each stack, so that all stacks get different numbers.
         const std::int32_t number = freeNumber(after, &IslandFlags::stack);
         for (int island : stack) {
             for (int face : document.islands().faces(island))

@@ -1,4 +1,4 @@
-// Locking, stacking and grouping islands.
+// Commands that lock, stack and group islands.
 #pragma once
 
 #include "commands/documentcommand.h"
@@ -7,23 +7,23 @@
 
 namespace autocuts {
 
-//! Sets one of the flags of islands, through their faces.
+//! Sets one of the flags of islands, on all of their faces.
 class SetIslandFlags final : public DocumentCommand
 {
 public:
     enum class Edit { Lock, Unlock, Stack, Unstack, Group, Ungroup, Clear };
 
-    //! Stack and Group put the islands together into a new stack or group; Clear takes all flags away.
-    //! \param islands numbers of Document::islands(), in any order
+    //! Stack and Group put all islands into one new stack or group; Clear removes all flags.
+    //! \param islands indices in Document::islands(), in any order
     SetIslandFlags(Document &document, Edit edit, const std::vector<int> &islands);
 
     CommandId commandId() const override { return CommandId::SetIslandFlags; }
     bool hasAnyChanges() const override { return !mDelta.isEmpty(); }
     static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
-    //! Puts each list of islands into a stack of its own.
+    //! Makes one new stack of each list of islands.
     static std::unique_ptr<SetIslandFlags> stackEach(Document &document,
                                                      const std::vector<std::vector<int>> &stacks);
-    //! Clears the flags of all faces, in islands or not.
+    //! Clears the flags of all faces, including faces without UVs.
     static std::unique_ptr<SetIslandFlags> clearAll(Document &document);
 
 protected:

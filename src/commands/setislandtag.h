@@ -1,4 +1,4 @@
-// Tagging islands.
+// The command that tags islands.
 #pragma once
 
 #include "commands/documentcommand.h"
@@ -7,18 +7,18 @@
 
 namespace autocuts {
 
-//! Puts a named tag on islands or takes it off, through their faces.
+//! Adds a tag to islands or removes it, on all of their faces.
 class SetIslandTag final : public DocumentCommand
 {
 public:
-    //! \param islands numbers of Document::islands(), in any order
-    //! \param on nothing changes when the name is empty or has more than maxNameLength characters
+    //! \param islands indices in Document::islands(), in any order
+    //! \param on true adds the tag; nothing changes when its name is empty or longer than maxNameLength
     SetIslandTag(Document &document, const QString &name, const std::vector<int> &islands, bool on);
 
     CommandId commandId() const override { return CommandId::SetIslandTag; }
     bool hasAnyChanges() const override { return mBefore != mAfter; }
     static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
-    //! Takes a tag off all faces.
+    //! Removes a tag from all faces.
     static std::unique_ptr<SetIslandTag> remove(Document &document, const QString &name);
 
 protected:

@@ -1,4 +1,4 @@
-// Cutting, joining and clearing seams.
+// The command that cuts, joins and frees edges.
 #pragma once
 
 #include "commands/documentcommand.h"
@@ -7,14 +7,14 @@
 
 namespace autocuts {
 
-//! Sets the state of corner pairs. Pairs along the diagonals inside polygons are left out, so that polygons
-//! are cut along whole sides only.
+//! Sets the state of corner pairs. Pairs along diagonals are left out, because polygons are cut along whole
+//! sides only.
 class SetSeamState final : public DocumentCommand
 {
 public:
     enum class Edit { Clear, Cut, Join };
 
-    //! \param cornerPairs a single pair of an edge makes a half-cut
+    //! \param cornerPairs one of the two pairs of an edge makes a half-cut
     SetSeamState(Document &document, Edit edit, const IndexRanges &cornerPairs);
 
     CommandId commandId() const override { return CommandId::SetSeamState; }
@@ -39,9 +39,9 @@ private:
 //! Both corner pairs of each edge. Edge numbers are those of MeshAdjacency; boundary sides and diagonals are
 //! left out. \param edges in any order
 IndexRanges cornerPairsOfEdges(const MeshData &mesh, std::span<const int> edges);
-//! The indices that are not along diagonals.
+//! The corner pairs without those along diagonals.
 IndexRanges withoutDiagonals(const MeshData &mesh, const IndexRanges &cornerPairs);
-//! The number of edges that have one of these corner pairs.
+//! The number of edges to which the corner pairs belong.
 int edgeCountOf(const IndexRanges &cornerPairs);
 
 } // namespace autocuts

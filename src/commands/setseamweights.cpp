@@ -21,7 +21,7 @@ SetSeamWeights::SetSeamWeights(Document &document, const IndexRanges &cornerPair
         if (document.mesh().edgePairs[pair / 2].diagonal || std::isnan(weight))
             return;
         painted.append(pair);
-        // Adding zero turns -0 into +0.
+        // Adding zero turns -0 into +0, so that equal weights have equal bits.
         values.push_back(std::clamp(weight, 0.0, maxPaintedWeight) + 0.0);
     });
     mDelta = XorDelta::between<double>(document.seams().weights.data(), painted, values);

@@ -1,4 +1,4 @@
-// Painting where seams are welcome and where not.
+// The command that paints seam weights.
 #pragma once
 
 #include "commands/documentcommand.h"
@@ -7,12 +7,12 @@
 
 namespace autocuts {
 
-//! Sets the painted weights of corner pairs; the commands of one brush stroke merge. Diagonals are left out,
-//! weights are limited to [0, maxPaintedWeight].
+//! Sets the painted weights of corner pairs, limited to [0, maxPaintedWeight]. Diagonals are left out.
+//! Commands of one brush stroke merge.
 class SetSeamWeights final : public DocumentCommand
 {
 public:
-    //! \param weights one per corner pair; one that is not a number leaves the pair as it is
+    //! \param weights one per corner pair; NaN leaves the weight of the pair unchanged
     SetSeamWeights(Document &document, const IndexRanges &cornerPairs, std::span<const double> weights);
 
     CommandId commandId() const override { return CommandId::SetSeamWeights; }

@@ -1,4 +1,4 @@
-// Every edit of UV values: solving, finishing, packing, moving islands, dragging vertices.
+// The command for all edits of UVs: solving, finishing, packing, moving islands, dragging vertices.
 #pragma once
 
 #include "commands/documentcommand.h"
@@ -8,8 +8,8 @@
 
 namespace autocuts {
 
-//! What an edit of UVs is called and which edits can merge. Numbers stand in journals: new ones go to the
-//! end.
+//! Names an edit of UVs; decides its text in the history and which edits merge. The numbers are stored in
+//! journals: add new values at the end.
 enum class UvEdit {
     Move,
     Rotate,
@@ -29,20 +29,20 @@ enum class UvEdit {
     Relax
 };
 
-//! What an edit of UVs changes besides them.
+//! Changes that an edit of UVs makes besides the UVs.
 struct UvEditExtras
 {
-    int count = 0;                //!< islands or vertices concerned, for the text in the history
-    std::optional<double> scale;  //!< new scale of the UV set (DocumentState::uvScales), when it changes
-    std::vector<UvPin> pins = {}; //!< new pins at corners that have one
+    int count = 0;                //!< number of islands or vertices, for the text in the history
+    std::optional<double> scale;  //!< new scale of the UV set (DocumentState::uvScales), if it changes
+    std::vector<UvPin> pins = {}; //!< new pins at corners that have a pin
 };
 
-//! Sets UVs of the active UV set, and with them its scale and the pins that travel along. Commands of one
-//! drag, or of one solver run, merge; only the difference to the start is kept, once.
+//! Sets UVs of the active UV set, and optionally its scale and the pins that move with the UVs. Commands of
+//! one drag or one solver run merge; only the difference from the start is stored.
 class SetUvs final : public DocumentCommand
 {
 public:
-    //! \param uv the new UVs, in texture space \pre one row per corner
+    //! \param uv the new UVs in texture space, one row per corner
     SetUvs(Document &document, UvEdit edit, const UvMatrix &uv, const UvEditExtras &extras = {});
 
     CommandId commandId() const override { return CommandId::SetUvs; }

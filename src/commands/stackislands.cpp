@@ -13,7 +13,7 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-//! Room between islands that are laid beside the map, as a share of its width.
+//! Gap between islands that are placed beside the map, as a share of the map's width. Chosen by hand.
 constexpr double rowGap = 0.02;
 
 bool isLocked(const Document &document, int island)
@@ -35,7 +35,7 @@ void move(UvMatrix &uv, std::vector<UvPin> &pins, const Document &document, int 
     }
 }
 
-//! True when each box covers the middle of the other one.
+//! True when each box contains the centre of the other.
 bool cover(const Eigen::AlignedBox2d &a, const Eigen::AlignedBox2d &b)
 {
     return a.contains(b.center()) && b.contains(a.center());
@@ -52,7 +52,7 @@ StackIslands::Found StackIslands::copiesAmong(const Document &document, const st
     };
     if (open.size() == 1)
         open = similar(open.front());
-    // The locked ones first, then by number.
+    // Locked islands first, then by number.
     std::sort(open.begin(), open.end());
     std::stable_partition(open.begin(), open.end(), [&](int i) { return isLocked(document, i); });
     Found found;

@@ -1,4 +1,4 @@
-// Laying identical islands on top of each other, and apart again.
+// The command that stacks identical islands and takes stacks apart.
 #pragma once
 
 #include "commands/setislandflags.h"
@@ -6,27 +6,28 @@
 
 namespace autocuts {
 
-//! Gives copies the UVs of the island that they are copies of and makes them one stack, so that packing keeps
-//! them together; or takes stacks apart. One entry for UVs and flags.
+//! Gives copies of an island the UVs of that island and makes them one stack, so that packing moves them
+//! together; or takes stacks apart. Changes UVs and flags as one entry.
 class StackIslands final : public DocumentCommand
 {
 public:
-    //! What stacking found.
+    //! The result of copiesAmong().
     struct Found
     {
-        std::vector<std::vector<int>> stacks; //!< islands that are copies; that which stays comes first
-        int mirrored = 0;                     //!< islands left out because they are mirror images
+        //! Islands that are copies of each other; the one that stays in place comes first.
+        std::vector<std::vector<int>> stacks;
+        int mirrored = 0; //!< number of islands left out because they are mirror images
     };
 
-    //! Groups the islands into stacks of copies. One island alone: all its copies are looked for. In each
-    //! stack a locked island stays where it is, else the one with the lowest number.
+    //! Finds stacks of copies among the islands; for a single island, all of its copies. The island of each
+    //! stack that stays in place is a locked one, or else the one with the lowest number.
     static Found copiesAmong(const Document &document, const std::vector<int> &islands);
 
-    //! Lays the islands of each stack of copiesAmong() on its first one. Locked ones stay and are left out.
+    //! Moves the islands of each stack onto its first one. Other locked islands are left out.
     static std::unique_ptr<StackIslands> stack(Document &document,
                                                const std::vector<std::vector<int>> &stacks);
-    //! Takes the islands out of their stacks; those that lie on another one of the same stack are laid beside
-    //! the map, in a row. Locked ones stay.
+    //! Removes the islands from their stacks. Islands that lie on another one of the same stack are placed in
+    //! a row beside the map. Locked islands stay.
     static std::unique_ptr<StackIslands> unstack(Document &document, const std::vector<int> &islands);
 
     StackIslands(Document &document, std::unique_ptr<SetUvs> uvs, std::unique_ptr<SetIslandFlags> flags);

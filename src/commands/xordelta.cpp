@@ -14,8 +14,8 @@ namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
 
-//! Deflated bits in blocks from a pool, so that what is kept does not lie scattered among the megabytes that
-//! come and go with each edit: with plain allocations the heap grew to ten times of what it held.
+//! Compressed bits, in blocks from a pool. The pool keeps them away from the megabytes that each edit
+//! allocates and frees: with plain allocations the heap grew to ten times the size of its contents.
 struct XorDelta::PackedBits
 {
     PackedBits(std::shared_ptr<std::pmr::memory_resource> p, std::span<const int> o)
@@ -24,14 +24,14 @@ struct XorDelta::PackedBits
 
     std::shared_ptr<std::pmr::memory_resource> pool;
     std::pmr::vector<std::pmr::vector<char>> blocks;
-    std::span<const int> order; //!< that the elements were packed in
+    std::span<const int> order; //!< the order in which the elements were packed
 };
 
 namespace {
 
-//! Smaller deltas are not worth packing.
+//! Bytes; smaller deltas are not packed. Chosen by hand; its effect has not been measured.
 constexpr qsizetype packThreshold = 1024;
-//! Of zlib: the planes hardly shrink further at higher levels.
+//! Of zlib. Higher levels hardly make the byte planes smaller; no figures were kept.
 constexpr int deflateLevel = 1;
 
 //! Positions in the delta (0, ..., count - 1) in the order of packing.
@@ -54,7 +54,7 @@ std::vector<int> packingOrder(const IndexRanges &indices, std::span<const int> o
     return positions;
 }
 
-//! A bitmap of which elements differ from the one before, then the byte planes of those.
+//! A bitmap of the elements that differ from the one before, then the byte planes of these elements.
 QByteArray packedBits(const QByteArray &bits, int size, const std::vector<int> &order)
 {
     std::vector<const char *> kept;
@@ -75,7 +75,7 @@ QByteArray packedBits(const QByteArray &bits, int size, const std::vector<int> &
     return result;
 }
 
-//! The reverse of packedBits(); nothing when the data does not fit.
+//! The inverse of packedBits(); nothing when the data are inconsistent.
 std::optional<QByteArray> unpackedBits(const QByteArray &packed, int size, const std::vector<int> &order)
 {
     const qsizetype planes = bitmapSize(std::ssize(order));
@@ -117,7 +117,7 @@ QByteArray XorDelta::bits() const
     QByteArray deflated;
     for (const auto &block : mPacked->blocks)
         deflated.append(block.data(), static_cast<qsizetype>(block.size()));
-    // Only pack() makes packed bits, so they always fit.
+    // Only pack() makes packed bits, so unpacking cannot fail.
     return *unpackedBits(qUncompress(deflated), mElementSize, packingOrder(mIndices, mPacked->order));
 }
 
@@ -134,7 +134,7 @@ void XorDelta::apply(const char *current, char *result) const
 
 void XorDelta::combine(const XorDelta &newer)
 {
-    // Index lists rather than ranges: a merge visits every element anyway.
+    // Lists are used instead of ranges, because a merge visits every element anyway.
     const auto listOf = [](const IndexRanges &indices) {
         std::vector<int> list;
         list.reserve(indices.count());
@@ -223,7 +223,7 @@ XorDelta XorDelta::read(CborReader &reader, int elementSize, int elementCount, s
         return XorDelta(elementSize);
     }
     delta.mBits = *bits;
-    delta.combine(XorDelta(elementSize)); // drops elements that do not differ
+    delta.combine(XorDelta(elementSize)); // removes elements that do not differ
     return delta;
 }
 

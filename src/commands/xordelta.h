@@ -1,4 +1,4 @@
-// The difference between two versions of an array, small enough to be kept a thousand times.
+// The difference between two versions of an array, small enough to keep thousands of them.
 #pragma once
 
 #include "model/document/cborvalues.h"
@@ -15,12 +15,11 @@
 
 namespace autocuts {
 
-//! The exclusive or of the bits of two versions, for the elements that differ. Applying it turns either
-//! version into the other one, exactly, so undo and redo are the same operation and only one of the two is
-//! stored.
+//! The exclusive or of the bits of two versions, for the elements that differ. Applying it to either version
+//! gives exactly the other one, so undo and redo are the same operation and one of the versions is enough.
 //!
-//! Large deltas can be packed: elements are taken in a given order, a repetition of the one before costs one
-//! bit (UVs are equal at all corners of a UV vertex), the rest is split into byte planes and deflated.
+//! Large deltas can be packed: an element equal to the one before it, in a given order, takes one bit (UVs
+//! are equal at all corners of a UV vertex); the others are split into byte planes and compressed.
 class XorDelta
 {
 public:
@@ -28,7 +27,7 @@ public:
 
     explicit XorDelta(int elementSize = 1) : mElementSize(elementSize) {}
 
-    //! From the current values to the given ones at the given indices; equal elements are left out.
+    //! The delta from the current values to the given ones at the given indices; equal elements are left out.
     //! \pre values has one element per index
     template <typename T>
     static XorDelta between(const T *current, const IndexRanges &indices, std::span<const T> values)
@@ -43,7 +42,7 @@ public:
     bool isEmpty() const { return mIndices.isEmpty(); }
     const IndexRanges &indices() const { return mIndices; }
 
-    //! The other version's values at indices(). \param current the array, of either version
+    //! The values of the other version at indices(). \param current the array in either version
     template <typename T>
     std::vector<T> applied(const T *current) const
     {
@@ -52,23 +51,24 @@ public:
         return values;
     }
 
-    //! Becomes the difference from this one's old version to the newer one's new version.
+    //! Appends a newer delta: the result leads from the old version of this one to the new version of that
+    //! one.
     void combine(const XorDelta &newer);
 
     //! Packs the bits when that saves memory.
-    //! \param pool where they are kept
-    //! \param order all indices of the array in the order in which equal
-    //! elements are likely to follow each other, empty: the natural one; it must stay in place until unpacked
+    //! \param pool the memory for the packed bits
+    //! \param order all indices of the array, in an order in which equal elements often follow each other;
+    //! empty: by index. Must stay valid until the delta is unpacked
     void pack(const std::shared_ptr<std::pmr::memory_resource> &pool, std::span<const int> order = {});
-    //! Bytes held.
+    //! Bytes used.
     qint64 byteCount() const;
 
     //! The same differences at other indices. \param indices one per index of indices(), all different
     XorDelta renumbered(std::span<const int> indices) const;
 
-    //! "ranges" and "bits", not deflated: who writes them compresses the whole.
+    //! Writes "ranges" and "bits", not compressed: the caller compresses the whole.
     void write(QCborMap &map, std::span<const int> order = {}) const;
-    //! \pre order, when not empty, is a permutation of 0, ..., elementCount - 1
+    //! Reads what write() wrote. \pre order is empty or a permutation of 0, ..., elementCount - 1
     static XorDelta read(CborReader &reader, int elementSize, int elementCount,
                          std::span<const int> order = {});
 
