@@ -41,7 +41,7 @@ QString statusWord(const StopSource &stop)
     return QStringLiteral("done");
 }
 
-//! One command at work.
+//! Runs one command.
 class Job final
 {
 public:
@@ -94,13 +94,13 @@ public:
     }
 
 private:
-    //! What a mapping command found out beside the UVs.
+    //! Results of a mapping command besides the UVs.
     struct Outcome
     {
         std::optional<int> iterations;
         double lambda = MapReport::unknown, delta = MapReport::unknown;
         QStringList notes;    //!< what was done
-        QStringList warnings; //!< what was asked for and could not be done
+        QStringList warnings; //!< what was requested and could not be done
     };
 
     int runSample()
@@ -178,7 +178,7 @@ private:
         return same ? 0 : 1;
     }
 
-    //! The slow part must not be for nothing: targets that cannot be written are better found before it.
+    //! Checks before the long computation that all output files can be written.
     Result<Done> checkTargets() const
     {
         for (const QString &target : {mOptions.output, mOptions.layout, mOptions.report}) {

@@ -41,7 +41,7 @@ UvEdit editOf(CliOptions::Command command)
     }
 }
 
-//! The options as settings of a session. Those that the command has no options for stay as they are.
+//! The session settings for the options. Settings for which the command has no option are unchanged.
 PackingSettings packingSettingsOf(const CliOptions &options, const PackingSettings &settings)
 {
     PackingSettings result = options.unwrap.packing;

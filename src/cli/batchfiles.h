@@ -1,4 +1,4 @@
-// The files that a job of the command line reads and writes: meshes and sessions alike.
+// Reads and writes the files of a command: meshes and sessions.
 #pragma once
 
 #include "cli/clioptions.h"
@@ -11,43 +11,45 @@
 
 namespace autocuts {
 
-//! Reads the input of a job and writes its output. A session that is read keeps its steering, and on writing
-//! goes on with the new UVs as one more command; a session written from a mesh begins with that mesh.
+//! Reads the input of a command and writes its output. A session keeps its steering when it is read; when it
+//! is written, the new UVs are added to it as one more command. A session written from a mesh file starts
+//! with that mesh.
 class BatchFiles
 {
 public:
-    //! A mesh file, or a session's model with its active UV set first. What the user should know about a
-    //! session is among the notes.
+    //! Reads a mesh file, or the model of a session with its active UV set first. The notes include what the
+    //! user should know about the session.
     Result<Scene> read(const QString &path);
-    //! Goes on with a document instead of a file. \param journal leads to its present state
+    //! Takes a document instead of reading a file. \param journal leads to the document's current state
     Scene take(std::unique_ptr<Document> document, Journal journal);
 
-    //! Settings of the session that was read take the place of those that were not given; those that were are
-    //! put into the session. Without a session nothing happens.
+    //! Replaces options that were not given by the settings of the session, and stores those that were given
+    //! in the session. Does nothing without a session.
     void mergeSettings(CliOptions &options);
 
-    //! What the solver starts from: the session's steering, or none. \pre the scene is what read() gave
+    //! The input of the solver, with the steering of the session if there is one. \pre read() returned the
+    //! scene
     Result<Snapshot> snapshot(const Scene &scene, const SolveSettings &settings) const;
 
-    //! Texture space per solver unit of the map: the session's, or that of the UVs.
+    //! Length in texture space of one solver unit: that of the session, or computed from the UVs.
     double uvScale(const Scene &scene) const;
-    //! What the session says of its islands; nothing without a session.
+    //! The marks on the session's islands; empty without a session.
     IslandMarks marks(const MeshData &mesh) const;
-    //! A rectangle of the session by its name; null when there is none.
+    //! The session's rectangle of this name; null when there is none.
     const LayoutRectangle *rectangle(const QString &name) const;
 
-    //! Writes the scene, of which only the first UV set has changed since it was read.
-    //! \param options for the settings of a new session
+    //! Writes the scene, of which only the first UV set has changed since read().
+    //! \param options gives the settings of a new session
     Result<Done> write(const Scene &scene, const CliOptions &options);
 
-    //! What the format of the output cannot hold, one line each.
+    //! Lists the data that the format of the output loses, one line each.
     static QStringList losses(const Scene &scene, const QString &path);
 
 private:
     Result<Done> writeSession(const Scene &scene, const CliOptions &options);
 
-    Scene mOriginal;                     //!< of a mesh file, as it was read
-    std::unique_ptr<Document> mDocument; //!< of a session
+    Scene mOriginal;                     //!< the scene of a mesh file as it was read
+    std::unique_ptr<Document> mDocument; //!< null unless a session was read
     std::unique_ptr<JournalRecorder> mRecorder;
 };
 

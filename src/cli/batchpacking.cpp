@@ -16,7 +16,7 @@ Result<unwrap::PackJob> batchPacking(const CliOptions &options, const BatchFiles
                 QStringLiteral("Give --into the name of one, or its sides: --into 0,0,0.5,1")};
         pack.options.lower = rectangle->lower;
         pack.options.upper = rectangle->upper;
-        // The islands of the rectangle; all when nothing is assigned to it.
+        // Only the islands assigned to the rectangle are packed; all islands when none is assigned.
         if (!rectangle->faces.isEmpty()) {
             pack.movable.assign(mesh.faceCount(), false);
             for (int face : rectangle->faces)

@@ -1,4 +1,4 @@
-// Packing as the command line is asked for it.
+// Prepares packing with the options of the command line.
 #pragma once
 
 #include "cli/batchfiles.h"
@@ -7,12 +7,12 @@
 
 namespace autocuts {
 
-//! What to pack into the tile or the rectangle that the options name, by the locks, stacks and groups of the
-//! session. When a stop was requested before there was a layout, a quick one is made all the same.
+//! The packing job for the tile or rectangle in the options, with the locks, stacks and groups of the
+//! session. When a stop is requested before there is a layout, packing still makes a quick one.
 Result<unwrap::PackJob> batchPacking(const CliOptions &options, const BatchFiles &files,
                                      const MeshData &mesh);
 
-//! That the islands do not fit, and what to do.
+//! The error that the islands do not fit, with a remedy.
 Error noRoomError(const CliOptions &options);
 
 } // namespace autocuts

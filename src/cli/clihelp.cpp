@@ -12,15 +12,15 @@ using namespace Qt::Literals::StringLiterals;
 using Output = CliCommand::Output;
 
 constexpr int lineLength = 110;
-constexpr int textColumn = 24;      //!< where the meanings of options begin
-constexpr int synopsisColumns = 30; //!< for the synopsis of a command, with the gap behind it
+constexpr int textColumn = 24;      //!< the column of the descriptions
+constexpr int synopsisColumns = 30; //!< width of the column of synopses, including the gap after it
 
 const QString sessions =
     u"IN and OUT may be sessions (.acproj). Of a session IN the cuts, joins, weights, pins, rectangles and "
     "settings are used; options that are given take the place of its settings."_s;
 const QString streams = u"Progress goes to stderr, results go to stdout."_s;
 
-//! Arguments of a command as its usage line shows them.
+//! The arguments of a command, as its usage line shows them.
 QString synopsis(const CliCommand &command)
 {
     QString line = command.name + u' ' + command.operand;
@@ -31,7 +31,7 @@ QString synopsis(const CliCommand &command)
     return command.groups ? line + u" [options]"_s : line;
 }
 
-//! The names of the commands that take an option.
+//! The names of the commands that have an option.
 QString commandsOf(const CliOption &option)
 {
     QStringList names;
@@ -47,7 +47,7 @@ QString withStandard(const CliOption &option)
     return option.standard.isEmpty() ? option.meaning : option.meaning + u" ["_s + option.standard + u']';
 }
 
-//! Appends a text whose lines begin at a column. The current line is already filled up to some column.
+//! Appends a text, wrapped so that its lines begin at a column. The current line may already contain text.
 void appendWrapped(QString &out, const QString &text, int column)
 {
     qsizetype filled = out.size() - (out.lastIndexOf(u'\n') + 1);
@@ -63,7 +63,7 @@ void appendWrapped(QString &out, const QString &text, int column)
     out += u'\n';
 }
 
-//! A row of two columns; the text begins in a line of its own below a long name.
+//! Appends a row of two columns. After a long name, the text starts on a new line.
 void appendRow(QString &out, const QString &name, const QString &text)
 {
     out += u"  "_s + name;
@@ -72,7 +72,7 @@ void appendRow(QString &out, const QString &name, const QString &text)
     appendWrapped(out, text, textColumn);
 }
 
-//! Text for man: nothing in it is taken for a request.
+//! Escapes a text so that man prints all of its characters literally.
 QString roff(QString text)
 {
     return text.replace(u'\\', u"\\e"_s).replace(u'-', u"\\-"_s).replace(u'\'', u"\\(aq"_s);
@@ -91,7 +91,7 @@ QString optionHeading(const CliOption &option, QString (*nameStyle)(const QStrin
     return names.join(u", "_s);
 }
 
-//! A code span in a cell of a table.
+//! A code span for a table cell.
 QString code(const QString &text)
 {
     return u'`' + QString(text).replace(u'|', u"\\|"_s) + u'`';

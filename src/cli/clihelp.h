@@ -1,4 +1,4 @@
-// The texts about the command line: all are made from its table.
+// Makes all texts about the command line from the table in clitable.h.
 #pragma once
 
 #include <QString>
@@ -8,7 +8,7 @@ namespace autocuts {
 //! The text of --help, in lines of at most 110 characters.
 QString usageText();
 
-//! The manual page autocuts-cli(1), for man.
+//! The manual page autocuts-cli(1) in roff format.
 QString manualPage();
 
 //! The tables of commands, options and exit codes for the README.

@@ -9,14 +9,14 @@
 
 namespace autocuts {
 
-//! What `autocuts-cli` was asked to do. clitable.h says which command takes which option.
+//! The parsed command line of `autocuts-cli`. clitable.h defines which command has which option.
 struct CliOptions
 {
     enum class Command {
         Help,
         Version,
-        ManPage,  //!< the manual page on stdout
-        Markdown, //!< the tables of the README on stdout
+        ManPage,  //!< print the manual page to stdout
+        Markdown, //!< print the tables of the README to stdout
         Unwrap,
         Pack,
         Separate,
@@ -28,21 +28,21 @@ struct CliOptions
     };
 
     bool hasRectangle() const { return given.contains(QStringLiteral("--into")); }
-    //! Takes the UDIM tile of the packing settings for the bin.
+    //! Sets the target of packing to the UDIM tile of the packing settings.
     void packIntoTile();
 
     Command command = Command::Help;
-    QString input;     //!< file; for Sample its name
-    QStringList given; //!< the options as written; -o for --output
+    QString input;     //!< a file, or the name of a sample
+    QStringList given; //!< the names of the given options, -o for --output
     QString output;    //!< -o
     SolveSettings settings;
-    unwrap::UnwrapOptions unwrap; //!< of the packing: the bin is that of --tile or --into
-    int threads = 1;              //!< the result does not depend on it
+    unwrap::UnwrapOptions unwrap; //!< its packing target is that of --tile or --into
+    int threads = 1;              //!< does not influence the result
     QString intoRectangle;        //!< pack: name of a rectangle of the session
-    QString layout;               //!< .png or .svg, empty for none
-    QString report;               //!< .json, empty for none
-    bool json = false;            //!< check: figures as JSON
-    double timeLimit = 0;         //!< wall seconds, 0 for none
+    QString layout;               //!< path of a .png or .svg file; empty for none
+    QString report;               //!< path of a .json file; empty for none
+    bool json = false;            //!< check: print the figures as JSON
+    double timeLimit = 0;         //!< seconds of wall time; 0 for none
     bool quiet = false;
 };
 

@@ -66,7 +66,8 @@ CliOption flag(Group group, const QString &name, const Field<bool> &field, bool 
             }};
 }
 
-//! A default outside the range stands for none.
+//! A numeric option from `low` to `high`. A default outside this range means that the option is off by
+//! default, and the texts do not show it.
 template <class T>
 CliOption number(Group group, const QString &name, const QString &value, const Field<T> &field, double low,
                  double high, const QString &meaning)
@@ -136,7 +137,7 @@ CliOption choice(Group group, const QString &name, const Field<T> &field,
             }};
 }
 
-//! Four numbers, or the name of a rectangle.
+//! Reads four numbers, or the name of a rectangle.
 Problem readRectangle(CliOptions &options, const QString &value)
 {
     const QStringList parts = value.split(u',');

@@ -1,5 +1,5 @@
-// The commands, options and exit codes of the command line: one table that the parser, the help, the manual
-// page and the README read.
+// The table of commands, options and exit codes, used by the parser, the help, the manual page and the
+// README.
 #pragma once
 
 #include "cli/clioptions.h"
@@ -12,31 +12,31 @@
 
 namespace autocuts {
 
-//! Options that belong together: a command takes whole groups.
+//! Groups of options. A command has all options of its groups.
 enum class OptionGroup {
     Output = 1,      //!< the file to write
-    Bound = 256,     //!< how much distortion is allowed
-    Solving = 2,     //!< how seams and distortion are found
-    Texture = 4,     //!< the texture that texel figures refer to
+    Bound = 256,     //!< bounds of the distortion
+    Solving = 2,     //!< how seams and distortion are optimised
+    Texture = 4,     //!< the texture for figures in texels
     Packing = 8,     //!< how islands are arranged
-    Placing = 16,    //!< where, and whether they may be scaled
-    Making = 32,     //!< for all that makes a map and may take long: limits, reports
+    Placing = 16,    //!< where islands are packed, and whether they are scaled
+    Making = 32,     //!< limits and reports, for all commands that make a map
     Measuring = 64,  //!< how figures are printed
     Everything = 128 //!< for all commands
 };
 Q_DECLARE_FLAGS(OptionGroups, OptionGroup)
 Q_DECLARE_OPERATORS_FOR_FLAGS(OptionGroups)
 
-//! A command as the user knows it.
+//! A command of the program.
 struct CliCommand
 {
     enum class Output { None, Optional, Needed };
 
     CliOptions::Command id;
     QString name;
-    QString operand; //!< what the usage line calls the input
+    QString operand; //!< the input in the usage line
     Output output;
-    OptionGroups groups; //!< those that not every command takes
+    OptionGroups groups; //!< without the groups that every command has
     QString meaning;
 
     bool takes(OptionGroup group) const
@@ -46,22 +46,22 @@ struct CliCommand
     }
 };
 
-//! An option as the user knows it, and how it is read.
+//! An option, with its description and how it is read.
 struct CliOption
 {
-    //! Puts a value into the options. Returns what is expected instead when it is no good ("a number from 0
-    //! to 1"), and then leaves the options as they are. The value is empty for options that take none.
+    //! Sets the options from a value. Returns a description of valid values ("a number from 0 to 1") when the
+    //! value is invalid, and then leaves the options unchanged. The value is empty for options without one.
     using Reader = std::function<std::optional<QString>(CliOptions &, const QString &value)>;
 
     OptionGroup group;
     QStringList names;
-    QString value; //!< what stands for the value in texts; empty when the option takes none
+    QString value; //!< placeholder for the value in texts; empty when the option has none
     QString meaning;
-    QString standard; //!< the value when the option is not given; empty where the meaning says it
+    QString standard; //!< the default value in texts; empty where `meaning` gives it
     Reader read;
 };
 
-//! How the program ends.
+//! An exit code of the program.
 struct CliExitCode
 {
     int code;
@@ -69,7 +69,7 @@ struct CliExitCode
 };
 
 const std::vector<CliCommand> &cliCommands();
-//! Options of the same group stand together.
+//! All options; those of one group follow each other.
 const std::vector<CliOption> &cliOptions();
 const std::vector<CliExitCode> &cliExitCodes();
 

@@ -1,4 +1,4 @@
-// autocuts-cli: UV maps from scripts.
+// autocuts-cli: makes UV maps in scripts.
 #include "cli/batch.h"
 #include "cli/commandline.h"
 
@@ -22,8 +22,8 @@ extern "C" void interrupt(int signal)
     stopSource.request(autocuts::StopReason::Interrupted);
 }
 
-//! Qt needs a UTF-8 locale for file names and complains on stderr without one, as in cron jobs and
-//! containers.
+//! Selects a UTF-8 locale when there is none, as in cron jobs and containers: Qt needs one for file names and
+//! otherwise prints a warning.
 void ensureUtf8Locale()
 {
     std::setlocale(LC_CTYPE, "");
@@ -51,7 +51,7 @@ int main(int argc, char *argv[])
         std::signal(SIGINT, interrupt);
         std::signal(SIGTERM, interrupt);
     }
-    // A closed pipe and a limit on file sizes show as failed writes.
+    // Without these signals, closed pipes and file size limits are reported as failed writes.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     return autocuts::runCommand(options.value(), stopSource, isatty(STDERR_FILENO), out, err);

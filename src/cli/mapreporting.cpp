@@ -15,7 +15,7 @@ namespace autocuts {
 
 namespace {
 
-//! Islands closer than this bleed into each other when the texture is filtered.
+//! In texels. Islands closer than this bleed into each other when the texture is filtered.
 constexpr double fewestGutterTexels = 1;
 
 MapReport reportOf(const metrics::UvMetrics &m)
@@ -113,8 +113,8 @@ QStringList mapProblems(const Scene &scene, const MapReport &report)
     if (bare > 0)
         problems << counted(bare, "face has no UVs", "faces have no UVs");
     if (report.flipped.value_or(0) > 0) {
-        // The figure takes polygons as fans, which cover the wrong ground where a polygon is no fan. The
-        // problem is what textures are drawn with.
+        // The figure in the report splits polygons into fans, which cover the wrong area where a fan turns
+        // triangles over. The warning counts the triangles that are drawn.
         const UvMatrix &uv = scene.uvSets.front().uv;
         const std::vector<bool> flipped =
             flippedTriangles(mesh, soupUv(mesh, uv), findCharts(mesh, uv).faceChart);
@@ -148,7 +148,7 @@ QString reportTable(const MapReport &r)
     const QString texels = QStringLiteral("at %1 x %1 texels").arg(r.textureSize.value_or(0));
     line("triangles", shortCount(r.triangles), QStringLiteral("of %1 faces").arg(shortCount(r.faces)));
     if (!r.charts)
-        return table; // nothing more can be said without UVs
+        return table; // without UVs there are no more figures
     line("charts", shortCount(r.charts), QStringLiteral("islands of the map"));
     line("seam_length", shortNumber(r.seamLength), QStringLiteral("in the units of the model"));
     line("seam_norm", shortNumber(r.seamNorm), QStringLiteral("the same for a model of area pi"));

@@ -1,4 +1,4 @@
-// What the command line says about a map: its report, a table for people, a picture.
+// Describes a map: the report, a table for people, a picture.
 #pragma once
 
 #include "model/document/result.h"
@@ -11,18 +11,18 @@
 
 namespace autocuts {
 
-//! Measures the active UV set (figures of a map stay unknown without one) and describes the mesh.
-//! \param textureSize for figures in texels
+//! Measures the active UV set and describes the mesh. Without a UV set, the figures of the map stay unknown.
+//! \param textureSize texels along a side, for figures in texels
 MapReport reportOn(const Scene &scene, int textureSize);
 
-//! What is wrong with the active UV set, one sentence each; empty when it is fit for use. \pre the scene's
-//! report
+//! The problems of the active UV set, one sentence each; empty when it can be used.
+//! \pre report is that of reportOn() for the scene
 QStringList mapProblems(const Scene &scene, const MapReport &report);
 
-//! The figures that matter, one per line: the report's key, the value, what it means.
+//! The most important figures, one per line: the key in the report, the value and its meaning.
 QString reportTable(const MapReport &report);
 
-//! Draws the active UV set, overlaps hatched. \param path .png or .svg
+//! Draws the active UV set. \param path .png or .svg \param overlaps hatch overlapping triangles
 Result<Done> writeLayout(const QString &path, const Scene &scene, int textureSize, bool overlaps);
 
 } // namespace autocuts

@@ -1,4 +1,4 @@
-// Progress on a terminal.
+// Shows progress on a terminal.
 #pragma once
 
 #include "solver/base/jobcontext.h"
@@ -9,11 +9,11 @@
 
 namespace autocuts {
 
-//! One line on a terminal that is written over and over, at most ten times a second.
+//! One line on a terminal that is overwritten with the current progress, at most ten times a second.
 class ProgressLine final
 {
 public:
-    //! \param show false: nothing is ever written
+    //! \param show false: nothing is written
     ProgressLine(bool show, QTextStream &err) : mShow(show), mErr(err) { mSince.start(); }
     ~ProgressLine() { clear(); }
     ProgressLine(const ProgressLine &) = delete;
@@ -21,7 +21,7 @@ public:
 
     void show(const QString &text);
     void show(const JobProgress &progress);
-    //! Takes the line away, so that something else can be written.
+    //! Erases the line, so that other text can be written.
     void clear();
 
 private:

@@ -1,4 +1,4 @@
-// Telling a running job to stop: by a signal or by a time limit.
+// Stops a running job after a signal or a time limit.
 #pragma once
 
 #include <atomic>
@@ -9,13 +9,13 @@ namespace autocuts {
 //! Why a job was told to stop.
 enum class StopReason { None, Interrupted, TimeLimit };
 
-//! Shared between a job and whoever may stop it (a signal handler, a timer). Lock-free.
+//! Shared by a job and those that may stop it (a signal handler, a timer). Lock-free.
 struct StopSource
 {
     std::atomic<bool> stop = false;
     std::atomic<StopReason> reason = StopReason::None;
 
-    //! The first reason stays.
+    //! Requests a stop; only the first reason counts.
     void request(StopReason why)
     {
         StopReason none = StopReason::None;
@@ -24,7 +24,7 @@ struct StopSource
     }
 };
 
-//! Requests a stop after a time, unless it is destroyed before.
+//! Requests a stop after a time. The request is cancelled when the timer is destroyed.
 class StopTimer final
 {
 public:
