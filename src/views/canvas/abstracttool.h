@@ -1,4 +1,4 @@
-// What the mouse does in the views besides moving the camera.
+// The base class of tools: what the mouse does in the views besides moving the camera.
 #pragma once
 
 #include "views/canvas/picking.h"
@@ -18,10 +18,10 @@ namespace autocuts {
 
 class ToolCanvas;
 
-//! Moves shorter than this are clicks of an unsteady hand, logical pixels.
+//! Logical pixels. Shorter mouse movements count as clicks. Chosen by hand.
 inline constexpr double dragDistance = 4;
 
-//! A mouse event with what is under the mouse in the canvas that it came from.
+//! A mouse event, with the elements under the mouse in the canvas of the event.
 struct ToolEvent
 {
     ToolCanvas &canvas;
@@ -32,8 +32,9 @@ struct ToolEvent
     PickResult pick;
 };
 
-//! Base of all tools. A tool keeps the state of a gesture, reads the document and pushes commands. It works
-//! in both views; a gesture stays in the canvas where it began. Events come only while a document is open.
+//! Base of all tools. A tool holds the state of a gesture, reads the document and pushes commands. It works
+//! in both views; a gesture stays in the canvas where it began. Tools get events only while a document is
+//! open.
 class AbstractTool : public QObject
 {
     Q_OBJECT
@@ -43,42 +44,42 @@ public:
         : QObject(parent), mContext(context), mId(id)
     {}
 
-    //! For ToolManager::setTool().
+    //! The id for ToolManager::setTool().
     const QString &id() const { return mId; }
-    //! What the mouse does now, translated, one line for the status bar.
+    //! What the mouse does at the moment: one translated line for the status bar.
     virtual QString hint() const = 0;
     virtual QCursor cursor() const { return Qt::ArrowCursor; }
 
     virtual void activate() {}
     virtual void deactivate() { cancel(); }
-    //! The user chose the tool, which is active, while the mouse is over a canvas.
+    //! Called when the user activates the tool while the mouse is over a canvas.
     virtual void chosen(ToolCanvas &, const QPointF &) {}
     virtual void press(const ToolEvent &event) = 0;
     virtual void move(const ToolEvent &event) = 0;
     virtual void release(const ToolEvent &event) = 0;
     virtual void doubleClick(const ToolEvent &event) { press(event); }
-    //! The mouse left the view.
+    //! Called when the mouse leaves the view.
     virtual void leave() {}
-    //! \returns true when the key was for the tool. Escape ends a gesture.
+    //! \returns true when the tool used the key. Escape ends a gesture.
     virtual bool keyPress(const QKeyEvent &event, ToolCanvas &canvas);
-    //! Keys that come to keyPress() and not to the action that has them.
+    //! True for keys that are sent to keyPress() instead of triggering an action.
     virtual bool wantsKey(const QKeyEvent &) const { return false; }
-    //! \returns true when the wheel was for the tool and not for the camera
+    //! \returns true when the tool used the wheel; the camera then ignores it
     virtual bool wheel(const QWheelEvent &, ToolCanvas &) { return false; }
 
-    //! A gesture is under way.
+    //! True during a gesture.
     virtual bool isBusy() const { return false; }
-    //! Ends the gesture and leaves the document as it was before it.
+    //! Ends the gesture and restores the document as it was before.
     virtual void cancel() {}
-    //! False when mouse moves need no pick, as while a box is dragged.
+    //! False when mouse moves need no picking, for example while a box is dragged.
     virtual bool wantsPicks() const { return true; }
-    //! False when what a click would select is not to be marked under the mouse.
+    //! False when the elements that a click would select are not to be highlighted.
     virtual bool marksHover() const { return true; }
     virtual void drawOverlay(QPainter &, const ToolCanvas &) {}
 
 Q_SIGNALS:
     void hintChanged();
-    //! What drawOverlay() draws.
+    //! Emitted when the result of drawOverlay() changes.
     void overlayChanged();
 
 protected:

@@ -23,7 +23,7 @@ QSurfaceFormat canvasFormat()
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
-    format.setStencilBufferSize(8); // QPainter clips with it
+    format.setStencilBufferSize(8); // QPainter needs it for clipping
     format.setSamples(4);
     return format;
 }
@@ -46,7 +46,7 @@ Canvas::Canvas(Kind kind, const StudioContext &context, ToolManager &tools, QWid
     connect(&tools, &ToolManager::toolChanged, this, &Canvas::updateCursor);
     connect(&tools, &ToolManager::hintChanged, this, [this] {
         if (mNavigation == Navigation::None)
-            updateCursor(); // it may say what the tool does at present
+            updateCursor(); // the cursor may show the state of the tool
     });
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
         mNavigation = Navigation::None;
@@ -134,7 +134,8 @@ void Canvas::paintGL()
         gl.glDisable(GL_DEPTH_TEST);
     }
     if (mGl) {
-        // A device of its own: a painter on the widget draws elsewhere while a whole window is grabbed.
+        // A separate paint device, because a painter on the widget draws to the wrong place while the whole
+        // window is grabbed.
         QOpenGLPaintDevice device(size() * devicePixelRatioF());
         device.setDevicePixelRatio(devicePixelRatioF());
         QPainter painter(&device);

@@ -1,4 +1,4 @@
-// What both views have in common: drawing, picking, navigation and handing events to the tool.
+// The common part of both views: drawing, picking, navigation and passing events to the tool.
 #pragma once
 
 #include "views/canvas/navigation.h"
@@ -19,7 +19,7 @@ class ToolManager;
 struct GlResources;
 struct ToolEvent;
 
-//! Base of MeshView and UvView.
+//! Base class of MeshView and UvView.
 class Canvas : public ToolCanvas
 {
     Q_OBJECT
@@ -30,31 +30,31 @@ public:
     const SceneContent &content() const override { return mContent; }
 
     virtual void frameAll() = 0;
-    //! Frames all when nothing is selected.
+    //! Frames the selection, or everything when nothing is selected.
     virtual void frameSelection() = 0;
-    //! The camera, for the session file.
+    //! The state of the camera, for the session file.
     virtual QCborMap viewState() const = 0;
-    //! What is missing or not valid is left as it is.
+    //! Restores the camera; missing or invalid values are left unchanged.
     virtual void restoreViewState(const QCborMap &state) = 0;
-    //! What the view shows.
+    //! A picture of the view.
     QImage picture() { return grabFramebuffer(); }
 
 protected:
     Canvas(Kind kind, const StudioContext &context, ToolManager &tools, QWidget *parent);
 
-    //! Draws all but the overlay; the buffers are up to date and the view is not cleared.
+    //! Draws everything except the overlay. The buffers are up to date, and the view has not been cleared.
     virtual void drawScene(GlResources &gl) = 0;
     virtual void drawOverlay(QPainter &painter) = 0;
-    //! \param pixels how far the mouse moved
+    //! \param pixels distance that the mouse moved
     virtual void navigate(Navigation navigation, const QPointF &pixels, const QPointF &start) = 0;
     virtual void zoomAt(double factor, const QPointF &pixel) = 0;
     virtual void turnTo(NavigationKey) {}
     virtual void viewResized() = 0;
     virtual void documentReplaced() = 0;
 
-    //! Soup corners of all that is selected, in rising order.
+    //! The soup corners of all selected elements, in ascending order.
     std::vector<int> selectedSoupCorners() const;
-    //! The triangles and sides that the mouse is over, in whichever view it is.
+    //! The triangles and sides under the mouse, in either view.
     struct HoverParts
     {
         std::array<int, 2> triangles{0, 0}, sides{-1, -1};
@@ -86,8 +86,8 @@ private:
     SceneContent mContent;
     TextureFile mTexture;
     bool mTextureStale = true;
-    std::unique_ptr<GlResources> mGl; //!< null before the first paint, and when OpenGL is missing
-    QString mGlError;                 //!< what is missing
+    std::unique_ptr<GlResources> mGl; //!< null before the first paint, and when OpenGL is not available
+    QString mGlError;                 //!< why OpenGL is not available
     QMetaObject::Connection mContextGone;
     Navigation mNavigation = Navigation::None;
     Qt::MouseButton mNavigationButton = Qt::NoButton;

@@ -1,4 +1,4 @@
-// The events of Canvas: navigation first, then the tool.
+// Event handlers of Canvas: navigation is tried first, then the tool.
 #include "views/canvas/canvas.h"
 
 #include "views/canvas/toolmanager.h"
@@ -21,7 +21,7 @@ ToolEvent Canvas::toolEvent(const QMouseEvent &event, bool withPick)
     return result;
 }
 
-// A release can get lost, as when a dialog opens during a drag.
+// The release event can get lost, for example when a dialog opens during a drag.
 void Canvas::endLostGestures(Qt::MouseButtons held)
 {
     if (mNavigation != Navigation::None && !held.testFlag(mNavigationButton)) {
@@ -112,7 +112,7 @@ void Canvas::wheelEvent(QWheelEvent *event)
         const bool orbit = kind() == Kind::Model && !event->modifiers().testFlag(Qt::ShiftModifier);
         navigate(orbit ? Navigation::Orbit : Navigation::Pan, event->pixelDelta(), at);
     } else {
-        // Some platforms turn the wheel sideways while Alt is held.
+        // Some platforms report horizontal scrolling while Alt is held.
         const QPoint angle = event->angleDelta();
         zoomAt(wheelZoomFactor(angle.y() != 0 ? angle.y() : angle.x()), at);
     }
@@ -142,7 +142,7 @@ void Canvas::keyPressEvent(QKeyEvent *event)
 
 void Canvas::enterEvent(QEnterEvent *event)
 {
-    // Keys go to the view under the mouse, but are not taken away from a field that is being edited.
+    // The view under the mouse gets the keyboard focus, but never takes it from a field that is being edited.
     if (qobject_cast<Canvas *>(window()->focusWidget()))
         setFocus(Qt::MouseFocusReason);
     QOpenGLWidget::enterEvent(event);
@@ -160,7 +160,8 @@ void Canvas::leaveEvent(QEvent *event)
 bool Canvas::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
-        // Keys of the preset, those of the tool, and Escape while it works, come here and not to an action.
+        // Keys of navigation, keys of the tool, and Escape during a gesture come here instead of triggering
+        // actions.
         const auto *key = static_cast<QKeyEvent *>(event);
         const NavigationPreset preset = studio().preferences.values().navigation;
         const AbstractTool *tool = mTools.tool();

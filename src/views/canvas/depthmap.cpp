@@ -67,7 +67,8 @@ bool DepthMap::isVisible(const ScreenPoint &point) const
     if (column < 0 || row < 0 || column >= mWidth - 1 || row >= mHeight - 1)
         return true;
     const double own = nearness(point.depth);
-    // Points on edges and silhouettes: it is enough that one of the samples around them does not hide them.
+    // A point on an edge or silhouette is visible when at least one of the four samples around it does not
+    // cover it.
     for (int dy = 0; dy <= 1; ++dy) {
         for (int dx = 0; dx <= 1; ++dx) {
             const std::size_t index = static_cast<std::size_t>(row + dy) * mWidth + column + dx;

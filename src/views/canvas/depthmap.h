@@ -1,4 +1,4 @@
-// A small depth buffer on the processor: which points of the model are hidden.
+// A small depth buffer in main memory, to find out which points of the model are hidden.
 #pragma once
 
 #include "views/canvas/orbitcamera.h"
@@ -10,24 +10,24 @@
 
 namespace autocuts {
 
-//! Depths of the front-most triangles, one sample per logical pixel of a rectangle of the view.
+//! The depths of the front-most triangles, one sample per logical pixel in a rectangle of the view.
 class DepthMap final
 {
 public:
     explicit DepthMap(const QRectF &box);
 
     void add(const std::array<ScreenPoint, 3> &triangle, bool perspective);
-    //! False when another triangle is clearly before the point, all around it. Outside the rectangle: true.
+    //! False when another triangle clearly covers the point and its surroundings. True outside the rectangle.
     bool isVisible(const ScreenPoint &point) const;
 
 private:
-    //! 1 / depth in perspective, so that it is linear on the screen; else -depth. Larger is nearer.
+    //! 1 / depth in perspective, which is linear on the screen; -depth otherwise. Larger values are nearer.
     double nearness(double depth) const { return mPerspective ? 1 / depth : -depth; }
 
     int mLeft, mTop, mWidth, mHeight;
     bool mPerspective = true;
     std::vector<float> mNearness;
-    std::vector<float> mSlope; //!< how much the nearness changes within a pixel there
+    std::vector<float> mSlope; //!< change of the nearness within a pixel
 };
 
 } // namespace autocuts

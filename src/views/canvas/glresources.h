@@ -1,4 +1,4 @@
-// What a canvas has on the graphics card.
+// The OpenGL objects of a canvas.
 #pragma once
 
 #include "views/gl/backdrop.h"
@@ -8,7 +8,7 @@
 
 namespace autocuts {
 
-//! Lives as long as the OpenGL context; made and destroyed while that is current.
+//! Lives as long as the OpenGL context, which must be current during construction and destruction.
 struct GlResources
 {
     explicit GlResources(GlFunctions &functions)

@@ -11,7 +11,7 @@ void MapCamera::setViewSize(const QSizeF &size)
 
 void MapCamera::setCentre(const Vec2 &centre)
 {
-    constexpr double farthest = 1e6; // beyond that single pixels could not be told apart
+    constexpr double farthest = 1e6; // farther away, the UVs of neighbouring pixels would be equal
     mCentre = centre.cwiseMax(-farthest).cwiseMin(farthest);
 }
 

@@ -9,7 +9,8 @@
 
 namespace autocuts {
 
-//! A window onto the texture space, v up. Screen coordinates are logical pixels from the upper left.
+//! Shows a part of texture space, with v pointing up. Screen coordinates are logical pixels from the upper
+//! left.
 class MapCamera final
 {
 public:
@@ -18,17 +19,17 @@ public:
     void setViewSize(const QSizeF &size);
     const QSizeF &viewSize() const { return mSize; }
 
-    //! UV in the middle of the view.
+    //! The UV at the centre of the view.
     const Vec2 &centre() const { return mCentre; }
     void setCentre(const Vec2 &centre);
-    //! Pixels per unit of the texture space.
+    //! Pixels per unit of texture space.
     double scale() const { return mScale; }
     void setScale(double scale);
 
     void pan(const QPointF &pixels);
-    //! Keeps what is under the pixel there. \param factor above 1 comes nearer
+    //! Zooms around a pixel. \param factor above 1 zooms in
     void zoom(double factor, const QPointF &pixel);
-    //! Shows a box with some room around it.
+    //! Shows a box with a margin around it.
     void frame(const Eigen::AlignedBox2d &box);
 
     Vec2 toUv(const QPointF &pixel) const;

@@ -26,7 +26,7 @@ MapGrid MapGrid::of(const MapCamera &camera, int textureSize)
         grid.divisions = 1;
         return grid;
     }
-    // Halves of the texture, down to texels.
+    // The texture is halved repeatedly, down to texels.
     const double finest = 1.0 / textureSize;
     grid.step = std::max(std::exp2(std::ceil(std::log2(wanted))), finest);
     const double pixels = grid.step * camera.scale();
@@ -55,7 +55,7 @@ PaperDrawing paperDrawing(const MapCamera &camera, double pixelRatio, int textur
         return QVector2D(static_cast<float>(pixelRatio * pixel.x()),
                          static_cast<float>(pixelRatio * (height - pixel.y())));
     };
-    // References near the view keep single precision exact.
+    // Reference points near the view, so that single precision is sufficient.
     const Vec2 tile = camera.centre().array().round();
     const Vec2 line = (camera.centre() / grid.step).array().round() * grid.step;
     PaperDrawing paper;

@@ -1,4 +1,4 @@
-// Steps of the grid and the rulers of the UV view.
+// The steps of the grid and of the rulers in the UV view.
 #pragma once
 
 #include "views/canvas/mapcamera.h"
@@ -6,22 +6,22 @@
 
 namespace autocuts {
 
-//! A grid in texels: every line is 1, 2, 4, ... texels or 1, 2, 5, 10, ... textures from the next.
+//! A grid in texels: lines are 1, 2, 4, ... texels or 1, 2, 5, 10, ... textures apart.
 struct MapGrid
 {
-    double step = 1;      //!< between lines, texture space
-    double divisions = 2; //!< finer lines per step
-    double strength = 0;  //!< 0 to 1: how strongly the finer ones are drawn
+    double step = 1;      //!< distance between lines, in texture space
+    double divisions = 2; //!< number of finer steps per step
+    double strength = 0;  //!< opacity of the finer lines, 0 to 1
 
-    //! Lines are at least 48 pixels apart.
+    //! Chooses the grid so that its lines are at least 48 pixels apart.
     static MapGrid of(const MapCamera &camera, int textureSize);
 };
 
-//! Columns and rows of tiles, from 1001, that a map reaches into; at least one of each. What stands over by a
-//! little does not count.
+//! The numbers of columns and rows of UDIM tiles, from 1001, that a map covers; at least one each. A very
+//! small excess is ignored.
 Vec2 usedTiles(const Eigen::AlignedBox2d &uvBox);
 
-//! Where tiles and grid lie in the view. \param pixelRatio pixels of the screen per logical pixel
+//! Positions of tiles and grid in the view. \param pixelRatio screen pixels per logical pixel
 PaperDrawing paperDrawing(const MapCamera &camera, double pixelRatio, int textureSize);
 
 } // namespace autocuts

@@ -14,14 +14,14 @@ namespace {
 
 constexpr int rulerSize = 18;
 
-//! A mark of a ruler.
+//! A mark on a ruler.
 struct Mark
 {
-    double pixel = 0; //!< along the ruler
+    double pixel = 0; //!< position along the ruler
     QString text;     //!< empty: a short mark
 };
 
-//! Marks of one axis. \param axis 0: u along the upper side, 1: v along the left side
+//! The marks of one ruler. \param axis 0: u along the upper side, 1: v along the left side
 std::vector<Mark> rulerMarks(const QRect &view, const MapCamera &camera, int textureSize, int axis)
 {
     const MapGrid grid = MapGrid::of(camera, textureSize);

@@ -1,4 +1,4 @@
-// What is painted over the map: tiles, rulers, rectangles.
+// Overlays of the UV view: tiles, rulers, rectangles.
 #pragma once
 
 #include "model/document/constraints.h"
@@ -13,12 +13,12 @@ class QPainter;
 
 namespace autocuts {
 
-//! UDIM numbers of the tiles in the view, where there is room for them.
+//! Draws the UDIM numbers of the visible tiles that are large enough.
 void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera);
-//! Rulers along the upper and the left side, in texels from the corner of the first tile.
+//! Draws rulers at the upper and left side, in texels from the corner of tile 1001.
 void drawRulers(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,
                 int textureSize);
-//! Outlines with names; hard ones with a thick line, soft ones dashed.
+//! Draws outlines and names of rectangles; hard ones with a thick line, soft ones dashed.
 void drawRectangles(QPainter &painter, const std::vector<LayoutRectangle> &rectangles,
                     const MapCamera &camera);
 

@@ -13,7 +13,8 @@ bool contains(const Vec2 &a, const Vec2 &b, const Vec2 &c, const Vec2 &p)
     return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
 }
 
-//! The nearest of several; of equally near ones that of the triangle under the mouse, else the last.
+//! The nearest of several candidates. Among equally near ones, the one of the triangle under the mouse, or
+//! else the last.
 struct Nearest
 {
     double distance = pickRadius;
@@ -21,7 +22,8 @@ struct Nearest
 
     void offer(double offered, int item, int preferredTriangle)
     {
-        constexpr double same = 1e-6; // both sides of a joined edge lie in one place, but for rounding
+        // The two sides of a stitched edge have the same position up to rounding.
+        constexpr double same = 1e-6;
         if (offered > distance + same)
             return;
         if (offered > distance - same && soup >= 0 && soup / 3 == preferredTriangle)
@@ -39,11 +41,11 @@ PickResult pickMap(const MeshData &mesh, const SoupTopology &topology, const UvM
     const Vec2 mouse = camera.toUv(pixel);
     const double reach = pickRadius / camera.scale();
     PickResult result;
-    std::vector<int> near; // triangles
+    std::vector<int> near; // triangle indices
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         const Vec2 a = uv.row(3 * t), b = uv.row(3 * t + 1), c = uv.row(3 * t + 2);
         const Vec2 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
-        // Written so that it is false when a coordinate is not a number.
+        // Written so that it is false for NaN coordinates.
         if (!((low.array() <= mouse.array() + reach).all() && (high.array() >= mouse.array() - reach).all()))
             continue;
         if (!uv.middleRows(3 * t, 3).allFinite())

@@ -1,4 +1,4 @@
-// Picking in the map.
+// Picking in the UV view.
 #pragma once
 
 #include "views/canvas/mapcamera.h"
@@ -7,8 +7,8 @@
 
 namespace autocuts {
 
-//! Finds what is at a point of the map; where triangles overlap the one drawn last. \param uv one row per
-//! soup corner; triangles without UVs are not there
+//! Finds the elements at a point of the map; where triangles overlap, those of the triangle drawn last.
+//! \param uv one row per soup corner; triangles without UVs are ignored
 PickResult pickMap(const MeshData &mesh, const SoupTopology &topology, const UvMatrix &uv,
                    const MapCamera &camera, const QPointF &pixel);
 BoxPick pickMapBox(const MeshData &mesh, const SoupTopology &topology, const UvMatrix &uv,

@@ -19,17 +19,17 @@ SegmentPlace nearestOnSegment(double px, double py, double ax, double ay, double
     return {std::hypot(px - ax - along * dx, py - ay - along * dy), along};
 }
 
-//! The vertices on the screen.
+//! The vertices projected to the screen.
 struct MeshPicker::Projection
 {
     std::vector<ScreenPoint> points;
-    std::vector<char> before; //!< before the eye; others have no place on the screen
-    std::vector<int> near;    //!< triangles that can be within pickRadius of the mouse, rising
+    std::vector<char> before; //!< in front of the eye; other vertices have no screen position
+    std::vector<int> near;    //!< triangles that may be within pickRadius of the mouse, ascending
 };
 
 namespace {
 
-//! At most so many candidates are tried; when the nearest ones are all hidden there is nothing to pick.
+//! Only this many candidates are tested; when all of them are hidden, nothing is picked. Chosen by hand.
 constexpr std::size_t maxCandidates = 24;
 
 } // namespace
@@ -68,7 +68,7 @@ MeshPicker::Projection MeshPicker::projectNear(const OrbitCamera &camera, const 
         const bool outside =
             (a.x < left && b.x < left && c.x < left) || (a.x > right && b.x > right && c.x > right) ||
             (a.y < top && b.y < top && c.y < top) || (a.y > bottom && b.y > bottom && c.y > bottom);
-        // What reaches behind the eye can be anywhere.
+        // A triangle that reaches behind the eye can be anywhere on the screen.
         if (!outside || !seen.before[v[0]] || !seen.before[v[1]] || !seen.before[v[2]])
             seen.near.push_back(t);
     }
@@ -82,7 +82,7 @@ MeshPicker::Hit MeshPicker::cast(const OrbitCamera &camera, const Projection &se
     Hit hit{-1, std::numeric_limits<double>::infinity()};
     for (int t : seen.near) {
         const std::array<int, 3> &v = mVertices[t];
-        // Moeller and Trumbore 1997.
+        // Moeller and Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection".
         const Vec3 origin = mPoints.row(v[0]);
         const Vec3 e1 = Vec3(mPoints.row(v[1])) - origin, e2 = Vec3(mPoints.row(v[2])) - origin;
         const Vec3 p = ray.direction.cross(e2);
@@ -115,7 +115,7 @@ int MeshPicker::firstVisible(const OrbitCamera &camera, const Projection &seen,
                              std::vector<Candidate> candidates, int preferredTriangle) const
 {
     const auto key = [preferredTriangle](const Candidate &c) {
-        // Both sides of an edge are equally far: rounding must not decide between them.
+        // Both sides of an edge are equally far away; rounding must not decide between them.
         return std::tuple(std::round(c.distance * 1e6), c.soup / 3 != preferredTriangle, c.depth, c.soup);
     };
     const auto end =
@@ -170,7 +170,7 @@ PickResult MeshPicker::pick(const OrbitCamera &camera, const QPointF &pixel) con
 
 Vec3 MeshPicker::faceCentre(int face) const
 {
-    // By area: the average of the corners can lie off a concave face.
+    // Weighted by area, because the average of the corners may lie outside a concave face.
     Vec3 sum = Vec3::Zero();
     double area = 0;
     for (const int t : mMesh->trianglesOf(face)) {

@@ -1,4 +1,4 @@
-// Picking on the model.
+// Picking in the 3D view.
 #pragma once
 
 #include "views/canvas/orbitcamera.h"
@@ -11,8 +11,7 @@
 
 namespace autocuts {
 
-//! Finds exactly, in double precision, what a camera sees at a point. Goes over all triangles: about 2 ms for
-//! 100,000.
+//! Finds in double precision what a camera shows at a point. Tests all triangles: about 2 ms for 100,000.
 class MeshPicker final
 {
 public:
@@ -30,8 +29,8 @@ private:
     };
     struct Candidate
     {
-        double distance = 0; //!< from the mouse, pixels
-        int soup = -1;       //!< side or soup corner
+        double distance = 0; //!< from the mouse, in pixels
+        int soup = -1;       //!< index of the side or soup corner
         QPointF place;       //!< on the screen
         double depth = 0;
     };
@@ -49,7 +48,7 @@ private:
 
     std::shared_ptr<const MeshData> mMesh;
     const SoupTopology &mTopology;
-    PositionMatrix mPoints;                    //!< of the vertices, in the frame
+    PositionMatrix mPoints;                    //!< of the vertices, in the mesh frame
     std::vector<std::array<int, 3>> mVertices; //!< of each triangle
 };
 

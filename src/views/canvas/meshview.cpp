@@ -125,7 +125,7 @@ void MeshView::drawScene(GlResources &gl)
     drawing.projection = toQt(mCamera.projectionMatrix());
 
     RoomDrawing room;
-    // The ground reaches farther than the model.
+    // The far plane is farther away for the ground, which extends beyond the model.
     room.clipMatrix = toQt(mCamera.projectionMatrix(6) * mCamera.viewMatrix());
     room.pixelRatio = devicePixelRatioF();
     room.grid = options.grid;

@@ -41,7 +41,7 @@ private:
     void frameCorners(const std::vector<int> &soupCorners);
 
     OrbitCamera mCamera;
-    mutable std::unique_ptr<const MeshPicker> mPicker; //!< of mPickerMesh
+    mutable std::unique_ptr<const MeshPicker> mPicker; //!< for mPickerMesh
     mutable const MeshData *mPickerMesh = nullptr;
 };
 

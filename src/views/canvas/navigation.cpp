@@ -46,7 +46,7 @@ NavigationKey navigationKeyOf(NavigationPreset preset, int key, Qt::KeyboardModi
         return NavigationKey::None;
     switch (key) {
     case Qt::Key_Period:
-    case Qt::Key_Comma: // what the key gives on many European keyboards
+    case Qt::Key_Comma: // the period key of the numeric pad on many European keyboards
     case Qt::Key_Delete:
         return NavigationKey::FrameSelection;
     case Qt::Key_1:

@@ -1,4 +1,4 @@
-// How the mouse and the keys move the cameras, by the preset of the preferences.
+// Mouse buttons and keys that move the cameras, for each preset in the preferences.
 #pragma once
 
 #include "views/ui/preferences.h"
@@ -9,20 +9,20 @@ namespace autocuts {
 
 enum class Navigation { None, Orbit, Pan, Zoom };
 
-//! What dragging with a button does. Blender: the middle button orbits, with Shift it pans, with Ctrl it
-//! zooms. Maya: with Alt the left button orbits, the middle one pans and the right one zooms.
+//! The navigation by dragging with a mouse button. Blender: the middle button orbits, with Shift it pans,
+//! with Ctrl it zooms. Maya: with Alt, the left button orbits, the middle one pans and the right one zooms.
 Navigation navigationOf(NavigationPreset preset, Qt::MouseButton button, Qt::KeyboardModifiers modifiers);
 
 //! What a key does to the camera.
 enum class NavigationKey { None, FrameAll, FrameSelection, Front, Side, Top, ToggleOrthographic };
 
-//! Blender: Home and the . of the numeric pad frame all and the selection, 1, 3, 7 and 5 there turn the
-//! camera. Maya: A and F frame all and the selection.
+//! Blender: Home frames everything, the period key of the numeric pad the selection; 1, 3, 7 and 5 there set
+//! the direction and the projection. Maya: A frames everything, F the selection.
 NavigationKey navigationKeyOf(NavigationPreset preset, int key, Qt::KeyboardModifiers modifiers);
 
-//! Factor of a zoom by dragging. \param pixels to the right and up comes nearer
+//! Zoom factor of a drag. \param pixels up or to the right zooms in
 double dragZoomFactor(double pixels);
-//! Factor of a turn of the wheel. \param angle eighths of a degree, as QWheelEvent has it
+//! Zoom factor of the mouse wheel. \param angle in eighths of a degree, as in QWheelEvent
 double wheelZoomFactor(double angle);
 
 } // namespace autocuts

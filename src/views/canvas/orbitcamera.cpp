@@ -104,7 +104,7 @@ Eigen::Matrix4d OrbitCamera::projectionMatrix(double sceneRadius) const
         return matrix;
     }
     const double far = std::max(middle + sceneRadius, 1e-4);
-    // A depth buffer of 24 bits tells 1 part in 1e7 apart: not nearer than that allows.
+    // A 24-bit depth buffer distinguishes 1 part in 1e7, which limits how near the near plane can be.
     const double near = std::max(middle - sceneRadius, far * 1e-4);
     matrix(0, 0) = 1 / halfWidth;
     matrix(1, 1) = 1 / halfHeight;

@@ -10,27 +10,27 @@
 
 namespace autocuts {
 
-//! A ray in the frame of the mesh.
+//! A ray in the mesh frame.
 struct ViewRay
 {
-    Vec3 origin, direction; //!< the direction has length 1
+    Vec3 origin, direction; //!< direction has length 1
 };
 
-//! A point as it is seen. Depth is the distance along the viewing direction.
+//! A point on the screen. Depth is the distance along the viewing direction.
 struct ScreenPoint
 {
     double x = 0, y = 0; //!< logical pixels from the upper left of the view
     double depth = 0;
 };
 
-//! A turntable: y is up, the camera looks at a target. Works in the frame of the mesh, see MeshFrame. Angles
-//! in radians, screen coordinates in logical pixels from the upper left.
+//! A turntable camera: y points up, and the camera looks at a target. All positions are in the mesh frame,
+//! see MeshFrame; angles are in radians, screen coordinates in logical pixels from the upper left.
 class OrbitCamera final
 {
 public:
     static constexpr double fieldOfView = 0.61; //!< of the shorter side of the view, 35 degrees
 
-    //! Front, from above and to the right: what a model is first seen from.
+    //! The initial direction: from the front, above and to the right.
     OrbitCamera();
 
     void setViewSize(const QSizeF &size);
@@ -40,38 +40,39 @@ public:
     void setTarget(const Vec3 &target) { mTarget = target; }
     double yaw() const { return mYaw; }
     double pitch() const { return mPitch; }
-    //! \param pitch clamped to straight down and up
+    //! \param pitch limited to straight down and straight up
     void setDirection(double yaw, double pitch);
     double distance() const { return mDistance; }
     void setDistance(double distance);
     bool isOrthographic() const { return mOrthographic; }
     void setOrthographic(bool on) { mOrthographic = on; }
 
-    //! Turns as if the model were dragged by that many pixels.
+    //! Turns the camera as if the model were dragged by so many pixels.
     void orbit(const QPointF &pixels);
-    //! Moves so that the target follows the mouse.
+    //! Moves the camera so that the target follows the mouse.
     void pan(const QPointF &pixels);
-    //! \param factor above 1 comes nearer
+    //! \param factor above 1 zooms in
     void zoom(double factor);
-    //! Keeps the direction and shows a ball.
+    //! Shows a sphere without changing the direction.
     void frame(const Vec3 &centre, double radius);
 
-    //! Length in the frame of a pixel at the depth of the target.
+    //! Length in the mesh frame of one pixel at the depth of the target.
     double unitsPerPixel() const;
     Vec3 eye() const;
-    //! Unit vector from the eye to the target.
+    //! The unit vector from the eye to the target.
     Vec3 forward() const;
     Vec3 right() const;
     Vec3 up() const;
 
-    //! From the frame to the eye.
+    //! From the mesh frame to eye space.
     Eigen::Matrix4d viewMatrix() const;
-    //! From the eye to the clip space; near and far hold a ball around the frame's origin of this radius.
+    //! From eye space to clip space. The near and far planes enclose a sphere of this radius around the
+    //! origin of the mesh frame.
     Eigen::Matrix4d projectionMatrix(double sceneRadius = 1.05) const;
 
-    //! The ray under a pixel; for an orthographic camera it begins far before everything.
+    //! The ray through a pixel. For an orthographic camera it starts far in front of the scene.
     ViewRay ray(const QPointF &pixel) const;
-    //! Nothing when the point is not before the eye.
+    //! The screen position of a point; nothing when it is behind the eye.
     std::optional<ScreenPoint> project(const Vec3 &point) const;
 
 private:
@@ -82,13 +83,13 @@ private:
     QSizeF mSize{100, 100};
 };
 
-//! Projects many points of one camera.
+//! Projects many points with one camera.
 class OrbitProjector final
 {
 public:
     explicit OrbitProjector(const OrbitCamera &camera);
 
-    //! \returns false, and leaves the result undefined, when the point is not before the eye
+    //! \returns false, with the result undefined, when the point is behind the eye
     bool project(const Vec3 &point, ScreenPoint &result) const
     {
         const Vec3 offset = point - mEye;
@@ -102,11 +103,11 @@ public:
     }
 
 private:
-    static constexpr double nearest = 1e-6; //!< depth that is seen
+    static constexpr double nearest = 1e-6; //!< smallest visible depth
 
     Vec3 mEye, mForward, mRight, mUp;
     Vec2 mMiddle;
-    double mScale; //!< pixels per unit, at depth 1 in perspective
+    double mScale; //!< pixels per unit; in perspective, at depth 1
     bool mPerspective;
 };
 

@@ -20,13 +20,13 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-//! Context of the texts for translation.
+//! Translation context of the texts.
 struct Overlays
 {
     Q_DECLARE_TR_FUNCTIONS(Overlays)
 };
 
-//! What stands in a legend.
+//! The content of a legend.
 struct Legend
 {
     QString title, low, middle, high;
@@ -139,7 +139,7 @@ void drawGizmo(QPainter &painter, const QRect &view, const ViewColors &colors, c
         axes[i] = {i, direction.dot(camera.forward()),
                    centre + length * QPointF(direction.dot(camera.right()), -direction.dot(camera.up()))};
     }
-    // The farthest first.
+    // The farthest axis is drawn first.
     std::sort(axes.begin(), axes.end(), [](const Axis &a, const Axis &b) { return a.depth > b.depth; });
     QFont font = painter.font();
     const QFont before = font;

@@ -1,4 +1,4 @@
-// What is painted over both views: legend, axes, messages.
+// Overlays of both views: legend, axes, messages.
 #pragma once
 
 #include "views/gl/viewcolors.h"
@@ -14,15 +14,15 @@ namespace autocuts {
 class ToolCanvas;
 class OrbitCamera;
 
-//! A title and lines in the middle of an empty view.
+//! Draws a title and lines at the centre of an empty view.
 void drawMessage(QPainter &painter, const QRect &view, const ViewColors &colors, const QString &title,
                  const QStringList &lines);
-//! What the colours of the faces stand for; nothing where they stand for no number.
+//! Draws the legend of the face colours; nothing when the colours show no number.
 void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const ViewOptions &options,
                 bool colorBlind);
-//! The axes as the camera sees them, in the upper right.
+//! Draws the axes as the camera sees them, in the upper right corner.
 void drawGizmo(QPainter &painter, const QRect &view, const ViewColors &colors, const OrbitCamera &camera);
-//! A ring around the vertex that the mouse is over, while vertices are selected.
+//! Draws a ring around the vertex under the mouse, in the mode for selecting vertices.
 void drawHoverCorner(QPainter &painter, const ToolCanvas &canvas);
 
 } // namespace autocuts

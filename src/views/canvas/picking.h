@@ -1,4 +1,4 @@
-// What picking finds.
+// The results of picking.
 #pragma once
 
 #include "views/state/viewstate.h"
@@ -12,42 +12,42 @@
 
 namespace autocuts {
 
-//! How near the mouse must be to an edge or a vertex, logical pixels.
+//! Logical pixels: largest distance of the mouse from an edge or a vertex. Chosen by hand.
 inline constexpr double pickRadius = 8;
 
-//! What is under, or near, a point of a view. -1 for none.
+//! The elements at or near a point of a view; -1 for none.
 struct PickResult
 {
-    int triangle = -1;   //!< front-most under the point
-    int side = -1;       //!< 3 * triangle + k: the nearest side of a polygon within pickRadius
-    int edge = -1;       //!< of MeshAdjacency, that the side lies on
-    int soupCorner = -1; //!< the nearest within pickRadius
-    int corner = -1;     //!< polygon corner of it
+    int triangle = -1;   //!< the front-most triangle at the point
+    int side = -1;       //!< 3 * triangle + k: the nearest polygon side within pickRadius
+    int edge = -1;       //!< the edge of MeshAdjacency on which the side lies
+    int soupCorner = -1; //!< the nearest soup corner within pickRadius
+    int corner = -1;     //!< its polygon corner
 
     Hover hover() const { return {triangle, edge, corner}; }
 };
 
-//! A part of a view, in logical pixels.
+//! A region of a view, in logical pixels.
 struct PickRegion
 {
     QRectF box;
-    std::function<bool(const QPointF &)> inside; //!< asked for points of the box; null: all of it
+    std::function<bool(const QPointF &)> inside; //!< called for points in the box; null: the whole box
 
-    PickRegion(const QRectF &whole) : box(whole) {} // a rectangle is a region as it is
+    PickRegion(const QRectF &whole) : box(whole) {} // implicit: a rectangle can be used as a region
     PickRegion(const QRectF &around, std::function<bool(const QPointF &)> contains)
         : box(around), inside(std::move(contains))
     {}
     bool contains(const QPointF &point) const { return box.contains(point) && (!inside || inside(point)); }
 };
 
-//! What lies in a region of a view, each list strictly rising: faces by their centres, edges by their
-//! middles. What is hidden behind other faces is not among it.
+//! The elements in a region of a view, as strictly ascending lists: faces by their centres, edges by their
+//! midpoints. Elements hidden behind other faces are not included.
 struct BoxPick
 {
     std::vector<int> faces, edges, corners;
 };
 
-//! The place on a segment nearest to a point, in pixels.
+//! The point on a segment nearest to a given point, in pixels.
 struct SegmentPlace
 {
     double distance = 0;

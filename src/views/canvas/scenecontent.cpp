@@ -11,7 +11,7 @@
 
 namespace autocuts {
 
-//! What is made once per mesh.
+//! Data made once per mesh.
 struct SceneContent::MeshParts
 {
     explicit MeshParts(std::shared_ptr<const MeshData> m)
@@ -21,7 +21,7 @@ struct SceneContent::MeshParts
     std::shared_ptr<const MeshData> mesh;
     MeshFrame frame;
     SoupTopology topology;
-    mutable std::optional<StretchMeter> meter; //!< made when a heat-map is shown first
+    mutable std::optional<StretchMeter> meter; //!< made when a heat-map is first shown
 };
 
 SceneContent::SceneContent(const StudioContext &context, bool asMap, QObject *parent)
@@ -84,7 +84,7 @@ void SceneContent::documentChanged(const ChangeEvent &event)
     case ChangeEvent::Type::PackingSettings:
         mark(0);
         break;
-    case ChangeEvent::Type::Uv: // ShownMap says so when it is shown
+    case ChangeEvent::Type::Uv: // ShownMap reports the change when the map is shown
     case ChangeEvent::Type::UvSet:
     case ChangeEvent::Type::IslandFlag:
     case ChangeEvent::Type::Tag:
@@ -131,7 +131,7 @@ const MeshData *SceneContent::mesh() const
 
 const SceneContent::MeshParts &SceneContent::meshParts() const
 {
-    // Compared because a canvas can be asked before it has heard of another document.
+    // Compared because a canvas can be used before it has been told about another document.
     const std::shared_ptr<const MeshData> &current = mContext.workspace.document()->state().scene.mesh;
     if (!mMeshParts || mMeshParts->mesh != current)
         mMeshParts = std::make_unique<const MeshParts>(current);
@@ -203,7 +203,8 @@ void SceneContent::rebuildFaces()
             own.meter.emplace(*own.mesh);
         stretch = own.meter->measure(uv());
     }
-    // The solver never flips a triangle, and its islands are not told apart unless their colours are shown.
+    // The solver never flips a triangle, and islands of a live map are only computed when their colours are
+    // shown.
     const bool live = mContext.shownMap.isLive();
     std::vector<int> islands(own.mesh->faceCount(), -1);
     if (live && mOptions.coloring == Coloring::Islands)
@@ -224,7 +225,7 @@ void SceneContent::rebuildFaces()
                          shownSelection().faces, overlapping, flipped});
 }
 
-//! Empty when the selection is not to be seen.
+//! Empty when the selection is not to be shown.
 const Selection &SceneContent::shownSelection() const
 {
     static const Selection none;

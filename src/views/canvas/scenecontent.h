@@ -1,4 +1,4 @@
-// What a canvas draws of the document, kept up to date by what the events name.
+// The arrays that a canvas draws, updated after events of the document.
 #pragma once
 
 #include "views/control/studiocontext.h"
@@ -15,8 +15,8 @@ namespace autocuts {
 
 struct ChangeEvent;
 
-//! The arrays of gl/soupbuffers.h for the open document. Events only mark what is out of date; refresh()
-//! brings that up to date when it is going to be drawn.
+//! The arrays of gl/soupbuffers.h for the open document. Events only mark arrays as outdated; refresh()
+//! updates them before they are drawn.
 class SceneContent final : public QObject
 {
     Q_OBJECT
@@ -24,38 +24,38 @@ class SceneContent final : public QObject
 public:
     enum Part { Vertices = 1, Uvs = 2, Faces = 4, Sides = 8, Points = 16, AllParts = 31 };
 
-    //! \param asMap for the UV view
+    //! \param asMap true for the UV view
     SceneContent(const StudioContext &context, bool asMap, QObject *parent = nullptr);
     ~SceneContent() override;
 
-    //! Null when nothing is open. This and what follows fit the document at any time.
+    //! The open mesh; null when nothing is open. Valid at any time, like the functions below.
     const MeshData *mesh() const;
     //! \pre mesh()
     std::shared_ptr<const MeshData> sharedMesh() const;
     const MeshFrame &frame() const;
     const SoupTopology &topology() const;
     const UvMatrix &uv() const;
-    //! Box of the map as of the last refresh(); empty when there are no UVs.
+    //! Bounding box of the map at the last refresh(); empty when there are no UVs.
     const Eigen::AlignedBox2d &uvBox() const { return mUvBox; }
 
-    //! Brings the arrays up to date. \returns mask of the parts that changed since the last call
+    //! Updates the arrays. \returns a mask of the arrays that changed since the last call
     int refresh();
-    //! Makes the next refresh() report everything: the graphics card lost what it had.
+    //! Makes the next refresh() report all arrays as changed, after the OpenGL context was lost.
     void markAll();
 
     const std::vector<SoupVertex> &vertices() const { return mVertices; }
     const std::vector<float> &uvs() const { return mUvs; }
-    //! Empty unless a live map is shown in the UV view.
+    //! Empty unless the UV view shows a live map.
     const std::vector<float> &ghostUvs() const { return mGhostUvs; }
     const std::vector<FaceTexel> &faces() const { return mFaces; }
-    //! Per triangle the number of its island, from 1; 0 where there is none or it was not looked for.
+    //! The island number of each triangle, from 1; 0 when it has none or islands were not needed.
     const std::vector<quint32> &triangleIslands() const { return mTriangleIslands; }
     const std::vector<SideTexel> &sides() const { return mSides; }
     const std::vector<PointVertex> &points() const { return mPoints; }
     const ViewColors &colors() const { return mColors; }
 
 Q_SIGNALS:
-    //! The picture is out of date.
+    //! Emitted when the view has to be painted again.
     void changed();
 
 private:
@@ -75,10 +75,10 @@ private:
     const StudioContext mContext;
     const bool mAsMap;
     int mStale = AllParts;
-    mutable std::unique_ptr<const MeshParts> mMeshParts; //!< of the open document, once needed
+    mutable std::unique_ptr<const MeshParts> mMeshParts; //!< of the open document; made when needed
     ViewColors mColors;
-    ViewOptions mOptions; //!< that the arrays were marked for
-    Selection mSelection; //!< that the arrays were marked for
+    ViewOptions mOptions; //!< for which the arrays were last marked
+    Selection mSelection; //!< for which the arrays were last marked
     Eigen::AlignedBox2d mUvBox;
     std::vector<SoupVertex> mVertices;
     std::vector<float> mUvs, mGhostUvs;

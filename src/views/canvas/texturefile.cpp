@@ -27,7 +27,7 @@ void TextureFile::setPath(const QString &path)
     Q_EMIT changed();
     if (path.isEmpty())
         return;
-    // The result is handed over in the GUI thread; when nobody wants this file any more it is dropped.
+    // The result is passed to the GUI thread and ignored there when another file has been chosen.
     QThreadPool::globalInstance()->start([path, self = QPointer<TextureFile>(this)] {
         const auto takeOver = [path, self, image = readPicture(path)] {
             if (!self || self->mPath != path)

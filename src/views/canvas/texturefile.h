@@ -1,4 +1,4 @@
-// The picture file that is shown as a texture.
+// Loads the image file that is shown as a texture.
 #pragma once
 
 #include <QImage>
@@ -7,7 +7,7 @@
 
 namespace autocuts {
 
-//! Reads the picture on another thread: large ones take long.
+//! Reads the image on another thread, because large images take long.
 class TextureFile final : public QObject
 {
     Q_OBJECT
@@ -16,7 +16,7 @@ public:
     explicit TextureFile(QObject *parent = nullptr) : QObject(parent) {}
 
     const QString &path() const { return mPath; }
-    //! Null until it is read, and when it cannot be.
+    //! Null until the image is loaded, and when it cannot be read.
     const QImage &image() const { return mImage; }
     //! \param path empty for none
     void setPath(const QString &path);

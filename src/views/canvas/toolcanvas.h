@@ -1,4 +1,4 @@
-// What a tool sees of a view.
+// The interface of the views for tools.
 #pragma once
 
 #include "views/canvas/picking.h"
@@ -13,7 +13,7 @@ class MapCamera;
 class SceneContent;
 struct StudioContext;
 
-//! The interface of the views for tools. Screen coordinates are logical pixels from the upper left.
+//! What tools see of a view. Screen coordinates are logical pixels from the upper left.
 class ToolCanvas : public QOpenGLWidget
 {
     Q_OBJECT
@@ -23,15 +23,15 @@ public:
 
     Kind kind() const { return mKind; }
     const StudioContext &studio() const { return mStudio; }
-    //! What is drawn; for picking and measuring.
+    //! The arrays that are drawn; for picking and measuring.
     virtual const SceneContent &content() const = 0;
-    //! Of the UV view; null in the 3D view.
+    //! The camera of the UV view; null in the 3D view.
     virtual const MapCamera *mapCamera() const { return nullptr; }
 
-    //! What is at a place; also sees what is not painted yet.
+    //! The elements at a pixel, including changes that have not been painted yet.
     virtual PickResult pick(const QPointF &pixel) const = 0;
     virtual BoxPick pickBox(const PickRegion &region) const = 0;
-    //! Where a soup corner is drawn; nothing when it has no place.
+    //! The position at which a soup corner is drawn; nothing when it is not drawn.
     virtual std::optional<QPointF> screenOf(int soupCorner) const = 0;
 
 protected:
@@ -44,7 +44,7 @@ private:
     const StudioContext mStudio;
 };
 
-//! The canvas when it is the UV view, else null.
+//! The canvas when it is the UV view, null otherwise.
 template <class AnyCanvas>
 AnyCanvas *asMap(AnyCanvas *canvas)
 {

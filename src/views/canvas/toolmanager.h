@@ -1,4 +1,4 @@
-// The tools and which of them is active.
+// Manages the tools and which of them is active.
 #pragma once
 
 #include "views/canvas/abstracttool.h"
@@ -11,7 +11,7 @@
 
 namespace autocuts {
 
-//! Owns the tools; one is active at any time, the selection tool at first.
+//! Owns the tools. One of them is active at any time; the selection tool at first.
 class ToolManager final : public QObject
 {
     Q_OBJECT
@@ -20,27 +20,27 @@ public:
     explicit ToolManager(const StudioContext &context, QObject *parent = nullptr);
     ~ToolManager() override;
 
-    //! Adds a tool. \pre no other has its id
+    //! Adds a tool. \pre no other tool has its id
     void add(std::unique_ptr<AbstractTool> tool);
-    //! Ends the gesture of the active tool and activates another. Unknown ids are ignored.
+    //! Ends the gesture of the active tool and activates another tool. Unknown ids are ignored.
     void setTool(const QString &id);
-    //! As setTool(), by the user's key or button: the tool may begin at once where the mouse is.
+    //! As setTool(), for the user's key or button: the tool may start a gesture where the mouse is.
     void choose(const QString &id);
-    //! Where the mouse is now. \param canvas null: over none
+    //! Stores the mouse position. \param canvas null when the mouse is over no canvas
     void setMouse(ToolCanvas *canvas, const QPointF &position);
     AbstractTool *tool() const { return mActive; }
 
 Q_SIGNALS:
     void toolChanged();
-    //! \param hint of the active tool
+    //! \param hint hint of the active tool
     void hintChanged(const QString &hint);
-    //! What the active tool draws.
+    //! Emitted when the active tool's overlay changes.
     void overlayChanged();
 
 private:
     std::vector<std::unique_ptr<AbstractTool>> mTools;
     AbstractTool *mActive = nullptr;
-    QPointer<ToolCanvas> mMouseCanvas; //!< that the mouse is over
+    QPointer<ToolCanvas> mMouseCanvas; //!< the canvas under the mouse
     QPointF mMouse;
 };
 

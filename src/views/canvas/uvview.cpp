@@ -135,7 +135,7 @@ void UvView::drawScene(GlResources &gl)
     gl.gl.glEnable(GL_BLEND);
     gl.gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     if (!content().ghostUvs().empty()) {
-        // What is coming shows through the gaps between the triangles of the live map.
+        // The ghost of the finished map shows through the gaps between the triangles of the live map.
         SoupDrawing ghost = drawing;
         ghost.ghost = true;
         ghost.fillOpacity = 0.5 * drawing.fillOpacity;
@@ -181,7 +181,7 @@ void UvView::navigate(Navigation navigation, const QPointF &pixels, const QPoint
 {
     if (navigation == Navigation::Zoom)
         mCamera.zoom(dragZoomFactor(pixels.x() - pixels.y()), start);
-    else // there is nothing to turn
+    else // no rotation in the UV view
         mCamera.pan(pixels);
 }
 

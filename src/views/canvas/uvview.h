@@ -6,7 +6,7 @@
 
 namespace autocuts {
 
-//! Shows the map in texture space, v up.
+//! Shows the map in texture space, with v pointing up.
 class UvView final : public Canvas
 {
     Q_OBJECT
@@ -39,7 +39,7 @@ private:
     void drawPaper(GlResources &gl);
 
     MapCamera mCamera;
-    bool mFrameWhenSized = true; //!< framed before the view had its size
+    bool mFrameWhenSized = true; //!< it was framed before the view had its size
 };
 
 } // namespace autocuts

@@ -1,4 +1,4 @@
-// What lies behind the model and behind the map.
+// Draws the backgrounds of the 3D view and of the UV view.
 #pragma once
 
 #include "views/gl/glfunctions.h"
@@ -13,24 +13,24 @@
 
 namespace autocuts {
 
-//! Behind the model.
+//! The background of the 3D view.
 struct RoomDrawing
 {
-    QMatrix4x4 clipMatrix;   //!< from the frame of the mesh to the clip space
-    double groundHeight = 0; //!< in the frame
-    double gridStep = 0.2;   //!< in the frame
+    QMatrix4x4 clipMatrix;   //!< from mesh frame to clip space
+    double groundHeight = 0; //!< in the mesh frame
+    double gridStep = 0.2;   //!< in the mesh frame
     double pixelRatio = 1;
     bool grid = true;
 };
 
-//! Behind the map. Pixels are those of the screen, from the lower left of the view.
+//! The background of the UV view. Positions are in screen pixels from the lower left corner of the view.
 struct PaperDrawing
 {
-    QVector2D tileOrigin; //!< pixel of a corner of a tile in or near the view
+    QVector2D tileOrigin; //!< pixel of a tile's corner, in or near the view
     QVector2D originTile; //!< column and row of that tile
     QVector2D usedTiles{1, 1};
     double tilePixels = 1;
-    QVector2D gridOrigin; //!< pixel of a line of the grid in or near the view
+    QVector2D gridOrigin; //!< pixel of a grid line, in or near the view
     double gridPixels = 1, minorStrength = 0, minorDivisions = 2;
     bool grid = true;
     Pattern pattern = Pattern::None;
@@ -39,7 +39,7 @@ struct PaperDrawing
     double lineWidth = 1;
 };
 
-//! Fills the whole view, in place of clearing it. The context must be current in all functions.
+//! Fills the whole view, so that it need not be cleared. The context must be current in all functions.
 class Backdrop final
 {
 public:
@@ -56,7 +56,7 @@ private:
 
     GlFunctions &mGl;
     std::unique_ptr<QOpenGLShaderProgram> mRoom, mPaper;
-    GLuint mArray = 0; //!< without content: the core profile wants one
+    GLuint mArray = 0; //!< empty; the core profile requires a vertex array
 };
 
 } // namespace autocuts

@@ -8,15 +8,15 @@ namespace autocuts {
 
 namespace {
 
-// Evenly spaced stops.
+// The colours are evenly spaced.
 constexpr QRgb signedStops[] = {0xff1f3fbf, 0xff5b86e8, 0xffb9cdf5, 0xfff6f6f6,
                                 0xfff6b9ad, 0xffe4604d, 0xffb3161b};
-// Purple and orange differ for all common kinds of colour blindness, and in lightness from the middle.
+// Purple and orange differ for all common kinds of colour blindness; lightness decreases from the middle.
 constexpr QRgb signedBlindStops[] = {0xff46237a, 0xff8067b0, 0xffc3b8dc, 0xfff7f4ee,
                                      0xfff7c78a, 0xffdd8420, 0xff8f4a05};
 constexpr QRgb magnitudeStops[] = {0xff2443c4, 0xff2f8fe0, 0xff4cc4b8, 0xff9fd66a,
                                    0xfff2d14b, 0xfff08a35, 0xffc41f1f};
-// Rises in lightness throughout.
+// Lightness increases monotonically.
 constexpr QRgb magnitudeBlindStops[] = {0xff42145c, 0xff45347f, 0xff365c8c, 0xff247e8c,
                                         0xff28a080, 0xff78c552, 0xfffae433};
 
@@ -65,7 +65,7 @@ QRgb islandColor(int number)
 {
     constexpr double goldenRatio = 0.6180339887498949;
     const double hue = std::fmod(0.58 + number * goldenRatio, 1.0);
-    // Hues come near each other again after 8, 13, ... steps: lightness in another rhythm keeps those apart.
+    // Hues become similar again after 8, 13, ... numbers; the lightness has another period, so those differ.
     const double lightness = 0.56 + 0.07 * (number % 3 - 1);
     return QColor::fromHslF(static_cast<float>(hue), 0.52f, static_cast<float>(lightness)).rgb();
 }
@@ -73,7 +73,7 @@ QRgb islandColor(int number)
 QRgb paintColor(double weight, QRgb neutral)
 {
     constexpr QRgb keepTogether = 0xffe03131, attractCuts = 0xff2b6cf0;
-    if (weight > 1) // full at a factor of 100
+    if (weight > 1) // the full colour is reached at a factor of 100
         return mixColors(neutral, keepTogether, std::min(1.0, 0.25 + 0.375 * std::log10(weight)));
     if (weight < 1)
         return mixColors(neutral, attractCuts, std::min(1.0, 0.25 + 0.75 * (1 - weight)));

@@ -1,4 +1,4 @@
-// Colours that stand for numbers: heat-maps, islands, painted weights.
+// Colours for values: heat-maps, islands, painted weights.
 #pragma once
 
 #include <QColor>
@@ -6,26 +6,27 @@
 
 namespace autocuts {
 
-//! Which figures a heat-map shows.
+//! The figure that a heat-map shows.
 enum class HeatMap { SignedStretch, Magnitude };
 
-//! Colour of a value. SignedStretch: -1 blue, 0 white, 1 red, or for colour-blind eyes purple to orange.
-//! Magnitude: 0 blue to 1 red, or dark violet to yellow. Values outside are clamped.
+//! The colour of a value. SignedStretch: from -1 blue over 0 white to 1 red, or for colour-blind people from
+//! purple to orange. Magnitude: from 0 blue to 1 red, or from dark violet to yellow. Values outside the range
+//! are clamped.
 QRgb heatColor(HeatMap map, bool colorBlind, double value);
-//! Of triangles without a figure.
+//! The colour of triangles without a figure.
 QRgb heatColorOfNothing();
-//! Stops of the whole range, for a legend, in the direction from 0 to 1.
+//! Gradient stops of the whole range, for a legend, from 0 to 1.
 QGradientStops heatStops(HeatMap map, bool colorBlind);
 
-//! A colour for an island. Numbers give hues in steps of the golden angle, so that those near each other
-//! differ, and the same number always has the same colour.
+//! The colour of an island. Hues are spaced by the golden angle, so that consecutive numbers get different
+//! colours; a number always gets the same one.
 QRgb islandColor(int number);
 
-//! Colour of a painted factor: above 1 red ("Keep together"), below blue ("Attract cuts").
-//! \param neutral of what is unpainted
+//! The colour of a painted weight: red above 1 ("Keep together"), blue below 1 ("Attract cuts").
+//! \param neutral colour of unpainted faces
 QRgb paintColor(double weight, QRgb neutral);
 
-//! Linear between two colours, at 0 the first.
+//! Mixes two colours linearly; amount 0 gives the first.
 QRgb mixColors(QRgb from, QRgb to, double amount);
 
 } // namespace autocuts

@@ -1,4 +1,4 @@
-// Buffers on the graphics card.
+// Buffers in graphics memory.
 #pragma once
 
 #include "views/gl/glfunctions.h"
@@ -7,7 +7,8 @@
 
 namespace autocuts {
 
-//! A buffer that is filled as a whole. Its context must be current whenever it is used, destruction included.
+//! A buffer that is always filled completely. Its context must be current in all functions, including the
+//! destructor.
 class GlBuffer final
 {
 public:
@@ -19,7 +20,7 @@ public:
     GLuint id() const { return mId; }
     void bind(GLenum target) { mGl.glBindBuffer(target, mId); }
 
-    //! Replaces the content; memory that is still read for drawing is not waited for.
+    //! Replaces the content without waiting for drawing that still uses the old one.
     template <typename Item>
     void fill(std::span<const Item> items, GLenum usage)
     {

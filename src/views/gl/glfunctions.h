@@ -1,4 +1,4 @@
-// The OpenGL that both views are drawn with.
+// The OpenGL version of both views.
 #pragma once
 
 #include <QOpenGLFunctions_3_3_Core>

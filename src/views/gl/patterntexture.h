@@ -1,4 +1,4 @@
-// The user's texture on the graphics card.
+// The user's texture image in graphics memory.
 #pragma once
 
 #include <QImage>
@@ -8,14 +8,14 @@
 
 namespace autocuts {
 
-//! A picture that repeats, with v up. The context must be current in all functions.
+//! A repeating texture with v pointing up. The context must be current in all functions.
 class PatternTexture final
 {
 public:
-    //! A null picture takes the texture away. Pictures that are larger than the graphics card allows are
+    //! Sets the image; a null image removes the texture. Images that are too large for the hardware are
     //! scaled down.
     void setImage(const QImage &image);
-    //! 0 when there is none.
+    //! The OpenGL id of the texture; 0 when there is none.
     unsigned id() const { return mTexture ? mTexture->textureId() : 0; }
 
 private:

@@ -1,4 +1,4 @@
-// Draws marks of vertices.
+// Draws vertex marks.
 #pragma once
 
 #include "views/gl/glbuffer.h"
@@ -12,16 +12,16 @@
 
 namespace autocuts {
 
-//! Where the marks are drawn.
+//! How the marks are drawn.
 struct PointDrawing
 {
     bool asMap = false;
-    QMatrix4x4 clipMatrix;         //!< 3D: from the frame of the mesh to the clip space
-    QVector2D mapScale, mapOffset; //!< map: clip space = uv * mapScale + mapOffset
-    double size = 7;               //!< diameter, pixels of the screen
+    QMatrix4x4 clipMatrix;         //!< 3D view: from mesh frame to clip space
+    QVector2D mapScale, mapOffset; //!< UV view: clip space = uv * mapScale + mapOffset
+    double size = 7;               //!< diameter in screen pixels
 };
 
-//! Round marks of one size. The context must be current in all functions.
+//! Draws round marks of one size. The context must be current in all functions.
 class PointRenderer final
 {
 public:

@@ -2,7 +2,8 @@
 
 #include <stdexcept>
 
-//! The resources lie in a static library, where nothing else brings them in. Outside of any namespace.
+//! Needed because the resources are in a static library, where the linker would drop them. Must be outside of
+//! any namespace.
 static void initResources()
 {
     Q_INIT_RESOURCE(autocuts);

@@ -1,4 +1,4 @@
-// Shader programs from the files in resources/shaders.
+// Compiles the shaders in resources/shaders.
 #pragma once
 
 #include <QOpenGLShaderProgram>
@@ -8,8 +8,8 @@
 
 namespace autocuts {
 
-//! The program of resources/shaders/NAME.vert and NAME.frag. A context must be current.
-//! \throws std::runtime_error with the compiler's messages
+//! The program made of NAME.vert and NAME.frag in resources/shaders. A context must be current.
+//! \throws std::runtime_error with the messages of the compiler
 std::unique_ptr<QOpenGLShaderProgram> makeShaderProgram(const QString &vertexName,
                                                         const QString &fragmentName);
 

@@ -11,8 +11,8 @@ namespace autocuts {
 
 namespace {
 
-//! Above this many corners at a vertex normals are averaged over all of them: comparing each with each would
-//! take long.
+//! At vertices with more corners than this, normals are averaged over all of them: comparing every two
+//! corners would take quadratic time. Chosen by hand.
 constexpr std::size_t maxCreaseCorners = 64;
 const double creaseCosine = std::cos(40 * 3.14159265358979 / 180);
 
@@ -21,7 +21,7 @@ std::array<float, 3> toFloats(const Vec3 &v)
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
-//! Area vector of each face, in the frame.
+//! The area vector of each face, in the mesh frame.
 std::vector<Vec3> faceNormals(const MeshData &mesh, const MeshFrame &frame)
 {
     std::vector<Vec3> normals(mesh.faceCount(), Vec3::Zero());
@@ -113,7 +113,8 @@ std::vector<int> liveIslands(const MeshData &mesh, std::span<const float> separa
 
 namespace {
 
-//! Colours by painted weights: of each face the mean of those along its sides, on a logarithmic scale.
+//! Colours of painted weights: for each face, the mean of the weights along its sides, on a logarithmic
+//! scale.
 std::vector<QRgb> paintColors(const FaceInput &input)
 {
     const MeshData &mesh = input.mesh;
@@ -139,7 +140,7 @@ std::vector<QRgb> paintColors(const FaceInput &input)
     return colors;
 }
 
-//! Colour of every triangle, without marks.
+//! The colour of every triangle, without marks.
 std::vector<QRgb> triangleColors(const FaceInput &input)
 {
     const int count = input.mesh.triangleCount();
@@ -203,11 +204,11 @@ quint8 toByte(double share)
     return static_cast<quint8>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
 }
 
-//! The line on top of a side of an edge pair. \param which triangle of the pair
+//! Sets the top line of a side of an edge pair. \param which index of the triangle in the pair
 void setTopLine(const SideInput &input, int pairIndex, int which, SideTexel &texel)
 {
     const EdgePair &pair = input.mesh.edgePairs[pairIndex];
-    // Which end of the pair is at the side's first corner.
+    // The end of the pair at the side's first corner.
     const int firstEnd = pair.corner[0][which] % 3 == pair.side(which) ? 0 : 1;
     for (int i = 0; i < 2; ++i) {
         const int cornerPair = 2 * pairIndex + (i == 0 ? firstEnd : 1 - firstEnd);

@@ -1,4 +1,4 @@
-// What the graphics card is given, as plain arrays: pure functions of the mesh, the map and the options.
+// The arrays for the graphics card, as pure functions of the mesh, the map and the options.
 #pragma once
 
 #include "model/document/seams.h"
@@ -15,16 +15,16 @@
 
 namespace autocuts {
 
-//! Position and smooth normal of a soup corner, in the frame of the mesh.
+//! Position and smooth normal of a soup corner, in the mesh frame.
 struct SoupVertex
 {
     std::array<float, 3> position, normal;
 };
 
-//! UV of the corners of a triangle of which not all have one: nothing is drawn for it in the UV view.
+//! UV of all corners of a triangle with a missing UV: the UV view does not draw it.
 inline constexpr float noUv = 1e30f;
 
-//! Colour and marks of a triangle; the layout of a GL_RGBA8UI texel.
+//! Colour and marks of a triangle; has the layout of a GL_RGBA8UI texel.
 struct FaceTexel
 {
     enum Mark : quint8 { Selected = 1, Overlapping = 2, Flipped = 4, WithoutUv = 8 };
@@ -33,36 +33,38 @@ struct FaceTexel
     bool operator==(const FaceTexel &) const = default;
 };
 
-//! Lines along a side of a triangle; the layout of a GL_RGBA8UI texel. The line on top can be more or less
-//! opaque at both ends.
+//! The lines along a side of a triangle; has the layout of a GL_RGBA8UI texel. The opacity of the top line
+//! may differ at its two ends.
 struct SideTexel
 {
-    quint8 base = 0;            //!< SideStyle below
-    quint8 opacity[2] = {0, 0}; //!< of the one on top, at the side's first and second corner
-    quint8 top = 0;             //!< SideStyle on top
+    quint8 base = 0;            //!< SideStyle of the lower line
+    quint8 opacity[2] = {0, 0}; //!< opacity of the top line at the first and second corner of the side
+    quint8 top = 0;             //!< SideStyle of the top line
     bool operator==(const SideTexel &) const = default;
 };
 
-//! A vertex mark.
+//! A mark on a vertex.
 struct PointVertex
 {
-    std::array<float, 3> position; //!< in the frame of the mesh, or u, v and 0
-    QRgb color;                    //!< as bytes: blue, green, red, alpha
+    std::array<float, 3> position; //!< in the mesh frame, or u, v and 0
+    QRgb color;                    //!< bytes: blue, green, red, alpha
 };
 
-//! One per soup corner. Normals are smoothed over faces that meet at less than 40 degrees.
+//! One per soup corner. Normals are smoothed across edges with less than 40 degrees between the face normals.
 std::vector<SoupVertex> soupVertices(const MeshData &mesh, const MeshAdjacency &adjacency,
                                      const MeshFrame &frame);
-//! Two numbers per soup corner, or noUv. \param uv one row per soup corner
+//! Two numbers per soup corner, noUv where the triangle has no UVs. \param uv one row per soup corner
 std::vector<float> soupUvs(const UvMatrix &uv);
-//! The map that joining the nearly joined corner pairs of the live one would give: soup corners that hang
-//! together are at their average (paper, "Finalizing"). \param separation as ShownMap::separation()
+//! Previews the finished map of a running solve: corner pairs with a separation below 0.5 are closed, and
+//! each group of connected soup corners is drawn at its average (paper, section 4, "Finalizing the UV map").
+//! \param separation as ShownMap::separation()
 UvMatrix ghostUv(const MeshData &mesh, const UvMatrix &uv, std::span<const float> separation);
-//! Per face, its island in the live map: what hangs together when nearly joined pairs are joined. Numbered by
-//! their lowest faces like those of the document. \param separation as ShownMap::separation()
+//! The island of each face in the live map, when corner pairs with a separation below 0.5 count as closed.
+//! Islands are numbered by their lowest faces, like those of the document.
+//! \param separation as ShownMap::separation()
 std::vector<int> liveIslands(const MeshData &mesh, std::span<const float> separation);
 
-//! What the colours of faces are made from.
+//! The input for the colours of the faces.
 struct FaceInput
 {
     const MeshData &mesh;
@@ -70,17 +72,17 @@ struct FaceInput
     const ViewOptions &options;
     const ViewColors &colors;
     bool colorBlind = false;
-    QColor plain;                        //!< faces without another colour
-    const TriangleStretch &stretch;      //!< may be empty when the colouring does not need it
-    std::span<const int> islands;        //!< per face, -1 without UVs
+    QColor plain;                        //!< for faces without another colour
+    const TriangleStretch &stretch;      //!< may be empty when the colouring does not use it
+    std::span<const int> islands;        //!< per face; -1 without UVs
     std::span<const double> seamWeights; //!< Seams::weights
     std::span<const int> selectedFaces;
-    std::span<const int> overlapping; //!< triangles
+    std::span<const int> overlapping; //!< triangle indices
     const std::vector<bool> &flipped;
 };
 std::vector<FaceTexel> faceTexels(const FaceInput &input);
 
-//! What the lines are made from.
+//! The input for the lines.
 struct SideInput
 {
     const MeshData &mesh;
@@ -91,7 +93,7 @@ struct SideInput
     const ViewOptions &options;
     std::span<const int> selectedEdges; //!< edges of MeshAdjacency
 };
-//! One per side; sides of diagonals have nothing.
+//! One per side; sides of diagonals have no lines.
 std::vector<SideTexel> sideTexels(const SideInput &input);
 
 } // namespace autocuts

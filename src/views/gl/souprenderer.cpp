@@ -101,7 +101,7 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
     p.setUniformValue("checkerSize", static_cast<float>(drawing.checkerSize));
     p.setUniformValue("fillOpacity", static_cast<float>(drawing.fillOpacity));
     p.setUniformValue("lineOpacity", static_cast<float>(drawing.lineOpacity));
-    // Of these kinds QOpenGLShaderProgram has none.
+    // QOpenGLShaderProgram has no functions for these types.
     mGl.glUniform1ui(p.uniformLocation("hoverIsland"), drawing.hoverIsland);
     mGl.glUniform2i(p.uniformLocation("hoverTriangles"), drawing.hoverTriangles[0],
                     drawing.hoverTriangles[1]);

@@ -26,7 +26,7 @@ StretchMeter::StretchMeter(const MeshData &mesh) : mShapes(mesh.triangleCount())
                 shape.first = k;
             }
         }
-        // On the longest side the height of slivers stays accurate.
+        // With the longest side as the base, the height of thin triangles is accurate.
         const Vec3 base = p[(shape.first + 1) % 3] - p[shape.first];
         const Vec3 side = p[(shape.first + 2) % 3] - p[shape.first];
         const double height = base.cross(side).norm() / longest;
@@ -44,7 +44,7 @@ TriangleStretch StretchMeter::measure(const UvMatrix &uv) const
     const int count = static_cast<int>(mShapes.size());
     constexpr float missing = std::numeric_limits<float>::quiet_NaN();
     TriangleStretch result{std::vector<float>(count, missing), std::vector<float>(count, missing)};
-    std::vector<std::array<double, 2>> energies(count); // squared norms of the map and of its inverse
+    std::vector<std::array<double, 2>> energies(count); // squared norms of the Jacobian and of its inverse
     std::vector<double> ratios(count, -1);              // UV area / 3D area
     double area = 0, uvArea = 0;
     for (int t = 0; t < count; ++t) {
@@ -74,7 +74,7 @@ TriangleStretch StretchMeter::measure(const UvMatrix &uv) const
         forward += mShapes[t].area * energies[t][0];
         inverse += mShapes[t].area * energies[t][1];
     }
-    // The mean f s^2 + b / s^2 is least where s^2 = sqrt(b / f).
+    // The mean f s^2 + b / s^2 has its minimum at s^2 = sqrt(b / f).
     const double squaredScale = std::sqrt(inverse / forward);
     result.scale = std::sqrt(squaredScale);
     for (int t = 0; t < count; ++t) {

@@ -1,4 +1,4 @@
-// How much the map stretches every triangle, fast enough for a map that changes 30 times a second.
+// The stretch of every triangle, fast enough for a map that changes 30 times a second.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -8,32 +8,34 @@
 
 namespace autocuts {
 
-//! Figures per triangle, not a number where there is none: no UVs, or no area in 3D.
+//! Figures per triangle; NaN for triangles without UVs or without 3D area.
 struct TriangleStretch
 {
     std::vector<float>
-        areaLog2; //!< log2 of share of the UV area / share of the 3D area; > 0: too large in UV
-    std::vector<float> dirichlet; //!< symmetric Dirichlet energy at the scale that makes its mean least; >= 4
+        //! Log2 of (share of the UV area / share of the 3D area); > 0: too large in UV space.
+        areaLog2;
+    std::vector<float> dirichlet; //!< symmetric Dirichlet energy at the scale that minimises its mean; >= 4
     double scale =
-        std::numeric_limits<double>::quiet_NaN(); //!< that scale: UVs times it have the mesh's size
+        //! That scale: UVs multiplied by it have the size of the mesh.
+        std::numeric_limits<double>::quiet_NaN();
 };
 
-//! Measures maps of one mesh. Shapes of the triangles in 3D are prepared once.
+//! Measures maps of one mesh. The 3D shapes of the triangles are prepared once.
 class StretchMeter
 {
 public:
     explicit StretchMeter(const MeshData &mesh);
 
-    //! \param uv one row per soup corner \pre it fits the mesh
+    //! \param uv one row per soup corner \pre it has the size of the mesh
     TriangleStretch measure(const UvMatrix &uv) const;
 
 private:
-    //! A triangle in its own plane: its longest side along x.
+    //! The shape of a triangle in its own plane, with its longest side along x.
     struct Shape
     {
-        int first = 0;            //!< corner at the origin
-        double inverseLength = 0; //!< of the longest side; 0: no area
-        double foot = 0;          //!< x of the third corner
+        int first = 0;            //!< the corner at the origin
+        double inverseLength = 0; //!< 1 / length of the longest side; 0: no area
+        double foot = 0;          //!< x coordinate of the third corner
         double inverseHeight = 0;
         double area = 0;
     };

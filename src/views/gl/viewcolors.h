@@ -1,4 +1,4 @@
-// The colours and line widths of both views, by theme and preferences.
+// The colours and line widths of both views, for each theme and the preferences.
 #pragma once
 
 #include <QColor>
@@ -12,26 +12,26 @@ struct PreferenceValues;
 //! What is drawn along a side of a triangle.
 enum class SideStyle : quint8 { None, Wire, Border, Seam, ForcedCut, Joined, Selected, Count };
 
-//! Colours of one theme. Widths are in logical pixels.
+//! The colours of one theme. Widths are in logical pixels.
 struct ViewColors
 {
-    //! \param map for the UV view, where lines lie on a darker ground
+    //! \param map true for the UV view, where lines are drawn on a darker background
     static ViewColors of(const PreferenceValues &preferences, bool map);
 
     bool dark = true;
     QColor backgroundTop, backgroundBottom; //!< of the 3D view
-    QColor mapBackground;                   //!< of the UV view, between the lines of the grid
-    QColor mapInside;                       //!< of the unit square
+    QColor mapBackground;                   //!< of the UV view, between the grid lines
+    QColor mapInside;                       //!< of the unit square in the UV view
     QColor gridMinor, gridMajor;
-    QColor text, dimText, panel; //!< panel: behind rulers and legends
-    QColor model;                //!< faces without another colour
-    QColor mapFill;              //!< islands without another colour
+    QColor text, dimText, panel; //!< panel: background of rulers and legends
+    QColor model;                //!< of faces without another colour
+    QColor mapFill;              //!< of islands without another colour
     QColor selection, hover;
     QColor flipped, overlap;
     QColor hardPin, softPin;
     std::array<QColor, 3> axes;
     std::array<QColor, static_cast<int>(SideStyle::Count)> sides;
-    std::array<float, static_cast<int>(SideStyle::Count)> sideWidths; //!< of the whole line
+    std::array<float, static_cast<int>(SideStyle::Count)> sideWidths; //!< total width of each kind of line
 };
 
 } // namespace autocuts

@@ -13,7 +13,7 @@ namespace autocuts {
 
 namespace {
 
-//! The indices that are marked.
+//! The indices of the marked elements.
 QList<int> indicesOf(const std::vector<bool> &marked)
 {
     QList<int> result;
@@ -32,7 +32,7 @@ std::vector<bool> marksOf(const QList<int> &indices, int count)
     return marked;
 }
 
-//! Edges by how many of their faces are among the given ones.
+//! The edges for which `accept` is true of how many of their faces are given.
 template <typename Accept>
 QList<int> edgesByFaces(const Document &document, const QList<int> &faces, Accept accept)
 {
@@ -128,7 +128,7 @@ Selection loopsOf(const Document &document, const Selection &selection)
     std::vector<bool> edges = marksOf(selection.edges, adjacency.edgeCount());
     std::vector<bool> found = edges;
     for (int edge : selection.edges) {
-        // Edges of a loop already found lead to the same loop.
+        // The edges of a loop that was found already lead to the same loop.
         if (!edges[edge])
             continue;
         for (int other : edgeLoop(document.mesh(), adjacency, edge)) {

@@ -1,4 +1,5 @@
-// Selections as the Select menu makes them. Plain functions of the document; all results are strictly rising.
+// Selections for the Select menu and edges for the UV menu, as functions of the document. All results are
+// strictly ascending.
 #pragma once
 
 #include "model/document/selection.h"
@@ -9,29 +10,28 @@ namespace autocuts {
 
 class Document;
 
-//! The faces of the selection: those selected, and those at selected edges and corners.
+//! The selected faces, and the faces of selected edges and corners.
 QList<int> facesOf(const Document &document, const Selection &selection);
-//! The corners of the selection: those selected, all corners at the ends of selected edges, those of selected
-//! faces.
+//! The selected corners, the corners at the ends of selected edges, and the corners of selected faces.
 QList<int> cornersOf(const Document &document, const Selection &selection);
-//! These faces as a selection of the mode: faces themselves, their edges or their corners.
+//! The given faces as a selection of the mode: the faces themselves, their edges or their corners.
 Selection selectionOf(const Document &document, const QList<int> &faces, SelectionMode mode);
 
 Selection everything(const Document &document, SelectionMode mode);
-//! What the mode selects and the selection has not.
+//! All elements of the current mode that are not selected.
 Selection inverted(const Document &document, const Selection &selection);
-//! The loops through the selected edges, as a selection of edges.
+//! The edge loops through the selected edges.
 Selection loopsOf(const Document &document, const Selection &selection);
-//! Faces of all islands that are copies of those with these faces.
+//! The faces of all islands that are copies of the islands of these faces.
 QList<int> facesOfSimilarIslands(const Document &document, const QList<int> &faces);
-//! Faces with a triangle that is turned over against the rest of its island.
+//! The faces with a triangle that is flipped relative to its island.
 QList<int> flippedFaces(const Document &document);
 
-//! Edges to cut: those selected, or the outline of the selected faces.
+//! The edges to cut: the selected edges, or the outline of the selected faces.
 QList<int> edgesToCut(const Document &document, const Selection &selection);
-//! Edges to join: those selected, or those between selected faces.
+//! The edges to join: the selected edges, or the edges between selected faces.
 QList<int> edgesToJoin(const Document &document, const Selection &selection);
-//! Edges to leave to the solver: those selected, or all of the selected faces.
+//! The edges to free: the selected edges, or all edges of the selected faces.
 QList<int> edgesToClear(const Document &document, const Selection &selection);
 
 } // namespace autocuts

@@ -34,7 +34,7 @@ namespace {
 
 constexpr int thumbnailSize = 256; //!< pixels of the longer side
 
-//! The one file of a drag, or an empty text.
+//! The path when a drag has exactly one file; empty otherwise.
 QString draggedFile(const QMimeData &data)
 {
     const QList<QUrl> urls = data.urls();
@@ -72,7 +72,8 @@ MainWindow::MainWindow(Preferences &preferences, const QString &recoveryFolder,
 
 MainWindow::~MainWindow()
 {
-    // Panels and views are destroyed by QWidget's destructor, after the members that they know.
+    // Destroyed here, because QWidget's destructor would delete panels and views after the members that they
+    // use.
     for (QDockWidget *dock : mDocks)
         delete dock;
     delete mStatusBar;
@@ -157,7 +158,7 @@ void MainWindow::makeMenus()
     fillToolBar(mActions, *bar);
     panels->insertAction(before, bar->toggleViewAction());
     panels->insertAction(before, makeToolBar()->toggleViewAction());
-    // All actions work wherever the focus is, also while the menu bar is hidden.
+    // Added to the window so that all shortcuts work wherever the focus is, also when the menu bar is hidden.
     addActions(QList<QAction *>(mActions.actions().begin(), mActions.actions().end()));
     connect(&mStudioActions->view(), &ViewActions::resetPanels, this,
             [this] { restoreState(mDefaultState); });
@@ -165,7 +166,7 @@ void MainWindow::makeMenus()
             [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
 }
 
-//! The tools beside the views. An action "tool.x" chooses the tool "x".
+//! The tool bar beside the views. An action "tool.x" activates the tool "x".
 QToolBar *MainWindow::makeToolBar()
 {
     auto *bar = new QToolBar(tr("Tools"));

@@ -1,4 +1,4 @@
-// The main window: both views, docked panels, menus, tool bars and status bar, put together.
+// The main window: both views, docked panels, menus, tool bars and status bar.
 #pragma once
 
 #include "views/actions/actionregistry.h"
@@ -28,14 +28,14 @@ class StudioActions;
 class UvView;
 enum class ViewLayout;
 
-//! The studio. Owns everything that exists once per window.
+//! Owns all objects that exist once per window.
 class MainWindow final : public QMainWindow
 {
     Q_OBJECT
 
 public:
-    //! \param recoveryFolder where autosaves are kept
-    //! \param questions answers in place of the user, for tests; null: dialogs ask
+    //! \param recoveryFolder folder of the autosaves
+    //! \param questions answers questions in tests; null: dialogs ask the user
     MainWindow(Preferences &preferences, const QString &recoveryFolder,
                std::unique_ptr<Questions> questions = nullptr);
     ~MainWindow() override;
@@ -82,7 +82,7 @@ private:
     StatusBar *mStatusBar = nullptr;
     QList<QDockWidget *> mDocks;
     std::unique_ptr<MenuBuilder> mMenus;
-    QByteArray mDefaultState; //!< arrangement of the panels at first
+    QByteArray mDefaultState; //!< initial arrangement of the panels
 };
 
 } // namespace autocuts

@@ -159,7 +159,7 @@ void StatusBar::connectAll()
     });
     connect(&mContext.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
         if (event.type == ChangeEvent::Type::Uv)
-            mIslandsRest.start(); // finding them costs too much for every event of a drag
+            mIslandsRest.start(); // finding islands takes too long to be done for every event of a drag
         refreshSoon();
     });
     connect(&mContext.solver, &SolverController::statusChanged, this, &StatusBar::refreshSoon);
@@ -213,7 +213,7 @@ void StatusBar::showJob()
     mCancel->setVisible(job != nullptr);
     if (job) {
         const double progress = job->progress();
-        // Without a known end the bar only says that something is going on.
+        // A job of unknown length only shows activity.
         mProgress->setRange(0, progress < 0 ? 0 : 100);
         mProgress->setValue(static_cast<int>(100 * std::max(0.0, progress)));
     }
@@ -264,7 +264,7 @@ void StatusBar::showLiveFigures()
     mFigures->setFigure(Delta, significantText(status.delta, 3));
     mFigures->setFigure(SeamLength, fixedText(status.seamLength, 3));
     mFigures->setFigure(Islands, countText(status.islands));
-    // The solver never flips a triangle; overlaps are searched for once it has come to rest.
+    // The solver never flips a triangle; overlaps are searched for when it rests.
     mFigures->setFigure(Flips, countText(0));
     mFigures->setFigure(Overlaps, missingText());
 }

@@ -1,4 +1,4 @@
-// The bar at the bottom of the window.
+// The status bar of the window.
 #pragma once
 
 #include "views/control/studiocontext.h"
@@ -15,14 +15,14 @@ class ElidedLabel;
 class FigureStrip;
 class JobRunner;
 
-//! What the tool does, the numbers of the selection, the state of the solver and of the map, and the job that
-//! runs. Texts give way when the window is narrow; numbers stay at their places.
+//! Shows the hint of the tool, the number of selected elements, figures of the solver and the map, and the
+//! running job. Texts are shortened when the window is narrow; figures keep their positions.
 class StatusBar final : public QStatusBar
 {
     Q_OBJECT
 
 public:
-    //! What figures() shows, in this order; the last ones go first when there is no room.
+    //! The figures in the order of figures(); the last ones are hidden first when there is no room.
     enum Figure {
         Steps,
         Energy,
@@ -38,16 +38,16 @@ public:
 
     explicit StatusBar(const StudioContext &context, QWidget *parent = nullptr);
 
-    //! What the tool does at the moment, and with which keys. \param hint translated
+    //! Shows what the tool does and with which keys. \param hint translated
     void setHint(const QString &hint);
-    //! Shows a message in place of the hint. \param timeoutMs after which the hint is back; 0: until then
-    //! next message
+    //! Shows a message instead of the hint.
+    //! \param timeoutMs after this time the hint returns; 0: at the next message
     void showText(const QString &message, int timeoutMs = 8000);
-    //! What stands at the left: a message, a job or the hint.
+    //! The text at the left: a message, a job or the hint.
     QString shownText() const;
-    //! The numbers of the selection.
+    //! The text about the selection.
     QString selectionText() const;
-    //! The figures of solver and map.
+    //! The figures of the solver and the map.
     const FigureStrip &figures() const { return *mFigures; }
 
 private:
@@ -60,7 +60,7 @@ private:
     void showMapFigures();
     void showJob();
     void showLeftText();
-    //! The job that runs; null when none does.
+    //! The running job; null when there is none.
     JobRunner *runningJob() const;
 
     StudioContext mContext;
@@ -74,7 +74,8 @@ private:
     QToolButton *mCancel;
 };
 
-//! The numbers of the document's selection in its mode: "12 faces, area 3.4", empty when nothing is selected.
+//! The number and size of the selected elements, such as "12 faces, area 3.4"; empty when nothing is
+//! selected.
 QString selectionSummary(const class Document &document);
 
 } // namespace autocuts

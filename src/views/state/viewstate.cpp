@@ -8,7 +8,7 @@ namespace {
 
 using namespace Qt::Literals::StringLiterals;
 
-//! Every option with its name in files, so that writing and reading agree.
+//! Visits every option with its name in files, so that reading and writing use the same names.
 template <typename Options, typename Visit>
 void visitFlags(Options &options, Visit visit)
 {

@@ -1,4 +1,5 @@
-// How the model and the map are shown, for both views together. Not part of the work: not undoable.
+// Options for how the model and the map are shown, shared by both views. Not part of the document: not
+// undoable.
 #pragma once
 
 #include <QCborMap>
@@ -9,49 +10,51 @@
 
 namespace autocuts {
 
-//! What gives the faces their colour, in both views.
+//! What the colours of the faces show, in both views.
 enum class Coloring { Plain, Islands, SignedStretch, StretchMagnitude, PaintWeights };
-//! The pattern that the UVs put on the model, and that lies behind the map.
+//! The pattern on the model, by its UVs, and behind the map.
 enum class Pattern { None, Checker, Texture };
 
-//! Which side panels of a picture are shown.
+//! The options of both views.
 struct ViewOptions
 {
     Coloring coloring = Coloring::Plain;
     Pattern pattern = Pattern::None;
     bool smoothShading = false;
-    bool livePacking = false; //!< while solving, the islands are shown beside each other
-    bool wireframe = true;    //!< edges of polygons; diagonals are never drawn
-    bool seams = true;     //!< seams of the map; while solving the separation energy as a red hue (figure 4)
-    bool steering = true;  //!< forced cuts and joins, rectangles and pins
-    bool selection = true; //!< what is selected
-    bool problems = true;  //!< flipped triangles, and overlaps hatched
+    bool livePacking = false; //!< while a solve runs, show the islands side by side
+    bool wireframe = true;    //!< polygon edges; diagonals are never drawn
+    //! Seams of the map; while a solve runs, the separation energy as a red hue (paper, figure 4).
+    bool seams = true;
+    bool steering = true;      //!< cut and joined edges, rectangles and pins
+    bool selection = true;     //!< mark selected elements
+    bool problems = true;      //!< mark flipped triangles, and hatch overlaps
     bool fillIslands = true;   //!< UV view
     bool grid = true;          //!< UV view: grid, unit square and tiles; 3D view: ground
     bool rulers = true;        //!< UV view, in texels
     bool orthographic = false; //!< 3D view
     double stretchClamp = 1;   //!< signed stretch: the log2 of the area ratio that gets the full colour
-    double magnitudeClamp = 8; //!< magnitude: the symmetric Dirichlet energy that gets the full colour; > 4
-    double checkerSize = 16;   //!< squares along a side of the unit square
-    QString texturePath;       //!< image file, empty: none
+    //! Magnitude: the symmetric Dirichlet energy that gets the full colour; above 4.
+    double magnitudeClamp = 8;
+    double checkerSize = 16; //!< squares along each side of the unit square
+    QString texturePath;     //!< image file; empty for none
 
     bool operator==(const ViewOptions &) const = default;
     QCborMap toCbor() const;
-    //! Fields that are missing or not valid keep their defaults.
+    //! Reads the options; missing or invalid ones keep their defaults.
     static ViewOptions fromCbor(const QCborMap &map);
 };
 
-//! What the mouse is over, in whichever view it is. -1 for none.
+//! The elements under the mouse in either view; -1 for none.
 struct Hover
 {
     int triangle = -1;
-    int edge = -1;   //!< of MeshAdjacency, near the mouse
-    int corner = -1; //!< polygon corner, near the mouse
+    int edge = -1;   //!< edge of MeshAdjacency near the mouse
+    int corner = -1; //!< polygon corner near the mouse
 
     bool operator==(const Hover &) const = default;
 };
 
-//! Options and hover, shared by the views, the panels and the actions.
+//! View options and hovered elements, shared by the views, the panels and the actions.
 class ViewState final : public QObject
 {
     Q_OBJECT

@@ -1,4 +1,4 @@
-// A colour to choose.
+// A button for choosing a colour.
 #pragma once
 
 #include <QColor>
@@ -6,13 +6,13 @@
 
 namespace autocuts {
 
-//! A button that shows a colour and opens a dialog to choose another one.
+//! Shows a colour and opens a dialog to choose another one.
 class ColorButton final : public QPushButton
 {
     Q_OBJECT
 
 public:
-    //! \param title of the colour dialog
+    //! \param title title of the colour dialog
     explicit ColorButton(const QString &title, QWidget *parent = nullptr);
 
     const QColor &color() const { return mColor; }

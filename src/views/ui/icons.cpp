@@ -1,4 +1,4 @@
-// Tinting by painting an SVG once and filling what it covers with the colour wanted.
+// Icons are tinted by painting an SVG once and filling the painted area with a colour.
 #include "views/ui/icons.h"
 
 #include <QDir>
@@ -10,7 +10,8 @@
 #include <QPixmapCache>
 #include <QSvgRenderer>
 
-//! The resources lie in a static library, where nothing else brings them in. Outside of any namespace.
+//! Needed because the resources are in a static library, where the linker would drop them. Must be outside of
+//! any namespace.
 static void initResources()
 {
     Q_INIT_RESOURCE(autocuts);
@@ -39,11 +40,11 @@ QColor tint(QIcon::Mode mode)
     }
 }
 
-//! Paints one SVG file at any size.
+//! Paints an SVG file at any size.
 class SvgIconEngine final : public QIconEngine
 {
 public:
-    //! \param tinted false: in the colours of the file
+    //! \param tinted false: use the colours of the file
     SvgIconEngine(const QString &file, bool tinted) : mFile(file), mTinted(tinted) {}
 
     QIconEngine *clone() const override { return new SvgIconEngine(mFile, mTinted); }

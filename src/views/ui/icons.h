@@ -1,4 +1,4 @@
-// Icons drawn for this program: lines in one colour, tinted by the palette.
+// The program's icons: lines in one colour, tinted with the palette.
 #pragma once
 
 #include <QIcon>
@@ -7,14 +7,14 @@
 
 namespace autocuts {
 
-//! The icon of resources/icons with this name, in the text colour of the application's palette at the moment
-//! it is painted, sharp at every size and pixel ratio. A null icon when there is none.
+//! The icon of this name in resources/icons. It is drawn in the text colour that the application's palette
+//! has at that moment, and is sharp at every size and pixel ratio. A null icon when there is none.
 QIcon icon(const QString &name);
-//! The same in the colours of the file: for messages.
+//! The same icon in the colours of its file; used in messages.
 QIcon coloredIcon(const QString &name);
-//! The program's own icon.
+//! The icon of the program.
 QIcon applicationIcon();
-//! Names of all icons.
+//! The names of all icons.
 QStringList iconNames();
 
 } // namespace autocuts

@@ -1,4 +1,4 @@
-// The INI file: one group each for values, recent files, shortcuts and the window.
+// Preferences in an INI file with one group each for values, recent files, shortcuts and the window.
 #include "views/ui/preferences.h"
 
 #include "model/plain/packingsettings.h"
@@ -13,7 +13,7 @@ namespace autocuts {
 
 namespace {
 
-// Names in the file; never changed.
+// Keys in the file; never change them.
 const QString navigationKey = QStringLiteral("values/navigation");
 const QString themeKey = QStringLiteral("values/theme");
 const QString colorBlindKey = QStringLiteral("values/colorBlindHeatMap");
@@ -54,7 +54,7 @@ double readDouble(const QSettings &settings, const QString &key, double fallback
     return ok && value >= lowest && value <= highest ? value : fallback;
 }
 
-//! The file may have been written by hand, or by another version.
+//! Values are checked, because users or other versions may have written the file.
 PreferenceValues readValues(const QSettings &settings)
 {
     using Limits = PreferenceLimits;

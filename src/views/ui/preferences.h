@@ -1,4 +1,4 @@
-// What a user chooses once for all sessions, kept between runs of the program.
+// The user's preferences, kept between runs of the program.
 #pragma once
 
 #include <QByteArray>
@@ -14,27 +14,27 @@ namespace autocuts {
 enum class NavigationPreset { Blender, Maya };
 enum class Theme { Dark, Light };
 
-//! The values that the preferences dialog edits.
+//! The values of the preferences dialog.
 struct PreferenceValues
 {
     NavigationPreset navigation = NavigationPreset::Blender;
     Theme theme = Theme::Dark;
-    bool colorBlindHeatMap = false; //!< heat-maps in colours that all can tell apart
+    bool colorBlindHeatMap = false; //!< use colours in heat-maps that colour-blind people can distinguish
     QColor seamColor = QColor(0xDB2512);
     QColor selectionColor = QColor(0xFF9A1F);
-    QColor forcedCutColor = QColor(0x2F7BFF); //!< cuts that the user asked for
+    QColor forcedCutColor = QColor(0x2F7BFF); //!< edges that the user cut
     QColor joinedColor = QColor(0x37B24D);    //!< edges that the user joined
-    int textureSize = 2048;                   //!< of new sessions, texels
-    int margin = 8;                           //!< of new sessions, texels
-    double maxDistortion = 4.1;               //!< distortion budget offered first
+    int textureSize = 2048;                   //!< texels; for new sessions
+    int margin = 8;                           //!< texels of gutter; for new sessions
+    double maxDistortion = 4.1;               //!< initial distortion budget
     int autosaveMinutes = 2;                  //!< 0: no autosave
     int undoMemoryMb = 400;
-    bool solveOnOpen = false; //!< start solving as soon as a model without UVs was opened
+    bool solveOnOpen = false; //!< start solving when a model without UVs is opened
 
     bool operator==(const PreferenceValues &) const = default;
 };
 
-//! Ranges of the numbers above.
+//! Limits of the numbers above.
 struct PreferenceLimits
 {
     static constexpr int minTextureSize = 16;
@@ -44,8 +44,8 @@ struct PreferenceLimits
     static constexpr int minUndoMemoryMb = 10, maxUndoMemoryMb = 100000;
 };
 
-//! Preferences, recent files, shortcuts and the window's layout, in one INI file. Everything that is changed
-//! is written at once.
+//! Preferences, recent files, shortcuts and the window's layout, in one INI file. Every change is written at
+//! once.
 class Preferences final : public QObject
 {
     Q_OBJECT
@@ -53,18 +53,18 @@ class Preferences final : public QObject
 public:
     static constexpr int maxRecentFiles = 12;
 
-    //! \param file INI file, made when it is not there
+    //! \param file INI file, created when it does not exist
     explicit Preferences(const QString &file, QObject *parent = nullptr);
 
     const PreferenceValues &values() const { return mValues; }
     void setValues(const PreferenceValues &values);
 
-    //! The newest first; files that are gone stay listed.
+    //! The recent files, the newest first, including files that no longer exist.
     QStringList recentFiles() const;
     void addRecentFile(const QString &path);
     void clearRecentFiles();
 
-    //! Keys that differ from the default, by action id; an empty sequence means none.
+    //! Shortcuts that differ from the default, by action id; an empty sequence means no shortcut.
     QMap<QString, QKeySequence> shortcuts() const;
     void setShortcuts(const QMap<QString, QKeySequence> &shortcuts);
 
@@ -72,7 +72,7 @@ public:
     QByteArray windowState() const;
     void setWindowLayout(const QByteArray &geometry, const QByteArray &state);
 
-    //! Folder for the file dialogs: the one last used.
+    //! The folder for file dialogs: the one used last.
     QString lastFolder() const;
     void setLastFolder(const QString &folder);
 

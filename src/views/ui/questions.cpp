@@ -13,7 +13,7 @@ namespace autocuts {
 
 namespace {
 
-//! "*.obj" of the filter "Wavefront OBJ (*.obj)": what is added to a name without a suffix.
+//! The suffix that is added to a name without one: "*.obj" of the filter "Wavefront OBJ (*.obj)".
 QString firstSuffix(const QString &filter)
 {
     const qsizetype begin = filter.indexOf(QLatin1String("*."));

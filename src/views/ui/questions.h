@@ -1,4 +1,4 @@
-// Everything that the actions ask the user, in one place, so that tests can answer.
+// All questions that the program asks the user; tests replace them by answers.
 #pragma once
 
 #include "model/document/result.h"
@@ -13,7 +13,7 @@ class QDialog;
 
 namespace autocuts {
 
-//! Asks with dialogs over a window. Tests override what they want to answer.
+//! Asks by dialogs over a window. Tests override the functions.
 class Questions
 {
     Q_DECLARE_TR_FUNCTIONS(autocuts::Questions)
@@ -24,23 +24,24 @@ public:
     explicit Questions(QWidget *window = nullptr) : mWindow(window) {}
     virtual ~Questions() = default;
 
-    //! The window that the questions are about; null for none.
+    //! The parent window of the dialogs; null for none.
     QWidget *window() const { return mWindow; }
     void setWindow(QWidget *window) { mWindow = window; }
 
-    //! \param name of the session
+    //! \param name name of the session
     virtual Unsaved askUnsaved(const QString &name);
     //! \returns true for the button with the text `action`, false for Cancel
     virtual bool confirm(const QString &question, const QString &detail, const QString &action);
-    //! \param filters as QFileDialog's; \returns an empty text when the user cancelled
+    //! \param filters as for QFileDialog
+    //! \returns an empty string when the user cancelled
     virtual QString fileToOpen(const QString &title, const QString &folder, const QStringList &filters);
-    //! Asks before an existing file is replaced. \param path proposed
+    //! Asks before an existing file is replaced. \param path the proposed path
     virtual QString fileToSave(const QString &title, const QString &path, const QStringList &filters);
-    //! Shows one of the program's own dialogs; \returns what QDialog::exec() does
+    //! Shows one of the program's own dialogs. \returns the result of QDialog::exec()
     virtual int run(QDialog &dialog);
-    //! Returns at once; the message stays until the user closes it.
+    //! Shows an error; returns at once, and the message stays until the user closes it.
     virtual void showError(const Error &error);
-    //! Opens a folder in the desktop's file manager.
+    //! Opens a folder in the file manager of the desktop.
     virtual void showFolder(const QString &folder);
 
 private:

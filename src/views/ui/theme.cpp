@@ -1,4 +1,4 @@
-// Neutral greys, so that colours mean something in the views only; one blue accent for what is chosen.
+// Neutral greys with one blue accent for selected items, so that only the views use colours with a meaning.
 #include "views/ui/theme.h"
 
 #include "views/ui/icons.h"
@@ -14,7 +14,7 @@ namespace autocuts {
 
 namespace {
 
-//! The colours that a theme chooses; the rest is derived.
+//! The colours that a theme defines; others are derived from them.
 struct ThemeColors
 {
     QRgb window, base, alternateBase, button, text, dimText, disabledText;
@@ -59,7 +59,7 @@ QString name(QRgb color)
     return QColor(color).name();
 }
 
-//! Only what the palette cannot say. Everything else stays with the style, which knows high-DPI and focus.
+//! Only for what the palette cannot express. The style handles everything else, including high DPI and focus.
 QString styleSheetOf(const ThemeColors &colors)
 {
     return QStringLiteral(
@@ -80,7 +80,7 @@ QString styleSheetOf(const ThemeColors &colors)
              name(colors.accent), name(colors.dimText), name(colors.disabledText));
 }
 
-//! Fusion with plainer text and buttons, and the program's own icons in messages.
+//! The Fusion style with plainer text and buttons, and with the program's icons in messages.
 class StudioStyle final : public QProxyStyle
 {
 public:
@@ -94,7 +94,7 @@ public:
         return QProxyStyle::styleHint(hint, option, widget, data);
     }
 
-    //! Fusion outlines with a darker window colour, which is lost on a dark window.
+    //! Fusion draws outlines in a darker window colour, which is invisible on a dark window.
     void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
                        const QWidget *widget) const override
     {
@@ -109,7 +109,7 @@ public:
         QProxyStyle::drawPrimitive(element, &outlined, painter, widget);
     }
 
-    //! The icon of the item under the mouse has the colour of its text.
+    //! The icon of the item under the mouse gets the colour of its text.
     void drawControl(ControlElement element, const QStyleOption *option, QPainter *painter,
                      const QWidget *widget) const override
     {

@@ -1,4 +1,4 @@
-// How the program looks: colours and the shape of widgets, dark or light.
+// The dark and light themes: colours and the style of widgets.
 #pragma once
 
 #include "views/ui/preferences.h"
@@ -7,8 +7,7 @@ class QApplication;
 
 namespace autocuts {
 
-//! Gives the application a style, a palette and a style sheet; does nothing when they are its
-//! present ones.
+//! Sets the style, palette and style sheet of the application; does nothing when they are current.
 void applyTheme(QApplication &application, Theme theme);
 
 } // namespace autocuts
