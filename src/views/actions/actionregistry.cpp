@@ -1,4 +1,4 @@
-// Actions from the table: texts, tooltips, groups, keys.
+// Makes actions from the table: texts, tooltips, groups, shortcuts.
 #include "views/actions/actionregistry.h"
 
 #include "views/ui/icons.h"
@@ -54,9 +54,9 @@ ActionRegistry::ActionRegistry(Preferences &preferences, QObject *parent)
         action->setText(translated(info.text));
         action->setIconText(actionTitle(info));
         action->setCheckable(info.checkable);
-        // Menus show their check mark in its place.
+        // Menus show the check mark instead of the icon.
         action->setIconVisibleInMenu(!info.checkable);
-        // No roles: other platforms would move the actions to other menus.
+        // Without a role: other platforms would move actions with roles to other menus.
         action->setMenuRole(QAction::NoRole);
         if (const QString group = QLatin1String(info.group); !group.isEmpty()) {
             if (!groups.contains(group))

@@ -12,12 +12,12 @@ namespace autocuts {
 
 class Preferences;
 
-//! Translated name without mnemonic and dots, for tooltips and lists.
+//! The translated name without mnemonic and ellipsis, for tooltips and lists.
 QString actionTitle(const ActionInfo &info);
-//! The keys that the table gives.
+//! The shortcuts in the table.
 QList<QKeySequence> defaultShortcuts(const ActionInfo &info);
 
-//! Makes the actions of actionTable() and keeps their shortcuts as the preferences say.
+//! Creates the actions of actionTable(), with the shortcuts from the preferences.
 class ActionRegistry final : public QObject
 {
     Q_OBJECT
@@ -30,10 +30,10 @@ public:
     const std::vector<QAction *> &actions() const { return mActions; }
     const ActionInfo &info(const QAction *action) const;
 
-    //! Other actions of the same shortcut, for the shortcut editor.
+    //! Other actions with the same shortcut, for the shortcut editor.
     QList<QAction *> conflicts(const QAction *action, const QKeySequence &keys) const;
 
-    //! Enables the actions whose needs are all met. \param met mask of ActionNeed
+    //! Enables the actions whose conditions are all met. \param met mask of ActionNeed
     void setMet(int met);
 
 private:

@@ -11,7 +11,7 @@ namespace autocuts {
 
 ActionStates::ActionStates(const StudioContext &context, QObject *parent) : QObject(parent), mContext(context)
 {
-    // At once and not when the event loop comes to it: the next key must find the right actions.
+    // Updated at once instead of in the event loop, because the next key press must find the right actions.
     connect(&context.workspace, &Workspace::documentReplaced, this, &ActionStates::refresh);
     connect(&context.workspace, &Workspace::selectionChanged, this, &ActionStates::refresh);
     connect(&context.workspace, &Workspace::historyChanged, this, &ActionStates::refresh);
@@ -22,7 +22,7 @@ ActionStates::ActionStates(const StudioContext &context, QObject *parent) : QObj
     refresh();
 }
 
-//! The search for a UV is repeated only when UVs changed.
+//! UVs are searched for again only after they have changed.
 bool ActionStates::hasUvs() const
 {
     if (mContext.workspace.hasMapOf(mUvToken))
@@ -48,7 +48,7 @@ int ActionStates::met() const
     add(!selection.edges.isEmpty(), NeedsSelectedEdges);
     add(!selection.faces.isEmpty(), NeedsSelectedFaces);
     add(!selection.edges.isEmpty() || !selection.faces.isEmpty(), NeedsEdgesOrFaces);
-    // A run in progress can be undone: it becomes an entry first.
+    // A running solve can be undone: pausing first makes it an entry.
     add(document->undoStack().canUndoFurther() || solver.isRunning() || solver.isPausing(), NeedsUndo);
     add(document->undoStack().canRedo(), NeedsRedo);
     const MapFigures *figures = mContext.map.figures();

@@ -1,4 +1,4 @@
-// Which actions are possible at the moment.
+// Enables and disables actions.
 #pragma once
 
 #include "model/plain/statetoken.h"
@@ -8,7 +8,7 @@
 
 namespace autocuts {
 
-//! Watches document, selection, history, solver and jobs, and enables the actions whose needs are met.
+//! Watches document, selection, history, solver and jobs, and enables the actions whose conditions are met.
 class ActionStates final : public QObject
 {
     Q_OBJECT
@@ -16,18 +16,18 @@ class ActionStates final : public QObject
 public:
     explicit ActionStates(const StudioContext &context, QObject *parent = nullptr);
 
-    //! Mask of ActionNeed that holds now.
+    //! The mask of ActionNeed conditions that are met now.
     int met() const;
 
 public Q_SLOTS:
-    //! Happens by itself when something changed.
+    //! Called automatically after every change.
     void refresh();
 
 private:
     bool hasUvs() const;
 
     StudioContext mContext;
-    mutable StateToken mUvToken; //!< of the state that mHasUvs is about
+    mutable StateToken mUvToken; //!< the state for which mHasUvs was computed
     mutable bool mHasUvs = false;
 };
 

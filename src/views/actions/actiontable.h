@@ -1,4 +1,4 @@
-// The table of all actions: id, place in the menus, text, icon, default key, what it needs.
+// The table of all actions: id, place in the menus, text, icon, default shortcut, conditions.
 #pragma once
 
 #include "views/actions/actioninfo.h"

@@ -19,7 +19,7 @@ QString plainMenuTitle(const QString &path)
     return menuTitle(path).remove(QLatin1Char('&'));
 }
 
-//! Actions of submenus have its name before their own.
+//! Actions in submenus are preceded by the name of the submenu.
 QString rowText(const ActionInfo &info)
 {
     const QString path = QLatin1String(info.menu);
@@ -37,7 +37,7 @@ bool matches(const QTreeWidgetItem &item, int columns, const QString &text)
     return false;
 }
 
-//! Rows with some room between the texts.
+//! Rows with some space between their texts.
 class RoomyRows final : public QStyledItemDelegate
 {
 public:
@@ -56,7 +56,7 @@ void fillActionTree(QTreeWidget &tree, const ActionRegistry &actions,
 {
     tree.clear();
     std::map<QString, QTreeWidgetItem *> branches;
-    // So that texts stand below each other whether there is an icon or not.
+    // An empty icon keeps texts aligned when an action has no icon.
     QPixmap empty(16, 16);
     empty.fill(Qt::transparent);
     const QIcon emptyIcon(empty);

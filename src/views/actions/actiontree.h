@@ -1,4 +1,4 @@
-// Actions in a tree by menu, as the shortcut editor and the list of keys show them.
+// A tree of actions by menu, for the shortcut editor and the list of shortcuts.
 #pragma once
 
 #include <QString>
@@ -13,15 +13,15 @@ namespace autocuts {
 
 class ActionRegistry;
 
-//! Fills a tree: one branch per menu, and per action its name in column 0 and its keys in column 1.
-//! \param accept actions to show; all when empty
+//! Fills a tree with one branch per menu; each action has its name in column 0 and its shortcuts in column 1.
+//! \param accept true for the actions to show; all when empty
 void fillActionTree(QTreeWidget &tree, const ActionRegistry &actions,
                     const std::function<bool(const QAction &)> &accept = {});
-//! Null for the branches.
+//! The action of an item; null for branches.
 QAction *actionOfItem(const QTreeWidgetItem &item);
-//! Hides the rows that have the text in no column.
+//! Hides the rows in which no column contains the text.
 void filterActionTree(QTreeWidget &tree, const QString &text);
-//! The keys of an action as the user sees them.
+//! The shortcuts of an action as shown to the user.
 QString keyText(const QAction &action);
 
 } // namespace autocuts

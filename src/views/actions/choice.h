@@ -1,4 +1,4 @@
-// Settings with a few values, each chosen by an action of its own.
+// Settings with few values, each selected by its own action.
 #pragma once
 
 #include "views/actions/actionregistry.h"
@@ -7,7 +7,7 @@
 
 namespace autocuts {
 
-//! A value, and the checkable action that chooses it.
+//! A value and the checkable action that selects it.
 template <typename Value>
 struct Choice
 {
@@ -15,7 +15,7 @@ struct Choice
     Value value;
 };
 
-//! Checks the action of the current value and no other one.
+//! Checks the action of the current value, and no other.
 template <typename Value, std::size_t Count>
 void showChoice(const ActionRegistry &actions, const Choice<Value> (&choices)[Count], Value current)
 {

@@ -20,7 +20,7 @@ EditActions::EditActions(const StudioContext &context, Questions &questions, QOb
     connect(&context.workspace, &Workspace::historyChanged, this, &EditActions::showTexts);
 }
 
-//! A run in progress becomes an entry first, and is what is undone.
+//! A running solve becomes an entry first, which is then undone.
 void EditActions::undo()
 {
     mContext.solver.whenPaused([this] {

@@ -9,7 +9,7 @@ namespace autocuts {
 
 class Questions;
 
-//! Undo, redo, preferences and keys.
+//! Undo, redo, preferences and shortcuts.
 class EditActions final : public QObject
 {
     Q_OBJECT

@@ -110,7 +110,7 @@ void FileActions::leaveSession(const std::function<void()> &then)
     mContext.solver.whenPaused([this, then] {
         if (!mayLeave())
             return;
-        // What a job makes of the old session is not wanted any more.
+        // Results of jobs on the old session are no longer needed.
         mContext.map.jobs().abandon();
         then();
     });
@@ -232,7 +232,7 @@ void FileActions::offerRecovery()
         leaveSession([this, session = dialog.chosen()] { mContext.files.recover(session); });
 }
 
-//! Beside the session or the model, with another suffix; without one for an empty suffix.
+//! A path next to the session or the model with another suffix; without suffix when it is empty.
 QString FileActions::proposedPath(const QString &suffix) const
 {
     QString base = mContext.workspace.sessionPath();

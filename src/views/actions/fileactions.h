@@ -1,4 +1,4 @@
-// The File menu, and the questions before work would be lost.
+// The File menu, and the questions before unsaved work would be lost.
 #pragma once
 
 #include "views/control/studiocontext.h"
@@ -12,8 +12,8 @@ namespace autocuts {
 class MenuBuilder;
 class Questions;
 
-//! Opens, saves and exports what the user chooses. Every way to leave a session settles the solver first and
-//! asks about unsaved changes.
+//! Opens, saves and exports files chosen by the user. Before a session is closed in any way, the solver is
+//! paused and the user is asked about unsaved changes.
 class FileActions final : public QObject
 {
     Q_OBJECT
@@ -21,16 +21,16 @@ class FileActions final : public QObject
 public:
     FileActions(const StudioContext &context, Questions &questions, QObject *parent = nullptr);
 
-    //! Adds the recent files to their menu and keeps them.
+    //! Adds the recent files to their menu and keeps the menu up to date.
     void fillRecentMenu(MenuBuilder &menus);
-    //! Opens a mesh or a session from wherever it came: command line, drag and drop, recent files.
+    //! Opens a mesh or a session from the command line, by drag and drop, or from the recent files.
     void openFile(const QString &path);
-    //! Offers what a crash left behind; shows nothing when there is none.
+    //! Offers to recover sessions after a crash; shows nothing when there are none.
     void offerRecovery();
-    //! For the window's closeEvent. False when the user cancelled, or when a solve has to be settled first:
-    //! then the window is closed again once it is.
+    //! For the window's closeEvent. False when the user cancelled, or when a solve has to be paused first;
+    //! the window is then closed again after that.
     bool mayClose();
-    //! Saves under the session's own name, or asks for one.
+    //! Saves to the session's file, or asks for one.
     void save();
     void saveAs();
 

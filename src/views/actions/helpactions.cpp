@@ -23,7 +23,7 @@ HelpActions::HelpActions(const StudioContext &context, Questions &questions, con
         questions.run(dialog);
     });
     connect(actions.action("help.recovery"), &QAction::triggered, this, [&questions, recoveryFolder] {
-        // It is not there before the first session.
+        // The folder does not exist before the first session.
         QDir().mkpath(recoveryFolder);
         questions.showFolder(recoveryFolder);
     });

@@ -9,13 +9,13 @@ namespace autocuts {
 
 class Questions;
 
-//! List of keys, recovery folder, about.
+//! List of shortcuts, recovery folder, about dialog.
 class HelpActions final : public QObject
 {
     Q_OBJECT
 
 public:
-    //! \param recoveryFolder where autosaves are kept
+    //! \param recoveryFolder folder of the autosaves
     HelpActions(const StudioContext &context, Questions &questions, const QString &recoveryFolder,
                 QObject *parent = nullptr);
 };

@@ -31,7 +31,7 @@ std::vector<Vec2> pointsOf(const Document &document, const IslandPiece &piece)
     return points;
 }
 
-//! The selected edges of a piece as they lie in the map.
+//! The directions of a piece's selected edges in the map.
 std::vector<Vec2> selectedDirections(const Document &document, const IslandPiece &piece)
 {
     const QList<int> &edges = document.selection().edges;
@@ -50,7 +50,7 @@ std::vector<Vec2> selectedDirections(const Document &document, const IslandPiece
     return directions;
 }
 
-//! One transform per piece.
+//! Makes one transform per piece.
 template <typename Function>
 std::vector<Eigen::Affine2d> each(const std::vector<IslandPiece> &pieces, Function function)
 {

@@ -1,4 +1,4 @@
-// The Layout menu: islands aligned, distributed, mirrored, turned, stacked, scattered.
+// The Layout menu: aligning, distributing, mirroring, turning, stacking and scattering islands.
 #pragma once
 
 #include "model/document/arrangement.h"
@@ -14,8 +14,8 @@ namespace autocuts {
 
 class Questions;
 
-//! Lays out the islands of the selection, each operation as one entry. A live solve is paused first. Islands
-//! of one group or stack go as one piece, and locked ones stay.
+//! Arranges the selected islands; each operation is one undo entry. A running live solve is paused first. The
+//! islands of a group or stack move together as one piece, and locked ones stay.
 class IslandActions final : public QObject
 {
     Q_OBJECT
@@ -35,9 +35,9 @@ private:
     void connectTurns();
     void connectStacks();
     void connectDialogs();
-    //! Calls the function once the map rests, when there is a document.
+    //! Calls the function when the solve is paused, if there is a document.
     void onTriggered(const char *id, const std::function<void(Document &)> &function);
-    //! Makes an action move the pieces of the selection.
+    //! Connects an action that moves the pieces of the selection.
     void onPieces(const char *id, UvEdit edit,
                   const std::function<Transforms(const Document &, const Pieces &)> &transforms);
     std::vector<int> selectedIslands(const Document &document) const;
@@ -48,7 +48,7 @@ private:
 
     StudioContext mContext;
     Questions &mQuestions;
-    ScatterRanges mRanges; //!< asked for last
+    ScatterRanges mRanges; //!< the values last chosen in the dialog
 };
 
 } // namespace autocuts

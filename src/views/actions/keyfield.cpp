@@ -24,7 +24,7 @@ bool isModifier(int key)
     }
 }
 
-//! Shift is left out where it only makes the character: "?" instead of "Shift+?".
+//! Shift is left out where it only produces the character: "?" instead of "Shift+?".
 QKeySequence sequenceOf(const QKeyEvent &event)
 {
     Qt::KeyboardModifiers modifiers = event.modifiers();
@@ -66,7 +66,7 @@ void KeyField::stopRecording()
     setText(mKeys.isEmpty() ? tr("None") : mKeys);
 }
 
-//! While recording no shortcut, dialog button or tab order takes a key away.
+//! While recording, keys must not trigger shortcuts, dialog buttons or the tab order.
 bool KeyField::event(QEvent *event)
 {
     if (mRecording && event->type() == QEvent::ShortcutOverride) {

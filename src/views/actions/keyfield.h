@@ -1,4 +1,4 @@
-// A field that records a key.
+// A field that records a shortcut.
 #pragma once
 
 #include <QKeySequence>
@@ -6,8 +6,8 @@
 
 namespace autocuts {
 
-//! Shows keys; a click makes it wait for one key with its modifiers. Escape, or a click elsewhere, ends that
-//! without a change.
+//! Shows shortcuts. A click makes it record the next key with its modifiers. Escape, or a click elsewhere,
+//! stops recording without a change.
 class KeyField final : public QLineEdit
 {
     Q_OBJECT

@@ -1,4 +1,4 @@
-// The part of the table of actions that lays out islands. Included by actiontable.cpp only.
+// The rows of the action table for arranging islands. Included by actiontable.cpp only.
 #pragma once
 
 #include "views/actions/actioninfo.h"
@@ -12,7 +12,7 @@ namespace autocuts {
 inline constexpr int NeedsIdleMap = NeedsDocument | NeedsUvs | NeedsIdle;
 inline constexpr int NeedsPieces = NeedsIdleMap | NeedsSelection;
 
-//! Laying out islands, in menus of their own.
+//! Actions that arrange islands, in their own menus.
 inline constexpr std::array layoutTable{
     ActionInfo{
         "uv.alignLeft", "UV/Layout/Align", QT_TRANSLATE_NOOP("Actions", "&Left sides"), "align-left",

@@ -1,4 +1,4 @@
-// Submenus come where the table names them first.
+// Submenus appear where the table first names them.
 #include "views/actions/menubuilder.h"
 
 #include "views/actions/actionregistry.h"
@@ -42,7 +42,7 @@ constexpr std::array menuTitles{
     MenuTitle{"Help", QT_TRANSLATE_NOOP("Menus", "&Help")},
 };
 
-//! The tool bar; nullptr is a separator.
+//! The actions of the tool bar; nullptr is a separator.
 constexpr const char *toolBarIds[] = {
     "file.open", "file.save",       nullptr,        "edit.undo",    "edit.redo",     nullptr,   "uv.run",
     "uv.step",   "uv.restart",      nullptr,        "uv.unwrap",    "uv.finish",     "uv.pack", "uv.separate",

@@ -1,4 +1,4 @@
-// Menus and tool bar from the table of actions.
+// Builds the menus and the tool bar from the table of actions.
 #pragma once
 
 #include <QString>
@@ -13,7 +13,7 @@ namespace autocuts {
 
 class ActionRegistry;
 
-//! Translated title of the menu at a path of the table, with its mnemonic; empty when it has none.
+//! The translated title, with its mnemonic, of the menu at a path of the table; empty when it has none.
 QString menuTitle(const QString &path);
 
 //! The menus of the program, by their path in the table.
@@ -23,7 +23,8 @@ public:
     //! Fills the menu bar, which owns the menus.
     MenuBuilder(const ActionRegistry &actions, QMenuBar &bar);
 
-    //! To add what the table does not know: "View/Panels". \pre the path is in the table
+    //! A menu to which actions outside of the table are added, such as "View/Panels". \pre the path is in the
+    //! table
     QMenu *menu(const QString &path) const;
     const std::map<QString, QMenu *> &menus() const { return mMenus; }
 
@@ -34,7 +35,7 @@ private:
     std::map<QString, QMenu *> mMenus;
 };
 
-//! The actions that are used all the time: files, history, solver, map, modes.
+//! Adds the most frequently used actions: files, history, solver, map, selection modes.
 void fillToolBar(const ActionRegistry &actions, QToolBar &bar);
 
 } // namespace autocuts

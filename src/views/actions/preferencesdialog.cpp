@@ -30,7 +30,7 @@ QSpinBox *spinBox(int lowest, int highest, const QString &suffix, int step = 1)
     return box;
 }
 
-//! A titled group with a form in it.
+//! Adds a titled group with a form.
 QFormLayout *addGroup(QVBoxLayout *page, const QString &title)
 {
     auto *group = new QGroupBox(title);
@@ -50,7 +50,7 @@ QLabel *hint(const QString &text)
     return label;
 }
 
-//! What the page of that name shows.
+//! Copies the values of the Appearance page.
 void copyAppearance(const PreferenceValues &from, PreferenceValues &to)
 {
     to.theme = from.theme;
@@ -223,7 +223,7 @@ void PreferencesDialog::store()
         mPreferences.setValues(shown());
 }
 
-//! Of the page that is shown; the keys have a button of their own.
+//! Restores the defaults of the visible page; the shortcuts page has its own button.
 void PreferencesDialog::restoreDefaults()
 {
     if (mStack->currentWidget() == mShortcutsPage) {

@@ -19,7 +19,7 @@ class ColorButton;
 class ShortcutsPage;
 
 //! Shows the preferences on pages. Changes take effect at once, so that the window behind shows them; Cancel
-//! brings back what was.
+//! restores the previous values.
 class PreferencesDialog final : public QDialog
 {
     Q_OBJECT

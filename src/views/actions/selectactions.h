@@ -18,7 +18,7 @@ public:
     explicit SelectActions(const StudioContext &context, QObject *parent = nullptr);
 
 private:
-    //! Calls change(document, selection) on a copy of the selection and sets it.
+    //! Calls change(document, selection) on a copy of the selection and sets the result.
     template <typename Change>
     void connectChange(const char *id, Change change);
     void connectMode(const char *id, SelectionMode mode);

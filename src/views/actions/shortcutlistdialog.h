@@ -1,4 +1,4 @@
-// All keys on one page.
+// A list of all shortcuts.
 #pragma once
 
 #include <QDialog>
@@ -9,7 +9,7 @@ namespace autocuts {
 
 class ActionRegistry;
 
-//! The actions that have a key, by menu, with what they do.
+//! Shows the actions that have a shortcut, by menu, with what they do.
 class ShortcutListDialog final : public QDialog
 {
     Q_OBJECT

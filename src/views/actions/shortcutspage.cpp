@@ -52,7 +52,7 @@ void ShortcutsPage::build()
     edit->addWidget(mConflict, 1, 0, 1, 3);
     edit->addWidget(mTakeOver, 1, 3);
     edit->setColumnStretch(0, 1);
-    // The row of the conflict keeps its room, so that nothing jumps.
+    // The row of the conflict always takes its space, so that the layout does not jump.
     edit->setRowMinimumHeight(1, mTakeOver->sizeHint().height());
     auto *top = new QHBoxLayout;
     top->addWidget(mSearch, 1);
@@ -82,7 +82,7 @@ void ShortcutsPage::connectAll()
     connect(&mPreferences, &Preferences::shortcutsChanged, this, &ShortcutsPage::showCurrent);
 }
 
-//! Keys of all rows, and the current action below.
+//! Updates the shortcuts of all rows and the field of the current action.
 void ShortcutsPage::showCurrent()
 {
     const QMap<QString, QKeySequence> changed = mPreferences.shortcuts();
@@ -160,7 +160,7 @@ void ShortcutsPage::takeOver()
     store(action, {keys});
 }
 
-//! Of several keys the first one is kept.
+//! Only the first of several shortcuts is stored.
 void ShortcutsPage::store(const QAction *action, const QList<QKeySequence> &keys)
 {
     QMap<QString, QKeySequence> shortcuts = mPreferences.shortcuts();
@@ -178,7 +178,7 @@ void ShortcutsPage::resetCurrent()
     const QAction *const action = current();
     if (!action)
         return;
-    // The default may meanwhile belong to another action.
+    // The default may belong to another action now.
     const QList<QKeySequence> defaults = defaultShortcuts(mActions.info(action));
     for (const QKeySequence &keys : defaults) {
         if (!mActions.conflicts(action, keys).isEmpty()) {

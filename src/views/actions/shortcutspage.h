@@ -17,8 +17,8 @@ class ActionRegistry;
 class KeyField;
 class Preferences;
 
-//! Shows the keys of all actions and records others. Changes are in the preferences at once. A key that
-//! another action has is taken over only after the user saw whose it is.
+//! Shows the shortcuts of all actions and records new ones. Changes are written to the preferences at once. A
+//! shortcut of another action is reassigned only after the user was shown which action that is.
 class ShortcutsPage final : public QWidget
 {
     Q_OBJECT
@@ -26,14 +26,14 @@ class ShortcutsPage final : public QWidget
 public:
     ShortcutsPage(Preferences &preferences, ActionRegistry &actions, QWidget *parent = nullptr);
 
-    //! Gives the current action a key, or shows the conflict.
+    //! Assigns a shortcut to the current action, or shows the conflict.
     void assign(const QKeySequence &keys);
-    //! Takes the key of the conflict that is shown away from the others.
+    //! Removes the shown conflicting shortcut from the other actions and assigns it.
     void takeOver();
     void resetCurrent();
     void resetAll();
     void setCurrent(const QAction *action);
-    //! Text of the conflict that is shown; empty when there is none.
+    //! Text of the shown conflict; empty when there is none.
     QString conflictText() const;
 
 private:
@@ -50,7 +50,7 @@ private:
     QLabel *mName, *mConflict;
     KeyField *mKey;
     QPushButton *mClear, *mReset, *mResetAll, *mTakeOver;
-    QKeySequence mPending; //!< key of the conflict that is shown
+    QKeySequence mPending; //!< shortcut of the shown conflict
 };
 
 } // namespace autocuts

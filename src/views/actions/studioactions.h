@@ -1,4 +1,4 @@
-// All menus at work: what the main window needs to make of the actions.
+// All menus and their actions, as the main window needs them.
 #pragma once
 
 #include "views/actions/actionstates.h"
@@ -16,7 +16,7 @@ namespace autocuts {
 class StudioActions final
 {
 public:
-    //! \param questions asked over the window; outlives this
+    //! \param questions asks over the window; must outlive this object
     StudioActions(const StudioContext &context, Questions &questions, const QString &recoveryFolder)
         : mFile(context, questions), mEdit(context, questions), mSelect(context), mUv(context),
           mIslands(context, questions), mView(context, questions), mHelp(context, questions, recoveryFolder),

@@ -130,7 +130,7 @@ void UvActions::connectSteering()
     connectFlags("uv.ungroup", SetIslandFlags::Edit::Ungroup);
 }
 
-//! The user takes over where the solver is when it chose lambda and delta itself.
+//! When the solver has chosen lambda and delta, the user continues from its values.
 SolveSettings UvActions::settingsInEffect()
 {
     SolveSettings settings = mContext.workspace.document()->solveSettings();
@@ -148,7 +148,7 @@ SolveSettings UvActions::settingsInEffect()
 void UvActions::changeLambda(double change)
 {
     SolveSettings settings = settingsInEffect();
-    // Rounded, so that as many steps back end where they began.
+    // Rounded, so that equally many steps up and down give the original value.
     settings.lambda = std::clamp(std::round((settings.lambda + change) * 1e9) / 1e9, 0.0, 1.0);
     pushTyped(settings);
 }
@@ -160,7 +160,7 @@ void UvActions::changeDelta(double factor)
     pushTyped(settings);
 }
 
-//! Presses in quick succession are one entry.
+//! Presses in quick succession become one entry.
 void UvActions::pushTyped(const SolveSettings &settings)
 {
     Document &document = *mContext.workspace.document();

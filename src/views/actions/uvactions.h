@@ -11,7 +11,7 @@
 
 namespace autocuts {
 
-//! Connects the UV menu to the live solver, the jobs on whole maps, and the commands of steering.
+//! Connects the UV menu to the live solver, the jobs on whole maps and the steering commands.
 class UvActions final : public QObject
 {
     Q_OBJECT
@@ -28,7 +28,7 @@ private:
     void connectSteering();
     template <typename Function>
     void onTriggered(const char *id, Function function);
-    //! Makes a checkable action set one field of the settings.
+    //! Connects a checkable action that sets one field of the settings.
     template <typename Value>
     void connectSetting(const char *id, Value SolveSettings::*field, Value value);
 
@@ -43,9 +43,9 @@ private:
     void showState();
 
     StudioContext mContext;
-    QTimer mTyping; //!< runs while presses of one key belong together
+    QTimer mTyping; //!< runs while repeated presses of a key belong to one entry
     quint64 mTypedGesture = 0;
-    int mTypedIndex = -1; //!< of the undo stack after the last press
+    int mTypedIndex = -1; //!< index of the undo stack after the last press
 };
 
 } // namespace autocuts

@@ -124,7 +124,7 @@ void ViewActions::askTexture()
     const QString path = mQuestions.fileToOpen(tr("Load texture"), folder, imageFilters());
     if (!path.isEmpty())
         loadTexture(path);
-    // The group has checked an action that may not have come true.
+    // The action group may have checked an action whose option was not set.
     showOptions();
 }
 
@@ -164,7 +164,7 @@ void ViewActions::nextHeatMap()
     mContext.view.setOptions(options);
 }
 
-//! The texture is left out while none was chosen.
+//! The texture is skipped when none was chosen.
 void ViewActions::nextPattern()
 {
     ViewOptions options = mContext.view.options();

@@ -10,10 +10,10 @@ namespace autocuts {
 
 class Questions;
 
-//! Which of the two views have the room.
+//! Which of the two views are visible.
 enum class ViewLayout { Both, Only3d, OnlyUv };
 
-//! Connects the View menu to the view options. What only the window can do is passed on by signals.
+//! Connects the View menu to the view options. Signals pass on what only the window can do.
 class ViewActions final : public QObject
 {
     Q_OBJECT
@@ -22,10 +22,10 @@ public:
     ViewActions(const StudioContext &context, Questions &questions, QObject *parent = nullptr);
 
     ViewLayout layout() const { return mLayout; }
-    //! Checks the action; emits layoutChosen() when it differs.
+    //! Checks the action of the layout; emits layoutChosen() when it changes.
     void setLayout(ViewLayout layout);
 
-    //! The picture becomes the pattern of both views.
+    //! Loads an image and makes it the pattern of both views.
     void loadTexture(const QString &path);
 
 Q_SIGNALS:

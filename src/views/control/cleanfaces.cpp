@@ -30,7 +30,7 @@ CleanPart cleanPart(const MapWithSeams &map, int triangle, const JobContext &job
     if (job.stopped())
         return {};
     for (int t : triangles) {
-        // The triangles of a face follow each other.
+        // The triangles of a face are consecutive.
         if (part.faces.isEmpty() || part.faces.last() != map.mesh->triangleFace[t])
             part.faces << map.mesh->triangleFace[t];
     }

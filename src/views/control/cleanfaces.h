@@ -1,4 +1,4 @@
-// Parts of the map that do not cover themselves, for the tools.
+// Finds regions of the map without overlaps, for the overlap tool.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -14,7 +14,7 @@ namespace autocuts {
 class Document;
 class ShownMap;
 
-//! What the search for a part needs of a map, for another thread.
+//! A copy of a map and its cuts, for searching regions on another thread.
 struct MapWithSeams
 {
     std::shared_ptr<const MeshData> mesh;
@@ -24,11 +24,11 @@ struct MapWithSeams
     MapWithSeams(const Document &document, const ShownMap &shownMap);
 };
 
-//! A part of an island that nowhere covers itself.
+//! A region of an island that does not overlap itself.
 struct CleanPart
 {
-    QList<int> faces;         //!< in rising order
-    bool restIsClean = false; //!< the rest of the island does not cover itself either
+    QList<int> faces;         //!< ascending
+    bool restIsClean = false; //!< the rest of the island does not overlap itself either
 };
 
 //! A part around a triangle that nowhere covers itself (paper, figure 9). When its island comes apart in two

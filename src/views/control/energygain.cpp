@@ -10,7 +10,7 @@ namespace autocuts {
 
 namespace {
 
-//! Context of the texts for translation.
+//! Translation context of the texts.
 struct Gain
 {
     Q_DECLARE_TR_FUNCTIONS(EnergyGain)

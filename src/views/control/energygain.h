@@ -1,4 +1,4 @@
-// What an edit of the steering has brought so far while the solver runs.
+// Measures what an edit of the steering has gained while the solver runs.
 #pragma once
 
 #include "views/control/solvercontroller.h"
@@ -9,16 +9,16 @@
 
 namespace autocuts {
 
-//! Remembers where a solve was at an edit and compares.
+//! Stores the figures of a solve at an edit and compares them with the current ones.
 class EnergyGain final
 {
 public:
-    //! An edit was made. Forgets the one before; nothing is remembered when nothing runs.
+    //! Call it at an edit. Replaces the stored figures; stores nothing when no solve runs.
     void begin(const SolverController &solver);
     void clear() { mStart.reset(); }
-    //! One translated line: the energy saved and what became of the distortion D; empty when nothing is
-    //! remembered or the solve is another one. Energies of different lambda or delta, which the distortion
-    //! budget chooses, cannot be compared: then only the latter.
+    //! One translated line: the energy saved and the change of the distortion D. Empty when nothing is stored
+    //! or another solve runs. Energies with different lambda or delta cannot be compared; when the distortion
+    //! budget has changed these, the line gives the distortion only.
     QString text(const SolverController &solver) const;
 
 private:

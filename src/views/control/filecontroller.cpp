@@ -15,7 +15,7 @@ namespace autocuts {
 
 namespace {
 
-//! What reading a file can give.
+//! The result of reading a file.
 struct Opened
 {
     Result<LoadedProject> project = Error{};
@@ -28,7 +28,7 @@ struct Opened
 Scene sceneForWriting(const Document &document)
 {
     Scene scene = document.state().scene;
-    // In a scene without a document the active UV set is the first one.
+    // In a scene without a document, the first UV set is the active one.
     std::rotate(scene.uvSets.begin(), scene.uvSets.begin() + document.activeUvSet(),
                 scene.uvSets.begin() + document.activeUvSet() + 1);
     return scene;
@@ -171,14 +171,14 @@ void FileController::beginAutosave(const RecoverableSession *continued)
     connect(mAutosave.get(), &Autosave::failed, this, &FileController::failed);
 }
 
-//! Autosaves that are under way must not write after the file for recovery was removed.
+//! Autosaves under way must not write the recovery file again after it was removed.
 void FileController::endAutosave()
 {
     waitForSaves();
     mAutosave.reset();
 }
 
-//! The state as it is, during a solve with the solver's map; that one is not in the journal.
+//! Saves the current state; during a solve with the solver's map, which the journal does not contain.
 void FileController::saveForRecovery(const QString &path, const Autosave::Saved &saved)
 {
     SessionToSave session = sessionNow(mWorkspace.sessionPath());
@@ -213,7 +213,7 @@ void FileController::save(const QString &path)
             return;
         }
         if (mAutosave) {
-            // What was autosaved is older, but for edits during the save: those are autosaved again.
+            // The last autosave is older than this save. Edits made during the save are autosaved again.
             mAutosave->sessionSaved();
             if (mWorkspace.isModified())
                 mAutosave->sessionChanged();
@@ -243,7 +243,7 @@ void FileController::relink(const QString &meshPath)
         tellBusy(meshPath);
 }
 
-//! \param token of the state that was re-linked
+//! \param token token of the state that was re-linked
 void FileController::adoptRelinked(Result<Relinked> linked, const StateToken &token)
 {
     if (!linked) {
@@ -251,7 +251,7 @@ void FileController::adoptRelinked(Result<Relinked> linked, const StateToken &to
         return;
     }
     waitForSaves();
-    // A solve that runs is an edit that has not been entered yet.
+    // A running solve counts as an edit that is not in the document yet.
     if (!mWorkspace.isInState(token) || mSolver.isRunning() || mSolver.isPausing()) {
         Q_EMIT failed(
             Error{tr("The model was not re-linked, because the session was edited while the model was "

@@ -1,5 +1,5 @@
-// Opening, saving and exporting, off the GUI thread where it can take long. Asks nothing: see
-// actions/fileactions.
+// Opens, saves and exports files; long operations run off the GUI thread. Asks the user nothing: that is done
+// in actions/fileactions.
 #pragma once
 
 #include "model/document/relink.h"
@@ -21,58 +21,58 @@ class Preferences;
 class SolverController;
 class Workspace;
 
-//! The model as it is written: the active UV set is the first one.
+//! A copy of the model for writing: its active UV set comes first.
 Scene sceneForWriting(const Document &document);
 
-//! Files of the session. Success and failure are told by signals.
+//! Reads and writes the files of the session. Signals report success and failure.
 class FileController final : public QObject
 {
     Q_OBJECT
 
 public:
-    //! \param recoveryFolder where autosaves are kept
+    //! \param recoveryFolder folder of the autosaves
     FileController(Workspace &workspace, SolverController &solver, Preferences &preferences,
                    const QString &recoveryFolder, QObject *parent = nullptr);
     ~FileController() override;
 
-    //! The file that is read, for progress and cancel.
+    //! The job that reads a file, for progress and cancelling.
     JobRunner &jobs() { return mJobs; }
-    //! What a crash left behind.
+    //! The sessions that a crash left behind.
     std::vector<RecoverableSession> recoverable() const;
 
-    //! A picture for saved sessions; none when not set.
+    //! Sets the source of the thumbnail in saved sessions; without it they have none.
     void setThumbnailSource(std::function<QImage()> source) { mThumbnail = std::move(source); }
 
-    //! The views' state, kept with saved sessions (Document::setViewState).
+    //! Sets the source of the views' state in saved sessions (Document::setViewState).
     void setViewStateSource(std::function<QByteArray()> source) { mViewState = std::move(source); }
 
-    //! Reads a mesh or a session and replaces what is open.
+    //! Reads a mesh or a session and replaces the open document.
     void open(const QString &path);
-    //! A model that the program makes by itself.
+    //! Opens a sample model.
     void openSample(const QString &name);
     void recover(const RecoverableSession &session);
-    //! Puts the model, changed outside, in place of the one in the session; the steering is carried over, the
-    //! history and the journal begin anew. Refused when the session is edited while the model is read.
+    //! Replaces the session's model by a version changed in another program. The steering is transferred;
+    //! history and journal start again. Refused when the session is edited while the model is read.
     void relink(const QString &meshPath);
-    //! Saves the session as it is now, off the GUI thread; done() or failed() follows.
+    //! Saves the current state of the session off the GUI thread. Emits done() or failed() afterwards.
     void save(const QString &path);
     bool isSaving() const { return mSaver.isBusy(); }
-    //! Waits for all saves and autosaves that have begun.
+    //! Waits for all saves and autosaves under way.
     void waitForSaves() { mSaver.waitForDone(); }
-    //! Writes the model with its map, off the GUI thread.
+    //! Writes the model with its UV map off the GUI thread.
     void exportMesh(const QString &path);
-    //! Writes a picture of the map, off the GUI thread. \param path .png or .svg
+    //! Writes a picture of the UV map off the GUI thread. \param path .png or .svg
     void exportLayout(const QString &path, const LayoutOptions &options);
-    //! Autosaves now instead of when it is due.
+    //! Autosaves at once instead of at the end of the interval.
     void saveForRecoveryNow();
-    //! Ends the session in order.
+    //! Ends the session normally.
     void close();
 
 Q_SIGNALS:
     //! \param message translated, one line, for the status bar
     void done(const QString &message);
     void failed(const autocuts::Error &error);
-    //! A file was opened; what the user should know stands in Workspace::notes().
+    //! A file was opened. Workspace::notes() has the notes for the user.
     void opened();
 
 private:
@@ -93,7 +93,7 @@ private:
     QString mRecoveryFolder;
     JobRunner mJobs{JobRunner::OnCancel::LetGo};
     std::unique_ptr<Autosave> mAutosave;
-    SessionSaver mSaver; //!< behind mAutosave: what that saves is written before its end
+    SessionSaver mSaver; //!< declared after mAutosave: it finishes autosaves before mAutosave is destroyed
     std::function<QImage()> mThumbnail;
     std::function<QByteArray()> mViewState;
 };

@@ -1,4 +1,4 @@
-// Figures of single islands, and setting their texel density.
+// Computes figures of single islands and sets their texel density.
 #pragma once
 
 #include "commands/setuvs.h"
@@ -9,27 +9,28 @@
 
 namespace autocuts {
 
-//! One island in numbers.
+//! The figures of one island.
 struct IslandFigures
 {
     int faces = 0;
-    double areaShare = 0;    //!< of the surface of all islands, in [0, 1]
-    double texelDensity = 0; //!< texels per unit of the model; not a number without area
-    double distortion =
-        0; //!< area-weighted mean of the symmetric Dirichlet energy; not a number when unknown
+    double areaShare = 0;    //!< share of the total 3D area of all islands, in [0, 1]
+    double texelDensity = 0; //!< texels per unit of the model; NaN for islands without area
+    double distortion = 0;   //!< area-weighted mean of the symmetric Dirichlet energy; NaN when unknown
     IslandFlags flags;
     std::vector<QString> tags;
 };
 
-//! Of all islands, in their order. \param triangleDistortion per triangle; empty: the distortion is not known
+//! The figures of all islands, in their order. \param triangleDistortion per triangle; empty when the
+//! distortion is not known
 std::vector<IslandFigures> islandFigures(const Document &document,
                                          const std::vector<double> &triangleDistortion);
 
-//! Mean of the islands' texel densities by their areas; not a number without area.
+//! Mean texel density of the islands, weighted by area; NaN when they have no area.
 double meanTexelDensity(const Document &document, const std::vector<int> &islands);
 
-//! Scales islands about the middles of their boxes to a texel density; locked ones, and those without area,
-//! stay as they are. Pins travel along. \param density texels per unit of the model, > 0
+//! Scales islands about the centres of their boxes to a texel density. Locked islands and islands without
+//! area are not changed. Pins move with the islands.
+//! \param density texels per unit of the model, > 0
 std::unique_ptr<SetUvs> setTexelDensity(Document &document, const std::vector<int> &islands, double density);
 
 } // namespace autocuts

@@ -146,7 +146,7 @@ void JobRunner::abandon()
     letGo(nullptr);
 }
 
-//! \param done called when the job ends, or null
+//! Abandons the running job. \param done called when it ends, or null
 void JobRunner::letGo(std::function<void()> done)
 {
     mControl.reset();

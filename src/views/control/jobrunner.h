@@ -1,4 +1,4 @@
-// Long work off the GUI thread, one job at a time, with progress and cancel.
+// Runs long computations off the GUI thread, one at a time, with progress and cancelling.
 #pragma once
 
 #include <QObject>
@@ -12,15 +12,15 @@
 
 namespace autocuts {
 
-//! What a job is given to work with; may be used from its thread only.
+//! The interface of JobRunner for a job; to be used on the job's thread only.
 class JobControl final
 {
 public:
-    //! Becomes true when the job should end soon with what it has.
+    //! True when the job should end soon with what it has so far.
     const std::atomic<bool> &stop() const { return mStop; }
-    //! \param fraction in [0, 1]; negative when not known
+    //! \param fraction in [0, 1]; negative when unknown
     void setProgress(double fraction) { mFraction = fraction; }
-    //! What the job does at the moment. \param text translated
+    //! Sets the text about the current stage. \param text translated
     void setStage(const QString &text);
 
 private:
@@ -31,33 +31,35 @@ private:
     std::function<void(const QString &)> mShowStage;
 };
 
-//! Runs jobs on a thread of its own. Work gets copies of what it needs and never sees the document; what it
-//! returns is handed over in the GUI thread. An exception ends a job with failed().
+//! Runs jobs on a separate thread. A job gets copies of its input and never uses the document; its result is
+//! passed to the GUI thread. An exception ends a job with failed().
 class JobRunner final : public QObject
 {
     Q_OBJECT
 
 public:
-    //! Milliseconds after which a cancelled job that has not ended yet does not keep anybody from going on.
+    //! Milliseconds. A cancelled job that takes longer to end does not block later jobs. Chosen so that
+    //! cancelling takes effect within 0.2 s.
     static constexpr int cancelPatience = 100;
 
-    //! What cancel() does with a job: asks it to end with what it has, which when it comes late is used all
-    //! the same unless another job has begun; or lets it go at once, for work that cannot be told to stop.
+    //! What cancel() does with a job. EndSoon: asks it to end with what it has; the result is used even when
+    //! it comes late, unless another job has started. LetGo: abandons it at once; for work that cannot be
+    //! stopped.
     enum class OnCancel { EndSoon, LetGo };
 
     explicit JobRunner(OnCancel onCancel = OnCancel::EndSoon, QObject *parent = nullptr);
-    //! Cancels what runs and waits for it.
+    //! Cancels the running job and waits for it.
     ~JobRunner() override;
 
     bool isBusy() const { return mControl != nullptr; }
     const QString &title() const { return mTitle; }
     const QString &stage() const { return mStage; }
-    //! In [0, 1]; negative when not known or idle.
+    //! In [0, 1]; negative when unknown or when no job runs.
     double progress() const;
 
-    //! \param title what is being done, translated: "Packing"
+    //! \param title translated name of the job: "Packing"
     //! \param work called on the job's thread
-    //! \param done called on the GUI thread with what work returned, also after cancel()
+    //! \param done called on the GUI thread with the result of `work`, also after cancel()
     //! \returns false, and does nothing, when a job is running
     template <class Work, class Finished>
     bool start(const QString &title, Work work, Finished done)
@@ -73,19 +75,19 @@ public:
     }
 
     void cancel();
-    //! The job ends whenever it can, out of sight; its result is thrown away.
+    //! Abandons the job: it ends in the background, and its result is discarded.
     void abandon();
-    //! Waits until nothing runs and results were handed over; for tests and for closing.
+    //! Waits until no job runs and all results have been passed on; for tests and for closing.
     void waitForDone();
 
 Q_SIGNALS:
-    //! A job began, ended, or is in another stage.
+    //! A job started, ended, or entered another stage.
     void busyChanged();
-    //! About 20 times a second while a job tells its progress.
+    //! Emitted about 20 times a second while a job reports progress.
     void progressChanged();
     //! A job ended with an exception. \param message translated, one line
     void failed(const QString &message);
-    //! A job that nobody waited for any more has ended, and its result was used or thrown away.
+    //! An abandoned job has ended, and its result was used or discarded.
     void letGoEnded();
 
 private:
@@ -98,15 +100,15 @@ private:
 
     OnCancel mOnCancel;
     QString mTitle, mStage;
-    std::shared_ptr<JobControl> mControl; //!< of the job that runs
+    std::shared_ptr<JobControl> mControl; //!< of the running job
     std::unique_ptr<Thread> mThread;
     std::function<void()> mDone;
 
-    //! A job that nobody waits for.
+    //! An abandoned job.
     struct LetGo
     {
         std::unique_ptr<Thread> thread;
-        std::function<void()> done; //!< null: the result is thrown away
+        std::function<void()> done; //!< null: the result is discarded
     };
     std::vector<LetGo> mLetGo;
 };

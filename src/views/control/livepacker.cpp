@@ -12,11 +12,13 @@ namespace autocuts {
 
 namespace {
 
-//! CPU seconds for one arrangement.
+//! CPU seconds for one arrangement. Chosen by hand, like the constants below; their effect has not been
+//! measured.
 constexpr double packEffort = 0.03;
-//! A piece that has grown by more than this share needs another place.
+//! A piece that has grown by more than this share gets a new place.
 constexpr double growth = 0.05;
-//! Share of the square that the pieces fill at first, and how the square grows until they fit.
+//! Share of the square that the pieces fill at first, and the factor by which the square grows until they
+//! fit.
 constexpr double firstFill = 0.55, widening = 1.2;
 constexpr int mostWidenings = 6;
 
@@ -40,7 +42,7 @@ Boxes boxesOf(const std::vector<int> &piece, std::size_t count, const UvMatrix &
     return boxes;
 }
 
-//! The pieces for the packer; corners of one UV vertex are taken at their mean.
+//! The pieces for the packer. The corners of one UV vertex are placed at their mean.
 std::vector<packing::PackIsland> packIslandsOf(const MeshData &mesh, const CutMesh &state, const UvMatrix &uv)
 {
     std::vector<Vec2> sum(state.uvVertexCount, Vec2::Zero());
@@ -70,7 +72,7 @@ std::vector<packing::PackIsland> packIslandsOf(const MeshData &mesh, const CutMe
     return islands;
 }
 
-//! False when a piece is another one than it was, or has grown.
+//! False when the pieces are different ones, or one of them has grown.
 bool stillFits(const LiveArrangement &arrangement, const MeshData &mesh, const CutMesh &state,
                const UvMatrix &uv)
 {

@@ -16,7 +16,7 @@ QString translated(const char *text)
     return QCoreApplication::translate("autocuts::MapController", text);
 }
 
-//! Pins hold their points.
+//! The local problem in which pins hold their corners.
 homotopy::LocalProblem localProblem(const Constraints &constraints, const UvTopology &topology)
 {
     homotopy::LocalProblem problem;
@@ -32,7 +32,7 @@ int faceOfCorner(const MeshData &mesh, int corner)
     return static_cast<int>(next - mesh.faceStart.begin()) - 1;
 }
 
-//! All faces of the islands of these faces that are not locked, rising.
+//! All faces of those islands of the given faces that are not locked, ascending.
 std::vector<int> freeIslands(const MeshData &mesh, const UvTopology &topology, const IslandMarks &marks,
                              const QList<int> &faces)
 {

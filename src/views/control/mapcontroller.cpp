@@ -14,7 +14,7 @@ namespace autocuts {
 
 namespace {
 
-//! Milliseconds without an edit after which the map is measured.
+//! Milliseconds without an edit after which the map is measured. Chosen by hand.
 constexpr int measureDelay = 250;
 constexpr int maxListedOverlaps = 100'000;
 
@@ -80,7 +80,7 @@ bool MapController::figuresAreFresh() const
            mFigures->textureSize == mWorkspace.document()->packingSettings().textureSize;
 }
 
-//! \pre no solve runs, so that its result is the one that the map was made from
+//! \pre no solve runs, so that its result is the one from which the map was made
 MapInput MapController::input() const
 {
     const Document &document = *mWorkspace.document();
@@ -189,7 +189,7 @@ void MapController::straightenSelection()
 
 void MapController::measure()
 {
-    mMeasuring.abandon(); // it measures a map or at a texture size that is no more
+    mMeasuring.abandon(); // the map or the texture size that is being measured is outdated
     const Document *document = mWorkspace.document();
     if (!document || figuresAreFresh())
         return;

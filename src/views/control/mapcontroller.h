@@ -1,4 +1,5 @@
-// Work on whole maps off the GUI thread: unwrapping, finishing, packing, taking overlaps apart, measuring.
+// Starts jobs on whole maps off the GUI thread: unwrapping, finishing, packing, separating overlaps,
+// measuring.
 #pragma once
 
 #include "model/plain/statetoken.h"
@@ -22,21 +23,21 @@ struct MapInput;
 struct MapJobResult;
 struct PackTarget;
 
-//! The document's map in figures.
+//! The figures of the document's map.
 struct MapFigures
 {
-    StateToken token; //!< of the state that was measured
+    StateToken token; //!< token of the measured state
     int textureSize = 0;
     metrics::UvMetrics metrics;
-    std::vector<int> overlapping;                 //!< triangles that overlap another one, rising
-    std::vector<std::array<int, 2>> overlapPairs; //!< of triangles, the largest area first
+    std::vector<int> overlapping;                 //!< triangles that overlap another one, ascending
+    std::vector<std::array<int, 2>> overlapPairs; //!< pairs of triangles, the largest overlap first
 };
 
-//! Which islands are packed; the others stay where they are and are obstacles.
+//! Which islands are packed. The others keep their places and are obstacles.
 enum class PackScope { All, Selection };
 
-//! Starts jobs on copies of the document and pushes what they give as one command. A result is dropped, and
-//! the user told, when the map was edited meanwhile. A live solve is paused first.
+//! Starts jobs on copies of the document and pushes each result as one command. When the map was edited
+//! meanwhile, the result is discarded and the user is told. A running live solve is paused first.
 class MapController final : public QObject
 {
     Q_OBJECT
@@ -44,40 +45,41 @@ class MapController final : public QObject
 public:
     MapController(Workspace &workspace, SolverController &solver, QObject *parent = nullptr);
 
-    //! The job that runs, for progress and cancel.
+    //! The running job, for progress and cancelling.
     JobRunner &jobs() { return mJobs; }
 
-    //! Of the document's map; null before they are measured for the first time, then those of the newest map
-    //! that was measured.
+    //! The figures of the newest measured map; null before the first measurement.
     const MapFigures *figures() const { return mFigures ? &*mFigures : nullptr; }
-    //! True while the figures are those of the document's map as it is.
+    //! True when the figures belong to the document's current map.
     bool figuresAreFresh() const;
 
 public Q_SLOTS:
-    //! The whole automatic way (pipeline.h), as the command line does it.
+    //! Unwraps automatically, as the command line does (pipeline.h).
     void unwrap(autocuts::unwrap::UnwrapQuality quality, double maxDistortion);
-    //! Turns the live map, or else the document's, into a final one: definite seams, no overlaps.
+    //! Finishes the live map, or the document's map when there is none: the result has definite seams and no
+    //! overlaps.
     void finish(double maxDistortion);
     void pack(autocuts::PackScope scope);
-    //! Packs the islands of the faces into a box instead of a tile; the others are obstacles.
-    //! \param box texture space \param faces empty: those selected
+    //! Packs the islands of the faces into a box instead of a tile; other islands are obstacles.
+    //! \param box texture space
+    //! \param faces empty: the selected faces
     void packInto(const Eigen::AlignedBox2d &box, const QList<int> &faces = {});
-    //! Cuts islands that cover themselves and packs.
+    //! Separates overlaps by cutting islands, and packs.
     void separateOverlaps();
-    //! Every island at the same texel density. \pre nothing runs
+    //! Gives every island the same texel density. \pre no job is running
     void equalizeDensity();
-    //! Makes the distortion of the selected faces small while all others stay. Pins and locks hold.
+    //! Minimises the distortion of the selected faces while all others stay. Pins and locks are respected.
     void relaxSelection();
-    //! Makes each chain of selected edges a straight line; the rest of its island follows.
+    //! Makes each chain of selected edges straight; the rest of its island follows.
     void straightenSelection();
     void cancel() { mJobs.cancel(); }
 
 Q_SIGNALS:
-    //! figures() or whether they are fresh.
+    //! figures() changed, or whether they are fresh.
     void figuresChanged();
-    //! A job ended well. \param message translated, one line, for the status bar
+    //! A job succeeded. \param message translated, one line, for the status bar
     void done(const QString &message);
-    //! A job could not do what was asked. \param message translated
+    //! A job failed. \param message translated
     void failed(const QString &message);
 
 private:

@@ -21,7 +21,7 @@ QString translated(const char *text)
     return QCoreApplication::translate("autocuts::MapController", text);
 }
 
-//! What the job does at the moment; empty when its title says it.
+//! The text about the current stage; empty when it is the same as the job's title.
 QString stageText(const JobProgress &progress)
 {
     if (progress.stage == JobStage::SolvingToTheEnd)

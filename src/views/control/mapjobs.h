@@ -1,4 +1,4 @@
-// The work on whole maps that MapController starts: functions of a copy of the document.
+// The jobs of MapController, as functions of a copy of the document.
 #pragma once
 
 #include "commands/setuvs.h"
@@ -20,14 +20,14 @@ namespace live {
 struct SolveResult;
 }
 
-//! The solver's own state, which knows more than the map that was made from it.
+//! The state of the solver, which contains more than the map made from it.
 struct LiveSolve
 {
     std::shared_ptr<const live::SolveResult> result; //!< null when the map was edited since
-    bool hasMoreToDo = false;                        //!< paused before the schedule came to its end
+    bool hasMoreToDo = false;                        //!< it was paused before the end of its schedule
 };
 
-//! What a job gets to see.
+//! The input of a job.
 struct MapInput
 {
     Snapshot snapshot;
@@ -38,40 +38,41 @@ struct MapInput
     Constraints constraints;
     QList<int> selectedFaces;
     std::vector<int> selectedEdges;
-    LiveSolve live; //!< that the map was made from
+    LiveSolve live; //!< the solve from which the map was made
 
     const MeshData &mesh() const { return *snapshot.mesh; }
 };
 
-//! What a job gives back.
+//! The result of a job.
 struct MapJobResult
 {
-    StateToken token; //!< of the state that the job was given
+    StateToken token; //!< token of the state that the job was given
     UvEdit edit = UvEdit::Pack;
-    UvMatrix uv;              //!< per corner, texture space; no rows: the map stays as it is
+    UvMatrix uv;              //!< per corner, texture space; without rows, the map is not changed
     QString message;          //!< what was done
     QString problem;          //!< what could not be done
-    std::optional<int> count; //!< for the text in the history
+    std::optional<int> count; //!< number for the text in the history
 };
 
-//! Which islands are packed, and where to.
+//! Which islands are packed, and where.
 struct PackTarget
 {
-    bool all = true;                        //!< else those of `faces`; the others are obstacles
-    QList<int> faces;                       //!< empty: those selected
-    std::optional<Eigen::AlignedBox2d> box; //!< texture space; none: the tile of the settings
+    bool all = true;                        //!< false: only those of `faces`; the others are obstacles
+    QList<int> faces;                       //!< empty: the selected faces
+    std::optional<Eigen::AlignedBox2d> box; //!< texture space; without it, the tile of the settings
 };
 
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, double maxDistortion,
                        JobControl &control);
-//! Without a live solve the seams are those of the map; one that was paused early is taken to its end first.
+//! Finishes the map. Without a live solve it keeps the seams of the map; a solve that was paused early is
+//! first continued to its end.
 MapJobResult finishJob(const MapInput &input, double maxDistortion, JobControl &control);
 MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl &control);
 MapJobResult separateJob(const MapInput &input, JobControl &control);
 MapJobResult equalizeJob(const MapInput &input);
-//! Solves for the selected faces while all others stay.
+//! Minimises the distortion of the selected faces while all others stay.
 MapJobResult relaxJob(const MapInput &input, JobControl &control);
-//! Makes the chains of selected edges straight lines; the rest of their islands follows.
+//! Makes the chains of selected edges straight; the rest of their islands follows.
 MapJobResult straightenJob(const MapInput &input, JobControl &control);
 
 } // namespace autocuts

@@ -40,7 +40,7 @@ Result<Done> writeOrTell(ProjectWriter &writer, const SessionToSave &session, co
 
 SessionSaver::SessionSaver(QObject *parent) : QObject(parent)
 {
-    // A pool of one thread starts its work in the order in which it comes.
+    // A pool with one thread runs its tasks in order.
     mThread.setMaxThreadCount(1);
 }
 

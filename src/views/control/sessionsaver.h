@@ -1,4 +1,4 @@
-// Sessions on their way to the disk.
+// Writes sessions to disk in the background.
 #pragma once
 
 #include "commands/journalrecorder.h"
@@ -12,7 +12,7 @@
 
 namespace autocuts {
 
-//! A session as it was at one moment: copies and shared data that nobody changes any more.
+//! The state of a session at one moment, as copies and shared constant data.
 struct SessionToSave
 {
     DocumentState state;
@@ -21,7 +21,7 @@ struct SessionToSave
     QString sessionPath; //!< see ProjectExtras
 };
 
-//! Packs and writes sessions on a thread of its own, one after the other in the order in which they come.
+//! Compresses and writes sessions on a separate thread, in the order in which they are given.
 class SessionSaver final : public QObject
 {
     Q_OBJECT
@@ -30,18 +30,18 @@ public:
     using Saved = std::function<void(const Result<Done> &saved)>;
 
     explicit SessionSaver(QObject *parent = nullptr);
-    //! Waits until everything is written; nobody is called any more.
+    //! Waits until everything is written; callbacks are no longer called.
     ~SessionSaver() override;
 
-    //! \param saved called on the GUI thread when the file is written, or when that failed
+    //! \param saved called on the GUI thread when the file was written or writing failed
     void save(SessionToSave session, const QString &path, Saved saved);
     bool isBusy() const { return mSaving > 0; }
-    //! Waits until everything is written and those who wanted to know have been called.
+    //! Waits until everything is written and all callbacks have been called.
     void waitForDone();
 
 private:
     QThreadPool mThread;
-    ProjectWriter mWriter; //!< for that thread only
+    ProjectWriter mWriter; //!< used on that thread only
     int mSaving = 0;
 };
 

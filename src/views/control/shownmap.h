@@ -1,4 +1,4 @@
-// The map that both views show.
+// The map shown in both views.
 #pragma once
 
 #include "model/plain/types.h"
@@ -11,9 +11,9 @@ namespace autocuts {
 
 class Workspace;
 
-//! The UVs per soup corner as they are shown: the document's, or while a solve runs the solver's newest ones,
-//! with its triangles still apart. Also how far every corner pair is apart. Views and tools read the map here
-//! and nowhere else.
+//! The shown UVs per soup corner and the separation of every corner pair. They are those of the document, or,
+//! while a solve runs, the newest ones of the solver, in which the triangles are still separate. Views and
+//! tools read the shown map only from here.
 class ShownMap final : public QObject
 {
     Q_OBJECT
@@ -21,23 +21,24 @@ class ShownMap final : public QObject
 public:
     explicit ShownMap(Workspace &workspace, QObject *parent = nullptr);
 
-    //! True while the solver's map is shown.
+    //! True when the solver's map is shown.
     bool isLive() const { return mLive; }
-    //! One row per soup corner, texture space; not finite where a corner has no UV. Empty without a document.
+    //! One row per soup corner, texture space; not finite for corners without a UV. Empty without a document.
     const UvMatrix &uv() const;
-    //! Per corner pair: 0 joined to 1 cut. Live: s_delta of the separation energy, else whether the UVs
-    //! agree. Diagonals are 0 unless live.
+    //! Per corner pair, from 0 (closed) to 1 (cut): s_delta of the separation energy (paper, Eq. 6) while a
+    //! solve runs, otherwise 0 or 1 by whether the UVs are equal. For diagonals it is 0 unless a solve runs.
     const std::vector<float> &separation() const;
-    //! Per edge pair: cut in the map shown, that is at least one of its ends is nearer to cut than to joined.
+    //! Per edge pair: true when it is cut in the shown map, that is, at least one of its ends has a
+    //! separation of 0.5 or more.
     bool isSeam(int edgePair) const;
 
-    //! The solver's map takes the place of the document's. \pre sizes fit the document's mesh
+    //! Shows the solver's map instead of the document's. \pre the sizes are those of the document's mesh
     void showLive(UvMatrix soupUv, std::vector<float> separation);
-    //! Back to the document's map.
+    //! Shows the document's map again.
     void showDocument();
 
 Q_SIGNALS:
-    //! UVs or separation changed. Not sent when the document is replaced: Workspace says so.
+    //! UVs or separation changed. Not emitted when the document is replaced; Workspace reports that.
     void changed();
 
 private:

@@ -11,7 +11,7 @@ namespace autocuts {
 
 namespace {
 
-//! Points kept for the graph; when there are more every other one is dropped.
+//! Largest number of points in the graph. When there are more, every other one is dropped. Chosen by hand.
 constexpr std::size_t mostTracePoints = 4000;
 
 } // namespace
@@ -98,7 +98,8 @@ void SolverController::cancelPulls()
         return;
     setPulls({});
     mSendSoon.stop();
-    // Together: in between, a solve without pulls could come to rest where it was pulled to.
+    // Both changes are sent together: a solve without pulls could otherwise come to rest in the pulled
+    // position.
     sendSnapshot(mBeforePulls);
 }
 
@@ -137,7 +138,7 @@ void SolverController::step()
         return;
     if (!mToken)
         beginWhereTheMapIs();
-    // The end of the step is told by waiting(), which then settles the map.
+    // waiting() is emitted at the end of the step and then stitches the map.
     mStepping = true;
     setRunning(true, false);
     mWorker->runSteps(1);
@@ -170,7 +171,7 @@ void SolverController::discard()
     Q_EMIT statusChanged();
 }
 
-//! A map that is there is refined, not made anew.
+//! An existing map is refined instead of made anew.
 void SolverController::beginWhereTheMapIs()
 {
     const Document &document = *mWorkspace.document();
@@ -190,7 +191,7 @@ void SolverController::begin(StartMode start, bool warm)
     mTrace.clear();
     mTraceStride = 1;
     mWorker->setMode(mMode, mMaxDistortion);
-    // The map comes to lie in the middle of the unit square.
+    // Places the map at the centre of the unit square.
     const Vec2 centre = Vec2::Constant(0.5 / document.uvScale());
     mWorker->start(snapshot, centre, warm);
     Q_EMIT statusChanged();
@@ -204,7 +205,7 @@ void SolverController::setRunning(bool running, bool pausing)
     mPausing = pausing;
     if (!mRunning && !mPulls.empty()) {
         mPulls.clear();
-        mSendSoon.start(); // a run that goes on later does so without them
+        mSendSoon.start(); // a run that continues later continues without them
     }
     Q_EMIT stateChanged();
 }
@@ -213,7 +214,7 @@ void SolverController::documentReplaced()
 {
     mSendSoon.stop();
     discard();
-    // Also when nothing was there to discard: panels show the new document's state.
+    // Emitted even if there was nothing to discard, because panels show the state of the new document.
     Q_EMIT stateChanged();
 }
 
@@ -289,12 +290,12 @@ void SolverController::addToTrace(const std::vector<live::TracePoint> &points)
     }
 }
 
-//! The solve stopped by itself: a single step is done, the budget is reached, or with the user's settings
-//! nothing moves any more. Then it stays on and waits for edits.
+//! The solve stopped by itself: a single step is done, the budget is reached, or, with manual settings, the
+//! map has converged. With manual settings the run stays active and waits for edits.
 void SolverController::workerWaits()
 {
     if (!mWorker->takeRest())
-        return; // it has been told to run since
+        return; // it was started again meanwhile
     takeResult();
     if (mRunning && mPulls.empty() &&
         !(mStatus.converged && mMode == homotopy::SolveMode::Manual && !mStepping))
@@ -308,7 +309,7 @@ void SolverController::takePausedMap()
         return;
     takeResult();
     Document &document = *mWorkspace.document();
-    // The push leaves the worker's state valid: it belongs to the document's new map from now on.
+    // Pushing does not invalidate the state of the worker: it belongs to the document's new map now.
     mToken.reset();
     pushCommand(std::make_unique<SetUvs>(document, UvEdit::Solve, document.uvScale() * settled->cornerUv));
     mToken = document.token();

@@ -1,4 +1,4 @@
-// The only meeting of the document and the solver's worker: snapshots out, results in.
+// Connects the document to the solver's worker: sends snapshots and receives results.
 #pragma once
 
 #include "solver/live/worker.h"
@@ -20,11 +20,11 @@ class Workspace;
 
 //! Runs the live solver (paper, section 3) beside the document.
 //!
-//! While a solve runs, ShownMap shows the solver's map and the document keeps the one before. When it pauses,
-//! the worker joins what is nearly joined (paper, "Finalizing") and the map goes into the document as one
-//! undo entry; the solver keeps its own state and can go on from there. Edits of the steering during a run
-//! are sent as a new snapshot and the run goes on. What changes the UVs, or undoes, must come after
-//! whenPaused(); when it does not, the solver's map is dropped.
+//! While a solve runs, ShownMap shows the solver's map and the document keeps its old one. When the solve
+//! pauses, the worker stitches corner pairs that are nearly closed (paper, section 4, "Finalizing the UV
+//! map"), and this paused map is put into the document as one undo entry. The solver keeps its own state and
+//! can continue from it. Edits of the steering during a run are sent as a new snapshot, and the run
+//! continues. Edits of UVs and undo must wait for whenPaused(); otherwise the solver's map is discarded.
 class SolverController final : public QObject
 {
     Q_OBJECT
@@ -34,60 +34,63 @@ public:
     ~SolverController() override;
 
     bool isRunning() const { return mRunning; }
-    //! True from pause() until the joined map is in the document.
+    //! True from pause() until the paused map is in the document.
     bool isPausing() const { return mPausing; }
-    //! True when run() goes on where it was paused.
+    //! True when run() continues a paused solve.
     bool canContinue() const;
 
     homotopy::SolveMode mode() const { return mMode; }
-    //! Manual: lambda and delta of the document. Budget: the worker finds them for the distortion bound.
-    //! Turning to Manual puts what the worker has found into the document, to be steered on from there.
+    //! Manual uses lambda and delta of the document. With Budget, the worker finds them for the distortion
+    //! bound. Changing to Manual copies what the worker has found to the document as the start for manual
+    //! steering.
     void setMode(homotopy::SolveMode mode);
     double maxDistortion() const { return mMaxDistortion; }
     //! \pre bound > 4
     void setMaxDistortion(double bound);
 
-    //! Of the newest result; iteration 0 before the first.
+    //! Status of the newest result; iteration 0 before the first.
     const live::SolveStatus &status() const { return mStatus; }
-    //! Every step of the run so far, thinned out evenly when it gets long.
+    //! The figures of all steps of the run; of a long run, evenly spaced steps.
     const std::vector<live::TracePoint> &trace() const { return mTrace; }
 
-    //! The solver's map, when it is newer than the document's or the one that it was made from; else null.
+    //! The solver's map when it is newer than the document's map or the latter was made from it; null
+    //! otherwise.
     std::shared_ptr<const live::SolveResult> result() const { return mResult; }
 
-    //! While a solve runs its islands are shown beside each other (LivePacker). Changes neither the map nor
-    //! what becomes of it.
+    //! True when the islands of a running solve are shown side by side (LivePacker). Changes neither the map
+    //! nor the results.
     bool livePacking() const { return mLivePacking; }
     void setLivePacking(bool pack);
 
-    //! Pauses, and calls the function once the map is in the document: at once when nothing runs. Dropped
-    //! when the solve fails or the document is replaced.
+    //! Pauses, and calls the function when the map is in the document; at once when no solve runs. The call
+    //! is dropped when the solve fails or the document is replaced.
     void whenPaused(std::function<void()> then);
 
-    //! Pulls soup corners of the running solve to places with springs. They belong to a gesture, not to the
-    //! document; the run goes on, without an end of its own, until they are let go by an empty list. What
-    //! ends the run ends them. \param pulls soft, targets in texture space
+    //! Pulls soup corners of the running solve to positions by springs. Pulls belong to a gesture, not to the
+    //! document. The run does not stop by itself until an empty list removes them. When the run ends, they
+    //! are removed as well.
+    //! \param pulls soft pins, targets in texture space
     void setPulls(std::vector<Pin> pulls);
-    //! Lets go and takes the map back to where it was when the pulls began.
+    //! Removes the pulls and restores the map from before them.
     void cancelPulls();
 
 public Q_SLOTS:
     void run();
     void pause();
     void toggle();
-    //! One Newton step.
+    //! Runs one Newton step.
     void step();
-    //! Begins anew from the start mode, running when it was.
+    //! Starts again from the start mode; keeps running if it was running.
     void restart();
-    //! Forgets the solver's map: the document's is shown and continued from.
+    //! Discards the solver's map; the document's map is shown, and the next run starts from it.
     void discard();
 
 Q_SIGNALS:
-    //! Running, settling, mode or bound.
+    //! Running, pausing, mode or bound changed.
     void stateChanged();
-    //! status() and trace(), at most 30 times a second.
+    //! status() and trace() changed; at most 30 times a second.
     void statusChanged();
-    //! From the worker's thread: it waits, and this object will be told so by its event loop.
+    //! Called on the worker's thread when it waits; this object is notified through its event loop.
     void workerRests();
     //! \param message translated, one line
     void failed(const QString &message);
@@ -118,12 +121,13 @@ private:
     int mTraceStride = 1;
     homotopy::SolveMode mMode = homotopy::SolveMode::Budget;
     double mMaxDistortion = 4.1;
-    //! Of the document's state that the worker goes on from; none when it has nothing that fits the document.
+    //! Token of the document's state from which the worker continues; empty when the worker has nothing that
+    //! fits the document.
     std::optional<StateToken> mToken;
     std::vector<std::function<void()>> mWhenPaused;
     std::vector<Pin> mPulls;
     std::shared_ptr<const live::SolveResult> mBeforePulls;
-    QTimer mSendSoon; //!< one snapshot for all edits of one turn of the event loop
+    QTimer mSendSoon; //!< sends one snapshot for all edits in one turn of the event loop
     bool mRunning = false, mPausing = false, mStepping = false;
 };
 

@@ -1,4 +1,4 @@
-// What the parts of the window are given to work with.
+// The objects shared by all parts of the window.
 #pragma once
 
 namespace autocuts {
@@ -12,7 +12,7 @@ class SolverController;
 class ViewState;
 class Workspace;
 
-//! References to what exists once per window; all of it outlives panels, views and dialogs.
+//! References to the objects that exist once per window. They outlive panels, views and dialogs.
 struct StudioContext
 {
     Workspace &workspace;

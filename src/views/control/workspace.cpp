@@ -8,7 +8,7 @@ Workspace::Workspace(QObject *parent) : QObject(parent) {}
 
 Workspace::~Workspace()
 {
-    // Whoever hears of it must not find a document that is being taken apart.
+    // Receivers of the signal must not find a document that is being destroyed.
     if (mDocument)
         mDocument->disconnect(this);
 }
@@ -21,7 +21,7 @@ void Workspace::open(std::unique_ptr<Document> document, const QString &sessionP
         mDocument->undoStack().disconnect(this);
     }
     mRecorder.reset();
-    // The one before lives until everybody has turned to the new one.
+    // The previous document is destroyed after all receivers have changed to the new one.
     const std::unique_ptr<Document> previous = std::exchange(mDocument, std::move(document));
     mSessionPath = sessionPath;
     mNotes = notes;

@@ -1,4 +1,4 @@
-// What the window works on at present.
+// The open document and its session.
 #pragma once
 
 #include "commands/journalrecorder.h"
@@ -11,8 +11,8 @@
 
 namespace autocuts {
 
-//! Holds the open document, or none. Everything in the window knows the workspace and never keeps a document:
-//! the signals of whichever is open are passed on here.
+//! Owns the open document, if any. Other parts of the window use the workspace and never keep a document; the
+//! signals of the open document are forwarded here.
 class Workspace final : public QObject
 {
     Q_OBJECT
@@ -21,39 +21,40 @@ public:
     explicit Workspace(QObject *parent = nullptr);
     ~Workspace() override;
 
-    //! Null when nothing is open.
+    //! The open document; null when nothing is open.
     Document *document() const { return mDocument.get(); }
 
-    //! Replaces what is open, without asking.
-    //! \param sessionPath the project file that it is saved to, empty when it has none yet
-    //! \param journal leads to the document's present state
-    //! \param notes what the user should know about the model, one line each
+    //! Replaces the open document without asking.
+    //! \param sessionPath the project file of the session; empty when it has none yet
+    //! \param journal leads to the document's current state
+    //! \param notes on the model for the user, one line each
     void open(std::unique_ptr<Document> document, const QString &sessionPath,
               std::optional<Journal> journal = std::nullopt, const QStringList &notes = {});
     void close();
 
     //! Project file of the session; empty when it was never saved.
     const QString &sessionPath() const { return mSessionPath; }
-    //! What the title bar calls it: the file name of the session, else of the model.
+    //! The name for the title bar: the file name of the session, or of the model.
     QString name() const;
-    //! False when everything is saved, or nothing is open.
+    //! False when everything is saved or nothing is open.
     bool isModified() const;
-    //! The state as it is now is being saved. It is the saved one from now on: later edits are told from it,
-    //! but until endSave() the session counts as modified. \pre document()
+    //! Call it when saving the current state begins. Later edits count as edits of the saved state, but the
+    //! session counts as modified until endSave(). \pre document()
     void beginSave();
-    //! A save has ended; saves end in the order in which they began. \pre the document is still the same
-    //! \param path where the state was saved, empty when that failed
+    //! Call it when a save has ended; saves must end in the order in which they began.
+    //! \pre the document is still the same
+    //! \param path where the state was saved; empty when that failed
     void endSave(const QString &path);
-    //! What a recovered session contains is nowhere saved but in the recovery file.
+    //! Marks a recovered session, whose content is saved only in the recovery file.
     void setRecovered(bool recovered);
     const QStringList &notes() const { return mNotes; }
     //! \pre document()
     JournalRecorder &recorder() { return *mRecorder; }
 
-    //! True when the open document still has the map that it had in the state of the token; a job that began
-    //! in a state for which this is false was overtaken by an edit.
+    //! True when the open document still has the map of the token's state. If false, a job that started in
+    //! that state has been overtaken by an edit.
     bool hasMapOf(const StateToken &token) const;
-    //! True when nothing was edited since the state of the token but selection and view.
+    //! True when nothing except selection and view was edited since the token's state.
     bool isInState(const StateToken &token) const;
 
 Q_SIGNALS:
@@ -61,7 +62,7 @@ Q_SIGNALS:
     void documentReplaced();
     void changed(const autocuts::ChangeEvent &event);
     void selectionChanged();
-    //! The index of the undo stack, or whether it is at its saved mark, or the path.
+    //! The index of the undo stack, its saved mark or the path of the session changed.
     void historyChanged();
 
 private:
@@ -71,7 +72,7 @@ private:
     std::unique_ptr<JournalRecorder> mRecorder;
     QString mSessionPath;
     QStringList mNotes;
-    int mSaving = 0;        //!< saves that have not ended
+    int mSaving = 0;        //!< number of saves under way
     bool mWasSaved = false; //!< before the last save began
     bool mRecovered = false;
 };
