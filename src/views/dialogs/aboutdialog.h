@@ -1,11 +1,11 @@
-// What the program is, whose work it stands on, and its licence.
+// The about dialog.
 #pragma once
 
 #include <QDialog>
 
 namespace autocuts {
 
-//! Version, paper, licence, libraries.
+//! Shows the version, the paper, the licence and the libraries.
 class AboutDialog final : public QDialog
 {
     Q_OBJECT

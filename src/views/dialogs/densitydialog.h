@@ -1,4 +1,4 @@
-// The texel density that islands should get.
+// The dialog for setting a texel density.
 #pragma once
 
 #include <QDialog>
@@ -7,14 +7,14 @@ class QDoubleSpinBox;
 
 namespace autocuts {
 
-//! Asks for a texel density; proposes that of the selection.
+//! Asks for a texel density; suggests that of the selection.
 class DensityDialog final : public QDialog
 {
     Q_OBJECT
 
 public:
-    //! \param present of the selection; not a number when it has none
-    //! \param textureSize that the density refers to
+    //! \param present density of the selection; NaN when it has none
+    //! \param textureSize texture size that the density refers to
     DensityDialog(double present, int textureSize, QWidget *parent = nullptr);
 
     //! Texels per unit of the model.

@@ -20,7 +20,7 @@ namespace autocuts {
 
 namespace {
 
-// Limits of LayoutOptions.
+// Limits from LayoutOptions.
 constexpr int minSize = 16, maxSize = 16384, maxBleed = 256;
 
 } // namespace
@@ -145,7 +145,7 @@ void ExportLayoutDialog::showFormat()
     showPath();
 }
 
-//! A suffix that was typed chooses the format.
+//! A typed suffix sets the format.
 void ExportLayoutDialog::showPath()
 {
     const int index = mFormat->findData(QFileInfo(path()).suffix().toLower());

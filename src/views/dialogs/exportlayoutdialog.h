@@ -1,4 +1,4 @@
-// How to draw the picture of the UV map.
+// The dialog for exporting a picture of the UV layout.
 #pragma once
 
 #include "model/io/uvexport.h"
@@ -17,15 +17,15 @@ class ColorButton;
 class PathField;
 class Questions;
 
-//! Chooses format, size, colours, bleed and what is drawn.
+//! Sets format, size, colours, bleed and what is drawn.
 class ExportLayoutDialog final : public QDialog
 {
     Q_OBJECT
 
 public:
-    //! \param size proposed, in pixels
-    //! \param path proposed, .png or .svg
-    //! \param overlapping triangles of the mesh that can be hatched
+    //! \param size suggested size in pixels
+    //! \param path suggested path, .png or .svg
+    //! \param overlapping triangles of the mesh that may be hatched
     ExportLayoutDialog(int size, const QString &path, std::vector<int> overlapping, Questions &questions);
 
     QString path() const;

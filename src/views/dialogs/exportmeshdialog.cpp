@@ -42,7 +42,7 @@ QString filterOf(const QString &suffix)
     return filter;
 }
 
-//! Names such as glTF keep their small letter.
+//! Names such as glTF keep their lower-case first letter.
 QString capitalized(const QString &text)
 {
     const QString word = text.section(QLatin1Char(' '), 0, 0);
@@ -81,7 +81,7 @@ ExportMeshDialog::ExportMeshDialog(Scene scene, const QString &path, Questions &
 
     const QString format = writableFormats().contains(mScene.format) ? mScene.format : QStringLiteral("obj");
     QString proposed = path + QLatin1Char('.') + format;
-    // The model that came in is not replaced without being asked for.
+    // The suggested path must not be that of the original model, so that it is not replaced by accident.
     if (QFileInfo(proposed) == QFileInfo(mScene.path))
         proposed = path + QStringLiteral("_uv.") + format;
     mPath->setPath(proposed);
@@ -124,7 +124,7 @@ void ExportMeshDialog::showFormat()
     showPath();
 }
 
-//! A suffix that was typed chooses the format.
+//! A typed suffix sets the format.
 void ExportMeshDialog::showPath()
 {
     const int index = mFormat->findData(QFileInfo(path()).suffix().toLower());

@@ -1,4 +1,4 @@
-// Where and in which format to write the model.
+// The dialog for exporting the model.
 #pragma once
 
 #include "model/document/scene.h"
@@ -14,18 +14,18 @@ namespace autocuts {
 class PathField;
 class Questions;
 
-//! Says of every format what it cannot hold before anything is written.
+//! Sets path and format, and lists what the format cannot hold before anything is written.
 class ExportMeshDialog final : public QDialog
 {
     Q_OBJECT
 
 public:
-    //! \param scene as it would be written
-    //! \param path proposed, without a suffix
+    //! \param scene the scene to write
+    //! \param path suggested path without suffix
     ExportMeshDialog(Scene scene, const QString &path, Questions &questions);
 
     QString path() const;
-    //! Lower-case suffix.
+    //! Lower-case suffix of the format.
     QString format() const;
     void setFormat(const QString &format);
     //! What the chosen format cannot hold, one line each.

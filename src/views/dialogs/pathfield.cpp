@@ -69,7 +69,7 @@ void PathField::browse()
     const QString chosen = mQuestions.fileToSave(mTitle, path(), mFilters);
     if (chosen.isEmpty())
         return;
-    // The file dialog has asked already.
+    // The file dialog has already asked.
     mAgreed = chosen;
     setPath(chosen);
 }

@@ -1,4 +1,4 @@
-// A file to write: a path to type, or to choose.
+// A field for the path of a file to write.
 #pragma once
 
 #include <QStringList>
@@ -10,24 +10,24 @@ namespace autocuts {
 
 class Questions;
 
-//! A path and a button that asks for one.
+//! A path and a button that opens a file dialog.
 class PathField final : public QWidget
 {
     Q_OBJECT
 
 public:
-    //! \param title of the file dialog
+    //! \param title title of the file dialog
     PathField(const QString &title, Questions &questions, QWidget *parent = nullptr);
 
     QString path() const;
     void setPath(const QString &path);
     //! Replaces the suffix of the path.
     void setSuffix(const QString &suffix);
-    //! As QFileDialog's.
+    //! Filters as for QFileDialog.
     void setFilters(const QStringList &filters) { mFilters = filters; }
     //! What is wrong with the path, translated; empty when a file can be written there.
     QString problem() const;
-    //! Asks before a file is replaced that the user has not agreed to replace yet.
+    //! Asks before replacing a file, unless the user has already agreed.
     bool confirmReplacing();
 
 Q_SIGNALS:

@@ -31,7 +31,7 @@ constexpr int smallest = 64, largest = 4096;
 //! Texels along the side of a square of the checkerboard.
 constexpr int squareTexels = 16;
 
-//! The file is there as a whole or not at all: another job may look for it. \returns what went wrong
+//! Writes a file atomically, because another job may look for it. \returns the error
 QString written(const QByteArray &bytes, const QString &to)
 {
     QSaveFile file(to);
@@ -39,7 +39,7 @@ QString written(const QByteArray &bytes, const QString &to)
     return done ? QString() : file.errorString();
 }
 
-//! The picture as a texture of this size would have it. \returns what went wrong
+//! Resamples an image to the size of the texture. \returns the error
 QString resample(const QString &from, int size, const QString &to)
 {
     QImageReader reader(from);
@@ -95,7 +95,7 @@ PreviewDialog::PreviewDialog(const StudioContext &context, Questions &questions)
 
 PreviewDialog::~PreviewDialog()
 {
-    delete mView; // before the tools, which it knows
+    delete mView; // destroyed before the tools that it uses
 }
 
 QWidget *PreviewDialog::makeControls()

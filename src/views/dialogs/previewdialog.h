@@ -1,4 +1,4 @@
-// The model with a picture on it, as a renderer would show it.
+// The preview of the model with a texture.
 #pragma once
 
 #include "views/canvas/toolmanager.h"
@@ -18,8 +18,8 @@ namespace autocuts {
 class MeshView;
 class Questions;
 
-//! Shows the map at work: a checkerboard of true texels, a texture resampled to a size, or the picture of the
-//! layout, on a view of the model of its own. Changes nothing; the picture of the view can be saved.
+//! Shows a checkerboard with squares of a fixed number of texels, a texture resampled to a size, or the
+//! picture of the layout, in its own 3D view. Changes nothing; the view can be saved as a picture.
 class PreviewDialog final : public QDialog
 {
     Q_OBJECT
@@ -31,16 +31,16 @@ public:
     ~PreviewDialog() override;
 
     MeshView &view() { return *mView; }
-    //! What the view shows.
+    //! The options of the view.
     const ViewOptions &options() const { return mState.options(); }
-    //! False while the picture is being made.
+    //! False while the texture is being made.
     bool isReady() const { return !mJobs.isBusy(); }
 
 private:
     QWidget *makeControls();
     void choosePicture();
     void browse();
-    //! Makes the picture for what is chosen and shows it.
+    //! Makes the texture for the current choice and shows it.
     void refresh();
     void showTexture(const QString &path);
     void save();
@@ -49,11 +49,11 @@ private:
 
     StudioContext mContext;
     Questions &mQuestions;
-    QTemporaryDir mFolder; //!< of the resampled pictures
-    QString mTexturePath;  //!< as the user chose it
+    QTemporaryDir mFolder; //!< contains the resampled textures
+    QString mTexturePath;  //!< the texture that the user chose
     ViewState mState;
-    StudioContext mViewContext; //!< with a view state of its own
-    ToolManager mTools;         //!< none: the preview is only looked at
+    StudioContext mViewContext; //!< has its own view state
+    ToolManager mTools;         //!< empty: the preview has no tools
     JobRunner mJobs{JobRunner::OnCancel::LetGo};
     MeshView *mView;
     QComboBox *mPicture, *mSize;

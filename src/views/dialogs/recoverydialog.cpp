@@ -21,7 +21,7 @@ namespace {
 
 constexpr QSize thumbnailSize(96, 64);
 
-//! The picture of a session in the middle of a box of one size for all.
+//! The picture of a session, centred in a box that has the same size for all sessions.
 QIcon thumbnail(const RecoverableSession &session, qreal ratio)
 {
     QPixmap box(thumbnailSize * ratio);

@@ -1,4 +1,4 @@
-// What a crash left behind.
+// The dialog for recovering sessions after a crash.
 #pragma once
 
 #include "model/io/autosave.h"
@@ -14,7 +14,8 @@ namespace autocuts {
 
 class Questions;
 
-//! Lists sessions that ended without order: one can be recovered now, others discarded or left for later.
+//! Lists sessions that did not end normally. One can be recovered now; others can be discarded or kept for
+//! later.
 class RecoveryDialog final : public QDialog
 {
     Q_OBJECT

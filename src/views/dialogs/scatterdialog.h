@@ -1,4 +1,4 @@
-// How far to scatter islands.
+// The dialog for scattering islands.
 #pragma once
 
 #include "model/document/arrangement.h"
@@ -10,7 +10,7 @@ class QSpinBox;
 
 namespace autocuts {
 
-//! Asks for the limits of a random move, turn and scaling, and for the seed.
+//! Asks for the limits of random moves, turns and scaling, and for the seed.
 class ScatterDialog final : public QDialog
 {
     Q_OBJECT

@@ -10,7 +10,7 @@ namespace autocuts {
 
 namespace {
 
-//! A fine line through the middle, that can be seen on dark and on light windows.
+//! A thin horizontal line that is visible on dark and light windows.
 class HeadingLine final : public QWidget
 {
 protected:
@@ -55,7 +55,7 @@ QPushButton *makeButton(const QString &text, QLatin1StringView name)
     auto *button = new QPushButton(text);
     button->setObjectName(name);
     button->setAutoDefault(false);
-    // Fusion gives every button room for a long text; several have to fit beside each other.
+    // Fusion makes every button wide enough for a long text; here several buttons have to fit side by side.
     button->setMinimumWidth(button->fontMetrics().horizontalAdvance(text) + 20);
     return button;
 }

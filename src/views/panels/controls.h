@@ -1,4 +1,4 @@
-// Small helpers for building panels: rows, buttons, headings that look the same everywhere.
+// Helpers for building panels: rows, buttons and headings that look the same everywhere.
 #pragma once
 
 #include <QLatin1StringView>
@@ -14,25 +14,25 @@ class QWidget;
 
 namespace autocuts {
 
-//! Space between rows, and between a panel's content and its border, in device-independent pixels.
+//! Space between rows, and between the content of a panel and its border, in device-independent pixels.
 inline constexpr int rowSpacing = 4;
 inline constexpr int panelMargin = 8;
 
-//! A form layout on owner with narrow rows and without margins.
+//! Makes a form layout on `owner` with narrow rows and without margins.
 QFormLayout *makeForm(QWidget *owner);
-//! Adds a row whose label is the field's buddy; both show the tip.
+//! Adds a row. The label is the field's buddy, and both have the tooltip.
 QLabel *addRow(QFormLayout *form, const QString &label, QWidget *field, const QString &tip);
-//! A push button that may become as narrow as its text. \param name object name
+//! Makes a push button that can be as narrow as its text. \param name object name
 QPushButton *makeButton(const QString &text, QLatin1StringView name);
 enum class RowWidths { Equal, AsNeeded };
-//! Widgets beside each other.
+//! Makes a row of widgets.
 QWidget *makeRow(std::initializer_list<QWidget *> widgets, RowWidths widths = RowWidths::Equal);
-//! Title of a section, bold, with a line.
+//! Makes a section heading: bold, with a line.
 QWidget *makeHeading(const QString &text);
-//! A caption and a value beside it in a grid, the value aligned to the right, both with the tip.
-//! \param column of the caption; the value gets the next one \returns the label of the value
+//! Adds a caption and a right-aligned value to a grid, both with the tooltip.
+//! \param column of the caption; the value is in the next one \returns the label of the value
 QLabel *addFigure(QGridLayout *grid, int row, int column, const QString &caption, const QString &tip);
-//! A label in several lines in the colour of remarks.
+//! Makes a label with several lines in the colour of remarks.
 QLabel *makeRemark(const QString &text = {});
 
 } // namespace autocuts

@@ -15,7 +15,7 @@ namespace autocuts {
 namespace {
 
 constexpr double lineWidth = 1.5;
-constexpr int tickSpacing = 30; //!< least distance of two ticks, pixels
+constexpr int tickSpacing = 30; //!< smallest distance of two ticks, in pixels
 
 std::vector<float> valuesOf(const std::vector<live::TracePoint> &trace, float live::TracePoint::*field)
 {
@@ -101,7 +101,7 @@ QRectF ConvergenceGraph::plotRect() const
 {
     const QFontMetricsF metrics(font());
     const double side = metrics.horizontalAdvance(QStringLiteral("0.000")) + 6;
-    // The values stand in a line of their own above the topmost tick.
+    // The values are written in their own line above the topmost tick.
     const double top = 1.5 * metrics.height() + 4;
     return QRectF(rect()).adjusted(side, top, -side, -metrics.height() - 4);
 }
@@ -188,7 +188,7 @@ void ConvergenceGraph::drawFrame(QPainter &painter, const QRectF &plot, const Co
 
 void ConvergenceGraph::drawDelta(QPainter &painter, const QRectF &plot, const Colors &c) const
 {
-    // Delta goes down by factors of two: its steps stand on a logarithmic axis of their own, half as high.
+    // Delta is halved in steps, so it has its own logarithmic axis, with half the height.
     const auto yOf = [&](float delta) {
         return plot.bottom() - plot.height() * (0.05 + 0.9 * mDeltaAxis.fraction(delta));
     };
@@ -274,7 +274,7 @@ void ConvergenceGraph::drawMark(QPainter &painter, const QRectF &plot, const Col
 bool ConvergenceGraph::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
-        // The program has shortcuts on these keys.
+        // These keys are also shortcuts of the program.
         const int key = static_cast<QKeyEvent *>(event)->key();
         if (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Home || key == Qt::Key_End)
             event->accept();

@@ -1,4 +1,4 @@
-// The live graph of a solve: distortion and separation against iterations.
+// The graph of a running solve: distortion and separation by iteration.
 #pragma once
 
 #include "views/control/solvercontroller.h"
@@ -10,9 +10,9 @@
 
 namespace autocuts {
 
-//! D on the left axis, S on the right one, delta as steps in the background. Under the mouse, or at the mark
-//! that Left and Right move, the values of one iteration are shown. Of any number of points one column of
-//! pixels draws at most one vertical line per curve.
+//! Shows D on the left axis, S on the right axis, and delta as steps in the background. The values of one
+//! iteration are shown for the mouse position or for a mark that Left and Right move. Each curve is drawn
+//! with at most one vertical line per pixel column, whatever the number of points.
 class ConvergenceGraph final : public QWidget
 {
     Q_OBJECT
@@ -20,7 +20,7 @@ class ConvergenceGraph final : public QWidget
 public:
     explicit ConvergenceGraph(QWidget *parent = nullptr);
 
-    //! \param trace rising by iteration
+    //! \param trace ascending by iteration
     void setTrace(const std::vector<live::TracePoint> &trace);
     const std::vector<live::TracePoint> &trace() const { return mTrace; }
 
@@ -43,7 +43,7 @@ protected:
 
 private:
     struct Colors;
-    //! Smallest and largest value of the points of one column of pixels, and the last one.
+    //! Smallest, largest and last value of the points in one pixel column.
     struct Column
     {
         int x = 0;

@@ -9,7 +9,7 @@ namespace autocuts {
 
 DeltaSpinBox::DeltaSpinBox(QWidget *parent) : QDoubleSpinBox(parent)
 {
-    // QDoubleSpinBox rounds to this many decimals.
+    // QDoubleSpinBox rounds values to this many decimals.
     setDecimals(15);
 }
 
@@ -21,7 +21,7 @@ void DeltaSpinBox::stepBy(int steps)
 
 QSize DeltaSpinBox::sizeHint() const
 {
-    // The inherited hint makes room for all decimals.
+    // The inherited size hint has space for all decimals.
     QStyleOptionSpinBox option;
     initStyleOption(&option);
     const QSize text(fontMetrics().horizontalAdvance(QStringLiteral("8.888e-08")) + 8,
@@ -45,7 +45,7 @@ QValidator::State DeltaSpinBox::validate(QString &text, int &) const
     const double value = locale().toDouble(text, &isNumber);
     if (isNumber && value >= minimum() && value <= maximum())
         return QValidator::Acceptable;
-    // Digits may still be missing: "1e-".
+    // The input may be incomplete: "1e-".
     return QValidator::Intermediate;
 }
 

@@ -1,11 +1,12 @@
-// A spin box for delta, which goes by factors of two.
+// A spin box for delta, with steps by a factor of two.
 #pragma once
 
 #include <QDoubleSpinBox>
 
 namespace autocuts {
 
-//! Shows four significant digits, also of very small numbers ("1.526e-05"); a step doubles or halves.
+//! Shows four significant digits, also of very small numbers ("1.526e-05"). A step doubles or halves the
+//! value.
 class DeltaSpinBox final : public QDoubleSpinBox
 {
     Q_OBJECT

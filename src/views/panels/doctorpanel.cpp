@@ -107,7 +107,7 @@ void DoctorPanel::refresh()
 
 void DoctorPanel::showNotes(const Document &document)
 {
-    // The workspace's notes also hold what reading the file gave; findings of the mesh may be among them.
+    // Notes of the workspace also contain those of the file reader, and may repeat findings about the mesh.
     QStringList notes = context().workspace.notes();
     for (const QString &finding : meshDoctorNotes(document.mesh().report)) {
         if (!notes.contains(finding))

@@ -1,4 +1,4 @@
-// The panel of the mesh doctor.
+// The mesh doctor panel.
 #pragma once
 
 #include "views/panels/panel.h"
@@ -10,7 +10,8 @@ class QLabel;
 
 namespace autocuts {
 
-//! What is unusual about the model and how it is handled, its counts, and the figures of the map.
+//! Shows what is unusual about the model and how it is handled, the counts of the model, and the figures of
+//! the map.
 class DoctorPanel final : public Panel
 {
     Q_OBJECT

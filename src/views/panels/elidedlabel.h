@@ -1,11 +1,11 @@
-// A line of text that gives way.
+// A label that is shortened when there is little space.
 #pragma once
 
 #include <QWidget>
 
 namespace autocuts {
 
-//! Shows one line, shortened by an ellipsis when there is no room; the whole text is then in the tooltip.
+//! Shows one line, shortened by an ellipsis when it does not fit; the full text is then in the tooltip.
 class ElidedLabel final : public QWidget
 {
     Q_OBJECT
@@ -16,7 +16,7 @@ public:
     const QString &text() const { return mText; }
     void setText(const QString &text);
 
-    //! Takes the width of its text up to this, instead of whatever is left over.
+    //! Limits the width to that of the text, up to this value. Otherwise the label takes all available space.
     void setWidest(int width);
 
     QSize sizeHint() const override;

@@ -1,4 +1,4 @@
-// Captions and figures in one line, each at a fixed place.
+// A line of captions and figures at fixed positions.
 #pragma once
 
 #include <QString>
@@ -8,8 +8,8 @@
 
 namespace autocuts {
 
-//! Every figure has room for its widest text, so that nothing moves while numbers run. When the strip is too
-//! narrow, the figures added last are left out.
+//! Every figure has enough space for its widest text, so that nothing moves while numbers change. When the
+//! strip is too narrow, the figures added last are hidden.
 class FigureStrip final : public QWidget
 {
     Q_OBJECT
@@ -17,13 +17,13 @@ class FigureStrip final : public QWidget
 public:
     explicit FigureStrip(QWidget *parent = nullptr);
 
-    //! \param widest the longest text to make room for \returns the number of the figure
+    //! \param widest longest text that has to fit \returns the index of the figure
     int addFigure(const QString &caption, const QString &widest, const QString &tip);
-    //! \param alert drawn in the colour of problems
+    //! \param alert true: draw it in the colour of problems
     void setFigure(int number, const QString &text, bool alert = false);
     const QString &figure(int number) const { return mFigures[number].text; }
     bool isAlert(int number) const { return mFigures[number].alert; }
-    //! How many figures there is room for.
+    //! The number of figures that fit.
     int visibleCount() const;
 
     QSize sizeHint() const override;
@@ -41,7 +41,7 @@ private:
     };
 
     int widthOf(const Figure &figure) const;
-    //! The number of the figure at a place; -1 for none.
+    //! The index of the figure at a position; -1 for none.
     int figureAt(int x) const;
 
     std::vector<Figure> mFigures;

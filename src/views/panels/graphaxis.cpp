@@ -12,7 +12,7 @@ namespace {
 
 constexpr double logarithmicRatio = 20;
 
-//! 1, 2 or 5 times a power of ten, at least `length`.
+//! The smallest number not below `length` that is 1, 2 or 5 times a power of ten.
 double roundStep(double length)
 {
     const double power = std::pow(10.0, std::floor(std::log10(length)));
@@ -66,7 +66,7 @@ GraphAxis GraphAxis::around(const std::vector<float> &values)
         return {};
     if (low > 0 && high > logarithmicRatio * low)
         return {low, high, true};
-    // A line that is all but flat must not fill the height with its noise.
+    // Keeps small variations of a nearly constant curve from filling the whole height.
     const double span = std::max({high - low, 0.02 * std::abs(high), 1e-6});
     const double step = roundStep(span / 4);
     return {std::floor(low / step) * step, std::ceil((low + span) / step) * step, false};

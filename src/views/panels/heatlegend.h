@@ -1,4 +1,4 @@
-// The colours of a heat-map and what they stand for.
+// The legend of a heat-map.
 #pragma once
 
 #include <QGradient>
@@ -8,7 +8,7 @@
 
 namespace autocuts {
 
-//! A bar of colours with a label at each end and one in the middle.
+//! A colour bar with a label at each end and one in the middle.
 class HeatLegend final : public QWidget
 {
     Q_OBJECT

@@ -29,14 +29,14 @@ HistoryPanel::HistoryPanel(const StudioContext &context, QWidget *parent)
     layout->addWidget(mMemory);
     connect(&context.workspace, &Workspace::documentReplaced, this, &HistoryPanel::replaceStack);
     connect(&context.workspace, &Workspace::historyChanged, this, [this] { refreshSoon(); });
-    // Merged steps change no index, only how much is held.
+    // Merged commands do not change the index, only the memory used.
     connect(&context.workspace, &Workspace::changed, this, [this] { refreshSoon(); });
     replaceStack();
 }
 
 void HistoryPanel::replaceStack()
 {
-    // At once: the stack of a closed document is no more.
+    // Updated at once, because the stack of a closed document no longer exists.
     mView->setHistory(document() ? &document()->undoStack() : nullptr);
 }
 

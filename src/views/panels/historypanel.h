@@ -9,8 +9,8 @@ namespace autocuts {
 
 class HistoryView;
 
-//! Lists what was done, with the saved state marked; a click goes there. Entries that gave up their contents
-//! for lack of memory are grey and cannot be gone back to.
+//! Lists the undo entries with a mark at the saved state. A click goes to an entry. Entries whose contents
+//! were released to save memory are grey and cannot be selected.
 class HistoryPanel final : public Panel
 {
     Q_OBJECT

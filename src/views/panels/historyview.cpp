@@ -43,7 +43,7 @@ QString iconName(int commandId)
     return u"clear"_s;
 }
 
-//! Puts the sign of its kind before each entry, and "saved" behind the saved one.
+//! Draws an icon for its kind before each entry, and "saved" after the saved one.
 class HistoryDelegate final : public QStyledItemDelegate
 {
 public:
@@ -54,7 +54,7 @@ public:
     void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
     {
         QStyledItemDelegate::paint(painter, option, index);
-        // Row 0 is the state as it was opened: not saved by anybody.
+        // Row 0 is the state after opening, which was not saved in this session.
         if (!mStack || index.row() == 0 || index.row() != mStack->cleanIndex())
             return;
         const bool selected = option.state & QStyle::State_Selected;

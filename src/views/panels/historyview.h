@@ -8,7 +8,7 @@
 
 namespace autocuts {
 
-//! QUndoView with icons, in which released entries are grey and cannot be chosen.
+//! A QUndoView with icons, in which released entries are grey and cannot be selected.
 class HistoryView final : public QUndoView
 {
     Q_OBJECT

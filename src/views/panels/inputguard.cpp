@@ -53,7 +53,7 @@ bool InputGuard::eventFilter(QObject *watched, QEvent *event)
 {
     switch (event->type()) {
     case QEvent::ChildPolished:
-        // By now the child has the type that it will have.
+        // The child's constructor has run by now, so its type is known.
         guard(static_cast<QChildEvent *>(event)->child());
         break;
     case QEvent::Wheel:

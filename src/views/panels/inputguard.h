@@ -1,4 +1,4 @@
-// Keeps wheel, keys and focus of a panel's controls apart from what surrounds the panel.
+// Handles wheel, keys and focus of the controls in a panel.
 #pragma once
 
 #include <QObject>
@@ -6,16 +6,17 @@
 namespace autocuts {
 
 //! For the controls below a widget:
-//! - spin boxes, combo boxes and sliders take the wheel only while they have the focus; else it scrolls,
-//! - what has the focus gets the keys that it is operated with (arrows, Space), although the program has
-//!   shortcuts on them,
-//! - buttons take the focus by Tab only, so that Space runs and pauses after a click.
+//! - Spin boxes, combo boxes and sliders use the wheel only while they have the focus; otherwise the panel
+//!   scrolls.
+//! - The control with the focus gets the keys that operate it (arrows, Space), even when they are shortcuts
+//!   of the program.
+//! - Buttons get the focus by Tab only, so that after a click Space still runs and pauses the solver.
 class InputGuard final : public QObject
 {
     Q_OBJECT
 
 public:
-    //! Guards what is, and will be, below root. \param root becomes the parent
+    //! Handles all current and future children of root. \param root becomes the parent
     explicit InputGuard(QWidget *root);
 
     bool eventFilter(QObject *watched, QEvent *event) override;

@@ -24,7 +24,7 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-//! While islands are dragged the table waits until they rest.
+//! The table is updated when islands have not changed for this time.
 constexpr int settleDelay = 120; //!< milliseconds
 
 } // namespace
@@ -201,7 +201,7 @@ void IslandPanel::refresh()
     mEqualize->setEnabled(mTable->rowCount() > 0 && !map.jobs().isBusy());
 }
 
-//! Selects the rows of the islands that have selected faces.
+//! Selects the rows of islands with selected faces.
 void IslandPanel::selectRows(const Document &document)
 {
     std::vector<bool> wanted(mTable->rowCount());
@@ -222,7 +222,7 @@ void IslandPanel::selectRows(const Document &document)
     mView->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
 }
 
-//! Selects the faces of the islands whose rows the user selected.
+//! Selects the faces of the islands in the selected rows.
 void IslandPanel::selectFaces()
 {
     if (mSyncing || mFiguresStale || !document())

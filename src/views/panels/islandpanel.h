@@ -1,4 +1,4 @@
-// The panel of the islands.
+// The panel of UV islands.
 #pragma once
 
 #include "commands/setislandflags.h"
@@ -15,8 +15,8 @@ namespace autocuts {
 
 class IslandTable;
 
-//! A table of all islands whose rows are selected together with the islands' faces; locks, stacks and groups
-//! them and sets their texel density.
+//! A table of all islands. Selecting a row selects the faces of the island and vice versa. The panel locks,
+//! stacks and groups islands and sets their texel density.
 class IslandPanel final : public Panel
 {
     Q_OBJECT
@@ -24,7 +24,7 @@ class IslandPanel final : public Panel
 public:
     explicit IslandPanel(const StudioContext &context, QWidget *parent = nullptr);
 
-    //! Islands of the selected faces, rising.
+    //! The islands of the selected faces, ascending.
     std::vector<int> selectedIslands() const;
 
 protected:
@@ -46,11 +46,11 @@ private:
     QSortFilterProxyModel *mSorted;
     QTableView *mView;
     QLabel *mSummary;
-    std::vector<QPushButton *> mSelectionButtons; //!< that work on the selected islands
+    std::vector<QPushButton *> mSelectionButtons; //!< the buttons that act on selected islands
     QDoubleSpinBox *mDensity = nullptr;
     QPushButton *mEqualize = nullptr;
     bool mFiguresStale = true;
-    bool mSyncing = false; //!< rows are being selected because faces were
+    bool mSyncing = false; //!< rows are being selected after a change of the selected faces
 };
 
 } // namespace autocuts

@@ -12,7 +12,7 @@ namespace autocuts {
 
 namespace {
 
-//! Not a number sorts before everything else.
+//! NaN sorts before all other values.
 double sortable(double value)
 {
     return std::isnan(value) ? -1 : value;
@@ -153,7 +153,7 @@ bool IslandTable::setData(const QModelIndex &index, const QVariant &value, int r
     if (role != Qt::CheckStateRole || index.column() != Lock)
         return false;
     Q_EMIT lockRequested(index.row(), value.toInt() == Qt::Checked);
-    // The row changes when the document has.
+    // The row changes after the document has changed.
     return false;
 }
 

@@ -1,4 +1,4 @@
-// The islands as a table.
+// The table model of the islands.
 #pragma once
 
 #include "views/control/islandfigures.h"
@@ -7,7 +7,7 @@
 
 namespace autocuts {
 
-//! One row per island, in the order of Document::islands(); knows no document.
+//! One row per island, in the order of Document::islands(). Does not use the document.
 class IslandTable final : public QAbstractTableModel
 {
     Q_OBJECT
@@ -26,11 +26,11 @@ public:
     QVariant data(const QModelIndex &index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     Qt::ItemFlags flags(const QModelIndex &index) const override;
-    //! Only the check box of the lock: asks for lockRequested().
+    //! Accepts only the check box of the lock, and emits lockRequested().
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
 
 Q_SIGNALS:
-    //! The check box of an island was clicked.
+    //! The lock of an island was clicked.
     void lockRequested(int island, bool locked);
 
 private:

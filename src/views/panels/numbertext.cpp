@@ -15,7 +15,7 @@ QString fixedText(double value, int decimals)
 {
     if (!std::isfinite(value))
         return missingText();
-    // Far outside of what the figures are for: a row of zeros would only break the layout.
+    // Such values are outside the useful range; many digits would only break the layout.
     if (std::abs(value) >= 1e7)
         return QLocale().toString(value, 'g', 3);
     return QLocale().toString(value, 'f', decimals);

@@ -21,7 +21,7 @@ QVariant OverlapModel::data(const QModelIndex &index, int role) const
     if (!checkIndex(index, CheckIndexOption::IndexIsValid) || role != Qt::DisplayRole)
         return {};
     const OverlapRow &row = mRows[index.row()];
-    // People count from 1.
+    // Shown numbers start at 1.
     const QString faces = tr("faces %1 and %2").arg(countText(row.faces[0] + 1), countText(row.faces[1] + 1));
     if (row.faces[0] == row.faces[1])
         return tr("Island %1: face %2 covers itself")

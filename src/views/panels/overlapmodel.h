@@ -1,4 +1,4 @@
-// The overlaps of a map as a list.
+// The list model of overlaps.
 #pragma once
 
 #include <QAbstractListModel>
@@ -8,13 +8,13 @@
 
 namespace autocuts {
 
-//! One overlap: two faces, and the islands they are in.
+//! An overlap of two faces, with their islands.
 struct OverlapRow
 {
     std::array<int, 2> faces{}, islands{};
 };
 
-//! One row per overlapping pair of faces, in the order given.
+//! One row per overlapping pair of faces, in the given order.
 class OverlapModel final : public QAbstractListModel
 {
     Q_OBJECT

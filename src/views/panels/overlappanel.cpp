@@ -21,7 +21,7 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-//! One row per pair of faces: polygons overlap by several of their triangles.
+//! One row per pair of faces. Polygons may overlap by several of their triangles.
 std::vector<OverlapRow> overlapRows(const Document &document, const std::vector<std::array<int, 2>> &pairs)
 {
     const auto faceOf = [&](int triangle) { return document.mesh().triangleFace[triangle]; };

@@ -1,4 +1,4 @@
-// The panel of overlaps and flips.
+// The panel of overlaps and flipped triangles.
 #pragma once
 
 #include "views/panels/panel.h"
@@ -11,8 +11,8 @@ namespace autocuts {
 
 class OverlapModel;
 
-//! Counts overlapping pairs of triangles and flipped triangles, steps through the overlaps, the largest
-//! first, and takes them all apart.
+//! Counts overlapping pairs of triangles and flipped triangles, steps through the overlaps from the largest
+//! to the smallest, and separates all of them.
 class OverlapPanel final : public Panel
 {
     Q_OBJECT
@@ -21,7 +21,7 @@ public:
     explicit OverlapPanel(const StudioContext &context, QWidget *parent = nullptr);
 
 Q_SIGNALS:
-    //! What was just selected should be brought into view.
+    //! The views should show the newly selected faces.
     void frameSelectionRequested();
 
 protected:

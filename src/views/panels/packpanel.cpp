@@ -176,7 +176,7 @@ void PackPanel::showSettings(const PackingSettings &settings)
 {
     const QSignalBlocker blockers[] = {QSignalBlocker(mTextureSize), QSignalBlocker(mMargin),
                                        QSignalBlocker(mRotation), QSignalBlocker(mTile)};
-    // What is being typed is not overwritten.
+    // Text that is being typed is not overwritten.
     if (!mTextureSize->lineEdit()->hasFocus() || !mTextureSize->lineEdit()->isModified())
         mTextureSize->setEditText(QString::number(settings.textureSize));
     mMargin->setMaximum(std::min(settings.textureSize, 9999));

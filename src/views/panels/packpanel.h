@@ -1,4 +1,4 @@
-// The panel of packing.
+// The packing panel.
 #pragma once
 
 #include "views/panels/panel.h"
@@ -12,7 +12,8 @@ class QSpinBox;
 
 namespace autocuts {
 
-//! Texture size, margin, rotation, tile; packs all islands or the selected ones; figures of the packed map.
+//! Sets texture size, gutter, rotation and tile, packs all or the selected islands, and shows figures of the
+//! packed map.
 class PackPanel final : public Panel
 {
     Q_OBJECT

@@ -37,7 +37,7 @@ Panel::Panel(const StudioContext &context, const QString &emptyText, QWidget *pa
     mEmptyNote->setMargin(8);
     mEmptyNote->setObjectName("emptyNote"_L1);
     mScrollArea->setFrameShape(QFrame::NoFrame);
-    // A click on a button must not take the focus from the views.
+    // The views keep the focus when a button is clicked.
     mScrollArea->setFocusPolicy(Qt::NoFocus);
     mScrollArea->setWidgetResizable(true);
     mScrollArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -60,7 +60,7 @@ Panel::Panel(const StudioContext &context, const QString &emptyText, QWidget *pa
 
 Panel::~Panel()
 {
-    // A field that loses the focus because it is destroyed still tells its value, to a panel that is no more.
+    // A field with the focus emits its value when it is destroyed; the panel must not receive that.
     for (QObject *child : findChildren<QObject *>())
         child->disconnect(this);
 }
@@ -102,7 +102,7 @@ void Panel::showEvent(QShowEvent *event)
 {
     if (mStale)
         refreshNow();
-    // Rows can only now be measured with the right font: a scroll bar must not hide their ends.
+    // Only now are the rows measured with the right font. The scroll bar must not cover their ends.
     mScrollArea->setMinimumWidth(mContent->minimumSizeHint().width() +
                                  mScrollArea->verticalScrollBar()->sizeHint().width());
     QWidget::showEvent(event);
@@ -125,7 +125,7 @@ void Panel::pushSettings(const SolveSettings &solve, const PackingSettings &pack
     auto command = std::make_unique<ChangeSettings>(*document(), solve, packing);
     command->setGesture(gesture);
     pushCommand(std::move(command));
-    // A value that was not taken must not stay in the widget.
+    // A value that was rejected must not stay in the widget.
     refreshSoon();
 }
 

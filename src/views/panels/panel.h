@@ -1,4 +1,4 @@
-// What all docked panels have in common.
+// The base class of all docked panels.
 #pragma once
 
 #include "commands/documentcommand.h"
@@ -12,8 +12,8 @@ class QScrollArea;
 
 namespace autocuts {
 
-//! A panel scrolls when its dock is too small, is disabled with a line of explanation while nothing is open,
-//! and refreshes itself at most once per turn of the event loop and only while it is seen.
+//! A panel scrolls when its dock is too small. While nothing is open it is disabled and shows an explanation.
+//! It refreshes at most once per turn of the event loop, and only while it is visible.
 class Panel : public QWidget
 {
     Q_OBJECT
@@ -21,25 +21,25 @@ class Panel : public QWidget
 public:
     ~Panel() override;
 
-    //! True when refresh() has nothing to catch up with.
+    //! True when no refresh is pending.
     bool isUpToDate() const { return !mStale; }
 
 protected:
-    //! \param emptyText shown while nothing is open
+    //! \param emptyText text that is shown while nothing is open
     Panel(const StudioContext &context, const QString &emptyText, QWidget *parent);
 
-    //! The widget that is filled by the panel.
+    //! The widget to which subclasses add their controls.
     QWidget *content() const { return mContent; }
     const StudioContext &context() const { return mContext; }
-    //! Null when nothing is open.
+    //! The open document; null when nothing is open.
     Document *document() const;
 
-    //! Brings the widgets in line with the document. Called with and without one.
+    //! Updates the widgets from the document. Also called when no document is open.
     virtual void refresh() = 0;
-    //! Asks for a refresh. \param delayMs of quiet to wait for
+    //! Requests a refresh. \param delayMs time without further requests before it
     void refreshSoon(int delayMs = 0);
 
-    //! Changes the solver's settings by one command. \param edit is given the settings to change
+    //! Changes the solver's settings by one command. \param edit changes the settings that it is given
     template <class Edit>
     void changeSolveSettings(Edit edit, quint64 gesture = 0)
     {
@@ -49,7 +49,7 @@ protected:
         edit(settings);
         pushSettings(settings, document()->packingSettings(), gesture);
     }
-    //! Changes the packing settings by one command. \param edit is given the settings to change
+    //! Changes the packing settings by one command. \param edit changes the settings that it is given
     template <class Edit>
     void changePackingSettings(Edit edit, quint64 gesture = 0)
     {
@@ -59,11 +59,11 @@ protected:
         edit(settings);
         pushSettings(document()->solveSettings(), settings, gesture);
     }
-    //! The number for a change that a control reports. \param first of a gesture: a new number
+    //! The gesture number for a change by a control. \param first true makes a new number
     quint64 gestureFor(bool first);
 
-    //! Gives a widget a tooltip with the keys of actions, now and whenever those change; a button also gets
-    //! the icon of the first one. \pre the ids are in actionTable()
+    //! Adds the current shortcuts of the actions to a widget's tooltip and keeps them up to date. A button
+    //! also gets the icon of the first action. \pre the ids are in actionTable()
     void explain(QWidget *widget, const QString &tip, std::initializer_list<const char *> actionIds);
 
     void showEvent(QShowEvent *event) override;

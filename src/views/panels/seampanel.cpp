@@ -204,7 +204,7 @@ void SeamPanel::showMap()
     mSeamEdges->setText(hasMap ? countText(figures->metrics.seamEdges) : missingText());
     mSeamLength->setText(hasMap ? significantText(figures->metrics.seamLength, 5) : missingText());
     mSeamNorm->setText(hasMap ? fixedText(figures->metrics.seamNorm, 3) : missingText());
-    // Figures of an older map stand back until the new one is measured.
+    // Outdated figures are dimmed until the new map has been measured.
     for (QLabel *label : {mSeamEdges, mSeamLength, mSeamNorm})
         label->setEnabled(context().map.figuresAreFresh());
 }

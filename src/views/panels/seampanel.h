@@ -1,4 +1,4 @@
-// The panel of what the user decides about seams.
+// The panel of the user's decisions about seams.
 #pragma once
 
 #include "commands/setseamstate.h"
@@ -11,8 +11,8 @@ namespace autocuts {
 
 class SliderSpin;
 
-//! Cuts, joins and frees the selected edges, and paints the edges of the selected faces: with a weight that
-//! keeps them together or attracts cuts.
+//! Cuts, joins and frees the selected edges, and paints weights on the edges of the selected faces that keep
+//! them together or attract cuts.
 class SeamPanel final : public Panel
 {
     Q_OBJECT

@@ -1,4 +1,4 @@
-// Where the solver should rather cut.
+// The form for preferred places of seams.
 #pragma once
 
 #include "model/plain/solvesettings.h"
@@ -14,7 +14,7 @@ namespace autocuts {
 
 class SliderSpin;
 
-//! Creases, visibility and symmetry of the seams. Knows no document: what is chosen is told by a signal.
+//! Sets creases, visibility and symmetry of seams. Does not use the document; changes are emitted as signals.
 class SeamPreferenceForm final : public QWidget
 {
     Q_OBJECT
@@ -22,11 +22,11 @@ class SeamPreferenceForm final : public QWidget
 public:
     explicit SeamPreferenceForm(QWidget *parent = nullptr);
 
-    //! Shows settings without a signal.
+    //! Shows settings without emitting signals.
     void setSettings(const SolveSettings &settings);
 
 Q_SIGNALS:
-    //! \param edit changes the setting that was chosen \param first false when a drag goes on
+    //! \param edit applies the change to settings \param first false while a drag continues
     void edited(const std::function<void(autocuts::SolveSettings &)> &edit, bool first);
 
 private:

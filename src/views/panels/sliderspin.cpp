@@ -82,7 +82,7 @@ void SliderSpin::setValue(double value)
     const QSignalBlocker blockSlider(mSlider);
     const QSignalBlocker blockSpinBox(mSpinBox);
     mSpinBox->setValue(value);
-    // While it is dragged the handle stays under the mouse, whatever the value was rounded to.
+    // During a drag the handle follows the mouse, even when the value was rounded.
     if (!mSlider->isSliderDown())
         mSlider->setValue(
             static_cast<int>(std::lround(std::clamp(mScale.toFraction(value), 0.0, 1.0) * mScale.steps)));

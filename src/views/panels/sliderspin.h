@@ -1,4 +1,4 @@
-// A slider beside a spin box, for one number.
+// A slider with a spin box for one number.
 #pragma once
 
 #include <QTimer>
@@ -11,41 +11,41 @@ class QSlider;
 
 namespace autocuts {
 
-//! How positions of a slider stand for values.
+//! Maps positions of a slider to values.
 struct SliderScale
 {
     double minimum = 0, maximum = 1;
-    int steps = 1000;     //!< positions of the slider, less one
-    int singleSteps = 10; //!< for an arrow key
+    int steps = 1000;     //!< number of positions of the slider, minus one
+    int singleSteps = 10; //!< positions per press of an arrow key
     int pageSteps = 100;
-    std::function<double(double)> toValue;    //!< from [0, 1], rising
-    std::function<double(double)> toFraction; //!< its inverse
+    std::function<double(double)> toValue;    //!< increasing, from [0, 1]
+    std::function<double(double)> toFraction; //!< inverse of toValue
 
     static SliderScale linear(double minimum, double maximum);
-    //! Finer near the minimum: value = minimum + (maximum - minimum) * fraction^2.
+    //! A scale that is finer near the minimum: value = minimum + (maximum - minimum) * fraction^2.
     static SliderScale fineNearMinimum(double minimum, double maximum);
-    //! Quarters of powers of two. \param first, last exponents of the ends
+    //! A logarithmic scale with four steps per power of two. \param first, last exponents at the ends
     static SliderScale powersOfTwo(int first, int last);
 };
 
-//! Tells gestures apart: a drag of the slider is one, and so are keys or turns of the wheel that follow each
-//! other within half a second.
+//! Recognises gestures: a drag of the slider is one, and so are key presses or wheel turns with less than
+//! half a second between them.
 class SliderSpin final : public QWidget
 {
     Q_OBJECT
 
 public:
-    //! \param spinBox becomes a child; its range becomes that of the scale
+    //! \param spinBox becomes a child; its range is set to that of the scale
     SliderSpin(SliderScale scale, QDoubleSpinBox *spinBox, QWidget *parent = nullptr);
 
     QSlider *slider() const { return mSlider; }
     QDoubleSpinBox *spinBox() const { return mSpinBox; }
     double value() const;
-    //! Shows a value without a signal.
+    //! Shows a value without emitting signals.
     void setValue(double value);
 
 Q_SIGNALS:
-    //! The user changed the value. \param first true when this begins a gesture
+    //! The user changed the value. \param first true at the beginning of a gesture
     void edited(double value, bool first);
 
 private:
@@ -54,7 +54,7 @@ private:
     SliderScale mScale;
     QSlider *mSlider;
     QDoubleSpinBox *mSpinBox;
-    QTimer mGestureTimer; //!< runs while a change by keys or wheel continues the gesture
+    QTimer mGestureTimer; //!< runs while further keys or wheel turns continue the gesture
     bool mInDrag = false;
 };
 

@@ -26,7 +26,7 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-constexpr int smallestDelta = -24, largestDelta = 2; //!< powers of two
+constexpr int smallestDelta = -24, largestDelta = 2; //!< exponents of two
 
 } // namespace
 
@@ -76,7 +76,7 @@ QWidget *SolverPanel::makeRunButtons()
     explain(mRun, tr("Start or pause the solver"), {"uv.run"});
     explain(mStep, tr("Do one Newton step"), {"uv.step"});
     explain(mRestart, tr("Begin anew from the start chosen below"), {"uv.restart"});
-    // The width must not follow the text.
+    // The width must not change with the text.
     mRun->setMinimumWidth(mRun->fontMetrics().horizontalAdvance(tr("Pause")) + 40);
     connect(mRun, &QPushButton::clicked, &solver, &SolverController::toggle);
     connect(mStep, &QPushButton::clicked, &solver, &SolverController::step);
@@ -252,7 +252,7 @@ void SolverPanel::refresh()
 
 void SolverPanel::showEnergyBalance(const SolveSettings &settings)
 {
-    // In budget mode the solver's own choice is what is of interest.
+    // In budget mode, the values chosen by the solver are shown.
     const SolverController &solver = context().solver;
     const bool own = solver.mode() == homotopy::SolveMode::Budget && solver.status().iteration > 0;
     mLambda->setValue(own ? solver.status().lambda : settings.lambda);

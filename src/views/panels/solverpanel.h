@@ -18,8 +18,8 @@ class ConvergenceGraph;
 class SeamPreferenceForm;
 class SliderSpin;
 
-//! Runs the solver, sets lambda and delta or the distortion budget, shows how it converges, and makes the
-//! final map.
+//! Runs the solver, sets lambda and delta or the distortion budget, shows the convergence, and finishes the
+//! map.
 class SolverPanel final : public Panel
 {
     Q_OBJECT
@@ -51,7 +51,7 @@ private:
     ConvergenceGraph *mGraph = nullptr;
     SeamPreferenceForm *mPreference = nullptr;
     QLabel *mState = nullptr;
-    std::vector<QLabel *> mFigures; //!< in the order of the read-out
+    std::vector<QLabel *> mFigures; //!< in the order in which they are shown
     QComboBox *mQuality = nullptr;
     QPushButton *mFinish = nullptr, *mUnwrap = nullptr;
 };

@@ -1,4 +1,4 @@
-// The settings of the solver that are chosen once, before it runs.
+// The form for settings of the solver that are set before it runs.
 #pragma once
 
 #include "model/plain/solvesettings.h"
@@ -14,8 +14,8 @@ class QSpinBox;
 
 namespace autocuts {
 
-//! Start, distortion energy, weighting of the seams, kind of solver, weight of rectangles, seed. Knows no
-//! document: what is chosen is told by a signal.
+//! Sets start, distortion energy, weighting of seams, solver, weight of rectangles and seed. Does not use the
+//! document; changes are emitted as signals.
 class SolverSettingsForm final : public QWidget
 {
     Q_OBJECT
@@ -23,17 +23,17 @@ class SolverSettingsForm final : public QWidget
 public:
     explicit SolverSettingsForm(QWidget *parent = nullptr);
 
-    //! Shows settings without a signal.
+    //! Shows settings without emitting signals.
     void setSettings(const SolveSettings &settings);
 
 Q_SIGNALS:
-    //! \param edit changes the setting that was chosen
+    //! \param edit applies the change to settings
     void edited(const std::function<void(autocuts::SolveSettings &)> &edit);
 
 private:
     void addChoices(QFormLayout *form);
     void addNumbers(QFormLayout *form);
-    //! Tells what is chosen in the box. \param apply puts the data of an item into settings
+    //! Emits edited() when the box changes. \param apply writes the data of an item to settings
     void follow(QComboBox *box, void (*apply)(SolveSettings &, int));
 
     QComboBox *mStart, *mEnergy, *mWeighting, *mSolver;

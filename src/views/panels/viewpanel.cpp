@@ -187,7 +187,7 @@ void ViewPanel::choosePattern()
 {
     const auto pattern = Pattern(mPattern->currentData().toInt());
     if (pattern == Pattern::Texture && context().view.options().texturePath.isEmpty()) {
-        // Nothing to show yet: ask for it. The box goes back when no picture is chosen.
+        // No texture yet: ask for one. The box is reset when none is chosen.
         context().actions.action("view.loadTexture")->trigger();
         refreshSoon();
         return;

@@ -1,4 +1,4 @@
-// The panel of how the model and the map are shown.
+// The panel of view options.
 #pragma once
 
 #include "views/panels/panel.h"
@@ -19,8 +19,8 @@ class ElidedLabel;
 class HeatLegend;
 class SliderSpin;
 
-//! Colouring with its legend and clamps, pattern, texture, and what is drawn besides. Changes ViewState,
-//! which is no edit.
+//! Sets the colouring with its legend and limits, the pattern, the texture and the visible elements. Changes
+//! ViewState, which is not an edit of the document.
 class ViewPanel final : public Panel
 {
     Q_OBJECT

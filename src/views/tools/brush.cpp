@@ -12,7 +12,7 @@ namespace autocuts {
 
 namespace {
 
-//! Collects the sides of faces that a brush touches.
+//! Collects the sides of faces under a brush.
 class Footprint
 {
 public:
@@ -20,7 +20,7 @@ public:
         : mCanvas(canvas), mTopology(canvas.content().topology()), mMiddle(middle), mRadius(radius)
     {}
 
-    //! Over the sides under the brush from face to face.
+    //! Visits faces across the sides under the brush.
     void flood(int face)
     {
         const bool front = isFront(face);
@@ -34,7 +34,7 @@ public:
         }
     }
 
-    //! \returns the faces beyond the sides that the brush touches
+    //! \returns the faces on the other sides of the edges under the brush
     std::vector<int> addFace(int face)
     {
         std::vector<int> neighbours;

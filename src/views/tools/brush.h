@@ -1,4 +1,4 @@
-// The brush that paints seam weights.
+// The brush for painting seam weights.
 #pragma once
 
 #include "views/canvas/picking.h"
@@ -11,30 +11,30 @@ namespace autocuts {
 
 class ToolCanvas;
 
-//! Size and strength of a brush.
+//! Size and strength of a brush. The defaults were chosen by hand.
 struct Brush
 {
     static constexpr double minRadius = 4, maxRadius = 400;
 
     double radius = 32;    //!< logical pixels
-    double strength = 0.7; //!< in the middle, in (0, 1]
-    double hardness = 0.3; //!< part of the radius, in [0, 1], that gets the whole strength
+    double strength = 0.7; //!< strength at the centre, in (0, 1]
+    double hardness = 0.3; //!< share of the radius, in [0, 1], with full strength
 
-    //! How much of the paint is laid at a distance from the middle, in [0, 1]; falls smoothly to 0 at the
-    //! rim.
+    //! Share of the strength, in [0, 1], at a distance from the centre; decreases smoothly to 0 at the rim.
     double effectAt(double distance) const;
 };
 
-//! An edge pair that the brush touches.
+//! An edge pair under the brush.
 struct BrushTouch
 {
     int edgePair = 0;
-    double distance = 0; //!< of its nearest point from the middle of the brush, logical pixels
+    double distance = 0; //!< distance of its nearest point from the centre of the brush, in logical pixels
 };
 
-//! What lies under a brush, in no particular order and without diagonals: what hangs together with the face
-//! in the middle and is turned to the viewer like that one. So neither the back of the model is painted nor
-//! what lies below others in the map, and there no gap is crossed. \param pick what is in the middle
+//! The edges under a brush, in no particular order and without diagonals. They belong to faces that are
+//! connected with the face at the centre and face the viewer in the same way. This leaves out the back of the
+//! model and, in the map, islands below others; in the map the brush does not cross gaps.
+//! \param pick the elements at the centre
 std::vector<BrushTouch> edgesUnderBrush(const ToolCanvas &canvas, const QPointF &middle,
                                         const PickResult &pick, double radius);
 

@@ -17,10 +17,11 @@ namespace autocuts {
 
 namespace {
 
-//! So far apart, in pixels, corners of a vertex still count as one place while triangles are apart.
+//! Pixels. While triangles are separate, corners of a vertex closer than this count as one position. Chosen
+//! by hand.
 constexpr double nearlyThere = 4;
 
-//! Adds all soup corners of a vertex that are drawn where one of them is.
+//! Adds all soup corners of a vertex that are drawn in the position of the given one.
 void addVertex(const Document &document, const ToolCanvas &view, const ShownMap &map, int soupCorner,
                std::set<int> &handles)
 {
@@ -37,7 +38,7 @@ void addVertex(const Document &document, const ToolCanvas &view, const ShownMap 
     }
 }
 
-//! Ascending.
+//! In ascending order.
 std::vector<int> cornersOfFaces(const MeshData &mesh, const QList<int> &faces)
 {
     std::vector<int> corners;

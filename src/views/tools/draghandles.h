@@ -1,4 +1,4 @@
-// What a drag in the map takes hold of.
+// Finds the soup corners that a drag in the map moves.
 #pragma once
 
 #include "views/canvas/picking.h"
@@ -11,9 +11,9 @@ class Document;
 class ShownMap;
 class ToolCanvas;
 
-//! The soup corners that a drag from a pick moves, by the mode of the selection, rising: the vertex at the
-//! place with all its corners there, both ends of an edge, a polygon or a whole piece of the map. When what
-//! is under the mouse is selected, everything that is selected. Empty when nothing is there.
+//! The soup corners that a drag moves, ascending, by the selection mode: a vertex with all its corners at
+//! that position, both ends of an edge, a polygon or a whole island. When the element under the mouse is
+//! selected, those of the whole selection. Empty when nothing is under the mouse.
 std::vector<int> dragHandles(const Document &document, const ToolCanvas &view, const ShownMap &map,
                              const PickResult &pick);
 

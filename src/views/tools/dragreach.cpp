@@ -9,7 +9,7 @@ namespace autocuts {
 
 namespace {
 
-//! Spreads over the soup from the dragged corners.
+//! Traverses the soup, starting at the dragged corners.
 class Spreading
 {
 public:
@@ -25,7 +25,7 @@ public:
         }
     }
 
-    //! Everything that hangs together with the handles, rising.
+    //! All soup corners connected to the handles, ascending.
     std::vector<int> pieces(const std::vector<int> &handles) const
     {
         std::vector<int> found;
@@ -43,7 +43,8 @@ public:
         return found;
     }
 
-    //! Distance of every soup corner from the handle that is nearest on the way, infinite beyond the radius.
+    //! Straight distance of each soup corner from the handle whose path reaches it first; infinite from the
+    //! radius on.
     std::vector<double> distances(const std::vector<int> &handles, double radius) const
     {
         using Entry = std::pair<double, int>;
@@ -93,7 +94,7 @@ private:
     }
 
     const UvMatrix &mUv;
-    std::vector<std::array<int, 2>> mPartners; //!< across the closed pairs; -1: none
+    std::vector<std::array<int, 2>> mPartners; //!< across the closed corner pairs; -1: none
 };
 
 } // namespace
@@ -131,8 +132,8 @@ double shareWithoutFlips(const UvMatrix &soupUv, const UvMatrix &ways)
         const Vec2 p = soupUv.row(first + 1) - soupUv.row(first),
                    q = soupUv.row(first + 2) - soupUv.row(first);
         const Vec2 dp = ways.row(first + 1) - ways.row(first), dq = ways.row(first + 2) - ways.row(first);
-        // The area is a parabola along the way: area(t) = area + slope t + bend t^2, turned so that it starts
-        // above 0 and is lowered by what must be left.
+        // The area is a quadratic function of the share: area(t) = area + slope t + bend t^2. Its sign is
+        // chosen so that it starts above 0, and it is lowered by the area that must remain.
         const double area = cross(p, q);
         const double side = area < 0 ? -1 : 1;
         const double height = (1 - keptArea) * std::abs(area);

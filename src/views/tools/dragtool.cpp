@@ -22,9 +22,11 @@ namespace autocuts {
 namespace {
 
 constexpr double minRadius = 10, maxRadius = 2000;
-//! A dragged corner snaps to its partner at this distance, pixels, or at half of the gap when that is less.
+//! Pixels: a dragged corner snaps to its partner within this distance, or within half of the gap when that is
+//! less. Chosen by hand.
 constexpr double snapDistance = 12;
-//! Results of the solver in which joined gaps should be shut.
+//! Number of solver results in which joined gaps have to close; then the pulls are removed anyway. Chosen by
+//! hand; its effect has not been measured.
 constexpr int shuttingResults = 60;
 const QColor dragColor(0x3d8bff), snapColor(0x2fbf71);
 
@@ -33,7 +35,7 @@ const QColor dragColor(0x3d8bff), snapColor(0x2fbf71);
 DragTool::DragTool(const StudioContext &context, QObject *parent)
     : AbstractTool(context, QStringLiteral("drag"), parent)
 {
-    // What is dragged belongs to a document, to its active UV set and to how it is shown.
+    // A drag is valid for one document, its active UV set and the shown map only.
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
         mShutting.clear();
         reset();
@@ -69,7 +71,7 @@ QString DragTool::hint() const
                      .arg(what);
 }
 
-//! Whole pieces move without a circle.
+//! Islands are moved as a whole, without the circle.
 bool DragTool::reachesAround() const
 {
     const Document *document = context().workspace.document();
@@ -120,7 +122,7 @@ void DragTool::begin()
     mSeparation = context().shownMap.separation();
     mGesture = document.undoStack().newGesture();
     mWay.setZero();
-    mShutting.clear(); // the new pulls take the place of those
+    mShutting.clear(); // replaced by the new pulls
     mState = State::Drag;
     updateReach();
     findGaps();
@@ -179,7 +181,7 @@ void DragTool::apply()
     Q_EMIT overlayChanged();
 }
 
-//! The partner may be in the circle too and then comes along in part.
+//! The partner may be inside the circle as well, and then follows to some extent.
 Vec2 DragTool::wayThatCloses(const Gap &gap) const
 {
     if (mLive)
@@ -208,7 +210,7 @@ std::vector<DragTool::Gap> DragTool::snap(Vec2 &way) const
     return closed;
 }
 
-//! Corrects the ways of the corners of closed gaps, so that they end exactly at their partners.
+//! Corrects the displacements so that the corners of closed gaps end exactly at their partners.
 void DragTool::closeGaps(UvMatrix &ways) const
 {
     const MeshData &mesh = context().workspace.document()->mesh();
@@ -300,7 +302,7 @@ bool DragTool::wheel(const QWheelEvent &event, ToolCanvas &)
 {
     if (event.modifiers() != Qt::ShiftModifier)
         return false;
-    // Some platforms turn the wheel sideways while Shift is held.
+    // Some platforms report horizontal scrolling while Shift is held.
     const QPoint angle = event.angleDelta();
     const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
     mRadius = std::clamp(mRadius * std::pow(1.15, notches), minRadius, maxRadius);
@@ -340,7 +342,7 @@ void DragTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
     painter.setBrush(Qt::NoBrush);
     if (reachesAround()) {
         const QPointF middle = mState == State::Drag ? mStart : mMouse;
-        painter.setPen(QPen(colors.dark ? Qt::black : Qt::white, 3)); // seen on any ground
+        painter.setPen(QPen(colors.dark ? Qt::black : Qt::white, 3)); // visible on any background
         painter.drawEllipse(middle, mRadius, mRadius);
         painter.setPen(QPen(dragColor, 1.2, mState == State::Drag ? Qt::DashLine : Qt::SolidLine));
         painter.drawEllipse(middle, mRadius, mRadius);
@@ -349,7 +351,7 @@ void DragTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
         drawDrag(painter, *mView);
 }
 
-//! Where what is dragged has gone, and rings around the corners that snapped.
+//! Draws the displacement of the dragged corners, and rings around the corners that snapped.
 void DragTool::drawDrag(QPainter &painter, const ToolCanvas &view) const
 {
     const double scale = view.mapCamera()->scale();

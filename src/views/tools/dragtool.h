@@ -1,4 +1,4 @@
-// Pulling at the map with the mouse.
+// The tool that drags parts of the map.
 #pragma once
 
 #include "views/canvas/abstracttool.h"
@@ -10,11 +10,11 @@ namespace autocuts {
 
 class ToolCanvas;
 
-//! Pulls vertices, edges, faces or whole pieces of the map, by the mode of the selection (paper, "Assisted
-//! cutting"). What is inside the circle follows, the rest stays. While a solve runs what is pulled is held by
-//! springs: the map deforms or, where the energy prefers it, tears; a tear is kept as cuts. Else the corners
-//! move by themselves, never so far that a triangle turns over. Corners that come near their partners across
-//! a seam snap to them and are joined. A click selects. Locked islands and pinned corners stay.
+//! Drags vertices, edges, faces or islands of the map, by the selection mode (paper, section 4, "Assisted
+//! cutting"). Corners inside the circle follow, others stay. While a solve runs, dragged corners are pulled
+//! by springs: the map deforms or, where that has the lower energy, tears; tears are stored as cuts. Without
+//! a solve, corners are moved directly, but only as far as no triangle flips. Corners near their partners
+//! across a seam snap to them and are joined. A click selects. Locked islands and pinned corners stay.
 class DragTool final : public AbstractTool
 {
     Q_OBJECT
@@ -22,7 +22,7 @@ class DragTool final : public AbstractTool
 public:
     explicit DragTool(const StudioContext &context, QObject *parent = nullptr);
 
-    //! Of the circle, logical pixels.
+    //! Radius of the circle in logical pixels.
     double radius() const { return mRadius; }
 
     QString hint() const override;
@@ -42,8 +42,8 @@ private:
     //! A corner pair of a seam that the drag could close.
     struct Gap
     {
-        int pair = 0, corner = 0, partner = 0; //!< the dragged soup corner and the one across
-        double width = 0;                      //!< when the drag began, pixels
+        int pair = 0, corner = 0, partner = 0; //!< the dragged soup corner and its partner across the seam
+        double width = 0;                      //!< at the beginning of the drag, in pixels
     };
 
     bool reachesAround() const;
@@ -51,15 +51,17 @@ private:
     void updateReach();
     void findGaps();
     void apply();
-    //! Snaps the way to a gap that it nearly closes. \returns the gaps that are closed then
+    //! Changes the displacement so that it closes a gap that is nearly closed. \returns the gaps that it
+    //! closes
     std::vector<Gap> snap(Vec2 &way) const;
     Vec2 wayThatCloses(const Gap &gap) const;
     void pull(const Vec2 &way);
     void moveCorners(const Vec2 &way);
     void closeGaps(UvMatrix &ways) const;
-    //! What the solver did to the map under the pull is kept as cuts or joins.
+    //! Stores the seams that the solver opened or closed during the drag as cuts or joins.
     void keepSeams();
-    //! Lets go of the solve once the joined gaps are shut; far apart their springs would not close them.
+    //! Removes the pulls when the joined gaps are closed; earlier, the springs of the joined pairs would be
+    //! too far apart to close them.
     void letGoWhenShut();
     void letGo();
     void select(const ToolEvent &event);
@@ -68,23 +70,23 @@ private:
 
     State mState = State::Idle;
     double mRadius = 120;
-    QPointer<ToolCanvas> mView; //!< that the mouse is over, or where the gesture began
+    QPointer<ToolCanvas> mView; //!< under the mouse, or where the gesture began
     QPointF mStart, mMouse;
     PickResult mPick; //!< of the press
 
-    // The drag.
+    // State of the drag.
     bool mLive = false;             //!< a solve runs
-    UvMatrix mUv;                   //!< of the soup corners when it began
-    UvMatrix mCornerUv;             //!< of the document's corners then
-    std::vector<float> mSeparation; //!< of the corner pairs then
+    UvMatrix mUv;                   //!< UVs of the soup corners at its beginning
+    UvMatrix mCornerUv;             //!< UVs of the document's corners at its beginning
+    std::vector<float> mSeparation; //!< of the corner pairs at its beginning
     std::vector<int> mHandles;      //!< soup corners
     DragReach mReach;
-    std::vector<Gap> mGaps, mClosed; //!< that could be closed, and are at present
-    Vec2 mWay = Vec2::Zero();        //!< that the handles have gone
+    std::vector<Gap> mGaps, mClosed; //!< gaps that could be closed, and those that are closed now
+    Vec2 mWay = Vec2::Zero();        //!< displacement of the handles
     quint64 mGesture = 0;
 
-    std::vector<int> mShutting; //!< corner pairs that the drag before joined and that are still apart
-    int mPatience = 0;          //!< results to wait for them
+    std::vector<int> mShutting; //!< corner pairs that the previous drag joined and that are still open
+    int mPatience = 0;          //!< number of solver results to wait for them
 };
 
 } // namespace autocuts

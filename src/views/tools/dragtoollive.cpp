@@ -1,4 +1,4 @@
-// The drag tool while a solve runs.
+// The part of the drag tool for running solves.
 #include "commands/setseamstate.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
@@ -11,12 +11,13 @@ namespace autocuts {
 
 namespace {
 
-//! Springs of what is pulled and of what stays, against an energy in which a vertex has a stiffness near 1.
+//! Spring constants of dragged corners and of corners outside the circle; a vertex of the energy has a
+//! stiffness of about 1. Chosen by hand.
 constexpr double pullWeight = 100, stayWeight = 0.1;
 
 } // namespace
 
-//! What is dragged is pulled, what is outside the circle is held where it was.
+//! Pulls the dragged corners, and holds the corners outside the circle in their places.
 void DragTool::pull(const Vec2 &way)
 {
     std::vector<Pin> pulls;

@@ -13,12 +13,12 @@ namespace autocuts {
 namespace {
 
 constexpr double smallestFactor = 1e-3;
-//! So near the pivot the mouse has no direction from it, pixels.
+//! Pixels. Closer to the pivot, the mouse gives no direction. Chosen by hand.
 constexpr double nearPivot = 8;
-//! Mouse way that doubles the size where there is no distance from the pivot, pixels.
+//! Pixels. Mouse movement that doubles the size when the gesture starts at the pivot. Chosen by hand.
 constexpr double scaleLength = 60;
 
-//! Context of the texts for translation.
+//! Translation context of the texts.
 struct IslandTexts
 {
     Q_DECLARE_TR_FUNCTIONS(IslandTool)
@@ -45,7 +45,7 @@ bool IslandDrag::takeKey(const QKeyEvent &event)
         typed += QChar(u'0' + key - Qt::Key_0);
     } else if ((key == Qt::Key_Period || key == Qt::Key_Comma) && !typed.contains(u'.')) {
         typed += u'.';
-    } else if (key == Qt::Key_Minus && edit != UvEdit::Scale) { // a negative factor would turn faces over
+    } else if (key == Qt::Key_Minus && edit != UvEdit::Scale) { // a negative factor would flip faces
         typed = typed.startsWith(u'-') ? typed.mid(1) : u'-' + typed;
     } else if (key == Qt::Key_Backspace) {
         typed.chop(1);
@@ -133,7 +133,7 @@ Eigen::Affine2d IslandDrag::transform() const
         const double degrees = angle();
         if (degrees == 0)
             return result;
-        // Quarter turns are exact: cos(pi / 2) is not 0.
+        // Quarter turns are exact; cos(pi / 2) is not exactly 0.
         const double quarters = degrees / 90;
         Eigen::Matrix2d turn = Eigen::Rotation2Dd(degrees * std::numbers::pi / 180).toRotationMatrix();
         if (quarters == std::round(quarters))

@@ -1,4 +1,4 @@
-// What a gesture with islands does to them: from mouse, axis and typed number to a transform.
+// Computes the transform of an island gesture from the mouse, the axis and a typed number.
 #pragma once
 
 #include "commands/setuvs.h"
@@ -10,10 +10,10 @@ class QKeyEvent;
 
 namespace autocuts {
 
-//! The axis that a gesture is held to.
+//! The axis to which a gesture is restricted.
 enum class DragAxis { Both, X, Y };
 
-//! A gesture under way. All places are in texture space.
+//! A gesture in progress. Positions are in texture space.
 struct IslandDrag
 {
     UvEdit edit = UvEdit::Move; //!< Move, Rotate or Scale
@@ -21,26 +21,26 @@ struct IslandDrag
     Vec2 current = Vec2::Zero();
     Eigen::AlignedBox2d box; //!< of the islands at the start; its centre is the pivot
     DragAxis axis = DragAxis::Both;
-    QString typed; //!< a number that takes the place of the mouse: texels, degrees or a factor
+    QString typed; //!< a number that replaces the mouse: texels, degrees or a factor
     SnapTo snap = SnapTo::Nothing;
-    double snapStep = 0;             //!< of Move
-    Vec2 islandShift = Vec2::Zero(); //!< of Move: what snapping to other islands adds
+    double snapStep = 0;             //!< for Move
+    Vec2 islandShift = Vec2::Zero(); //!< for Move: added by snapping to other islands
     double pixel = 1;                //!< size of a pixel of the view at the start
     int textureSize = 1;
 
-    //! Takes digits, point, minus, backspace, X and Y. \returns false when the key is none of them
+    //! Handles digits, point, minus, backspace, X and Y. \returns false for other keys
     bool takeKey(const QKeyEvent &event);
     Vec2 pivot() const { return box.center(); }
     Eigen::Affine2d transform() const;
-    //! What transform() does, with its unit, translated.
+    //! The value of transform() with its unit, translated.
     QString text() const;
 
-    //! Where the mouse has moved, before it snaps. \pre edit is Move
+    //! The displacement of the mouse, before snapping. \pre edit is Move
     Vec2 mouseMove() const { return current - start; }
 
 private:
     Vec2 displacement() const;
-    double angle() const; //!< degrees, counterclockwise
+    double angle() const; //!< degrees, counter-clockwise
     double factor() const;
     std::optional<double> typedNumber() const;
 };

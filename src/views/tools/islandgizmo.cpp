@@ -11,7 +11,7 @@ namespace autocuts {
 
 namespace {
 
-constexpr double centreSize = 9; //!< half the side of the square in the middle, pixels
+constexpr double centreSize = 9; //!< half the side of the central square, in pixels
 
 QPointF endOf(const QPointF &centre, DragAxis axis)
 {

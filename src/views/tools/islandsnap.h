@@ -1,4 +1,4 @@
-// Snapping moved islands to the islands around them.
+// Snaps moved islands to other islands.
 #pragma once
 
 #include "model/plain/types.h"
@@ -13,31 +13,32 @@ namespace autocuts {
 
 class Document;
 
-//! What a move snapped to; all of it is drawn.
+//! What a move snapped to; the tool draws it.
 struct IslandSnapResult
 {
-    Vec2 move = Vec2::Zero();   //!< the move after snapping
-    std::optional<double> u, v; //!< lines that a side came to lie on
-    std::optional<Vec2> corner; //!< place where two corners met
+    Vec2 move = Vec2::Zero();   //!< the displacement after snapping
+    std::optional<double> u, v; //!< coordinates of the lines to which sides were aligned
+    std::optional<Vec2> corner; //!< the point at which two corners meet
 };
 
-//! Knows the sides and corners of the islands that stay, and those of the islands that move as they were when
-//! the gesture began. Corners win over sides. Sides meet at the same place, or at the margin of packing.
+//! Stores the sides and corners of the islands that stay, and those of the moving islands at the start of the
+//! gesture. Corners are preferred to sides. Sides snap to the same position, or to a distance of the packing
+//! gutter.
 class IslandSnap final
 {
 public:
-    //! \param moving numbers of islands that move now
-    //! \param start their box when the gesture began
+    //! \param moving indices of the moving islands
+    //! \param start their bounding box at the start of the gesture
     IslandSnap(const Document &document, const std::vector<int> &moving, const Eigen::AlignedBox2d &start);
 
-    //! \param reach how near is near, texture space
+    //! \param reach largest snapping distance, in texture space
     IslandSnapResult snapped(const Vec2 &move, double reach) const;
 
 private:
     void addSides(const Eigen::AlignedBox2d &box, double margin);
     bool snapToCorner(double reach, IslandSnapResult &result) const;
 
-    //! A place that a certain side of the moved box may come to.
+    //! A position to which one side of the moved box may snap.
     struct Side
     {
         double from; //!< coordinate of the side at the start
@@ -46,7 +47,8 @@ private:
 
     Eigen::AlignedBox2d mStart;
     std::array<std::vector<Side>, 2> mSides; //!< along u and v
-    std::vector<Vec2> mMoving, mStaying;     //!< corners on outlines; those that stay by rising u
+    //! Corners on outlines; those of staying islands are sorted by u.
+    std::vector<Vec2> mMoving, mStaying;
 };
 
 } // namespace autocuts

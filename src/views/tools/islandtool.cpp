@@ -21,7 +21,7 @@ namespace autocuts {
 IslandTool::IslandTool(const StudioContext &context, const QString &id, UvEdit edit, QObject *parent)
     : AbstractTool(context, id, parent), mEdit(edit)
 {
-    // The transform belongs to a document and to its active UV set.
+    // A transform is valid for one document and its active UV set only.
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
         mGoOn = false;
         finish();
@@ -34,7 +34,7 @@ IslandTool::IslandTool(const StudioContext &context, const QString &id, UvEdit e
         if (mState == State::Active)
             finish();
     });
-    // A solve that failed never settles.
+    // A solve that failed never pauses.
     connect(
         &context.solver, &SolverController::stateChanged, this,
         [this] {
@@ -108,8 +108,8 @@ void IslandTool::press(const ToolEvent &event)
         select(event, true);
 }
 
-//! A press on an island that is not selected selects it, so that it can be dragged at once; what else a click
-//! selects waits for the release.
+//! A press on an unselected island selects it, so that it can be dragged at once. Other selecting clicks act
+//! on release.
 void IslandTool::select(const ToolEvent &event, bool pressed)
 {
     Document &document = *context().workspace.document();
@@ -261,7 +261,7 @@ void IslandTool::cancel()
     finish();
 }
 
-//! The keys of actions would change what the gesture works on.
+//! Shortcuts would change what the gesture works on.
 bool IslandTool::wantsKey(const QKeyEvent &event) const
 {
     return (mState == State::Waiting || mState == State::Active) &&
@@ -340,7 +340,7 @@ void IslandTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
                     canvas.content().colors());
 }
 
-//! The sides and corners of other islands that the move has snapped to.
+//! Draws the sides and corners of other islands to which the move has snapped.
 void IslandTool::drawSnapped(QPainter &painter, const ToolCanvas &view) const
 {
     const MapCamera &camera = *view.mapCamera();
@@ -360,7 +360,7 @@ void IslandTool::drawSnapped(QPainter &painter, const ToolCanvas &view) const
     }
 }
 
-//! The axis that the gesture is held to, and what it has done so far.
+//! Draws the axis of the gesture, and its effect so far.
 void IslandTool::drawGuide(QPainter &painter, const ToolCanvas &view, const QPointF &centre) const
 {
     const ViewColors &colors = view.content().colors();

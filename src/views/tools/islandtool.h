@@ -1,4 +1,4 @@
-// Moving, rotating and scaling islands with the mouse.
+// The tools that move, rotate and scale islands.
 #pragma once
 
 #include "commands/islandtransform.h"
@@ -12,10 +12,10 @@ namespace autocuts {
 
 class ToolCanvas;
 
-//! Transforms the islands of the selection in the UV view, by a drag of an island or of a handle, or at once
-//! when the key of the tool is pressed there: then the islands follow the mouse until a click or Enter.
-//! Numbers can be typed, X and Y hold the axis, Ctrl snaps, Escape and the right button cancel. A click
-//! selects islands. Locked islands stay. A live solve is paused first and goes on after the gesture.
+//! Transforms the selected islands in the UV view. A drag starts on an island or a handle. When the tool's
+//! key is pressed over the view, the islands follow the mouse at once until a click or Enter. Numbers can be
+//! typed, X and Y restrict the axis, Ctrl snaps, Escape and the right button cancel. A click selects islands.
+//! Locked islands stay. A live solve is paused first and continues after the gesture.
 class IslandTool final : public AbstractTool
 {
     Q_OBJECT
@@ -38,17 +38,17 @@ public:
     void drawOverlay(QPainter &painter, const ToolCanvas &canvas) override;
 
 private:
-    //! Waiting: for the solver to put its map into the document.
+    //! Waiting: until the solver has put its map into the document.
     enum class State { Idle, Pressed, Waiting, Active };
 
     void begin(ToolCanvas &view, const QPointF &position, DragAxis axis);
     void start();
     void apply();
-    //! Ends the gesture and keeps what it did.
+    //! Ends the gesture and keeps its result.
     void finish();
     void select(const ToolEvent &event, bool pressed);
     bool isSelected(int face) const;
-    //! Of the islands of the selection that are not locked; empty when there is none.
+    //! Bounding box of the selected islands that are not locked; empty when there are none.
     Eigen::AlignedBox2d movableBox() const;
     std::vector<int> selectedIslands() const;
     std::optional<DragAxis> partAt(const ToolEvent &event) const;
@@ -59,15 +59,15 @@ private:
 
     const UvEdit mEdit;
     State mState = State::Idle;
-    QPointer<ToolCanvas> mView; //!< where the gesture began
+    QPointer<ToolCanvas> mView; //!< the view in which the gesture began
     QPointF mStart;             //!< of the press
     IslandDrag mDrag;
-    std::unique_ptr<IslandSnap> mSnap; //!< made when it is first asked for
+    std::unique_ptr<IslandSnap> mSnap; //!< made when it is first needed
     IslandSnapResult mSnapped;
-    std::unique_ptr<IslandTransform> mTransform; //!< while Active
-    int mGesture = 0;                            //!< counts gestures
-    bool mByKey = false;                         //!< no button is held
-    bool mConfirmed = false;                     //!< while Waiting
+    std::unique_ptr<IslandTransform> mTransform; //!< set while Active
+    int mGesture = 0;                            //!< number of gestures so far
+    bool mByKey = false;                         //!< no mouse button is held
+    bool mConfirmed = false;                     //!< set while Waiting
     bool mGoOn = false;                          //!< the solver ran before the gesture
     bool mSelectOnRelease = false;
     std::optional<DragAxis> mHovered;

@@ -14,7 +14,8 @@ Vec3 middleOf(const MeshData &mesh, const EdgePair &edge)
                   mesh.cornerPosition(mesh.cornerOfSoup(edge.corner[1][0])));
 }
 
-//! The same for a place and its mirror image, and no farther apart than two places are.
+//! A key with the same value for a point and its mirror image. The keys of two points differ by at most their
+//! distance.
 double sortingKey(const Vec3 &place)
 {
     return 0.5 * std::abs(place.x()) + 0.7 * place.y() + 0.5 * place.z();
@@ -25,7 +26,7 @@ double sortingKey(const Vec3 &place)
 MirroredEdges::MirroredEdges(std::shared_ptr<const MeshData> mesh)
     : mMesh(std::move(mesh)), mMirrored(mMesh->edgePairs.size(), -1)
 {
-    // Only what is near by the key is compared in full.
+    // Only edges with similar keys are compared exactly.
     std::vector<Vec3> middles(mMirrored.size());
     std::vector<std::pair<double, int>> byKey;
     for (std::size_t e = 0; e < middles.size(); ++e) {

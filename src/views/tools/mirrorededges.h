@@ -1,4 +1,4 @@
-// Which edges of a model are mirror images of each other.
+// Finds the edges of a model that are mirror images of each other.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -8,16 +8,18 @@
 
 namespace autocuts {
 
-//! For every edge pair the one that its mirror image about the plane x = 0 falls on.
+//! For every edge pair, the edge pair at its mirror image in the plane x = 0.
 class MirroredEdges final
 {
 public:
-    //! Looks for middles of edges that are not farther from the mirror image than a quarter of the length.
+    //! Midpoints match when the distance from the mirror image is at most a quarter of the edge's length;
+    //! chosen by hand.
     explicit MirroredEdges(std::shared_ptr<const MeshData> mesh);
 
-    //! The mesh that this is about.
+    //! The mesh of the edges.
     const MeshData *mesh() const { return mMesh.get(); }
-    //! -1 when there is none, and for diagonals; edges on the plane are their own images.
+    //! The mirror image of an edge pair; -1 when there is none, and for diagonals. Edges on the plane are
+    //! their own images.
     int mirrored(int edgePair) const { return mMirrored[edgePair]; }
 
 private:

@@ -1,4 +1,4 @@
-// Packing into a box that is dragged.
+// The tool for packing islands into a box.
 #pragma once
 
 #include "views/canvas/abstracttool.h"
@@ -11,8 +11,8 @@ namespace autocuts {
 
 class ToolCanvas;
 
-//! A drag in the UV view draws a box, and the selected islands are packed into it; all islands when none is
-//! selected. Ctrl snaps as when rectangles are drawn. The settings are those of the Packing panel.
+//! A drag in the UV view draws a box into which the selected islands are packed, or all islands when none is
+//! selected. Ctrl snaps as when drawing rectangles. The settings are those of the Packing panel.
 class PackBoxTool final : public AbstractTool
 {
     Q_OBJECT
@@ -32,11 +32,11 @@ public:
     void drawOverlay(QPainter &painter, const ToolCanvas &canvas) override;
 
 private:
-    //! The place under the mouse, snapped.
+    //! The snapped position of the mouse.
     Eigen::Vector2d placeOf(const ToolEvent &event) const;
     Eigen::AlignedBox2d box() const;
 
-    QPointer<ToolCanvas> mView; //!< where the gesture began; null: none
+    QPointer<ToolCanvas> mView; //!< the view in which the gesture began; null: none
     QPointF mPressed;
     Eigen::Vector2d mStart = Eigen::Vector2d::Zero(), mEnd = Eigen::Vector2d::Zero(); //!< texture space
 };

@@ -18,10 +18,10 @@ namespace autocuts {
 
 namespace {
 
-//! Weight of the strongest "Keep together".
+//! Weight of the strongest "Keep together", the same as for joined edges.
 constexpr double strongest = 100;
 
-//! Where a weight stands between "attract cuts", -1, unpainted, 0, and "keep together", 1.
+//! Position of a weight between -1 (attract cuts), 0 (unpainted) and 1 (keep together).
 double positionOf(double weight)
 {
     return weight >= 1 ? std::log(weight) / std::log(strongest) : weight - 1;
@@ -136,7 +136,8 @@ void PaintTool::move(const ToolEvent &event)
 
 void PaintTool::strokeTo(const ToolEvent &event)
 {
-    // Quick strokes leave no gaps: dabs in between, but not so many that the brush falls behind.
+    // Dabs are added between mouse events so that fast strokes have no gaps. Their number is limited, so that
+    // the brush keeps up with the mouse; chosen by hand.
     constexpr int mostDabs = 8;
     const QPointF way = event.position - mMouse;
     const double length = std::hypot(way.x(), way.y());
@@ -160,7 +161,7 @@ int PaintTool::mirrored(int edgePair)
 
 void PaintTool::lay(const std::vector<BrushTouch> &touches)
 {
-    std::map<int, double> painted; // new effects by edge pair
+    std::map<int, double> painted; // new paint by edge pair
     const auto add = [&](int edgePair, double effect) {
         if (edgePair < 0 || effect <= mEffect[edgePair])
             return;
@@ -240,7 +241,7 @@ bool PaintTool::keyPress(const QKeyEvent &event, ToolCanvas &canvas)
 
 bool PaintTool::wheel(const QWheelEvent &event, ToolCanvas &)
 {
-    // Some platforms turn the wheel sideways while Alt is held.
+    // Some platforms report horizontal scrolling while Alt is held.
     const QPoint angle = event.angleDelta();
     const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
     if (event.modifiers() == Qt::ShiftModifier)
@@ -266,7 +267,7 @@ void PaintTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
     QColor fill = color;
     fill.setAlphaF(static_cast<float>(0.25 * mBrush.strength));
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(colors.dark ? Qt::black : Qt::white, 3.5)); // seen on any ground
+    painter.setPen(QPen(colors.dark ? Qt::black : Qt::white, 3.5)); // visible on any background
     painter.drawEllipse(mMouse, mBrush.radius, mBrush.radius);
     painter.setBrush(fill);
     painter.setPen(QPen(color, 1.8));

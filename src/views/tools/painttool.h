@@ -1,4 +1,4 @@
-// Painting where seams are welcome and where not.
+// The tool for painting seam weights.
 #pragma once
 
 #include "model/plain/types.h"
@@ -14,12 +14,12 @@
 
 namespace autocuts {
 
-//! What the brush lays on.
+//! The effect of the brush.
 enum class Paint { KeepTogether, AttractCuts, Erase };
 
-//! A brush for the painted weights of the seams (paper, figure 6), on the model and in the map. One stroke is
-//! one undo entry, and within it no edge gets more than the brush has, however often it is crossed; the next
-//! stroke goes on from there. While the tool is active the faces show the weights.
+//! Paints weights of seams (paper, section 4, "Assisted cutting") on the model and in the map. One stroke is
+//! one undo entry. Within a stroke, an edge gets at most the strength of the brush, however often it is
+//! crossed; the next stroke adds to that. While the tool is active, the faces show the weights.
 class PaintTool final : public AbstractTool
 {
     Q_OBJECT
@@ -29,7 +29,7 @@ public:
 
     const Brush &brush() const { return mBrush; }
     Paint paint() const { return mPaint; }
-    //! Edges get their mirror images' paint too, about the plane x = 0.
+    //! True when the mirror images of edges, in the plane x = 0, are painted too.
     bool isSymmetric() const { return mSymmetric; }
 
     QString hint() const override;
@@ -49,27 +49,28 @@ public:
     void drawOverlay(QPainter &painter, const ToolCanvas &canvas) override;
 
 private:
-    //! By the modifiers: Shift erases, Ctrl does the contrary.
+    //! The effect for these modifiers: Shift erases, Ctrl reverses the effect.
     Paint paintFor(Qt::KeyboardModifiers modifiers) const;
     void showBrush(const ToolEvent &event);
     void strokeTo(const ToolEvent &event);
-    //! Adds the paint of some dabs.
+    //! Adds the paint of some brush dabs.
     void lay(const std::vector<BrushTouch> &touches);
     int mirrored(int edgePair);
 
     Brush mBrush;
-    Paint mPaint = Paint::KeepTogether, mShown = Paint::KeepTogether; //!< chosen; with the modifiers
+    //! The chosen effect, and that with the modifiers.
+    Paint mPaint = Paint::KeepTogether, mShown = Paint::KeepTogether;
     bool mSymmetric = false;
-    std::optional<MirroredEdges> mMirror; //!< of the open model, once needed
-    QPointer<ToolCanvas> mCanvas;         //!< that the mouse is over
+    std::optional<MirroredEdges> mMirror; //!< for the open model, made when needed
+    QPointer<ToolCanvas> mCanvas;         //!< the canvas under the mouse
     QPointF mMouse;
-    bool mColored = false; //!< the colouring was changed by this tool
+    bool mColored = false; //!< this tool has changed the colouring
 
-    // The stroke.
+    // State of the stroke.
     quint64 mGesture = 0;
     Paint mStroke = Paint::KeepTogether;
-    std::vector<double> mBase;   //!< weights of all corner pairs before it
-    std::vector<double> mEffect; //!< per edge pair, how much paint it got
+    std::vector<double> mBase;   //!< weights of all corner pairs before the stroke
+    std::vector<double> mEffect; //!< per edge pair, the paint it got
 };
 
 } // namespace autocuts

@@ -14,7 +14,7 @@ namespace autocuts {
 
 namespace {
 
-//! The faces of the islands that these belong to; where there are no UVs, of the connected parts.
+//! The faces of the islands to which the faces belong; for faces without UVs, of the connected components.
 QList<int> wholeIslands(const Document &document, const QList<int> &faces)
 {
     QList<int> withoutUv;
@@ -36,7 +36,7 @@ QList<int> toList(const std::vector<int> &values)
     return {values.begin(), values.end()};
 }
 
-//! Corners of the vertex of a soup corner; in the map only those drawn in its place.
+//! The corners of the vertex of a soup corner; in the map, only those at the same position.
 QList<int> cornersOfVertex(const Document &document, const ToolCanvas &canvas, int soupCorner)
 {
     const MeshData &mesh = document.mesh();
@@ -68,7 +68,7 @@ QList<int> &listOf(Selection &selection)
 
 QList<int> combined(const QList<int> &current, const QList<int> &elements, Combine combine)
 {
-    // Toggling a group that is partly selected adds what is missing.
+    // Toggling a partly selected group adds its other elements.
     const bool takeAway = combine == Combine::Subtract ||
                           (combine == Combine::Toggle &&
                            std::includes(current.begin(), current.end(), elements.begin(), elements.end()));

@@ -11,7 +11,8 @@ namespace autocuts {
 
 namespace {
 
-//! So far apart, in pixels, corners of a vertex still count as one place while triangles are apart.
+//! Pixels. While triangles are separate, corners of a vertex closer than this count as one position. Chosen
+//! by hand.
 constexpr double nearlyThere = 4;
 
 bool samePlace(const Vec2 &a, const Vec2 &b, double tolerance)

@@ -1,4 +1,4 @@
-// Which corners a pin tool means, and pins for them.
+// Makes pins for corners, vertices and islands.
 #pragma once
 
 #include "model/document/constraints.h"
@@ -9,15 +9,15 @@ namespace autocuts {
 class ToolCanvas;
 class Document;
 
-//! Hard pins for corners at their places in the map; the first soup corner of each counts. Corners without
-//! UVs are left out. \param soupUv ShownMap::uv()
+//! Hard pins for corners at their positions in the map, taken from the first soup corner of each. Corners
+//! without UVs are left out. \param soupUv ShownMap::uv()
 std::vector<UvPin> pinsAt(const MeshData &mesh, const UvMatrix &soupUv, const QList<int> &corners);
-//! Pins for the vertex at a soup corner: in the 3D view for all its corners, in the map for those in that
-//! place. While triangles are apart those that are nearly there are brought there.
+//! Pins for the vertex of a soup corner: in the 3D view for all its corners, in the map for those at the same
+//! position. While triangles are separate, corners that are nearly there are included and moved there.
 std::vector<UvPin> pinsOfVertex(const Document &document, const ToolCanvas &canvas, int soupCorner);
-//! Pins for all corners of the islands that these faces belong to.
+//! Pins for all corners of the islands with these faces.
 std::vector<UvPin> pinsOfIslands(const Document &document, const UvMatrix &soupUv, const QList<int> &faces);
-//! The pins that are dragged together with one: those of the same vertex in the same place.
+//! The pins that are dragged together with one: those of the same vertex at the same position.
 std::vector<UvPin> pinsWith(const Document &document, const UvPin &pin);
 
 } // namespace autocuts

@@ -35,7 +35,7 @@ bool isLocked(const Document &document, int corner)
 PinTool::PinTool(const StudioContext &context, QObject *parent)
     : AbstractTool(context, QStringLiteral("pin"), parent)
 {
-    // What is dragged belongs to a document, to its active UV set and to how it is shown.
+    // A drag is valid for one document, its active UV set and the shown map only.
     connect(&context.workspace, &Workspace::documentReplaced, this, &PinTool::reset);
     connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
         if (event.type == ChangeEvent::Type::UvSet)
@@ -85,7 +85,7 @@ void PinTool::grab(const ToolEvent &event)
     if (event.canvas.kind() != ToolCanvas::Kind::Map || mPick.corner < 0)
         return;
     const UvPin *pin = document.constraints().pin(mPick.corner);
-    // In a place where corners meet the pin may be at another one.
+    // The pin may be at another corner in the same position.
     for (const UvPin &other : pinsOfVertex(document, event.canvas, mPick.soupCorner)) {
         if (!pin)
             pin = document.constraints().pin(other.corner);
@@ -136,7 +136,7 @@ void PinTool::beginDrag()
     mState = State::Drag;
     mLive = context().solver.isRunning();
     mGesture = document.undoStack().newGesture();
-    std::set<int> corners; // of the vertices, pinned or not
+    std::set<int> corners; // corners of the vertices, pinned or not
     for (const UvPin &pin : mPins) {
         corners.insert(pin.corner);
         for (int corner :
@@ -150,7 +150,7 @@ void PinTool::beginDrag()
     mSoupUv = soupUv(mesh, document.uv());
 }
 
-//! The part of the way that turns no triangle over.
+//! The part of the displacement that flips no triangle.
 Vec2 PinTool::wayWithoutFlips(const Vec2 &by) const
 {
     const MeshData &mesh = context().workspace.document()->mesh();
@@ -291,7 +291,7 @@ void PinTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
     }
 }
 
-//! Blue, as in the paper, with a line from where they were.
+//! Draws pins in blue, as in the paper, with a line from their old positions.
 void PinTool::drawPins(QPainter &painter, const ToolCanvas &view) const
 {
     for (const UvPin &pin : mPins) {

@@ -1,4 +1,4 @@
-// Pinning with the mouse.
+// The tool for pins.
 #pragma once
 
 #include "commands/editpins.h"
@@ -10,10 +10,10 @@ namespace autocuts {
 
 class ToolCanvas;
 
-//! Pins vertices, or in the mode of islands whole islands. A click pins or unpins; Shift makes the pins soft,
-//! or pinned ones the other kind; a drag over empty space pins what is in a box, with Ctrl it unpins. In the
-//! UV view a drag of a pin moves it: while a solve runs the map follows, else the pinned vertex moves along,
-//! as far as no triangle turns over. Pins of locked islands stay.
+//! Pins vertices, or whole islands in the mode for islands. A click pins or unpins; with Shift it makes soft
+//! pins, or changes existing pins between soft and hard. A drag over empty space pins everything in a box,
+//! with Ctrl it unpins. In the UV view, a drag of a pin moves it: while a solve runs, the map follows;
+//! otherwise the vertex moves with it, as far as no triangle flips. Pins of locked islands stay.
 class PinTool final : public AbstractTool
 {
     Q_OBJECT
@@ -37,12 +37,12 @@ private:
 
     bool islandMode() const;
     void reset();
-    //! What a click at a place pins.
+    //! The pins that a click would make.
     std::vector<UvPin> pinsUnder(const ToolEvent &event) const;
-    //! Pins, unpins or changes the kind, by what is pinned already.
+    //! Pins, unpins or changes the kind of pins, depending on the existing ones.
     void toggle(const std::vector<UvPin> &pins, bool shift);
     void applyBox(const ToolEvent &event);
-    //! The pins that a drag from here moves; none: it draws a box.
+    //! Stores the pins that a drag from here moves; without any, the drag draws a box.
     void grab(const ToolEvent &event);
     void beginDrag();
     void dragTo(const Vec2 &by);
@@ -50,13 +50,13 @@ private:
     void drawPins(QPainter &painter, const ToolCanvas &view) const;
 
     State mState = State::Idle;
-    QPointer<ToolCanvas> mCanvas; //!< where the gesture began
+    QPointer<ToolCanvas> mCanvas; //!< the canvas in which the gesture began
     QPointF mStart, mEnd;
     PickResult mPick;          //!< of the press
-    std::vector<UvPin> mPins;  //!< that are dragged, as they were
-    std::vector<int> mCorners; //!< that move along while no solve runs
-    UvMatrix mUv;              //!< of mCorners, as it was
-    UvMatrix mSoupUv;          //!< of all soup corners, as it was
+    std::vector<UvPin> mPins;  //!< the dragged pins before the drag
+    std::vector<int> mCorners; //!< the corners that move with them while no solve runs
+    UvMatrix mUv;              //!< UVs of mCorners before the drag
+    UvMatrix mSoupUv;          //!< UVs of all soup corners before the drag
     Vec2 mBy = Vec2::Zero();
     bool mLive = false; //!< a solve runs during the drag
     quint64 mGesture = 0;

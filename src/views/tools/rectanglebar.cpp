@@ -161,7 +161,7 @@ void RectangleBar::setRectangle(int id)
 {
     if (id != mId) {
         if (mName->hasFocus())
-            parentWidget()->setFocus(); // what was typed is for the one before
+            parentWidget()->setFocus(); // typed text belongs to the previous rectangle
         mId = id;
         if (Document *document = mWorkspace.document())
             mGesture = document->undoStack().newGesture();

@@ -1,4 +1,4 @@
-// The properties of a rectangle, in the UV view.
+// The properties of a rectangle, shown in the UV view.
 #pragma once
 
 #include "commands/editrectangles.h"
@@ -14,7 +14,7 @@ namespace autocuts {
 
 class Workspace;
 
-//! A small bar at the upper side of the view: colour, name, hard or soft, weight, assignment, removal.
+//! A bar at the top of the view: colour, name, hard or soft, weight, assignment, removal.
 class RectangleBar final : public QFrame
 {
     Q_OBJECT
@@ -22,9 +22,9 @@ class RectangleBar final : public QFrame
 public:
     RectangleBar(Workspace &workspace, QWidget *view);
 
-    //! Shows a rectangle; hides for 0.
+    //! Shows a rectangle; hides the bar for 0.
     void setRectangle(int id);
-    //! Puts the cursor into the name, all of it selected.
+    //! Puts the cursor into the name field and selects its text.
     void editName();
 
 Q_SIGNALS:
@@ -40,14 +40,14 @@ private:
     void connectWidgets();
     void refresh();
     void place();
-    //! Null when it does not exist.
+    //! Null when the rectangle does not exist.
     const LayoutRectangle *rectangle() const;
     template <typename Change>
     void edit(EditRectangles::Edit kind, Change change, quint64 gesture = 0);
 
     Workspace &mWorkspace;
     int mId = 0;
-    quint64 mGesture = 0; //!< of turning the weight
+    quint64 mGesture = 0; //!< of changing the weight
     QToolButton *mColor, *mAssign, *mPack, *mClear, *mRemove;
     QLineEdit *mName;
     QCheckBox *mHard;

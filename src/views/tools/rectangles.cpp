@@ -11,7 +11,7 @@ namespace autocuts {
 namespace {
 
 constexpr double handleRadius = 8, outlineRadius = 5; //!< pixels
-constexpr QSizeF nameSize(70, 20);                    //!< of the place where the name is drawn
+constexpr QSizeF nameSize(70, 20);                    //!< size of the area of the name
 
 } // namespace
 
@@ -31,7 +31,7 @@ RectangleGrip gripAt(const std::vector<LayoutRectangle> &rectangles, int active,
     for (const LayoutRectangle &rectangle : rectangles) {
         if (rectangle.id != active)
             continue;
-        // The corners come first: they stay within reach when a side is short.
+        // Corners are tested first, so that they can be reached when a side is short.
         for (const auto &[x, y] :
              {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
             const QPointF offset = handleOf(screenBox(rectangle, camera), x, y) - pixel;

@@ -215,7 +215,7 @@ void RectangleTool::release(const ToolEvent &event)
         const LayoutRectangle *made = context().workspace.document()->constraints().rectangle(mGrip.id);
         const QSizeF size = made ? screenBox(*made, *mView->mapCamera()).size() : QSizeF();
         if (mIntent == Intent::Draw && std::min(size.width(), size.height()) < 1)
-            cancel(); // it could not be taken hold of
+            cancel(); // nothing to drag
         else
             reset();
     }
@@ -311,7 +311,7 @@ void RectangleTool::drawActive(QPainter &painter) const
     }
 }
 
-//! From the island to the mouse, and the rectangle that would get it.
+//! Draws a line from the island to the mouse, and the rectangle to which it would be assigned.
 void RectangleTool::drawAssignment(QPainter &painter) const
 {
     const MapCamera &camera = *mView->mapCamera();

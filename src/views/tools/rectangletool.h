@@ -1,4 +1,4 @@
-// Drawing rectangles that islands should stay inside, and assigning islands to them.
+// The tool for bounding rectangles of islands.
 #pragma once
 
 #include "views/canvas/abstracttool.h"
@@ -11,11 +11,11 @@ namespace autocuts {
 class RectangleBar;
 class ToolCanvas;
 
-//! Works in the UV view. A drag over empty space, or with Shift anywhere, draws a rectangle; a drag of an
-//! outline, a name or empty space inside moves one, handles resize the active one. A drag of an island, or of
-//! the selected ones, into a rectangle assigns its faces, out of all rectangles lets them go; locked islands
-//! are left as they are. A click makes a rectangle the active one, a double click renames it, Delete removes
-//! it. All of it also steers a running solve.
+//! Works in the UV view. A drag over empty space, or with Shift anywhere, draws a rectangle. A drag of an
+//! outline, a name or the empty space inside moves one; handles resize the active one. A drag of an island,
+//! or of the selected ones, into a rectangle assigns its faces; a drag out of all rectangles removes the
+//! assignment. Locked islands are ignored. A click activates a rectangle, a double click renames it, Delete
+//! removes it. All changes also steer a running solve.
 class RectangleTool final : public AbstractTool
 {
     Q_OBJECT
@@ -39,21 +39,21 @@ public:
     bool wantsPicks() const override { return mState == State::Idle; }
     void drawOverlay(QPainter &painter, const ToolCanvas &canvas) override;
 
-    //! The rectangle that the bar shows; 0 for none.
+    //! The active rectangle, which the bar shows; 0 for none.
     int active() const { return mActive; }
 
 private:
     //! Packs the islands of a rectangle into it.
     void pack(int id);
     enum class State { Idle, Pressed, Edit, Assign };
-    //! What a press began.
+    //! The kind of gesture that a press began.
     enum class Intent { Draw, Change, Assign };
 
     const std::vector<LayoutRectangle> &rectangles() const;
     void setActive(int id);
     void reset();
     void beginDrag();
-    //! Adds the rectangle that is drawn.
+    //! Adds the rectangle that was drawn.
     void addRectangle();
     void dragTo(const ToolEvent &event);
     void assignAt(const QPointF &position);
@@ -64,11 +64,11 @@ private:
 
     State mState = State::Idle;
     Intent mIntent = Intent::Draw;
-    QPointer<ToolCanvas> mView; //!< where the gesture began
+    QPointer<ToolCanvas> mView; //!< the view in which the gesture began
     QPointF mStart, mEnd;
     RectangleGrip mGrip;
-    LayoutRectangle mBefore; //!< as the drag began
-    QList<int> mFaces;       //!< that are assigned
+    LayoutRectangle mBefore; //!< at the beginning of the drag
+    QList<int> mFaces;       //!< the faces to assign
     quint64 mGesture = 0;
     int mActive = 0;
     QPointer<RectangleBar> mBar; //!< owned by the view

@@ -53,7 +53,7 @@ QCursor RegionTool::cursor() const
 void RegionTool::setState(State state)
 {
     mState = state;
-    Q_EMIT hintChanged(); // and with it the cursor
+    Q_EMIT hintChanged(); // this also updates the cursor
 }
 
 QString RegionTool::hint() const
@@ -99,7 +99,7 @@ void RegionTool::move(const ToolEvent &event)
 void RegionTool::begin()
 {
     if (mState != State::Waiting)
-        return; // released or cancelled while the solver came to rest
+        return; // released or cancelled while the solver was pausing
     const Document &document = *context().workspace.document();
     const QList<int> &selected = document.selection().faces;
     const bool onSelection = mTriangle >= 0 && std::binary_search(selected.begin(), selected.end(),

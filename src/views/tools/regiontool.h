@@ -1,4 +1,4 @@
-// Taking overlapping parts of the map away by hand.
+// The overlap tool: separates overlapping regions of the map by hand.
 #pragma once
 
 #include "model/plain/types.h"
@@ -13,10 +13,10 @@ namespace autocuts {
 
 class ToolCanvas;
 
-//! The overlap tool (paper, figure 9): a click selects a region around it that does not cover itself, if
-//! possible so that the rest of the island does not either; dragging what is selected in the map moves it
-//! away as an island of its own. The region is searched off the GUI thread; Escape ends that. A live solve is
-//! paused first and goes on after the drag. What is locked stays.
+//! A click selects a region around it that does not overlap itself (paper, figure 9), if possible so that the
+//! rest of the island does not overlap itself either. A drag moves the selected faces away as a separate
+//! island. The region is searched off the GUI thread; Escape cancels the search. A live solve is paused first
+//! and continues after the drag. Locked islands stay.
 class RegionTool final : public AbstractTool
 {
     Q_OBJECT
@@ -39,21 +39,21 @@ private:
     void search(int triangle, bool add);
     void select(const QList<int> &faces, bool add);
     void setState(State state);
-    //! The solver rests: what is selected begins to move.
+    //! Called when the solver is paused: the selected faces begin to move.
     void begin();
     void moveTo(const QPointF &position);
 
     State mState = State::Idle;
     JobRunner mSearch{JobRunner::OnCancel::LetGo};
-    int mSearches = 0;            //!< counts them
-    bool mOneIsEnough = true;     //!< the rest of the island that was clicked does not cover itself
-    bool mGoOn = false;           //!< the solver ran when the tool came
-    QPointer<ToolCanvas> mCanvas; //!< where the gesture began
+    int mSearches = 0;            //!< number of searches so far
+    bool mOneIsEnough = true;     //!< the rest of the clicked island does not overlap itself
+    bool mGoOn = false;           //!< the solver ran when the tool was activated
+    QPointer<ToolCanvas> mCanvas; //!< the canvas in which the gesture began
     QPointF mStart;
-    int mTriangle = -1; //!< pressed
+    int mTriangle = -1; //!< under the press
     quint64 mGesture = 0;
-    std::vector<int> mCorners; //!< that move
-    UvMatrix mFrom;            //!< where they began, one row each
+    std::vector<int> mCorners; //!< the moving corners
+    UvMatrix mFrom;            //!< their start positions, one row each
 };
 
 } // namespace autocuts

@@ -1,4 +1,4 @@
-// Ways along edges between two clicks.
+// Finds paths along edges between two clicks.
 #pragma once
 
 #include "views/canvas/picking.h"
@@ -9,11 +9,11 @@ namespace autocuts {
 
 class Document;
 
-//! Where a way along edges begins or ends: at a vertex, or with an edge. -1 for what it is not.
+//! An end of a path along edges: a vertex or an edge; the other one is -1.
 struct PathEnd
 {
     int vertex = -1; //!< welded
-    int edge = -1;   //!< of MeshAdjacency
+    int edge = -1;   //!< edge of MeshAdjacency
 
     bool isNone() const { return vertex < 0 && edge < 0; }
     bool operator==(const PathEnd &) const = default;
@@ -22,8 +22,8 @@ struct PathEnd
 //! The vertex near the mouse, or else the edge.
 PathEnd pathEnd(const Document &document, const PickResult &pick);
 
-//! The edges of the shortest way, with those that it begins and ends with, in rising order; empty when there
-//! is no way or an end is none.
+//! The edges of the shortest path, including edges at its ends, in ascending order; empty when there is no
+//! path or an end is missing.
 std::vector<int> pathBetween(const Document &document, const PathEnd &from, const PathEnd &to);
 
 } // namespace autocuts

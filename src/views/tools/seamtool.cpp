@@ -97,7 +97,7 @@ void SeamTool::showEdges(std::vector<int> edges)
 {
     mPathFrom = mPathTo = {};
     const Document *document = context().workspace.document();
-    // The rim of the model is cut as it is.
+    // Boundaries of the model are open anyway.
     std::erase_if(edges, [document](int edge) { return document->adjacency().isBoundary(edge); });
     mPreview = std::move(edges);
     Q_EMIT overlayChanged();
@@ -109,7 +109,7 @@ void SeamTool::release(const ToolEvent &event)
         return;
     const Document &document = *context().workspace.document();
     if (mState == State::Path)
-        showUnder(event); // else what was pressed
+        showUnder(event); // otherwise the pressed edge stays shown
     else
         mClick = context().workspace.document()->undoStack().newGesture();
     const PathEnd end = mState == State::Path ? pathEnd(document, event.pick) : mFirst;

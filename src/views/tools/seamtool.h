@@ -1,4 +1,4 @@
-// Cutting and joining with the mouse.
+// The tools for cutting and joining edges.
 #pragma once
 
 #include "commands/setseamstate.h"
@@ -12,10 +12,9 @@
 
 namespace autocuts {
 
-//! Forces edges to be cut, or to stay together. A click takes an edge, a drag the shortest way from where it
-//! began, Ctrl+click the shortest way from what was clicked before, a double click the loop; Shift leaves
-//! them to the solver again. What would be taken is shown under the mouse. Diagonals of polygons are never
-//! taken.
+//! Cuts or joins edges. A click affects one edge, a drag the shortest path from its start, Ctrl+click the
+//! shortest path from the last click, a double click the loop; Shift frees the edges. The affected edges are
+//! shown under the mouse. Diagonals of polygons are never affected.
 class SeamTool final : public AbstractTool
 {
     Q_OBJECT
@@ -38,26 +37,26 @@ public:
     bool marksHover() const override { return false; }
     void drawOverlay(QPainter &painter, const ToolCanvas &canvas) override;
 
-    //! The edges that a click would take now, in rising order.
+    //! The edges that a click would affect now, in ascending order.
     const std::vector<int> &preview() const { return mPreview; }
 
 private:
     enum class State { Idle, Pressed, Path };
 
-    //! Shows the way between two ends; found only when one of them changed.
+    //! Shows the path between two ends; it is computed only when one of them has changed.
     void showPath(const PathEnd &from, const PathEnd &to);
     void showEdges(std::vector<int> edges);
     void showUnder(const ToolEvent &event);
-    //! Takes what is shown. \param gesture edits of one merge
+    //! Cuts, joins or frees the shown edges. \param gesture number for merging
     void commit(quint64 gesture);
 
     const Kind mKind;
     State mState = State::Idle;
-    QPointer<ToolCanvas> mCanvas; //!< where the gesture began
+    QPointer<ToolCanvas> mCanvas; //!< the canvas in which the gesture began
     QPointF mStart;
     PathEnd mFirst;             //!< where the drag began
-    PathEnd mAnchor;            //!< clicked before
-    PathEnd mPathFrom, mPathTo; //!< of the way that is shown
+    PathEnd mAnchor;            //!< the last click
+    PathEnd mPathFrom, mPathTo; //!< ends of the shown path
     std::vector<int> mPreview;
     SetSeamState::Edit mEdit; //!< by the modifiers
     quint64 mClick = 0;       //!< gesture of the last click, which a double click continues

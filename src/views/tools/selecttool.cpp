@@ -28,12 +28,12 @@ SelectTool::SelectTool(const StudioContext &context, const QString &id, SelectSh
 {
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
         mAnchorEdge = mAnchorCorner = -1;
-        mState = State::Idle; // a stroke must not be taken back in another document
+        mState = State::Idle; // a stroke must not be undone in another document
     });
     connect(&context.workspace, &Workspace::selectionChanged, this, &AbstractTool::hintChanged);
 }
 
-//! How a drag selects.
+//! The hint about how a drag selects.
 QString SelectTool::gestureHint() const
 {
     switch (mShape) {
@@ -144,7 +144,7 @@ void SelectTool::paint(const ToolEvent &event)
         return std::hypot(p.x() - centre.x(), p.y() - centre.y()) <= radius;
     };
     BoxPick picked = event.canvas.pickBox({QRectF(centre - reach, centre + reach), near});
-    // The middle of a large face may be far from the brush that is on it.
+    // The centre of a large face may be far from the brush although the brush is on the face.
     if (const int triangle = event.canvas.pick(centre).triangle; triangle >= 0)
         picked.faces.push_back(document.mesh().triangleFace[triangle]);
     Selection touched = pickedElements(document, picked);
@@ -157,7 +157,7 @@ bool SelectTool::wheel(const QWheelEvent &event, ToolCanvas &)
 {
     if (mShape != SelectShape::Brush || !event.modifiers().testFlag(Qt::ShiftModifier))
         return false;
-    // Some systems turn the wheel sideways while Shift is held.
+    // Some platforms report horizontal scrolling while Shift is held.
     const int turned = event.angleDelta().y() != 0 ? event.angleDelta().y() : event.angleDelta().x();
     mRadius = std::clamp(mRadius * std::pow(1.1, turned / 120.0), smallestRadius, largestRadius);
     Q_EMIT overlayChanged();
@@ -210,7 +210,7 @@ Selection SelectTool::pathTo(const PickResult &pick) const
 
 void SelectTool::doubleClick(const ToolEvent &event)
 {
-    // The first click has replaced or toggled already: the group takes the place of what it clicked.
+    // The first click has already changed the selection: the group replaces what it clicked.
     if (event.button != Qt::LeftButton)
         return;
     cancel();

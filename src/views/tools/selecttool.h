@@ -1,4 +1,4 @@
-// Selecting with the mouse.
+// The tool for selecting.
 #pragma once
 
 #include "views/canvas/abstracttool.h"
@@ -11,19 +11,18 @@
 
 namespace autocuts {
 
-//! What a drag with the mouse selects with.
+//! The shape that a drag selects with.
 enum class SelectShape { Box, Lasso, Brush };
 
-//! Selects vertices, edges, faces or islands by the mode of the document's selection. A click replaces, Shift
-//! toggles, Ctrl takes the shortest way from the element clicked before (vertices and edges) or takes away; a
-//! drag selects with a box, a lasso or a brush, Shift adds, Ctrl takes away; a double click selects a loop or
-//! an island.
+//! Selects vertices, edges, faces or islands, by the selection mode. A click replaces the selection, Shift
+//! toggles, Ctrl adds the shortest path from the last click (vertices and edges) or removes. A drag selects
+//! with a box, a lasso or a brush; Shift adds, Ctrl removes. A double click selects a loop or an island.
 class SelectTool final : public AbstractTool
 {
     Q_OBJECT
 
 public:
-    //! Radius of the brush in pixels, changed by Shift+wheel.
+    //! Pixels: radius of the brush, changed by Shift+wheel. Chosen by hand.
     static constexpr double firstRadius = 24, smallestRadius = 4, largestRadius = 300;
 
     SelectTool(const StudioContext &context, const QString &id, SelectShape shape, QObject *parent = nullptr);
@@ -45,22 +44,23 @@ private:
 
     void click(const ToolEvent &event);
     QString gestureHint() const;
-    //! What the box or the lasso has around it so far.
+    //! The region inside the box or the lasso so far.
     PickRegion region() const;
-    //! Adds what is under the brush to the stroke.
+    //! Adds the elements under the brush to the stroke.
     void paint(const ToolEvent &event);
-    //! The way from the anchor to what was picked; empty lists when there is none.
+    //! The path from the last click to a pick; empty lists when there is none.
     Selection pathTo(const PickResult &pick) const;
 
     const SelectShape mShape;
     State mState = State::Idle;
-    QPointer<ToolCanvas> mCanvas; //!< where the gesture began
+    QPointer<ToolCanvas> mCanvas; //!< the canvas in which the gesture began
     QPointF mStart, mEnd;
     QPolygonF mLasso;
     double mRadius = firstRadius;
-    std::optional<QPointF> mBrush;            //!< where the mouse is, over mCanvas
-    Selection mBefore, mStroke;               //!< before the stroke, and what the stroke has touched
-    int mAnchorEdge = -1, mAnchorCorner = -1; //!< clicked before; count only while they are selected
+    std::optional<QPointF> mBrush; //!< position of the mouse over mCanvas
+    //! The selection before the stroke, and the elements that the stroke has touched.
+    Selection mBefore, mStroke;
+    int mAnchorEdge = -1, mAnchorCorner = -1; //!< of the last click; used only while they are selected
 };
 
 } // namespace autocuts

@@ -1,4 +1,4 @@
-// What drags in the map snap to.
+// Snapping of drags in the map.
 #pragma once
 
 #include "views/canvas/mapcamera.h"
@@ -8,17 +8,17 @@
 
 namespace autocuts {
 
-//! Lines to snap to: those of the grid as it is drawn, every texel, every tile of the texture; or other
+//! The lines to snap to: those of the visible grid, of every texel, or of every tile of the texture; or other
 //! islands.
 enum class SnapTo { Nothing, Grid, Texels, Tiles, Islands };
 
-//! Ctrl: the grid; with Shift: texels; with Alt: tiles. Shift alone: islands.
+//! Ctrl: the grid; Ctrl+Shift: texels; Ctrl+Alt: tiles. Shift alone: islands.
 SnapTo snapOf(Qt::KeyboardModifiers modifiers);
-//! Distance between the lines in texture space; 0: does not snap to lines. \param textureSize texels per tile
+//! Distance between the lines in texture space; 0 when there are no lines. \param textureSize texels per tile
 double snapStep(SnapTo snap, const MapCamera &camera, int textureSize);
-//! The nearest crossing of lines. \param step of snapStep()
+//! The nearest crossing of two lines. \param step from snapStep()
 Vec2 snappedPoint(const Vec2 &point, double step);
-//! The nearest displacement that brings, for each axis, one side of the box onto a line.
+//! The nearest displacement that aligns, on each axis, one side of the box with a line.
 Vec2 snappedMove(const Vec2 &move, const Eigen::AlignedBox2d &box, double step);
 
 } // namespace autocuts

@@ -9,7 +9,7 @@ namespace autocuts {
 
 namespace {
 
-//! True when the triangle is seen from behind; in the map nothing is.
+//! True when the triangle is seen from behind; never in the map.
 bool facesAway(const ToolCanvas &canvas, int triangle)
 {
     if (canvas.kind() == ToolCanvas::Kind::Map)
@@ -41,14 +41,14 @@ void drawEdges(QPainter &painter, const ToolCanvas &canvas, std::span<const int>
             if (from && to)
                 painter.drawLine(*from, *to);
             if (canvas.kind() == ToolCanvas::Kind::Model)
-                break; // both sides are in one place
+                break; // both sides are in the same position
         }
     }
 }
 
 void drawNote(QPainter &painter, const ToolCanvas &canvas, const QString &text)
 {
-    constexpr int fromTop = 28; // below the ruler of the map
+    constexpr int fromTop = 28; // below the ruler of the UV view
     const ViewColors &colors = canvas.content().colors();
     const QFontMetrics metrics = painter.fontMetrics();
     const QString shown = metrics.elidedText(text, Qt::ElideRight, std::max(canvas.width() - 24, 0));

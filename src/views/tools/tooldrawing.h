@@ -1,4 +1,4 @@
-// What several tools paint over the views.
+// Drawing functions shared by tools.
 #pragma once
 
 #include <QColor>
@@ -12,10 +12,10 @@ namespace autocuts {
 
 class ToolCanvas;
 
-//! Edges as lines; fainter where only faces turned away from the viewer have them.
-//! \param edges of MeshAdjacency
+//! Draws edges as lines, fainter where all of their faces are turned away from the viewer.
+//! \param edges edges of MeshAdjacency
 void drawEdges(QPainter &painter, const ToolCanvas &canvas, std::span<const int> edges, const QColor &color);
-//! A line of text in the upper middle.
+//! Draws a line of text at the top centre.
 void drawNote(QPainter &painter, const ToolCanvas &canvas, const QString &text);
 
 } // namespace autocuts
