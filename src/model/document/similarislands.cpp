@@ -13,6 +13,7 @@ namespace {
 //! Rounds of colour refinement: colours distinguish neighbourhoods of this many faces in radius. Chosen by
 //! hand; its effect has not been measured.
 constexpr int refinementRounds = 8;
+//! Lengths that differ by less than this share of the longest one are equal. Chosen by hand.
 constexpr double lengthTolerance = 1e-4;
 
 std::uint64_t mixed(std::uint64_t value)

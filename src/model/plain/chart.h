@@ -28,7 +28,7 @@ struct UvEdge
     bool open = false; //!< it has one side only, so it is on the border of its chart
 };
 
-//! A welded 3D edge and how its sides are joined in UV space.
+//! A welded 3D edge and how its sides are stitched in UV space.
 struct WeldedEdge
 {
     std::array<int, 2> corner; //!< the corners at its two ends, the lower welded vertex first

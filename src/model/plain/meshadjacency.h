@@ -39,7 +39,7 @@ public:
     bool isBoundary(int edge) const { return mEdgeFaces[edge][1] < 0; }
     //! The two end vertices; equal for a side of length zero.
     const std::array<int, 2> &edgeVertices(int edge) const { return mEdgeVertices[edge]; }
-    //! The end that is not the given one. \pre vertex is an end of the edge
+    //! The other end of an edge. \pre vertex is an end of the edge
     int otherEnd(int edge, int vertex) const
     {
         return mEdgeVertices[edge][0] == vertex ? mEdgeVertices[edge][1] : mEdgeVertices[edge][0];
@@ -50,11 +50,11 @@ public:
 
     //! The edge from a corner to the next corner of its polygon.
     int edgeOfCorner(int corner) const { return mCornerEdge[corner]; }
-    //! Edges that end at a vertex, in rising order.
+    //! Edges that end at a vertex, in ascending order.
     std::span<const int> vertexEdges(int vertex) const { return mVertexEdges.of(vertex); }
-    //! Corners at a vertex, in rising order.
+    //! Corners at a vertex, in ascending order.
     std::span<const int> vertexCorners(int vertex) const { return mVertexCorners.of(vertex); }
-    //! All corners, those of one vertex beside each other.
+    //! All corners, grouped by vertex.
     const std::vector<int> &cornersByVertex() const { return mVertexCorners.items; }
     int faceOfCorner(int corner) const { return mCornerFace[corner]; }
 

@@ -152,7 +152,7 @@ void triangulate(MeshData &mesh)
     }
 }
 
-//! Joins side k0 of triangle t0 and side k1 of triangle t1. \pre t0 < t1
+//! The edge pair of side k0 of triangle t0 and side k1 of triangle t1. \pre t0 < t1
 EdgePair makePair(const MeshData &mesh, int t0, int k0, int t1, int k1)
 {
     EdgePair pair;

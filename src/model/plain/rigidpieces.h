@@ -8,14 +8,14 @@
 
 namespace autocuts {
 
-//! The charts of a map, united to one piece where they belong to one stack or group.
+//! The charts of a map, united into one piece where they belong to one stack or group.
 struct RigidPieces
 {
     ChartMap pieces;
     std::vector<bool> locked; //!< per piece: it keeps its place, and others are packed around it
 };
 
-//! Unites the charts to pieces.
+//! Unites the charts into pieces.
 //! \param movable per face; a piece without a movable face is locked. Empty: all faces are movable
 RigidPieces rigidPieces(const ChartMap &charts, const std::vector<IslandFlags> &faceFlags,
                         const std::vector<bool> &movable = {});

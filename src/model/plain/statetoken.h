@@ -1,4 +1,4 @@
-// Identifies the state of a document that a snapshot, a job or a result was made from.
+// Identifies the state of a document from which a snapshot, a job or a result was made.
 #pragma once
 
 #include <cstdint>

@@ -16,6 +16,7 @@ namespace {
 
 //! Milliseconds without an edit after which the map is measured. Chosen by hand.
 constexpr int measureDelay = 250;
+//! The search for overlapping pairs stops at this number. Chosen by hand.
 constexpr int maxListedOverlaps = 100'000;
 
 MapFigures measured(const MeshData &mesh, const UvMatrix &uv, int textureSize, JobControl &control)
