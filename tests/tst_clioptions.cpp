@@ -238,7 +238,8 @@ private Q_SLOTS:
         for (const QString &line : help.split(u'\n'))
             QVERIFY2(line.size() <= 110 && !line.endsWith(u' '), qPrintable(line));
         // Options of one heading stand together.
-        for (const QString &heading : {u"unwrap"_s, u"unwrap, finish"_s, u"unwrap, pack, separate, finish"_s, u"pack"_s})
+        for (const QString &heading :
+             {u"unwrap"_s, u"unwrap, finish"_s, u"unwrap, pack, separate, finish"_s, u"pack"_s})
             QCOMPARE(help.count(u'\n' + heading + u":\n"_s), 1);
     }
 

@@ -10,9 +10,10 @@ namespace autocuts::test {
 
 Canvases::Canvases()
     : preferences(folder.filePath(QStringLiteral("preferences.ini"))), shown(workspace),
-      solver(workspace, shown),
-      map(workspace, solver), files(workspace, solver, preferences, folder.filePath(QStringLiteral("recovery"))), actions(preferences), context{workspace, shown, view, preferences, solver, map, files, actions}, tools(context),
-      mesh(context, tools), uv(context, tools)
+      solver(workspace, shown), map(workspace, solver),
+      files(workspace, solver, preferences, folder.filePath(QStringLiteral("recovery"))),
+      actions(preferences), context{workspace, shown, view, preferences, solver, map, files, actions},
+      tools(context), mesh(context, tools), uv(context, tools)
 {
     addStudioTools(tools, context);
     mesh.setGeometry(20, 20, 500, 500);

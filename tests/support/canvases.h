@@ -4,13 +4,12 @@
 #include "views/actions/actionregistry.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/toolmanager.h"
-#include "views/control/filecontroller.h"
 #include "views/canvas/uvview.h"
+#include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
-#include "views/canvas/toolmanager.h"
 #include "views/ui/preferences.h"
 
 #include <QTemporaryDir>

@@ -358,7 +358,9 @@ std::vector<Case> markCases()
          flags(Edit::Unlock, {0})},
         {"stack", flags(Edit::Stack, {0, 1}), "Stack 2 islands", {u"flag 2: 0-15"_s}, flags(Edit::Stack, {})},
         {"stack copies",
-         [](Document &d) { return StackIslands::stack(d, StackIslands::copiesAmong(d, {0, 1}).stacks); },
+         [](Document &d) {
+             return StackIslands::stack(d, StackIslands::copiesAmong(d, {0, 1}).stacks);
+         },
          "Stack 2 islands",
          {},
          [](Document &d) { return StackIslands::stack(d, {}); }},

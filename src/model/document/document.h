@@ -4,9 +4,9 @@
 #include "model/document/changeevent.h"
 #include "model/document/documentstate.h"
 #include "model/document/result.h"
-#include "model/plain/statetoken.h"
 #include "model/document/undostack.h"
 #include "model/plain/meshadjacency.h"
+#include "model/plain/statetoken.h"
 
 #include <QObject>
 

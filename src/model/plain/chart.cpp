@@ -1,7 +1,7 @@
 #include "model/plain/chart.h"
 
-#include "model/plain/uvseams.h"
 #include "model/plain/unionfind.h"
+#include "model/plain/uvseams.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // The input of a solve: the mesh, the steering and the settings at one moment. Plain: no Qt.
 #pragma once
 
-#include "model/plain/statetoken.h"
 #include "model/plain/meshdata.h"
 #include "model/plain/solvesettings.h"
+#include "model/plain/statetoken.h"
 #include "model/plain/types.h"
 
 #include <cstdint>

@@ -11,19 +11,19 @@ namespace autocuts::unwrap {
 //! State of the solver when a live solve was paused.
 struct LiveState
 {
-    std::vector<double> coordinates; //!< of the soup, see Soup
+    std::vector<double> coordinates{}; //!< of the soup, see Soup
     double lambda = 0, delta = 0;
     bool hasMoreToDo = false; //!< paused before the end of the schedule
 };
 
 struct FinishInput
 {
-    Snapshot snapshot;
-    UvMatrix uv;        //!< per corner, texture space: the map to finish when there is no live solve
+    Snapshot snapshot{};
+    UvMatrix uv{};      //!< per corner, texture space: the map to finish when there is no live solve
     double uvScale = 1; //!< texture space units per solver unit
-    std::optional<LiveState> live; //!< the live solve that the map was made from
-    double maxDistortion = 4.1;    //!< bound on the mean symmetric Dirichlet energy, > 4
-    packing::PackOptions packing;  //!< used when islands overlap or leave the unit square
+    std::optional<LiveState> live{}; //!< the live solve that the map was made from
+    double maxDistortion = 4.1;      //!< bound on the mean symmetric Dirichlet energy, > 4
+    packing::PackOptions packing{};  //!< used when islands overlap or leave the unit square
 };
 
 struct FinishResult

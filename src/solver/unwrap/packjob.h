@@ -11,10 +11,10 @@ namespace autocuts::unwrap {
 //! What to pack, and how.
 struct PackJob
 {
-    packing::PackOptions options;       //!< settings and bin
-    std::vector<IslandFlags> faceFlags; //!< per face; empty: none is locked, stacked or grouped
-    std::vector<bool> movable;          //!< per face; charts without such a face are obstacles; empty: all
-    bool hurryWhenStopped = false;      //!< when stopped before the first layout, still make a quick one
+    packing::PackOptions options{};       //!< settings and bin
+    std::vector<IslandFlags> faceFlags{}; //!< per face; empty: none is locked, stacked or grouped
+    std::vector<bool> movable{};          //!< per face; charts without such a face are obstacles; empty: all
+    bool hurryWhenStopped = false;        //!< when stopped before the first layout, still make a quick one
 };
 
 //! Packs charts around locked ones; the charts of a stack or group move as one island.

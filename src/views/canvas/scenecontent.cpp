@@ -1,7 +1,7 @@
 #include "views/canvas/scenecontent.h"
 
-#include "model/plain/uvlayout.h"
 #include "model/plain/flippedtriangles.h"
+#include "model/plain/uvlayout.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"

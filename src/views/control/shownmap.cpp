@@ -1,7 +1,7 @@
 #include "views/control/shownmap.h"
 
-#include "model/plain/uvseams.h"
 #include "model/plain/uvlayout.h"
+#include "model/plain/uvseams.h"
 #include "views/control/workspace.h"
 
 #include <algorithm>

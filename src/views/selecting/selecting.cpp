@@ -3,8 +3,8 @@
 #include "model/document/document.h"
 #include "model/document/selectiontools.h"
 #include "model/document/similarislands.h"
-#include "model/plain/uvlayout.h"
 #include "model/plain/flippedtriangles.h"
+#include "model/plain/uvlayout.h"
 
 #include <algorithm>
 #include <numeric>
