@@ -258,6 +258,27 @@ private Q_SLOTS:
         QCOMPARE(measured(at("messy_apart.obj")).overlapPairs, std::int64_t(0));
     }
 
+    void finishMakesAMapUsable()
+    {
+        for (const char *name : {"folded", "messy"}) {
+            const QByteArray obj = qstrcmp(name, "folded") == 0 ? foldedObj : messyObj;
+            const QString in = file(qPrintable(QString::fromLatin1(name) + u".obj"), obj);
+            const QString out = at("finished.obj");
+            const test::CliRun r = run("finish", in, out, {QStringLiteral("--max-distortion=4.2")});
+            QVERIFY2(r.code == 0, qPrintable(r.err));
+            QVERIFY(measured(in).overlapPairs > 0);
+            const UvMetrics m = measured(out);
+            QCOMPARE(m.overlapPairs, std::int64_t(0));
+            QCOMPARE(m.flipped, 0);
+            QVERIFY(m.inUnitSquare);
+            QVERIFY(m.symDirichlet <= 4.2);
+        }
+        const test::CliRun none =
+            run("finish", file("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), at("no.obj"));
+        QCOMPARE(none.code, 1);
+        QVERIFY2(none.err.contains(QLatin1String("has no UVs")), qPrintable(none.err));
+    }
+
     void separateLeavesGoodMapsAlone()
     {
         QCOMPARE(draft(file("sheet.obj", test::sheetObj(4)), at("s.obj")).code, 0);

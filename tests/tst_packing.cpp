@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include <limits>
+#include <new>
 #include <numbers>
 #include <tuple>
 
@@ -244,6 +245,15 @@ private Q_SLOTS:
         QVERIFY(result.complete);
         // Only the ring limits the scale: the box goes into its hole.
         QVERIFY(result.efficiency > 0.80);
+    }
+
+    void anExceptionInAThreadReachesTheCaller()
+    {
+        const std::vector<PackIsland> islands = randomStars(30, 3);
+        PackOptions settings = quick(0.2);
+        settings.starts = 4;
+        const JobContext job(nullptr, 4, [](const JobProgress &) { throw std::bad_alloc(); });
+        QVERIFY_EXCEPTION_THROWN(std::ignore = packIslands(islands, settings, job), std::bad_alloc);
     }
 
     void sameArgumentsGiveTheSameBits()

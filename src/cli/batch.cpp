@@ -1,7 +1,7 @@
 #include "cli/batch.h"
 
-#include "cli/batchpacking.h"
 #include "cli/clihelp.h"
+#include "cli/mapmaking.h"
 #include "cli/mapreporting.h"
 #include "cli/progressline.h"
 #include "commands/replay.h"
@@ -9,10 +9,6 @@
 #include "model/io/projectfile.h"
 #include "model/io/savefile.h"
 #include "model/samples/samples.h"
-#include "solver/unwrap/finishjob.h"
-#include "solver/unwrap/packjob.h"
-#include "solver/unwrap/separatejob.h"
-#include "solver/unwrap/unwrap.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -75,13 +71,13 @@ public:
         case Command::Replay:
             return runReplay();
         case Command::Unwrap:
-            return runMapping([this](Scene &scene) { return unwrapScene(scene); });
+            return runMapping(&MapMaking::unwrap);
         case Command::Pack:
-            return runMapping([this](Scene &scene) { return packScene(scene); });
+            return runMapping(&MapMaking::pack);
         case Command::Finish:
-            return runMapping([this](Scene &scene) { return finishScene(scene); });
+            return runMapping(&MapMaking::finish);
         case Command::Separate:
-            return runMapping([this](Scene &scene) { return separateScene(scene); });
+            return runMapping(&MapMaking::separate);
         }
         return 1;
     }
@@ -94,15 +90,6 @@ public:
     }
 
 private:
-    //! Results of a mapping command besides the UVs.
-    struct Outcome
-    {
-        std::optional<int> iterations;
-        double lambda = MapReport::unknown, delta = MapReport::unknown;
-        QStringList notes;    //!< what was done
-        QStringList warnings; //!< what was requested and could not be done
-    };
-
     int runSample()
     {
         const Result<Scene> scene = makeSample(mOptions.input);
@@ -198,8 +185,7 @@ private:
         return isProjectPath(mOptions.output) ? Done{} : checkWriteFormat(mOptions.output);
     }
 
-    template <class Work>
-    int runMapping(Work &&work)
+    int runMapping(Result<MadeMap> (MapMaking::*make)(Scene &) const)
     {
         if (const Result<Done> writable = checkTargets(); !writable)
             return fail(writable.error());
@@ -211,144 +197,17 @@ private:
             return fail({QStringLiteral("all faces are without area, there is nothing to map"),
                          mOptions.input, 0, QStringLiteral("Check the scale and the vertices of the model")});
         const StopTimer timer(mOptions.timeLimit, mStop);
-        Result<Outcome> outcome = work(scene.value());
+        const JobContext job(&mStop.stop, mOptions.threads,
+                             [this](const JobProgress &progress) { mProgress.show(progress); });
+        const MapMaking making(mOptions, mFiles, job);
+        const Result<MadeMap> made = (making.*make)(scene.value());
         mProgress.clear();
-        if (!outcome)
-            return fail(outcome.error());
-        return writeResults(scene.value(), outcome.value());
+        if (!made)
+            return fail(made.error());
+        return writeResults(scene.value(), made.value());
     }
 
-    Result<Outcome> unwrapScene(Scene &scene)
-    {
-        const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
-        if (!snapshot)
-            return snapshot.error();
-        const unwrap::UnwrapResult result =
-            unwrap::unwrapMesh(snapshot.value(), mOptions.unwrap, jobContext());
-        if (mOptions.unwrap.pack && !result.packed)
-            return noRoomError(mOptions);
-        setUv(scene, result.uv);
-        Outcome outcome;
-        outcome.iterations = result.iterations;
-        outcome.lambda = result.lambda;
-        outcome.delta = result.delta;
-        if (result.symmetry == 0.0)
-            outcome.warnings << QStringLiteral("the mesh is not symmetric: nor are the cuts");
-        else if (result.symmetry)
-            outcome.notes
-                << QStringLiteral("symmetric part of the seams: %1 %").arg(100 * *result.symmetry, 0, 'f', 1);
-        if (!result.withinBound)
-            outcome.warnings << boundMissed(result.distortion);
-        return outcome;
-    }
-
-    Result<Outcome> packScene(Scene &scene)
-    {
-        if (!scene.hasUv())
-            return noUvs();
-        UvMatrix uv = scene.uvSets.front().uv;
-        const MeshData &mesh = *scene.mesh;
-        const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, mesh);
-        if (!pack)
-            return pack.error();
-        const JobContext job = jobContext().part(0, 1, JobStage::Packing);
-        if (!unwrap::packCharts(mesh, findCharts(mesh, uv), pack.value(), uv, job))
-            return noRoomError(mOptions);
-        setUv(scene, uv);
-        return Outcome{};
-    }
-
-    Result<Outcome> separateScene(Scene &scene)
-    {
-        using Separation = unwrap::SeparateResult::Outcome;
-        if (!scene.hasUv())
-            return noUvs();
-        const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
-        if (!snapshot)
-            return snapshot.error();
-        const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, *scene.mesh);
-        if (!pack)
-            return pack.error();
-        const unwrap::SeparateResult made =
-            unwrap::separateMap(snapshot.value(), scene.uvSets.front().uv, pack.value(), jobContext());
-        Outcome outcome;
-        switch (made.outcome) {
-        case Separation::Done:
-            setUv(scene, made.uv);
-            outcome.notes << QStringLiteral("edges cut to take overlaps apart: %1").arg(made.newSeams);
-            if (made.unresolvedPairs > 0)
-                outcome.warnings << QStringLiteral("overlaps inside single polygons or across joined edges, "
-                                                   "which stay whole: %1")
-                                        .arg(made.unresolvedPairs);
-            break;
-        case Separation::NoOverlaps:
-            outcome.notes << QStringLiteral("there are no overlaps: the map stays as it is");
-            break;
-        case Separation::Stopped:
-            outcome.warnings << QStringLiteral("stopped before the overlaps were taken apart");
-            break;
-        case Separation::NoRoom:
-            return noRoomError(mOptions);
-        }
-        return outcome;
-    }
-
-    Result<Outcome> finishScene(Scene &scene)
-    {
-        if (!scene.hasUv())
-            return noUvs();
-        const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
-        if (!snapshot)
-            return snapshot.error();
-        unwrap::FinishInput finish;
-        finish.snapshot = snapshot.value();
-        finish.uv = scene.uvSets.front().uv;
-        finish.uvScale = mFiles.uvScale(scene);
-        finish.maxDistortion = mOptions.unwrap.maxDistortion;
-        finish.packing = mOptions.unwrap.packing;
-        const unwrap::FinishResult made = unwrap::finishMap(finish, jobContext());
-        Outcome outcome;
-        if (made.uv.rows() == 0) {
-            outcome.warnings << QStringLiteral("stopped before there was a finished map");
-            return outcome;
-        }
-        if (made.noRoom)
-            return noRoomError(mOptions);
-        setUv(scene, made.uv);
-        if (made.heldTogether)
-            outcome.warnings << QStringLiteral("the map still covers itself: joined edges hold it together");
-        if (made.distortion > mOptions.unwrap.maxDistortion)
-            outcome.warnings << boundMissed(made.distortion);
-        return outcome;
-    }
-
-    JobContext jobContext()
-    {
-        return {&mStop.stop, mOptions.threads,
-                [this](const JobProgress &progress) { mProgress.show(progress); }};
-    }
-
-    QString boundMissed(double distortion) const
-    {
-        return QStringLiteral("the distortion is %1, above the bound of %2")
-            .arg(distortion, 0, 'g', 6)
-            .arg(mOptions.unwrap.maxDistortion);
-    }
-
-    Error noUvs() const
-    {
-        return {QStringLiteral("the file has no UVs"), mOptions.input, 0,
-                QStringLiteral("Make them with autocuts-cli unwrap")};
-    }
-
-    static void setUv(Scene &scene, const UvMatrix &uv)
-    {
-        if (scene.uvSets.empty())
-            scene.uvSets.push_back({QStringLiteral("UVMap"), {}});
-        scene.uvSets.front().uv = uv;
-    }
-
-    int writeResults(const Scene &scene, const Outcome &outcome)
+    int writeResults(const Scene &scene, const MadeMap &made)
     {
         sayLosses(scene);
         if (const Result<Done> written = mFiles.write(scene, mOptions); !written)
@@ -358,17 +217,17 @@ private:
         report.input = mOptions.input;
         report.output = mOptions.output;
         report.layout = mOptions.layout;
-        if (outcome.iterations)
-            report.iterations = *outcome.iterations;
-        report.lambda = outcome.lambda;
-        report.delta = outcome.delta;
+        if (made.iterations)
+            report.iterations = *made.iterations;
+        report.lambda = made.lambda;
+        report.delta = made.delta;
         report.status = statusWord(mStop);
-        report.notes += outcome.notes;
+        report.notes += made.notes;
         if (!mOptions.quiet)
             printFigures(scene, report);
-        for (const QString &warning : outcome.warnings)
+        for (const QString &warning : made.warnings)
             mErr << "autocuts-cli: warning: " << warning << Qt::endl;
-        report.notes += outcome.warnings;
+        report.notes += made.warnings;
         if (!mOptions.layout.isEmpty()) {
             const bool overlaps = report.overlapPairs.value_or(0) > 0;
             if (const Result<Done> drawn = writeLayout(mOptions.layout, scene, textureSize, overlaps); !drawn)

@@ -1,0 +1,138 @@
+#include "cli/mapmaking.h"
+
+#include "cli/batchpacking.h"
+#include "solver/unwrap/finishjob.h"
+#include "solver/unwrap/packjob.h"
+#include "solver/unwrap/separatejob.h"
+#include "solver/unwrap/unwrap.h"
+
+namespace autocuts {
+
+namespace {
+
+void setUv(Scene &scene, const UvMatrix &uv)
+{
+    if (scene.uvSets.empty())
+        scene.uvSets.push_back({QStringLiteral("UVMap"), {}});
+    scene.uvSets.front().uv = uv;
+}
+
+} // namespace
+
+Result<MadeMap> MapMaking::unwrap(Scene &scene) const
+{
+    const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+    if (!snapshot)
+        return snapshot.error();
+    const unwrap::UnwrapResult result = unwrap::unwrapMesh(snapshot.value(), mOptions.unwrap, mJob);
+    if (mOptions.unwrap.pack && !result.packed)
+        return noRoomError(mOptions);
+    setUv(scene, result.uv);
+    MadeMap outcome;
+    outcome.iterations = result.iterations;
+    outcome.lambda = result.lambda;
+    outcome.delta = result.delta;
+    if (result.symmetry == 0.0)
+        outcome.warnings << QStringLiteral("the mesh is not symmetric: nor are the cuts");
+    else if (result.symmetry)
+        outcome.notes
+            << QStringLiteral("symmetric part of the seams: %1 %").arg(100 * *result.symmetry, 0, 'f', 1);
+    if (!result.withinBound)
+        outcome.warnings << boundMissed(result.distortion);
+    return outcome;
+}
+
+Result<MadeMap> MapMaking::pack(Scene &scene) const
+{
+    if (!scene.hasUv())
+        return noUvs();
+    UvMatrix uv = scene.uvSets.front().uv;
+    const MeshData &mesh = *scene.mesh;
+    const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, mesh);
+    if (!pack)
+        return pack.error();
+    const JobContext job = mJob.part(0, 1, JobStage::Packing);
+    if (!unwrap::packCharts(mesh, findCharts(mesh, uv), pack.value(), uv, job))
+        return noRoomError(mOptions);
+    setUv(scene, uv);
+    return MadeMap{};
+}
+
+Result<MadeMap> MapMaking::separate(Scene &scene) const
+{
+    using Separation = unwrap::SeparateResult::Outcome;
+    if (!scene.hasUv())
+        return noUvs();
+    const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+    if (!snapshot)
+        return snapshot.error();
+    const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, *scene.mesh);
+    if (!pack)
+        return pack.error();
+    const unwrap::SeparateResult made =
+        unwrap::separateMap(snapshot.value(), scene.uvSets.front().uv, pack.value(), mJob);
+    MadeMap outcome;
+    switch (made.outcome) {
+    case Separation::Done:
+        setUv(scene, made.uv);
+        outcome.notes << QStringLiteral("edges cut to take overlaps apart: %1").arg(made.newSeams);
+        if (made.unresolvedPairs > 0)
+            outcome.warnings << QStringLiteral("overlaps inside single polygons or across joined edges, "
+                                               "which stay whole: %1")
+                                    .arg(made.unresolvedPairs);
+        break;
+    case Separation::NoOverlaps:
+        outcome.notes << QStringLiteral("there are no overlaps: the map stays as it is");
+        break;
+    case Separation::Stopped:
+        outcome.warnings << QStringLiteral("stopped before the overlaps were taken apart");
+        break;
+    case Separation::NoRoom:
+        return noRoomError(mOptions);
+    }
+    return outcome;
+}
+
+Result<MadeMap> MapMaking::finish(Scene &scene) const
+{
+    if (!scene.hasUv())
+        return noUvs();
+    const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+    if (!snapshot)
+        return snapshot.error();
+    unwrap::FinishInput finish;
+    finish.snapshot = snapshot.value();
+    finish.uv = scene.uvSets.front().uv;
+    finish.uvScale = mFiles.uvScale(scene);
+    finish.maxDistortion = mOptions.unwrap.maxDistortion;
+    finish.packing = mOptions.unwrap.packing;
+    const unwrap::FinishResult made = unwrap::finishMap(finish, mJob);
+    MadeMap outcome;
+    if (made.uv.rows() == 0) {
+        outcome.warnings << QStringLiteral("stopped before there was a finished map");
+        return outcome;
+    }
+    if (made.noRoom)
+        return noRoomError(mOptions);
+    setUv(scene, made.uv);
+    if (made.heldTogether)
+        outcome.warnings << QStringLiteral("the map still covers itself: joined edges hold it together");
+    if (made.distortion > mOptions.unwrap.maxDistortion)
+        outcome.warnings << boundMissed(made.distortion);
+    return outcome;
+}
+
+QString MapMaking::boundMissed(double distortion) const
+{
+    return QStringLiteral("the distortion is %1, above the bound of %2")
+        .arg(distortion, 0, 'g', 6)
+        .arg(mOptions.unwrap.maxDistortion);
+}
+
+Error MapMaking::noUvs() const
+{
+    return {QStringLiteral("the file has no UVs"), mOptions.input, 0,
+            QStringLiteral("Make them with autocuts-cli unwrap")};
+}
+
+} // namespace autocuts

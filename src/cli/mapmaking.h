@@ -1,0 +1,42 @@
+// The commands that make maps, each by the job that the studio uses too.
+#pragma once
+
+#include "cli/batchfiles.h"
+#include "cli/clioptions.h"
+#include "cli/mapreporting.h"
+#include "solver/base/jobcontext.h"
+
+namespace autocuts {
+
+//! Results of a mapping command besides the UVs.
+struct MadeMap
+{
+    std::optional<int> iterations;
+    double lambda = MapReport::unknown, delta = MapReport::unknown;
+    QStringList notes;    //!< what was done
+    QStringList warnings; //!< what was requested and could not be done
+};
+
+//! Gives the first UV set of a scene a new map. \pre the scene is what the files have read, with area
+class MapMaking final
+{
+public:
+    MapMaking(const CliOptions &options, const BatchFiles &files, const JobContext &job)
+        : mOptions(options), mFiles(files), mJob(job)
+    {}
+
+    Result<MadeMap> unwrap(Scene &scene) const;
+    Result<MadeMap> pack(Scene &scene) const;
+    Result<MadeMap> separate(Scene &scene) const;
+    Result<MadeMap> finish(Scene &scene) const;
+
+private:
+    QString boundMissed(double distortion) const;
+    Error noUvs() const;
+
+    const CliOptions &mOptions;
+    const BatchFiles &mFiles;
+    const JobContext &mJob;
+};
+
+} // namespace autocuts
