@@ -220,9 +220,10 @@ bool makeUsable(const std::shared_ptr<const Soup> &soup, const Snapshot &snapsho
     return true;
 }
 
-//! One attempt of mapByCoarse(). \param share bound of the coarse map, see coarseShares
+//! Maps the coarse version and carries the map to the fine mesh, where it may still flip and overlap.
+//! \param coarseOptions with a share of the allowed distortion
 std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                                const UnwrapOptions &options, double share, int coarseTriangles,
+                                const UnwrapOptions &coarseOptions, int coarseTriangles,
                                 const CoarseUnwrap &unwrapCoarse, const JobContext &job)
 {
     const std::vector<bool> decided = decidedEdges(snapshot);
@@ -237,9 +238,6 @@ std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const S
     std::vector<int> triangles;
     const std::shared_ptr<const MeshData> coarse = mesh.extract(triangles);
 
-    UnwrapOptions coarseOptions = options;
-    coarseOptions.pack = false;
-    coarseOptions.maxDistortion = 4 + share * (options.maxDistortion - 4);
     const UnwrapResult result =
         unwrapCoarse(coarseSnapshot(snapshot, coarse, mesh, triangles, decisions, weights), coarseOptions);
 
@@ -255,8 +253,6 @@ std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const S
     carried.iterations = result.iterations;
     carried.lambda = result.lambda;
     carried.delta = result.delta;
-    if (!makeUsable(soup, snapshot, options, carried.map, job))
-        return std::nullopt;
     return carried;
 }
 
@@ -274,9 +270,12 @@ std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup, c
 {
     std::optional<CarriedMap> best;
     for (const double share : coarseShares) {
+        UnwrapOptions coarseOptions = options;
+        coarseOptions.pack = false;
+        coarseOptions.maxDistortion = 4 + share * (options.maxDistortion - 4);
         std::optional<CarriedMap> carried =
-            carry(soup, snapshot, options, share, coarseTriangles, unwrapCoarse, job);
-        if (!carried)
+            carry(soup, snapshot, coarseOptions, coarseTriangles, unwrapCoarse, job);
+        if (!carried || !makeUsable(soup, snapshot, options, carried->map, job))
             break;
         const double distortion = carried->map.distortion(*soup);
         if (!best || distortion < best->map.distortion(*soup))

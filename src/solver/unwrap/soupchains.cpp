@@ -72,12 +72,11 @@ QualityPlan planFor(UnwrapQuality quality, int triangles)
     throw std::invalid_argument("unwrap: unknown quality");
 }
 
-//! Start mode of chain i; nothing: the one that the user asked for. The second chain never has the first
-//! one's.
-std::optional<StartMode> startOf(int i, StartMode asked)
+//! Start mode of chain i: the first takes the one that was asked for, and the second another one.
+StartMode startOf(int i, StartMode asked)
 {
     if (i == 0)
-        return std::nullopt;
+        return asked;
     if (i == 1 && asked == chainPlans[1].start)
         return chainPlans[0].start;
     return chainPlans[i].start;
@@ -89,15 +88,12 @@ struct ChainResult
     int iterations = 0;
 };
 
-ChainResult runChain(const Snapshot &start, const ChainPlan &plan, std::optional<StartMode> startMode,
-                     const QualityPlan &quality, const UnwrapOptions &options, Ranking &ranking,
-                     const JobContext &job)
+ChainResult runChain(const Snapshot &start, const ChainPlan &plan, const QualityPlan &quality,
+                     const UnwrapOptions &options, Ranking &ranking, const JobContext &job)
 {
     const auto stopped = [&] { return job.stopped(); };
     Snapshot snapshot = start;
     snapshot.settings.delta = 1;
-    if (startMode)
-        snapshot.settings.start = *startMode;
     homotopy::Solver solver;
     solver.load(snapshot);
     homotopy::DistortionBudget budget(options.maxDistortion, plan.firstLambda);
@@ -165,8 +161,9 @@ std::optional<Candidate> bestOfSoupChains(const Snapshot &snapshot, const Unwrap
 
     std::vector<ChainResult> results(plan.chains);
     parallelFor(plan.chains, job.threads(), [&](int i) {
-        results[i] = runChain(snapshot, chainPlans[i], startOf(i, snapshot.settings.start), plan, options,
-                              ranking, job);
+        Snapshot start = snapshot;
+        start.settings.start = startOf(i, snapshot.settings.start);
+        results[i] = runChain(start, chainPlans[i], plan, options, ranking, job);
     });
     std::optional<Candidate> best;
     for (ChainResult &chain : results) {

@@ -76,39 +76,91 @@ bool isComplicated(const MeshData &mesh)
     return whole.chartCount > 1 || loops > 1 || euler + loops < 2;
 }
 
-//! The best map of the seam search. \param other a further map to start from
-std::optional<Candidate> searchedMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                                     const UnwrapOptions &options, const std::optional<Candidate> &other,
-                                     const preference::MeshSymmetry *symmetry, Ranking &ranking,
-                                     const JobContext &job, int &iterations)
+//! Finds the best map of one unwrap, by the seam search and by the soup.
+class MapFinder
 {
-    search::OptimizeOptions search;
-    search.maxDistortion = options.maxDistortion;
-    search.allowOverlaps = options.allowOverlaps;
-    search.effort = effortFor(options.quality, snapshot.mesh->triangleCount());
-    if (other)
-        search.given.push_back(other->map);
-    search.seed = snapshot.settings.seed;
-    search.job = job;
-    search.start = [&](int steps) { ranking.setTotal(steps); };
-    search.progress = [&](int steps, double distortion, double seamLength) {
-        ranking.found(distortion, seamLength);
-        ranking.stepDone(steps);
-    };
-    std::optional<search::OptimizedMap> found =
-        search::optimizeSeams(search::SeamGraph::build(soup, snapshot, symmetry), search);
-    if (!found)
-        return std::nullopt;
-    Candidate candidate;
-    candidate.map = std::move(found->map);
-    definite::equalizeDensity(*soup, candidate.map);
-    if (!options.allowOverlaps && definite::coversItself(*soup, candidate.map))
-        return std::nullopt;
-    candidate.measure(*soup, snapshot);
-    candidate.lambda = found->mu / (1 + found->mu);
-    iterations += found->iterations;
-    return candidate;
-}
+public:
+    //! \param snapshot with the preferences in its weights
+    MapFinder(std::shared_ptr<const Soup> soup, const Snapshot &snapshot, const UnwrapOptions &options,
+              const JobContext &job)
+        : mSoup(std::move(soup)), mSnapshot(snapshot), mOptions(options), mJob(job), mRanking(options, job)
+    {}
+
+    Ranking &ranking() { return mRanking; }
+    int iterations() const { return mIterations; }
+
+    //! \param symmetry null: cuts need not be symmetric
+    std::optional<Candidate> find(const preference::MeshSymmetry *symmetry)
+    {
+        if (!canSearch(mSnapshot, mOptions))
+            return bySoup(mOptions.quality);
+        std::optional<Candidate> best;
+        if (symmetry)
+            best = bySearch({}, symmetry);
+        if (best && (best->distortion <= mOptions.maxDistortion || mJob.stopped()))
+            return best;
+        // Only the soup can start from existing UVs.
+        if (mSnapshot.settings.start == StartMode::ExistingUv || isComplicated(*mSnapshot.mesh))
+            best = bySoup(UnwrapQuality::Draft);
+        keepBetter(best, bySearch(best, nullptr));
+        if (!best || (!mJob.stopped() && best->distortion > mOptions.maxDistortion))
+            keepBetter(best, bySoup(mOptions.quality));
+        return best;
+    }
+
+private:
+    //! The best map of the seam search. \param other a further map to start from
+    std::optional<Candidate> bySearch(const std::optional<Candidate> &other,
+                                      const preference::MeshSymmetry *symmetry)
+    {
+        search::OptimizeOptions search;
+        search.maxDistortion = mOptions.maxDistortion;
+        search.allowOverlaps = mOptions.allowOverlaps;
+        search.effort = effortFor(mOptions.quality, mSnapshot.mesh->triangleCount());
+        if (other)
+            search.given.push_back(other->map);
+        search.seed = mSnapshot.settings.seed;
+        search.job = mJob;
+        search.start = [&](int steps) { mRanking.setTotal(steps); };
+        search.progress = [&](int steps, double distortion, double seamLength) {
+            mRanking.found(distortion, seamLength);
+            mRanking.stepDone(steps);
+        };
+        std::optional<search::OptimizedMap> found =
+            search::optimizeSeams(search::SeamGraph::build(mSoup, mSnapshot, symmetry), search);
+        if (!found)
+            return std::nullopt;
+        Candidate candidate;
+        candidate.map = std::move(found->map);
+        definite::equalizeDensity(*mSoup, candidate.map);
+        if (!mOptions.allowOverlaps && definite::coversItself(*mSoup, candidate.map))
+            return std::nullopt;
+        candidate.measure(*mSoup, mSnapshot);
+        candidate.lambda = found->mu / (1 + found->mu);
+        mIterations += found->iterations;
+        return candidate;
+    }
+
+    std::optional<Candidate> bySoup(UnwrapQuality quality)
+    {
+        UnwrapOptions how = mOptions;
+        how.quality = quality;
+        return bestOfSoupChains(mSnapshot, how, mRanking, mJob, mIterations);
+    }
+
+    void keepBetter(std::optional<Candidate> &best, std::optional<Candidate> found) const
+    {
+        if (!best || (found && mRanking.better(*found, *best)))
+            best = std::move(found);
+    }
+
+    const std::shared_ptr<const Soup> mSoup;
+    const Snapshot &mSnapshot;
+    const UnwrapOptions &mOptions;
+    const JobContext &mJob;
+    Ranking mRanking;
+    int mIterations = 0;
+};
 
 //! Moves and scales the map into the unit square.
 void fitUnitSquare(UvMatrix &uv)
@@ -213,37 +265,10 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, con
             return std::move(*large);
     }
     snapshot = preference::SeamPreference().applied(snapshot, job.threads());
-    Ranking ranking(options, job);
+    MapFinder finder(soup, snapshot, options, job);
+    const std::optional<Candidate> best = finder.find(symmetry ? &*symmetry : nullptr);
     UnwrapResult result;
-    const bool search = canSearch(snapshot, options);
-    const auto soupMap = [&](UnwrapQuality quality) {
-        UnwrapOptions how = options;
-        how.quality = quality;
-        return bestOfSoupChains(snapshot, how, ranking, job, result.iterations);
-    };
-    std::optional<Candidate> best;
-    const auto fits = [&] { return best && best->distortion <= options.maxDistortion; };
-    if (symmetry)
-        best = searchedMap(soup, snapshot, options, {}, &*symmetry, ranking, job, result.iterations);
-    const bool isSymmetric = fits() || (best && job.stopped());
-    // Only the soup can start from existing UVs.
-    const bool fromUvs = snapshot.settings.start == StartMode::ExistingUv;
-    if (!search)
-        best = soupMap(options.quality);
-    else if (!isSymmetric && (fromUvs || isComplicated(*snapshot.mesh)))
-        best = soupMap(UnwrapQuality::Draft);
-    if (search && !isSymmetric) {
-        std::optional<Candidate> found =
-            searchedMap(soup, snapshot, options, best, nullptr, ranking, job, result.iterations);
-        if (!best || (found && ranking.better(*found, *best)))
-            best = std::move(found);
-        const bool stopped = job.stopped();
-        if (!best || (!stopped && best->distortion > options.maxDistortion)) {
-            found = soupMap(options.quality);
-            if (!best || (found && ranking.better(*found, *best)))
-                best = std::move(found);
-        }
-    }
+    result.iterations = finder.iterations();
     result.cut = best->map.cut;
     if (snapshot.settings.symmetry)
         result.symmetry = symmetry ? preference::symmetricShare(*snapshot.mesh, *symmetry, result.cut) : 0;
@@ -252,7 +277,7 @@ UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, con
     result.lambda = best->lambda;
     result.delta = best->delta;
     result.withinBound = options.lambda || best->distortion <= options.maxDistortion;
-    place(*soup, best->map, options, job, ranking, result);
+    place(*soup, best->map, options, job, finder.ranking(), result);
     result.stopped = job.stopped();
     return result;
 }

@@ -304,14 +304,14 @@ void SolverController::workerWaits()
 
 void SolverController::takePausedMap()
 {
-    const std::optional<live::PausedMap> settled = mWorker->takePausedMap();
-    if (!settled || !mPausing || !mToken || !settled->token.sameMap(*mToken))
+    const std::optional<live::PausedMap> paused = mWorker->takePausedMap();
+    if (!paused || !mPausing || !mToken || !paused->token.sameMap(*mToken))
         return;
     takeResult();
     Document &document = *mWorkspace.document();
     // Pushing does not invalidate the state of the worker: it belongs to the document's new map now.
     mToken.reset();
-    pushCommand(std::make_unique<SetUvs>(document, UvEdit::Solve, document.uvScale() * settled->cornerUv));
+    pushCommand(std::make_unique<SetUvs>(document, UvEdit::Solve, document.uvScale() * paused->cornerUv));
     mToken = document.token();
     mWorker->setToken(*mToken);
     mShownMap.showDocument();
