@@ -29,11 +29,11 @@ constexpr double fitDistance = 0.6;
 constexpr double smallestDeterminant = 0.05;
 
 //! Joins charts and zips seams of one map within the limits.
-class Merger
+class ChartJoiner
 {
 public:
-    Merger(std::shared_ptr<const Soup> soup, const Snapshot &snapshot, SeamedMap &map,
-           const JoinOptions &options)
+    ChartJoiner(std::shared_ptr<const Soup> soup, const Snapshot &snapshot, SeamedMap &map,
+                const JoinOptions &options)
         : mSoup(std::move(soup)), mMesh(*mSoup->mesh), mSnapshot(snapshot), mMap(map), mOptions(options)
     {}
 
@@ -347,13 +347,13 @@ private:
 int joinCharts(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map,
                const JoinOptions &options)
 {
-    return Merger(soup, snapshot, map, options).joinCharts();
+    return ChartJoiner(soup, snapshot, map, options).joinCharts();
 }
 
 int zipSeams(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map,
              const JoinOptions &options)
 {
-    return Merger(soup, snapshot, map, options).zipSeams();
+    return ChartJoiner(soup, snapshot, map, options).zipSeams();
 }
 
 } // namespace autocuts::definite

@@ -17,9 +17,9 @@ namespace {
 //! Most Newton steps of one relaxation and most rounds of closing seams; both end earlier when nothing is
 //! gained. Chosen by hand; no measurement of their effect is recorded.
 constexpr int relaxSteps = 60;
-constexpr int mergeRounds = 4;
+constexpr int joinRounds = 4;
 constexpr double densityReserve = 0.01; // share of the distortion above 4, chosen by hand, not measured
-constexpr int mergeWork = 500'000;      // tries times triangles, chosen by hand, not measured
+constexpr int joinWork = 500'000;       // tries times triangles, chosen by hand, not measured
 
 //! Relaxes a map. Unless overlaps are allowed, the map stays as it was when every relaxation makes a chart
 //! overlap itself.
@@ -42,16 +42,16 @@ void relaxAsAllowed(const std::shared_ptr<const Soup> &soup, const Snapshot &sna
 void shortenSeams(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
                   const DefiniteMapOptions &options, SeamedMap &map, const JobContext &job)
 {
-    JoinOptions merge;
+    JoinOptions joining;
     // Giving all charts the same texel density at the end costs a little distortion.
-    merge.maxDistortion = options.maxDistortion - densityReserve * (options.maxDistortion - 4);
-    merge.costPerLength = options.costPerLength;
-    merge.allowOverlaps = options.allowOverlaps;
+    joining.maxDistortion = options.maxDistortion - densityReserve * (options.maxDistortion - 4);
+    joining.costPerLength = options.costPerLength;
+    joining.allowOverlaps = options.allowOverlaps;
     // The time of a try is proportional to the size of the mesh.
-    merge.tries = std::clamp(mergeWork / soup->triangleCount(), 10, 300);
-    merge.job = job;
-    for (int round = 0; round < mergeRounds && !job.stopped(); ++round) {
-        const int closed = joinCharts(soup, snapshot, map, merge) + zipSeams(soup, snapshot, map, merge);
+    joining.tries = std::clamp(joinWork / soup->triangleCount(), 10, 300);
+    joining.job = job;
+    for (int round = 0; round < joinRounds && !job.stopped(); ++round) {
+        const int closed = joinCharts(soup, snapshot, map, joining) + zipSeams(soup, snapshot, map, joining);
         if (closed == 0)
             break;
         relaxAsAllowed(soup, snapshot, options.allowOverlaps, map, job);

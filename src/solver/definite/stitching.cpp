@@ -15,8 +15,8 @@ namespace autocuts::definite {
 
 namespace {
 
-//! Pairs with a smaller separation are merged (paper, section 4: 0.5).
-constexpr double mergeSeparation = 0.5;
+//! Pairs with a smaller separation are stitched (paper, section 4: 0.5).
+constexpr double stitchSeparation = 0.5;
 //! Least UV area of a triangle after merging, as a share of its area at rest. Chosen by hand; no measurement
 //! of its effect is recorded.
 constexpr double smallestDeterminant = 1e-6;
@@ -185,7 +185,7 @@ SeamedMap stitchSoup(const std::shared_ptr<const Soup> &soup, const Snapshot &sn
     separation.setDelta(snapshot.settings.delta);
     const auto merges = [&](std::size_t pair) {
         return !isCut(snapshot, pair) && (snapshot.isJoined(pair / 2) ||
-                                          separation.separation(x, static_cast<int>(pair)) < mergeSeparation);
+                                          separation.separation(x, static_cast<int>(pair)) < stitchSeparation);
     };
     CutFlags cut(mesh.edgePairs.size());
     for (std::size_t e = 0; e < cut.size(); ++e)

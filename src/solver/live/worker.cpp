@@ -350,12 +350,12 @@ void SolveWorker::makePausedMap()
         definite::stitchSoup(mSolver->sharedSoup(), mSolver->snapshot(), mSolver->coordinates(), &mInterrupt);
     if (mInterrupt)
         return;
-    PausedMap settledMap{mToken, cornerUv(mSolver->soup(), map)};
+    PausedMap pausedMap{mToken, cornerUv(mSolver->soup(), map)};
     {
         const std::lock_guard lock(mMutex);
         if (mInterrupt)
             return;
-        mPausedMap = std::move(settledMap);
+        mPausedMap = std::move(pausedMap);
     }
     mMustMakeMap = false;
     Q_EMIT pausedMapReady();

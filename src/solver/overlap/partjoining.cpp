@@ -11,32 +11,32 @@ namespace autocuts::overlap {
 
 namespace {
 
-//! Merges parts in the order of their common seams: keeps the seam cost and the overlaps between parts.
-class PartMerger
+//! Joins parts in the order of their common seams: keeps the seam cost and the overlaps between parts.
+class PartJoiner
 {
 public:
-    PartMerger(const UnitGraph &graph, const std::vector<std::int64_t> &capacity, std::vector<int> &part);
+    PartJoiner(const UnitGraph &graph, const std::vector<std::int64_t> &capacity, std::vector<int> &part);
     void run();
 
 private:
-    void merge(int into, int from);
+    void join(int into, int from);
     int find(int part);
 
     std::vector<int> &mPart;
-    std::vector<int> mMerged;                         //!< the part that each part was merged into, or itself
+    std::vector<int> mJoined;                         //!< the part that each part was joined to, or itself
     std::vector<std::map<int, std::int64_t>> mShared; //!< cost of the seams with each neighbour
     std::vector<std::set<int>> mConflicts;
     std::set<std::tuple<std::int64_t, int, int>> mQueue; //!< (-cost, a, b), a < b
 };
 
-PartMerger::PartMerger(const UnitGraph &graph, const std::vector<std::int64_t> &capacity,
+PartJoiner::PartJoiner(const UnitGraph &graph, const std::vector<std::int64_t> &capacity,
                        std::vector<int> &part)
     : mPart(part)
 {
     const int count = part.empty() ? 0 : 1 + *std::max_element(part.begin(), part.end());
-    mMerged.resize(count);
+    mJoined.resize(count);
     for (int p = 0; p < count; ++p)
-        mMerged[p] = p;
+        mJoined[p] = p;
     mShared.resize(count);
     mConflicts.resize(count);
     for (std::size_t l = 0; l < graph.links.size(); ++l) {
@@ -61,7 +61,7 @@ PartMerger::PartMerger(const UnitGraph &graph, const std::vector<std::int64_t> &
     }
 }
 
-void PartMerger::run()
+void PartJoiner::run()
 {
     while (!mQueue.empty()) {
         auto [cost, a, b] = *mQueue.begin();
@@ -71,15 +71,15 @@ void PartMerger::run()
         const auto size = [&](int p) { return mShared[p].size() + mConflicts[p].size(); };
         if (size(a) < size(b))
             std::swap(a, b);
-        merge(a, b);
+        join(a, b);
     }
     for (int &p : mPart)
         p = find(p);
 }
 
-void PartMerger::merge(int into, int from)
+void PartJoiner::join(int into, int from)
 {
-    mMerged[from] = into;
+    mJoined[from] = into;
     for (const auto &[other, cost] : mShared[from]) {
         mQueue.erase({-cost, std::min(from, other), std::max(from, other)});
         mShared[other].erase(from);
@@ -100,10 +100,10 @@ void PartMerger::merge(int into, int from)
     mConflicts[from].clear();
 }
 
-int PartMerger::find(int part)
+int PartJoiner::find(int part)
 {
-    while (mMerged[part] != part)
-        part = mMerged[part] = mMerged[mMerged[part]];
+    while (mJoined[part] != part)
+        part = mJoined[part] = mJoined[mJoined[part]];
     return part;
 }
 
@@ -173,10 +173,10 @@ void smoothParts(const UnitGraph &graph, const std::vector<std::int64_t> &capaci
 void joinCleanParts(const UnitGraph &graph, const std::vector<std::int64_t> &capacity, std::vector<int> &part)
 {
     relabelPieces(graph, part);
-    PartMerger(graph, capacity, part).run();
+    PartJoiner(graph, capacity, part).run();
     smoothParts(graph, capacity, part);
     relabelPieces(graph, part);
-    PartMerger(graph, capacity, part).run();
+    PartJoiner(graph, capacity, part).run();
 }
 
 } // namespace autocuts::overlap
