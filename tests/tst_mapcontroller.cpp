@@ -130,13 +130,13 @@ private Q_SLOTS:
             input.packing = document.packingSettings();
             input.live = {studio.solver.result(), true};
         });
-        studio.map.finish(4.5);
+        studio.map.finish(4.1);
         QVERIFY(studio.ends());
         QCOMPARE(studio.failed.count(), 0);
         QVERIFY(input.live.result);
         QVERIFY(!input.live.result->status.converged);
         JobControl control;
-        QVERIFY(studio.document().uv() == finishJob(input, 4.5, control).uv);
+        QVERIFY(studio.document().uv() == finishJob(input, 4.1, control).uv);
     }
 
     //! The seam search knows no rectangles: the solve itself has to get to its end.

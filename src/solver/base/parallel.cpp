@@ -77,12 +77,15 @@ void ThreadTeam::share(int count, const std::function<void(int)> &job)
         mShares[i].next = static_cast<int>(std::int64_t(count) * i / threads());
         mShares[i].end = static_cast<int>(std::int64_t(count) * (i + 1) / threads());
     }
-    mBusy = static_cast<int>(mHelpers.size());
+    mOpen = true;
     ++mRound;
     mRound.notify_all();
     work(0);
-    for (int busy = mBusy; busy > 0; busy = mBusy)
-        waitWhile(mBusy, busy);
+    // All jobs are taken. A helper that got no processor so far comes too late and need not be waited for:
+    // where other programs keep the processors busy that would take longer than the whole loop.
+    mOpen = false;
+    for (int inside = mInside; inside > 0; inside = mInside)
+        waitWhile(mInside, inside);
     if (mError)
         std::rethrow_exception(std::exchange(mError, nullptr));
 }
@@ -120,9 +123,11 @@ void ThreadTeam::help(int thread)
         round = mRound;
         if (mQuit)
             return;
-        work(thread);
-        if (--mBusy == 0)
-            mBusy.notify_all();
+        ++mInside; // before the look at mOpen, so that share() sees whoever found it open
+        if (mOpen)
+            work(thread);
+        --mInside;
+        mInside.notify_all();
     }
 }
 

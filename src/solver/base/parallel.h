@@ -59,10 +59,11 @@ private:
     };
 
     const std::function<void(int)> *mJob = nullptr;
-    std::vector<Share> mShares; //!< per thread, the calling one first
-    std::atomic<int> mBusy = 0;
+    std::vector<Share> mShares;   //!< per thread, the calling one first
+    std::atomic<int> mInside = 0; //!< helpers that may be at a job
     std::atomic<unsigned> mRound = 0;
     std::atomic<bool> mQuit = false;
+    std::atomic<bool> mOpen = false; //!< helpers may take jobs
     std::mutex mErrorMutex;
     std::exception_ptr mError; //!< of job mErrorJob
     std::atomic<int> mErrorJob = 0;
