@@ -236,15 +236,13 @@ void FileController::relink(const QString &meshPath)
                 return scene.error();
             return relinkDocument(state, std::move(scene).value());
         },
-        [this, token = document->token()](Result<Relinked> linked) {
-            adoptRelinked(std::move(linked), token);
-        });
+        [this, token = document->token()](const Result<Relinked> &linked) { adoptRelinked(linked, token); });
     if (!started)
         tellBusy(meshPath);
 }
 
 //! \param token token of the state that was re-linked
-void FileController::adoptRelinked(Result<Relinked> linked, const StateToken &token)
+void FileController::adoptRelinked(const Result<Relinked> &linked, const StateToken &token)
 {
     if (!linked) {
         Q_EMIT failed(linked.error());
@@ -259,7 +257,7 @@ void FileController::adoptRelinked(Result<Relinked> linked, const StateToken &to
                   linked->state.scene.path, 0, tr("Re-link it again and wait until it is read")});
         return;
     }
-    Result<std::unique_ptr<Document>> changed = Document::create(std::move(linked->state));
+    Result<std::unique_ptr<Document>> changed = Document::create(linked->state);
     if (!changed) {
         Q_EMIT failed(changed.error());
         return;
