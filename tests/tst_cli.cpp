@@ -262,7 +262,7 @@ private Q_SLOTS:
     {
         for (const char *name : {"folded", "messy"}) {
             const QByteArray obj = qstrcmp(name, "folded") == 0 ? foldedObj : messyObj;
-            const QString in = file(qPrintable(QString::fromLatin1(name) + u".obj"), obj);
+            const QString in = file(qPrintable(QString::fromLatin1(name) + QLatin1String(".obj")), obj);
             const QString out = at("finished.obj");
             const test::CliRun r = run("finish", in, out, {QStringLiteral("--max-distortion=4.2")});
             QVERIFY2(r.code == 0, qPrintable(r.err));

@@ -253,7 +253,7 @@ private Q_SLOTS:
         PackOptions settings = quick(0.2);
         settings.starts = 4;
         const JobContext job(nullptr, 4, [](const JobProgress &) { throw std::bad_alloc(); });
-        QVERIFY_EXCEPTION_THROWN(std::ignore = packIslands(islands, settings, job), std::bad_alloc);
+        QVERIFY_THROWS_EXCEPTION(std::bad_alloc, std::ignore = packIslands(islands, settings, job));
     }
 
     void sameArgumentsGiveTheSameBits()

@@ -272,7 +272,9 @@ private Q_SLOTS:
         const auto soup = Soup::build(snapshot.mesh);
         const auto graph = SeamGraph::build(soup, snapshot);
         SeamedMap map;
-        const std::vector<char> cut = fewCuts(*graph, {.paths = 4});
+        SeedOptions seed;
+        seed.paths = 4;
+        const std::vector<char> cut = fewCuts(*graph, seed);
         map.cut.assign(cut.begin(), cut.end());
         for (const int t : {100, 900, 2000}) {
             for (int k = 0; k < 3; ++k)

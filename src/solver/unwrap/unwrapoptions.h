@@ -3,13 +3,11 @@
 
 #include "solver/base/seamedmap.h"
 #include "solver/packing/packing.h"
+#include "solver/unwrap/unwrapquality.h"
 
 #include <optional>
 
 namespace autocuts::unwrap {
-
-//! How much work is spent on short seams.
-enum class UnwrapQuality { Draft, Standard, Best };
 
 struct UnwrapOptions
 {

@@ -4,7 +4,7 @@
 
 #include "model/plain/statetoken.h"
 #include "solver/metrics/uvmetrics.h"
-#include "solver/unwrap/unwrap.h"
+#include "solver/unwrap/unwrapquality.h"
 #include "views/control/jobrunner.h"
 
 #include <Eigen/Geometry>

@@ -6,6 +6,7 @@
 #include "solver/unwrap/finishjob.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/separatejob.h"
+#include "solver/unwrap/unwrap.h"
 
 #include <QCoreApplication>
 #include <QThread>

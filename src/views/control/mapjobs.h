@@ -6,7 +6,7 @@
 #include "model/document/islands.h"
 #include "model/plain/packingsettings.h"
 #include "model/plain/snapshot.h"
-#include "solver/unwrap/unwrap.h"
+#include "solver/unwrap/unwrapquality.h"
 #include "views/control/jobrunner.h"
 
 #include <Eigen/Geometry>
