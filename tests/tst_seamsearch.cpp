@@ -199,7 +199,7 @@ private Q_SLOTS:
             meshNamed(QString::fromLatin1(QTest::currentDataTag()).section(QLatin1Char(' '), 0, 0));
         const auto graph = graphOf(snapshot);
         CutState state = startOf(graph, 3);
-        SeamSearch search(state, 5, {mu, true});
+        SeamSearch search(state, 5, {mu, true, {}});
         search.relaxAll(30);
         QCOMPARE(problemWith(state), QString());
         double objective = state.objective(mu);

@@ -198,7 +198,9 @@ private Q_SLOTS:
     {
         QFETCH(MeshPtr, mesh);
         const UvMatrix cornerUv = unevenLayout(*mesh);
-        const UvMetrics metrics = measureUv(*mesh, cornerUv, {.overlaps = false, .gutter = false});
+        UvMetricsOptions options;
+        options.overlaps = options.gutter = false;
+        const UvMetrics metrics = measureUv(*mesh, cornerUv, options);
         const TriangleStretch stretch = StretchMeter(*mesh).measure(soupUv(*mesh, cornerUv));
         int compared = 0;
         for (int t = 0; t < mesh->triangleCount(); ++t) {

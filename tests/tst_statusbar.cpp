@@ -140,7 +140,7 @@ private Q_SLOTS:
         const QString energy = bench.bar.figures().figure(StatusBar::Energy);
         // Also a solve that is at rest by now goes on with another balance.
         SolveSettings settings = bench.workspace.document()->solveSettings();
-        settings.lambda *= 2;
+        settings.lambda = 0.05;
         pushCommand(std::make_unique<ChangeSettings>(*bench.workspace.document(), settings));
         QTRY_VERIFY_WITH_TIMEOUT(bench.bar.figures().figure(StatusBar::Energy) != energy,
                                  test::panelPatience);
