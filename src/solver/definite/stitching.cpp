@@ -184,8 +184,9 @@ SeamedMap stitchSoup(const std::shared_ptr<const Soup> &soup, const Snapshot &sn
     energy::SeparationTerm separation(soup);
     separation.setDelta(snapshot.settings.delta);
     const auto merges = [&](std::size_t pair) {
-        return !isCut(snapshot, pair) && (snapshot.isJoined(pair / 2) ||
-                                          separation.separation(x, static_cast<int>(pair)) < stitchSeparation);
+        return !isCut(snapshot, pair) &&
+               (snapshot.isJoined(pair / 2) ||
+                separation.separation(x, static_cast<int>(pair)) < stitchSeparation);
     };
     CutFlags cut(mesh.edgePairs.size());
     for (std::size_t e = 0; e < cut.size(); ++e)
