@@ -7,6 +7,8 @@
 
 #include <functional>
 
+class QMenu;
+
 namespace autocuts {
 
 class MenuBuilder;
@@ -48,7 +50,7 @@ private:
 
     StudioContext mContext;
     Questions &mQuestions;
-    class QMenu *mRecentMenu = nullptr;
+    QMenu *mRecentMenu = nullptr;
 };
 
 } // namespace autocuts
