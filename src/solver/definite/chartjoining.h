@@ -5,8 +5,6 @@
 #include "solver/base/jobcontext.h"
 #include "solver/definite/stitching.h"
 
-#include <atomic>
-
 namespace autocuts::definite {
 
 //! Limits for joining charts and zipping seams.

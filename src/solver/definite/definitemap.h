@@ -6,7 +6,6 @@
 #include "solver/definite/stitching.h"
 #include "solver/homotopy/solver.h"
 
-#include <atomic>
 #include <optional>
 
 namespace autocuts::definite {

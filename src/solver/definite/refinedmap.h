@@ -4,8 +4,6 @@
 #include "solver/base/jobcontext.h"
 #include "solver/definite/definitemap.h"
 
-#include <functional>
-
 namespace autocuts::definite {
 
 struct RefinedMapOptions

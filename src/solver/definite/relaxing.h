@@ -5,8 +5,6 @@
 #include "solver/base/jobcontext.h"
 #include "solver/definite/stitching.h"
 
-#include <atomic>
-
 namespace autocuts::definite {
 
 //! True when some chart overlaps itself.

@@ -6,7 +6,6 @@
 #include "solver/base/jobcontext.h"
 #include "solver/base/seamedmap.h"
 
-#include <atomic>
 #include <vector>
 
 namespace autocuts::definite {

@@ -5,8 +5,6 @@
 #include "solver/base/jobcontext.h"
 #include "solver/definite/stitching.h"
 
-#include <atomic>
-
 namespace autocuts::definite {
 
 //! A *unit* is a set of triangles that no seam may separate: a polygon, or polygons that the user joined.

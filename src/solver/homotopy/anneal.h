@@ -4,7 +4,6 @@
 #include "solver/base/jobcontext.h"
 #include "solver/homotopy/solver.h"
 
-#include <atomic>
 #include <functional>
 #include <vector>
 

@@ -5,7 +5,6 @@
 #include "solver/homotopy/budget.h"
 #include "solver/homotopy/solver.h"
 
-#include <atomic>
 #include <functional>
 #include <vector>
 

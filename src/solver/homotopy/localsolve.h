@@ -4,8 +4,6 @@
 #include "model/plain/meshdata.h"
 #include "solver/base/jobcontext.h"
 
-#include <atomic>
-#include <functional>
 #include <utility>
 #include <vector>
 

@@ -5,8 +5,6 @@
 #include "solver/base/jobcontext.h"
 #include "solver/metrics/uvfigures.h"
 
-#include <atomic>
-
 namespace autocuts::metrics {
 
 //! What to measure.

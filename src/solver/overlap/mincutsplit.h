@@ -6,7 +6,6 @@
 #include "solver/overlap/sheets.h"
 #include "solver/overlap/unitgraph.h"
 
-#include <atomic>
 #include <cstdint>
 #include <map>
 #include <vector>

@@ -4,7 +4,6 @@
 #include "model/plain/types.h"
 #include "solver/base/jobcontext.h"
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <vector>

@@ -4,7 +4,6 @@
 #include "model/plain/meshdata.h"
 #include "solver/base/jobcontext.h"
 
-#include <atomic>
 #include <cstdint>
 #include <vector>
 

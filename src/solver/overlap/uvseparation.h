@@ -6,8 +6,6 @@
 #include "solver/base/jobcontext.h"
 #include "solver/overlap/overlapseparation.h"
 
-#include <atomic>
-
 namespace autocuts::overlap {
 
 //! A map whose charts do not overlap themselves. They stay where they were.

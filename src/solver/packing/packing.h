@@ -5,8 +5,6 @@
 #include "solver/base/jobcontext.h"
 #include "solver/packing/packisland.h"
 
-#include <atomic>
-#include <functional>
 #include <vector>
 
 namespace autocuts::packing {

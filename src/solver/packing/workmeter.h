@@ -3,9 +3,6 @@
 
 #include "solver/base/jobcontext.h"
 
-#include <atomic>
-#include <functional>
-
 namespace autocuts::packing {
 
 //! Adds up the work that the parts of the packer report, in nominal nanoseconds of one core. Results depend

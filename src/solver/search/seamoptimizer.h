@@ -5,7 +5,6 @@
 #include "solver/base/seamedmap.h"
 #include "solver/search/seamgraph.h"
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>

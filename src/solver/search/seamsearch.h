@@ -6,7 +6,6 @@
 #include "solver/search/seamchains.h"
 #include "solver/search/seamtrial.h"
 
-#include <atomic>
 #include <vector>
 
 namespace autocuts::search {

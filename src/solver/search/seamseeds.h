@@ -4,7 +4,6 @@
 #include "solver/base/jobcontext.h"
 #include "solver/search/cutstate.h"
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>

@@ -5,7 +5,6 @@
 #include "solver/base/seamedmap.h"
 #include "solver/unwrap/unwrapoptions.h"
 
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>

@@ -4,7 +4,6 @@
 #include "solver/base/jobcontext.h"
 #include "solver/unwrap/candidates.h"
 
-#include <atomic>
 #include <optional>
 
 namespace autocuts::unwrap {

@@ -5,9 +5,6 @@
 #include "solver/base/jobcontext.h"
 #include "solver/unwrap/unwrapoptions.h"
 
-#include <atomic>
-#include <functional>
-
 namespace autocuts::unwrap {
 
 //! Unwraps the mesh: cuts, maps and packs it. The same arguments give the same bits unless the job is
