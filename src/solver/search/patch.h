@@ -64,9 +64,6 @@ public:
     //! Writes coordinates and triangle energies of the patch into the state and updates the state's energy.
     void commit(CutState &state) const;
 
-    //! Triangles times Newton steps since construction: a measure of time that does not depend on the
-    //! machine.
-    double work() const { return mWork; }
     //! Newton steps since construction.
     int steps() const { return mSteps; }
 
@@ -107,7 +104,6 @@ private:
     Segments mSegments;
     bool mSegmentsKnown = false;
     const CutState *mState = nullptr;
-    double mWork = 0;
     int mSteps = 0;
 };
 

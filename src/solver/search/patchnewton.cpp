@@ -227,7 +227,6 @@ int Patch::minimize(const PatchLimits &limits)
         bool moved = false;
         std::fill(mFrozen.begin(), mFrozen.end(), 0);
         for (int round = 0; round < (limits.guarded ? freezeRounds : 1); ++round) {
-            mWork += static_cast<double>(mTriangles.size());
             ++mSteps;
             assemble();
             if (!solve())

@@ -44,8 +44,6 @@ public:
     //! Replaces the map under search. \pre it is a map of the same mesh
     void restore(const CutState &state);
 
-    //! See Patch::work().
-    double work() const { return mTrial.work(); }
     //! Newton steps so far.
     int steps() { return mTrial.patch().steps(); }
     bool stopped() const { return mOptions.job.stopped(); }

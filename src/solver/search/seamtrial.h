@@ -48,7 +48,6 @@ public:
 
     CutState &state() { return mState; }
     Patch &patch() { return mPatch; }
-    double work() const { return mPatch.work(); }
 
 private:
     bool mayChange(const SeamChange &change) const;
