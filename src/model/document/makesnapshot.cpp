@@ -62,11 +62,16 @@ Snapshot makeSnapshot(const Document &document, std::optional<StartMode> start)
     Steering &steering = snapshot.editSteering();
     steering.pairState = state.seams.states;
     steering.pairWeight = state.seams.weights;
+    steering.faceFlags = state.marks.faceFlags;
     addConstraints(steering, document);
     snapshot.token = document.token();
-    if (snapshot.settings.start == StartMode::ExistingUv && hasUvs(document))
-        snapshot.startUv =
-            std::make_shared<const UvMatrix>(soupUv(*snapshot.mesh, document.uv()) / document.uvScale());
+    snapshot.uvScale = document.uvScale();
+    if (hasUvs(document)) {
+        snapshot.uv = std::make_shared<const UvMatrix>(document.uv());
+        if (snapshot.settings.start == StartMode::ExistingUv)
+            snapshot.startUv =
+                std::make_shared<const UvMatrix>(soupUv(*snapshot.mesh, document.uv()) / document.uvScale());
+    }
     return snapshot;
 }
 

@@ -1,6 +1,7 @@
 // The input of a solve: the mesh, the steering and the settings at one moment. Plain: no Qt.
 #pragma once
 
+#include "model/plain/islandflags.h"
 #include "model/plain/meshdata.h"
 #include "model/plain/solvesettings.h"
 #include "model/plain/statetoken.h"
@@ -36,13 +37,25 @@ struct UvRectangle
     bool operator==(const UvRectangle &) const = default;
 };
 
-//! The user's steering: decisions about edges, pins and rectangles. Units as in Snapshot.
+//! The user's steering: decisions about edges, pins, rectangles and islands. Units as in Snapshot.
 struct Steering
 {
     std::vector<PairState> pairState; //!< per corner pair; empty when all are free
     std::vector<double> pairWeight;   //!< per corner pair, painted factor >= 0; empty when all are 1
     std::vector<Pin> pins;
     std::vector<UvRectangle> rectangles;
+    //! Per edge pair: the seams given by the user, for SeamMode::Keep and SeamMode::Only; empty: none.
+    std::vector<bool> givenSeams;
+    std::vector<IslandFlags> faceFlags; //!< per face: locks, stacks and groups; empty: none
+};
+
+//! The part of a mesh that a job may change. Everything else stays bit-identical.
+struct JobScope
+{
+    std::vector<bool> faces; //!< per face: true when the job may change it
+    //! Where the border of the scope runs through an island. True: the map stays continuous across it; false:
+    //! the scope is cut free.
+    bool attached = true;
 };
 
 //! The complete input of a solve. Const once built. Units: the solver scales the mesh to area pi; pins,
@@ -54,6 +67,11 @@ struct Snapshot
     std::shared_ptr<const Steering> steering = std::make_shared<const Steering>(); //!< never null
     //! Per soup corner, for StartMode::ExistingUv; null otherwise.
     std::shared_ptr<const UvMatrix> startUv;
+    //! The map before the job, one row per corner in texture space; null when there is none. Faces that a job
+    //! may not change keep it.
+    std::shared_ptr<const UvMatrix> uv;
+    double uvScale = 1;                    //!< length in texture space of one solver unit
+    std::shared_ptr<const JobScope> scope; //!< null: the job may change all faces
     //! The document's state that this was made from; default when there is no document.
     StateToken token;
 

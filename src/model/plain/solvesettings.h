@@ -8,6 +8,9 @@ enum class StartMode { Rigid, Tutte, Random, ExistingUv };
 enum class SeamWeighting { Length, Count };
 enum class SolverKind { Fast, Exact };
 enum class CreaseMode { Off, Auto, On };
+//! Whose seams. Free: the search's. Keep: the given ones stay, and the search adds what the bound needs.
+//! Only: exactly the given ones.
+enum class SeamMode { Free, Keep, Only };
 
 //! Parameters of the energy (1 - lambda) D + lambda S (paper, Eq. 1) and of how it is minimised.
 struct SolveSettings
@@ -25,8 +28,9 @@ struct SolveSettings
     CreaseMode creases = CreaseMode::Auto;
     //! Share of its cost that a seam saves on a sharp edge, in [0, 1]; the default was chosen by hand.
     double creaseStrength = 0.8;
-    double visibility = 0; //!< how strongly hidden places are preferred for seams, in [0, 1]
-    bool symmetry = false; //!< symmetric seams on symmetric meshes; automatic mode only
+    double visibility = 0;           //!< how strongly hidden places are preferred for seams, in [0, 1]
+    bool symmetry = false;           //!< symmetric seams on symmetric meshes; automatic mode only
+    SeamMode seams = SeamMode::Free; //!< the given seams are Steering::givenSeams
 
     bool operator==(const SolveSettings &) const = default;
 };
