@@ -102,8 +102,15 @@ struct Hexagon
 
 CoarseUnwrap draft()
 {
-    return
-        [](const Snapshot &snapshot, const UnwrapOptions &options) { return unwrapMesh(snapshot, options); };
+    return [](const Snapshot &snapshot, const UnwrapOptions &options) {
+        const UnwrapResult result = unwrapMesh(snapshot, options);
+        CarriedMap map;
+        map.map = seamedMapOf(*Soup::build(snapshot.mesh), result.uv, result.cut).value();
+        map.iterations = result.iterations;
+        map.lambda = result.lambda;
+        map.delta = result.delta;
+        return map;
+    };
 }
 
 std::optional<CarriedMap> carried(const Snapshot &snapshot, const std::shared_ptr<const Soup> &soup,

@@ -127,17 +127,11 @@ Result<Snapshot> BatchFiles::snapshot(const Scene &scene, const SolveSettings &s
     if (settings.start == StartMode::ExistingUv)
         snapshot.startUv =
             std::make_shared<const UvMatrix>(startUvFromCorners(*scene.mesh, scene.uvSets.front().uv));
+    if (scene.hasUv()) {
+        snapshot.uv = std::make_shared<const UvMatrix>(scene.uvSets.front().uv);
+        snapshot.uvScale = layoutScale(*scene.mesh, *snapshot.uv);
+    }
     return snapshot;
-}
-
-double BatchFiles::uvScale(const Scene &scene) const
-{
-    return mDocument ? mDocument->uvScale() : layoutScale(*scene.mesh, scene.uvSets.front().uv);
-}
-
-IslandMarks BatchFiles::marks(const MeshData &mesh) const
-{
-    return mDocument ? mDocument->marks() : IslandMarks::none(mesh);
 }
 
 const LayoutRectangle *BatchFiles::rectangle(const QString &name) const

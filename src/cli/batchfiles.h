@@ -31,10 +31,6 @@ public:
     //! scene
     Result<Snapshot> snapshot(const Scene &scene, const SolveSettings &settings) const;
 
-    //! Length in texture space of one solver unit: that of the session, or computed from the UVs.
-    double uvScale(const Scene &scene) const;
-    //! The marks on the session's islands; empty without a session.
-    IslandMarks marks(const MeshData &mesh) const;
     //! The session's rectangle of this name; null when there is none.
     const LayoutRectangle *rectangle(const QString &name) const;
 

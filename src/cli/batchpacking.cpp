@@ -2,11 +2,13 @@
 
 namespace autocuts {
 
-Result<unwrap::PackJob> batchPacking(const CliOptions &options, const BatchFiles &files, const MeshData &mesh)
+Result<unwrap::PackJob> batchPacking(const CliOptions &options, const BatchFiles &files,
+                                     const Snapshot &snapshot)
 {
-    unwrap::PackJob pack{.options = options.unwrap.packing,
-                         .faceFlags = files.marks(mesh).faceFlags,
-                         .hurryWhenStopped = true};
+    unwrap::PackJob pack = unwrap::steeredPackJob(snapshot, options.unwrap.packing);
+    pack.hurryWhenStopped = true;
+    if (options.hasRectangle())
+        pack.packInto({options.unwrap.packing.lower, options.unwrap.packing.upper});
     if (!options.intoRectangle.isEmpty()) {
         const LayoutRectangle *rectangle = files.rectangle(options.intoRectangle);
         if (!rectangle)
@@ -14,11 +16,10 @@ Result<unwrap::PackJob> batchPacking(const CliOptions &options, const BatchFiles
                 QStringLiteral("there is no rectangle \"%1\" in the session").arg(options.intoRectangle),
                 options.input, 0,
                 QStringLiteral("Give --into the name of one, or its sides: --into 0,0,0.5,1")};
-        pack.options.lower = rectangle->lower;
-        pack.options.upper = rectangle->upper;
+        pack.packInto({rectangle->lower, rectangle->upper});
         // Only the islands assigned to the rectangle are packed; all islands when none is assigned.
         if (!rectangle->faces.isEmpty()) {
-            pack.movable.assign(mesh.faceCount(), false);
+            pack.movable.assign(snapshot.mesh->faceCount(), false);
             for (int face : rectangle->faces)
                 pack.movable[face] = true;
         }

@@ -25,10 +25,15 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
     if (!snapshot)
         return snapshot.error();
     const unwrap::UnwrapResult result = unwrap::unwrapMesh(snapshot.value(), mOptions.unwrap, mJob);
+    MadeMap outcome;
+    if (result.nothingFree) {
+        outcome.warnings << nothingFree();
+        return outcome;
+    }
     if (mOptions.unwrap.pack && !result.packed)
         return noRoomError(mOptions);
     setUv(scene, result.uv);
-    MadeMap outcome;
+    outcome.warnings << unmetText(result.unmet);
     outcome.iterations = result.iterations;
     outcome.lambda = result.lambda;
     outcome.delta = result.delta;
@@ -46,9 +51,12 @@ Result<MadeMap> MapMaking::pack(Scene &scene) const
 {
     if (!scene.hasUv())
         return noUvs();
+    const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+    if (!snapshot)
+        return snapshot.error();
     UvMatrix uv = scene.uvSets.front().uv;
     const MeshData &mesh = *scene.mesh;
-    const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, mesh);
+    const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, snapshot.value());
     if (!pack)
         return pack.error();
     const JobContext job = mJob.part(0, 1, JobStage::Packing);
@@ -66,11 +74,10 @@ Result<MadeMap> MapMaking::separate(Scene &scene) const
     const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
     if (!snapshot)
         return snapshot.error();
-    const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, *scene.mesh);
+    const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, snapshot.value());
     if (!pack)
         return pack.error();
-    const unwrap::SeparateResult made =
-        unwrap::separateMap(snapshot.value(), scene.uvSets.front().uv, pack.value(), mJob);
+    const unwrap::SeparateResult made = unwrap::separateMap(snapshot.value(), pack.value(), mJob);
     MadeMap outcome;
     switch (made.outcome) {
     case Separation::Done:
@@ -89,6 +96,9 @@ Result<MadeMap> MapMaking::separate(Scene &scene) const
         break;
     case Separation::NoRoom:
         return noRoomError(mOptions);
+    case Separation::NothingFree:
+        outcome.warnings << nothingFree();
+        break;
     }
     return outcome;
 }
@@ -102,8 +112,6 @@ Result<MadeMap> MapMaking::finish(Scene &scene) const
         return snapshot.error();
     unwrap::FinishInput finish;
     finish.snapshot = snapshot.value();
-    finish.uv = scene.uvSets.front().uv;
-    finish.uvScale = mFiles.uvScale(scene);
     finish.maxDistortion = mOptions.unwrap.maxDistortion;
     finish.packing = mOptions.unwrap.packing;
     const unwrap::FinishResult made = unwrap::finishMap(finish, mJob);
@@ -115,10 +123,13 @@ Result<MadeMap> MapMaking::finish(Scene &scene) const
     if (made.noRoom)
         return noRoomError(mOptions);
     setUv(scene, made.uv);
+    if (made.nothingFree)
+        outcome.warnings << nothingFree();
+    else if (made.distortion > mOptions.unwrap.maxDistortion)
+        outcome.warnings << boundMissed(made.distortion);
+    outcome.warnings << unmetText(made.unmet);
     if (made.heldTogether)
         outcome.warnings << QStringLiteral("the map still covers itself: joined edges hold it together");
-    if (made.distortion > mOptions.unwrap.maxDistortion)
-        outcome.warnings << boundMissed(made.distortion);
     return outcome;
 }
 
@@ -127,6 +138,31 @@ QString MapMaking::boundMissed(double distortion) const
     return QStringLiteral("the distortion is %1, above the bound of %2")
         .arg(distortion, 0, 'g', 6)
         .arg(mOptions.unwrap.maxDistortion);
+}
+
+QString MapMaking::nothingFree() const
+{
+    return QStringLiteral(
+        "the map stays as it is: locks, stacks, groups or the scope leave nothing to change");
+}
+
+QStringList MapMaking::unmetText(const unwrap::UnmetSteering &unmet) const
+{
+    const auto numbers = [](const std::vector<int> &items) {
+        QStringList list;
+        for (const int item : items)
+            list << QString::number(item);
+        return list.join(QStringLiteral(", "));
+    };
+    QStringList lines;
+    if (!unmet.pins.empty())
+        lines << QStringLiteral("hard pins that could not be reached, at the corners %1")
+                     .arg(numbers(unmet.pins));
+    if (!unmet.joins.empty())
+        lines << QStringLiteral("joined edges that had to stay open: %1").arg(numbers(unmet.joins));
+    if (!unmet.rectangles.empty())
+        lines << QStringLiteral("rectangles that islands reach out of: %1").arg(numbers(unmet.rectangles));
+    return lines;
 }
 
 Error MapMaking::noUvs() const

@@ -5,6 +5,7 @@
 #include "cli/clioptions.h"
 #include "cli/mapreporting.h"
 #include "solver/base/jobcontext.h"
+#include "solver/unwrap/unmetsteering.h"
 
 namespace autocuts {
 
@@ -32,6 +33,9 @@ public:
 
 private:
     QString boundMissed(double distortion) const;
+    QString nothingFree() const;
+    //! A line for each kind of steering that the map does not obey.
+    QStringList unmetText(const unwrap::UnmetSteering &unmet) const;
     Error noUvs() const;
 
     const CliOptions &mOptions;

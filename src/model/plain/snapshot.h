@@ -71,6 +71,7 @@ struct Snapshot
     //! may not change keep it.
     std::shared_ptr<const UvMatrix> uv;
     double uvScale = 1;                    //!< length in texture space of one solver unit
+    bool keepTiles = false;                //!< islands stay in their UDIM tiles, see udimTiles()
     std::shared_ptr<const JobScope> scope; //!< null: the job may change all faces
     //! The document's state that this was made from; default when there is no document.
     StateToken token;

@@ -1,5 +1,6 @@
 #include "solver/base/seamedmap.h"
 
+#include "model/plain/uvseams.h"
 #include "solver/base/cornerat.h"
 
 #include <cmath>
@@ -72,6 +73,45 @@ std::string SeamedMap::validate(const Soup &soup) const
             return "a triangle is flipped or has no area";
     }
     return {};
+}
+
+std::optional<SeamedMap> seamedMapOf(const Soup &soup, const UvMatrix &uv, const CutFlags &alwaysCut)
+{
+    const MeshData &mesh = *soup.mesh;
+    if (!uv.allFinite())
+        return std::nullopt;
+    SeamedMap map;
+    map.cut = alwaysCut;
+    const std::vector<bool> open = openCornerPairs(mesh, uv);
+    for (std::size_t e = 0; e < map.cut.size(); ++e)
+        map.cut[e] = !mesh.edgePairs[e].diagonal && (map.cut[e] || open[2 * e] || open[2 * e + 1]);
+    // Equal UVs in the file may differ by rounding.
+    const CutMesh state(mesh, map.cut);
+    std::vector<int> first(state.uvVertexCount, -1);
+    map.x.resize(soup.coordinateCount());
+    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
+        int &f = first[state.uvVertex[c]];
+        if (f < 0)
+            f = c;
+        cornerAt(map.x, c) = uv.row(mesh.cornerOfSoup(f)).transpose();
+    }
+    if (!map.validate(soup).empty())
+        return std::nullopt;
+    return map;
+}
+
+std::vector<bool> heldCharts(const Snapshot &snapshot, const CutMesh &charts)
+{
+    if (!snapshot.placesIslands())
+        return {};
+    std::vector<bool> held(charts.chartCount, false);
+    for (const Pin &pin : snapshot.steering->pins)
+        held[charts.chart[pin.soupCorner / 3]] = true;
+    for (const UvRectangle &box : snapshot.steering->rectangles) {
+        for (const int corner : box.soupCorners)
+            held[charts.chart[corner / 3]] = true;
+    }
+    return held;
 }
 
 UvMatrix cornerUv(const Soup &soup, const SeamedMap &map)

@@ -6,6 +6,7 @@
 #include "solver/base/cutmesh.h"
 #include "solver/base/soup.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,15 @@ struct SeamedMap
     //! Empty when all invariants hold, else a description of the first broken one.
     std::string validate(const Soup &soup) const;
 };
+
+//! The map that UVs make: edges are cut where the UVs of their sides differ, and where `alwaysCut` says so.
+//! \param uv one row per corner, solver units
+//! \returns nothing when a corner has no UV, or a triangle is flipped or has no area
+[[nodiscard]] std::optional<SeamedMap> seamedMapOf(const Soup &soup, const UvMatrix &uv,
+                                                   const CutFlags &alwaysCut);
+
+//! Per chart: true when a pin or a rectangle acts on it. Empty when there are none.
+std::vector<bool> heldCharts(const Snapshot &snapshot, const CutMesh &charts);
 
 //! Per-corner UVs of a seamed map, in solver units.
 UvMatrix cornerUv(const Soup &soup, const SeamedMap &map);

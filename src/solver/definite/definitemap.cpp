@@ -75,18 +75,18 @@ std::optional<DefiniteMap> makeDefiniteMap(const homotopy::Solver &solver, const
     }
     result.seedDistortion = result.map.distortion(*soup);
     shortenSeams(soup, snapshot, options, result.map, job);
-    if (!snapshot.placesIslands())
-        equalizeDensity(*soup, result.map);
+    equalizeDensity(*soup, snapshot, result.map);
     if (job.stopped())
         return std::nullopt;
     return result;
 }
 
-void equalizeDensity(const Soup &soup, SeamedMap &map)
+void equalizeDensity(const Soup &soup, const Snapshot &snapshot, SeamedMap &map)
 {
     const MeshData &mesh = *soup.mesh;
     UvMatrix uv = cornerUv(soup, map);
-    packing::equalizeTexelDensity(mesh, chartsOf(mesh, CutMesh(mesh, map.cut)), uv);
+    const CutMesh state(mesh, map.cut);
+    packing::equalizeTexelDensity(mesh, chartsOf(mesh, state), uv, heldCharts(snapshot, state));
     for (int c = 0; c < mesh.soupCornerCount(); ++c)
         cornerAt(map.x, c) = uv.row(mesh.cornerOfSoup(c)).transpose();
 }

@@ -26,8 +26,7 @@ struct DefiniteMap
 };
 
 //! The definite map of the solver's state: stitched, relaxed, without overlaps inside a chart (unless
-//! allowed), and with needless seams closed. Without pins and rectangles every chart gets the texel density
-//! of the whole map.
+//! allowed), with needless seams closed and, as far as pins and rectangles leave it open, one texel density.
 //! \returns nothing when cancelled
 [[nodiscard]] std::optional<DefiniteMap> makeDefiniteMap(const homotopy::Solver &solver,
                                                          const DefiniteMapOptions &options,
@@ -39,7 +38,8 @@ struct DefiniteMap
 [[nodiscard]] bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
                                   const JobContext &job = {});
 
-//! Gives every chart the texel density of the whole map.
-void equalizeDensity(const Soup &soup, SeamedMap &map);
+//! Gives every chart the texel density of the whole map. Charts that pins or rectangles hold stay, and the
+//! others get their density.
+void equalizeDensity(const Soup &soup, const Snapshot &snapshot, SeamedMap &map);
 
 } // namespace autocuts::definite

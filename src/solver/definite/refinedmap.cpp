@@ -4,6 +4,7 @@
 #include "solver/base/rigidfit.h"
 #include "solver/definite/relaxing.h"
 #include "solver/definite/seamgaps.h"
+#include "solver/search/anchoring.h"
 #include "solver/search/seamoptimizer.h"
 
 #include <algorithm>
@@ -17,11 +18,14 @@ namespace {
 //! "character" the search reduced 86 islands to 10), few enough to keep the layout that the artist saw. No
 //! measurement of other values is recorded.
 constexpr int searchMoves = 300;
+constexpr int settleSteps = 20; // Newton steps before hard pins are reached; chosen by hand
 
-//! Rotates and moves every chart, without scaling, to fit the previous positions of its corners best.
-void placeNear(const Soup &soup, SeamedMap &map, const std::vector<double> &before)
+//! Rotates and moves every chart that nothing holds, without scaling, to fit the previous positions of its
+//! corners best.
+void placeNear(const Soup &soup, const Snapshot &snapshot, SeamedMap &map, const std::vector<double> &before)
 {
     const CutMesh charts(*soup.mesh, map.cut);
+    const std::vector<bool> held = heldCharts(snapshot, charts);
     const int corners = soup.mesh->soupCornerCount();
     std::vector<std::vector<PointMatch>> matches(charts.chartCount);
     for (int c = 0; c < corners; ++c)
@@ -31,28 +35,33 @@ void placeNear(const Soup &soup, SeamedMap &map, const std::vector<double> &befo
         motions.push_back(fitRigid(chart));
     for (int c = 0; c < corners; ++c) {
         const RigidMotion &motion = motions[charts.chart[c / 3]];
+        if (!held.empty() && held[charts.chart[c / 3]])
+            continue;
         cornerAt(map.x, c) = motion.fixedCentre + motion.turned(cornerAt(map.x, c) - motion.movingCentre);
     }
 }
 
-} // namespace
-
-std::optional<SeamedMap> makeRefinedMap(const homotopy::Solver &solver, const RefinedMapOptions &options,
-                                        const JobContext &job)
+//! True when the searched map is worth more than the one it was made from.
+bool isBetter(const Soup &soup, const Snapshot &snapshot, const SeamedMap &found, const SeamedMap &made,
+              double maxDistortion)
 {
-    const Snapshot &snapshot = solver.snapshot();
-    std::optional<DefiniteMap> made =
-        makeDefiniteMap(solver, {.maxDistortion = options.maxDistortion}, job.quiet());
-    if (!made)
-        return std::nullopt;
-    const Soup &soup = solver.soup();
-    openSeams(soup, snapshot, made->map);
-    if (snapshot.placesIslands())
-        return std::move(made->map);
+    if (coversItself(soup, found))
+        return false;
+    const bool fits = found.distortion(soup) <= maxDistortion;
+    const bool madeFits = made.distortion(soup) <= maxDistortion;
+    const bool cheaper = found.seamCost(soup, snapshot) < made.seamCost(soup, snapshot);
+    return fits == madeFits ? cheaper : fits;
+}
+
+//! The map that the seam search makes of a definite map; nothing when it cannot start from there.
+std::optional<RefinedMap> searched(const std::shared_ptr<const search::SeamGraph> &graph,
+                                   const Snapshot &snapshot, const SeamedMap &made, double maxDistortion,
+                                   const JobContext &job)
+{
     search::OptimizeOptions search;
-    search.maxDistortion = options.maxDistortion;
+    search.maxDistortion = maxDistortion;
     search.effort = {0, {{searchMoves, 1}}};
-    search.given.push_back(made->map);
+    search.given.push_back(made);
     search.seed = snapshot.settings.seed;
     search.job = job;
     std::mutex mutex;
@@ -63,19 +72,36 @@ std::optional<SeamedMap> makeRefinedMap(const homotopy::Solver &solver, const Re
         done += steps;
         job.report(std::min(1.0, double(done) / total));
     };
-    std::optional<search::OptimizedMap> found =
-        search::optimizeSeams(search::SeamGraph::build(solver.sharedSoup(), snapshot), search);
+    std::optional<search::OptimizedMap> found = search::optimizeSeams(graph, search);
     if (!found)
-        return made->map;
-    equalizeDensity(soup, found->map);
-    const bool fits = found->map.distortion(soup) <= options.maxDistortion;
-    const bool madeFits = made->map.distortion(soup) <= options.maxDistortion;
-    const bool cheaper = found->map.seamCost(soup, snapshot) < made->map.seamCost(soup, snapshot);
-    if (coversItself(soup, found->map) || (fits == madeFits ? !cheaper : madeFits))
-        return made->map;
-    placeNear(soup, found->map, solver.coordinates());
+        return std::nullopt;
+    equalizeDensity(*graph->soup, snapshot, found->map);
+    return RefinedMap{std::move(found->map), std::move(found->missedPins)};
+}
+
+} // namespace
+
+std::optional<RefinedMap> makeRefinedMap(const homotopy::Solver &solver, const RefinedMapOptions &options,
+                                         const JobContext &job)
+{
+    const Snapshot &snapshot = solver.snapshot();
+    std::optional<DefiniteMap> made =
+        makeDefiniteMap(solver, {.maxDistortion = options.maxDistortion}, job.quiet());
+    if (!made)
+        return std::nullopt;
+    const Soup &soup = solver.soup();
+    const auto graph = search::SeamGraph::build(solver.sharedSoup(), snapshot);
+    RefinedMap result{std::move(made->map), {}};
+    if (!graph->anchors.empty())
+        result.missedPins = search::settleAtAnchors(graph, result.map, settleSteps, true);
+    openSeams(soup, snapshot, result.map);
+    std::optional<RefinedMap> found = searched(graph, snapshot, result.map, options.maxDistortion, job);
+    if (!found || found->missedPins.size() > result.missedPins.size() ||
+        !isBetter(soup, snapshot, found->map, result.map, options.maxDistortion))
+        return result;
+    placeNear(soup, snapshot, found->map, solver.coordinates());
     openSeams(soup, snapshot, found->map);
-    return std::move(found->map);
+    return found;
 }
 
 } // namespace autocuts::definite

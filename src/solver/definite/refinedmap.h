@@ -11,12 +11,18 @@ struct RefinedMapOptions
     double maxDistortion = 4.1; //!< bound on the mean distortion, > 4
 };
 
+struct RefinedMap
+{
+    SeamedMap map;
+    std::vector<int> missedPins; //!< soup corners of hard pins that could not be reached
+};
+
 //! makeDefiniteMap() followed by the seam search, which moves and shortens seams and adds some where the
-//! bound requires it. Maps with pins or rectangles are not searched, because the search knows neither. Charts
-//! stay about where their triangles were; different charts may overlap. When the job is stopped, the best map
-//! so far is returned.
+//! bound requires it. Charts that pins or rectangles hold are put exactly there; the others stay about where
+//! their triangles were. Different charts may overlap. When the job is stopped, the best map so far is
+//! returned.
 //! \returns nothing when stopped before there was a map
-[[nodiscard]] std::optional<SeamedMap>
+[[nodiscard]] std::optional<RefinedMap>
 makeRefinedMap(const homotopy::Solver &solver, const RefinedMapOptions &options, const JobContext &job = {});
 
 } // namespace autocuts::definite

@@ -145,12 +145,34 @@ bool release(const MeshData &mesh, const Snapshot &snapshot, const std::vector<i
     return changed;
 }
 
+//! Places the polygons of the bad triangles undistorted, each triangle for itself, and frees them from pins
+//! and rectangles, which may pull a polygon inside out.
+void layOut(const Soup &soup, const std::vector<int> &bad, Snapshot &snapshot, std::vector<double> &x)
+{
+    const MeshData &mesh = *soup.mesh;
+    std::vector<bool> face(mesh.faceCount(), false);
+    for (const int t : bad)
+        face[mesh.triangleFace[t]] = true;
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        for (int i = 0; i < 6 && face[mesh.triangleFace[t]]; ++i)
+            x[6 * static_cast<std::size_t>(t) + i] = soup.restShape[t][i];
+    }
+    if (!snapshot.placesIslands())
+        return;
+    const auto isFreed = [&](int corner) { return face[mesh.triangleFace[corner / 3]]; };
+    Steering &steering = snapshot.editSteering();
+    std::erase_if(steering.pins, [&](const Pin &pin) { return isFreed(pin.soupCorner); });
+    for (UvRectangle &box : steering.rectangles)
+        std::erase_if(box.soupCorners, isFreed);
+}
+
 } // namespace
 
-SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, CutFlags cut,
+SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &given, CutFlags cut,
                    const std::vector<double> &start, const JobContext &job)
 {
     const MeshData &mesh = *soup->mesh;
+    Snapshot snapshot = given;
     std::vector<double> x = start;
     for (int round = 0;; ++round) {
         const CutMesh state(mesh, cut);
@@ -166,10 +188,7 @@ SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snap
         const int rings = round / 4;
         if (!release(mesh, snapshot, bad, rings, false, cut) &&
             !release(mesh, snapshot, bad, rings, true, cut)) {
-            for (const int t : bad) {
-                for (int i = 0; i < 6; ++i)
-                    x[6 * static_cast<std::size_t>(t) + i] = soup->restShape[t][i];
-            }
+            layOut(*soup, bad, snapshot, x);
             // A guard against endless rounds; chosen by hand.
             if (round > 50)
                 throw std::runtime_error("stitchTo: a polygon cannot be laid out without a fold");

@@ -42,9 +42,9 @@ inline double outside(double value, double lower, double upper)
 
 } // namespace
 
-double BoxTerm::stiffness(const UvRectangle &box) const
+double boxStiffness(const UvRectangle &box, double beta)
 {
-    return mWeight * box.weight * (box.hard ? hardBoxFactor : 1);
+    return beta * box.weight * (box.hard ? hardBoxFactor : 1);
 }
 
 double BoxTerm::value(std::span<const double> x) const
@@ -59,7 +59,7 @@ double BoxTerm::value(std::span<const double> x) const
                 squares += d * d;
             }
         }
-        sum += stiffness(box) * squares;
+        sum += boxStiffness(box, mWeight) * squares;
     }
     return sum;
 }
@@ -69,7 +69,7 @@ double BoxTerm::addDerivatives(std::span<const double> x, std::span<double> grad
 {
     std::vector<double> &ground = blocks.addedGround();
     for (const UvRectangle &box : mRectangles) {
-        const double weight = stiffness(box);
+        const double weight = boxStiffness(box, mWeight);
         for (const int corner : box.soupCorners) {
             for (int i = 0; i < 2; ++i) {
                 const std::size_t at = 2 * static_cast<std::size_t>(corner) + i;

@@ -22,9 +22,13 @@ private:
     std::vector<Pin> mPins;
 };
 
+//! Factor on the squared distances outside a rectangle: beta times the rectangle's own weight, 100 times that
+//! when the rectangle is hard.
+double boxStiffness(const UvRectangle &box, double beta);
+
 //! Box energy B (paper, Eq. 10 and 11): squared distance outside the rectangle, per coordinate, over the
-//! corners that the rectangle acts on. Multiplied by beta, by the rectangle's own weight, and by 100 when the
-//! rectangle is hard. Continuously differentiable; the second derivative jumps at the sides.
+//! corners that the rectangle acts on, times boxStiffness(). Continuously differentiable; the second
+//! derivative jumps at the sides.
 class BoxTerm final : public EnergyTerm
 {
 public:
@@ -37,8 +41,6 @@ public:
                           HessianBlocks &blocks) const override;
 
 private:
-    double stiffness(const UvRectangle &box) const;
-
     std::vector<UvRectangle> mRectangles;
     double mWeight;
 };

@@ -1,5 +1,6 @@
 #include "solver/packing/packmap.h"
 
+#include "model/plain/udimtiles.h"
 #include "solver/packing/islandgeometry.h"
 
 namespace autocuts::packing {
@@ -20,11 +21,9 @@ PackResult packMap(const MeshData &mesh, const ChartMap &charts, const std::vect
 
 PackOptions tileOptions(const PackingSettings &settings)
 {
-    constexpr int perRow = 10;
-    const int tile = settings.udimTile - PackingSettings::firstTile;
     PackOptions options;
     static_cast<PackingSettings &>(options) = settings;
-    options.lower = Vec2(tile % perRow, tile / perRow);
+    options.lower = udimCorner(settings.udimTile);
     options.upper = options.lower + Vec2::Ones();
     return options;
 }

@@ -19,15 +19,18 @@ constexpr double chartGap = 30;
 
 } // namespace
 
-CutState CutState::from(std::shared_ptr<const SeamGraph> graph, const SeamedMap &map)
+CutState CutState::from(std::shared_ptr<const SeamGraph> graph, const SeamedMap &map, bool inPlace)
 {
     CutState state;
     state.graph = std::move(graph);
+    state.anchored = inPlace && !state.graph->anchors.empty();
+    state.pinReached.assign(state.graph->anchors.all().size(), 0);
     state.cut.assign(map.cut.begin(), map.cut.end());
     state.x = map.x;
     state.updateTopology();
     state.updateEnergy();
     state.spreadCharts();
+    state.chartsMayMeet = state.anchored && state.boundariesOverlap();
     return state;
 }
 
@@ -86,10 +89,66 @@ void CutState::updateEnergy()
     triangleEnergy.resize(soup.triangleCount());
     energy = 0;
     for (int t = 0; t < soup.triangleCount(); ++t) {
-        triangleEnergy[t] =
-            soup.weight[t] * search::triangleEnergy(&x[6 * static_cast<std::size_t>(t)], soup.basis[t]);
+        triangleEnergy[t] = energyOf(t, &x[6 * static_cast<std::size_t>(t)]);
         energy += triangleEnergy[t];
     }
+    distortion = energy;
+    if (graph->hasPlainEnergy())
+        return;
+    distortion = 0;
+    for (int t = 0; t < soup.triangleCount(); ++t)
+        distortion +=
+            soup.weight[t] * search::triangleEnergy(&x[6 * static_cast<std::size_t>(t)], soup.basis[t]);
+}
+
+double CutState::anchorEnergy(int t, const double *p) const
+{
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        for (const int i : graph->anchors.at(3 * t + k)) {
+            const Anchor &anchor = graph->anchors.all()[i];
+            const double stiffness = anchor.isHardPin ? pinStiffness : anchor.stiffness;
+            sum += stiffness * anchor.outside({p[2 * k], p[2 * k + 1]}).squaredNorm();
+        }
+    }
+    return sum;
+}
+
+void CutState::addAnchorDerivatives(int t, const double *p, double *gradient, double *hessian) const
+{
+    static constexpr int diagonal[6] = {0, 2, 5, 9, 14, 20}; // in the packed lower triangle
+    for (int k = 0; k < 3; ++k) {
+        for (const int i : graph->anchors.at(3 * t + k)) {
+            const Anchor &anchor = graph->anchors.all()[i];
+            const double stiffness = anchor.isHardPin ? pinStiffness : anchor.stiffness;
+            const Vec2 outside = anchor.outside({p[2 * k], p[2 * k + 1]});
+            for (int axis = 0; axis < 2; ++axis) {
+                if (outside[axis] == 0 && anchor.isBox)
+                    continue;
+                gradient[2 * k + axis] += 2 * stiffness * outside[axis];
+                hessian[diagonal[2 * k + axis]] += 2 * stiffness;
+            }
+        }
+    }
+}
+
+std::vector<int> CutState::missedPins() const
+{
+    std::vector<int> corners;
+    for (std::size_t i = 0; i < pinReached.size(); ++i) {
+        const Anchor &anchor = graph->anchors.all()[i];
+        if (anchor.isHardPin && !pinReached[i])
+            corners.push_back(anchor.soupCorner);
+    }
+    return corners;
+}
+
+std::vector<char> CutState::chartsWithAnchors() const
+{
+    std::vector<char> found(chartCount(), 0);
+    for (int t = 0; anchored && t < graph->triangleCount(); ++t)
+        found[chart[t]] |= graph->anchors.onTriangle(t);
+    return found;
 }
 
 bool CutState::loopsAreInOrder() const
@@ -151,7 +210,8 @@ bool CutState::boundariesOverlap(const std::vector<int> &triangles) const
     }
     overlap::OverlapOptions options;
     options.totalArea = std::numbers::pi;
-    return !overlap::visitOverlaps(uv, options, [](int, int, double) { return false; });
+    return !overlap::visitOverlaps(
+        uv, options, [&](int a, int b, double) { return chartsMayMeet && chart[near[a]] != chart[near[b]]; });
 }
 
 void CutState::spreadCharts()
@@ -162,6 +222,7 @@ void CutState::spreadCharts()
     {
         Vec2 low = Vec2::Constant(1e300), high = Vec2::Constant(-1e300);
     };
+    const std::vector<char> stays = chartsWithAnchors();
     std::vector<Box> boxes(chartCount());
     for (int c = 0; c < 3 * graph->triangleCount(); ++c) {
         Box &box = boxes[chart[c / 3]];
@@ -170,15 +231,21 @@ void CutState::spreadCharts()
     }
     // The row width makes the whole about as wide as high.
     double area = 0;
-    for (const Box &box : boxes)
-        area += (box.high - box.low + Vec2::Constant(chartGap)).prod();
+    Vec2 origin = Vec2::Zero(); // beyond the charts that stay
+    for (int i = 0; i < chartCount(); ++i) {
+        area += (boxes[i].high - boxes[i].low + Vec2::Constant(chartGap)).prod();
+        if (stays[i])
+            origin = origin.cwiseMax(boxes[i].high + Vec2::Constant(chartGap));
+    }
     const double rowWidth = std::sqrt(area);
-    std::vector<Vec2> shift(chartCount());
-    Vec2 cursor = Vec2::Zero();
+    std::vector<Vec2> shift(chartCount(), Vec2::Zero());
+    Vec2 cursor = origin;
     double rowHeight = 0;
     for (int i = 0; i < chartCount(); ++i) {
-        if (cursor.x() > rowWidth) {
-            cursor = Vec2(0, cursor.y() + rowHeight);
+        if (stays[i])
+            continue;
+        if (cursor.x() - origin.x() > rowWidth) {
+            cursor = Vec2(origin.x(), cursor.y() + rowHeight);
             rowHeight = 0;
         }
         const Vec2 size = boxes[i].high - boxes[i].low + Vec2::Constant(chartGap);

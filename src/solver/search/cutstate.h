@@ -4,6 +4,7 @@
 #include "solver/base/cornerat.h"
 #include "solver/base/seamedmap.h"
 #include "solver/search/seamgraph.h"
+#include "solver/search/trianglekernel.h"
 
 #include <memory>
 #include <vector>
@@ -12,7 +13,8 @@ namespace autocuts::search {
 
 //! Cut flags and UV coordinates, with the energy and the seam cost that the search minimises. Corners of one
 //! UV vertex have bitwise equal coordinates, and no triangle is flipped. Charts are connected sets of
-//! triangles over uncut edges; they are kept apart in the plane.
+//! triangles over uncut edges; they are kept apart in the plane. Charts with anchors stay where these hold
+//! them, all others may be anywhere.
 struct CutState
 {
     //! Least share of the mesh's 3D area that a chart may have, unless the chart is a whole connected
@@ -22,15 +24,25 @@ struct CutState
     std::shared_ptr<const SeamGraph> graph;
     std::vector<char> cut;              //!< per edge pair
     std::vector<double> x;              //!< per soup corner, see Soup
-    std::vector<double> triangleEnergy; //!< per triangle, symmetric Dirichlet energy times share of the area
-    double energy = 0;                  //!< sum of triangleEnergy: the mean energy, 4 at an isometry
+    std::vector<double> triangleEnergy; //!< per triangle, see energyOf()
+    double energy = 0;                  //!< sum of triangleEnergy
+    double distortion = 0;              //!< mean symmetric Dirichlet energy, 4 at an isometry
     double cost = 0;                    //!< of the seams: sum of SeamGraph::cost
     double length = 0;                  //!< of the seams, solver units
     std::vector<int> boundary;          //!< triangle sides that are open or cut, in ascending order
     std::vector<int> chart;             //!< per triangle: its chart
     std::vector<double> chartArea;      //!< per chart: share of the mesh's 3D area
 
-    static CutState from(std::shared_ptr<const SeamGraph> graph, const SeamedMap &map);
+    //! True when the charts with anchors are where these hold them. Before, anchors have no effect.
+    bool anchored = false;
+    double pinStiffness = 1;      //!< of hard pins that are not reached yet
+    std::vector<char> pinReached; //!< per anchor: a hard pin whose corner lies on it and is held there
+    //! True when charts with anchors overlapped other charts from the start. Then only overlaps within one
+    //! chart count.
+    bool chartsMayMeet = false;
+
+    //! \param inPlace the map already lies where the anchors are
+    static CutState from(std::shared_ptr<const SeamGraph> graph, const SeamedMap &map, bool inPlace = false);
     SeamedMap map() const;
 
     //! What the search minimises. \param mu energy that one unit of seam cost is worth
@@ -38,6 +50,15 @@ struct CutState
     int chartCount() const { return static_cast<int>(chartArea.size()); }
     //! True for a triangle side on a border of the mesh or on a cut edge.
     bool isCutSide(int side) const { return graph->across[side] < 0 || cut[graph->edgeOf[side]] != 0; }
+    //! Energy of a triangle times its share of the area, and what its anchors cost.
+    //! \param p u and v of its corners
+    double energyOf(int t, const double *p) const;
+    //! Gradient and Hessian of energyOf(), as triangleDerivatives().
+    void derivativesOf(int t, const double *p, double *gradient, double *hessian) const;
+    //! True for a triangle with anchors that have an effect.
+    bool isAnchored(int t) const { return anchored && graph->anchors.onTriangle(t); }
+    //! The soup corners of the hard pins that are not reached.
+    std::vector<int> missedPins() const;
     //! UV of a soup corner.
     Vec2 at(int corner) const { return cornerAt(x, corner); }
     //! Number of charts below smallestChart that are not whole connected components of the mesh.
@@ -47,7 +68,7 @@ struct CutState
 
     //! Recomputes everything that follows from the cut flags: boundary, charts, areas, cost and length.
     void updateTopology();
-    //! Recomputes triangleEnergy and energy from the coordinates.
+    //! Recomputes triangleEnergy, energy and distortion from the coordinates.
     void updateEnergy();
     //! \returns false when a chart has more than one counter-clockwise boundary loop. Such a chart overlaps
     //! itself, even when no boundary sides cross.
@@ -55,8 +76,34 @@ struct CutState
     //! \returns true when triangles at the boundaries overlap near the given triangles (anywhere when empty).
     //! When this is false everywhere and loopsAreInOrder() is true, no chart overlaps itself.
     bool boundariesOverlap(const std::vector<int> &triangles = {}) const;
-    //! Moves the charts into rows with room between them.
+    //! Moves the charts without anchors into rows with room between them.
     void spreadCharts();
+
+private:
+    std::vector<char> chartsWithAnchors() const;
+    double anchorEnergy(int t, const double *p) const;
+    void addAnchorDerivatives(int t, const double *p, double *gradient, double *hessian) const;
 };
+
+inline double CutState::energyOf(int t, const double *p) const
+{
+    const Soup &soup = *graph->soup;
+    const double density = graph->energy == DistortionEnergy::SymmetricDirichlet
+                               ? search::triangleEnergy(p, soup.basis[t])
+                               : amipsEnergy(p, soup.basis[t]);
+    const double value = soup.weight[t] * density;
+    return isAnchored(t) ? value + anchorEnergy(t, p) : value;
+}
+
+inline void CutState::derivativesOf(int t, const double *p, double *gradient, double *hessian) const
+{
+    const Soup &soup = *graph->soup;
+    if (graph->energy == DistortionEnergy::SymmetricDirichlet)
+        triangleDerivatives(p, soup.basis[t], soup.weight[t], gradient, hessian);
+    else
+        amipsDerivatives(p, soup.basis[t], soup.weight[t], gradient, hessian);
+    if (isAnchored(t))
+        addAnchorDerivatives(t, p, gradient, hessian);
+}
 
 } // namespace autocuts::search

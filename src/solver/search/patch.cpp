@@ -1,7 +1,5 @@
 #include "solver/search/patch.h"
 
-#include "solver/search/trianglekernel.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -121,6 +119,12 @@ bool Patch::join(const CutState &state, const std::vector<double> &x)
         const int side = 3 * mTriangles[c / 3] + c % 3;
         if (!state.isCutSide(side) && mLocal[mGraph->across[side] / 3] < 0) {
             if (!hold(c) || !hold(c / 3 * 3 + (c + 1) % 3))
+                return false;
+        }
+    }
+    for (int c = 0; c < corners && state.anchored; ++c) {
+        for (const int i : mGraph->anchors.at(3 * mTriangles[c / 3] + c % 3)) {
+            if (state.pinReached[i] && !hold(c))
                 return false;
         }
     }
@@ -244,8 +248,14 @@ bool Patch::crossesItself()
                 mSegments.addFixed(mPosition[2 * from], mPosition[2 * from + 1], mPosition[2 * to],
                                    mPosition[2 * to + 1]);
         }
+        std::vector<char> own; // charts of the patch
+        if (mState->chartsMayMeet) {
+            own.assign(mState->chartCount(), 0);
+            for (const int t : mTriangles)
+                own[mState->chart[t]] = 1;
+        }
         for (const int side : mState->boundary) {
-            if (mLocal[side / 3] >= 0)
+            if (mLocal[side / 3] >= 0 || (!own.empty() && !own[mState->chart[side / 3]]))
                 continue;
             const Vec2 a = mState->at(side), b = mState->at(side / 3 * 3 + (side + 1) % 3);
             mSegments.addFixed(a.x(), a.y(), b.x(), b.y());
@@ -265,14 +275,26 @@ void Patch::store(std::vector<double> &x) const
 
 void Patch::commit(CutState &state) const
 {
+    const double before = distortionOf(state.x);
     store(state.x);
-    const Soup &soup = *mGraph->soup;
     for (const int t : mTriangles) {
-        const double value =
-            soup.weight[t] * triangleEnergy(&state.x[6 * static_cast<std::size_t>(t)], soup.basis[t]);
+        const double value = state.energyOf(t, &state.x[6 * static_cast<std::size_t>(t)]);
         state.energy += value - state.triangleEnergy[t];
         state.triangleEnergy[t] = value;
     }
+    state.distortion =
+        mGraph->hasPlainEnergy() ? state.energy : state.distortion + distortionOf(state.x) - before;
+}
+
+double Patch::distortionOf(const std::vector<double> &x) const
+{
+    if (mGraph->hasPlainEnergy())
+        return 0;
+    const Soup &soup = *mGraph->soup;
+    double sum = 0;
+    for (const int t : mTriangles)
+        sum += soup.weight[t] * triangleEnergy(&x[6 * static_cast<std::size_t>(t)], soup.basis[t]);
+    return sum;
 }
 
 } // namespace autocuts::search

@@ -39,9 +39,10 @@ public:
     int localOf(int triangle) const { return mLocal[triangle]; }
 
     //! Welds the corners of the patch to points according to the state's cut flags. A point shared with a
-    //! triangle outside is held there; any other one goes to the mean of its corners.
+    //! triangle outside, or with a corner on a hard pin, is held there; any other one goes to the mean of its
+    //! corners.
     //! \param x coordinates to start from, as in the state
-    //! \returns false when the surroundings hold one point at two positions
+    //! \returns false when one point is held at two positions
     bool join(const CutState &state, const std::vector<double> &x);
     //! Moves the points on newly cut edges a little into their own side of the cut, so that the two sides no
     //! longer coincide.
@@ -50,7 +51,8 @@ public:
     void addSprings(const std::vector<int> &edges);
     void setStiffness(double stiffness) { mStiffness = stiffness; }
 
-    //! Area-weighted energy of the patch without the springs; infinite when a triangle is flipped.
+    //! Energy of the patch without the springs, see CutState::energyOf(); infinite when a triangle is
+    //! flipped.
     double energy() const { return energyAt(mPosition); }
     //! Smallest Jacobian determinant of the patch; 1 at an isometry, not positive when a triangle is flipped.
     double smallestDeterminant() const;
@@ -61,7 +63,8 @@ public:
     bool crossesItself();
     //! Writes the coordinates of the patch into x.
     void store(std::vector<double> &x) const;
-    //! Writes coordinates and triangle energies of the patch into the state and updates the state's energy.
+    //! Writes coordinates and triangle energies of the patch into the state and updates the state's energy
+    //! and distortion.
     void commit(CutState &state) const;
 
     //! Newton steps since construction.
@@ -70,6 +73,7 @@ public:
 private:
     void setTriangles(const std::vector<int> &triangles);
     void mergeCorners(const CutState &state);
+    double distortionOf(const std::vector<double> &x) const;
     void numberUnknowns();
     double energyAt(const std::vector<double> &position) const;
     double springEnergy(const std::vector<double> &position) const;

@@ -1,6 +1,5 @@
 // Newton's method on a patch.
 #include "solver/search/patch.h"
-#include "solver/search/trianglekernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +21,6 @@ constexpr double frozenPivot = 1e30; // added to the diagonal of frozen unknowns
 
 double Patch::energyAt(const std::vector<double> &position) const
 {
-    const Soup &soup = *mGraph->soup;
     double sum = 0;
     for (std::size_t i = 0; i < mTriangles.size(); ++i) {
         double p[6];
@@ -31,7 +29,7 @@ double Patch::energyAt(const std::vector<double> &position) const
             p[2 * k] = q[0];
             p[2 * k + 1] = q[1];
         }
-        sum += soup.weight[mTriangles[i]] * triangleEnergy(p, soup.basis[mTriangles[i]]);
+        sum += mState->energyOf(mTriangles[i], p);
     }
     return sum;
 }
@@ -80,7 +78,6 @@ void Patch::assemble()
 
 void Patch::assembleTriangles()
 {
-    const Soup &soup = *mGraph->soup;
     double gradient[6], h[21];
     for (std::size_t i = 0; i < mTriangles.size(); ++i) {
         const int *point = &mPoint[3 * i];
@@ -95,8 +92,7 @@ void Patch::assembleTriangles()
         }
         if (!any)
             continue;
-        const int t = mTriangles[i];
-        triangleDerivatives(p, soup.basis[t], soup.weight[t], gradient, h);
+        mState->derivativesOf(mTriangles[i], p, gradient, h);
         // Per corner: where the two rows of its diagonal block start in the packed lower triangle h.
         static constexpr int first[3][2] = {{0, 1}, {5, 8}, {14, 19}};
         for (int k = 0; k < 3; ++k) {

@@ -6,6 +6,7 @@
 #include "solver/base/cutmesh.h"
 #include "solver/base/soup.h"
 #include "solver/preference/meshsymmetry.h"
+#include "solver/search/anchors.h"
 
 #include <cstdint>
 #include <memory>
@@ -14,7 +15,7 @@
 
 namespace autocuts::search {
 
-//! Vertices and edges of the uncut surface, with edge costs and the user's cuts and joins. Immutable after
+//! Vertices and edges of the uncut surface, with edge costs and the user's steering. Immutable after
 //! build(). The vertices are those of the uncut surface: corners connected over edges that are not open.
 struct SeamGraph
 {
@@ -37,6 +38,8 @@ struct SeamGraph
     std::vector<int> mirror;
     std::vector<bool> onPlane; //!< per vertex: on the plane of symmetry; empty like mirror
     std::vector<int> rank;     //!< per vertex: position in an elimination order with little fill
+    DistortionEnergy energy = DistortionEnergy::SymmetricDirichlet; //!< what maps minimise beside the cost
+    Anchors anchors;                                                //!< pins and rectangles
 
     //! \param symmetry symmetry that the cuts must have; null: none
     [[nodiscard]] static std::shared_ptr<const SeamGraph>
@@ -44,6 +47,8 @@ struct SeamGraph
           const preference::MeshSymmetry *symmetry = nullptr);
 
     bool isMirrored() const { return !mirror.empty(); }
+    //! True when a map has no other energy than the distortion that the bound is for.
+    bool hasPlainEnergy() const { return anchors.empty() && energy == DistortionEnergy::SymmetricDirichlet; }
     //! Cuts the mirror images of all cut edges too, except those that must not be cut.
     void makeSymmetric(CutFlags &cut) const;
     int triangleCount() const { return soup->triangleCount(); }

@@ -41,6 +41,8 @@ constexpr int firstPolishes = 4;
 //! While a polish lowers the energy above the bound by more than this share, mu stays. Without this rule,
 //! round shapes that start from one path ended with 5 to 10 % longer seams.
 constexpr double fastFall = 0.25;
+//! Seam cost that a hard pin which is not reached counts as: far more than the seams of any map.
+constexpr double missedPinCost = 1000;
 //! Share of (bound - 4) that is kept free in maps of several charts, because giving the charts one texel
 //! density afterwards costs some distortion.
 constexpr double densityReserve = 0.01;
@@ -63,16 +65,17 @@ public:
     double score() const
     {
         if (mOptions.mu)
-            return mState.objective(*mOptions.mu);
-        return mState.cost + std::max(0.0, mState.energy - bound()) / excessMu;
+            return mState.objective(*mOptions.mu) +
+                   missedPinCost * static_cast<double>(mState.missedPins().size());
+        return mState.cost + std::max(0.0, mState.distortion - bound()) / excessMu + steeringCost();
     }
     //! Seam cost that the map is expected to have once it is at the bound; ranks the runs after a round.
     double expectedCost() const
     {
         if (mOptions.mu)
             return score();
-        const double over = mState.energy - bound();
-        return mState.cost + over / (over > 0 ? excessMu : usualMu);
+        const double over = mState.distortion - bound();
+        return mState.cost + over / (over > 0 ? excessMu : usualMu) + steeringCost();
     }
 
     //! Relaxes the first map, joins small charts and polishes the seams.
@@ -83,15 +86,17 @@ public:
             if (mSearch.relaxAll(10) < firstTolerance || mSearch.stopped())
                 break;
         }
+        mSearch.anchor();
         mSearch.absorbSmallCharts();
         mBest = mState;
         mBestScore = score();
         for (int i = 0; i < firstPolishes && !mSearch.stopped(); ++i) {
-            const double before = mState.energy;
+            const double before = mState.distortion;
             mSearch.polish(1);
             mSearch.relaxAll(3);
             // Lowering mu while the energy still falls fast would open needless seams.
-            if (before - mState.energy < fastFall * (mState.energy - bound()) || mState.energy < bound())
+            if (before - mState.distortion < fastFall * (mState.distortion - bound()) ||
+                mState.distortion < bound())
                 adaptMu(0.4);
             report(0);
         }
@@ -117,6 +122,8 @@ public:
                 keepBest();
             }
         }
+        mSearch.anchor();
+        keepBest();
     }
 
     //! Opens seams until the bound holds, then shortens them as far as the bound allows. Ends with the best
@@ -129,10 +136,11 @@ public:
         }
         mSearch.absorbSmallCharts();
         meetBound();
+        mSearch.anchor();
         keepBest();
         restoreBest();
         mSearch.relaxAll(10);
-        if (mState.energy > bound())
+        if (mState.distortion > bound())
             return;
         // Spend what is left of the bound: rising mu removes the seams that raise the energy least per
         // length.
@@ -154,7 +162,7 @@ public:
     CutState &best() { return mBest; }
     double bestScore() const { return mBestScore; }
     SeamSearch &searcher() { return mSearch; }
-    bool fits() const { return mOptions.mu || mBest.energy <= bound(); }
+    bool fits() const { return mOptions.mu || mBest.distortion <= bound(); }
 
 private:
     //! Lowers mu step by step until the bound holds.
@@ -162,7 +170,7 @@ private:
     {
         double mu = mSearch.mu();
         mSearch.setHeat(0);
-        for (int i = 0; i < boundRounds && mState.energy > bound() && !mSearch.stopped(); ++i) {
+        for (int i = 0; i < boundRounds && mState.distortion > bound() && !mSearch.stopped(); ++i) {
             mu = std::max(leastMu, mu * mOptions.effort.boundFall);
             mSearch.setMu(mu);
             mSearch.polish(1);
@@ -176,7 +184,14 @@ private:
     void report(int steps) const
     {
         if (mOptions.progress)
-            mOptions.progress(steps, mBest.energy, mBest.length);
+            mOptions.progress(steps, mBest.distortion, mBest.length);
+    }
+
+    //! What pins and rectangles cost, in seam cost.
+    double steeringCost() const
+    {
+        return (mState.energy - mState.distortion) / usualMu +
+               missedPinCost * static_cast<double>(mState.missedPins().size());
     }
 
     //! Bound on the energy less a small reserve.
@@ -194,7 +209,7 @@ private:
         if (mOptions.mu)
             return;
         const double room = mOptions.maxDistortion - 4;
-        const double over = (mState.energy - bound()) / room;
+        const double over = (mState.distortion - bound()) / room;
         mBalance *= std::exp(-power * std::clamp(over, -0.5, 0.5));
         mBalance = std::clamp(mBalance, smallestMu, largestMu);
         mSearch.setMu(mBalance / (1 + std::clamp(2 * over, -0.6, 5.0)));
@@ -203,8 +218,8 @@ private:
     void keepBest()
     {
         const double now = score();
-        const bool nowFits = mOptions.mu || mState.energy <= bound();
-        const bool bestFits = mOptions.mu || mBest.energy <= bound();
+        const bool nowFits = mOptions.mu || mState.distortion <= bound();
+        const bool bestFits = mOptions.mu || mBest.distortion <= bound();
         if (nowFits != bestFits ? nowFits : now < mBestScore) {
             mBest = mState;
             mBestScore = now;
@@ -256,14 +271,14 @@ std::optional<OptimizedMap> flatMap(const std::shared_ptr<const SeamGraph> &grap
     SeamTrial trial(*state);
     for (int i = 0; i < firstRelaxation / 10; ++i) {
         const double gained = trial.relaxAll(10, !options.allowOverlaps);
-        if (state->energy > options.maxDistortion + hopelessExcess)
+        if (state->distortion > options.maxDistortion + hopelessExcess)
             return std::nullopt;
         if (gained < 1e-6)
             break;
     }
-    if (state->energy > options.maxDistortion)
+    if (state->distortion > options.maxDistortion)
         return std::nullopt;
-    return OptimizedMap{state->map(), 0, trial.patch().steps()};
+    return OptimizedMap{state->map(), 0, trial.patch().steps(), {}};
 }
 
 //! Removes the least promising runs until `count` are left. \returns the Newton steps of the removed ones
@@ -315,7 +330,7 @@ std::optional<CutState> firstMap(const std::shared_ptr<const SeamGraph> &graph,
 std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph> &graph,
                                           const OptimizeOptions &options)
 {
-    if (!options.mu) {
+    if (!options.mu && graph->anchors.empty()) {
         if (std::optional<OptimizedMap> flat = flatMap(graph, options))
             return flat;
     }
@@ -334,7 +349,7 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
     const auto begin = [&](int i) {
         std::optional<CutState> state =
             i < effort.seeds ? firstMap(graph, options, i)
-                             : usable(CutState::from(graph, options.given[i - effort.seeds]), options);
+                             : usable(CutState::from(graph, options.given[i - effort.seeds], true), options);
         if (state) {
             runs[i] = std::make_unique<Run>(graph, options, std::move(*state), options.seed * 1000 + i);
             runs[i]->start();
@@ -363,7 +378,7 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
         return a->fits() != b->fits() ? a->fits() : a->bestScore() < b->bestScore();
     };
     Run &best = **std::min_element(runs.begin(), runs.end(), better);
-    return OptimizedMap{best.best().map(), best.searcher().mu(), iterations};
+    return OptimizedMap{best.best().map(), best.searcher().mu(), iterations, best.best().missedPins()};
 }
 
 } // namespace autocuts::search

@@ -41,7 +41,8 @@ struct OptimizeOptions
     std::optional<double> mu;   //!< instead of the bound: energy that one unit of seam cost is worth
     bool allowOverlaps = false;
     OptimizeEffort effort;
-    std::vector<SeamedMap> given;   //!< further maps to start from
+    //! Further maps to start from. Where there are pins or rectangles, they lie in their places.
+    std::vector<SeamedMap> given;
     std::uint64_t seed = 1;         //!< of all random numbers
     JobContext job;                 //!< for stopping and threads; progress goes to `start` and `progress`
     std::function<void(int)> start; //!< called once with the number of large moves of the whole job
@@ -53,8 +54,9 @@ struct OptimizeOptions
 struct OptimizedMap
 {
     SeamedMap map;
-    double mu = 0;      //!< energy that one unit of seam cost was worth at the end
-    int iterations = 0; //!< Newton steps of all runs, on patches of all sizes
+    double mu = 0;               //!< energy that one unit of seam cost was worth at the end
+    int iterations = 0;          //!< Newton steps of all runs, on patches of all sizes
+    std::vector<int> missedPins; //!< soup corners of hard pins that could not be reached
 };
 
 //! Searches for the shortest seams within the bound. The same arguments give the same bits unless the job is

@@ -1,6 +1,6 @@
 #include "solver/search/seamsearch.h"
 
-#include "solver/search/trianglekernel.h"
+#include "solver/search/anchoring.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +64,17 @@ void SeamSearch::restore(const CutState &state)
     mTrial.reset();
     ++mClock;
     std::fill(mChanged.begin(), mChanged.end(), mClock);
+}
+
+void SeamSearch::anchor()
+{
+    if (mState.graph->anchors.empty())
+        return;
+    if (!mState.anchored) {
+        placeAtAnchors(mState);
+        restore(mState);
+    }
+    reachPins(mTrial, mOptions.guarded);
 }
 
 void SeamSearch::polish(int rounds)
@@ -132,7 +143,6 @@ int SeamSearch::zipEnds()
 std::vector<SeamSearch::Cut> SeamSearch::splitCandidates() const
 {
     const SeamGraph &graph = *mState.graph;
-    const Soup &soup = *graph.soup;
     std::vector<Cut> result;
     struct Part
     {
@@ -149,8 +159,7 @@ std::vector<SeamSearch::Cut> SeamSearch::splitCandidates() const
         double stiffness = 0;
         while (true) {
             const int t = side / 3, k = side % 3;
-            triangleDerivatives(&mState.x[6 * static_cast<std::size_t>(t)], soup.basis[t], soup.weight[t],
-                                gradient, h);
+            mState.derivativesOf(t, &mState.x[6 * static_cast<std::size_t>(t)], gradient, h);
             static constexpr int first[3][2] = {{0, 2}, {5, 9}, {14, 20}};
             sum += Vec2(gradient[2 * k], gradient[2 * k + 1]);
             stiffness += 0.5 * (h[first[k][0]] + h[first[k][1]]);

@@ -39,6 +39,8 @@ public:
     //! Joins charts below CutState::smallestChart to their neighbours at any cost, as long as the energy
     //! stays below the ceiling.
     void absorbSmallCharts();
+    //! Takes charts to their pins and rectangles, see anchoring.h. Does nothing when that has been done.
+    void anchor();
     //! See SeamTrial::relaxAll().
     double relaxAll(int steps) { return mTrial.relaxAll(steps, mOptions.guarded); }
     //! Replaces the map under search. \pre it is a map of the same mesh

@@ -25,6 +25,7 @@ constexpr double firstSpring = 0.3;
 constexpr int springLevels = 5;
 constexpr int stepsPerSpring = 3;
 constexpr int guardedSteps = 10; // Newton steps with contacts barred
+constexpr int pinPatch = 60;     // triangles that move when a corner is put on its pin
 //! Number of chart relaxations that bar contacts from the start after one whose free result overlapped.
 constexpr int stayGuarded = 3;
 
@@ -111,7 +112,8 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
     if (change.close.empty() ? mPatch.join(mState, mState.x) : closeGaps(change.close)) {
         const double after = solve(change, terms, before, costGain);
         mLastGain = before - after + terms.mu * costGain;
-        const bool fits = after <= before || mState.energy + after - before <= terms.ceiling;
+        const bool fits = !mState.graph->hasPlainEnergy() || after <= before ||
+                          mState.energy + after - before <= terms.ceiling;
         accepted = fits && mLastGain > terms.minGain && (change.open.empty() || keepsCharts(oldSmallParts));
     }
     if (accepted) {
@@ -119,7 +121,10 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
         if (!mTopologyChanged)
             mState.updateTopology();
         mTopologyChanged = true;
-        if (terms.guarded && (!mState.loopsAreInOrder() || mState.boundariesOverlap(mPatch.triangles()))) {
+        const bool fits =
+            mState.graph->hasPlainEnergy() || mState.distortion <= std::max(terms.ceiling, mOldDistortion);
+        if (!fits ||
+            (terms.guarded && (!mState.loopsAreInOrder() || mState.boundariesOverlap(mPatch.triangles())))) {
             undo();
             accepted = false;
         }
@@ -151,6 +156,7 @@ void SeamTrial::keep()
         mOldEnergy.push_back(mState.triangleEnergy[t]);
     }
     mOldSum = mState.energy;
+    mOldDistortion = mState.distortion;
     mPatch.commit(mState);
 }
 
@@ -163,6 +169,7 @@ void SeamTrial::undo()
         mState.triangleEnergy[t] = mOldEnergy[i];
     }
     mState.energy = mOldSum;
+    mState.distortion = mOldDistortion;
 }
 
 //! Minimises the energy of the joined patch. \returns its energy at the end; infinite when boundaries would
@@ -220,7 +227,8 @@ bool SeamTrial::closeGaps(const std::vector<int> &close)
     });
 }
 
-//! Components connected to triangles outside the patch are settled; the largest one if there are none.
+//! Components connected to triangles outside the patch and those with anchors are settled; the largest one if
+//! there are none.
 SeamTrial::Pieces SeamTrial::findPieces() const
 {
     const std::vector<int> &triangles = mPatch.triangles();
@@ -228,6 +236,7 @@ SeamTrial::Pieces SeamTrial::findPieces() const
     UnionFind pieces(count);
     std::vector<char> heldAt(count, 0);
     for (int i = 0; i < count; ++i) {
+        heldAt[i] = mState.isAnchored(triangles[i]);
         for (int k = 0; k < 3; ++k) {
             const int side = 3 * triangles[i] + k;
             if (mState.isCutSide(side))
@@ -317,6 +326,32 @@ double SeamTrial::relaxAll(int steps, bool guarded)
     mState.updateEnergy();
     mX = mState.x;
     return before - mState.energy;
+}
+
+bool SeamTrial::reachPin(int pin, bool guarded)
+{
+    const Anchor &anchor = mState.graph->anchors.all()[pin];
+    const int seed = anchor.soupCorner / 3;
+    mPatch.select(mState, {&seed, 1}, pinPatch);
+    cornerAt(mX, anchor.soupCorner) = anchor.lower;
+    mState.pinReached[pin] = 1;
+    bool reached = mPatch.join(mState, mX) && mPatch.smallestDeterminant() > smallestStart;
+    if (reached) {
+        PatchLimits limits;
+        limits.guarded = guarded;
+        reached = !guarded || !mPatch.crossesItself();
+        mPatch.minimize(limits);
+    }
+    if (reached) {
+        keep();
+        if (guarded && mState.boundariesOverlap(mPatch.triangles())) {
+            undo();
+            reached = false;
+        }
+    }
+    mState.pinReached[pin] = reached;
+    mX = mState.x;
+    return reached;
 }
 
 //! Relaxes one chart. Charts are relaxed one by one so that each has its own step length.

@@ -42,6 +42,9 @@ public:
     void reset() { mX = mState.x; }
     //! Minimises the energy of every chart by Newton steps with the seams fixed. \returns the energy gained
     double relaxAll(int steps, bool guarded);
+    //! Puts the corner of a hard pin onto it and holds it there, unless that flips a triangle or makes charts
+    //! overlap. \param pin its index in the anchors
+    bool reachPin(int pin, bool guarded);
     //! Decrease of the objective by the last attempt, kept or not; minus infinity when the change could not
     //! be made.
     double lastGain() const { return mLastGain; }
@@ -74,7 +77,7 @@ private:
     std::vector<double> mX; //!< coordinates of the state, except for the patch during an attempt
     double mLastGain = 0;
     std::vector<double> mOldX, mOldEnergy; //!< of the patch, before keep()
-    double mOldSum = 0;
+    double mOldSum = 0, mOldDistortion = 0;
     int mGuardedFor = 0;           //!< number of further chart relaxations that bar contacts from the start
     bool mTopologyChanged = false; //!< the state's topology was updated during the attempt
 };

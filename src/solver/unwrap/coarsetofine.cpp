@@ -5,6 +5,7 @@
 #include "solver/definite/relaxing.h"
 #include "solver/multires/maprefiner.h"
 #include "solver/preference/seampreference.h"
+#include "solver/search/anchoring.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,20 +38,49 @@ PointPair endsOf(const multires::ProgressiveMesh &mesh, int side)
 //! The user's cuts and joins: per edge, given by the points at its ends, the state at each end.
 using Decisions = std::map<PointPair, std::array<std::pair<int, PairState>, 2>>;
 
+//! The user's decisions on the corner pairs, given seams being cuts.
+std::vector<PairState> pairStates(const Snapshot &snapshot)
+{
+    std::vector<PairState> states = snapshot.steering->pairState;
+    const std::vector<bool> &given = snapshot.steering->givenSeams;
+    if (snapshot.settings.seams == SeamMode::Free || given.empty())
+        return states;
+    states.resize(snapshot.mesh->cornerPairCount(), PairState::Free);
+    for (std::size_t p = 0; p < states.size(); ++p) {
+        if (given[p / 2] && !snapshot.isJoined(p / 2))
+            states[p] = PairState::Cut;
+    }
+    return states;
+}
+
 //! Per edge pair: true when the user cut or joined it at either end.
-std::vector<bool> decidedEdges(const Snapshot &snapshot)
+std::vector<bool> decidedEdges(const Snapshot &snapshot, const std::vector<PairState> &states)
 {
     std::vector<bool> decided(snapshot.mesh->edgePairs.size(), false);
-    for (std::size_t p = 0; p < snapshot.steering->pairState.size(); ++p) {
-        if (snapshot.steering->pairState[p] != PairState::Free)
+    for (std::size_t p = 0; p < states.size(); ++p) {
+        if (states[p] != PairState::Free)
             decided[p / 2] = true;
     }
     return decided;
 }
 
-Decisions decisionsOf(const Snapshot &snapshot, const multires::ProgressiveMesh &fine,
-                      const std::vector<bool> &decided)
+//! Per edge pair: true when its ends must stay: decided edges, and those around triangles with a pin.
+std::vector<bool> keptEdges(const Snapshot &snapshot, std::vector<bool> kept)
 {
+    std::vector<bool> pinned(snapshot.mesh->triangleCount(), false);
+    for (const Pin &pin : snapshot.steering->pins)
+        pinned[pin.soupCorner / 3] = true;
+    for (std::size_t e = 0; e < kept.size() && !snapshot.steering->pins.empty(); ++e) {
+        const auto [a, b] = snapshot.mesh->edgePairs[e].triangle;
+        kept[e] = kept[e] || pinned[a] || pinned[b];
+    }
+    return kept;
+}
+
+Decisions decisionsOf(const Snapshot &snapshot, const multires::ProgressiveMesh &fine,
+                      const std::vector<PairState> &states)
+{
+    const std::vector<bool> decided = decidedEdges(snapshot, states);
     Decisions decisions;
     for (std::size_t e = 0; e < decided.size(); ++e) {
         if (!decided[e])
@@ -59,7 +89,7 @@ Decisions decisionsOf(const Snapshot &snapshot, const multires::ProgressiveMesh 
         const int side = 3 * pair.triangle[0] + pair.side(0);
         auto &ends = decisions[endsOf(fine, side)];
         for (int end = 0; end < 2; ++end)
-            ends[end] = {fine.point(pair.corner[end][0]), snapshot.steering->pairState[2 * e + end]};
+            ends[end] = {fine.point(pair.corner[end][0]), states[2 * e + end]};
     }
     return decisions;
 }
@@ -80,7 +110,44 @@ std::vector<double> pointWeights(const Snapshot &snapshot, const multires::Progr
     return sum;
 }
 
-//! A snapshot of the coarse mesh with the settings, cuts, joins and weights of the fine one.
+//! Solver units of the coarse mesh per solver unit of the fine one.
+double unitOf(const MeshData &coarse, const MeshData &fine)
+{
+    return std::sqrt(fine.area / coarse.area);
+}
+
+//! Adds the pins and rectangles that act on triangles of the coarse mesh.
+void addAnchors(const Snapshot &snapshot, const std::vector<int> &triangles, const MeshData &mesh,
+                Steering &steering)
+{
+    if (!snapshot.placesIslands())
+        return;
+    const double unit = unitOf(mesh, *snapshot.mesh);
+    std::vector<int> coarseTriangle(snapshot.mesh->triangleCount(), -1);
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        coarseTriangle[triangles[t]] = static_cast<int>(t);
+    const auto coarseCorner = [&](int corner) {
+        const int t = coarseTriangle[corner / 3];
+        return t < 0 ? -1 : 3 * t + corner % 3;
+    };
+    for (Pin pin : snapshot.steering->pins) {
+        pin.soupCorner = coarseCorner(pin.soupCorner);
+        pin.target *= unit;
+        if (pin.soupCorner >= 0)
+            steering.pins.push_back(pin);
+    }
+    for (UvRectangle box : snapshot.steering->rectangles) {
+        box.lower *= unit;
+        box.upper *= unit;
+        for (int &corner : box.soupCorners)
+            corner = coarseCorner(corner);
+        std::erase(box.soupCorners, -1);
+        steering.rectangles.push_back(std::move(box));
+    }
+}
+
+//! A snapshot of the coarse mesh with the settings, cuts, joins, weights, pins and rectangles of the fine
+//! one.
 Snapshot coarseSnapshot(const Snapshot &snapshot, const std::shared_ptr<const MeshData> &mesh,
                         const multires::ProgressiveMesh &points, const std::vector<int> &triangles,
                         const Decisions &decisions, const std::vector<double> &weights)
@@ -89,6 +156,7 @@ Snapshot coarseSnapshot(const Snapshot &snapshot, const std::shared_ptr<const Me
     coarse.mesh = mesh;
     coarse.settings = snapshot.settings;
     Steering &steering = coarse.editSteering();
+    addAnchors(snapshot, triangles, *mesh, steering);
     if (!decisions.empty())
         steering.pairState.assign(mesh->cornerPairCount(), PairState::Free);
     if (!weights.empty())
@@ -110,16 +178,13 @@ Snapshot coarseSnapshot(const Snapshot &snapshot, const std::shared_ptr<const Me
     return coarse;
 }
 
-//! Writes UVs and cut flags of the coarse map to the remaining triangles of the fine mesh, in solver units
-//! (total area pi).
-void setCoarseMap(const MeshData &coarse, const UnwrapResult &result, const std::vector<int> &triangles,
-                  const multires::ProgressiveMesh &points, multires::MapRefiner &refiner)
+//! Writes coordinates and cut flags of the coarse map to the remaining triangles of the fine mesh.
+//! \param scale of the map
+void setCoarseMap(const MeshData &coarse, const SeamedMap &map, double scale,
+                  const std::vector<int> &triangles, const multires::ProgressiveMesh &points,
+                  multires::MapRefiner &refiner)
 {
-    const auto uvOf = [&](int soupCorner) { return Vec2(result.uv.row(coarse.cornerOfSoup(soupCorner))); };
-    double area = 0;
-    for (int t = 0; t < coarse.triangleCount(); ++t)
-        area += 0.5 * cross2(uvOf(3 * t), uvOf(3 * t + 1), uvOf(3 * t + 2));
-    const double scale = std::sqrt(std::numbers::pi / area);
+    const auto uvOf = [&](int soupCorner) { return Vec2(cornerAt(map.x, soupCorner)); };
     for (int t = 0; t < coarse.triangleCount(); ++t) {
         for (int k = 0; k < 3; ++k) {
             refiner.uv[3 * triangles[t] + k] = scale * uvOf(3 * t + k);
@@ -131,8 +196,17 @@ void setCoarseMap(const MeshData &coarse, const UnwrapResult &result, const std:
         const int a = 3 * triangles[pair.triangle[0]] + pair.side(0);
         const int b = 3 * triangles[pair.triangle[1]] + pair.side(1);
         if (points.across(a) == b)
-            refiner.cut[a] = refiner.cut[b] = result.cut[e];
+            refiner.cut[a] = refiner.cut[b] = map.cut[e];
     }
+}
+
+//! Total area of a map.
+double areaOf(const SeamedMap &map)
+{
+    double area = 0;
+    for (int c = 0; c < static_cast<int>(map.x.size() / 2); c += 3)
+        area += 0.5 * cross2(cornerAt(map.x, c), cornerAt(map.x, c + 1), cornerAt(map.x, c + 2));
+    return area;
 }
 
 //! Moves seams that run along polygon diagonals to polygon edges. At each such diagonal, the triangle at the
@@ -216,8 +290,18 @@ bool makeUsable(const std::shared_ptr<const Soup> &soup, const Snapshot &snapsho
             relaxed.distortion(*soup) < map.distortion(*soup))
             map = std::move(relaxed);
     }
-    definite::equalizeDensity(*soup, map);
+    definite::equalizeDensity(*soup, snapshot, map);
     return true;
+}
+
+//! Puts a map exactly onto its pins. \returns the number of pins that it misses
+int settle(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const UnwrapOptions &options,
+           SeamedMap &map)
+{
+    if (!snapshot.placesIslands())
+        return 0;
+    const auto graph = search::SeamGraph::build(soup, snapshot);
+    return static_cast<int>(search::settleAtAnchors(graph, map, fineSteps, !options.allowOverlaps).size());
 }
 
 //! Maps the coarse version and carries the map to the fine mesh, where it may still flip and overlap.
@@ -226,9 +310,9 @@ std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const S
                                 const UnwrapOptions &coarseOptions, int coarseTriangles,
                                 const CoarseUnwrap &unwrapCoarse, const JobContext &job)
 {
-    const std::vector<bool> decided = decidedEdges(snapshot);
-    multires::ProgressiveMesh mesh(*soup->mesh, decided);
-    const Decisions decisions = decisionsOf(snapshot, mesh, decided);
+    const std::vector<PairState> states = pairStates(snapshot);
+    multires::ProgressiveMesh mesh(*soup->mesh, keptEdges(snapshot, decidedEdges(snapshot, states)));
+    const Decisions decisions = decisionsOf(snapshot, mesh, states);
     const std::vector<double> weights = pointWeights(snapshot, mesh);
     std::vector<double> preferred =
         pointWeights(preference::SeamPreference().applied(snapshot, job.threads()), mesh);
@@ -238,7 +322,7 @@ std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const S
     std::vector<int> triangles;
     const std::shared_ptr<const MeshData> coarse = mesh.extract(triangles);
 
-    const UnwrapResult result =
+    CarriedMap carried =
         unwrapCoarse(coarseSnapshot(snapshot, coarse, mesh, triangles, decisions, weights), coarseOptions);
 
     multires::MapRefiner refiner(mesh, soup->scale);
@@ -246,13 +330,12 @@ std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const S
     refiner.cut.assign(soup->mesh->soupCornerCount(), 0);
     refiner.pointCost = std::move(preferred);
     refiner.mayStraighten = decisions.empty();
-    setCoarseMap(*coarse, result, triangles, mesh, refiner);
+    // A map that nothing holds gets the area of the mesh.
+    const double scale = snapshot.placesIslands() ? 1 / unitOf(*coarse, *soup->mesh)
+                                                  : std::sqrt(std::numbers::pi / areaOf(carried.map));
+    setCoarseMap(*coarse, carried.map, scale, triangles, mesh, refiner);
     refiner.refineTo(soup->triangleCount());
-    CarriedMap carried;
     carried.map = fineMap(*soup, refiner);
-    carried.iterations = result.iterations;
-    carried.lambda = result.lambda;
-    carried.delta = result.delta;
     return carried;
 }
 
@@ -260,8 +343,7 @@ std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const S
 
 bool suitsCoarseToFine(const Snapshot &snapshot)
 {
-    return snapshot.mesh->triangleCount() > largeMesh && !snapshot.placesIslands() &&
-           snapshot.settings.start != StartMode::ExistingUv;
+    return snapshot.mesh->triangleCount() > largeMesh && snapshot.settings.start != StartMode::ExistingUv;
 }
 
 std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
@@ -277,6 +359,7 @@ std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup, c
             carry(soup, snapshot, coarseOptions, coarseTriangles, unwrapCoarse, job);
         if (!carried || !makeUsable(soup, snapshot, options, carried->map, job))
             break;
+        carried->missedPins = settle(soup, snapshot, options, carried->map);
         const double distortion = carried->map.distortion(*soup);
         if (!best || distortion < best->map.distortion(*soup))
             best = std::move(carried);

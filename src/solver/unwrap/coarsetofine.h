@@ -17,13 +17,13 @@ struct CarriedMap
     SeamedMap map;
     int iterations = 0;           //!< Newton steps for the coarse map
     double lambda = 0, delta = 0; //!< of the coarse map
+    int missedPins = 0;           //!< hard pins that were not reached
 };
 
-//! Unwraps the coarse version of a mesh.
-using CoarseUnwrap = std::function<UnwrapResult(const Snapshot &, const UnwrapOptions &)>;
+//! Finds a map of the coarse version of a mesh.
+using CoarseUnwrap = std::function<CarriedMap(const Snapshot &, const UnwrapOptions &)>;
 
-//! True when the mesh has more than 25,000 triangles and nothing steers single corners: no pins, no
-//! rectangles, no start from existing UVs.
+//! True when the mesh has more than 25,000 triangles and does not start from existing UVs.
 bool suitsCoarseToFine(const Snapshot &snapshot);
 
 //! Coarsens the mesh, unwraps the coarse one by `unwrapCoarse`, carries seams and map over to the fine mesh

@@ -5,6 +5,7 @@
 #include "solver/homotopy/liveschedule.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/preference/seampreference.h"
+#include "solver/unwrap/freepart.h"
 
 #include <algorithm>
 
@@ -18,40 +19,52 @@ constexpr double touchingDelta = 1e-9;
 //! Rough number of steps of a live solve. A guess that only the progress depends on.
 constexpr double usualSteps = 1000;
 
-void load(const FinishInput &input, int threads, homotopy::Solver &solver)
+void load(const FinishInput &input, const FreePart &part, int threads, homotopy::Solver &solver)
 {
-    Snapshot snapshot = input.snapshot;
+    Snapshot snapshot = part.snapshot();
     if (input.live) {
         snapshot.settings.lambda = input.live->lambda;
         snapshot.settings.delta = input.live->delta;
     } else {
         snapshot.settings.start = StartMode::ExistingUv;
         snapshot.settings.delta = touchingDelta;
-        snapshot.startUv = std::make_shared<const UvMatrix>(soupUv(*snapshot.mesh, input.uv) / input.uvScale);
+        snapshot.startUv =
+            std::make_shared<const UvMatrix>(soupUv(*snapshot.mesh, *snapshot.uv) / snapshot.uvScale);
     }
     solver.setThreads(threads);
     solver.load(preference::SeamPreference().applied(snapshot, threads));
-    if (input.live)
-        solver.setCoordinates(input.live->coordinates);
+    if (input.live) {
+        const UvMatrix rows = part.unit() * part.partRows(rowsOf(input.live->coordinates));
+        solver.setCoordinates({rows.data(), rows.data() + rows.size()});
+    }
 }
 
-//! True when all islands lie in the unit square and no triangles overlap.
-bool liesFree(const MeshData &mesh, const UvMatrix &uv, const JobContext &job)
+//! Packs the finished map where islands overlap or are not where they belong.
+void place(const FinishInput &input, const ChartMap &charts, bool stays, const JobContext &job,
+           FinishResult &result)
 {
-    overlap::OverlapOptions options;
-    options.maxPairs = 1;
-    options.job = job.quiet();
-    return uv.minCoeff() >= 0 && uv.maxCoeff() <= 1 &&
-           overlap::findOverlaps(soupUv(mesh, uv), options).pairs.empty();
+    PackJob pack = steeredPackJob(input.snapshot, input.packing);
+    pack.keepScaleIfPossible = stays;
+    const MeshData &mesh = *input.snapshot.mesh;
+    if (liesFree(mesh, charts, pack, result.uv, job))
+        return;
+    const bool packed = packCharts(mesh, charts, pack, result.uv, job.part(0, 1, JobStage::Packing));
+    result.noRoom = !packed && !job.stopped();
 }
 
 } // namespace
 
 FinishResult finishMap(const FinishInput &input, const JobContext &job)
 {
-    const MeshData &mesh = *input.snapshot.mesh;
+    FinishResult result;
+    const std::optional<FreePart> part = FreePart::of(input.snapshot);
+    if (!part) {
+        result.nothingFree = true;
+        result.uv = *input.snapshot.uv;
+        return result;
+    }
     homotopy::Solver solver;
-    load(input, job.threads(), solver);
+    load(input, *part, job.threads(), solver);
     double begun = 0;
     if (input.live && input.live->hasMoreToDo) {
         int steps = 0;
@@ -62,23 +75,20 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
             toTheEnd.report(begun);
         });
     }
-    FinishResult result;
-    const std::optional<SeamedMap> map =
+    const std::optional<definite::RefinedMap> found =
         definite::makeRefinedMap(solver, {.maxDistortion = input.maxDistortion}, job.part(begun, 1));
-    if (!map)
+    if (!found)
         return result;
-    result.uv = input.uvScale * cornerUv(solver.soup(), *map);
-    result.distortion = map->distortion(solver.soup());
-    // Islands that grew or were cut off may overlap others. Where pins or rectangles place islands they stay.
-    if (!input.snapshot.placesIslands() && !liesFree(mesh, result.uv, job)) {
-        const bool packed = packCharts(mesh, findCharts(mesh, result.uv), {.options = input.packing},
-                                       result.uv, job.part(0, 1, JobStage::Packing));
-        result.noRoom = !packed && !job.stopped();
-    }
+    const Snapshot &own = part->snapshot();
+    result.uv = part->wholeUv(own.uvScale * cornerUv(solver.soup(), found->map));
+    result.distortion = found->map.distortion(solver.soup());
+    const ChartMap charts = part->wholeCharts(chartsOf(*own.mesh, CutMesh(*own.mesh, found->map.cut)));
+    place(input, charts, !part->isWhole() || own.placesIslands(), job, result);
+    result.unmet = unmetSteering(input.snapshot, result.uv);
     const std::vector<PairState> &states = input.snapshot.steering->pairState;
     const bool joins = std::find(states.begin(), states.end(), PairState::Joined) != states.end();
-    result.heldTogether =
-        joins && !result.noRoom && !overlap::findOverlaps(soupUv(mesh, result.uv)).pairs.empty();
+    result.heldTogether = joins && !result.noRoom &&
+                          !overlap::findOverlaps(soupUv(*input.snapshot.mesh, result.uv)).pairs.empty();
     return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "model/plain/snapshot.h"
 #include "solver/unwrap/packjob.h"
+#include "solver/unwrap/unmetsteering.h"
 
 #include <optional>
 
@@ -18,12 +19,10 @@ struct LiveState
 
 struct FinishInput
 {
-    Snapshot snapshot{};
-    UvMatrix uv{};      //!< per corner, texture space: the map to finish when there is no live solve
-    double uvScale = 1; //!< texture space units per solver unit
+    Snapshot snapshot{};             //!< with the map to finish
     std::optional<LiveState> live{}; //!< the live solve that the map was made from
     double maxDistortion = 4.1;      //!< bound on the mean symmetric Dirichlet energy, > 4
-    packing::PackOptions packing{};  //!< used when islands overlap or leave the unit square
+    packing::PackOptions packing{};  //!< used when islands overlap or leave their place
 };
 
 struct FinishResult
@@ -33,11 +32,13 @@ struct FinishResult
     bool noRoom = false;   //!< the islands had to be packed and there is no room for them
     //! The map still has overlaps; edges joined by the user prevent cutting them apart.
     bool heldTogether = false;
+    bool nothingFree = false; //!< locks or the scope leave nothing to change: uv is the map before the job
+    UnmetSteering unmet;
 };
 
 //! The whole finish: runs a paused solve to the end of its schedule, makes the refined map (a definite map
-//! whose seams the seam search has improved), and packs when islands overlap or leave the unit square, unless
-//! pins or rectangles place them. Without a live solve it starts from the seams of the given map.
+//! whose seams the seam search has improved), and packs when islands overlap or leave their tile or
+//! rectangle. Without a live solve it starts from the seams of the given map. \pre the snapshot has a map
 [[nodiscard]] FinishResult finishMap(const FinishInput &input, const JobContext &job = {});
 
 } // namespace autocuts::unwrap

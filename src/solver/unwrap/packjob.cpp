@@ -1,25 +1,208 @@
 #include "solver/unwrap/packjob.h"
 
 #include "model/plain/rigidpieces.h"
+#include "model/plain/udimtiles.h"
+#include "model/plain/uvlayout.h"
+#include "solver/overlap/overlapfinder.h"
 #include "solver/packing/packmap.h"
 
 #include <algorithm>
 
 namespace autocuts::unwrap {
 
+namespace {
+
+//! How far an island may reach out of its rectangle. Chosen by hand far above rounding.
+constexpr double boxTolerance = 1e-9;
+
+//! A place that islands are packed into.
+struct Bin
+{
+    Eigen::AlignedBox2d box;
+    bool isRectangle = false;
+
+    bool operator==(const Bin &o) const
+    {
+        return isRectangle == o.isRectangle && box.min() == o.box.min() && box.max() == o.box.max();
+    }
+};
+
+//! Packs the pieces bin by bin.
+class BinPacker
+{
+public:
+    BinPacker(const MeshData &mesh, const ChartMap &charts, const PackJob &pack) : mMesh(mesh), mPack(pack)
+    {
+        std::vector<IslandFlags> flags = pack.faceFlags;
+        flags.resize(mesh.faceCount());
+        mRigid = rigidPieces(charts, flags, pack.movable);
+        for (int face = 0; face < mesh.faceCount(); ++face) {
+            const int piece = mRigid.pieces.faceChart[face];
+            if (piece >= 0 && !pack.stays.empty() && pack.stays[face])
+                mRigid.locked[piece] = true;
+        }
+        findBins();
+    }
+
+    bool lieFree(const UvMatrix &uv, const JobContext &job) const
+    {
+        for (std::size_t bin = 0; bin < mBins.size(); ++bin) {
+            if (!liesFree(mBins[bin].box, lockedFor(bin), uv, job))
+                return false;
+        }
+        return true;
+    }
+
+    bool run(UvMatrix &uv, const JobContext &job) const
+    {
+        UvMatrix packed = uv;
+        for (std::size_t bin = 0; bin < mBins.size(); ++bin) {
+            const std::vector<bool> locked = lockedFor(bin);
+            if (std::find(locked.begin(), locked.end(), false) == locked.end())
+                continue;
+            if (mBins[bin].isRectangle && liesFree(mBins[bin].box, locked, packed, job))
+                continue;
+            if (!packBin(mBins[bin], locked, packed, job))
+                return false;
+        }
+        uv = std::move(packed);
+        return true;
+    }
+
+private:
+    //! Per piece: true when it stays while a bin is packed.
+    std::vector<bool> lockedFor(std::size_t bin) const
+    {
+        std::vector<bool> locked = mRigid.locked;
+        for (std::size_t piece = 0; piece < locked.size(); ++piece)
+            locked[piece] = locked[piece] || mBinOf[piece] != static_cast<int>(bin);
+        return locked;
+    }
+
+    void findBins()
+    {
+        const Bin usual{{mPack.options.lower, mPack.options.upper}, false};
+        // Rectangles first: the others are packed around what they hold.
+        for (const PackRectangle &rectangle : mPack.rectangles)
+            addBin({rectangle.box, true});
+        mBinOf.assign(mRigid.pieces.count, -1);
+        for (int face = 0; face < mMesh.faceCount(); ++face) {
+            const int piece = mRigid.pieces.faceChart[face];
+            if (piece < 0)
+                continue;
+            for (const PackRectangle &rectangle : mPack.rectangles) {
+                if (mBinOf[piece] < 0 && rectangle.faces[face])
+                    mBinOf[piece] = addBin({rectangle.box, true});
+            }
+        }
+        for (int face = 0; face < mMesh.faceCount(); ++face) {
+            const int piece = mRigid.pieces.faceChart[face];
+            if (piece < 0 || mBinOf[piece] >= 0)
+                continue;
+            const int tile = mPack.tiles.empty() ? 0 : mPack.tiles[face];
+            const Vec2 corner = tile > 0 ? udimCorner(tile) : Vec2::Zero();
+            mBinOf[piece] = addBin(tile > 0 ? Bin{{corner, corner + Vec2::Ones()}, false} : usual);
+        }
+    }
+
+    int addBin(const Bin &bin)
+    {
+        const auto found = std::find(mBins.begin(), mBins.end(), bin);
+        if (found == mBins.end())
+            mBins.push_back(bin);
+        return static_cast<int>(std::find(mBins.begin(), mBins.end(), bin) - mBins.begin());
+    }
+
+    //! True when all pieces that may move lie in the box and overlap nothing.
+    bool liesFree(const Eigen::AlignedBox2d &box, const std::vector<bool> &locked, const UvMatrix &uv,
+                  const JobContext &job) const
+    {
+        const auto moves = [&](int face) {
+            const int piece = mRigid.pieces.faceChart[face];
+            return piece >= 0 && !locked[piece];
+        };
+        for (int face = 0; face < mMesh.faceCount(); ++face) {
+            for (int c = mMesh.faceStart[face]; moves(face) && c < mMesh.faceStart[face + 1]; ++c) {
+                if (box.exteriorDistance(Vec2(uv.row(c))) > boxTolerance)
+                    return false;
+            }
+        }
+        overlap::OverlapOptions options;
+        options.job = job.quiet();
+        return overlap::visitOverlaps(soupUv(mMesh, uv), options, [&](int a, int b, double) {
+            return !moves(mMesh.triangleFace[a]) && !moves(mMesh.triangleFace[b]);
+        });
+    }
+
+    bool packBin(const Bin &bin, const std::vector<bool> &locked, UvMatrix &uv, const JobContext &job) const
+    {
+        packing::PackOptions options = mPack.options;
+        options.lower = bin.box.min();
+        options.upper = bin.box.max();
+        const bool scaleLater = !options.keepScale && (mPack.keepScaleIfPossible || bin.isRectangle);
+        options.keepScale = options.keepScale || scaleLater;
+        const auto pack = [&] {
+            return packing::packMap(mMesh, mRigid.pieces, locked, options, uv, job).complete;
+        };
+        if (pack())
+            return true;
+        options.keepScale = options.keepScale && !scaleLater;
+        if (scaleLater && pack())
+            return true;
+        if (!job.stopped() || !mPack.hurryWhenStopped)
+            return false;
+        options.effort = std::min(options.effort, packing::hurriedEffort);
+        return packing::packMap(mMesh, mRigid.pieces, locked, options, uv, job.unstoppable()).complete;
+    }
+
+    const MeshData &mMesh;
+    const PackJob &mPack;
+    RigidPieces mRigid;
+    std::vector<Bin> mBins;
+    std::vector<int> mBinOf; //!< per piece
+};
+
+} // namespace
+
+void PackJob::packInto(const Eigen::AlignedBox2d &box)
+{
+    options.lower = box.min();
+    options.upper = box.max();
+    tiles.clear();
+    rectangles.clear();
+}
+
+PackJob steeredPackJob(const Snapshot &snapshot, const packing::PackOptions &options)
+{
+    const MeshData &mesh = *snapshot.mesh;
+    PackJob pack{.options = options, .faceFlags = snapshot.steering->faceFlags};
+    if (snapshot.keepTiles && snapshot.uv)
+        pack.tiles = udimTiles(mesh, *snapshot.uv);
+    pack.stays.assign(mesh.faceCount(), false);
+    for (int face = 0; snapshot.scope && face < mesh.faceCount(); ++face)
+        pack.stays[face] = !snapshot.scope->faces[face];
+    for (const Pin &pin : snapshot.steering->pins)
+        pack.stays[mesh.triangleFace[pin.soupCorner / 3]] = true;
+    for (const UvRectangle &box : snapshot.steering->rectangles) {
+        PackRectangle rectangle{{Vec2(snapshot.uvScale * box.lower), Vec2(snapshot.uvScale * box.upper)},
+                                std::vector<bool>(mesh.faceCount(), false)};
+        for (const int corner : box.soupCorners)
+            rectangle.faces[mesh.triangleFace[corner / 3]] = true;
+        pack.rectangles.push_back(std::move(rectangle));
+    }
+    return pack;
+}
+
 bool packCharts(const MeshData &mesh, const ChartMap &charts, const PackJob &pack, UvMatrix &uv,
                 const JobContext &job)
 {
-    std::vector<IslandFlags> flags = pack.faceFlags;
-    flags.resize(mesh.faceCount());
-    const RigidPieces rigid = rigidPieces(charts, flags, pack.movable);
-    if (packing::packMap(mesh, rigid.pieces, rigid.locked, pack.options, uv, job).complete)
-        return true;
-    if (!job.stopped() || !pack.hurryWhenStopped)
-        return false;
-    packing::PackOptions hurried = pack.options;
-    hurried.effort = std::min(hurried.effort, packing::hurriedEffort);
-    return packing::packMap(mesh, rigid.pieces, rigid.locked, hurried, uv, job.unstoppable()).complete;
+    return BinPacker(mesh, charts, pack).run(uv, job);
+}
+
+bool liesFree(const MeshData &mesh, const ChartMap &charts, const PackJob &pack, const UvMatrix &uv,
+              const JobContext &job)
+{
+    return BinPacker(mesh, charts, pack).lieFree(uv, job);
 }
 
 } // namespace autocuts::unwrap

@@ -1,26 +1,53 @@
-// The job "pack" of the window and the command line.
+// The job "pack" of the window and the command line, and the placing of islands in all other jobs.
 #pragma once
 
 #include "model/plain/chart.h"
 #include "model/plain/islandflags.h"
+#include "model/plain/snapshot.h"
 #include "solver/base/jobcontext.h"
 #include "solver/packing/packing.h"
 
+#include <Eigen/Geometry>
+
 namespace autocuts::unwrap {
+
+//! A rectangle in texture space whose islands are packed into it.
+struct PackRectangle
+{
+    Eigen::AlignedBox2d box;
+    std::vector<bool> faces; //!< per face: its island belongs to the rectangle
+};
 
 //! What to pack, and how.
 struct PackJob
 {
-    packing::PackOptions options{};       //!< settings and bin
+    packing::PackOptions options{};       //!< settings, and the bin of islands without another one
     std::vector<IslandFlags> faceFlags{}; //!< per face; empty: none is locked, stacked or grouped
     std::vector<bool> movable{};          //!< per face; charts without such a face are obstacles; empty: all
-    bool hurryWhenStopped = false;        //!< when stopped before the first layout, still make a quick one
+    std::vector<bool> stays{};            //!< per face; charts with such a face are obstacles; empty: none
+    std::vector<int> tiles{};             //!< per face: the UDIM tile it stays in, 0: none; empty: none
+    std::vector<PackRectangle> rectangles{};
+    //! Islands keep their size as long as there is room for them at that size.
+    bool keepScaleIfPossible = false;
+    bool hurryWhenStopped = false; //!< when stopped before the first layout, still make a quick one
+
+    //! Packs into a box instead of tiles and rectangles.
+    void packInto(const Eigen::AlignedBox2d &box);
 };
 
-//! Packs charts around locked ones; the charts of a stack or group move as one island.
+//! A job that obeys the steering: locked and pinned islands and those outside the scope stay, stacks and
+//! groups are rigid, islands of a rectangle stay in it, and the others in their tile.
+[[nodiscard]] PackJob steeredPackJob(const Snapshot &snapshot, const packing::PackOptions &options);
+
+//! Packs charts around those that stay; the charts of a stack or group move as one island. The islands of a
+//! rectangle stay as they are when they lie in it and overlap nothing.
 //! \param uv per corner, texture space; changed only when the result is true
 //! \returns false when there is no room, or when stopped before there was a layout
 [[nodiscard]] bool packCharts(const MeshData &mesh, const ChartMap &charts, const PackJob &pack, UvMatrix &uv,
                               const JobContext &job = {});
+
+//! True when every island that may move lies in its rectangle, its tile or the bin, and overlaps nothing.
+[[nodiscard]] bool liesFree(const MeshData &mesh, const ChartMap &charts, const PackJob &pack,
+                            const UvMatrix &uv, const JobContext &job = {});
 
 } // namespace autocuts::unwrap

@@ -3,6 +3,7 @@
 #include "model/plain/uvlayout.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/overlap/uvseparation.h"
+#include "solver/unwrap/freepart.h"
 
 namespace autocuts::unwrap {
 
@@ -20,20 +21,25 @@ bool hasOverlaps(const MeshData &mesh, const UvMatrix &uv)
 
 } // namespace
 
-SeparateResult separateMap(const Snapshot &snapshot, const UvMatrix &uv, const PackJob &pack,
-                           const JobContext &job)
+SeparateResult separateMap(const Snapshot &snapshot, const PackJob &pack, const JobContext &job)
 {
     const MeshData &mesh = *snapshot.mesh;
     SeparateResult result;
-    result.uv = uv;
-    const overlap::Separated separated = overlap::separateUv(snapshot, uv, job.quiet());
+    result.uv = *snapshot.uv;
+    const std::optional<FreePart> part = FreePart::of(snapshot);
+    if (!part) {
+        result.outcome = SeparateResult::Outcome::NothingFree;
+        return result;
+    }
+    const overlap::Separated separated =
+        overlap::separateUv(part->snapshot(), *part->snapshot().uv, job.quiet());
     result.newSeams = separated.newSeams;
     result.unresolvedPairs = separated.unresolvedPairs;
     if (!separated.complete)
         result.outcome = SeparateResult::Outcome::Stopped;
-    else if (separated.newSeams == 0 && !hasOverlaps(mesh, uv))
+    else if (separated.newSeams == 0 && !hasOverlaps(mesh, result.uv))
         result.outcome = SeparateResult::Outcome::NoOverlaps;
-    else if (!packCharts(mesh, separated.charts, pack, result.uv,
+    else if (!packCharts(mesh, part->wholeCharts(separated.charts), pack, result.uv,
                          job.part(cuttingShare, 1, JobStage::Packing)))
         result.outcome = job.stopped() ? SeparateResult::Outcome::Stopped : SeparateResult::Outcome::NoRoom;
     return result;

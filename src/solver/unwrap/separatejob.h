@@ -12,7 +12,8 @@ struct SeparateResult
         Done,
         NoOverlaps, //!< the map is unchanged
         Stopped,    //!< the map is unchanged
-        NoRoom      //!< the map is unchanged, because its charts cannot be packed after the cuts
+        NoRoom,     //!< the map is unchanged, because its charts cannot be packed after the cuts
+        NothingFree //!< the map is unchanged: locks or the scope leave nothing to cut
     };
     Outcome outcome = Outcome::Done;
     UvMatrix uv;             //!< per corner, texture space
@@ -22,8 +23,8 @@ struct SeparateResult
 
 //! Cuts charts that overlap themselves, preferably where painted weights are low and never along joined
 //! edges, and packs the charts.
-//! \param uv per corner, texture space; a non-finite row: the corner has no UV
-[[nodiscard]] SeparateResult separateMap(const Snapshot &snapshot, const UvMatrix &uv, const PackJob &pack,
+//! \param snapshot with the map; rows that are not finite: the corner has no UV
+[[nodiscard]] SeparateResult separateMap(const Snapshot &snapshot, const PackJob &pack,
                                          const JobContext &job = {});
 
 } // namespace autocuts::unwrap

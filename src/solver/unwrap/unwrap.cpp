@@ -1,12 +1,15 @@
 #include "solver/unwrap/unwrap.h"
 
+#include "model/plain/uvlayout.h"
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
-#include "solver/packing/islandgeometry.h"
 #include "solver/preference/seampreference.h"
+#include "solver/search/anchoring.h"
 #include "solver/search/seamoptimizer.h"
 #include "solver/unwrap/candidates.h"
 #include "solver/unwrap/coarsetofine.h"
+#include "solver/unwrap/freepart.h"
+#include "solver/unwrap/packjob.h"
 #include "solver/unwrap/soupchains.h"
 
 #include <algorithm>
@@ -19,14 +22,6 @@ namespace {
 
 //! Smaller meshes get another effort. Chosen by hand, not measured.
 constexpr double fullEffortTriangles = 2000;
-
-//! True when the seam search can do the job. It supports cuts, joins, weights and the symmetric Dirichlet
-//! energy. Pins, rectangles, other energies and a given lambda need the soup.
-bool canSearch(const Snapshot &snapshot, const UnwrapOptions &options)
-{
-    return !options.lambda && !snapshot.placesIslands() &&
-           snapshot.settings.energy == DistortionEnergy::SymmetricDirichlet;
-}
 
 //! Effort on a mesh of fullEffortTriangles or more. The rounds were chosen by hand; no comparison with
 //! other plans is on record. Measured for the whole unwrap in draft, standard and best: seams are 1.10, .794
@@ -65,6 +60,28 @@ search::OptimizeEffort effortFor(UnwrapQuality quality, int triangles)
     return effort;
 }
 
+//! Least share of the distortion in the energy, for lambda near 1. Chosen by hand.
+constexpr double smallestShare = 1e-9;
+constexpr int settleSteps = 20; // Newton steps before hard pins are reached; chosen by hand
+
+//! The map before the job as a map to start from, where pins and rectangles hold islands; nothing when there
+//! is none, or it is not valid.
+std::optional<SeamedMap> mapBefore(const Soup &soup, const Snapshot &snapshot)
+{
+    if (!snapshot.uv || !snapshot.placesIslands() || !snapshot.uv->allFinite())
+        return std::nullopt;
+    const std::vector<PairState> &states = snapshot.steering->pairState;
+    CutFlags always(snapshot.mesh->edgePairs.size(), false);
+    for (std::size_t e = 0; e < always.size() && !states.empty(); ++e)
+        always[e] = states[2 * e] == PairState::Cut || states[2 * e + 1] == PairState::Cut;
+    std::optional<SeamedMap> map = seamedMapOf(soup, *snapshot.uv / snapshot.uvScale, always);
+    for (std::size_t e = 0; map && e < always.size(); ++e) {
+        if (map->cut[e] && snapshot.isJoined(e))
+            return std::nullopt;
+    }
+    return map;
+}
+
 //! True when the surface has several connected components or borders, or handles. Its first cuts are not few,
 //! so that the search also starts from a map of the soup.
 bool isComplicated(const MeshData &mesh)
@@ -82,28 +99,29 @@ class MapFinder
 public:
     //! \param snapshot with the preferences in its weights
     MapFinder(std::shared_ptr<const Soup> soup, const Snapshot &snapshot, const UnwrapOptions &options,
-              const JobContext &job)
-        : mSoup(std::move(soup)), mSnapshot(snapshot), mOptions(options), mJob(job), mRanking(options, job)
+              Ranking &ranking, const JobContext &job)
+        : mSoup(std::move(soup)), mSnapshot(snapshot), mOptions(options), mJob(job), mRanking(ranking),
+          mGraph(search::SeamGraph::build(mSoup, snapshot))
     {}
 
-    Ranking &ranking() { return mRanking; }
     int iterations() const { return mIterations; }
 
     //! \param symmetry null: cuts need not be symmetric
     std::optional<Candidate> find(const preference::MeshSymmetry *symmetry)
     {
-        if (!canSearch(mSnapshot, mOptions))
-            return bySoup(mOptions.quality);
         std::optional<Candidate> best;
         if (symmetry)
             best = bySearch({}, symmetry);
         if (best && (best->distortion <= mOptions.maxDistortion || mJob.stopped()))
             return best;
         // Only the soup can start from existing UVs.
-        if (mSnapshot.settings.start == StartMode::ExistingUv || isComplicated(*mSnapshot.mesh))
+        if (mOptions.lambda)
+            best = bySoup(mOptions.quality);
+        else if (mSnapshot.settings.start == StartMode::ExistingUv || isComplicated(*mSnapshot.mesh) ||
+                 mSnapshot.placesIslands())
             best = bySoup(UnwrapQuality::Draft);
         keepBetter(best, bySearch(best, nullptr));
-        if (!best || (!mJob.stopped() && best->distortion > mOptions.maxDistortion))
+        if (!best || (!mJob.stopped() && !mOptions.lambda && best->distortion > mOptions.maxDistortion))
             keepBetter(best, bySoup(mOptions.quality));
         return best;
     }
@@ -115,10 +133,14 @@ private:
     {
         search::OptimizeOptions search;
         search.maxDistortion = mOptions.maxDistortion;
+        if (mOptions.lambda)
+            search.mu = *mOptions.lambda / std::max(1 - *mOptions.lambda, smallestShare);
         search.allowOverlaps = mOptions.allowOverlaps;
         search.effort = effortFor(mOptions.quality, mSnapshot.mesh->triangleCount());
         if (other)
             search.given.push_back(other->map);
+        if (std::optional<SeamedMap> before = mapBefore(*mSoup, mSnapshot))
+            search.given.push_back(std::move(*before));
         search.seed = mSnapshot.settings.seed;
         search.job = mJob;
         search.start = [&](int steps) { mRanking.setTotal(steps); };
@@ -126,17 +148,18 @@ private:
             mRanking.found(distortion, seamLength);
             mRanking.stepDone(steps);
         };
-        std::optional<search::OptimizedMap> found =
-            search::optimizeSeams(search::SeamGraph::build(mSoup, mSnapshot, symmetry), search);
+        std::optional<search::OptimizedMap> found = search::optimizeSeams(
+            symmetry ? search::SeamGraph::build(mSoup, mSnapshot, symmetry) : mGraph, search);
         if (!found)
             return std::nullopt;
         Candidate candidate;
         candidate.map = std::move(found->map);
-        definite::equalizeDensity(*mSoup, candidate.map);
+        definite::equalizeDensity(*mSoup, mSnapshot, candidate.map);
         if (!mOptions.allowOverlaps && definite::coversItself(*mSoup, candidate.map))
             return std::nullopt;
         candidate.measure(*mSoup, mSnapshot);
-        candidate.lambda = found->mu / (1 + found->mu);
+        candidate.missedPins = static_cast<int>(found->missedPins.size());
+        candidate.lambda = mOptions.lambda.value_or(found->mu / (1 + found->mu));
         mIterations += found->iterations;
         return candidate;
     }
@@ -145,7 +168,13 @@ private:
     {
         UnwrapOptions how = mOptions;
         how.quality = quality;
-        return bestOfSoupChains(mSnapshot, how, mRanking, mJob, mIterations);
+        std::optional<Candidate> best = bestOfSoupChains(mSnapshot, how, mRanking, mJob, mIterations);
+        if (best && mSnapshot.placesIslands()) {
+            best->missedPins = static_cast<int>(
+                search::settleAtAnchors(mGraph, best->map, settleSteps, !mOptions.allowOverlaps).size());
+            best->measure(*mSoup, mSnapshot);
+        }
+        return best;
     }
 
     void keepBetter(std::optional<Candidate> &best, std::optional<Candidate> found) const
@@ -158,7 +187,8 @@ private:
     const Snapshot &mSnapshot;
     const UnwrapOptions &mOptions;
     const JobContext &mJob;
-    Ranking mRanking;
+    Ranking &mRanking;
+    const std::shared_ptr<const search::SeamGraph> mGraph; //!< without symmetry
     int mIterations = 0;
 };
 
@@ -173,39 +203,32 @@ void fitUnitSquare(UvMatrix &uv)
         uv /= side;
 }
 
-//! Packs the islands of a map. Sets result.uv and result.packed.
-void place(const Soup &soup, const SeamedMap &map, const UnwrapOptions &options, const JobContext &job,
-           Ranking &ranking, UnwrapResult &result)
+//! Places the islands of a new map. Sets result.uv and result.packed.
+void place(const Snapshot &snapshot, const FreePart &part, const SeamedMap &map, const UnwrapOptions &options,
+           const JobContext &job, Ranking &ranking, UnwrapResult &result)
 {
-    result.uv = cornerUv(soup, map);
+    const Snapshot &own = part.snapshot();
+    const std::shared_ptr<const Soup> soup = Soup::build(own.mesh);
+    // True when some islands are where they belong. Otherwise packing finds the scale.
+    const bool stays = !part.isWhole() || snapshot.placesIslands();
+    result.uv = part.wholeUv((stays ? own.uvScale : 1) * cornerUv(*soup, map));
     if (!options.pack) {
-        fitUnitSquare(result.uv);
+        if (!stays)
+            fitUnitSquare(result.uv);
         return;
     }
-    const MeshData &mesh = *soup.mesh;
-    const ChartMap charts = chartsOf(mesh, CutMesh(mesh, map.cut));
-    const std::vector<packing::PackIsland> islands = packing::makePackIslands(mesh, result.uv, charts);
+    const ChartMap charts = part.wholeCharts(chartsOf(*own.mesh, CutMesh(*own.mesh, map.cut)));
     packing::PackOptions settings = options.packing;
     if (options.quality == UnwrapQuality::Draft)
         settings.effort = std::min(settings.effort, packing::hurriedEffort);
-    const auto pack = [&](const JobContext &packJob) {
-        const JobContext::Sink report = [&](const JobProgress &done) {
-            ranking.packing(Ranking::optimizingShare + (1 - Ranking::optimizingShare) * done.fraction);
-        };
-        return packing::packIslands(islands, settings, packJob.watchedBy(report));
+    PackJob pack = steeredPackJob(snapshot, settings);
+    pack.keepScaleIfPossible = stays;
+    pack.hurryWhenStopped = true;
+    const JobContext::Sink report = [&](const JobProgress &done) {
+        ranking.packing(Ranking::optimizingShare + (1 - Ranking::optimizingShare) * done.fraction);
     };
-    packing::PackResult packed;
-    if (!job.stopped())
-        packed = pack(job);
-    if (!packed.complete) {
-        // Stopped before the first layout, or no room found: one quick attempt that cannot be stopped.
-        settings.effort = std::min(settings.effort, packing::hurriedEffort);
-        packed = pack(job.unstoppable());
-    }
-    result.packed = packed.complete;
-    if (packed.complete)
-        packing::applyPlacements(packed, mesh, charts, result.uv);
-    else
+    result.packed = packCharts(*snapshot.mesh, charts, pack, result.uv, job.watchedBy(report));
+    if (!result.packed && !stays)
         fitUnitSquare(result.uv);
 }
 
@@ -217,67 +240,97 @@ void checkOptions(const UnwrapOptions &options)
         throw std::invalid_argument("unwrap: lambda must be between 0 and 1");
 }
 
-//! Unwraps a large mesh by way of a coarser one; nothing when the mesh is not suited or that fails.
-std::optional<UnwrapResult> unwrapLarge(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                                        const UnwrapOptions &options, const JobContext &job)
+//! A map that is not placed yet.
+struct FoundMap
+{
+    Candidate best;
+    int iterations = 0;
+    std::optional<double> symmetry; //!< as UnwrapResult::symmetry
+};
+
+FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &ranking,
+                 const JobContext &job);
+
+//! Finds the map of a large mesh by way of a coarser one; nothing when the mesh is not suited or that fails.
+std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                                     const UnwrapOptions &options, Ranking &ranking, const JobContext &job)
 {
     if (!suitsCoarseToFine(snapshot))
         return std::nullopt;
-    const std::optional<CarriedMap> carried = mapByCoarse(
+    std::optional<CarriedMap> carried = mapByCoarse(
         soup, snapshot, options,
         [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions) {
-            return unwrapMesh(coarse, coarseOptions, job);
+            Ranking coarseRanking(coarseOptions, job);
+            FoundMap found = findMap(coarse, coarseOptions, coarseRanking, job);
+            return CarriedMap{std::move(found.best.map), found.iterations, found.best.lambda,
+                              found.best.delta, found.best.missedPins};
         },
         job);
     if (!carried)
         return std::nullopt;
-    UnwrapResult result;
-    result.iterations = carried->iterations;
+    FoundMap found;
+    found.iterations = carried->iterations;
     if (snapshot.settings.symmetry)
-        result.symmetry = 0;
-    result.cut = carried->map.cut;
-    result.distortion = carried->map.distortion(*soup);
-    result.seamLength = carried->map.seamLength(*soup);
-    result.lambda = carried->lambda;
-    result.delta = carried->delta;
-    result.withinBound = options.lambda || result.distortion <= options.maxDistortion;
-    Ranking ranking(options, job);
-    place(*soup, carried->map, options, job, ranking, result);
-    result.stopped = job.stopped();
-    return result;
+        found.symmetry = 0;
+    found.best.map = std::move(carried->map);
+    found.best.measure(*soup, snapshot);
+    found.best.lambda = carried->lambda;
+    found.best.delta = carried->delta;
+    found.best.missedPins = carried->missedPins;
+    ranking.found(found.best.distortion, found.best.seamLength);
+    return found;
 }
 
-} // namespace
-
-UnwrapResult unwrapMesh(const Snapshot &given, const UnwrapOptions &options, const JobContext &job)
+FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &ranking, const JobContext &job)
 {
-    checkOptions(options);
     const std::shared_ptr<const Soup> soup = Soup::build(given.mesh);
     Snapshot snapshot = given;
     // Decided on the mesh itself: a coarser version has sharper edges, which would look like creases.
     snapshot.settings.creases = preference::decided(snapshot.settings.creases, *snapshot.mesh);
     std::optional<preference::MeshSymmetry> symmetry;
-    if (snapshot.settings.symmetry && canSearch(snapshot, options))
+    if (snapshot.settings.symmetry)
         symmetry = preference::findSymmetry(*snapshot.mesh);
     // Not for symmetric cuts: the coarse mesh would not be symmetric.
     if (!symmetry) {
-        if (std::optional<UnwrapResult> large = unwrapLarge(soup, snapshot, options, job))
+        if (std::optional<FoundMap> large = findLargeMap(soup, snapshot, options, ranking, job))
             return std::move(*large);
     }
     snapshot = preference::SeamPreference().applied(snapshot, job.threads());
-    MapFinder finder(soup, snapshot, options, job);
-    const std::optional<Candidate> best = finder.find(symmetry ? &*symmetry : nullptr);
-    UnwrapResult result;
-    result.iterations = finder.iterations();
-    result.cut = best->map.cut;
+    MapFinder finder(soup, snapshot, options, ranking, job);
+    FoundMap found;
+    found.best = *finder.find(symmetry ? &*symmetry : nullptr);
+    found.iterations = finder.iterations();
     if (snapshot.settings.symmetry)
-        result.symmetry = symmetry ? preference::symmetricShare(*snapshot.mesh, *symmetry, result.cut) : 0;
-    result.distortion = best->distortion;
-    result.seamLength = best->seamLength;
-    result.lambda = best->lambda;
-    result.delta = best->delta;
-    result.withinBound = options.lambda || best->distortion <= options.maxDistortion;
-    place(*soup, best->map, options, job, finder.ranking(), result);
+        found.symmetry =
+            symmetry ? preference::symmetricShare(*snapshot.mesh, *symmetry, found.best.map.cut) : 0;
+    return found;
+}
+
+} // namespace
+
+UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options, const JobContext &job)
+{
+    checkOptions(options);
+    UnwrapResult result;
+    const std::optional<FreePart> part = FreePart::of(snapshot);
+    if (!part) {
+        result.nothingFree = true;
+        result.uv = snapshot.uv ? *snapshot.uv : emptyLayout(*snapshot.mesh);
+        return result;
+    }
+    Ranking ranking(options, job);
+    const FoundMap found = findMap(part->snapshot(), options, ranking, job);
+    const Candidate &best = found.best;
+    result.iterations = found.iterations;
+    result.symmetry = found.symmetry;
+    result.cut = part->wholeCut(best.map.cut);
+    result.distortion = best.distortion;
+    result.seamLength = best.seamLength;
+    result.lambda = best.lambda;
+    result.delta = best.delta;
+    result.withinBound = options.lambda || best.distortion <= options.maxDistortion;
+    place(snapshot, *part, best.map, options, job, ranking, result);
+    result.unmet = unmetSteering(snapshot, result.uv);
     result.stopped = job.stopped();
     return result;
 }

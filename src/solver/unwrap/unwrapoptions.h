@@ -3,6 +3,7 @@
 
 #include "solver/base/seamedmap.h"
 #include "solver/packing/packing.h"
+#include "solver/unwrap/unmetsteering.h"
 #include "solver/unwrap/unwrapquality.h"
 
 #include <optional>
@@ -32,7 +33,9 @@ struct UnwrapResult
     bool withinBound = true; //!< false when the bound was not met
     //! Share of the seam length that is symmetric, 0 on a mesh that is not. Set when symmetry is asked for.
     std::optional<double> symmetry;
-    bool packed = false; //!< false when packing was not asked for or there is no room
+    bool packed = false;      //!< false when packing was not asked for or there is no room
+    bool nothingFree = false; //!< locks or the scope leave nothing to change: uv is the map before the job
+    UnmetSteering unmet;
 };
 
 } // namespace autocuts::unwrap

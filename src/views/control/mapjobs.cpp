@@ -62,6 +62,21 @@ QString noRoom(const PackingSettings &packing)
                : translated("There is no room for the margins: use a smaller margin or a larger texture");
 }
 
+QString nothingFree()
+{
+    return translated("Nothing may change: all islands are locked, stacked or grouped, or outside the scope");
+}
+
+QString unmetText(const unwrap::UnmetSteering &unmet)
+{
+    return translated(
+               "Could not be obeyed without a flip, an overlap or a contradiction: hard pins %1, joined "
+               "edges %2, rectangles %3")
+        .arg(unmet.pins.size())
+        .arg(unmet.joins.size())
+        .arg(unmet.rectangles.size());
+}
+
 } // namespace
 
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, double maxDistortion,
@@ -75,10 +90,16 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, dou
     const unwrap::UnwrapResult made = unwrap::unwrapMesh(input.snapshot, options, contextOf(control));
     MapJobResult result;
     result.edit = UvEdit::Solve;
+    if (made.nothingFree) {
+        result.problem = nothingFree();
+        return result;
+    }
     result.uv = made.uv;
     result.message = translated("Unwrapped: distortion %1").arg(made.distortion, 0, 'f', 4);
     if (!made.packed)
         result.problem = noRoom(input.packing);
+    else if (!made.unmet.empty())
+        result.problem = unmetText(made.unmet);
     else if (!made.withinBound)
         result.problem =
             translated("The distortion of %1 is above the bound of %2: allow more, or remove joins")
@@ -91,8 +112,6 @@ MapJobResult finishJob(const MapInput &input, double maxDistortion, JobControl &
 {
     unwrap::FinishInput finish;
     finish.snapshot = input.snapshot;
-    finish.uv = input.uv;
-    finish.uvScale = input.uvScale;
     if (const live::SolveResult *live = input.live.result.get()) {
         const double *first = live->soupUv.data();
         finish.live = {{first, first + live->soupUv.size()},
@@ -105,11 +124,17 @@ MapJobResult finishJob(const MapInput &input, double maxDistortion, JobControl &
     const unwrap::FinishResult made = unwrap::finishMap(finish, contextOf(control));
     MapJobResult result;
     result.edit = UvEdit::Finish;
+    if (made.nothingFree) {
+        result.problem = nothingFree();
+        return result;
+    }
     result.uv = made.uv;
     if (made.uv.rows() == 0)
         result.problem = translated("Finishing was cancelled: the map stays as it was");
     else if (made.noRoom)
         result.problem = noRoom(input.packing);
+    else if (!made.unmet.empty())
+        result.problem = unmetText(made.unmet);
     else if (made.heldTogether)
         result.problem = translated("The map still covers itself: joined edges hold it together there. Clear "
                                     "some joins and finish again");
@@ -122,7 +147,7 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
 {
     const MeshData &mesh = input.mesh();
     const ChartMap charts = findCharts(mesh, input.uv);
-    unwrap::PackJob pack{.options = packing::tileOptions(input.packing), .faceFlags = input.marks.faceFlags};
+    unwrap::PackJob pack = unwrap::steeredPackJob(input.snapshot, packing::tileOptions(input.packing));
     pack.movable.assign(mesh.faceCount(), target.all);
     for (int face : target.faces.isEmpty() ? input.selectedFaces : target.faces)
         pack.movable[face] = true;
@@ -131,10 +156,8 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
         result.problem = translated("Select the islands to pack first");
         return result;
     }
-    if (target.box) {
-        pack.options.lower = target.box->min();
-        pack.options.upper = target.box->max();
-    }
+    if (target.box)
+        pack.packInto(*target.box);
     UvMatrix uv = input.uv;
     if (unwrap::packCharts(mesh, charts, pack, uv, contextOf(control))) {
         result.uv = std::move(uv);
@@ -152,10 +175,8 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
 MapJobResult separateJob(const MapInput &input, JobControl &control)
 {
     using Outcome = unwrap::SeparateResult::Outcome;
-    const unwrap::PackJob pack{.options = packing::tileOptions(input.packing),
-                               .faceFlags = input.marks.faceFlags};
-    const unwrap::SeparateResult made =
-        unwrap::separateMap(input.snapshot, input.uv, pack, contextOf(control));
+    const unwrap::PackJob pack = unwrap::steeredPackJob(input.snapshot, packing::tileOptions(input.packing));
+    const unwrap::SeparateResult made = unwrap::separateMap(input.snapshot, pack, contextOf(control));
     MapJobResult result;
     result.edit = UvEdit::Separate;
     switch (made.outcome) {
@@ -176,6 +197,9 @@ MapJobResult separateJob(const MapInput &input, JobControl &control)
     case Outcome::NoRoom:
         result.problem = noRoom(input.packing);
         break;
+    case Outcome::NothingFree:
+        result.problem = nothingFree();
+        break;
     }
     return result;
 }
@@ -188,6 +212,11 @@ MapJobResult equalizeJob(const MapInput &input)
     std::vector<bool> locked(charts.count);
     for (int c = 0; c < charts.count; ++c)
         locked[c] = input.marks.flagsOf(faces[c]).locked != 0;
+    for (const Pin &pin : input.snapshot.steering->pins) {
+        const int chart = charts.faceChart[mesh.triangleFace[pin.soupCorner / 3]];
+        if (chart >= 0)
+            locked[chart] = true;
+    }
     MapJobResult result;
     result.edit = UvEdit::Scale;
     result.uv = input.uv;

@@ -1,0 +1,252 @@
+#include "solver/unwrap/freepart.h"
+
+#include "model/plain/udimtiles.h"
+#include "model/plain/unionfind.h"
+#include "model/plain/uvlayout.h"
+#include "model/plain/uvseams.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts::unwrap {
+
+namespace {
+
+bool isFree(const IslandFlags &flags)
+{
+    return flags.locked == 0 && flags.stack == 0 && flags.group == 0;
+}
+
+//! Per face: true when a job may change it.
+std::vector<bool> freeFaces(const Snapshot &snapshot)
+{
+    std::vector<bool> faces(snapshot.mesh->faceCount(), true);
+    if (snapshot.scope)
+        faces = snapshot.scope->faces;
+    const std::vector<IslandFlags> &flags = snapshot.steering->faceFlags;
+    if (!snapshot.uv || std::all_of(flags.begin(), flags.end(), isFree))
+        return faces;
+    for (const std::vector<int> &island : findCharts(*snapshot.mesh, *snapshot.uv).faces()) {
+        if (isFree(flagsOf(flags, island)))
+            continue;
+        for (const int face : island)
+            faces[face] = false;
+    }
+    return faces;
+}
+
+//! The snapshot of a job on the whole mesh.
+Snapshot withoutBounds(const Snapshot &whole)
+{
+    Snapshot snapshot = whole;
+    snapshot.scope = nullptr;
+    if (!whole.steering->faceFlags.empty())
+        snapshot.editSteering().faceFlags.clear();
+    return snapshot;
+}
+
+} // namespace
+
+std::optional<FreePart> FreePart::of(const Snapshot &snapshot)
+{
+    const std::vector<bool> faces = freeFaces(snapshot);
+    FreePart part;
+    part.mWhole = snapshot;
+    part.mSnapshot = withoutBounds(snapshot);
+    if (std::find(faces.begin(), faces.end(), true) == faces.end())
+        return std::nullopt;
+    if (std::find(faces.begin(), faces.end(), false) != faces.end()) {
+        part.mPart = partOf(*snapshot.mesh, faces);
+        if (!(part.mPart.mesh->area > 0))
+            return std::nullopt;
+        part.mUnit = std::sqrt(snapshot.mesh->area / part.mPart.mesh->area);
+        part.mSnapshot.mesh = part.mPart.mesh;
+        part.mSnapshot.uvScale = snapshot.uvScale / part.mUnit;
+        part.addSteering(snapshot);
+        part.addBorders(snapshot, faces);
+    }
+    part.cutImpliedSeams();
+    return part;
+}
+
+void FreePart::addSteering(const Snapshot &whole)
+{
+    const Steering &from = *whole.steering;
+    auto steering = std::make_shared<Steering>();
+    for (const int e : mPart.edgePair) {
+        for (int end = 0; end < 2; ++end) {
+            if (!from.pairState.empty())
+                steering->pairState.push_back(from.pairState[2 * e + end]);
+            if (!from.pairWeight.empty())
+                steering->pairWeight.push_back(from.pairWeight[2 * e + end]);
+        }
+        if (!from.givenSeams.empty())
+            steering->givenSeams.push_back(from.givenSeams[e]);
+    }
+    std::vector<int> inPart(whole.mesh->soupCornerCount(), -1);
+    for (int c = 0; c < mPart.mesh->soupCornerCount(); ++c)
+        inPart[mPart.soupCornerOf(c)] = c;
+    for (Pin pin : from.pins) {
+        pin.soupCorner = inPart[pin.soupCorner];
+        pin.target *= mUnit;
+        if (pin.soupCorner >= 0)
+            steering->pins.push_back(pin);
+    }
+    for (UvRectangle box : from.rectangles) {
+        box.lower *= mUnit;
+        box.upper *= mUnit;
+        for (int &corner : box.soupCorners)
+            corner = inPart[corner];
+        std::erase(box.soupCorners, -1);
+        if (!box.soupCorners.empty())
+            steering->rectangles.push_back(std::move(box));
+    }
+    mSnapshot.steering = std::move(steering);
+    if (whole.startUv)
+        mSnapshot.startUv = std::make_shared<const UvMatrix>(mUnit * partRows(*whole.startUv));
+    if (whole.uv) {
+        UvMatrix uv(mPart.mesh->cornerCount(), 2);
+        for (std::size_t c = 0; c < mPart.corner.size(); ++c)
+            uv.row(static_cast<Eigen::Index>(c)) = whole.uv->row(mPart.corner[c]);
+        mSnapshot.uv = std::make_shared<const UvMatrix>(std::move(uv));
+    }
+}
+
+//! Pins the corners of the part that share a UV vertex with a face outside of it.
+void FreePart::addBorders(const Snapshot &whole, const std::vector<bool> &faces)
+{
+    if (!whole.uv || !whole.scope || !whole.scope->attached)
+        return;
+    const MeshData &mesh = *whole.mesh;
+    const UvTopology topology = findUvTopology(mesh, *whole.uv);
+    std::vector<int> outsideFace(mesh.cornerCount(), -1); // per UV vertex, given by its root
+    for (int face = 0; face < mesh.faceCount(); ++face) {
+        for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c) {
+            if (!faces[face] && topology.faceHasUv[face])
+                outsideFace[topology.cornerRoot[c]] = face;
+        }
+    }
+    Steering &steering = mSnapshot.editSteering();
+    std::vector<bool> attached(mPart.corner.size(), false);
+    for (int face = 0; face < mPart.mesh->faceCount(); ++face) {
+        for (int c = mPart.mesh->faceStart[face]; c < mPart.mesh->faceStart[face + 1]; ++c) {
+            const int corner = mPart.corner[c];
+            const int outside = outsideFace[topology.cornerRoot[corner]];
+            attached[c] = outside >= 0 && whole.uv->row(corner).allFinite();
+            if (attached[c])
+                mAttached.push_back({c, face, outside});
+        }
+    }
+    std::erase_if(steering.pins, [&](const Pin &pin) {
+        return attached[mPart.mesh->cornerOfSoup(pin.soupCorner)]; // the border is law
+    });
+    for (int s = 0; s < mPart.mesh->soupCornerCount(); ++s) {
+        const int corner = mPart.mesh->cornerOfSoup(s);
+        if (attached[corner])
+            steering.pins.push_back(
+                {s, whole.uv->row(mPart.corner[corner]).transpose() / mSnapshot.uvScale, true, 1});
+    }
+}
+
+//! Cuts the edges between faces of different rectangles or UDIM tiles, unless the user joined them.
+void FreePart::cutImpliedSeams()
+{
+    const MeshData &mesh = *mSnapshot.mesh;
+    std::vector<std::vector<int>> places(mesh.faceCount()); // tile and rectangles of each face
+    if (mSnapshot.keepTiles && mSnapshot.uv) {
+        const std::vector<int> tiles = udimTiles(mesh, *mSnapshot.uv);
+        for (int face = 0; face < mesh.faceCount(); ++face)
+            places[face].push_back(-tiles[face]);
+    }
+    const std::vector<UvRectangle> &boxes = mSnapshot.steering->rectangles;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        for (const int corner : boxes[i].soupCorners) {
+            std::vector<int> &place = places[mesh.triangleFace[corner / 3]];
+            if (place.empty() || place.back() != static_cast<int>(i))
+                place.push_back(static_cast<int>(i));
+        }
+    }
+    std::vector<std::size_t> implied;
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        const auto [a, b] = mesh.edgePairs[e].triangle;
+        if (places[mesh.triangleFace[a]] != places[mesh.triangleFace[b]] && !mSnapshot.isJoined(e))
+            implied.push_back(e);
+    }
+    if (implied.empty())
+        return;
+    std::vector<PairState> &states = mSnapshot.editSteering().pairState;
+    states.resize(mesh.cornerPairCount(), PairState::Free);
+    for (const std::size_t e : implied)
+        states[2 * e] = states[2 * e + 1] = PairState::Cut;
+}
+
+UvMatrix FreePart::wholeUv(const UvMatrix &uv) const
+{
+    if (isWhole())
+        return uv;
+    UvMatrix whole = mWhole.uv ? *mWhole.uv : emptyLayout(*mWhole.mesh);
+    for (std::size_t c = 0; c < mPart.corner.size(); ++c)
+        whole.row(mPart.corner[c]) = uv.row(static_cast<Eigen::Index>(c));
+    for (const Attachment &attached : mAttached)
+        whole.row(mPart.corner[attached.corner]) = mWhole.uv->row(mPart.corner[attached.corner]);
+    return whole;
+}
+
+std::vector<bool> FreePart::wholeCut(const std::vector<bool> &cut) const
+{
+    if (isWhole())
+        return cut;
+    const MeshData &mesh = *mWhole.mesh;
+    const std::vector<bool> open = openCornerPairs(mesh, mWhole.uv ? *mWhole.uv : emptyLayout(mesh));
+    std::vector<bool> whole(mesh.edgePairs.size());
+    for (std::size_t e = 0; e < whole.size(); ++e)
+        whole[e] = open[2 * e] || open[2 * e + 1];
+    for (std::size_t e = 0; e < cut.size(); ++e)
+        whole[mPart.edgePair[e]] = cut[e];
+    return whole;
+}
+
+ChartMap FreePart::wholeCharts(const ChartMap &charts) const
+{
+    if (isWhole())
+        return charts;
+    ChartMap whole{std::vector<int>(mWhole.mesh->faceCount(), -1), 0};
+    if (mWhole.uv)
+        whole = findCharts(*mWhole.mesh, *mWhole.uv);
+    const int before = whole.count;
+    for (std::size_t f = 0; f < mPart.face.size(); ++f)
+        whole.faceChart[mPart.face[f]] = before + charts.faceChart[f];
+    UnionFind united(before + charts.count);
+    for (const Attachment &attached : mAttached)
+        united.unite(before + charts.faceChart[attached.face], whole.faceChart[attached.outsideFace]);
+    // Charts that lay wholly inside the part are gone: the others are numbered again.
+    const std::vector<int> label = united.labels().first;
+    std::vector<int> number(label.size(), -1);
+    whole.count = 0;
+    for (int &chart : whole.faceChart) {
+        if (chart < 0)
+            continue;
+        int &n = number[label[chart]];
+        if (n < 0)
+            n = whole.count++;
+        chart = n;
+    }
+    return whole;
+}
+
+int FreePart::wholeSoupCorner(int soupCorner) const
+{
+    return isWhole() ? soupCorner : mPart.soupCornerOf(soupCorner);
+}
+
+UvMatrix FreePart::partRows(const UvMatrix &soupRows) const
+{
+    if (isWhole())
+        return soupRows;
+    UvMatrix rows(mPart.mesh->soupCornerCount(), 2);
+    for (int c = 0; c < mPart.mesh->soupCornerCount(); ++c)
+        rows.row(c) = soupRows.row(mPart.soupCornerOf(c));
+    return rows;
+}
+
+} // namespace autocuts::unwrap

@@ -1,0 +1,62 @@
+// What a job may change, as a problem of its own.
+#pragma once
+
+#include "model/plain/chart.h"
+#include "model/plain/meshpart.h"
+#include "model/plain/snapshot.h"
+
+#include <optional>
+#include <vector>
+
+namespace autocuts::unwrap {
+
+//! The faces that a job may change, with the steering that acts on them. Every other face keeps its UVs bit
+//! for bit: faces outside the scope, and islands that are locked, stacked or grouped (the last two are rigid:
+//! packing may still move them). Faces without UVs may always change, unless they are outside the scope.
+//!
+//! Seams that the steering implies are cuts in the part: the border of the faces of a rectangle, and the
+//! border between faces in different UDIM tiles. Where the scope is attached, corners on its border are hard
+//! pins.
+class FreePart
+{
+public:
+    //! \returns nothing when no face may change
+    static std::optional<FreePart> of(const Snapshot &snapshot);
+
+    //! The problem of the part: settings and steering in the solver units of the part, no scope, no flags.
+    const Snapshot &snapshot() const { return mSnapshot; }
+    bool isWhole() const { return mPart.mesh == nullptr; }
+
+    //! Whole things from those of the part; what is not in the part comes from before the job.
+    //! \param uv per corner of the part, texture space
+    UvMatrix wholeUv(const UvMatrix &uv) const;
+    //! \param cut per edge pair of the part
+    std::vector<bool> wholeCut(const std::vector<bool> &cut) const;
+    //! The charts of a whole map: those of the part, those before the job elsewhere, united where they are
+    //! attached. \param charts of the part
+    ChartMap wholeCharts(const ChartMap &charts) const;
+    int wholeSoupCorner(int soupCorner) const;
+    //! The part's rows of a matrix with a row per soup corner of the whole mesh.
+    UvMatrix partRows(const UvMatrix &soupRows) const;
+    //! Length in solver units of the part per length in those of the whole mesh.
+    double unit() const { return mUnit; }
+
+private:
+    void addBorders(const Snapshot &whole, const std::vector<bool> &faces);
+    void addSteering(const Snapshot &whole);
+    void cutImpliedSeams();
+
+    Snapshot mWhole, mSnapshot;
+    MeshPart mPart; //!< null mesh: the whole mesh
+    double mUnit = 1;
+    //! A corner of the part that is the same UV vertex as a corner of a face outside of it.
+    struct Attachment
+    {
+        int corner;      //!< of the part
+        int face;        //!< of the part: the face of the corner
+        int outsideFace; //!< of the whole mesh
+    };
+    std::vector<Attachment> mAttached;
+};
+
+} // namespace autocuts::unwrap

@@ -1,0 +1,24 @@
+// Tells what a map does not obey.
+#pragma once
+
+#include "model/plain/snapshot.h"
+
+#include <vector>
+
+namespace autocuts::unwrap {
+
+//! The hard steering that a map does not obey: what contradicts itself, or what would need a flip or an
+//! overlap. The order in which jobs give way is in docs/steering.md.
+struct UnmetSteering
+{
+    std::vector<int> pins;       //!< corners of hard pins that are not on their pins
+    std::vector<int> joins;      //!< joined edge pairs that are seams
+    std::vector<int> rectangles; //!< indices of rectangles that islands of theirs reach out of
+
+    bool empty() const { return pins.empty() && joins.empty() && rectangles.empty(); }
+};
+
+//! \param uv per corner, texture space. Faces outside the scope are not looked at
+[[nodiscard]] UnmetSteering unmetSteering(const Snapshot &snapshot, const UvMatrix &uv);
+
+} // namespace autocuts::unwrap
