@@ -262,13 +262,18 @@ private:
             say(QStringLiteral("overlaps"));
     }
 
+    //! True when something else than rectangles and packing decides where the island of a face is.
     bool isPinned(int face) const
     {
         for (const Pin &pin : mSteering.pins) {
             if (mNew.faceChart[mMesh.triangleFace[pin.soupCorner / 3]] == mNew.faceChart[face])
                 return true;
         }
-        return flagsOfFace(face).locked != 0 || !mayChange(face);
+        for (int other = 0; other < mMesh.faceCount(); ++other) {
+            if (mNew.faceChart[other] == mNew.faceChart[face] && !mayChange(other))
+                return true;
+        }
+        return flagsOfFace(face).locked != 0;
     }
 
     //! False for faces whose islands are not for the job.

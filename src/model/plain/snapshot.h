@@ -58,6 +58,13 @@ struct JobScope
     bool attached = true;
 };
 
+//! A triangle that stays where it is and that nothing may come to overlap.
+struct Obstacle
+{
+    std::array<Vec2, 3> corner;   //!< solver units, counter-clockwise
+    std::array<bool, 3> isOpen{}; //!< side k, from corner k to the next, is on the border of what stays
+};
+
 //! The complete input of a solve. Const once built. Units: the solver scales the mesh to area pi; pins,
 //! rectangles and start UVs are in those units. Copies share everything but the settings.
 struct Snapshot
@@ -73,6 +80,7 @@ struct Snapshot
     double uvScale = 1;                    //!< length in texture space of one solver unit
     bool keepTiles = false;                //!< islands stay in their UDIM tiles, see udimTiles()
     std::shared_ptr<const JobScope> scope; //!< null: the job may change all faces
+    std::shared_ptr<const std::vector<Obstacle>> obstacles; //!< null: none
     //! The document's state that this was made from; default when there is no document.
     StateToken token;
 

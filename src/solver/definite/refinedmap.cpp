@@ -55,13 +55,15 @@ bool isBetter(const Soup &soup, const Snapshot &snapshot, const SeamedMap &found
 
 //! The map that the seam search makes of a definite map; nothing when it cannot start from there.
 std::optional<RefinedMap> searched(const std::shared_ptr<const search::SeamGraph> &graph,
-                                   const Snapshot &snapshot, const SeamedMap &made, double maxDistortion,
-                                   const JobContext &job)
+                                   const Snapshot &snapshot, const SeamedMap &made,
+                                   const RefinedMapOptions &options, const JobContext &job)
 {
     search::OptimizeOptions search;
-    search.maxDistortion = maxDistortion;
+    search.maxDistortion = options.maxDistortion;
     search.effort = {0, {{searchMoves, 1}}};
     search.given.push_back(made);
+    if (options.before)
+        search.given.push_back(*options.before);
     search.seed = snapshot.settings.seed;
     search.job = job;
     std::mutex mutex;
@@ -95,9 +97,10 @@ std::optional<RefinedMap> makeRefinedMap(const homotopy::Solver &solver, const R
     if (!graph->anchors.empty())
         result.missedPins = search::settleAtAnchors(graph, result.map, settleSteps, true);
     openSeams(soup, snapshot, result.map);
-    std::optional<RefinedMap> found = searched(graph, snapshot, result.map, options.maxDistortion, job);
+    std::optional<RefinedMap> found = searched(graph, snapshot, result.map, options, job);
     if (!found || found->missedPins.size() > result.missedPins.size() ||
-        !isBetter(soup, snapshot, found->map, result.map, options.maxDistortion))
+        (found->missedPins.size() == result.missedPins.size() &&
+         !isBetter(soup, snapshot, found->map, result.map, options.maxDistortion)))
         return result;
     placeNear(soup, snapshot, found->map, solver.coordinates());
     openSeams(soup, snapshot, found->map);

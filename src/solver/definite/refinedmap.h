@@ -8,7 +8,8 @@ namespace autocuts::definite {
 
 struct RefinedMapOptions
 {
-    double maxDistortion = 4.1; //!< bound on the mean distortion, > 4
+    double maxDistortion = 4.1;        //!< bound on the mean distortion, > 4
+    std::optional<SeamedMap> before{}; //!< a further map to start the search from, at its place
 };
 
 struct RefinedMap

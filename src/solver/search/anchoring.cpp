@@ -107,14 +107,19 @@ void placeAtAnchors(CutState &state)
 void reachPins(SeamTrial &trial, bool guarded)
 {
     CutState &state = trial.state();
-    const auto missed = [&] { return !state.missedPins().empty(); };
+    const std::vector<Anchor> &anchors = state.graph->anchors.all();
+    // What lies on its pin already must not be pulled off by something else.
+    for (std::size_t i = 0; i < anchors.size(); ++i) {
+        if (anchors[i].isHardPin && state.at(anchors[i].soupCorner) == anchors[i].lower)
+            state.pinReached[i] = 1;
+    }
     double stiffness = firstStiffness;
-    for (int level = 0; level < stiffnessLevels && missed(); ++level, stiffness *= 10) {
+    for (int level = 0; level < stiffnessLevels && !state.missedPins().empty(); ++level, stiffness *= 10) {
         state.pinStiffness = std::max(state.pinStiffness, stiffness);
         state.updateEnergy();
         trial.relaxAll(stepsPerLevel, guarded);
-        for (std::size_t i = 0; i < state.pinReached.size(); ++i) {
-            if (state.graph->anchors.all()[i].isHardPin && !state.pinReached[i])
+        for (std::size_t i = 0; i < anchors.size(); ++i) {
+            if (anchors[i].isHardPin && !state.pinReached[i])
                 trial.reachPin(static_cast<int>(i), guarded);
         }
     }

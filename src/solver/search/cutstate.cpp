@@ -203,20 +203,44 @@ bool CutState::boundariesOverlap(const std::vector<int> &triangles) const
             (a.cwiseMax(b).cwiseMax(c).array() >= low.array()).all())
             near.push_back(t);
     }
-    UvMatrix uv(3 * near.size(), 2);
+    const std::vector<const Obstacle *> obstacles = obstaclesAt(low, high);
+    const int own = static_cast<int>(near.size());
+    UvMatrix uv(3 * (near.size() + obstacles.size()), 2);
     for (std::size_t i = 0; i < near.size(); ++i) {
         for (int k = 0; k < 3; ++k)
             uv.row(3 * i + k) = at(3 * near[i] + k).transpose();
     }
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+        for (int k = 0; k < 3; ++k)
+            uv.row(3 * (near.size() + i) + k) = obstacles[i]->corner[k].transpose();
+    }
     overlap::OverlapOptions options;
     options.totalArea = std::numbers::pi;
-    return !overlap::visitOverlaps(
-        uv, options, [&](int a, int b, double) { return chartsMayMeet && chart[near[a]] != chart[near[b]]; });
+    // a < b: an obstacle is always the second one.
+    return !overlap::visitOverlaps(uv, options, [&](int a, int b, double) {
+        if (a >= own)
+            return true;
+        return chartsMayMeet && (b >= own || chart[near[a]] != chart[near[b]]);
+    });
+}
+
+std::vector<const Obstacle *> CutState::obstaclesAt(const Vec2 &low, const Vec2 &high) const
+{
+    std::vector<const Obstacle *> found;
+    if (!anchored || !graph->obstacles)
+        return found;
+    for (const Obstacle &obstacle : *graph->obstacles) {
+        const auto &[a, b, c] = obstacle.corner;
+        if ((a.cwiseMin(b).cwiseMin(c).array() <= high.array()).all() &&
+            (a.cwiseMax(b).cwiseMax(c).array() >= low.array()).all())
+            found.push_back(&obstacle);
+    }
+    return found;
 }
 
 void CutState::spreadCharts()
 {
-    if (chartCount() < 2)
+    if (chartCount() < 2 && !graph->obstacles)
         return;
     struct Box
     {
@@ -231,7 +255,11 @@ void CutState::spreadCharts()
     }
     // The row width makes the whole about as wide as high.
     double area = 0;
-    Vec2 origin = Vec2::Zero(); // beyond the charts that stay
+    Vec2 origin = Vec2::Zero(); // beyond the charts that stay, and obstacles
+    for (const Obstacle *obstacle : obstaclesAt(Vec2::Constant(-1e300), Vec2::Constant(1e300))) {
+        for (const Vec2 &corner : obstacle->corner)
+            origin = origin.cwiseMax(corner + Vec2::Constant(chartGap));
+    }
     for (int i = 0; i < chartCount(); ++i) {
         area += (boxes[i].high - boxes[i].low + Vec2::Constant(chartGap)).prod();
         if (stays[i])

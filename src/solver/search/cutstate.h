@@ -37,8 +37,8 @@ struct CutState
     bool anchored = false;
     double pinStiffness = 1;      //!< of hard pins that are not reached yet
     std::vector<char> pinReached; //!< per anchor: a hard pin whose corner lies on it and is held there
-    //! True when charts with anchors overlapped other charts from the start. Then only overlaps within one
-    //! chart count.
+    //! True when charts with anchors overlapped other charts or obstacles from the start. Then only overlaps
+    //! within one chart count.
     bool chartsMayMeet = false;
 
     //! \param inPlace the map already lies where the anchors are
@@ -76,6 +76,8 @@ struct CutState
     //! \returns true when triangles at the boundaries overlap near the given triangles (anywhere when empty).
     //! When this is false everywhere and loopsAreInOrder() is true, no chart overlaps itself.
     bool boundariesOverlap(const std::vector<int> &triangles = {}) const;
+    //! The obstacles whose boxes meet a box. None before the charts are at their anchors.
+    std::vector<const Obstacle *> obstaclesAt(const Vec2 &low, const Vec2 &high) const;
     //! Moves the charts without anchors into rows with room between them.
     void spreadCharts();
 

@@ -260,8 +260,29 @@ bool Patch::crossesItself()
             const Vec2 a = mState->at(side), b = mState->at(side / 3 * 3 + (side + 1) % 3);
             mSegments.addFixed(a.x(), a.y(), b.x(), b.y());
         }
+        addObstacles();
     }
     return !mSegments.empty() && mSegments.cross(mPosition);
+}
+
+//! Adds the open sides of obstacles around the patch. Those further away are left to the final test.
+void Patch::addObstacles()
+{
+    if (mState->chartsMayMeet || !mGraph->obstacles)
+        return;
+    Vec2 low = Vec2::Constant(1e300), high = Vec2::Constant(-1e300);
+    for (std::size_t p = 0; p < mPosition.size(); p += 2) {
+        low = low.cwiseMin(Vec2(mPosition[p], mPosition[p + 1]));
+        high = high.cwiseMax(Vec2(mPosition[p], mPosition[p + 1]));
+    }
+    const Vec2 reach = high - low;
+    for (const Obstacle *obstacle : mState->obstaclesAt(low - reach, high + reach)) {
+        for (int k = 0; k < 3; ++k) {
+            const Vec2 &a = obstacle->corner[k], &b = obstacle->corner[(k + 1) % 3];
+            if (obstacle->isOpen[k])
+                mSegments.addFixed(a.x(), a.y(), b.x(), b.y());
+        }
+    }
 }
 
 void Patch::store(std::vector<double> &x) const

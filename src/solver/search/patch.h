@@ -75,6 +75,7 @@ private:
     void mergeCorners(const CutState &state);
     double distortionOf(const std::vector<double> &x) const;
     void numberUnknowns();
+    void addObstacles();
     double energyAt(const std::vector<double> &position) const;
     double springEnergy(const std::vector<double> &position) const;
     void assemble();

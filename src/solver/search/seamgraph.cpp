@@ -108,6 +108,7 @@ std::shared_ptr<const SeamGraph> SeamGraph::build(std::shared_ptr<const Soup> so
         mirrorGraph(mesh, *symmetry, *graph);
     graph->energy = snapshot.settings.energy;
     graph->anchors = Anchors(snapshot);
+    graph->obstacles = snapshot.obstacles;
     graph->soup = std::move(soup);
     graph->rank = eliminationOrder(*graph);
     return graph;

@@ -81,6 +81,9 @@ public:
     //! Relaxes the first map, joins small charts and polishes the seams.
     void start()
     {
+        // What lies on its pins already must not be pulled off them.
+        if (mState.anchored)
+            mSearch.anchor();
         // Done even when stopped: without at least ten steps the map is badly distorted.
         for (int i = 0; i < firstRelaxation / 10; ++i) {
             if (mSearch.relaxAll(10) < firstTolerance || mSearch.stopped())
@@ -161,6 +164,8 @@ public:
 
     CutState &best() { return mBest; }
     double bestScore() const { return mBestScore; }
+    //! Hard pins that the best map misses.
+    std::size_t missedPins() const { return mBest.missedPins().size(); }
     SeamSearch &searcher() { return mSearch; }
     bool fits() const { return mOptions.mu || mBest.distortion <= bound(); }
 
@@ -218,9 +223,12 @@ private:
     void keepBest()
     {
         const double now = score();
+        const std::size_t nowMissed = mState.missedPins().size(), bestMissed = mBest.missedPins().size();
         const bool nowFits = mOptions.mu || mState.distortion <= bound();
         const bool bestFits = mOptions.mu || mBest.distortion <= bound();
-        if (nowFits != bestFits ? nowFits : now < mBestScore) {
+        if (nowMissed != bestMissed ? nowMissed < bestMissed
+            : nowFits != bestFits   ? nowFits
+                                    : now < mBestScore) {
             mBest = mState;
             mBestScore = now;
         }
@@ -284,8 +292,10 @@ std::optional<OptimizedMap> flatMap(const std::shared_ptr<const SeamGraph> &grap
 //! Removes the least promising runs until `count` are left. \returns the Newton steps of the removed ones
 int keepMostPromising(std::vector<std::unique_ptr<Run>> &runs, int count)
 {
-    std::stable_sort(runs.begin(), runs.end(),
-                     [](const auto &a, const auto &b) { return a->expectedCost() < b->expectedCost(); });
+    std::stable_sort(runs.begin(), runs.end(), [](const auto &a, const auto &b) {
+        const std::size_t missedByA = a->missedPins(), missedByB = b->missedPins();
+        return missedByA != missedByB ? missedByA < missedByB : a->expectedCost() < b->expectedCost();
+    });
     int iterations = 0;
     while (static_cast<int>(runs.size()) > count) {
         iterations += runs.back()->searcher().steps();
@@ -375,6 +385,9 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
     for (const auto &run : runs)
         iterations += run->searcher().steps();
     const auto better = [](const std::unique_ptr<Run> &a, const std::unique_ptr<Run> &b) {
+        const std::size_t missedByA = a->missedPins(), missedByB = b->missedPins();
+        if (missedByA != missedByB)
+            return missedByA < missedByB;
         return a->fits() != b->fits() ? a->fits() : a->bestScore() < b->bestScore();
     };
     Run &best = **std::min_element(runs.begin(), runs.end(), better);

@@ -6,6 +6,7 @@
 #include "solver/overlap/overlapfinder.h"
 #include "solver/preference/seampreference.h"
 #include "solver/unwrap/freepart.h"
+#include "solver/unwrap/mapbefore.h"
 
 #include <algorithm>
 
@@ -75,8 +76,8 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
             toTheEnd.report(begun);
         });
     }
-    const std::optional<definite::RefinedMap> found =
-        definite::makeRefinedMap(solver, {.maxDistortion = input.maxDistortion}, job.part(begun, 1));
+    const std::optional<definite::RefinedMap> found = definite::makeRefinedMap(
+        solver, {input.maxDistortion, mapBefore(solver.soup(), solver.snapshot())}, job.part(begun, 1));
     if (!found)
         return result;
     const Snapshot &own = part->snapshot();

@@ -64,6 +64,7 @@ std::optional<FreePart> FreePart::of(const Snapshot &snapshot)
         part.mSnapshot.uvScale = snapshot.uvScale / part.mUnit;
         part.addSteering(snapshot);
         part.addBorders(snapshot, faces);
+        part.addObstacles(snapshot, faces);
     }
     part.cutImpliedSeams();
     return part;
@@ -146,6 +147,47 @@ void FreePart::addBorders(const Snapshot &whole, const std::vector<bool> &faces)
             steering.pins.push_back(
                 {s, whole.uv->row(mPart.corner[corner]).transpose() / mSnapshot.uvScale, true, 1});
     }
+}
+
+//! Everything outside of the part that packing may not move either.
+void FreePart::addObstacles(const Snapshot &whole, const std::vector<bool> &faces)
+{
+    if (!whole.uv)
+        return;
+    const MeshData &mesh = *whole.mesh;
+    std::vector<bool> stays(mesh.faceCount(), false);
+    const std::vector<IslandFlags> &flags = whole.steering->faceFlags;
+    for (const std::vector<int> &island : findCharts(mesh, *whole.uv).faces()) {
+        const bool locked = !flags.empty() && flagsOf(flags, island).locked != 0;
+        for (const int face : island)
+            stays[face] = !faces[face] && (locked || (whole.scope && !whole.scope->faces[face]));
+    }
+    const double scale = 1 / mSnapshot.uvScale;
+    std::vector<Obstacle> obstacles;
+    std::vector<int> obstacleOf(mesh.triangleCount(), -1);
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        if (!stays[mesh.triangleFace[t]])
+            continue;
+        Obstacle obstacle;
+        for (int k = 0; k < 3; ++k)
+            obstacle.corner[k] = scale * Vec2(whole.uv->row(mesh.triangles[t][k]));
+        obstacle.isOpen = {true, true, true};
+        if (!(cross2(obstacle.corner[0], obstacle.corner[1], obstacle.corner[2]) > 0))
+            continue; // turned over: not a place that a map could fill
+        obstacleOf[t] = static_cast<int>(obstacles.size());
+        obstacles.push_back(obstacle);
+    }
+    const std::vector<bool> open = openCornerPairs(mesh, *whole.uv);
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        const EdgePair &pair = mesh.edgePairs[e];
+        const int a = obstacleOf[pair.triangle[0]], b = obstacleOf[pair.triangle[1]];
+        if (a >= 0 && b >= 0 && !open[2 * e] && !open[2 * e + 1])
+            obstacles[a].isOpen[pair.side(0)] = obstacles[b].isOpen[pair.side(1)] = false;
+    }
+    // Whatever reaches the inner triangles has to cross the others.
+    std::erase_if(obstacles, [](const Obstacle &o) { return !o.isOpen[0] && !o.isOpen[1] && !o.isOpen[2]; });
+    if (!obstacles.empty())
+        mSnapshot.obstacles = std::make_shared<const std::vector<Obstacle>>(std::move(obstacles));
 }
 
 //! Cuts the edges between faces of different rectangles or UDIM tiles, unless the user joined them.

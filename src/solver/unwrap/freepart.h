@@ -44,6 +44,7 @@ public:
 private:
     void addBorders(const Snapshot &whole, const std::vector<bool> &faces);
     void addSteering(const Snapshot &whole);
+    void addObstacles(const Snapshot &whole, const std::vector<bool> &faces);
     void cutImpliedSeams();
 
     Snapshot mWhole, mSnapshot;

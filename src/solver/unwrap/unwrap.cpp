@@ -9,6 +9,7 @@
 #include "solver/unwrap/candidates.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/freepart.h"
+#include "solver/unwrap/mapbefore.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/soupchains.h"
 
@@ -63,24 +64,6 @@ search::OptimizeEffort effortFor(UnwrapQuality quality, int triangles)
 //! Least share of the distortion in the energy, for lambda near 1. Chosen by hand.
 constexpr double smallestShare = 1e-9;
 constexpr int settleSteps = 20; // Newton steps before hard pins are reached; chosen by hand
-
-//! The map before the job as a map to start from, where pins and rectangles hold islands; nothing when there
-//! is none, or it is not valid.
-std::optional<SeamedMap> mapBefore(const Soup &soup, const Snapshot &snapshot)
-{
-    if (!snapshot.uv || !snapshot.placesIslands() || !snapshot.uv->allFinite())
-        return std::nullopt;
-    const std::vector<PairState> &states = snapshot.steering->pairState;
-    CutFlags always(snapshot.mesh->edgePairs.size(), false);
-    for (std::size_t e = 0; e < always.size() && !states.empty(); ++e)
-        always[e] = states[2 * e] == PairState::Cut || states[2 * e + 1] == PairState::Cut;
-    std::optional<SeamedMap> map = seamedMapOf(soup, *snapshot.uv / snapshot.uvScale, always);
-    for (std::size_t e = 0; map && e < always.size(); ++e) {
-        if (map->cut[e] && snapshot.isJoined(e))
-            return std::nullopt;
-    }
-    return map;
-}
 
 //! True when the surface has several connected components or borders, or handles. Its first cuts are not few,
 //! so that the search also starts from a map of the soup.
@@ -139,8 +122,10 @@ private:
         search.effort = effortFor(mOptions.quality, mSnapshot.mesh->triangleCount());
         if (other)
             search.given.push_back(other->map);
-        if (std::optional<SeamedMap> before = mapBefore(*mSoup, mSnapshot))
-            search.given.push_back(std::move(*before));
+        if (mSnapshot.placesIslands()) {
+            if (std::optional<SeamedMap> before = mapBefore(*mSoup, mSnapshot))
+                search.given.push_back(std::move(*before));
+        }
         search.seed = mSnapshot.settings.seed;
         search.job = mJob;
         search.start = [&](int steps) { mRanking.setTotal(steps); };
