@@ -78,7 +78,7 @@ std::optional<RefinedMap> searched(const std::shared_ptr<const search::SeamGraph
     if (!found)
         return std::nullopt;
     equalizeDensity(*graph->soup, snapshot, found->map);
-    return RefinedMap{std::move(found->map), std::move(found->missedPins)};
+    return RefinedMap{std::move(found->map), found->anchorFaults};
 }
 
 } // namespace
@@ -93,13 +93,13 @@ std::optional<RefinedMap> makeRefinedMap(const homotopy::Solver &solver, const R
         return std::nullopt;
     const Soup &soup = solver.soup();
     const auto graph = search::SeamGraph::build(solver.sharedSoup(), snapshot);
-    RefinedMap result{std::move(made->map), {}};
+    RefinedMap result{std::move(made->map)};
     if (!graph->anchors.empty())
-        result.missedPins = search::settleAtAnchors(graph, result.map, settleSteps, true);
+        result.anchorFaults = search::settleAtAnchors(graph, result.map, settleSteps, true);
     openSeams(soup, snapshot, result.map);
     std::optional<RefinedMap> found = searched(graph, snapshot, result.map, options, job);
-    if (!found || found->missedPins.size() > result.missedPins.size() ||
-        (found->missedPins.size() == result.missedPins.size() &&
+    if (!found || found->anchorFaults > result.anchorFaults ||
+        (found->anchorFaults == result.anchorFaults &&
          !isBetter(soup, snapshot, found->map, result.map, options.maxDistortion)))
         return result;
     placeNear(soup, snapshot, found->map, solver.coordinates());

@@ -15,7 +15,7 @@ struct RefinedMapOptions
 struct RefinedMap
 {
     SeamedMap map;
-    std::vector<int> missedPins; //!< soup corners of hard pins that could not be reached
+    int anchorFaults = 0; //!< see search::CutState
 };
 
 //! makeDefiniteMap() followed by the seam search, which moves and shortens seams and adds some where the

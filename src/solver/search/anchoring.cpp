@@ -114,7 +114,7 @@ void reachPins(SeamTrial &trial, bool guarded)
             state.pinReached[i] = 1;
     }
     double stiffness = firstStiffness;
-    for (int level = 0; level < stiffnessLevels && !state.missedPins().empty(); ++level, stiffness *= 10) {
+    for (int level = 0; level < stiffnessLevels && state.anchorFaults() > 0; ++level, stiffness *= 10) {
         state.pinStiffness = std::max(state.pinStiffness, stiffness);
         state.updateEnergy();
         trial.relaxAll(stepsPerLevel, guarded);
@@ -126,15 +126,14 @@ void reachPins(SeamTrial &trial, bool guarded)
     state.updateEnergy();
 }
 
-std::vector<int> settleAtAnchors(const std::shared_ptr<const SeamGraph> &graph, SeamedMap &map, int steps,
-                                 bool guarded)
+int settleAtAnchors(const std::shared_ptr<const SeamGraph> &graph, SeamedMap &map, int steps, bool guarded)
 {
     CutState state = CutState::from(graph, map, true);
     SeamTrial trial(state);
     trial.relaxAll(steps, guarded);
     reachPins(trial, guarded);
     map = state.map();
-    return state.missedPins();
+    return state.anchorFaults();
 }
 
 } // namespace autocuts::search

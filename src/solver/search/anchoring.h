@@ -4,7 +4,6 @@
 #include "solver/search/seamtrial.h"
 
 #include <memory>
-#include <vector>
 
 namespace autocuts::search {
 
@@ -18,8 +17,7 @@ void reachPins(SeamTrial &trial, bool guarded);
 
 //! Relaxes a map that lies at its anchors and puts it onto its hard pins.
 //! \param steps Newton steps \param guarded no charts may come to overlap
-//! \returns the soup corners of the hard pins that were not reached
-std::vector<int> settleAtAnchors(const std::shared_ptr<const SeamGraph> &graph, SeamedMap &map, int steps,
-                                 bool guarded);
+//! \returns CutState::anchorFaults()
+int settleAtAnchors(const std::shared_ptr<const SeamGraph> &graph, SeamedMap &map, int steps, bool guarded);
 
 } // namespace autocuts::search

@@ -132,15 +132,12 @@ void CutState::addAnchorDerivatives(int t, const double *p, double *gradient, do
     }
 }
 
-std::vector<int> CutState::missedPins() const
+int CutState::anchorFaults() const
 {
-    std::vector<int> corners;
-    for (std::size_t i = 0; i < pinReached.size(); ++i) {
-        const Anchor &anchor = graph->anchors.all()[i];
-        if (anchor.isHardPin && !pinReached[i])
-            corners.push_back(anchor.soupCorner);
-    }
-    return corners;
+    int faults = chartsMayMeet;
+    for (std::size_t i = 0; i < pinReached.size(); ++i)
+        faults += graph->anchors.all()[i].isHardPin && !pinReached[i];
+    return faults;
 }
 
 std::vector<char> CutState::chartsWithAnchors() const

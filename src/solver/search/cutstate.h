@@ -57,8 +57,8 @@ struct CutState
     void derivativesOf(int t, const double *p, double *gradient, double *hessian) const;
     //! True for a triangle with anchors that have an effect.
     bool isAnchored(int t) const { return anchored && graph->anchors.onTriangle(t); }
-    //! The soup corners of the hard pins that are not reached.
-    std::vector<int> missedPins() const;
+    //! Number of hard pins that are not reached, and one more when charts with anchors may lie on others.
+    int anchorFaults() const;
     //! UV of a soup corner.
     Vec2 at(int corner) const { return cornerAt(x, corner); }
     //! Number of charts below smallestChart that are not whole connected components of the mesh.

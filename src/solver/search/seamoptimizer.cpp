@@ -41,8 +41,8 @@ constexpr int firstPolishes = 4;
 //! While a polish lowers the energy above the bound by more than this share, mu stays. Without this rule,
 //! round shapes that start from one path ended with 5 to 10 % longer seams.
 constexpr double fastFall = 0.25;
-//! Seam cost that a hard pin which is not reached counts as: far more than the seams of any map.
-constexpr double missedPinCost = 1000;
+//! Seam cost that a fault at the anchors counts as: far more than the seams of any map.
+constexpr double anchorFaultCost = 1000;
 //! Share of (bound - 4) that is kept free in maps of several charts, because giving the charts one texel
 //! density afterwards costs some distortion.
 constexpr double densityReserve = 0.01;
@@ -65,8 +65,7 @@ public:
     double score() const
     {
         if (mOptions.mu)
-            return mState.objective(*mOptions.mu) +
-                   missedPinCost * static_cast<double>(mState.missedPins().size());
+            return mState.objective(*mOptions.mu) + anchorFaultCost * mState.anchorFaults();
         return mState.cost + std::max(0.0, mState.distortion - bound()) / excessMu + steeringCost();
     }
     //! Seam cost that the map is expected to have once it is at the bound; ranks the runs after a round.
@@ -164,8 +163,7 @@ public:
 
     CutState &best() { return mBest; }
     double bestScore() const { return mBestScore; }
-    //! Hard pins that the best map misses.
-    std::size_t missedPins() const { return mBest.missedPins().size(); }
+    int anchorFaults() const { return mBest.anchorFaults(); }
     SeamSearch &searcher() { return mSearch; }
     bool fits() const { return mOptions.mu || mBest.distortion <= bound(); }
 
@@ -195,8 +193,7 @@ private:
     //! What pins and rectangles cost, in seam cost.
     double steeringCost() const
     {
-        return (mState.energy - mState.distortion) / usualMu +
-               missedPinCost * static_cast<double>(mState.missedPins().size());
+        return (mState.energy - mState.distortion) / usualMu + anchorFaultCost * mState.anchorFaults();
     }
 
     //! Bound on the energy less a small reserve.
@@ -223,10 +220,10 @@ private:
     void keepBest()
     {
         const double now = score();
-        const std::size_t nowMissed = mState.missedPins().size(), bestMissed = mBest.missedPins().size();
+        const int nowFaults = mState.anchorFaults(), bestFaults = mBest.anchorFaults();
         const bool nowFits = mOptions.mu || mState.distortion <= bound();
         const bool bestFits = mOptions.mu || mBest.distortion <= bound();
-        if (nowMissed != bestMissed ? nowMissed < bestMissed
+        if (nowFaults != bestFaults ? nowFaults < bestFaults
             : nowFits != bestFits   ? nowFits
                                     : now < mBestScore) {
             mBest = mState;
@@ -293,8 +290,8 @@ std::optional<OptimizedMap> flatMap(const std::shared_ptr<const SeamGraph> &grap
 int keepMostPromising(std::vector<std::unique_ptr<Run>> &runs, int count)
 {
     std::stable_sort(runs.begin(), runs.end(), [](const auto &a, const auto &b) {
-        const std::size_t missedByA = a->missedPins(), missedByB = b->missedPins();
-        return missedByA != missedByB ? missedByA < missedByB : a->expectedCost() < b->expectedCost();
+        const int faultsOfA = a->anchorFaults(), faultsOfB = b->anchorFaults();
+        return faultsOfA != faultsOfB ? faultsOfA < faultsOfB : a->expectedCost() < b->expectedCost();
     });
     int iterations = 0;
     while (static_cast<int>(runs.size()) > count) {
@@ -385,13 +382,13 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
     for (const auto &run : runs)
         iterations += run->searcher().steps();
     const auto better = [](const std::unique_ptr<Run> &a, const std::unique_ptr<Run> &b) {
-        const std::size_t missedByA = a->missedPins(), missedByB = b->missedPins();
-        if (missedByA != missedByB)
-            return missedByA < missedByB;
+        const int faultsOfA = a->anchorFaults(), faultsOfB = b->anchorFaults();
+        if (faultsOfA != faultsOfB)
+            return faultsOfA < faultsOfB;
         return a->fits() != b->fits() ? a->fits() : a->bestScore() < b->bestScore();
     };
     Run &best = **std::min_element(runs.begin(), runs.end(), better);
-    return OptimizedMap{best.best().map(), best.searcher().mu(), iterations, best.best().missedPins()};
+    return OptimizedMap{best.best().map(), best.searcher().mu(), iterations, best.best().anchorFaults()};
 }
 
 } // namespace autocuts::search

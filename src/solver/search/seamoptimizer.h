@@ -54,9 +54,9 @@ struct OptimizeOptions
 struct OptimizedMap
 {
     SeamedMap map;
-    double mu = 0;               //!< energy that one unit of seam cost was worth at the end
-    int iterations = 0;          //!< Newton steps of all runs, on patches of all sizes
-    std::vector<int> missedPins; //!< soup corners of hard pins that could not be reached
+    double mu = 0;        //!< energy that one unit of seam cost was worth at the end
+    int iterations = 0;   //!< Newton steps of all runs, on patches of all sizes
+    int anchorFaults = 0; //!< see CutState
 };
 
 //! Searches for the shortest seams within the bound. The same arguments give the same bits unless the job is

@@ -29,8 +29,8 @@ void Candidate::measure(const Soup &soup, const Snapshot &snapshot)
 
 bool Ranking::better(const Candidate &a, const Candidate &b) const
 {
-    if (a.missedPins != b.missedPins)
-        return a.missedPins < b.missedPins;
+    if (a.anchorFaults != b.anchorFaults)
+        return a.anchorFaults < b.anchorFaults;
     if (mOptions.lambda) {
         const double mu = *mOptions.lambda / std::max(1 - *mOptions.lambda, 1e-9);
         return a.distortion + mu * a.seamCost < b.distortion + mu * b.seamCost;

@@ -16,8 +16,8 @@ struct Candidate
 {
     SeamedMap map;
     double distortion = 0, seamLength = 0, seamCost = 0, lambda = 0, delta = 0;
-    int smallCharts = 0; //!< below CutState::smallestChart and not whole connected components of the mesh
-    int missedPins = 0;  //!< hard pins that the map does not reach
+    int smallCharts = 0;  //!< below CutState::smallestChart and not whole connected components of the mesh
+    int anchorFaults = 0; //!< see search::CutState
 
     //! Sets distortion, seamLength, seamCost and smallCharts from the map.
     void measure(const Soup &soup, const Snapshot &snapshot);
@@ -29,9 +29,9 @@ class Ranking
 public:
     Ranking(const UnwrapOptions &options, const JobContext &job) : mOptions(options), mJob(job) {}
 
-    //! True when a is better than b. Fewer missed pins win; a map within the bound is better than one above
-    //! it. Within the bound fewer small charts win, then cheaper seams; above it lower distortion wins. With
-    //! a given lambda, the lower objective wins.
+    //! True when a is better than b. Fewer faults at the anchors win; a map within the bound is better than
+    //! one above it. Within the bound fewer small charts win, then cheaper seams; above it lower distortion
+    //! wins. With a given lambda, the lower objective wins.
     bool better(const Candidate &a, const Candidate &b) const;
 
     //! Sets the number of steps of the search that begins; the reported progress never goes back.

@@ -294,14 +294,14 @@ bool makeUsable(const std::shared_ptr<const Soup> &soup, const Snapshot &snapsho
     return true;
 }
 
-//! Puts a map exactly onto its pins. \returns the number of pins that it misses
+//! Puts a map exactly onto its pins. \returns the faults that are left
 int settle(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const UnwrapOptions &options,
            SeamedMap &map)
 {
     if (!snapshot.placesIslands())
         return 0;
     const auto graph = search::SeamGraph::build(soup, snapshot);
-    return static_cast<int>(search::settleAtAnchors(graph, map, fineSteps, !options.allowOverlaps).size());
+    return search::settleAtAnchors(graph, map, fineSteps, !options.allowOverlaps);
 }
 
 //! Maps the coarse version and carries the map to the fine mesh, where it may still flip and overlap.
@@ -359,7 +359,7 @@ std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup, c
             carry(soup, snapshot, coarseOptions, coarseTriangles, unwrapCoarse, job);
         if (!carried || !makeUsable(soup, snapshot, options, carried->map, job))
             break;
-        carried->missedPins = settle(soup, snapshot, options, carried->map);
+        carried->anchorFaults = settle(soup, snapshot, options, carried->map);
         const double distortion = carried->map.distortion(*soup);
         if (!best || distortion < best->map.distortion(*soup))
             best = std::move(carried);

@@ -17,7 +17,7 @@ struct CarriedMap
     SeamedMap map;
     int iterations = 0;           //!< Newton steps for the coarse map
     double lambda = 0, delta = 0; //!< of the coarse map
-    int missedPins = 0;           //!< hard pins that were not reached
+    int anchorFaults = 0;         //!< see search::CutState
 };
 
 //! Finds a map of the coarse version of a mesh.

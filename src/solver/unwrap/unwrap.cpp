@@ -143,7 +143,7 @@ private:
         if (!mOptions.allowOverlaps && definite::coversItself(*mSoup, candidate.map))
             return std::nullopt;
         candidate.measure(*mSoup, mSnapshot);
-        candidate.missedPins = static_cast<int>(found->missedPins.size());
+        candidate.anchorFaults = found->anchorFaults;
         candidate.lambda = mOptions.lambda.value_or(found->mu / (1 + found->mu));
         mIterations += found->iterations;
         return candidate;
@@ -155,8 +155,8 @@ private:
         how.quality = quality;
         std::optional<Candidate> best = bestOfSoupChains(mSnapshot, how, mRanking, mJob, mIterations);
         if (best && mSnapshot.placesIslands()) {
-            best->missedPins = static_cast<int>(
-                search::settleAtAnchors(mGraph, best->map, settleSteps, !mOptions.allowOverlaps).size());
+            best->anchorFaults =
+                search::settleAtAnchors(mGraph, best->map, settleSteps, !mOptions.allowOverlaps);
             best->measure(*mSoup, mSnapshot);
         }
         return best;
@@ -248,7 +248,7 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
             Ranking coarseRanking(coarseOptions, job);
             FoundMap found = findMap(coarse, coarseOptions, coarseRanking, job);
             return CarriedMap{std::move(found.best.map), found.iterations, found.best.lambda,
-                              found.best.delta, found.best.missedPins};
+                              found.best.delta, found.best.anchorFaults};
         },
         job);
     if (!carried)
@@ -261,7 +261,7 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
     found.best.measure(*soup, snapshot);
     found.best.lambda = carried->lambda;
     found.best.delta = carried->delta;
-    found.best.missedPins = carried->missedPins;
+    found.best.anchorFaults = carried->anchorFaults;
     ranking.found(found.best.distortion, found.best.seamLength);
     return found;
 }
