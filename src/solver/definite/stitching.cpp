@@ -1,6 +1,7 @@
 #include "solver/definite/stitching.h"
 
 #include "solver/base/cornerat.h"
+#include "solver/base/rigidfit.h"
 #include "solver/base/springladder.h"
 #include "solver/energy/constraintterms.h"
 #include "solver/energy/distortion.h"
@@ -145,17 +146,36 @@ bool release(const MeshData &mesh, const Snapshot &snapshot, const std::vector<i
     return changed;
 }
 
-//! Places the polygons of the bad triangles undistorted, each triangle for itself, and frees them from pins
-//! and rectangles, which may pull a polygon inside out.
+//! Lays the polygons of the bad triangles out undistorted: each triangle at rest, turned to the one across a
+//! diagonal. Frees them from pins and rectangles, which may pull a polygon inside out.
+//! \pre all edges of these polygons but their diagonals are cut
 void layOut(const Soup &soup, const std::vector<int> &bad, Snapshot &snapshot, std::vector<double> &x)
 {
     const MeshData &mesh = *soup.mesh;
-    std::vector<bool> face(mesh.faceCount(), false);
+    std::vector<bool> face(mesh.faceCount(), false), placed(mesh.triangleCount(), true);
     for (const int t : bad)
         face[mesh.triangleFace[t]] = true;
     for (int t = 0; t < mesh.triangleCount(); ++t) {
-        for (int i = 0; i < 6 && face[mesh.triangleFace[t]]; ++i)
+        const int own = mesh.triangleFace[t];
+        for (int i = 0; i < 6 && face[own]; ++i)
             x[6 * static_cast<std::size_t>(t) + i] = soup.restShape[t][i];
+        placed[t] = !face[own] || t == mesh.faceTriangle[own];
+    }
+    for (bool again = true; again;) {
+        again = false;
+        for (const EdgePair &pair : mesh.edgePairs) {
+            const int fixed = placed[pair.triangle[0]] ? 0 : 1;
+            const int moving = pair.triangle[1 - fixed];
+            if (!pair.diagonal || placed[moving] || !placed[pair.triangle[fixed]])
+                continue;
+            std::vector<PointMatch> ends;
+            for (const auto &corner : pair.corner)
+                ends.push_back({cornerAt(x, corner[fixed]), cornerAt(x, corner[1 - fixed])});
+            const RigidMotion motion = fitRigid(ends);
+            for (int c = 3 * moving; c < 3 * moving + 3; ++c)
+                cornerAt(x, c) = motion(cornerAt(x, c));
+            placed[moving] = again = true;
+        }
     }
     if (!snapshot.placesIslands())
         return;
@@ -183,8 +203,8 @@ SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &give
             return map;
         }
         bad = badTriangles(*soup, snap);
-        // Each round cuts more edges, and more rings after every four rounds. In the last resort every
-        // polygon is a chart of its own and is placed undistorted.
+        // Each round cuts more edges, and more rings after every four rounds. In the last resort a polygon is
+        // a chart of its own and is laid out undistorted.
         const int rings = round / 4;
         if (!release(mesh, snapshot, bad, rings, false, cut) &&
             !release(mesh, snapshot, bad, rings, true, cut)) {
