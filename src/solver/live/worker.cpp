@@ -6,6 +6,7 @@
 #include "solver/homotopy/anneal.h"
 
 #include <exception>
+#include <stdexcept>
 
 namespace autocuts::live {
 
@@ -24,6 +25,11 @@ constexpr int stalledStepsToWait = 10;
 double secondsBetween(Clock::time_point from, Clock::time_point to)
 {
     return std::chrono::duration<double>(to - from).count();
+}
+
+void setRows(homotopy::Solver &solver, const UvMatrix &rows)
+{
+    solver.setCoordinates({rows.data(), rows.data() + rows.size()});
 }
 
 } // namespace
@@ -164,8 +170,7 @@ void SolveWorker::obey(Orders orders)
     if (orders.start) {
         begin(orders);
     } else if (orders.snapshot && mSolver) {
-        mSnapshot = std::make_shared<const Snapshot>(mPreference.applied(*orders.snapshot, mThreads));
-        mToken = mSnapshot->token;
+        takeSnapshot(*orders.snapshot);
         mPulled = orders.pulled;
         if (mSchedule && !mPulled)
             mSchedule->reheat();
@@ -181,8 +186,7 @@ void SolveWorker::obey(Orders orders)
     if (orders.token)
         mToken = *orders.token;
     if (orders.back && mSolver && orders.back->token.sameMap(mToken)) {
-        const double *first = orders.back->soupUv.data();
-        mSolver->setCoordinates({first, first + orders.back->soupUv.size()});
+        setRows(*mSolver, mPart->unit() * mPart->partRows(orders.back->soupUv));
         mLast.energy = 0;
     }
     if (orders.makeMap)
@@ -202,10 +206,28 @@ void SolveWorker::obey(Orders orders)
     }
 }
 
+//! Takes the newest snapshot. When it leaves other faces to the solve than before, a solver for these
+//! continues from the map.
+void SolveWorker::takeSnapshot(const Snapshot &snapshot)
+{
+    mSnapshot = std::make_shared<const Snapshot>(mPreference.applied(snapshot, mThreads));
+    mToken = mSnapshot->token;
+    std::optional<unwrap::FreePart> part = unwrap::FreePart::of(*mSnapshot, mPart ? &*mPart : nullptr);
+    if (!part)
+        throw std::runtime_error("nothing may change: all islands are locked, stacked or grouped");
+    if (mSolver && !part->sameFaces(*mPart)) {
+        const UvMatrix rows = mPart->wholeRows(rowsOf(mSolver->coordinates()));
+        mSolver->load(part->snapshot());
+        setRows(*mSolver, part->unit() * part->partRows(rows));
+        mSchedule.reset();
+    }
+    mPart = std::move(part);
+}
+
 void SolveWorker::begin(const Orders &orders)
 {
-    mSnapshot = std::make_shared<const Snapshot>(mPreference.applied(*orders.snapshot, mThreads));
-    mToken = mSnapshot->token;
+    mSolver.reset();
+    takeSnapshot(*orders.snapshot);
     mSchedule.reset();
     mStatus = {};
     mLast = {};
@@ -213,12 +235,12 @@ void SolveWorker::begin(const Orders &orders)
     mMustMakeMap = mPulled = false;
     mSolver = std::make_unique<homotopy::Solver>();
     mSolver->setThreads(mThreads);
-    mSolver->load(*mSnapshot);
+    mSolver->load(mPart->snapshot());
     if (mSnapshot->settings.start != StartMode::ExistingUv) {
         std::vector<double> x = mSolver->coordinates();
         for (std::size_t i = 0; i < x.size(); i += 2) {
-            x[i] += orders.centre.x();
-            x[i + 1] += orders.centre.y();
+            x[i] += mPart->unit() * orders.centre.x();
+            x[i + 1] += mPart->unit() * orders.centre.y();
         }
         mSolver->setCoordinates(std::move(x));
     }
@@ -233,14 +255,14 @@ void SolveWorker::begin(const Orders &orders)
 //! Passes the snapshot to the solver; in budget mode with the schedule's lambda and delta.
 void SolveWorker::updateSolver(bool steeringChanged)
 {
-    SolveSettings settings = mSnapshot->settings;
+    SolveSettings settings = mPart->snapshot().settings;
     if (mMode == homotopy::SolveMode::Budget) {
         if (!mSchedule)
             mSchedule.emplace(mSolver->soup(), mMaxDistortion);
         mSchedule->apply(settings);
     }
     if (steeringChanged || settings != mSolver->snapshot().settings) {
-        Snapshot snapshot = *mSnapshot;
+        Snapshot snapshot = mPart->snapshot();
         snapshot.settings = settings;
         mSolver->update(snapshot);
     }
@@ -293,11 +315,12 @@ void SolveWorker::giveResult()
     const Soup &soup = mSolver->soup();
     auto result = std::make_shared<SolveResult>();
     result->token = mToken;
-    result->soupUv = rowsOf(mSolver->coordinates());
+    result->soupUv = mPart->wholeRows(rowsOf(mSolver->coordinates()));
     const int pairs = soup.mesh->cornerPairCount();
-    result->separation.resize(pairs);
+    std::vector<float> separation(pairs);
     for (int p = 0; p < pairs; ++p)
-        result->separation[p] = static_cast<float>(mSolver->separation(p));
+        separation[p] = static_cast<float>(mSolver->separation(p));
+    result->separation = mPart->wholePairs(separation);
 
     mStatus.iteration = mLast.iteration;
     mStatus.energy = mLast.energy;
@@ -308,7 +331,7 @@ void SolveWorker::giveResult()
     mStatus.islands = soup.triangleCount();
     for (std::size_t e = 0; e < soup.mesh->edgePairs.size(); ++e) {
         const EdgePair &edge = soup.mesh->edgePairs[e];
-        if (edge.diagonal || std::max(result->separation[2 * e], result->separation[2 * e + 1]) < 0.5f) {
+        if (edge.diagonal || std::max(separation[2 * e], separation[2 * e + 1]) < 0.5f) {
             if (pieces.unite(edge.triangle[0], edge.triangle[1]))
                 --mStatus.islands;
         } else {
@@ -350,7 +373,8 @@ void SolveWorker::makePausedMap()
         definite::stitchSoup(mSolver->sharedSoup(), mSolver->snapshot(), mSolver->coordinates(), &mInterrupt);
     if (mInterrupt)
         return;
-    PausedMap pausedMap{mToken, cornerUv(mSolver->soup(), map)};
+    const double scale = mPart->snapshot().uvScale;
+    PausedMap pausedMap{mToken, mPart->wholeUv(scale * cornerUv(mSolver->soup(), map))};
     {
         const std::lock_guard lock(mMutex);
         if (mInterrupt)

@@ -5,6 +5,7 @@
 #include "solver/homotopy/liveschedule.h"
 #include "solver/homotopy/solver.h"
 #include "solver/preference/seampreference.h"
+#include "solver/unwrap/freepart.h"
 
 #include <QObject>
 #include <QThread>
@@ -50,8 +51,8 @@ struct SolveResult
 //! A paused map: the definite map made from the soup when the solver is paused.
 struct PausedMap
 {
-    StateToken token;  //!< as in SolveResult
-    UvMatrix cornerUv; //!< one row per corner, solver units
+    StateToken token; //!< as in SolveResult
+    UvMatrix uv;      //!< one row per corner, texture space
 };
 
 //! Runs a Solver until told to stop. The functions may be called from any thread and return at once; what
@@ -130,6 +131,7 @@ private:
     void work();
     void obey(Orders orders);
     void begin(const Orders &orders);
+    void takeSnapshot(const Snapshot &snapshot);
     void updateSolver(bool steeringChanged);
     void step();
     void comeToRest();
@@ -150,6 +152,7 @@ private:
     std::unique_ptr<homotopy::Solver> mSolver;
     preference::SeamPreference mPreference;
     std::shared_ptr<const Snapshot> mSnapshot; //!< with the seam preferences multiplied into its weights
+    std::optional<unwrap::FreePart> mPart;     //!< of mSnapshot: what the solver works on
     std::optional<homotopy::LiveSchedule> mSchedule; //!< in budget mode
     homotopy::SolveMode mMode = homotopy::SolveMode::Manual;
     double mMaxDistortion = 4.1;

@@ -45,18 +45,27 @@ Snapshot withoutBounds(const Snapshot &whole)
     return snapshot;
 }
 
+//! True when the same faces may change.
+bool sameBounds(const Snapshot &a, const Snapshot &b)
+{
+    return a.mesh == b.mesh && a.scope == b.scope && a.token.sameMap(b.token) && !a.uv == !b.uv &&
+           a.steering->faceFlags == b.steering->faceFlags;
+}
+
 } // namespace
 
-std::optional<FreePart> FreePart::of(const Snapshot &snapshot)
+std::optional<FreePart> FreePart::of(const Snapshot &snapshot, const FreePart *previous)
 {
-    const std::vector<bool> faces = freeFaces(snapshot);
     FreePart part;
+    const bool same = previous && sameBounds(previous->mWhole, snapshot);
+    const std::vector<bool> faces = same ? previous->mFaces : freeFaces(snapshot);
+    part.mFaces = faces;
     part.mWhole = snapshot;
     part.mSnapshot = withoutBounds(snapshot);
     if (std::find(faces.begin(), faces.end(), true) == faces.end())
         return std::nullopt;
     if (std::find(faces.begin(), faces.end(), false) != faces.end()) {
-        part.mPart = partOf(*snapshot.mesh, faces);
+        part.mPart = same ? previous->mPart : partOf(*snapshot.mesh, faces);
         if (!(part.mPart.mesh->area > 0))
             return std::nullopt;
         part.mUnit = std::sqrt(snapshot.mesh->area / part.mPart.mesh->area);
@@ -289,6 +298,31 @@ UvMatrix FreePart::partRows(const UvMatrix &soupRows) const
     for (int c = 0; c < mPart.mesh->soupCornerCount(); ++c)
         rows.row(c) = soupRows.row(mPart.soupCornerOf(c));
     return rows;
+}
+
+UvMatrix FreePart::wholeRows(const UvMatrix &rows) const
+{
+    if (isWhole())
+        return rows;
+    UvMatrix whole =
+        soupUv(*mWhole.mesh, mWhole.uv ? *mWhole.uv : emptyLayout(*mWhole.mesh)) / mWhole.uvScale;
+    for (int c = 0; c < mPart.mesh->soupCornerCount(); ++c)
+        whole.row(mPart.soupCornerOf(c)) = rows.row(c) / mUnit;
+    return whole;
+}
+
+std::vector<float> FreePart::wholePairs(const std::vector<float> &pairs) const
+{
+    if (isWhole())
+        return pairs;
+    const std::vector<bool> open =
+        openCornerPairs(*mWhole.mesh, mWhole.uv ? *mWhole.uv : emptyLayout(*mWhole.mesh));
+    std::vector<float> whole(open.begin(), open.end());
+    for (std::size_t e = 0; e < mPart.edgePair.size(); ++e) {
+        for (int end = 0; end < 2; ++end)
+            whole[2 * mPart.edgePair[e] + end] = pairs[2 * e + end];
+    }
+    return whole;
 }
 
 } // namespace autocuts::unwrap

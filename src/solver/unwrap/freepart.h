@@ -20,8 +20,11 @@ namespace autocuts::unwrap {
 class FreePart
 {
 public:
+    //! \param previous a part whose faces may be taken over when they are the same; null: none
     //! \returns nothing when no face may change
-    static std::optional<FreePart> of(const Snapshot &snapshot);
+    static std::optional<FreePart> of(const Snapshot &snapshot, const FreePart *previous = nullptr);
+    //! True when both parts have the same faces of the same mesh.
+    bool sameFaces(const FreePart &other) const { return mSnapshot.mesh == other.mSnapshot.mesh; }
 
     //! The problem of the part: settings and steering in the solver units of the part, no scope, no flags.
     const Snapshot &snapshot() const { return mSnapshot; }
@@ -38,6 +41,11 @@ public:
     int wholeSoupCorner(int soupCorner) const;
     //! The part's rows of a matrix with a row per soup corner of the whole mesh.
     UvMatrix partRows(const UvMatrix &soupRows) const;
+    //! The opposite: a row per soup corner of the whole mesh, in its solver units. \param rows of the part,
+    //! in units of the part
+    UvMatrix wholeRows(const UvMatrix &rows) const;
+    //! Per corner pair of the whole mesh: values of the part, 0 or 1 elsewhere by whether it is open.
+    std::vector<float> wholePairs(const std::vector<float> &pairs) const;
     //! Length in solver units of the part per length in those of the whole mesh.
     double unit() const { return mUnit; }
 
@@ -48,7 +56,8 @@ private:
     void cutImpliedSeams();
 
     Snapshot mWhole, mSnapshot;
-    MeshPart mPart; //!< null mesh: the whole mesh
+    std::vector<bool> mFaces; //!< per face of the whole mesh: it is in the part
+    MeshPart mPart;           //!< null mesh: the whole mesh
     double mUnit = 1;
     //! A corner of the part that is the same UV vertex as a corner of a face outside of it.
     struct Attachment

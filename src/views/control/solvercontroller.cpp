@@ -311,7 +311,7 @@ void SolverController::takePausedMap()
     Document &document = *mWorkspace.document();
     // Pushing does not invalidate the state of the worker: it belongs to the document's new map now.
     mToken.reset();
-    pushCommand(std::make_unique<SetUvs>(document, UvEdit::Solve, document.uvScale() * paused->cornerUv));
+    pushCommand(std::make_unique<SetUvs>(document, UvEdit::Solve, paused->uv));
     mToken = document.token();
     mWorker->setToken(*mToken);
     mShownMap.showDocument();
