@@ -1,4 +1,5 @@
 // Jobs on whole maps: results come back as commands, edits meanwhile win, cancel keeps what there is.
+#include "commands/editpins.h"
 #include "commands/editrectangles.h"
 #include "commands/setislandflags.h"
 #include "commands/setuvs.h"
@@ -12,6 +13,8 @@
 
 #include <QSignalSpy>
 #include <QTest>
+
+#include <cstring>
 
 using namespace autocuts;
 using namespace autocuts::metrics;
@@ -72,6 +75,54 @@ class TestMapController : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    //! Every job, one after the other, on a map in which one island is locked and another has a hard pin.
+    void handWorkStaysThroughAllJobs()
+    {
+        Studio studio("machine");
+        studio.map.unwrap(UnwrapQuality::Draft, 4.1);
+        QVERIFY(studio.ends());
+        const auto faces = findCharts(studio.document().mesh(), studio.document().uv()).faces();
+        pushCommand(std::make_unique<SetIslandFlags>(studio.document(), SetIslandFlags::Edit::Lock,
+                                                     std::vector<int>{0}));
+        const MeshData &mesh = studio.document().mesh();
+        const int pinned = mesh.faceStart[faces[1].front()];
+        const Vec2 place = Vec2(studio.document().uv().row(pinned)) + Vec2(0.01, 0.02);
+        pushCommand(std::make_unique<EditPins>(studio.document(), EditPins::Edit::Pin,
+                                               std::vector<UvPin>{{pinned, place, true, 1}}));
+        const UvMatrix before = studio.document().uv();
+        const auto obeys = [&](bool reshapes) {
+            for (const int face : faces[0]) {
+                for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c) {
+                    if (std::memcmp(Vec2(studio.document().uv().row(c)).data(), Vec2(before.row(c)).data(),
+                                    sizeof(Vec2)) != 0)
+                        return false;
+                }
+            }
+            const bool onPin = (Vec2(studio.document().uv().row(pinned)) - place).norm() <= 1e-6;
+            return studio.document().constraints().pins.front().position == place && (onPin || !reshapes);
+        };
+        studio.map.pack(PackScope::All);
+        QVERIFY(studio.ends());
+        QVERIFY(obeys(false));
+        studio.map.unwrap(UnwrapQuality::Draft, 4.1);
+        QVERIFY(studio.ends());
+        QVERIFY(obeys(true));
+        studio.map.finish(4.1);
+        QVERIFY(studio.ends());
+        QVERIFY(obeys(true));
+        studio.map.separateOverlaps();
+        QVERIFY(studio.ends());
+        QVERIFY(obeys(true));
+        studio.map.equalizeDensity();
+        QVERIFY(studio.ends());
+        QVERIFY(obeys(true));
+        studio.solver.run();
+        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration >= 5; }, patience));
+        studio.solver.pause();
+        QVERIFY(QTest::qWaitFor([&] { return !studio.solver.isPausing(); }, patience));
+        QVERIFY(obeys(true));
+    }
+
     void unwrappingGivesAMapFitForUse()
     {
         Studio studio;
@@ -139,7 +190,7 @@ private Q_SLOTS:
         QVERIFY(studio.document().uv() == finishJob(input, 4.1, control).uv);
     }
 
-    //! The seam search knows no rectangles: the solve itself has to get to its end.
+    //! The solve itself has to get to its end first.
     void finishingASolveIntoARectangle()
     {
         Studio studio;

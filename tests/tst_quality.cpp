@@ -189,10 +189,10 @@ private:
         case Job::Finish:
             return finished(mesh);
         case Job::Separate: {
-            const UvMatrix uv = boxProjection(*mesh);
             Snapshot snapshot;
             snapshot.mesh = mesh;
-            return separateMap(snapshot, uv, {}, onAllCores()).uv;
+            snapshot.uv = std::make_shared<const UvMatrix>(boxProjection(*mesh));
+            return separateMap(snapshot, {}, onAllCores()).uv;
         }
         case Job::Pack: {
             const UvMatrix &uv = draft(sample, mesh);

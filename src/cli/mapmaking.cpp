@@ -160,6 +160,9 @@ QStringList MapMaking::unmetText(const unwrap::UnmetSteering &unmet) const
                      .arg(numbers(unmet.pins));
     if (!unmet.joins.empty())
         lines << QStringLiteral("joined edges that had to stay open: %1").arg(numbers(unmet.joins));
+    if (!unmet.missingSeams.empty())
+        lines << QStringLiteral("seams that are not given and were needed: the edges %1")
+                     .arg(numbers(unmet.missingSeams));
     if (!unmet.rectangles.empty())
         lines << QStringLiteral("rectangles that islands reach out of: %1").arg(numbers(unmet.rectangles));
     return lines;

@@ -8,24 +8,17 @@ namespace autocuts::search {
 
 namespace {
 
-//! Diagonals and what the user joined come first, then what the user cut, then the given seams.
 SeamGraph::Rule ruleOf(const Snapshot &snapshot, std::size_t e)
 {
-    using Rule = SeamGraph::Rule;
     if (snapshot.mesh->edgePairs[e].diagonal)
-        return Rule::NeverCut;
-    const Steering &steering = *snapshot.steering;
-    if (!steering.pairState.empty()) {
-        const PairState a = steering.pairState[2 * e], b = steering.pairState[2 * e + 1];
-        if (a == PairState::Cut || b == PairState::Cut)
-            return Rule::AlwaysCut;
-        if (a == PairState::Joined || b == PairState::Joined)
-            return Rule::NeverCut;
-    }
-    const SeamMode mode = snapshot.settings.seams;
-    if (mode != SeamMode::Free && !steering.givenSeams.empty() && steering.givenSeams[e])
-        return Rule::AlwaysCut;
-    return mode == SeamMode::Only ? Rule::NeverCut : Rule::Free;
+        return SeamGraph::Rule::NeverCut;
+    if (snapshot.steering->pairState.empty())
+        return SeamGraph::Rule::Free;
+    const PairState a = snapshot.steering->pairState[2 * e], b = snapshot.steering->pairState[2 * e + 1];
+    if (a == PairState::Cut || b == PairState::Cut)
+        return SeamGraph::Rule::AlwaysCut;
+    return a == PairState::Joined || b == PairState::Joined ? SeamGraph::Rule::NeverCut
+                                                            : SeamGraph::Rule::Free;
 }
 
 std::vector<int> eliminationOrder(const SeamGraph &graph)

@@ -38,24 +38,10 @@ PointPair endsOf(const multires::ProgressiveMesh &mesh, int side)
 //! The user's cuts and joins: per edge, given by the points at its ends, the state at each end.
 using Decisions = std::map<PointPair, std::array<std::pair<int, PairState>, 2>>;
 
-//! The user's decisions on the corner pairs, given seams being cuts.
-std::vector<PairState> pairStates(const Snapshot &snapshot)
-{
-    std::vector<PairState> states = snapshot.steering->pairState;
-    const std::vector<bool> &given = snapshot.steering->givenSeams;
-    if (snapshot.settings.seams == SeamMode::Free || given.empty())
-        return states;
-    states.resize(snapshot.mesh->cornerPairCount(), PairState::Free);
-    for (std::size_t p = 0; p < states.size(); ++p) {
-        if (given[p / 2] && !snapshot.isJoined(p / 2))
-            states[p] = PairState::Cut;
-    }
-    return states;
-}
-
 //! Per edge pair: true when the user cut or joined it at either end.
-std::vector<bool> decidedEdges(const Snapshot &snapshot, const std::vector<PairState> &states)
+std::vector<bool> decidedEdges(const Snapshot &snapshot)
 {
+    const std::vector<PairState> &states = snapshot.steering->pairState;
     std::vector<bool> decided(snapshot.mesh->edgePairs.size(), false);
     for (std::size_t p = 0; p < states.size(); ++p) {
         if (states[p] != PairState::Free)
@@ -78,9 +64,8 @@ std::vector<bool> keptEdges(const Snapshot &snapshot, std::vector<bool> kept)
 }
 
 Decisions decisionsOf(const Snapshot &snapshot, const multires::ProgressiveMesh &fine,
-                      const std::vector<PairState> &states)
+                      const std::vector<bool> &decided)
 {
-    const std::vector<bool> decided = decidedEdges(snapshot, states);
     Decisions decisions;
     for (std::size_t e = 0; e < decided.size(); ++e) {
         if (!decided[e])
@@ -89,7 +74,7 @@ Decisions decisionsOf(const Snapshot &snapshot, const multires::ProgressiveMesh 
         const int side = 3 * pair.triangle[0] + pair.side(0);
         auto &ends = decisions[endsOf(fine, side)];
         for (int end = 0; end < 2; ++end)
-            ends[end] = {fine.point(pair.corner[end][0]), states[2 * e + end]};
+            ends[end] = {fine.point(pair.corner[end][0]), snapshot.steering->pairState[2 * e + end]};
     }
     return decisions;
 }
@@ -310,9 +295,9 @@ std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const S
                                 const UnwrapOptions &coarseOptions, int coarseTriangles,
                                 const CoarseUnwrap &unwrapCoarse, const JobContext &job)
 {
-    const std::vector<PairState> states = pairStates(snapshot);
-    multires::ProgressiveMesh mesh(*soup->mesh, keptEdges(snapshot, decidedEdges(snapshot, states)));
-    const Decisions decisions = decisionsOf(snapshot, mesh, states);
+    const std::vector<bool> decided = decidedEdges(snapshot);
+    multires::ProgressiveMesh mesh(*soup->mesh, keptEdges(snapshot, decided));
+    const Decisions decisions = decisionsOf(snapshot, mesh, decided);
     const std::vector<double> weights = pointWeights(snapshot, mesh);
     std::vector<double> preferred =
         pointWeights(preference::SeamPreference().applied(snapshot, job.threads()), mesh);

@@ -76,6 +76,7 @@ std::optional<FreePart> FreePart::of(const Snapshot &snapshot, const FreePart *p
         part.addObstacles(snapshot, faces);
     }
     part.cutImpliedSeams();
+    part.decideGivenSeams();
     return part;
 }
 
@@ -229,6 +230,26 @@ void FreePart::cutImpliedSeams()
     states.resize(mesh.cornerPairCount(), PairState::Free);
     for (const std::size_t e : implied)
         states[2 * e] = states[2 * e + 1] = PairState::Cut;
+}
+
+//! Makes given seams cuts and, where only these may be seams, all other edges joins.
+void FreePart::decideGivenSeams()
+{
+    const SeamMode mode = mSnapshot.settings.seams;
+    if (mode == SeamMode::Free)
+        return;
+    const MeshData &mesh = *mSnapshot.mesh;
+    Steering &steering = mSnapshot.editSteering();
+    steering.pairState.resize(mesh.cornerPairCount(), PairState::Free);
+    for (std::size_t p = 0; p < steering.pairState.size(); ++p) {
+        PairState &state = steering.pairState[p];
+        if (state != PairState::Free || mesh.edgePairs[p / 2].diagonal)
+            continue;
+        if (!steering.givenSeams.empty() && steering.givenSeams[p / 2])
+            state = PairState::Cut;
+        else if (mode == SeamMode::Only)
+            state = PairState::Joined;
+    }
 }
 
 UvMatrix FreePart::wholeUv(const UvMatrix &uv) const

@@ -14,9 +14,9 @@ namespace autocuts::unwrap {
 //! for bit: faces outside the scope, and islands that are locked, stacked or grouped (the last two are rigid:
 //! packing may still move them). Faces without UVs may always change, unless they are outside the scope.
 //!
-//! Seams that the steering implies are cuts in the part: the border of the faces of a rectangle, and the
-//! border between faces in different UDIM tiles. Where the scope is attached, corners on its border are hard
-//! pins.
+//! What the steering implies is a cut or a join in the part. Cuts: given seams, the border of the faces of a
+//! rectangle, and the border between faces in different UDIM tiles. Joins: all edges without a given seam
+//! when only these may be seams. Where the scope is attached, corners on its border are hard pins.
 class FreePart
 {
 public:
@@ -54,6 +54,7 @@ private:
     void addSteering(const Snapshot &whole);
     void addObstacles(const Snapshot &whole, const std::vector<bool> &faces);
     void cutImpliedSeams();
+    void decideGivenSeams();
 
     Snapshot mWhole, mSnapshot;
     std::vector<bool> mFaces; //!< per face of the whole mesh: it is in the part

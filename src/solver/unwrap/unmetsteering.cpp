@@ -34,13 +34,22 @@ UnmetSteering unmetSteering(const Snapshot &snapshot, const UvMatrix &uv)
     }
     std::sort(unmet.pins.begin(), unmet.pins.end());
     unmet.pins.erase(std::unique(unmet.pins.begin(), unmet.pins.end()), unmet.pins.end());
-    const std::vector<bool> open =
-        steering.pairState.empty() ? std::vector<bool>() : openCornerPairs(mesh, uv);
-    for (std::size_t e = 0; e < open.size() / 2; ++e) {
+    const bool only = snapshot.settings.seams == SeamMode::Only;
+    const auto isCut = [&](std::size_t pair) {
+        return !steering.pairState.empty() && steering.pairState[pair] == PairState::Cut;
+    };
+    const std::vector<bool> open = openCornerPairs(mesh, uv);
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
         const auto [a, b] = mesh.edgePairs[e].triangle;
-        if (snapshot.isJoined(e) && (open[2 * e] || open[2 * e + 1]) &&
-            isInScope(snapshot, mesh.triangleFace[a]) && isInScope(snapshot, mesh.triangleFace[b]))
+        if ((!open[2 * e] && !open[2 * e + 1]) || !isInScope(snapshot, mesh.triangleFace[a]) ||
+            !isInScope(snapshot, mesh.triangleFace[b]))
+            continue;
+        const bool given =
+            isCut(2 * e) || isCut(2 * e + 1) || (!steering.givenSeams.empty() && steering.givenSeams[e]);
+        if (snapshot.isJoined(e))
             unmet.joins.push_back(static_cast<int>(e));
+        else if (only && !given)
+            unmet.missingSeams.push_back(static_cast<int>(e));
     }
     for (std::size_t i = 0; i < steering.rectangles.size(); ++i) {
         const UvRectangle &box = steering.rectangles[i];

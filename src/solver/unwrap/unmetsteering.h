@@ -14,8 +14,11 @@ struct UnmetSteering
     std::vector<int> pins;       //!< corners of hard pins that are not on their pins
     std::vector<int> joins;      //!< joined edge pairs that are seams
     std::vector<int> rectangles; //!< indices of rectangles that islands of theirs reach out of
+    //! Edge pairs that are seams although they are not given and only given ones may be: without them a chart
+    //! is not a disk, or cannot be laid flat without overlapping itself.
+    std::vector<int> missingSeams;
 
-    bool empty() const { return pins.empty() && joins.empty() && rectangles.empty(); }
+    bool empty() const { return pins.empty() && joins.empty() && rectangles.empty() && missingSeams.empty(); }
 };
 
 //! \param uv per corner, texture space. Faces outside the scope are not looked at

@@ -63,7 +63,10 @@ search::OptimizeEffort effortFor(UnwrapQuality quality, int triangles)
 
 //! Least share of the distortion in the energy, for lambda near 1. Chosen by hand.
 constexpr double smallestShare = 1e-9;
-constexpr int settleSteps = 20; // Newton steps before hard pins are reached; chosen by hand
+//! Where only the given seams may be seams there is no bound on the distortion.
+constexpr double noBound = 1e6;
+constexpr double dearSeam = 100; // factor on the cost of a seam that is not given; chosen by hand
+constexpr int settleSteps = 20;  // Newton steps before hard pins are reached; chosen by hand
 
 //! True when the surface has several connected components or borders, or handles. Its first cuts are not few,
 //! so that the search also starts from a map of the soup.
@@ -266,8 +269,51 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
     return found;
 }
 
+//! The map whose seams are only the given ones, with the least distortion; nothing when a chart would be
+//! closed or overlap itself. \pre all other edges are joined
+std::optional<FoundMap> onlyGivenSeams(const Snapshot &snapshot, const JobContext &job)
+{
+    const std::shared_ptr<const Soup> soup = Soup::build(snapshot.mesh);
+    search::OptimizeOptions search;
+    search.maxDistortion = noBound;
+    search.effort = {0, {{0, 1}}};
+    search.job = job.quiet();
+    std::optional<search::OptimizedMap> flat =
+        search::optimizeSeams(search::SeamGraph::build(soup, snapshot), search);
+    if (!flat)
+        return std::nullopt;
+    FoundMap found;
+    found.best.map = std::move(flat->map);
+    definite::equalizeDensity(*soup, snapshot, found.best.map);
+    found.best.measure(*soup, snapshot);
+    found.iterations = flat->iterations;
+    return found;
+}
+
+//! Other seams than the given ones may be added, but only where there is no other way.
+Snapshot withDearSeams(const Snapshot &snapshot)
+{
+    Snapshot loose = snapshot;
+    Steering &steering = loose.editSteering();
+    steering.pairWeight.resize(snapshot.mesh->cornerPairCount(), 1);
+    for (std::size_t p = 0; p < steering.pairState.size(); ++p) {
+        if (steering.pairState[p] != PairState::Joined)
+            continue;
+        steering.pairState[p] = PairState::Free;
+        steering.pairWeight[p] *= dearSeam;
+    }
+    return loose;
+}
+
 FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &ranking, const JobContext &job)
 {
+    if (given.settings.seams == SeamMode::Only && options.maxDistortion < noBound) {
+        if (std::optional<FoundMap> found = onlyGivenSeams(given, job))
+            return std::move(*found);
+        UnwrapOptions unbounded = options;
+        unbounded.maxDistortion = noBound;
+        return findMap(withDearSeams(given), unbounded, ranking, job);
+    }
     const std::shared_ptr<const Soup> soup = Soup::build(given.mesh);
     Snapshot snapshot = given;
     // Decided on the mesh itself: a coarser version has sharper edges, which would look like creases.
@@ -313,7 +359,8 @@ UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options, 
     result.seamLength = best.seamLength;
     result.lambda = best.lambda;
     result.delta = best.delta;
-    result.withinBound = options.lambda || best.distortion <= options.maxDistortion;
+    result.withinBound = options.lambda || snapshot.settings.seams == SeamMode::Only ||
+                         best.distortion <= options.maxDistortion;
     place(snapshot, *part, best.map, options, job, ranking, result);
     result.unmet = unmetSteering(snapshot, result.uv);
     result.stopped = job.stopped();

@@ -52,8 +52,8 @@ MapFigures measured(const MeshData &mesh, const UvMatrix &uv, int textureSize, J
 MapController::MapController(Workspace &workspace, SolverController &solver, QObject *parent)
     : QObject(parent), mWorkspace(workspace), mSolver(solver)
 {
-    connect(&mJobs, &JobRunner::failed, this, &MapController::failed);
-    connect(&mMeasuring, &JobRunner::failed, this, &MapController::failed);
+    for (JobRunner *jobs : {&mJobs, &mMeasuring})
+        connect(jobs, &JobRunner::failed, this, [this](const QString &message) { Q_EMIT failed(message); });
     mMeasureSoon.setSingleShot(true);
     mMeasureSoon.setInterval(measureDelay);
     connect(&mMeasureSoon, &QTimer::timeout, this, &MapController::measure);
@@ -131,7 +131,7 @@ void MapController::applyResult(const MapJobResult &result)
         pushCommand(newMapCommand(*mWorkspace.document(), result.edit, result.uv, result.count));
     }
     if (!result.problem.isEmpty())
-        Q_EMIT failed(result.problem);
+        Q_EMIT failed(result.problem, result.problemItems);
     else
         Q_EMIT done(result.message);
 }

@@ -2,6 +2,7 @@
 // measuring.
 #pragma once
 
+#include "model/document/selection.h"
 #include "model/plain/statetoken.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/unwrap/unwrapquality.h"
@@ -79,8 +80,9 @@ Q_SIGNALS:
     void figuresChanged();
     //! A job succeeded. \param message translated, one line, for the status bar
     void done(const QString &message);
-    //! A job failed. \param message translated
-    void failed(const QString &message);
+    //! A job failed, or could not do all that it was asked for.
+    //! \param message translated \param items what it is about; empty: nothing in particular
+    void failed(const QString &message, const autocuts::Selection &items = {});
 
 private:
     MapInput input() const;

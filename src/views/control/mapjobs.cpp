@@ -15,6 +15,8 @@
 
 namespace autocuts {
 
+using namespace Qt::Literals::StringLiterals;
+
 namespace {
 
 QString translated(const char *text)
@@ -67,14 +69,39 @@ QString nothingFree()
     return translated("Nothing may change: all islands are locked, stacked or grouped, or outside the scope");
 }
 
-QString unmetText(const unwrap::UnmetSteering &unmet)
+//! Says what the map does not obey, and what to select.
+void showUnmet(const MapInput &input, const unwrap::UnmetSteering &unmet, MapJobResult &result)
 {
-    return translated(
-               "Could not be obeyed without a flip, an overlap or a contradiction: hard pins %1, joined "
-               "edges %2, rectangles %3")
-        .arg(unmet.pins.size())
-        .arg(unmet.joins.size())
-        .arg(unmet.rectangles.size());
+    QStringList items;
+    Selection &selection = result.problemItems;
+    if (!unmet.rectangles.empty()) {
+        items << translated("rectangles: %1").arg(unmet.rectangles.size());
+        selection.mode = SelectionMode::Faces;
+        for (const int i : unmet.rectangles) {
+            for (const int corner : input.snapshot.steering->rectangles[i].soupCorners)
+                selection.faces << input.mesh().triangleFace[corner / 3];
+        }
+    }
+    if (!unmet.missingSeams.empty()) {
+        items << translated("seams that are not given and were needed: %1").arg(unmet.missingSeams.size());
+        selection.mode = SelectionMode::Edges;
+        selection.edges = QList<int>(unmet.missingSeams.begin(), unmet.missingSeams.end());
+    }
+    if (!unmet.joins.empty()) {
+        items << translated("joined edges: %1").arg(unmet.joins.size());
+        selection.mode = SelectionMode::Edges;
+        selection.edges = QList<int>(unmet.joins.begin(), unmet.joins.end());
+    }
+    if (!unmet.pins.empty()) {
+        items << translated("hard pins: %1").arg(unmet.pins.size());
+        selection.mode = SelectionMode::Vertices;
+        selection.corners = QList<int>(unmet.pins.begin(), unmet.pins.end());
+    }
+    selection.normalize(input.mesh());
+    result.problem =
+        translated("Not obeyed, because something else contradicts it or it would turn triangles "
+                   "over: %1")
+            .arg(items.join(u", "_s));
 }
 
 } // namespace
@@ -99,7 +126,7 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, dou
     if (!made.packed)
         result.problem = noRoom(input.packing);
     else if (!made.unmet.empty())
-        result.problem = unmetText(made.unmet);
+        showUnmet(input, made.unmet, result);
     else if (!made.withinBound)
         result.problem =
             translated("The distortion of %1 is above the bound of %2: allow more, or remove joins")
@@ -134,7 +161,7 @@ MapJobResult finishJob(const MapInput &input, double maxDistortion, JobControl &
     else if (made.noRoom)
         result.problem = noRoom(input.packing);
     else if (!made.unmet.empty())
-        result.problem = unmetText(made.unmet);
+        showUnmet(input, made.unmet, result);
     else if (made.heldTogether)
         result.problem = translated("The map still covers itself: joined edges hold it together there. Clear "
                                     "some joins and finish again");

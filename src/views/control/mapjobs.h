@@ -4,6 +4,7 @@
 #include "commands/setuvs.h"
 #include "model/document/constraints.h"
 #include "model/document/islands.h"
+#include "model/document/selection.h"
 #include "model/plain/packingsettings.h"
 #include "model/plain/snapshot.h"
 #include "solver/unwrap/unwrapquality.h"
@@ -51,6 +52,7 @@ struct MapJobResult
     UvMatrix uv;              //!< per corner, texture space; without rows, the map is not changed
     QString message;          //!< what was done
     QString problem;          //!< what could not be done
+    Selection problemItems{}; //!< what the problem is about
     std::optional<int> count; //!< number for the text in the history
 };
 

@@ -8,6 +8,7 @@
 #include "views/panels/doctorpanel.h"
 #include "views/panels/historypanel.h"
 #include "views/panels/islandpanel.h"
+#include "views/panels/noticebar.h"
 #include "views/panels/overlappanel.h"
 #include "views/panels/packpanel.h"
 #include "views/panels/seampanel.h"
@@ -27,6 +28,7 @@
 #include <QMimeData>
 #include <QSplitter>
 #include <QToolBar>
+#include <QVBoxLayout>
 
 namespace autocuts {
 
@@ -94,7 +96,14 @@ void MainWindow::makeViews()
     mUvView = new UvView(canvas, mTools, mSplitter);
     mSplitter->setSizes({1000, 1000});
     mSplitter->setChildrenCollapsible(false);
-    setCentralWidget(mSplitter);
+    mNotice = new NoticeBar(mWorkspace);
+    auto *centre = new QWidget;
+    auto *column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(mNotice);
+    column->addWidget(mSplitter, 1);
+    setCentralWidget(centre);
 
     ViewActions &view = mStudioActions->view();
     connect(&view, &ViewActions::layoutChosen, this, &MainWindow::arrangeViews);
@@ -196,7 +205,8 @@ void MainWindow::connectMessages()
     connect(&mMap, &MapController::done, this, say);
     connect(&mStudioActions->islands(), &IslandActions::said, this, say);
     connect(&mFiles, &FileController::done, this, say);
-    connect(&mMap, &MapController::failed, this, say);
+    connect(&mMap, &MapController::failed, mNotice, &NoticeBar::showNotice);
+    connect(&mMap, &MapController::done, mNotice, [this] { mNotice->showNotice({}); });
     connect(&mSolver, &SolverController::failed, this, [this](const QString &message) {
         mQuestions->showError(Error{message, {}, 0, {}});
     });

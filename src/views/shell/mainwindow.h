@@ -23,6 +23,7 @@ namespace autocuts {
 
 class MenuBuilder;
 class MeshView;
+class NoticeBar;
 class StatusBar;
 class StudioActions;
 class UvView;
@@ -76,6 +77,7 @@ private:
     ToolManager mTools;
     std::unique_ptr<StudioActions> mStudioActions;
 
+    NoticeBar *mNotice = nullptr;
     QSplitter *mSplitter = nullptr;
     MeshView *mMeshView = nullptr;
     UvView *mUvView = nullptr;
