@@ -1,10 +1,12 @@
 #include "cli/mapmaking.h"
 
 #include "cli/batchpacking.h"
+#include "cli/batchscope.h"
 #include "solver/unwrap/finishjob.h"
-#include "solver/unwrap/packjob.h"
 #include "solver/unwrap/separatejob.h"
 #include "solver/unwrap/unwrap.h"
+
+#include <algorithm>
 
 namespace autocuts {
 
@@ -17,11 +19,27 @@ void setUv(Scene &scene, const UvMatrix &uv)
     scene.uvSets.front().uv = uv;
 }
 
+//! Joins the edges inside locked charts, so that they are not cut.
+void holdTogether(const ChartMap &charts, const std::vector<IslandFlags> &flags, Snapshot &snapshot)
+{
+    const MeshData &mesh = *snapshot.mesh;
+    std::vector<PairState> &states = snapshot.editSteering().pairState;
+    states.resize(mesh.cornerPairCount(), PairState::Free);
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        const EdgePair &pair = mesh.edgePairs[e];
+        const int face = mesh.triangleFace[pair.triangle[0]];
+        if (flags[face].locked == 0 || pair.diagonal ||
+            charts.faceChart[face] != charts.faceChart[mesh.triangleFace[pair.triangle[1]]])
+            continue;
+        states[2 * e] = states[2 * e + 1] = PairState::Joined;
+    }
+}
+
 } // namespace
 
 Result<MadeMap> MapMaking::unwrap(Scene &scene) const
 {
-    const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+    const Result<Snapshot> snapshot = snapshotOf(scene);
     if (!snapshot)
         return snapshot.error();
     const unwrap::UnwrapResult result = unwrap::unwrapMesh(snapshot.value(), mOptions.unwrap, mJob);
@@ -29,6 +47,7 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
         return noRoomError(mOptions);
     setUv(scene, result.uv);
     MadeMap outcome;
+    sayGivenSeams(snapshot.value(), outcome);
     outcome.iterations = result.iterations;
     outcome.lambda = result.lambda;
     outcome.delta = result.delta;
@@ -48,11 +67,21 @@ Result<MadeMap> MapMaking::pack(Scene &scene) const
         return noUvs();
     UvMatrix uv = scene.uvSets.front().uv;
     const MeshData &mesh = *scene.mesh;
-    const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, mesh);
+    Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, mesh);
     if (!pack)
         return pack.error();
+    const auto scope = batchScope(mOptions, scene);
+    if (!scope)
+        return scope.error();
+    ChartMap charts = findCharts(mesh, uv);
+    if (const JobScope *part = scope.value().get()) {
+        if (!part->attached)
+            charts = chartsAlong(*part, charts);
+        if (const std::optional<Error> problem = limitPacking(*part, charts, pack.value()))
+            return *problem;
+    }
     const JobContext job = mJob.part(0, 1, JobStage::Packing);
-    if (!unwrap::packCharts(mesh, findCharts(mesh, uv), pack.value(), uv, job))
+    if (!unwrap::packCharts(mesh, charts, pack.value(), uv, job))
         return noRoomError(mOptions);
     setUv(scene, uv);
     return MadeMap{};
@@ -63,12 +92,18 @@ Result<MadeMap> MapMaking::separate(Scene &scene) const
     using Separation = unwrap::SeparateResult::Outcome;
     if (!scene.hasUv())
         return noUvs();
-    const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+    Result<Snapshot> snapshot = snapshotOf(scene);
     if (!snapshot)
         return snapshot.error();
-    const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, *scene.mesh);
+    Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, *scene.mesh);
     if (!pack)
         return pack.error();
+    if (const JobScope *part = snapshot->scope.get()) {
+        const ChartMap charts = findCharts(*scene.mesh, scene.uvSets.front().uv);
+        if (const std::optional<Error> problem = limitPacking(*part, charts, pack.value()))
+            return *problem;
+        holdTogether(charts, pack->faceFlags, snapshot.value());
+    }
     const unwrap::SeparateResult made =
         unwrap::separateMap(snapshot.value(), scene.uvSets.front().uv, pack.value(), mJob);
     MadeMap outcome;
@@ -77,8 +112,8 @@ Result<MadeMap> MapMaking::separate(Scene &scene) const
         setUv(scene, made.uv);
         outcome.notes << QStringLiteral("edges cut to take overlaps apart: %1").arg(made.newSeams);
         if (made.unresolvedPairs > 0)
-            outcome.warnings << QStringLiteral("overlaps inside single polygons or across joined edges, "
-                                               "which stay whole: %1")
+            outcome.warnings << QStringLiteral("overlaps inside single polygons, across joined edges or "
+                                               "outside of --only, which stay: %1")
                                     .arg(made.unresolvedPairs);
         break;
     case Separation::NoOverlaps:
@@ -97,7 +132,7 @@ Result<MadeMap> MapMaking::finish(Scene &scene) const
 {
     if (!scene.hasUv())
         return noUvs();
-    const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+    const Result<Snapshot> snapshot = snapshotOf(scene);
     if (!snapshot)
         return snapshot.error();
     unwrap::FinishInput finish;
@@ -115,11 +150,47 @@ Result<MadeMap> MapMaking::finish(Scene &scene) const
     if (made.noRoom)
         return noRoomError(mOptions);
     setUv(scene, made.uv);
+    sayGivenSeams(snapshot.value(), outcome);
     if (made.heldTogether)
         outcome.warnings << QStringLiteral("the map still covers itself: joined edges hold it together");
     if (made.distortion > mOptions.unwrap.maxDistortion)
         outcome.warnings << boundMissed(made.distortion);
     return outcome;
+}
+
+Result<Snapshot> MapMaking::snapshotOf(const Scene &scene) const
+{
+    Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+    if (!snapshot)
+        return snapshot;
+    const auto scope = batchScope(mOptions, scene);
+    if (!scope)
+        return scope.error();
+    snapshot->scope = scope.value();
+    return snapshot;
+}
+
+std::optional<Error> MapMaking::limitPacking(const JobScope &scope, const ChartMap &charts,
+                                             unwrap::PackJob &pack) const
+{
+    if (lockOutside(scope, charts, pack.faceFlags))
+        return {};
+    return Error{QStringLiteral("no island lies as a whole in what --only names"), mOptions.input, 0,
+                 QStringLiteral("Name more, or cut the islands with pack --border free")};
+}
+
+void MapMaking::sayGivenSeams(const Snapshot &snapshot, MadeMap &made) const
+{
+    if (snapshot.settings.seams == SeamMode::Free) {
+        if (mOptions.given.contains(QStringLiteral("--seams-from")))
+            made.warnings << QStringLiteral("--seams-from does nothing without --seams keep or only");
+        return;
+    }
+    const std::vector<bool> &given = snapshot.steering->givenSeams;
+    const auto count = std::count(given.begin(), given.end(), true);
+    made.notes << QStringLiteral("given seams: %1").arg(count);
+    if (count == 0)
+        made.warnings << QStringLiteral("there are no given seams: --seams-from names where they come from");
 }
 
 QString MapMaking::boundMissed(double distortion) const

@@ -5,6 +5,7 @@
 #include "cli/clioptions.h"
 #include "cli/mapreporting.h"
 #include "solver/base/jobcontext.h"
+#include "solver/unwrap/packjob.h"
 
 namespace autocuts {
 
@@ -31,6 +32,12 @@ public:
     Result<MadeMap> finish(Scene &scene) const;
 
 private:
+    //! The input of the solver, with the scope of --only.
+    Result<Snapshot> snapshotOf(const Scene &scene) const;
+    //! Locks what lies outside of the scope. \returns an error when nothing is left to be moved
+    std::optional<Error> limitPacking(const JobScope &scope, const ChartMap &charts,
+                                      unwrap::PackJob &pack) const;
+    void sayGivenSeams(const Snapshot &snapshot, MadeMap &made) const;
     QString boundMissed(double distortion) const;
     Error noUvs() const;
 
