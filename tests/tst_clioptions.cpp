@@ -58,6 +58,9 @@ private Q_SLOTS:
         QCOMPARE(o.settings.creaseStrength, 0.8);
         QCOMPARE(o.settings.visibility, 0.0);
         QVERIFY(!o.settings.symmetry);
+        QCOMPARE(o.settings.seams, SeamMode::Free);
+        QVERIFY((o.settings.givenSeams == GivenSeamOptions{.cuts = true, .map = true}));
+        QVERIFY(o.only.isEmpty() && o.borderAttached);
         QCOMPARE(o.unwrap.quality, UnwrapQuality::Standard);
         QVERIFY(!o.unwrap.allowOverlaps);
         QVERIFY(o.unwrap.pack);
@@ -75,7 +78,9 @@ private Q_SLOTS:
         const CliOptions o = parsed(
             "unwrap --max-distortion 4.25 --init tutte --weights count --energy amips --allow-overlaps "
             "--no-pack --texture-size 1024 --margin 2.5 --rotation 90 --pack-time 3 --solver exact --quality "
-            "best --creases on --crease-strength 0.5 --visibility 0.25 --symmetry --layout l.svg --report "
+            "best --creases on --crease-strength 0.5 --visibility 0.25 --symmetry --seams keep --seams-from "
+            "sharp:45,hard "
+            "--only islands:3,5 --only objects:arm --only objects:leg --border free --layout l.svg --report "
             "r.json --threads 3 --time-limit 12.5 --seed 7 --quiet -o out.obj "
             "in.obj");
         QCOMPARE(o.input, QStringLiteral("in.obj"));
@@ -95,6 +100,16 @@ private Q_SLOTS:
         QCOMPARE(o.settings.creaseStrength, 0.5);
         QCOMPARE(o.settings.visibility, 0.25);
         QVERIFY(o.settings.symmetry);
+        QCOMPARE(o.settings.seams, SeamMode::Keep);
+        QVERIFY((o.settings.givenSeams == GivenSeamOptions{.cuts = false,
+                                                           .map = false,
+                                                           .sharp = true,
+                                                           .hard = true,
+                                                           .materials = false,
+                                                           .sharpAngle = 45}));
+        QCOMPARE(o.only.islands, (std::vector<int>{3, 5}));
+        QCOMPARE(o.only.objects, (QStringList{u"arm"_s, u"leg"_s}));
+        QVERIFY(!o.borderAttached);
         QCOMPARE(o.unwrap.quality, UnwrapQuality::Best);
         QCOMPARE(o.layout, QStringLiteral("l.svg"));
         QCOMPARE(o.report, QStringLiteral("r.json"));
@@ -120,6 +135,10 @@ private Q_SLOTS:
                                  "unwrap a -o b --quality standard",
                                  "unwrap a -o b --rotation free",
                                  "unwrap a -o b --rotation none",
+                                 "unwrap a -o b --seams free",
+                                 "unwrap a -o b --seams only --seams-from cuts,uv,sharp,hard",
+                                 "finish a -o b --seams keep --seams-from objects,materials --only "
+                                 "objects:a --border attached",
                                  "unwrap a -o b --lambda 0",
                                  "unwrap a -o b --lambda=1",
                                  "unwrap a --output b",
@@ -172,14 +191,17 @@ private Q_SLOTS:
         QTest::addColumn<QStringList>("names");
         const QStringList common{u"-o"_s,        u"--texture-size"_s, u"--margin"_s, u"--rotation"_s,
                                  u"--tile"_s,    u"--pack-time"_s,    u"--layout"_s, u"--report"_s,
-                                 u"--threads"_s, u"--time-limit"_s,   u"--seed"_s};
-        QTest::newRow("unwrap") << u"unwrap"_s
-                                << common +
-                                       words(u"--max-distortion --lambda --init --weights --energy --solver "
-                                             "--quality --creases --crease-strength --visibility "
-                                             "--symmetry --allow-overlaps --no-pack"_s);
+                                 u"--threads"_s, u"--time-limit"_s,   u"--seed"_s,   u"--only"_s,
+                                 u"--border"_s};
+        QTest::newRow("unwrap")
+            << u"unwrap"_s
+            << common +
+                   words(u"--max-distortion --seams --seams-from --lambda --init --weights --energy --solver "
+                         "--quality --creases --crease-strength --visibility "
+                         "--symmetry --allow-overlaps --no-pack"_s);
         QTest::newRow("pack") << u"pack"_s << common + words(u"--into --keep-scale"_s);
         QTest::newRow("separate") << u"separate"_s << common;
+        QTest::newRow("finish") << u"finish"_s << common + words(u"--max-distortion --seams --seams-from"_s);
         QTest::newRow("check") << u"check"_s << words(u"--texture-size --json"_s);
         for (const QString &name : {u"convert"_s, u"replay"_s, u"sample"_s})
             QTest::newRow(qPrintable(name)) << name << QStringList{u"-o"_s};
@@ -220,9 +242,10 @@ private Q_SLOTS:
             QCOMPARE(given.unwrap.packing.rotation, standard.unwrap.packing.rotation);
             QCOMPARE(given.unwrap.packing.effort, standard.unwrap.packing.effort);
             QCOMPARE(given.unwrap.packing.udimTile, standard.unwrap.packing.udimTile);
+            QCOMPARE(given.borderAttached, standard.borderAttached);
             ++checked;
         }
-        QCOMPARE(checked, 15);
+        QCOMPARE(checked, 18);
     }
 
     void helpSaysAllInItsWidth()
@@ -294,6 +317,21 @@ private Q_SLOTS:
         row("unwrap a -o b --time-limit 0", "--time-limit takes a number");
         row("unwrap a -o b --seed -4", "--seed takes a whole number from 0");
         row("unwrap a -o b --quiet=yes", "--quiet takes no value");
+        row("unwrap a -o b --seams mine", "--seams takes free or keep or only");
+        for (const char *line :
+             {"unwrap a -o b --seams-from edges", "unwrap a -o b --seams-from cuts,",
+              "unwrap a -o b --seams-from sharp:181", "unwrap a -o b --seams-from sharp:flat",
+              "unwrap a -o b --seams-from hard:30"})
+            row(line, "--seams-from takes a list of cuts, uv, sharp");
+        for (const char *line : {"pack a -o b --only island:3", "pack a -o b --only objects",
+                                 "pack a -o b --only objects:", "pack a -o b --only materials:,"})
+            row(line, "--only takes islands:N,.. or objects:NAME,..");
+        row("pack a -o b --only islands:1,0", "--only takes islands by their numbers, from 1");
+        row("pack a -o b --only islands:two", "--only takes islands by their numbers, from 1");
+        row("pack a -o b --border free", "--border says how --only ends");
+        row("pack a -o b --only islands:1 --border cut", "--border takes attached or free");
+        row("pack a -o b --seams keep", "--seams does not belong to this command");
+        row("check a --only islands:1", "--only does not belong to this command");
         row("unwrap a -o b --keep-scale", "--keep-scale does not belong to this command");
         row("pack a -o b --no-pack", "--no-pack does not belong to this command");
         row("pack a -o b --init uv", "--init does not belong to this command");

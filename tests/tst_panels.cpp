@@ -1,5 +1,6 @@
 // The panels of history, seams, islands, packing, overlaps, mesh doctor and view: what they do to the
 // document and how they follow it.
+#include "commands/changesettings.h"
 #include "commands/setseamstate.h"
 #include "commands/setuvs.h"
 #include "support/editsupport.h"
@@ -162,6 +163,66 @@ private Q_SLOTS:
     }
 
     // Seams.
+
+    void itIsChosenWhoseSeams()
+    {
+        Bench<SeamPanel> bench;
+        QVERIFY(bench.followed());
+        auto *const mode = child<QComboBox>(bench.panel, "seamMode");
+        auto *const map = child<QCheckBox>(bench.panel, "seamMap");
+        auto *const angle = child<QDoubleSpinBox>(bench.panel, "sharpAngle");
+        const auto settings = [&] { return bench.document().solveSettings(); };
+        QCOMPARE(mode->currentText(), QStringLiteral("Free"));
+        QVERIFY(!map->isEnabled() && !angle->isEnabled());
+        QVERIFY(map->isChecked() && child<QCheckBox>(bench.panel, "seamCuts")->isChecked());
+        QCOMPARE(bench.text("givenCount"), QStringLiteral("–"));
+        mode->setFocus();
+        QTest::keyClick(mode, Qt::Key_Down);
+        QCOMPARE(settings().seams, SeamMode::Keep);
+        QVERIFY(bench.followed());
+        QVERIFY(map->isEnabled() && angle->isEnabled());
+        QCOMPARE(bench.text("givenCount"), QStringLiteral("4")); // between the two islands
+        cutEdges(bench.document(), 3);                           // one of them is a seam of the map
+        QVERIFY(bench.followed());
+        QCOMPARE(bench.text("givenCount"), QStringLiteral("6"));
+        QTest::mouseClick(map, Qt::LeftButton, {}, {10, map->height() / 2});
+        QVERIFY(!settings().givenSeams.map);
+        QVERIFY(bench.followed());
+        QCOMPARE(bench.text("givenCount"), QStringLiteral("3"));
+        for (const char *name : {"seamSharp", "seamHard", "seamMaterials"}) {
+            auto *const box = child<QCheckBox>(bench.panel, name);
+            box->setFocus();
+            QTest::keyClick(box, Qt::Key_Space);
+        }
+        type(angle, QStringLiteral("12.5"));
+        const GivenSeamOptions expected{
+            .cuts = true, .map = false, .sharp = true, .hard = true, .materials = true, .sharpAngle = 12.5};
+        QVERIFY(settings().givenSeams == expected);
+        QCOMPARE(bench.stack().undoText(), QStringLiteral("Change angle of sharp edges"));
+        QCOMPARE(bench.stack().count(), 1 + 3 + 1 + 3 + 1);
+        while (bench.stack().canUndo())
+            bench.stack().undo();
+        QVERIFY(settings() == SolveSettings());
+        QVERIFY(bench.followed());
+        QCOMPARE(mode->currentText(), QStringLiteral("Free"));
+        QCOMPARE(angle->value(), 30.0);
+        QVERIFY(map->isChecked() && !map->isEnabled());
+    }
+
+    void givenSeamsFollowTheMap()
+    {
+        Bench<SeamPanel> bench;
+        SolveSettings settings;
+        settings.seams = SeamMode::Only;
+        pushCommand(std::make_unique<ChangeSettings>(bench.document(), settings));
+        QVERIFY(bench.followed());
+        QCOMPARE(bench.text("givenCount"), QStringLiteral("4"));
+        UvMatrix uv = bench.document().uv();
+        uv.topRows(4).array() += 5; // the first face, in a corner of the grid
+        pushCommand(std::make_unique<SetUvs>(bench.document(), UvEdit::Drag, uv));
+        QVERIFY(bench.followed());
+        QCOMPARE(bench.text("givenCount"), QStringLiteral("6"));
+    }
 
     void selectedEdgesAreSteered_data()
     {

@@ -58,6 +58,7 @@ void compareScenes(const Scene &a, const Scene &b)
     QCOMPARE(a.objectNames, b.objectNames);
     QCOMPARE(a.materialNames, b.materialNames);
     QCOMPARE(a.faceMaterial, b.faceMaterial);
+    QCOMPARE(a.hardEdges, b.hardEdges);
     QCOMPARE(a.notes, b.notes);
     QCOMPARE(a.mesh->faceStart, b.mesh->faceStart);
     QCOMPARE(a.mesh->cornerVertex, b.mesh->cornerVertex);
@@ -117,6 +118,8 @@ private Q_SLOTS:
     void roundTrip();
     void objSourceComesBack();
     void otherFormatsAreNoted();
+    void seamSettingsComeBack();
+    void hardEdgesAreChecked();
     void writerKeepsTheModel();
     void everyVersionOpens_data();
     void everyVersionOpens();
@@ -189,6 +192,56 @@ void TestProjectFile::otherFormatsAreNoted()
     const LoadedProject loaded = parseProject(bytesOf(test::gridSession(3, 0, 1)), {}).value();
     QCOMPARE(loaded.notes.size(), 1);
     QVERIFY2(loaded.notes.first().contains(u"ply file, not its normals"), qPrintable(loaded.notes.first()));
+}
+
+void TestProjectFile::seamSettingsComeBack()
+{
+    test::Session session = test::cubeSession();
+    SolveSettings &settings = session.state.solveSettings;
+    settings.seams = SeamMode::Only;
+    settings.givenSeams = {
+        .cuts = false, .map = true, .sharp = true, .hard = false, .materials = true, .sharpAngle = 12.5};
+    QVERIFY(parseProject(bytesOf(session), {}).value().state.solveSettings == settings);
+    // Files of older programs have none of this, and files of other programs may have nonsense.
+    const auto reread = [&](const std::function<void(QCborMap &)> &change) {
+        const QByteArray bytes = repacked(bytesOf(session), [&](PartMap &parts) {
+            QCborMap all = QCborValue::fromCbor(parts["settings"]).toMap();
+            QCborMap solve = all["solve"_L1].toMap();
+            change(solve);
+            all["solve"_L1] = solve;
+            parts["settings"] = all.toCborValue().toCbor();
+        });
+        return parseProject(bytes, {}).value();
+    };
+    const SolveSettings old = reread([](QCborMap &solve) {
+                                  solve.remove("seams"_L1), solve.remove("givenSeams"_L1);
+                              }).state.solveSettings;
+    QCOMPARE(old.seams, SeamMode::Free);
+    QVERIFY(old.givenSeams == GivenSeamOptions());
+    QCOMPARE(old.lambda, settings.lambda);
+    const QStringList lost{u"the settings"_s};
+    QCOMPARE(reread([](QCborMap &solve) { solve["seams"_L1] = 3; }).lost, lost);
+    QCOMPARE(reread([](QCborMap &solve) { solve["givenSeams"_L1] = true; }).lost, lost);
+    QCOMPARE(reread([](QCborMap &solve) { solve["givenSeams"_L1] = QCborMap(); }).lost, lost);
+}
+
+void TestProjectFile::hardEdgesAreChecked()
+{
+    const test::Session session = test::gridSession(3, 0, 1);
+    const auto reread = [&](const std::function<void(QCborMap &)> &change) {
+        return parseProject(repacked(bytesOf(session),
+                                     [&](PartMap &parts) {
+                                         QCborMap map = QCborValue::fromCbor(parts["polygons"]).toMap();
+                                         change(map);
+                                         parts["polygons"] = map.toCborValue().toCbor();
+                                     }),
+                            {});
+    };
+    QCOMPARE(reread([](QCborMap &) {})->state.scene.hardEdges, session.state.scene.hardEdges);
+    QVERIFY(reread([](QCborMap &map) { map.remove("hardSides"_L1); })->state.scene.hardEdges.empty());
+    const QString damaged = u"the model in the session is damaged"_s;
+    for (const QByteArray &bits : {QByteArray(), QByteArray(5, '\xff'), QByteArray(4, '\0')})
+        QCOMPARE(reread([&](QCborMap &map) { map["hardSides"_L1] = bits; }).error().message, damaged);
 }
 
 void TestProjectFile::writerKeepsTheModel()

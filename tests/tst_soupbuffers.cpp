@@ -48,7 +48,7 @@ struct Scenery
     }
     std::vector<SideTexel> sides() const
     {
-        return sideTexels({mesh, topology, uv, separation, seams, options, selectedEdges});
+        return sideTexels({mesh, topology, uv, separation, seams, options, selectedEdges, givenSeams});
     }
 
     const MeshData &mesh;
@@ -61,7 +61,7 @@ struct Scenery
     TriangleStretch stretch;
     std::vector<float> separation;
     std::vector<int> islands, selectedFaces, selectedEdges, overlapping;
-    std::vector<bool> flipped;
+    std::vector<bool> flipped, givenSeams;
 };
 
 quint8 style(SideStyle s)
@@ -347,6 +347,33 @@ private Q_SLOTS:
         scenery.options.wireframe = false;
         QCOMPARE(at(edges[0]), SideTexel());
         QCOMPARE(at(edges[2]).top, style(SideStyle::Selected));
+    }
+
+    void givenSeamsAreShown()
+    {
+        const MeshPtr mesh = test::quadCube();
+        Scenery scenery(mesh, emptyUv(*mesh));
+        std::vector<int> edges;
+        for (int e = 0; e < static_cast<int>(mesh->edgePairs.size()); ++e) {
+            if (!mesh->edgePairs[e].diagonal)
+                edges.push_back(e);
+        }
+        scenery.givenSeams.assign(mesh->edgePairs.size(), false);
+        for (int i : {0, 1, 2})
+            scenery.givenSeams[edges[i]] = true;
+        scenery.seams.states[2 * edges[1]] = scenery.seams.states[2 * edges[1] + 1] = PairState::Cut;
+        scenery.selectedEdges = {edges[2]};
+        const auto at = [&](int i, int which) {
+            return scenery.sides()[scenery.topology.edgeSides[edges[i]][which]];
+        };
+        const SideTexel given{style(SideStyle::Wire), {255, 255}, style(SideStyle::Given)};
+        QCOMPARE(at(0, 0), given);
+        QCOMPARE(at(0, 1), given);
+        QCOMPARE(at(1, 0).top, style(SideStyle::ForcedCut));
+        QCOMPARE(at(2, 0).top, style(SideStyle::Selected));
+        QCOMPARE(at(3, 0).top, style(SideStyle::None));
+        scenery.options.steering = false;
+        QCOMPARE(at(0, 0).top, style(SideStyle::None));
     }
 
     void noSeamsWithoutUvs()

@@ -1,4 +1,5 @@
 // Both views with real mouse and key events: selecting, hovering, navigating, and what is drawn.
+#include "commands/changesettings.h"
 #include "commands/editrectangles.h"
 #include "commands/setseamstate.h"
 #include "support/canvases.h"
@@ -538,6 +539,31 @@ private Q_SLOTS:
         mStudio->shown.showDocument();
         expect(live, live | Content::Points);
         QVERIFY(map.ghostUvs().empty());
+    }
+
+    void givenSeamsAreDrawn()
+    {
+        Document &document = mStudio->document();
+        mStudio->uv.frameAll();
+        const auto drawn = [&](Canvas &canvas) {
+            const QColor given = canvas.content().colors().sides[static_cast<int>(SideStyle::Given)];
+            return countNear(canvas.picture(), given, 60);
+        };
+        SceneContent content(mStudio->context, false);
+        content.refresh();
+        QCOMPARE(drawn(mStudio->mesh) + drawn(mStudio->uv), 0);
+        SolveSettings settings;
+        settings.lambda = 0.5;
+        pushCommand(std::make_unique<ChangeSettings>(document, settings));
+        QCOMPARE(content.refresh(), 0);
+        settings.seams = SeamMode::Keep;
+        pushCommand(std::make_unique<ChangeSettings>(document, settings));
+        QCOMPARE(content.refresh(), int(SceneContent::Sides));
+        // The border between the islands: once in the model, on both sides in the map.
+        QVERIFY(drawn(mStudio->mesh) > 100 && drawn(mStudio->uv) > 100);
+        document.undoStack().undo();
+        QCOMPARE(content.refresh(), int(SceneContent::Sides));
+        QCOMPARE(drawn(mStudio->mesh) + drawn(mStudio->uv), 0);
     }
 
     void lostReleasesDoNoHarm()

@@ -17,12 +17,12 @@ uniform float pixelRatio, checkerSize, fillOpacity, lineOpacity;
 uniform int pattern; // 0 none, 1 checker, 2 picture
 uniform ivec2 hoverTriangles, hoverSides;
 uniform uint hoverIsland;
-uniform vec4 sideColors[7];
-uniform float sideHalfWidths[7];
+uniform vec4 sideColors[8];
+uniform float sideHalfWidths[8];
 uniform vec4 selectionColor, hoverColor, overlapColor, flippedColor;
 
 const uint selectedMark = 1u, overlapMark = 2u, flippedMark = 4u, withoutUvMark = 8u;
-const uint wireStyle = 1u, seamStyle = 3u;
+const uint wireStyle = 1u, seamStyle = 3u, givenStyle = 7u;
 
 // Smoothed checker: the share of the second colour, grey where squares are smaller than pixels.
 float checker(vec2 place)
@@ -129,8 +129,8 @@ void main()
             float along = clamp(second / max(first + second, 1e-6), 0.0, 1.0);
             vec4 line = sideColors[texel.a];
             line.a *= mix(float(texel.g), float(texel.b), along) / 255.0;
-            // In the map both sides of a cut are apart: each shows the whole line.
-            float width = sideHalfWidths[texel.a] * (asMap && texel.a == seamStyle ? 1.4 : 1.0);
+            // In the map both sides of a seam are apart: each shows the whole line.
+            float width = sideHalfWidths[texel.a] * (asMap && (texel.a == seamStyle || texel.a == givenStyle) ? 1.4 : 1.0);
             result = over(result, line, width, inside);
         }
         if (side == hoverSides.x || side == hoverSides.y)

@@ -2,6 +2,7 @@
 
 #include "commands/changesettings.h"
 #include "commands/newmap.h"
+#include "model/document/givenseams.h"
 #include "model/document/makesnapshot.h"
 #include "model/io/exportlosses.h"
 #include "model/io/meshfile.h"
@@ -97,6 +98,8 @@ void BatchFiles::mergeSettings(CliOptions &options)
     merge("--crease-strength", options.settings.creaseStrength, solve.creaseStrength);
     merge("--visibility", options.settings.visibility, solve.visibility);
     merge("--symmetry", options.settings.symmetry, solve.symmetry);
+    merge("--seams", options.settings.seams, solve.seams);
+    merge("--seams-from", options.settings.givenSeams, solve.givenSeams);
     options.settings.lambda = solve.lambda;
     options.settings.delta = solve.delta;
     options.settings.boxWeight = solve.boxWeight;
@@ -124,12 +127,14 @@ Result<Snapshot> BatchFiles::snapshot(const Scene &scene, const SolveSettings &s
     Snapshot snapshot;
     snapshot.mesh = scene.mesh;
     snapshot.settings = settings;
+    const UvMatrix *uv = scene.hasUv() ? &scene.uvSets.front().uv : nullptr;
     if (settings.start == StartMode::ExistingUv)
-        snapshot.startUv =
-            std::make_shared<const UvMatrix>(startUvFromCorners(*scene.mesh, scene.uvSets.front().uv));
-    if (scene.hasUv()) {
-        snapshot.uv = std::make_shared<const UvMatrix>(scene.uvSets.front().uv);
-        snapshot.uvScale = layoutScale(*scene.mesh, *snapshot.uv);
+        snapshot.startUv = std::make_shared<const UvMatrix>(startUvFromCorners(*scene.mesh, *uv));
+    if (settings.seams != SeamMode::Free)
+        snapshot.editSteering().givenSeams = givenSeams(scene, uv, {}, settings.givenSeams);
+    if (uv) {
+        snapshot.uv = std::make_shared<const UvMatrix>(*uv);
+        snapshot.uvScale = layoutScale(*scene.mesh, *uv);
     }
     return snapshot;
 }

@@ -7,6 +7,8 @@
 #include <QString>
 #include <QStringList>
 
+#include <vector>
+
 namespace autocuts {
 
 //! The parsed command line of `autocuts-cli`. clitable.h defines which command has which option.
@@ -27,6 +29,15 @@ struct CliOptions
         Replay
     };
 
+    //! What --only names: the part of the model that the command may change. Empty: all of it.
+    struct Only
+    {
+        std::vector<int> islands; //!< from 1, as the studio's island panel numbers them
+        QStringList objects, materials;
+
+        bool isEmpty() const { return islands.empty() && objects.isEmpty() && materials.isEmpty(); }
+    };
+
     bool hasRectangle() const { return given.contains(QStringLiteral("--into")); }
     //! Sets the target of packing to the UDIM tile of the packing settings.
     void packIntoTile();
@@ -37,12 +48,14 @@ struct CliOptions
     QString output;    //!< -o
     SolveSettings settings;
     unwrap::UnwrapOptions unwrap; //!< its packing target is that of --tile or --into
-    int threads = 1;              //!< does not influence the result
-    QString intoRectangle;        //!< pack: name of a rectangle of the session
-    QString layout;               //!< path of a .png or .svg file; empty for none
-    QString report;               //!< path of a .json file; empty for none
-    bool json = false;            //!< check: print the figures as JSON
-    double timeLimit = 0;         //!< seconds of wall time; 0 for none
+    Only only;
+    bool borderAttached = true; //!< JobScope::attached
+    int threads = 1;            //!< does not influence the result
+    QString intoRectangle;      //!< pack: name of a rectangle of the session
+    QString layout;             //!< path of a .png or .svg file; empty for none
+    QString report;             //!< path of a .json file; empty for none
+    bool json = false;          //!< check: print the figures as JSON
+    double timeLimit = 0;       //!< seconds of wall time; 0 for none
     bool quiet = false;
 };
 

@@ -1,9 +1,10 @@
 #include "cli/clitable.h"
 
+#include "cli/clivalues.h"
+
 #include <QFileInfo>
 
 #include <algorithm>
-#include <cmath>
 
 namespace autocuts {
 
@@ -137,31 +138,6 @@ CliOption choice(Group group, const QString &name, const Field<T> &field,
             }};
 }
 
-//! Reads four numbers, or the name of a rectangle.
-Problem readRectangle(CliOptions &options, const QString &value)
-{
-    const QStringList parts = value.split(u',');
-    bool allNumbers = parts.size() == 4;
-    std::vector<double> sides;
-    for (const QString &part : parts) {
-        bool ok = false;
-        sides.push_back(part.toDouble(&ok));
-        allNumbers = allNumbers && ok;
-    }
-    if (!allNumbers) {
-        options.intoRectangle = value;
-        return std::nullopt;
-    }
-    constexpr double farthest = 1000;
-    const bool inRange =
-        std::all_of(sides.begin(), sides.end(), [](double side) { return std::abs(side) <= farthest; });
-    if (!inRange || !(sides[0] < sides[2]) || !(sides[1] < sides[3]))
-        return u"left,bottom,right,top in UV units"_s;
-    options.unwrap.packing.lower = {sides[0], sides[1]};
-    options.unwrap.packing.upper = {sides[2], sides[3]};
-    return std::nullopt;
-}
-
 Problem readLayout(CliOptions &options, const QString &value)
 {
     const QString suffix = QFileInfo(value).suffix().toLower();
@@ -184,6 +160,46 @@ std::vector<CliOption> boundOptions()
                4.0001, 1e6,
                u"find the shortest seams with which the mean symmetric Dirichlet energy stays at or below "
                "this; 4 is no distortion"_s)};
+}
+
+std::vector<CliOption> seamingOptions()
+{
+    constexpr Group group = Group::Seaming;
+    return {
+        choice(group, u"--seams"_s, fieldOf(&SolveSettings::seams),
+               {{u"free"_s, SeamMode::Free}, {u"keep"_s, SeamMode::Keep}, {u"only"_s, SeamMode::Only}},
+               u"whose seams: those of the search; the given ones and what the bound needs besides; exactly "
+               "the given ones"_s),
+        {group,
+         {u"--seams-from"_s},
+         u"LIST"_s,
+         u"what the given seams of --seams keep and only are, with commas: cuts (edges cut in the session), "
+         "uv (the seams of the map that is there), sharp or sharp:DEGREES (edges bent by more than that, 30 "
+         "by default), hard (hard edges of the file: between smoothing groups, or where normals differ), "
+         "materials (edges between them), objects (always seams)"_s,
+         u"cuts,uv"_s,
+         readSeamSources},
+    };
+}
+
+std::vector<CliOption> scopeOptions()
+{
+    constexpr Group group = Group::Scope;
+    return {
+        {group,
+         {u"--only"_s},
+         u"PART"_s,
+         u"change only a part of the model, the rest keeps its UVs: islands:3,5 (numbered as in the studio's "
+         "island panel: from 1, in the order of their first faces), objects:NAME,.. or materials:NAME,..; "
+         "given several times, the parts add up"_s,
+         {},
+         readOnly},
+        choice(
+            group, u"--border"_s, fieldOf(&CliOptions::borderAttached),
+            {{u"attached"_s, true}, {u"free"_s, false}},
+            u"where the border of --only runs through an island: the map stays whole across it, or is cut "
+            "there; attached, pack leaves such islands where they are, and separate does so in any case"_s),
+    };
 }
 
 std::vector<CliOption> solvingOptions()
@@ -296,13 +312,14 @@ const std::vector<CliCommand> &cliCommands()
 {
     using enum OptionGroup;
     static const std::vector<CliCommand> commands{
-        {Command::Unwrap, u"unwrap"_s, u"IN"_s, Output::Needed, Bound | Solving | Texture | Packing | Making,
-         u"make a UV map"_s},
-        {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed, Texture | Packing | Placing | Making,
+        {Command::Unwrap, u"unwrap"_s, u"IN"_s, Output::Needed,
+         Bound | Seaming | Solving | Texture | Packing | Scope | Making, u"make a UV map"_s},
+        {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed, Texture | Packing | Placing | Scope | Making,
          u"arrange the islands of an existing map anew"_s},
-        {Command::Separate, u"separate"_s, u"IN"_s, Output::Needed, Texture | Packing | Making,
+        {Command::Separate, u"separate"_s, u"IN"_s, Output::Needed, Texture | Packing | Scope | Making,
          u"cut islands that overlap themselves, then pack"_s},
-        {Command::Finish, u"finish"_s, u"IN"_s, Output::Needed, Bound | Texture | Packing | Making,
+        {Command::Finish, u"finish"_s, u"IN"_s, Output::Needed,
+         Bound | Seaming | Texture | Packing | Scope | Making,
          u"make a half-solved map usable: seams decided, no overlaps, within the bound"_s},
         {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | Measuring,
          u"measure a map and say what is wrong with it"_s},
@@ -333,8 +350,8 @@ const std::vector<CliOption> &cliOptions()
     static const std::vector<CliOption> options = [] {
         std::vector<CliOption> all{
             text(Group::Output, {u"-o"_s, u"--output"_s}, fieldOf(&CliOptions::output), u"file to write"_s)};
-        for (const auto &some :
-             {boundOptions(), solvingOptions(), packingOptions(), makingOptions(), placingOptions()})
+        for (const auto &some : {boundOptions(), seamingOptions(), solvingOptions(), packingOptions(),
+                                 scopeOptions(), makingOptions(), placingOptions()})
             all.insert(all.end(), some.begin(), some.end());
         all.push_back(flag(Group::Measuring, u"--json"_s, fieldOf(&CliOptions::json), true,
                            u"print the figures as JSON"_s));

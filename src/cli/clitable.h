@@ -22,6 +22,8 @@ enum class OptionGroup {
     Placing = 16,    //!< where islands are packed, and whether they are scaled
     Making = 32,     //!< limits and reports, for all commands that make a map
     Measuring = 64,  //!< how figures are printed
+    Seaming = 512,   //!< whose seams
+    Scope = 1024,    //!< the part of the model that may change
     Everything = 128 //!< for all commands
 };
 Q_DECLARE_FLAGS(OptionGroups, OptionGroup)

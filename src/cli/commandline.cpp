@@ -123,6 +123,8 @@ private:
             return usageError(QStringLiteral("the margin of %1 texels is as wide as the whole texture of %2")
                                   .arg(packing.margin)
                                   .arg(packing.textureSize));
+        if (mOptions.given.contains(QStringLiteral("--border")) && mOptions.only.isEmpty())
+            return usageError(QStringLiteral("--border says how --only ends, which is not given"));
         if (mOptions.hasRectangle() && mOptions.given.contains(QStringLiteral("--tile")))
             return usageError(QStringLiteral("--into and --tile exclude each other"));
         if (!mOptions.hasRectangle())

@@ -1,10 +1,12 @@
 #include "cli/mapmaking.h"
 
 #include "cli/batchpacking.h"
+#include "cli/batchscope.h"
 #include "solver/unwrap/finishjob.h"
-#include "solver/unwrap/packjob.h"
 #include "solver/unwrap/separatejob.h"
 #include "solver/unwrap/unwrap.h"
+
+#include <algorithm>
 
 namespace autocuts {
 
@@ -21,7 +23,7 @@ void setUv(Scene &scene, const UvMatrix &uv)
 
 Result<MadeMap> MapMaking::unwrap(Scene &scene) const
 {
-    const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+    const Result<Snapshot> snapshot = snapshotOf(scene);
     if (!snapshot)
         return snapshot.error();
     const unwrap::UnwrapResult result = unwrap::unwrapMesh(snapshot.value(), mOptions.unwrap, mJob);
@@ -34,6 +36,7 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
         return noRoomError(mOptions);
     setUv(scene, result.uv);
     outcome.warnings << unmetText(result.unmet);
+    sayGivenSeams(snapshot.value(), outcome);
     outcome.iterations = result.iterations;
     outcome.lambda = result.lambda;
     outcome.delta = result.delta;
@@ -51,7 +54,7 @@ Result<MadeMap> MapMaking::pack(Scene &scene) const
 {
     if (!scene.hasUv())
         return noUvs();
-    const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+    const Result<Snapshot> snapshot = snapshotOf(scene);
     if (!snapshot)
         return snapshot.error();
     UvMatrix uv = scene.uvSets.front().uv;
@@ -59,8 +62,16 @@ Result<MadeMap> MapMaking::pack(Scene &scene) const
     const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, snapshot.value());
     if (!pack)
         return pack.error();
+    ChartMap charts = findCharts(mesh, uv);
+    if (const JobScope *scope = snapshot->scope.get()) {
+        if (!scope->attached)
+            charts = chartsAlong(*scope, charts);
+        if (!holdsWholeChart(*scope, charts))
+            return Error{QStringLiteral("no island lies as a whole in what --only names"), mOptions.input, 0,
+                         QStringLiteral("Name more, or cut the islands with pack --border free")};
+    }
     const JobContext job = mJob.part(0, 1, JobStage::Packing);
-    if (!unwrap::packCharts(mesh, findCharts(mesh, uv), pack.value(), uv, job))
+    if (!unwrap::packCharts(mesh, charts, pack.value(), uv, job))
         return noRoomError(mOptions);
     setUv(scene, uv);
     return MadeMap{};
@@ -71,7 +82,7 @@ Result<MadeMap> MapMaking::separate(Scene &scene) const
     using Separation = unwrap::SeparateResult::Outcome;
     if (!scene.hasUv())
         return noUvs();
-    const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+    const Result<Snapshot> snapshot = snapshotOf(scene);
     if (!snapshot)
         return snapshot.error();
     const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, snapshot.value());
@@ -84,8 +95,8 @@ Result<MadeMap> MapMaking::separate(Scene &scene) const
         setUv(scene, made.uv);
         outcome.notes << QStringLiteral("edges cut to take overlaps apart: %1").arg(made.newSeams);
         if (made.unresolvedPairs > 0)
-            outcome.warnings << QStringLiteral("overlaps inside single polygons or across joined edges, "
-                                               "which stay whole: %1")
+            outcome.warnings << QStringLiteral("overlaps inside single polygons, across joined edges or "
+                                               "outside of --only, which stay: %1")
                                     .arg(made.unresolvedPairs);
         break;
     case Separation::NoOverlaps:
@@ -107,7 +118,7 @@ Result<MadeMap> MapMaking::finish(Scene &scene) const
 {
     if (!scene.hasUv())
         return noUvs();
-    const Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+    const Result<Snapshot> snapshot = snapshotOf(scene);
     if (!snapshot)
         return snapshot.error();
     unwrap::FinishInput finish;
@@ -128,9 +139,36 @@ Result<MadeMap> MapMaking::finish(Scene &scene) const
     else if (made.distortion > mOptions.unwrap.maxDistortion)
         outcome.warnings << boundMissed(made.distortion);
     outcome.warnings << unmetText(made.unmet);
+    sayGivenSeams(snapshot.value(), outcome);
     if (made.heldTogether)
         outcome.warnings << QStringLiteral("the map still covers itself: joined edges hold it together");
     return outcome;
+}
+
+Result<Snapshot> MapMaking::snapshotOf(const Scene &scene) const
+{
+    Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+    if (!snapshot)
+        return snapshot;
+    const auto scope = batchScope(mOptions, scene);
+    if (!scope)
+        return scope.error();
+    snapshot->scope = scope.value();
+    return snapshot;
+}
+
+void MapMaking::sayGivenSeams(const Snapshot &snapshot, MadeMap &made) const
+{
+    if (snapshot.settings.seams == SeamMode::Free) {
+        if (mOptions.given.contains(QStringLiteral("--seams-from")))
+            made.warnings << QStringLiteral("--seams-from does nothing without --seams keep or only");
+        return;
+    }
+    const std::vector<bool> &given = snapshot.steering->givenSeams;
+    const auto count = std::count(given.begin(), given.end(), true);
+    made.notes << QStringLiteral("given seams: %1").arg(count);
+    if (count == 0)
+        made.warnings << QStringLiteral("there are no given seams: --seams-from names where they come from");
 }
 
 QString MapMaking::boundMissed(double distortion) const

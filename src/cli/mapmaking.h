@@ -32,6 +32,9 @@ public:
     Result<MadeMap> finish(Scene &scene) const;
 
 private:
+    //! The input of the solver, with the scope of --only.
+    Result<Snapshot> snapshotOf(const Scene &scene) const;
+    void sayGivenSeams(const Snapshot &snapshot, MadeMap &made) const;
     QString boundMissed(double distortion) const;
     QString nothingFree() const;
     //! A line for each kind of steering that the map does not obey.

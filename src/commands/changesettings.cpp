@@ -37,6 +37,12 @@ const char *solveText(int properties)
         return QT_TRANSLATE_NOOP("Undo Commands", "Change hiding of seams");
     case SymmetryProperty:
         return QT_TRANSLATE_NOOP("Undo Commands", "Change symmetry of cuts");
+    case SeamModeProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change whose seams");
+    case SeamSourcesProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change sources of given seams");
+    case SharpAngleProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change angle of sharp edges");
     default:
         return nullptr;
     }

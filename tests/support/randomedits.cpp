@@ -205,7 +205,7 @@ std::unique_ptr<DocumentCommand> RandomEdits::settings(Document &document)
 {
     SolveSettings solve = document.solveSettings();
     PackingSettings packing = document.packingSettings();
-    switch (mRandom.below(4)) {
+    switch (mRandom.below(5)) {
     case 0:
         solve.lambda = mRandom.unit();
         break;
@@ -214,6 +214,11 @@ std::unique_ptr<DocumentCommand> RandomEdits::settings(Document &document)
         break;
     case 2:
         packing.margin = mRandom.below(32);
+        break;
+    case 3:
+        solve.seams = static_cast<SeamMode>(mRandom.below(3));
+        solve.givenSeams.hard = mRandom.oneIn(2);
+        solve.givenSeams.sharpAngle = 180 * mRandom.unit();
         break;
     default:
         packing.textureSize = 1 << mRandom.below(14);

@@ -111,6 +111,9 @@ Session gridSession(int n, int edits, int seed)
     scene.materialNames = {u"a"_s, u"b"_s};
     for (std::size_t f = 0; f < scene.faceMaterial.size(); ++f)
         scene.faceMaterial[f] = static_cast<int>(f % 3) - 1;
+    scene.hardEdges.resize(scene.mesh->edgePairs.size());
+    for (std::size_t e = 0; e < scene.hardEdges.size(); e += 3)
+        scene.hardEdges[e] = !scene.mesh->edgePairs[e].diagonal;
     scene.notes = {u"two vertices were \"welded\""_s};
     scene.uvSets.push_back({u"first"_s, splitLayout(*scene.mesh)});
     const auto document = std::make_unique<Document>(std::move(scene));

@@ -195,6 +195,29 @@ LayoutRectangle readRectangle(CborReader &reader, const MeshData &mesh)
     return rectangle;
 }
 
+namespace {
+
+QCborMap toCbor(const GivenSeamOptions &options)
+{
+    return {{"cuts"_L1, options.cuts},           {"map"_L1, options.map},
+            {"sharp"_L1, options.sharp},         {"hard"_L1, options.hard},
+            {"materials"_L1, options.materials}, {"sharpAngle"_L1, options.sharpAngle}};
+}
+
+GivenSeamOptions readGivenSeamOptions(CborReader &reader)
+{
+    GivenSeamOptions options;
+    options.cuts = reader.boolean("cuts"_L1);
+    options.map = reader.boolean("map"_L1);
+    options.sharp = reader.boolean("sharp"_L1);
+    options.hard = reader.boolean("hard"_L1);
+    options.materials = reader.boolean("materials"_L1);
+    options.sharpAngle = reader.number("sharpAngle"_L1, 0, 180);
+    return options;
+}
+
+} // namespace
+
 QCborMap toCbor(const SolveSettings &settings)
 {
     return {{"lambda"_L1, settings.lambda},
@@ -208,7 +231,9 @@ QCborMap toCbor(const SolveSettings &settings)
             {"creases"_L1, static_cast<int>(settings.creases)},
             {"creaseStrength"_L1, settings.creaseStrength},
             {"visibility"_L1, settings.visibility},
-            {"symmetry"_L1, settings.symmetry}};
+            {"symmetry"_L1, settings.symmetry},
+            {"seams"_L1, static_cast<int>(settings.seams)},
+            {"givenSeams"_L1, toCbor(settings.givenSeams)}};
 }
 
 SolveSettings readSolveSettings(CborReader &reader)
@@ -235,6 +260,13 @@ SolveSettings readSolveSettings(CborReader &reader)
          [&] { return reader.number("creaseStrength"_L1, 0, 1); });
     read("visibility"_L1, settings.visibility, [&] { return reader.number("visibility"_L1, 0, 1); });
     read("symmetry"_L1, settings.symmetry, [&] { return reader.boolean("symmetry"_L1); });
+    read("seams"_L1, settings.seams, [&] { return reader.enumerator("seams"_L1, SeamMode::Only); });
+    if (reader.contains("givenSeams"_L1)) {
+        CborReader given(reader.map("givenSeams"_L1));
+        settings.givenSeams = readGivenSeamOptions(given);
+        if (given.failed())
+            reader.fail();
+    }
     if (!isValid(settings))
         reader.fail();
     return settings;

@@ -1,5 +1,6 @@
 #include "model/document/document.h"
 
+#include "model/document/givenseams.h"
 #include "model/plain/uvlayout.h"
 
 #include <algorithm>
@@ -65,6 +66,8 @@ void Document::announce(const ChangeEvent &event)
         mToken.layout = newRevision();
         break;
     }
+    if (changesGivenSeams(event))
+        mGivenSeams.reset();
     Q_EMIT changed(event);
 }
 
@@ -73,6 +76,17 @@ const Islands &Document::islands() const
     if (!mIslands)
         mIslands = std::make_unique<const Islands>(mesh(), uv());
     return *mIslands;
+}
+
+const std::vector<bool> &Document::givenSeams() const
+{
+    if (!mGivenSeams) {
+        const SolveSettings &settings = solveSettings();
+        mGivenSeams = settings.seams == SeamMode::Free
+                          ? std::vector<bool>()
+                          : autocuts::givenSeams(mState.scene, &uv(), seams().states, settings.givenSeams);
+    }
+    return *mGivenSeams;
 }
 
 const MeshAdjacency &Document::adjacency() const

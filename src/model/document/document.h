@@ -51,6 +51,9 @@ public:
 
     //! The islands of the active set, cached until the UVs change.
     const Islands &islands() const;
+    //! The given seams of the active set, per edge pair, cached until they may change; empty for
+    //! SeamMode::Free.
+    const std::vector<bool> &givenSeams() const;
     //! The adjacency of the mesh, built on first use.
     const MeshAdjacency &adjacency() const;
 
@@ -101,6 +104,7 @@ private:
     UndoStack mUndoStack;
     StateToken mToken;
     mutable std::unique_ptr<const Islands> mIslands;
+    mutable std::optional<std::vector<bool>> mGivenSeams;
     mutable std::unique_ptr<const MeshAdjacency> mAdjacency;
 };
 

@@ -33,7 +33,8 @@ bool sameScene(const Scene &a, const Scene &b)
 {
     return a.path == b.path && a.format == b.format && sameMesh(a.mesh, b.mesh) &&
            a.objectNames == b.objectNames && a.materialNames == b.materialNames &&
-           a.faceMaterial == b.faceMaterial && sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes;
+           a.faceMaterial == b.faceMaterial && a.hardEdges == b.hardEdges && sameUvSets(a.uvSets, b.uvSets) &&
+           a.notes == b.notes;
 }
 
 QString validateMaterials(const Scene &scene)
@@ -94,6 +95,8 @@ QString DocumentState::validate() const
     if (!scene.mesh)
         return QStringLiteral("There is no mesh");
     const MeshData &mesh = *scene.mesh;
+    if (!scene.hardEdges.empty() && scene.hardEdges.size() != mesh.edgePairs.size())
+        return QStringLiteral("The hard edges do not fit the mesh");
     if (!isValid(solveSettings))
         return QStringLiteral("A setting of the solver is out of range");
     if (!packingSettings.isValid())

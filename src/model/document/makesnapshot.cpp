@@ -62,6 +62,7 @@ Snapshot makeSnapshot(const Document &document, std::optional<StartMode> start)
     Steering &steering = snapshot.editSteering();
     steering.pairState = state.seams.states;
     steering.pairWeight = state.seams.weights;
+    steering.givenSeams = document.givenSeams();
     steering.faceFlags = state.marks.faceFlags;
     addConstraints(steering, document);
     snapshot.token = document.token();

@@ -35,7 +35,10 @@ struct Scene
     std::vector<QString> objectNames; //!< indexed by MeshData::faceObject
     std::vector<QString> materialNames;
     std::vector<int> faceMaterial; //!< index into materialNames, -1 for none
-    std::vector<UvSet> uvSets;     //!< the first one is the active one
+    //! Per edge pair: the file shades its two sides as separate surfaces, by smoothing groups or by normals
+    //! that differ; empty when there are no such edges.
+    std::vector<bool> hardEdges;
+    std::vector<UvSet> uvSets; //!< the first one is the active one
     std::shared_ptr<const SceneSource> source;
     std::vector<QString> notes; //!< what the reader skipped or repaired, one line each
 

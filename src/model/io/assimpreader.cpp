@@ -1,6 +1,7 @@
 #include "model/io/assimpreader.h"
 
 #include "model/io/assimpscene.h"
+#include "model/io/hardedges.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -54,6 +55,7 @@ private:
     bool addVertices(const aiNode &node, const aiMesh &mesh, const Eigen::Matrix4d &transform);
     bool addFaces(const aiNode &node, const aiMesh &mesh, int firstVertex, bool mirrored);
     void fillUvSets(Scene &scene) const;
+    FileShading shading() const;
     //! The name of the node; of its first mesh when the node has none.
     QString objectName(const aiNode &node) const
     {
@@ -192,6 +194,24 @@ void SoupBuilder::fillUvSets(Scene &scene) const
     }
 }
 
+//! Normals are compared within nodes only, so they need not be transformed.
+FileShading SoupBuilder::shading() const
+{
+    FileShading result;
+    for (const AssimpPiece &piece : mPieces) {
+        const aiMesh &mesh = *mAi.mMeshes[piece.mesh];
+        if (!mesh.HasNormals())
+            continue;
+        if (result.normals.rows() == 0)
+            result.normals = PositionMatrix::Zero(static_cast<Eigen::Index>(mCornerVertex.size()), 3);
+        for (int c = mFaceStart[piece.firstFace]; c < mFaceStart[piece.firstFace + piece.faceCount]; ++c) {
+            const aiVector3D &normal = mesh.mNormals[mCornerVertex[c] - piece.firstVertex];
+            result.normals.row(c) << normal.x, normal.y, normal.z;
+        }
+    }
+    return result;
+}
+
 bool SoupBuilder::build(Scene &scene, AssimpSource &source)
 {
     if (!addNode(*mAi.mRootNode, Eigen::Matrix4d::Identity(), 0))
@@ -206,10 +226,12 @@ bool SoupBuilder::build(Scene &scene, AssimpSource &source)
         scene.materialNames.push_back(toName(mAi.mMaterials[m]->GetName()));
     scene.objectNames = std::move(mObjectNames);
     scene.faceMaterial = std::move(mFaceMaterial);
+    const FileShading said = shading(); // while the faces are here
     PositionMatrix positions = Eigen::Map<const PositionMatrix>(
         mPositions.data(), static_cast<Eigen::Index>(mPositions.size() / 3), 3);
     scene.mesh = MeshData::build(std::move(positions), std::move(mFaceStart), std::move(mCornerVertex),
                                  std::move(mFaceObject));
+    scene.hardEdges = hardEdges(*scene.mesh, said);
     source.pieces = std::move(mPieces);
     return true;
 }

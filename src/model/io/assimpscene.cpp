@@ -213,7 +213,7 @@ void ExportScene::makePlain(const Scene &scene)
 {
     PositionMatrix normals;
     if (const auto *obj = dynamic_cast<const ObjSource *>(scene.source.get()))
-        normals = objCornerNormals(*obj);
+        normals = objShading(*obj).normals;
     const bool hasNormals = normals.rows() == scene.mesh->cornerCount() && normals.allFinite();
 
     // One material more than there are names, for faces without a material.

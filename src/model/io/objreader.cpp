@@ -87,6 +87,7 @@ private:
     std::string_view mObjectName;
     int mObject = -1; //!< of the next face; -1 until a face needs it
     int mMaterial = -1;
+    bool mSaysShading = false; //!< the file has normals or smoothing groups
     int mFaceLines = 0;
     int mFirstSkippedLine = 0;
     int mNonFiniteUvs = 0, mUvsWithDepth = 0;
@@ -238,6 +239,10 @@ bool ObjParser::readLine(const ObjScanner &scanner)
         mMaterial = name.empty() ? -1 : mMaterials(name);
         return true;
     }
+    case ObjStatement::Normal:
+    case ObjStatement::Smoothing:
+        mSaysShading = true;
+        return true;
     default:
         return true;
     }
@@ -300,6 +305,8 @@ Scene ObjParser::makeScene()
     mPositions = {};
     scene.mesh = MeshData::build(std::move(positions), std::move(mFaceStart), std::move(mCornerVertex),
                                  std::move(mFaceObject));
+    if (mSaysShading)
+        scene.hardEdges = hardEdges(*scene.mesh, objShading(*mSource));
     scene.source = mSource;
     return scene;
 }

@@ -47,6 +47,8 @@ ObjStatement statementOf(std::string_view keyword)
         return ObjStatement::Object;
     if (keyword == "usemtl")
         return ObjStatement::Material;
+    if (keyword == "s")
+        return ObjStatement::Smoothing;
     return ObjStatement::Other;
 }
 

@@ -15,6 +15,7 @@ enum class ObjStatement : std::uint8_t {
     Element,       //!< l or surf: may refer to vt lines
     Object,        //!< o
     Material,      //!< usemtl
+    Smoothing,     //!< s
     Other          //!< anything else, including comments and empty lines
 };
 

@@ -2,6 +2,8 @@
 
 #include "model/io/objscanner.h"
 
+#include <algorithm>
+#include <charconv>
 #include <limits>
 
 namespace autocuts {
@@ -18,44 +20,94 @@ UvMatrix ObjSource::originalUv() const
     return uv;
 }
 
-PositionMatrix objCornerNormals(const ObjSource &source)
+namespace {
+
+//! The group that an s statement begins.
+std::int64_t smoothingGroup(std::string_view arguments)
 {
-    std::vector<double> normals;
-    std::vector<std::int64_t> cornerNormal;
     std::string_view word;
-    int face = 0;
-    auto skipped = source.skippedFaces.begin();
-    ObjScanner scanner({source.bytes.constData(), static_cast<std::size_t>(source.bytes.size())});
-    while (scanner.next()) {
-        std::string_view rest = scanner.arguments();
-        if (scanner.statement() == ObjStatement::Normal) {
-            for (int k = 0; k < 3; ++k) {
-                double value = 0;
-                if (!nextWord(rest, word) || !parseNumber(word, value))
-                    value = std::numeric_limits<double>::quiet_NaN();
-                normals.push_back(value);
-            }
-        } else if (scanner.statement() == ObjStatement::Face) {
-            if (skipped != source.skippedFaces.end() && *skipped == face++) {
-                ++skipped;
-                continue;
-            }
-            while (nextWord(rest, word)) {
-                std::int64_t index = -1;
-                const auto known = static_cast<std::int64_t>(normals.size() / 3);
-                cornerNormal.push_back(parseIndex(ObjCornerWord(word).normal, known, index) ? index : -1);
-            }
+    if (!nextWord(arguments, word) || word == "off")
+        return 0;
+    std::int64_t group = 0;
+    const auto parsed = std::from_chars(word.data(), word.data() + word.size(), group);
+    return parsed.ec == std::errc() ? std::max<std::int64_t>(group, 0) : 1; // some programs write "s on"
+}
+
+//! Reads what the lines of a file say about shading, in their order.
+class ShadingReader
+{
+public:
+    explicit ShadingReader(const ObjSource &source) : mSkipped(source.skippedFaces) {}
+
+    void readLine(const ObjScanner &scanner)
+    {
+        if (scanner.statement() == ObjStatement::Normal)
+            readNormal(scanner.arguments());
+        else if (scanner.statement() == ObjStatement::Smoothing)
+            mGroup = smoothingGroup(scanner.arguments());
+        else if (scanner.statement() == ObjStatement::Face)
+            readFace(scanner.arguments());
+    }
+
+    FileShading result() &&
+    {
+        FileShading shading;
+        shading.smoothing = std::move(mSmoothing);
+        shading.normals.resize(static_cast<Eigen::Index>(mCornerNormal.size()), 3);
+        shading.normals.fill(std::numeric_limits<double>::quiet_NaN());
+        for (std::size_t c = 0; c < mCornerNormal.size(); ++c) {
+            const std::int64_t n = mCornerNormal[c];
+            if (n >= 0 && 3 * n + 2 < static_cast<std::int64_t>(mNormals.size()))
+                shading.normals.row(static_cast<Eigen::Index>(c)) << mNormals[3 * n], mNormals[3 * n + 1],
+                    mNormals[3 * n + 2];
+        }
+        return shading;
+    }
+
+private:
+    void readNormal(std::string_view rest)
+    {
+        std::string_view word;
+        for (int k = 0; k < 3; ++k) {
+            double value = 0;
+            if (!nextWord(rest, word) || !parseNumber(word, value))
+                value = std::numeric_limits<double>::quiet_NaN();
+            mNormals.push_back(value);
         }
     }
-    PositionMatrix result(static_cast<Eigen::Index>(cornerNormal.size()), 3);
-    result.fill(std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t c = 0; c < cornerNormal.size(); ++c) {
-        const std::int64_t n = cornerNormal[c];
-        if (n >= 0 && 3 * n + 2 < static_cast<std::int64_t>(normals.size()))
-            result.row(static_cast<Eigen::Index>(c)) << normals[3 * n], normals[3 * n + 1],
-                normals[3 * n + 2];
+
+    void readFace(std::string_view rest)
+    {
+        if (mNextSkipped < mSkipped.size() && mSkipped[mNextSkipped] == mFace++) {
+            ++mNextSkipped;
+            return;
+        }
+        mSmoothing.push_back(mGroup);
+        std::string_view word;
+        while (nextWord(rest, word)) {
+            std::int64_t index = -1;
+            const auto known = static_cast<std::int64_t>(mNormals.size() / 3);
+            mCornerNormal.push_back(parseIndex(ObjCornerWord(word).normal, known, index) ? index : -1);
+        }
     }
-    return result;
+
+    const std::vector<int> &mSkipped;
+    std::size_t mNextSkipped = 0;
+    int mFace = 0;
+    std::int64_t mGroup = FileShading::unsaid;
+    std::vector<double> mNormals;
+    std::vector<std::int64_t> mCornerNormal, mSmoothing;
+};
+
+} // namespace
+
+FileShading objShading(const ObjSource &source)
+{
+    ShadingReader reader(source);
+    ObjScanner scanner({source.bytes.constData(), static_cast<std::size_t>(source.bytes.size())});
+    while (scanner.next())
+        reader.readLine(scanner);
+    return std::move(reader).result();
 }
 
 } // namespace autocuts

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/document/scene.h"
+#include "model/io/hardedges.h"
 
 #include <QByteArray>
 
@@ -22,8 +23,8 @@ struct ObjSource final : SceneSource
     UvMatrix originalUv() const;
 };
 
-//! The normal of each corner in the file; NaN where there is none. Computed from the bytes on demand, since
-//! only other formats need it.
-PositionMatrix objCornerNormals(const ObjSource &source);
+//! The normals and smoothing groups in the file. Computed from the bytes on demand, since they are needed
+//! only to find hard edges and to write other formats.
+FileShading objShading(const ObjSource &source);
 
 } // namespace autocuts

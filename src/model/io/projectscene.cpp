@@ -1,9 +1,11 @@
 #include "model/io/projectscene.h"
 
+#include "model/document/bitmap.h"
 #include "model/document/cborvalues.h"
 #include "model/io/objreader.h"
 #include "model/io/objsource.h"
 #include "model/io/packedarrays.h"
+#include "model/plain/polygonsides.h"
 
 #include <QCborArray>
 
@@ -101,17 +103,49 @@ bool readNames(const QCborMap &map, Scene &scene)
     return true;
 }
 
-QCborMap polygonsMap(const MeshData &mesh)
+//! One bit per corner, set when the side that starts there is the first side of a hard edge.
+QByteArray hardSides(const Scene &scene)
 {
+    QByteArray bits(bitmapSize(scene.mesh->cornerCount()), '\0');
+    for (std::size_t e = 0; e < scene.hardEdges.size(); ++e) {
+        if (scene.hardEdges[e])
+            setBit(bits, sideOfEdge(*scene.mesh, static_cast<int>(e)));
+    }
+    return bits;
+}
+
+//! Reads hardSides(); false when they are damaged.
+bool readHardSides(const QByteArray &bits, Scene &scene)
+{
+    const MeshData &mesh = *scene.mesh;
+    if (bits.size() != bitmapSize(mesh.cornerCount()))
+        return false;
+    const std::vector<int> pairs = edgePairsBySide(mesh);
+    scene.hardEdges.assign(mesh.edgePairs.size(), false);
+    for (int c = 0; c < mesh.cornerCount(); ++c) {
+        if (bitAt(bits, c) && pairs[static_cast<std::size_t>(c)] < 0)
+            return false;
+        if (bitAt(bits, c))
+            scene.hardEdges[static_cast<std::size_t>(pairs[static_cast<std::size_t>(c)])] = true;
+    }
+    return true;
+}
+
+QCborMap polygonsMap(const Scene &scene)
+{
+    const MeshData &mesh = *scene.mesh;
     std::vector<int> sizes;
     for (int f = 0; f < mesh.faceCount(); ++f)
         sizes.push_back(mesh.faceStart[f + 1] - mesh.faceStart[f]);
     const std::span<const double> positions(mesh.positions.data(),
                                             static_cast<std::size_t>(mesh.positions.size()));
-    return {{"positions"_L1, packedArray(positions)},
-            {"faceSizes"_L1, packedArray(sizes)},
-            {"corners"_L1, packedArray(mesh.cornerVertex)},
-            {"faceObjects"_L1, packedArray(mesh.faceObject)}};
+    QCborMap map{{"positions"_L1, packedArray(positions)},
+                 {"faceSizes"_L1, packedArray(sizes)},
+                 {"corners"_L1, packedArray(mesh.cornerVertex)},
+                 {"faceObjects"_L1, packedArray(mesh.faceObject)}};
+    if (!scene.hardEdges.empty())
+        map["hardSides"_L1] = hardSides(scene);
+    return map;
 }
 
 Error damagedModel(const QString &path)
@@ -156,6 +190,8 @@ Result<Scene> readPolygons(const QByteArray &part, const QString &path)
     Scene scene;
     scene.mesh =
         MeshData::build(std::move(matrix), std::move(starts), std::move(*corners), std::move(*objects));
+    if (reader.contains("hardSides"_L1) && !readHardSides(reader.bytes("hardSides"_L1), scene))
+        return damagedModel(path);
     return scene;
 }
 
@@ -182,7 +218,7 @@ PartMap scenePartsOf(const Scene &scene)
     if (const ObjSource *obj = objSourceOf(scene))
         parts["obj"] = obj->bytes;
     else
-        parts["polygons"] = polygonsMap(*scene.mesh).toCborValue().toCbor();
+        parts["polygons"] = polygonsMap(scene).toCborValue().toCbor();
     return parts;
 }
 

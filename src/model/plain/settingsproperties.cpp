@@ -4,6 +4,16 @@
 
 namespace autocuts {
 
+namespace {
+
+bool sameSources(const GivenSeamOptions &a, GivenSeamOptions b)
+{
+    b.sharpAngle = a.sharpAngle;
+    return a == b;
+}
+
+} // namespace
+
 int differences(const SolveSettings &a, const SolveSettings &b)
 {
     return (a.lambda != b.lambda ? LambdaProperty : 0) | (a.delta != b.delta ? DeltaProperty : 0) |
@@ -14,7 +24,9 @@ int differences(const SolveSettings &a, const SolveSettings &b)
            (a.creases != b.creases ? CreasesProperty : 0) |
            (a.creaseStrength != b.creaseStrength ? CreaseStrengthProperty : 0) |
            (a.visibility != b.visibility ? VisibilityProperty : 0) |
-           (a.symmetry != b.symmetry ? SymmetryProperty : 0);
+           (a.symmetry != b.symmetry ? SymmetryProperty : 0) | (a.seams != b.seams ? SeamModeProperty : 0) |
+           (sameSources(a.givenSeams, b.givenSeams) ? 0 : SeamSourcesProperty) |
+           (a.givenSeams.sharpAngle != b.givenSeams.sharpAngle ? SharpAngleProperty : 0);
 }
 
 int differences(const PackingSettings &a, const PackingSettings &b)
@@ -34,7 +46,8 @@ bool isValid(const SolveSettings &settings)
            inRange(settings.weighting, SeamWeighting::Count) &&
            inRange(settings.start, StartMode::ExistingUv) && inRange(settings.solver, SolverKind::Exact) &&
            inRange(settings.creases, CreaseMode::On) && inRange(settings.creaseStrength, 1.0) &&
-           inRange(settings.visibility, 1.0);
+           inRange(settings.visibility, 1.0) && inRange(settings.seams, SeamMode::Only) &&
+           inRange(settings.givenSeams.sharpAngle, 180.0);
 }
 
 } // namespace autocuts

@@ -19,7 +19,10 @@ enum SolveProperty {
     CreasesProperty = 1 << 8,
     CreaseStrengthProperty = 1 << 9,
     VisibilityProperty = 1 << 10,
-    SymmetryProperty = 1 << 11
+    SymmetryProperty = 1 << 11,
+    SeamModeProperty = 1 << 12,
+    SeamSourcesProperty = 1 << 13, //!< all of SolveSettings::givenSeams but the angle
+    SharpAngleProperty = 1 << 14
 };
 
 //! The fields of PackingSettings.

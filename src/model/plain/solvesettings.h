@@ -12,6 +12,19 @@ enum class CreaseMode { Off, Auto, On };
 //! Only: exactly the given ones.
 enum class SeamMode { Free, Keep, Only };
 
+//! What the given seams are: the union of these. The borders of objects are seams in any case.
+struct GivenSeamOptions
+{
+    bool cuts = true;       //!< edges that the user cut
+    bool map = true;        //!< seams of the map that is there
+    bool sharp = false;     //!< edges sharper than sharpAngle
+    bool hard = false;      //!< hard edges of the file, see Scene::hardEdges
+    bool materials = false; //!< edges between two materials
+    double sharpAngle = 30; //!< degrees between the normals of the two polygons, in [0, 180]
+
+    bool operator==(const GivenSeamOptions &) const = default;
+};
+
 //! Parameters of the energy (1 - lambda) D + lambda S (paper, Eq. 1) and of how it is minimised.
 struct SolveSettings
 {
@@ -28,9 +41,10 @@ struct SolveSettings
     CreaseMode creases = CreaseMode::Auto;
     //! Share of its cost that a seam saves on a sharp edge, in [0, 1]; the default was chosen by hand.
     double creaseStrength = 0.8;
-    double visibility = 0;           //!< how strongly hidden places are preferred for seams, in [0, 1]
-    bool symmetry = false;           //!< symmetric seams on symmetric meshes; automatic mode only
-    SeamMode seams = SeamMode::Free; //!< the given seams are Steering::givenSeams
+    double visibility = 0;            //!< how strongly hidden places are preferred for seams, in [0, 1]
+    bool symmetry = false;            //!< symmetric seams on symmetric meshes; automatic mode only
+    SeamMode seams = SeamMode::Free;  //!< the given seams are Steering::givenSeams
+    GivenSeamOptions givenSeams = {}; //!< where they come from; no matter for SeamMode::Free
 
     bool operator==(const SolveSettings &) const = default;
 };

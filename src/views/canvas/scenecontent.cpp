@@ -1,5 +1,6 @@
 #include "views/canvas/scenecontent.h"
 
+#include "model/document/givenseams.h"
 #include "model/plain/flippedtriangles.h"
 #include "model/plain/uvlayout.h"
 #include "views/control/mapcontroller.h"
@@ -88,7 +89,10 @@ void SceneContent::documentChanged(const ChangeEvent &event)
     case ChangeEvent::Type::UvSet:
     case ChangeEvent::Type::IslandFlag:
     case ChangeEvent::Type::Tag:
+        break;
     case ChangeEvent::Type::SolveSettings:
+        if (changesGivenSeams(event))
+            mark(Sides);
         break;
     }
 }
@@ -187,7 +191,7 @@ int SceneContent::refresh()
         rebuildFaces();
     if (parts & Sides)
         mSides = sideTexels({*own.mesh, own.topology, uv(), mContext.shownMap.separation(), document->seams(),
-                             mOptions, shownSelection().edges});
+                             mOptions, shownSelection().edges, document->givenSeams()});
     if (parts & Points)
         rebuildPoints();
     return parts;

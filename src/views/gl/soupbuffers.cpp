@@ -219,6 +219,9 @@ void setTopLine(const SideInput &input, int pairIndex, int which, SideTexel &tex
             texel.opacity[i] = 255;
         }
     }
+    if (texel.top == 0 && input.options.steering && !input.givenSeams.empty() &&
+        input.givenSeams[static_cast<std::size_t>(pairIndex)])
+        texel = {texel.base, {255, 255}, static_cast<quint8>(SideStyle::Given)};
     if (texel.top != 0 || !input.options.seams || !hasUv(input.uv, pair.triangle[0]) ||
         !hasUv(input.uv, pair.triangle[1]))
         return;

@@ -91,7 +91,8 @@ struct SideInput
     std::span<const float> separation; //!< ShownMap::separation()
     const Seams &seams;
     const ViewOptions &options;
-    std::span<const int> selectedEdges; //!< edges of MeshAdjacency
+    std::span<const int> selectedEdges;  //!< edges of MeshAdjacency
+    const std::vector<bool> &givenSeams; //!< per edge pair; empty when none are shown
 };
 //! One per side; sides of diagonals have no lines.
 std::vector<SideTexel> sideTexels(const SideInput &input);

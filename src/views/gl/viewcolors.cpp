@@ -48,7 +48,8 @@ ViewColors ViewColors::of(const PreferenceValues &preferences, bool map)
     colors.sides[static_cast<int>(SideStyle::ForcedCut)] = preferences.forcedCutColor;
     colors.sides[static_cast<int>(SideStyle::Joined)] = preferences.joinedColor;
     colors.sides[static_cast<int>(SideStyle::Selected)] = preferences.selectionColor;
-    colors.sideWidths = {0, 1, 1.4f, 2.6f, 3.2f, 3.2f, 3.4f};
+    colors.sides[static_cast<int>(SideStyle::Given)] = QColor(0x1fb8e0);
+    colors.sideWidths = {0, 1, 1.4f, 2.6f, 3.2f, 3.2f, 3.4f, 2.8f};
     return colors;
 }
 

@@ -2,9 +2,11 @@
 
 #include "commands/reset.h"
 #include "commands/setseamweights.h"
+#include "model/document/givenseams.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
+#include "views/panels/givenseamform.h"
 #include "views/panels/numbertext.h"
 #include "views/panels/seamcounts.h"
 #include "views/panels/sliderspin.h"
@@ -15,9 +17,18 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include <algorithm>
+
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! Seams of the map are not counted while it is dragged, but so long after the last change.
+constexpr int countDelayMs = 200;
+
+} // namespace
 
 SeamPanel::SeamPanel(const StudioContext &context, QWidget *parent)
     : Panel(context, tr("Open a model to decide about its seams."), parent)
@@ -30,12 +41,18 @@ SeamPanel::SeamPanel(const StudioContext &context, QWidget *parent)
     layout->addWidget(makeHeading(tr("Paint selected faces")));
     layout->addWidget(makePainting());
     layout->addWidget(makeHeading(tr("Seams")));
+    mGiven = new GivenSeamForm;
+    connect(mGiven, &GivenSeamForm::edited, this,
+            [this](const std::function<void(SolveSettings &)> &edit) { changeSolveSettings(edit); });
+    layout->addWidget(mGiven);
     layout->addWidget(makeFigures());
     layout->addStretch();
     connect(&context.workspace, &Workspace::selectionChanged, this, [this] { refreshSoon(); });
     connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
-        if (event.type == ChangeEvent::Type::Seam)
+        if (event.type == ChangeEvent::Type::Seam || event.type == ChangeEvent::Type::SolveSettings)
             refreshSoon();
+        else if (changesGivenSeams(event))
+            refreshSoon(countDelayMs);
     });
     connect(&context.map, &MapController::figuresChanged, this, [this] { refreshSoon(); });
 }
@@ -111,6 +128,8 @@ QWidget *SeamPanel::makeFigures()
         value->setObjectName(name);
         return value;
     };
+    mGivenCount = add(tr("Given seams"), "givenCount"_L1,
+                      tr("Edges at which you want seams, by the choices above; light blue in both views"));
     mCutCount = add(tr("Forced cuts"), "cutCount"_L1, tr("Edges that are cut because you said so"));
     mHalfCutCount = add(tr("Half-cuts"), "halfCutCount"_L1, tr("Edges that you cut at one end only"));
     mJoinCount =
@@ -164,6 +183,7 @@ void SeamPanel::clearPaint()
 void SeamPanel::refresh()
 {
     showMap();
+    showGivenSeams();
     mSelectedEdges->setVisible(document() != nullptr);
     mSelectedFaces->setVisible(document() != nullptr);
     if (!document()) {
@@ -195,6 +215,18 @@ void SeamPanel::showCounts(const Document &document)
     mAttractCount->setText(countText(counts.attracting));
     mClearAll->setEnabled(counts.cut + counts.halfCut + counts.joined > 0);
     mErasePaint->setEnabled(counts.keptTogether + counts.attracting > 0);
+}
+
+void SeamPanel::showGivenSeams()
+{
+    const SolveSettings settings = document() ? document()->solveSettings() : SolveSettings();
+    mGiven->setSettings(settings);
+    if (settings.seams == SeamMode::Free) {
+        mGivenCount->setText(missingText());
+        return;
+    }
+    const std::vector<bool> &given = document()->givenSeams();
+    mGivenCount->setText(countText(std::count(given.begin(), given.end(), true)));
 }
 
 void SeamPanel::showMap()

@@ -9,10 +9,11 @@ class QPushButton;
 
 namespace autocuts {
 
+class GivenSeamForm;
 class SliderSpin;
 
-//! Cuts, joins and frees the selected edges, and paints weights on the edges of the selected faces that keep
-//! them together or attract cuts.
+//! Cuts, joins and frees the selected edges, paints weights on the edges of the selected faces that keep them
+//! together or attract cuts, and chooses whose seams the map gets.
 class SeamPanel final : public Panel
 {
     Q_OBJECT
@@ -34,12 +35,15 @@ private:
     void clearSteering();
     void clearPaint();
     void showCounts(const Document &document);
+    void showGivenSeams();
     void showMap();
 
     QLabel *mSelectedEdges = nullptr, *mSelectedFaces = nullptr;
     QPushButton *mCut = nullptr, *mJoin = nullptr, *mClear = nullptr, *mClearAll = nullptr;
     SliderSpin *mStrength = nullptr;
     QPushButton *mKeep = nullptr, *mAttract = nullptr, *mErase = nullptr, *mErasePaint = nullptr;
+    GivenSeamForm *mGiven = nullptr;
+    QLabel *mGivenCount = nullptr;
     QLabel *mCutCount = nullptr, *mHalfCutCount = nullptr, *mJoinCount = nullptr, *mKeepCount = nullptr;
     QLabel *mAttractCount = nullptr, *mSeamLength = nullptr, *mSeamNorm = nullptr, *mSeamEdges = nullptr;
 };

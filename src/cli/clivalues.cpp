@@ -1,0 +1,90 @@
+#include "cli/clivalues.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+std::optional<QString> readRectangle(CliOptions &options, const QString &value)
+{
+    const QStringList parts = value.split(u',');
+    bool allNumbers = parts.size() == 4;
+    std::vector<double> sides;
+    for (const QString &part : parts) {
+        bool ok = false;
+        sides.push_back(part.toDouble(&ok));
+        allNumbers = allNumbers && ok;
+    }
+    if (!allNumbers) {
+        options.intoRectangle = value;
+        return std::nullopt;
+    }
+    constexpr double farthest = 1000;
+    const bool inRange =
+        std::all_of(sides.begin(), sides.end(), [](double side) { return std::abs(side) <= farthest; });
+    if (!inRange || !(sides[0] < sides[2]) || !(sides[1] < sides[3]))
+        return u"left,bottom,right,top in UV units"_s;
+    options.unwrap.packing.lower = {sides[0], sides[1]};
+    options.unwrap.packing.upper = {sides[2], sides[3]};
+    return std::nullopt;
+}
+
+std::optional<QString> readSeamSources(CliOptions &options, const QString &value)
+{
+    static const QString expected =
+        u"a list of cuts, uv, sharp, sharp:DEGREES (0 to 180), hard, materials and objects"_s;
+    static const std::map<QString, bool GivenSeamOptions::*> sources{
+        {u"cuts"_s, &GivenSeamOptions::cuts},           {u"uv"_s, &GivenSeamOptions::map},
+        {u"sharp"_s, &GivenSeamOptions::sharp},         {u"hard"_s, &GivenSeamOptions::hard},
+        {u"materials"_s, &GivenSeamOptions::materials},
+    };
+    GivenSeamOptions given{.cuts = false, .map = false};
+    for (const QString &word : value.split(u',')) {
+        if (word == u"objects") // their borders are seams in any case
+            continue;
+        const qsizetype colon = word.indexOf(u':');
+        const auto source = sources.find(word.left(colon));
+        if (source == sources.end() || (colon >= 0 && source->first != u"sharp"))
+            return expected;
+        given.*source->second = true;
+        if (colon >= 0) {
+            bool ok = false;
+            given.sharpAngle = word.mid(colon + 1).toDouble(&ok);
+            if (!ok || !(given.sharpAngle >= 0 && given.sharpAngle <= 180))
+                return expected;
+        }
+    }
+    options.settings.givenSeams = given;
+    return std::nullopt;
+}
+
+std::optional<QString> readOnly(CliOptions &options, const QString &value)
+{
+    static const QString expected = u"islands:N,.. or objects:NAME,.. or materials:NAME,.."_s;
+    const qsizetype colon = value.indexOf(u':');
+    const QString kind = value.left(colon);
+    const QStringList names = value.mid(colon + 1).split(u',', Qt::SkipEmptyParts);
+    if (colon < 0 || names.isEmpty())
+        return expected;
+    if (kind == u"objects") {
+        options.only.objects += names;
+    } else if (kind == u"materials") {
+        options.only.materials += names;
+    } else if (kind == u"islands") {
+        std::vector<int> numbers;
+        for (const QString &name : names) {
+            numbers.push_back(name.toInt());
+            if (numbers.back() < 1)
+                return u"islands by their numbers, from 1"_s;
+        }
+        options.only.islands.insert(options.only.islands.end(), numbers.begin(), numbers.end());
+    } else {
+        return expected;
+    }
+    return std::nullopt;
+}
+
+} // namespace autocuts

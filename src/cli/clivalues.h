@@ -1,0 +1,19 @@
+// Reads the values of options that are more than one word or number.
+#pragma once
+
+#include "cli/clioptions.h"
+
+#include <optional>
+
+namespace autocuts {
+
+// Each is a CliOption::Reader.
+
+//! --into: four numbers, or the name of a rectangle.
+std::optional<QString> readRectangle(CliOptions &options, const QString &value);
+//! --seams-from: a list of sources, which takes the place of an earlier one.
+std::optional<QString> readSeamSources(CliOptions &options, const QString &value);
+//! --only: islands, objects or materials, added to those of earlier options.
+std::optional<QString> readOnly(CliOptions &options, const QString &value);
+
+} // namespace autocuts

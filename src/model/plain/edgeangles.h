@@ -1,0 +1,12 @@
+// How sharply a mesh is bent along its edges. Plain: no Qt.
+#pragma once
+
+#include "model/plain/meshdata.h"
+
+namespace autocuts {
+
+//! The angle between the normals of the two polygons at each edge pair, in radians: 0 where the surface is
+//! flat, also along diagonals and at polygons without area.
+std::vector<double> edgeAngles(const MeshData &mesh);
+
+} // namespace autocuts

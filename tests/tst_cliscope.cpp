@@ -1,0 +1,222 @@
+// The command line on a part of a model (--only) and with given seams (--seams).
+#include "model/io/meshfile.h"
+#include "model/io/projectfile.h"
+#include "model/plain/chart.h"
+#include "support/cliruns.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! Six unit quads in three objects, of two each: "left" and "right" flat, "roof" bent by 90 degrees. The
+//! materials are "red" in the first quad of each, and "blue". In the map each object is one island, 0.2 wide,
+//! and "roof" lies on "left".
+QByteArray partsObj()
+{
+    QByteArray text;
+    int vertex = 0, uv = 0;
+    for (const char *name : {"left", "right", "roof"}) {
+        const bool roof = QByteArray(name) == "roof";
+        const double left = QByteArray(name) == "right" ? 0.6 : 0.1;
+        text += "o " + QByteArray(name) + '\n';
+        for (int column = 0; column <= 2; ++column) {
+            for (int row = 0; row <= 1; ++row) {
+                const int x = roof && column == 2 ? 1 : column, z = roof && column == 2 ? 1 : 0;
+                text += "v " + QByteArray::number(vertex + x) + ' ' + QByteArray::number(row) + ' ' +
+                        QByteArray::number(z) + "\nvt " + QByteArray::number(left + 0.1 * column) + ' ' +
+                        QByteArray::number(0.1 + 0.1 * row) + '\n';
+            }
+        }
+        for (int column = 0; column < 2; ++column) {
+            text += column == 0 ? "usemtl red\nf" : "usemtl blue\nf";
+            for (int k : {1, 3, 4, 2})
+                text += ' ' + QByteArray::number(vertex + 2 * column + k) + '/' +
+                        QByteArray::number(uv + 2 * column + k);
+            text += '\n';
+        }
+        vertex += 6;
+        uv += 6;
+    }
+    return text;
+}
+
+} // namespace
+
+class TestCliScope : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QVERIFY(test::writeBytes(file("parts.obj"), partsObj()));
+        mBefore = readMesh(file("parts.obj")).value();
+        QCOMPARE(findCharts(*mBefore.mesh, mBefore.uvSets[0].uv).count, 3);
+    }
+
+    void packMovesOnlyTheScope_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QString>("moved"); // faces
+        QTest::newRow("island") << QStringList{u"--only=islands:2"_s} << u"23"_s;
+        QTest::newRow("islands") << QStringList{u"--only=islands:3,1"_s} << u"0145"_s;
+        QTest::newRow("object") << QStringList{u"--only=objects:roof"_s} << u"45"_s;
+        QTest::newRow("union") << QStringList{u"--only=objects:left"_s, u"--only=islands:2"_s} << u"0123"_s;
+        QTest::newRow("objects") << QStringList{u"--only=objects:left,right"_s} << u"0123"_s;
+        QTest::newRow("part of islands")
+            << QStringList{u"--only=materials:red"_s, u"--only=objects:left"_s} << u"01"_s;
+        QTest::newRow("cut off") << QStringList{u"--only=materials:red"_s, u"--border=free"_s} << u"024"_s;
+        QTest::newRow("everything") << QStringList{u"--only=materials:red,blue"_s} << u"012345"_s;
+    }
+    void packMovesOnlyTheScope()
+    {
+        QFETCH(QStringList, options);
+        QFETCH(QString, moved);
+        const test::CliRun made = run("pack", "packed.obj", options);
+        QVERIFY2(made.code == 0, qPrintable(made.err));
+        const Scene after = readMesh(file("packed.obj")).value();
+        QCOMPARE(movedFaces(after), moved);
+    }
+
+    void separateLeavesTheRest()
+    {
+        // A map that lies on itself, twice: "left" and "right" are folded.
+        QByteArray text = partsObj();
+        for (const QByteArray &line : {QByteArray("vt 0.3 "), QByteArray("vt 0.8 ")})
+            text.replace(line, line.startsWith("vt 0.3") ? "vt 0.15 " : "vt 0.65 ");
+        QVERIFY(test::writeBytes(file("folded.obj"), text));
+        const Scene folded = readMesh(file("folded.obj")).value();
+        const test::CliRun made = test::runInProcess(
+            {u"separate"_s, file("folded.obj"), u"-o"_s, file("apart.obj"), u"--only=objects:right"_s});
+        QVERIFY2(made.code == 0, qPrintable(made.err));
+        QVERIFY2(made.out.contains(u"edges cut to take overlaps apart: 1\n"_s), qPrintable(made.out));
+        QVERIFY2(made.err.contains(u"outside of --only"_s), qPrintable(made.err));
+        const Scene after = readMesh(file("apart.obj")).value();
+        for (int c = 0; c < 24; ++c)
+            QCOMPARE(sameUv(after, folded, c), c < 8 || c >= 16);
+        QCOMPARE(findCharts(*after.mesh, after.uvSets[0].uv).count, 4);
+    }
+
+    void mistakesNameWhatExists_data()
+    {
+        QTest::addColumn<QString>("command");
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QString>("message");
+        const auto row = [](const char *command, const char *only, const char *message) {
+            QTest::newRow(only) << QString::fromLatin1(command) << QStringList{QString::fromLatin1(only)}
+                                << QString::fromLatin1(message);
+        };
+        row("pack", "--only=objects:left,tree",
+            "there is no object \"tree\". The file has the objects: left, right, roof");
+        row("unwrap", "--only=materials:green",
+            "there is no material \"green\". The file has the materials: blue, red");
+        row("finish", "--only=islands:4", "there is no island 4. The map has the islands 1 to 3");
+        row("separate", "--only=materials:blue", "no island lies as a whole in what --only names");
+    }
+    void mistakesNameWhatExists()
+    {
+        QFETCH(QString, command);
+        QFETCH(QStringList, options);
+        QFETCH(QString, message);
+        const test::CliRun made = run(command.toLatin1().constData(), "no.obj", options);
+        QCOMPARE(made.code, 1);
+        QVERIFY2(made.err.contains(message), qPrintable(made.err));
+        QCOMPARE(made.err.count(u'\n'), 1);
+        QVERIFY(!QFile::exists(file("no.obj")));
+    }
+
+    void filesWithoutNamesOrUvs()
+    {
+        QVERIFY(test::writeBytes(file("sheet.obj"), test::sheetObj(2)));
+        const auto fails = [&](const char *only, const char *message) {
+            const test::CliRun made = test::runInProcess(
+                {u"unwrap"_s, file("sheet.obj"), u"-o"_s, file("no.obj"), QString::fromLatin1(only)});
+            QCOMPARE(made.code, 1);
+            QVERIFY2(made.err.contains(QString::fromLatin1(message)), qPrintable(made.err));
+        };
+        fails("--only=objects:a", "there is no object \"a\". The file names no objects");
+        fails("--only=materials:a", "there is no material \"a\". The file names no materials");
+        fails("--only=islands:1", "the file has no UVs, so there are no islands");
+    }
+
+    void givenSeamsAreCounted_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<int>("count");
+        const auto row = [](const char *name, const QStringList &from, int count) {
+            QTest::newRow(name) << from << count;
+        };
+        row("standard", {}, 0);
+        row("sharp", {u"--seams-from=sharp"_s}, 1);
+        row("materials", {u"--seams-from=uv,materials"_s}, 3);
+        row("blunt", {u"--seams-from=sharp:91,objects,hard"_s}, 0);
+    }
+    void givenSeamsAreCounted()
+    {
+        QFETCH(QStringList, options);
+        QFETCH(int, count);
+        const test::CliRun made = run("unwrap", "out.acproj", QStringList{u"--seams=keep"_s} + options);
+        QVERIFY2(made.code == 0, qPrintable(made.err));
+        QVERIFY2(made.out.contains(u"note: given seams: %1\n"_s.arg(count)), qPrintable(made.out));
+        QCOMPARE(made.err.contains(u"there are no given seams"_s), count == 0);
+        // The session keeps the choice; a job on the session has it, too.
+        LoadedProject project = loadProject(file("out.acproj")).value();
+        QCOMPARE(project.state.solveSettings.seams, SeamMode::Keep);
+        project.state.scene.uvSets[0].uv = mBefore.uvSets[0].uv;
+        QVERIFY(saveProject(project.state, {}, file("again.acproj")).ok());
+        const test::CliRun again =
+            test::runInProcess({u"unwrap"_s, file("again.acproj"), u"-o"_s, file("again.obj"),
+                                u"--quality=draft"_s, u"--pack-time=0"_s});
+        QVERIFY2(again.out.contains(u"note: given seams: %1\n"_s.arg(count)), qPrintable(again.out));
+    }
+
+    void sourcesWithoutAModeAreNoticed()
+    {
+        const test::CliRun made = run("unwrap", "out.obj", {u"--seams-from=sharp"_s});
+        QCOMPARE(made.code, 0);
+        QVERIFY2(made.err.contains(u"--seams-from does nothing without"_s), qPrintable(made.err));
+        QVERIFY(!made.out.contains(u"given seams"_s));
+    }
+
+private:
+    QString file(const char *name) const { return mFolder.filePath(QString::fromLatin1(name)); }
+
+    test::CliRun run(const char *command, const char *out, const QStringList &options) const
+    {
+        QStringList words{QString::fromLatin1(command), file("parts.obj"), u"-o"_s, file(out),
+                          u"--pack-time=0.05"_s};
+        if (words[0] == u"unwrap")
+            words << u"--quality=draft"_s;
+        return test::runInProcess(words + options);
+    }
+
+    static bool sameUv(const Scene &a, const Scene &b, int corner)
+    {
+        return a.uvSets[0].uv.row(corner) == b.uvSets[0].uv.row(corner);
+    }
+
+    //! The faces whose UVs changed, at each corner.
+    QString movedFaces(const Scene &after) const
+    {
+        QString faces;
+        for (int f = 0; f < 6; ++f) {
+            int moved = 0;
+            for (int c = 4 * f; c < 4 * f + 4; ++c)
+                moved += !sameUv(after, mBefore, c);
+            faces += moved == 4 ? QString::number(f) : moved > 0 ? u"?"_s : u""_s;
+        }
+        return faces;
+    }
+
+    QTemporaryDir mFolder;
+    Scene mBefore;
+};
+
+QTEST_GUILESS_MAIN(TestCliScope)
+#include "tst_cliscope.moc"
