@@ -1,5 +1,6 @@
 // MeshData: welding, triangulation, edge pairs, and meshes that are broken in every way.
 #include "model/plain/meshdata.h"
+#include "model/plain/meshpart.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
@@ -63,6 +64,35 @@ class TestMeshData : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void partsAreMeshes_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"grid", "quad cube", "torus", "dirty"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void partsAreMeshes()
+    {
+        QFETCH(QString, name);
+        const auto mesh = test::meshNamed(name);
+        for (int every = 1; every <= 3; ++every) {
+            std::vector<bool> faces(mesh->faceCount(), false);
+            for (int f = 0; f < mesh->faceCount(); f += every)
+                faces[f] = true;
+            const MeshPart part = partOf(*mesh, faces);
+            QCOMPARE(part.mesh->validate(), std::string());
+            QCOMPARE(part.mesh->faceCount(), std::count(faces.begin(), faces.end(), true));
+            for (int s = 0; s < part.mesh->soupCornerCount(); ++s) {
+                QCOMPARE(part.corner[part.mesh->cornerOfSoup(s)], mesh->cornerOfSoup(part.soupCornerOf(s)));
+                QCOMPARE(part.mesh->vertexOfSoup(s), mesh->vertexOfSoup(part.soupCornerOf(s)));
+            }
+            for (std::size_t e = 0; e < part.edgePair.size(); ++e) {
+                const EdgePair &own = part.mesh->edgePairs[e], &whole = mesh->edgePairs[part.edgePair[e]];
+                QCOMPARE(part.soupCornerOf(own.corner[0][0]), whole.corner[0][0]);
+                QCOMPARE(own.diagonal, whole.diagonal);
+            }
+        }
+    }
+
     void closedMeshHasOnlyPairs()
     {
         const auto mesh = test::cube();

@@ -225,6 +225,24 @@ private:
         requireEntry(u"solve with a rectangle"_s);
     }
 
+    //! True when every island of the rectangle lies in it, and all others lie in the texture.
+    bool liesWhereItBelongs()
+    {
+        const LayoutRectangle &rectangle = document().constraints().rectangles[0];
+        const Eigen::AlignedBox2d texture(Vec2(-1e-9, -1e-9), Vec2(1 + 1e-9, 1 + 1e-9));
+        const Eigen::AlignedBox2d inside(rectangle.lower - Vec2::Constant(1e-6),
+                                         rectangle.upper + Vec2::Constant(1e-6));
+        const Islands &islands = document().islands();
+        for (int i = 0; i < islands.count(); ++i) {
+            const std::vector<int> &faces = islands.faces(i);
+            const bool assigned = std::any_of(faces.begin(), faces.end(),
+                                              [&](int face) { return rectangle.faces.contains(face); });
+            if (!(assigned ? inside : texture).contains(islands.box(i)))
+                return false;
+        }
+        return true;
+    }
+
     void pack()
     {
         mArtist.use("tool.select");
@@ -232,8 +250,7 @@ private:
         requireEntry(u"finish again"_s);
         require(mArtist.runJob("uv.pack"), u"not packed"_s);
         requireCleanMap(u"pack"_s);
-        require(mProblem.isEmpty() && mArtist.studio.context.map.figures()->metrics.inUnitSquare,
-                u"packed outside of the texture"_s);
+        require(mProblem.isEmpty() && liesWhereItBelongs(), u"packed outside of texture and rectangle"_s);
         mEntries = document().undoStack().index();
     }
 

@@ -2,6 +2,7 @@
 
 #include "model/plain/chart.h"
 #include "model/plain/packingsettings.h"
+#include "model/plain/uvlayout.h"
 
 #include <Eigen/Geometry>
 
@@ -18,6 +19,8 @@ constexpr double tolerance = 1e-6;
 //! The tile that a box lies in; 0 when it lies in none.
 int tileOf(const Eigen::AlignedBox2d &box)
 {
+    if (box.isEmpty())
+        return 0;
     const Vec2 corner = box.center().array().floor();
     if (corner.x() < 0 || corner.x() >= perRow || corner.y() < 0)
         return 0;
@@ -37,6 +40,9 @@ Vec2 udimCorner(int tile)
 
 std::vector<int> udimTiles(const MeshData &mesh, const UvMatrix &uv)
 {
+    // Most layouts lie in one tile; then the islands need not be found.
+    if (const int tile = tileOf(layoutBox(uv)); tile != 0 && uv.allFinite())
+        return std::vector<int>(mesh.faceCount(), tile);
     const ChartMap charts = findCharts(mesh, uv);
     std::vector<Eigen::AlignedBox2d> boxes(charts.count);
     for (int face = 0; face < mesh.faceCount(); ++face) {

@@ -4,7 +4,9 @@
 #include "solver/definite/definitemap.h"
 #include "solver/definite/stitching.h"
 #include "solver/homotopy/anneal.h"
+#include "solver/search/anchoring.h"
 
+#include <algorithm>
 #include <exception>
 #include <stdexcept>
 
@@ -62,6 +64,7 @@ void SolveWorker::start(std::shared_ptr<const Snapshot> snapshot, const Vec2 &ce
         orders.makeMap = false;
         mWaitingResult.reset();
         mPausedMap.reset();
+        mFailure.reset();
         mAtRest = false;
     });
 }
@@ -130,6 +133,12 @@ std::optional<PausedMap> SolveWorker::takePausedMap()
     return std::exchange(mPausedMap, std::nullopt);
 }
 
+std::optional<QString> SolveWorker::takeFailure()
+{
+    const std::lock_guard lock(mMutex);
+    return std::exchange(mFailure, std::nullopt);
+}
+
 bool SolveWorker::takeRest()
 {
     const std::lock_guard lock(mMutex);
@@ -156,7 +165,13 @@ void SolveWorker::work()
     } catch (const std::exception &e) {
         mSolver.reset();
         mStepsLeft = 0;
-        Q_EMIT failed(QString::fromUtf8(e.what()));
+        {
+            const std::lock_guard lock(mMutex);
+            if (mOrders.start)
+                return; // another solve is about to start
+            mFailure = QString::fromUtf8(e.what());
+        }
+        Q_EMIT failed();
     }
 }
 
@@ -369,10 +384,15 @@ void SolveWorker::giveResult()
 //! made again.
 void SolveWorker::makePausedMap()
 {
-    const SeamedMap map =
+    SeamedMap map =
         definite::stitchSoup(mSolver->sharedSoup(), mSolver->snapshot(), mSolver->coordinates(), &mInterrupt);
     if (mInterrupt)
         return;
+    // Stitching moves a pinned corner to the mean of the corners that it is stitched to.
+    const std::vector<Pin> &pins = mSolver->snapshot().steering->pins;
+    if (std::any_of(pins.begin(), pins.end(), [](const Pin &pin) { return pin.hard; }))
+        search::settleAtAnchors(search::SeamGraph::build(mSolver->sharedSoup(), mSolver->snapshot()), map, 0,
+                                false);
     const double scale = mPart->snapshot().uvScale;
     PausedMap pausedMap{mToken, mPart->wholeUv(scale * cornerUv(mSolver->soup(), map))};
     {

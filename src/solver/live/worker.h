@@ -96,6 +96,8 @@ public:
     //! The newest result, with the trace of results that were never taken; null when none is waiting.
     std::shared_ptr<const SolveResult> takeResult();
     std::optional<PausedMap> takePausedMap();
+    //! Why the solve failed, untranslated, one line.
+    std::optional<QString> takeFailure();
     //! True, once, when the solve stopped by itself and has not been told to continue since.
     bool takeRest();
 
@@ -107,8 +109,8 @@ Q_SIGNALS:
     //! The solve stopped by itself: it converged or took the steps asked for. takeRest() tells whether it
     //! still rests.
     void waiting();
-    //! \param message untranslated, one line
-    void failed(const QString &message);
+    //! The solve failed and is over. takeFailure() says why, unless another one was started since.
+    void failed();
 
 private:
     //! Orders that were given and not yet carried out.
@@ -143,6 +145,7 @@ private:
     Orders mOrders;
     std::shared_ptr<SolveResult> mWaitingResult;
     std::optional<PausedMap> mPausedMap;
+    std::optional<QString> mFailure;
     bool mAtRest = false;
     std::atomic<bool> mInterrupt = false; //!< new orders have arrived: long computations should end
 

@@ -95,6 +95,15 @@ void UvActions::connectJobs()
     SolverController &solver = mContext.solver;
     onTriggered("uv.unwrap",
                 [&map, &solver] { map.unwrap(unwrap::UnwrapQuality::Standard, solver.maxDistortion()); });
+    const auto onSelection = [this](const char *id, JobReach reach) {
+        onTriggered(id, [this, reach] {
+            mContext.map.unwrap(unwrap::UnwrapQuality::Standard, mContext.solver.maxDistortion(), reach);
+        });
+    };
+    onSelection("uv.unwrapSelection", JobReach::SelectionAttached);
+    onSelection("uv.unwrapSelectionFree", JobReach::SelectionFree);
+    onTriggered("uv.finishSelection",
+                [&map, &solver] { map.finish(solver.maxDistortion(), JobReach::SelectionAttached); });
     onTriggered("uv.finish", [&map, &solver] { map.finish(solver.maxDistortion()); });
     onTriggered("uv.pack", [&map] { map.pack(PackScope::All); });
     onTriggered("uv.packSelection", [&map] { map.pack(PackScope::Selection); });

@@ -47,6 +47,18 @@ MapFigures measured(const MeshData &mesh, const UvMatrix &uv, int textureSize, J
     return figures;
 }
 
+//! The input of a job that may change only the selected faces.
+MapInput limited(MapInput input, JobReach reach)
+{
+    if (reach == JobReach::All)
+        return input;
+    JobScope scope{std::vector<bool>(input.mesh().faceCount(), false), reach == JobReach::SelectionAttached};
+    for (const int face : input.selectedFaces)
+        scope.faces[face] = true;
+    input.snapshot.scope = std::make_shared<const JobScope>(std::move(scope));
+    return input;
+}
+
 } // namespace
 
 MapController::MapController(Workspace &workspace, SolverController &solver, QObject *parent)
@@ -136,17 +148,17 @@ void MapController::applyResult(const MapJobResult &result)
         Q_EMIT done(result.message);
 }
 
-void MapController::unwrap(unwrap::UnwrapQuality quality, double maxDistortion)
+void MapController::unwrap(unwrap::UnwrapQuality quality, double maxDistortion, JobReach reach)
 {
-    startJob(tr("Unwrapping"), [quality, maxDistortion](const MapInput &input, JobControl &control) {
-        return unwrapJob(input, quality, maxDistortion, control);
+    startJob(tr("Unwrapping"), [=](const MapInput &input, JobControl &control) {
+        return unwrapJob(limited(input, reach), quality, maxDistortion, control);
     });
 }
 
-void MapController::finish(double maxDistortion)
+void MapController::finish(double maxDistortion, JobReach reach)
 {
-    startJob(tr("Finishing"), [maxDistortion](const MapInput &input, JobControl &control) {
-        return finishJob(input, maxDistortion, control);
+    startJob(tr("Finishing"), [=](const MapInput &input, JobControl &control) {
+        return finishJob(limited(input, reach), maxDistortion, control);
     });
 }
 

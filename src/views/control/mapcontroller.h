@@ -36,6 +36,8 @@ struct MapFigures
 
 //! Which islands are packed. The others keep their places and are obstacles.
 enum class PackScope { All, Selection };
+//! Which faces a job may change. The selection stays continuous with the rest of its islands, or is cut free.
+enum class JobReach { All, SelectionAttached, SelectionFree };
 
 //! Starts jobs on copies of the document and pushes each result as one command. When the map was edited
 //! meanwhile, the result is discarded and the user is told. A running live solve is paused first.
@@ -56,10 +58,11 @@ public:
 
 public Q_SLOTS:
     //! Unwraps automatically, as the command line does (pipeline.h).
-    void unwrap(autocuts::unwrap::UnwrapQuality quality, double maxDistortion);
+    void unwrap(autocuts::unwrap::UnwrapQuality quality, double maxDistortion,
+                autocuts::JobReach reach = JobReach::All);
     //! Finishes the live map, or the document's map when there is none: the result has definite seams and no
     //! overlaps.
-    void finish(double maxDistortion);
+    void finish(double maxDistortion, autocuts::JobReach reach = JobReach::All);
     void pack(autocuts::PackScope scope);
     //! Packs the islands of the faces into a box instead of a tile; other islands are obstacles.
     //! \param box texture space

@@ -320,10 +320,13 @@ void SolverController::takePausedMap()
         then();
 }
 
-void SolverController::workerFailed(const QString &message)
+void SolverController::workerFailed()
 {
+    const std::optional<QString> message = mWorker->takeFailure();
+    if (!message)
+        return; // it was started again meanwhile
     discard();
-    Q_EMIT failed(message);
+    Q_EMIT failed(*message);
 }
 
 } // namespace autocuts

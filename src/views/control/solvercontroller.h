@@ -102,7 +102,7 @@ private:
     void showResult();
     void takePausedMap();
     void workerWaits();
-    void workerFailed(const QString &message);
+    void workerFailed();
     void begin(StartMode start, bool warm = false);
     void beginWhereTheMapIs();
     void setRunning(bool running, bool pausing);
