@@ -67,8 +67,7 @@ Result<MadeMap> MapMaking::pack(Scene &scene) const
         if (!scope->attached)
             charts = chartsAlong(*scope, charts);
         if (!holdsWholeChart(*scope, charts))
-            return Error{QStringLiteral("no island lies as a whole in what --only names"), mOptions.input, 0,
-                         QStringLiteral("Name more, or cut the islands with pack --border free")};
+            return noWholeChart();
     }
     const JobContext job = mJob.part(0, 1, JobStage::Packing);
     if (!unwrap::packCharts(mesh, charts, pack.value(), uv, job))
@@ -88,6 +87,9 @@ Result<MadeMap> MapMaking::separate(Scene &scene) const
     const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, snapshot.value());
     if (!pack)
         return pack.error();
+    if (snapshot->scope &&
+        !holdsWholeChart(*snapshot->scope, findCharts(*scene.mesh, scene.uvSets.front().uv)))
+        return noWholeChart();
     const unwrap::SeparateResult made = unwrap::separateMap(snapshot.value(), pack.value(), mJob);
     MadeMap outcome;
     switch (made.outcome) {
@@ -95,8 +97,8 @@ Result<MadeMap> MapMaking::separate(Scene &scene) const
         setUv(scene, made.uv);
         outcome.notes << QStringLiteral("edges cut to take overlaps apart: %1").arg(made.newSeams);
         if (made.unresolvedPairs > 0)
-            outcome.warnings << QStringLiteral("overlaps inside single polygons, across joined edges or "
-                                               "outside of --only, which stay: %1")
+            outcome.warnings << QStringLiteral("overlaps inside single polygons or across joined edges, "
+                                               "which stay whole: %1")
                                     .arg(made.unresolvedPairs);
         break;
     case Separation::NoOverlaps:
@@ -204,6 +206,12 @@ QStringList MapMaking::unmetText(const unwrap::UnmetSteering &unmet) const
     if (!unmet.rectangles.empty())
         lines << QStringLiteral("rectangles that islands reach out of: %1").arg(numbers(unmet.rectangles));
     return lines;
+}
+
+Error MapMaking::noWholeChart() const
+{
+    return {QStringLiteral("no island lies as a whole in what --only names"), mOptions.input, 0,
+            QStringLiteral("Name more, or cut the islands with pack --border free")};
 }
 
 Error MapMaking::noUvs() const

@@ -39,6 +39,7 @@ private:
     QString nothingFree() const;
     //! A line for each kind of steering that the map does not obey.
     QStringList unmetText(const unwrap::UnmetSteering &unmet) const;
+    Error noWholeChart() const;
     Error noUvs() const;
 
     const CliOptions &mOptions;

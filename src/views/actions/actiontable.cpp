@@ -151,12 +151,12 @@ constexpr std::array uvTable{
         QT_TRANSLATE_NOOP("Actions", "Make the whole map: solve, finish, take overlaps apart and pack"),
         NeedsIdleDocument, false, "", true},
     ActionInfo{
-        "uv.unwrapSelection", "UV", QT_TRANSLATE_NOOP("Actions", "Un&wrap selection"), "unwrap", "Shift+U",
+        "uv.unwrapSelection", "UV", QT_TRANSLATE_NOOP("Actions", "Unwrap selection"), "unwrap", "Shift+U",
         QT_TRANSLATE_NOOP("Actions", "Make the map of the selected faces anew; it stays continuous with "
                                      "the rest of their islands, and nothing else changes"),
         NeedsIdleMap | NeedsSelection},
-    ActionInfo{"uv.unwrapSelectionFree", "UV", QT_TRANSLATE_NOOP("Actions", "Unwrap selection, cut &free"),
-               "unwrap", "Ctrl+Shift+U",
+    ActionInfo{"uv.unwrapSelectionFree", "UV", QT_TRANSLATE_NOOP("Actions", "Unwrap selection, cut free"),
+               "unwrap", "Ctrl+Alt+U",
                QT_TRANSLATE_NOOP("Actions",
                                  "Cut the selected faces out of their islands and make their map anew; "
                                  "nothing else changes"),
@@ -164,7 +164,7 @@ constexpr std::array uvTable{
     ActionInfo{"uv.finish", "UV", QT_TRANSLATE_NOOP("Actions", "&Finish"), "finish", "Ctrl+Return",
                QT_TRANSLATE_NOOP("Actions", "Make a final map with definite seams and no overlaps"),
                NeedsIdleDocument},
-    ActionInfo{"uv.finishSelection", "UV", QT_TRANSLATE_NOOP("Actions", "Finis&h selection"), "finish",
+    ActionInfo{"uv.finishSelection", "UV", QT_TRANSLATE_NOOP("Actions", "Finish selection"), "finish",
                "Ctrl+Shift+Return",
                QT_TRANSLATE_NOOP("Actions", "Finish the map of the selected faces; nothing else changes"),
                NeedsIdleMap | NeedsSelection},

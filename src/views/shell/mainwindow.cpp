@@ -207,8 +207,8 @@ void MainWindow::connectMessages()
     connect(&mFiles, &FileController::done, this, say);
     connect(&mMap, &MapController::failed, mNotice, &NoticeBar::showNotice);
     connect(&mMap, &MapController::done, mNotice, [this] { mNotice->showNotice({}); });
-    connect(&mSolver, &SolverController::failed, this, [this](const QString &message) {
-        mQuestions->showError(Error{message, {}, 0, {}});
+    connect(&mSolver, &SolverController::failed, mNotice, [this](const QString &message) {
+        mNotice->showNotice(tr("The solver stopped: %1").arg(message));
     });
     connect(&mFiles, &FileController::failed, this,
             [this](const Error &error) { mQuestions->showError(error); });
