@@ -88,7 +88,10 @@ public:
               Ranking &ranking, const JobContext &job)
         : mSoup(std::move(soup)), mSnapshot(snapshot), mOptions(options), mJob(job), mRanking(ranking),
           mGraph(search::SeamGraph::build(mSoup, snapshot))
-    {}
+    {
+        if (snapshot.placesIslands())
+            mBefore = mapBefore(*mSoup, snapshot);
+    }
 
     int iterations() const { return mIterations; }
 
@@ -104,11 +107,13 @@ public:
         if (mOptions.lambda)
             best = bySoup(mOptions.quality);
         else if (mSnapshot.settings.start == StartMode::ExistingUv || isComplicated(*mSnapshot.mesh) ||
-                 mSnapshot.placesIslands())
+                 (mSnapshot.placesIslands() && !mBefore))
             best = bySoup(UnwrapQuality::Draft);
         keepBetter(best, bySearch(best, nullptr));
         if (!best || (!mJob.stopped() && !mOptions.lambda && best->distortion > mOptions.maxDistortion))
             keepBetter(best, bySoup(mOptions.quality));
+        else if (best->anchorFaults > 0 && mBefore && !mJob.stopped())
+            keepBetter(best, bySoup(UnwrapQuality::Draft)); // it tears where pins contradict each other
         return best;
     }
 
@@ -125,10 +130,8 @@ private:
         search.effort = effortFor(mOptions.quality, mSnapshot.mesh->triangleCount());
         if (other)
             search.given.push_back(other->map);
-        if (mSnapshot.placesIslands()) {
-            if (std::optional<SeamedMap> before = mapBefore(*mSoup, mSnapshot))
-                search.given.push_back(std::move(*before));
-        }
+        if (mBefore)
+            search.given.push_back(*mBefore);
         search.seed = mSnapshot.settings.seed;
         search.job = mJob;
         search.start = [&](int steps) { mRanking.setTotal(steps); };
@@ -177,6 +180,7 @@ private:
     const JobContext &mJob;
     Ranking &mRanking;
     const std::shared_ptr<const search::SeamGraph> mGraph; //!< without symmetry
+    std::optional<SeamedMap> mBefore; //!< where pins or rectangles hold islands: the map before the job
     int mIterations = 0;
 };
 
