@@ -1,5 +1,7 @@
 // The steering contract (docs/steering.md): whatever the user steers, every job obeys it.
+#include "model/plain/uvlayout.h"
 #include "solver/unwrap/finishjob.h"
+#include "solver/unwrap/livemap.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/separatejob.h"
 #include "solver/unwrap/unwrap.h"
@@ -58,6 +60,46 @@ test::Outcome packed(const Snapshot &snapshot)
     return {uv, {}, {}, false, !done};
 }
 
+//! The second map of a live solve. \param before where it begins, before it is steered; null: it begins steered
+test::Outcome lived(const Snapshot *before, const Snapshot &snapshot)
+{
+    std::shared_ptr<const LiveMapResult> last;
+    std::atomic<bool> stop = false;
+    int maps = 0, wanted = 1;
+    LiveMap live([&](std::shared_ptr<const LiveMapResult> map) {
+        last = std::move(map);
+        stop = ++maps >= wanted;
+    });
+    LiveMapOptions options;
+    options.packing = hurried();
+    const auto work = [&](int count) {
+        maps = 0;
+        wanted = count;
+        stop = false;
+        static_cast<void>(live.work({&stop}));
+    };
+    try {
+        auto steered = std::make_shared<Snapshot>(snapshot);
+        steered->settings.start = StartMode::ExistingUv;
+        if (before) {
+            auto first = std::make_shared<Snapshot>(*before);
+            first->settings.start = StartMode::ExistingUv;
+            live.begin(first, options);
+            work(1);
+            live.steer(steered, options);
+        } else {
+            live.begin(steered, options);
+        }
+        last.reset();
+        work(2);
+    } catch (const std::runtime_error &) {
+        return {*snapshot.uv}; // nothing may change
+    }
+    if (!last)
+        return {UvMatrix()};
+    return {last->uv, last->cut, unmetSteering(snapshot, last->uv), true, !last->hasRoom};
+}
+
 //! Random steerings per mesh. $AUTOCUTS_STEERINGS asks for more of them.
 int steerings()
 {
@@ -104,10 +146,11 @@ private Q_SLOTS:
         UnwrapOptions many = draft();
         many.maxDistortion = 4.02; // several islands
         const UvMatrix uv = unwrapMesh(plain, many).uv;
+        Snapshot mapped = plain;
+        mapped.uv = std::make_shared<const UvMatrix>(uv);
+        mapped.uvScale = layoutScale(*mesh, uv);
         QStringList all;
         for (int seed = 1; seed <= steerings(); ++seed) {
-            if (getenv("SEED") && atoi(getenv("SEED")) != seed)
-                continue;
             const Snapshot snapshot = test::steered(mesh, uv, seed);
             const struct
             {
@@ -116,7 +159,9 @@ private Q_SLOTS:
             } outcomes[] = {{"unwrap", unwrapped(snapshot)},
                             {"finish", finished(snapshot)},
                             {"separate", separated(snapshot)},
-                            {"pack", packed(snapshot)}};
+                            {"pack", packed(snapshot)},
+                            {"live", lived(nullptr, snapshot)},
+                            {"live, steered", lived(&mapped, snapshot)}};
             for (const auto &[job, outcome] : outcomes) {
                 for (const QString &clause : test::broken(snapshot, outcome))
                     all << QStringLiteral("%1 with seed %2: %3")

@@ -316,7 +316,7 @@ private Q_SLOTS:
         QTest::keyClick(&view(), Qt::Key_Return);
         QVERIFY(!tool().isBusy());
         QVERIFY(mStudio->solver.isRunning());
-        QVERIFY(QTest::qWaitFor([this] { return mStudio->solver.result() != nullptr; }, 60'000));
+        QVERIFY(QTest::qWaitFor([this] { return mStudio->solver.map() != nullptr; }, 60'000));
         QVERIFY((middle() - moved).norm() < 0.2);
         mStudio->solver.pause();
         QVERIFY(QTest::qWaitFor([this] { return !mStudio->solver.isPausing(); }, 60'000));

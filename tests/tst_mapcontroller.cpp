@@ -116,6 +116,7 @@ private Q_SLOTS:
         studio.map.equalizeDensity();
         QVERIFY(studio.ends());
         QVERIFY(obeys(true));
+        studio.solver.setLiveView(LiveView::Soup);
         studio.solver.run();
         QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration >= 5; }, patience));
         studio.solver.pause();
@@ -152,6 +153,7 @@ private Q_SLOTS:
     {
         QFETCH(int, steps);
         Studio studio;
+        studio.solver.setLiveView(LiveView::Soup);
         studio.solver.run();
         QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > steps; }, patience));
         studio.map.finish(4.5);
@@ -166,12 +168,13 @@ private Q_SLOTS:
         QVERIFY(studio.map.figures()->metrics.symDirichlet <= 4.5);
     }
 
-    //! At the time of the order the newest result of a run has not been taken yet.
-    void finishingStartsFromTheMapThatWasSettled()
+    //! Where the soup is shown, its seams are finished, those of the definite map otherwise.
+    void finishingStartsFromWhatIsShown()
     {
         Studio studio;
+        studio.solver.setLiveView(LiveView::Soup);
         studio.solver.run();
-        QVERIFY(!studio.solver.result());
+        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > 3; }, patience));
         MapInput input;
         studio.solver.whenPaused([&] {
             const Document &document = studio.document();
@@ -179,13 +182,12 @@ private Q_SLOTS:
             input.uv = document.uv();
             input.uvScale = document.uvScale();
             input.packing = document.packingSettings();
-            input.live = {studio.solver.result(), true};
+            input.live = {studio.solver.soup(), !studio.solver.status().converged};
         });
         studio.map.finish(4.1);
         QVERIFY(studio.ends());
         QCOMPARE(studio.failed.count(), 0);
         QVERIFY(input.live.result);
-        QVERIFY(!input.live.result->status.converged);
         JobControl control;
         QVERIFY(studio.document().uv() == finishJob(input, 4.1, control).uv);
     }
@@ -201,6 +203,7 @@ private Q_SLOTS:
         for (int face = 0; face < studio.document().mesh().faceCount(); ++face)
             box.faces << face;
         pushCommand(EditRectangles::add(studio.document(), box));
+        studio.solver.setLiveView(LiveView::Soup);
         studio.solver.run();
         QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > 10; }, patience));
         studio.map.finish(4.3);

@@ -1,5 +1,4 @@
 // The live solver on its thread: what it does is what Solver does, and it obeys at once.
-#include "solver/definite/stitching.h"
 #include "solver/live/worker.h"
 #include "support/meshbuilders.h"
 
@@ -11,7 +10,6 @@
 #include <QThread>
 
 using namespace autocuts;
-using namespace autocuts::definite;
 using namespace autocuts::homotopy;
 using namespace autocuts::live;
 
@@ -182,56 +180,9 @@ private Q_SLOTS:
         const auto after = std::make_shared<Snapshot>(*before);
         after->settings.lambda = 0.5;
         bench.worker->update(after);
-        QSignalSpy settled(bench.worker, &SolveWorker::pausedMapReady);
-        bench.worker->pauseWithMap();
-        QTRY_COMPARE_WITH_TIMEOUT(settled.count(), 1, patience);
+        bench.worker->pause();
+        QMetaObject::invokeMethod(bench.worker, [] {}, Qt::BlockingQueuedConnection); // the edit was taken
         QCOMPARE(bench.results.back()->status.iteration, 3);
-    }
-
-    void anEditDuringSettlingDoesNotLoseIt()
-    {
-        const auto before = snapshotOf(test::sphere(100, 100));
-        Bench bench;
-        QSignalSpy settled(bench.worker, &SolveWorker::pausedMapReady);
-        bench.runAndWait(before, 3);
-        bench.worker->pauseWithMap();
-        for (int edit = 0; edit < 5; ++edit) {
-            // A moment later each, or at once when there is nothing left to disturb.
-            (void)QTest::qWaitFor([&] { return settled.count() > 0; }, 10);
-            const auto after = std::make_shared<Snapshot>(*before);
-            after->settings.lambda = 0.1 + 0.1 * edit;
-            bench.worker->update(after);
-        }
-        QTRY_VERIFY_WITH_TIMEOUT(settled.count() >= 1, patience);
-        QVERIFY(bench.worker->takePausedMap());
-        QCOMPARE(bench.results.back()->status.iteration, 3);
-    }
-
-    void settlingGivesTheFinishedMap()
-    {
-        const auto snapshot = snapshotOf(test::sphere(12, 12));
-        snapshot->settings.delta = 0.005;
-        Bench bench;
-        QSignalSpy settled(bench.worker, &SolveWorker::pausedMapReady);
-        bench.runAndWait(snapshot, 60);
-        const int steps = bench.results.back()->status.iteration;
-        QVERIFY(steps > 20);
-        Solver solver;
-        solver.load(*snapshot);
-        for (int i = 0; i < steps; ++i)
-            solver.step();
-        const SeamedMap expected = stitchSoup(solver.sharedSoup(), solver.snapshot(), solver.coordinates());
-
-        bench.worker->pauseWithMap();
-        QTRY_COMPARE_WITH_TIMEOUT(settled.count(), 1, patience);
-        const auto map = bench.worker->takePausedMap();
-        QVERIFY(map);
-        QVERIFY(map->token == snapshot->token);
-        const MeshData &mesh = *snapshot->mesh;
-        for (int s = 0; s < mesh.soupCornerCount(); ++s) {
-            QCOMPARE(map->uv(mesh.cornerOfSoup(s), 0), expected.x[2 * s]);
-            QCOMPARE(map->uv(mesh.cornerOfSoup(s), 1), expected.x[2 * s + 1]);
-        }
     }
 
     void theBudgetIsReached()
@@ -255,7 +206,7 @@ private Q_SLOTS:
         QThread thread;
         SolveWorker worker(1);
         worker.moveToThread(&thread);
-        QSemaphore rests, settlings, gate;
+        QSemaphore rests, gate;
         const auto whileItIsBusy = [&](const auto &act) {
             QMetaObject::invokeMethod(
                 &worker, [&] { gate.acquire(); }, Qt::QueuedConnection);
@@ -264,8 +215,6 @@ private Q_SLOTS:
         };
         connect(
             &worker, &SolveWorker::waiting, this, [&] { rests.release(); }, Qt::DirectConnection);
-        connect(
-            &worker, &SolveWorker::pausedMapReady, this, [&] { settlings.release(); }, Qt::DirectConnection);
         const auto first = snapshotOf(test::sphere(12, 12)), second = snapshotOf(first->mesh);
         thread.start();
         const auto end = qScopeGuard([&] {
@@ -280,20 +229,12 @@ private Q_SLOTS:
         QVERIFY(!worker.takeRest());
         worker.runSteps(1);
         QVERIFY(rests.tryAcquire(1, patience));
-        bool atRest = true, hasSettled = true, hasResult = true;
+        bool atRest = true, hasResult = true;
         whileItIsBusy([&] {
             worker.runSteps(1);
             atRest = worker.takeRest();
         });
         QVERIFY(!atRest);
-        QVERIFY(rests.tryAcquire(1, patience));
-        worker.pauseWithMap();
-        QVERIFY(settlings.tryAcquire(1, patience));
-        whileItIsBusy([&] {
-            worker.runSteps(1);
-            hasSettled = worker.takePausedMap().has_value();
-        });
-        QVERIFY(!hasSettled);
         QVERIFY(rests.tryAcquire(1, patience));
         whileItIsBusy([&] {
             worker.start(second, Vec2::Zero());
@@ -341,7 +282,7 @@ private Q_SLOTS:
             bench.worker->start(snapshotOf(test::sphere(run % 3 == 0 ? 12 : 8, 12)), Vec2::Zero());
             bench.worker->run();
             if (run % 2)
-                bench.worker->pauseWithMap();
+                bench.worker->pause();
             if (run % 5 == 0)
                 bench.worker->setMode(run % 10 ? SolveMode::Budget : SolveMode::Manual, 4.1);
             bench.worker->pause();

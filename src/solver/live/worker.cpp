@@ -1,10 +1,7 @@
 #include "solver/live/worker.h"
 
 #include "model/plain/unionfind.h"
-#include "solver/definite/definitemap.h"
-#include "solver/definite/stitching.h"
 #include "solver/homotopy/anneal.h"
-#include "solver/search/anchoring.h"
 
 #include <algorithm>
 #include <exception>
@@ -61,9 +58,7 @@ void SolveWorker::start(std::shared_ptr<const Snapshot> snapshot, const Vec2 &ce
         orders.warm = warm;
         orders.back.reset();
         orders.centre = centre;
-        orders.makeMap = false;
         mWaitingResult.reset();
-        mPausedMap.reset();
         mFailure.reset();
         mAtRest = false;
     });
@@ -98,8 +93,6 @@ void SolveWorker::runSteps(int count)
 {
     order([&](Orders &orders) {
         orders.steps = count;
-        orders.makeMap = false;
-        mPausedMap.reset();
         mAtRest = false;
     });
 }
@@ -108,16 +101,6 @@ void SolveWorker::pause()
 {
     order([](Orders &orders) {
         orders.steps = 0;
-        orders.makeMap = false;
-    });
-}
-
-void SolveWorker::pauseWithMap()
-{
-    order([this](Orders &orders) {
-        orders.steps = 0;
-        orders.makeMap = true;
-        mPausedMap.reset();
     });
 }
 
@@ -125,12 +108,6 @@ std::shared_ptr<const SolveResult> SolveWorker::takeResult()
 {
     const std::lock_guard lock(mMutex);
     return std::exchange(mWaitingResult, nullptr);
-}
-
-std::optional<PausedMap> SolveWorker::takePausedMap()
-{
-    const std::lock_guard lock(mMutex);
-    return std::exchange(mPausedMap, std::nullopt);
 }
 
 std::optional<QString> SolveWorker::takeFailure()
@@ -159,8 +136,6 @@ void SolveWorker::work()
             obey(std::move(orders));
             if (mSolver && mStepsLeft != 0)
                 step();
-            else if (mSolver && mMustMakeMap)
-                makePausedMap();
         } while (mInterrupt || (mSolver && mStepsLeft != 0));
     } catch (const std::exception &e) {
         mSolver.reset();
@@ -204,13 +179,10 @@ void SolveWorker::obey(Orders orders)
         setRows(*mSolver, mPart->unit() * mPart->partRows(orders.back->soupUv));
         mLast.energy = 0;
     }
-    if (orders.makeMap)
-        mMustMakeMap = true;
     if (orders.steps) {
         const bool wasRunning = mStepsLeft != 0;
         mIdle = false;
         mStepsLeft = *orders.steps;
-        mMustMakeMap = orders.makeMap;
         if (mStepsLeft != 0) {
             mStatus.converged = false;
             mRateSince = Clock::now();
@@ -247,7 +219,7 @@ void SolveWorker::begin(const Orders &orders)
     mStatus = {};
     mLast = {};
     mTrace.clear();
-    mMustMakeMap = mPulled = false;
+    mPulled = false;
     mSolver = std::make_unique<homotopy::Solver>();
     mSolver->setThreads(mThreads);
     mSolver->load(mPart->snapshot());
@@ -378,31 +350,6 @@ void SolveWorker::giveResult()
     }
     if (isFirst)
         Q_EMIT resultReady();
-}
-
-//! Makes a paused map by stitching the soup. New orders interrupt it; unless they cancel the map, it is then
-//! made again.
-void SolveWorker::makePausedMap()
-{
-    SeamedMap map =
-        definite::stitchSoup(mSolver->sharedSoup(), mSolver->snapshot(), mSolver->coordinates(), &mInterrupt);
-    if (mInterrupt)
-        return;
-    // Stitching moves a pinned corner to the mean of the corners that it is stitched to.
-    const std::vector<Pin> &pins = mSolver->snapshot().steering->pins;
-    if (std::any_of(pins.begin(), pins.end(), [](const Pin &pin) { return pin.hard; }))
-        search::settleAtAnchors(search::SeamGraph::build(mSolver->sharedSoup(), mSolver->snapshot()), map, 0,
-                                false);
-    const double scale = mPart->snapshot().uvScale;
-    PausedMap pausedMap{mToken, mPart->wholeUv(scale * cornerUv(mSolver->soup(), map))};
-    {
-        const std::lock_guard lock(mMutex);
-        if (mInterrupt)
-            return;
-        mPausedMap = std::move(pausedMap);
-    }
-    mMustMakeMap = false;
-    Q_EMIT pausedMapReady();
 }
 
 } // namespace autocuts::live

@@ -48,13 +48,6 @@ struct SolveResult
     std::vector<TracePoint> trace; //!< the steps since the previous result
 };
 
-//! A paused map: the definite map made from the soup when the solver is paused.
-struct PausedMap
-{
-    StateToken token; //!< as in SolveResult
-    UvMatrix uv;      //!< one row per corner, texture space
-};
-
 //! Runs a Solver until told to stop. The functions may be called from any thread and return at once; what
 //! they ask for happens between two steps, and of several snapshots only the newest counts. Once an order is
 //! given, results made before it that it invalidates can no longer be taken. The worker never sees the
@@ -90,12 +83,9 @@ public:
     void runSteps(int count);
     //! Finishes the present step and gives it out as a result.
     void pause();
-    //! Pauses, then makes a paused map; run() and start() cancel it.
-    void pauseWithMap();
 
     //! The newest result, with the trace of results that were never taken; null when none is waiting.
     std::shared_ptr<const SolveResult> takeResult();
-    std::optional<PausedMap> takePausedMap();
     //! Why the solve failed, untranslated, one line.
     std::optional<QString> takeFailure();
     //! True, once, when the solve stopped by itself and has not been told to continue since.
@@ -104,8 +94,6 @@ public:
 Q_SIGNALS:
     //! A result is waiting. Sent once until it is taken, at most resultsPerSecond times a second.
     void resultReady();
-    //! A paused map is waiting.
-    void pausedMapReady();
     //! The solve stopped by itself: it converged or took the steps asked for. takeRest() tells whether it
     //! still rests.
     void waiting();
@@ -125,7 +113,6 @@ private:
         std::optional<int> steps; //!< 0: pause
         std::optional<homotopy::SolveMode> mode;
         double maxDistortion = 4.1;
-        bool makeMap = false;
     };
 
     template <class Change>
@@ -138,13 +125,11 @@ private:
     void step();
     void comeToRest();
     void giveResult();
-    void makePausedMap();
 
     // Shared between threads.
     std::mutex mMutex;
     Orders mOrders;
     std::shared_ptr<SolveResult> mWaitingResult;
-    std::optional<PausedMap> mPausedMap;
     std::optional<QString> mFailure;
     bool mAtRest = false;
     std::atomic<bool> mInterrupt = false; //!< new orders have arrived: long computations should end
@@ -167,7 +152,6 @@ private:
     StateToken mToken;
     int mStepsLeft = 0; //!< negative: until told to stop
     bool mPulled = false;
-    bool mMustMakeMap = false;
     bool mIdle = false; //!< converged while running: the next snapshot makes it run again
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace autocuts::search {
 
@@ -18,6 +19,7 @@ constexpr double boxShare = 0.98; // of the rectangle that a fitted chart takes 
 constexpr double firstStiffness = 10; // springs of hard pins: 10, 100 ... 100,000
 constexpr int stiffnessLevels = 5;
 constexpr int stepsPerLevel = 6;
+constexpr double atPin = 1e-9; // solver units: nearer corners lie on their pin
 
 //! A similarity: scale, turn, move.
 struct Placement
@@ -66,6 +68,18 @@ struct ChartAnchors
     std::vector<PointMatch> pins;
     const Anchor *box = nullptr; //!< a corner's box of the chart's first rectangle
     std::vector<Vec2> inBox;     //!< the corners that belong into it
+
+    //! True when the chart lies where it is held, so that springs can do the rest.
+    bool isThere() const
+    {
+        if (!pins.empty())
+            return std::all_of(pins.begin(), pins.end(), [](const PointMatch &pin) {
+                return (pin.fixed - pin.moving).squaredNorm() < atPin * atPin;
+            });
+        return !box || std::any_of(inBox.begin(), inBox.end(), [this](const Vec2 &p) {
+            return box->outside(p).squaredNorm() == 0;
+        });
+    }
 };
 
 } // namespace
@@ -86,17 +100,21 @@ void placeAtAnchors(CutState &state)
         if (anchor.lower == chart.box->lower && anchor.upper == chart.box->upper)
             chart.inBox.push_back(state.at(anchor.soupCorner));
     }
-    std::vector<Placement> placements(charts.size());
+    std::vector<std::optional<Placement>> placements(charts.size());
     for (std::size_t i = 0; i < charts.size(); ++i) {
+        if (charts[i].isThere())
+            continue;
         if (!charts[i].pins.empty()) {
             const RigidMotion motion = fitRigid(charts[i].pins);
-            placements[i] = {motion.movingCentre, motion.fixedCentre, motion.c, motion.s};
+            placements[i] = Placement{motion.movingCentre, motion.fixedCentre, motion.c, motion.s};
         } else if (charts[i].box) {
             placements[i] = fitToBox(charts[i].inBox, charts[i].box->lower, charts[i].box->upper);
         }
     }
-    for (int c = 0; c < 3 * graph.triangleCount(); ++c)
-        cornerAt(state.x, c) = placements[state.chart[c / 3]](state.at(c));
+    for (int c = 0; c < 3 * graph.triangleCount(); ++c) {
+        if (const std::optional<Placement> &place = placements[state.chart[c / 3]])
+            cornerAt(state.x, c) = (*place)(state.at(c));
+    }
     state.anchored = true;
     state.spreadCharts();
     state.chartsMayMeet = false;

@@ -21,6 +21,7 @@ struct Anchor
 
     //! From the box to a point outside of it; zero inside.
     Vec2 outside(const Vec2 &p) const { return p - p.cwiseMax(lower).cwiseMin(upper); }
+    bool operator==(const Anchor &) const = default;
 };
 
 //! The pins and rectangles of a snapshot, by soup corner. Energies as in energy/constraintterms.h.

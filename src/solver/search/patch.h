@@ -1,6 +1,7 @@
 // The triangles that one trial may move, and Newton's method on them.
 #pragma once
 
+#include "solver/base/jobcontext.h"
 #include "solver/search/blockcholesky.h"
 #include "solver/search/cutstate.h"
 #include "solver/search/segments.h"
@@ -21,6 +22,7 @@ struct PatchLimits
     //! what the quadratic model gains.
     double hopeless = std::numeric_limits<double>::infinity();
     bool guarded = false; //!< no step may make boundary sides cross
+    JobContext job;       //!< no further step once it is stopped
 };
 
 //! A patch: the triangles around a change of seams whose points may move while everything outside is held.

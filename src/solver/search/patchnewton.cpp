@@ -220,6 +220,8 @@ int Patch::minimize(const PatchLimits &limits)
     double value = energy() + springEnergy(mPosition);
     std::vector<int> touched;
     for (int step = 0; step < limits.steps; ++step) {
+        if (limits.job.stopped())
+            return step;
         bool moved = false;
         std::fill(mFrozen.begin(), mFrozen.end(), 0);
         for (int round = 0; round < (limits.guarded ? freezeRounds : 1); ++round) {

@@ -83,10 +83,6 @@ std::shared_ptr<const SeamGraph> SeamGraph::build(std::shared_ptr<const Soup> so
             graph->edgeOf[3 * pair.triangle[which] + pair.side(which)] = static_cast<int>(e);
         graph->ends.push_back({whole.uvVertex[pair.corner[0][0]], whole.uvVertex[pair.corner[1][0]]});
         graph->length.push_back(soup->pairLength[2 * e]);
-        const double weight = snapshot.settings.weighting == SeamWeighting::Count ? soup->meanEdgeLength
-                                                                                  : soup->pairLength[2 * e];
-        graph->cost.push_back(weight * snapshot.edgeWeight(e));
-        graph->rule.push_back(ruleOf(snapshot, e));
         for (const int v : graph->ends.back())
             edgesOfPoint.emplace_back(v, static_cast<int>(e));
     }
@@ -97,14 +93,37 @@ std::shared_ptr<const SeamGraph> SeamGraph::build(std::shared_ptr<const Soup> so
             graph->border[whole.uvVertex[side]] =
                 graph->border[whole.uvVertex[side / 3 * 3 + (side + 1) % 3]] = true;
     }
-    if (symmetry)
-        mirrorGraph(mesh, *symmetry, *graph);
-    graph->energy = snapshot.settings.energy;
-    graph->anchors = Anchors(snapshot);
-    graph->obstacles = snapshot.obstacles;
     graph->soup = std::move(soup);
     graph->rank = eliminationOrder(*graph);
+    graph->setSteering(snapshot, symmetry);
     return graph;
+}
+
+std::shared_ptr<const SeamGraph> SeamGraph::steeredBy(const Snapshot &snapshot,
+                                                      const preference::MeshSymmetry *symmetry) const
+{
+    const auto graph = std::make_shared<SeamGraph>(*this);
+    graph->setSteering(snapshot, symmetry);
+    return graph;
+}
+
+void SeamGraph::setSteering(const Snapshot &snapshot, const preference::MeshSymmetry *symmetry)
+{
+    cost.clear();
+    rule.clear();
+    mirror.clear();
+    onPlane.clear();
+    for (std::size_t e = 0; e < length.size(); ++e) {
+        const double weight =
+            snapshot.settings.weighting == SeamWeighting::Count ? soup->meanEdgeLength : length[e];
+        cost.push_back(weight * snapshot.edgeWeight(e));
+        rule.push_back(ruleOf(snapshot, e));
+    }
+    if (symmetry)
+        mirrorGraph(*soup->mesh, *symmetry, *this);
+    energy = snapshot.settings.energy;
+    anchors = Anchors(snapshot);
+    obstacles = snapshot.obstacles;
 }
 
 } // namespace autocuts::search

@@ -46,6 +46,9 @@ struct SeamGraph
     [[nodiscard]] static std::shared_ptr<const SeamGraph>
     build(std::shared_ptr<const Soup> soup, const Snapshot &snapshot,
           const preference::MeshSymmetry *symmetry = nullptr);
+    //! The same graph with the steering and the settings of another snapshot of the same mesh.
+    [[nodiscard]] std::shared_ptr<const SeamGraph>
+    steeredBy(const Snapshot &snapshot, const preference::MeshSymmetry *symmetry = nullptr) const;
 
     bool isMirrored() const { return !mirror.empty(); }
     //! True when a map has no other energy than the distortion that the bound is for.
@@ -58,6 +61,9 @@ struct SeamGraph
     int farEnd(int e, int v) const { return ends[e][0] == v ? ends[e][1] : ends[e][0]; }
 
     CsrList edgesOfPoint; //!< per vertex: its edge pairs, in ascending order
+
+private:
+    void setSteering(const Snapshot &snapshot, const preference::MeshSymmetry *symmetry);
 };
 
 } // namespace autocuts::search

@@ -312,7 +312,7 @@ bool SeamTrial::keepsCharts(int oldSmallParts)
     return mState.smallParts() <= oldSmallParts;
 }
 
-double SeamTrial::relaxAll(int steps, bool guarded)
+double SeamTrial::relaxAll(int steps, bool guarded, const JobContext &job)
 {
     const double before = mState.energy;
     const std::vector<double> old = mState.x;
@@ -320,7 +320,7 @@ double SeamTrial::relaxAll(int steps, bool guarded)
     for (int t = 0; t < mState.graph->triangleCount(); ++t)
         members[mState.chart[t]].push_back(t);
     for (const std::vector<int> &triangles : members)
-        relaxChart(triangles, steps, guarded);
+        relaxChart(triangles, steps, guarded, job);
     if (guarded && !mState.loopsAreInOrder())
         mState.x = old;
     mState.updateEnergy();
@@ -355,12 +355,13 @@ bool SeamTrial::reachPin(int pin, bool guarded)
 }
 
 //! Relaxes one chart. Charts are relaxed one by one so that each has its own step length.
-void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool guarded)
+void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool guarded, const JobContext &job)
 {
     mPatch.select(mState, triangles, 0);
     mPatch.join(mState, mState.x);
     PatchLimits limits;
     limits.steps = steps;
+    limits.job = job.quiet();
     // A chart relaxation that overlapped will probably do so again; contacts are barred for a while.
     limits.guarded = guarded && mGuardedFor > 0;
     mPatch.minimize(limits);

@@ -40,8 +40,9 @@ public:
     bool attempt(const SeamChange &change, const TrialTerms &terms);
     //! Must be called when the state has been replaced from outside.
     void reset() { mX = mState.x; }
-    //! Minimises the energy of every chart by Newton steps with the seams fixed. \returns the energy gained
-    double relaxAll(int steps, bool guarded);
+    //! Minimises the energy of every chart by Newton steps with the seams fixed; fewer steps when stopped.
+    //! \returns the energy gained
+    double relaxAll(int steps, bool guarded, const JobContext &job = {});
     //! Puts the corner of a hard pin onto it and holds it there, unless that flips a triangle or makes charts
     //! overlap. \param pin its index in the anchors
     bool reachPin(int pin, bool guarded);
@@ -66,7 +67,7 @@ private:
     Pieces findPieces() const;
     void alignPieces(const std::vector<int> &close);
     double solve(const SeamChange &change, const TrialTerms &terms, double before, double costGain);
-    void relaxChart(const std::vector<int> &triangles, int steps, bool guarded);
+    void relaxChart(const std::vector<int> &triangles, int steps, bool guarded, const JobContext &job);
     void keep();
     void undo();
     bool keepsCharts(int oldSmallParts);

@@ -115,12 +115,8 @@ void FreePart::addSteering(const Snapshot &whole)
     mSnapshot.steering = std::move(steering);
     if (whole.startUv)
         mSnapshot.startUv = std::make_shared<const UvMatrix>(mUnit * partRows(*whole.startUv));
-    if (whole.uv) {
-        UvMatrix uv(mPart.mesh->cornerCount(), 2);
-        for (std::size_t c = 0; c < mPart.corner.size(); ++c)
-            uv.row(static_cast<Eigen::Index>(c)) = whole.uv->row(mPart.corner[c]);
-        mSnapshot.uv = std::make_shared<const UvMatrix>(std::move(uv));
-    }
+    if (whole.uv)
+        mSnapshot.uv = std::make_shared<const UvMatrix>(partUv(*whole.uv));
 }
 
 //! Pins the corners of the part that share a UV vertex with a face outside of it.
@@ -262,6 +258,16 @@ UvMatrix FreePart::wholeUv(const UvMatrix &uv) const
     for (const Attachment &attached : mAttached)
         whole.row(mPart.corner[attached.corner]) = mWhole.uv->row(mPart.corner[attached.corner]);
     return whole;
+}
+
+UvMatrix FreePart::partUv(const UvMatrix &whole) const
+{
+    if (isWhole())
+        return whole;
+    UvMatrix uv(mPart.mesh->cornerCount(), 2);
+    for (std::size_t c = 0; c < mPart.corner.size(); ++c)
+        uv.row(static_cast<Eigen::Index>(c)) = whole.row(mPart.corner[c]);
+    return uv;
 }
 
 std::vector<bool> FreePart::wholeCut(const std::vector<bool> &cut) const

@@ -33,6 +33,8 @@ public:
     //! Whole things from those of the part; what is not in the part comes from before the job.
     //! \param uv per corner of the part, texture space
     UvMatrix wholeUv(const UvMatrix &uv) const;
+    //! The part's rows of a matrix with a row per corner of the whole mesh.
+    UvMatrix partUv(const UvMatrix &whole) const;
     //! \param cut per edge pair of the part
     std::vector<bool> wholeCut(const std::vector<bool> &cut) const;
     //! The charts of a whole map: those of the part, those before the job elsewhere, united where they are

@@ -7,6 +7,7 @@
 #include "solver/packing/packmap.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace autocuts::unwrap {
 
@@ -51,6 +52,53 @@ public:
                 return false;
         }
         return true;
+    }
+
+    std::vector<bool> misplaced(const UvMatrix &uv, const JobContext &job) const
+    {
+        const ChartMap &pieces = mRigid.pieces;
+        std::vector<bool> away(pieces.count, false);
+        std::vector<double> area(pieces.count, 0);
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            const auto &[a, b, c] = mMesh.triangles[t];
+            if (const int piece = pieces.faceChart[mMesh.triangleFace[t]]; piece >= 0)
+                area[piece] += std::abs(cross2(Vec2(uv.row(a)), Vec2(uv.row(b)), Vec2(uv.row(c))));
+        }
+        for (int face = 0; face < mMesh.faceCount(); ++face) {
+            const int piece = pieces.faceChart[face];
+            for (int c = mMesh.faceStart[face]; piece >= 0 && c < mMesh.faceStart[face + 1]; ++c) {
+                if (mBins[mBinOf[piece]].box.exteriorDistance(Vec2(uv.row(c))) > boxTolerance)
+                    away[piece] = !mRigid.locked[piece];
+            }
+        }
+        std::vector<std::vector<int>> meets(pieces.count);
+        overlap::OverlapOptions options;
+        options.job = job.quiet();
+        overlap::visitOverlaps(soupUv(mMesh, uv), options, [&](int a, int b, double) {
+            const int p = pieces.faceChart[mMesh.triangleFace[a]], q = pieces.faceChart[mMesh.triangleFace[b]];
+            if (p >= 0 && q >= 0 && p != q && (meets[p].empty() || meets[p].back() != q)) {
+                meets[p].push_back(q);
+                meets[q].push_back(p);
+            }
+            return true;
+        });
+        std::vector<int> order(pieces.count);
+        std::iota(order.begin(), order.end(), 0);
+        std::stable_sort(order.begin(), order.end(), [&](int p, int q) {
+            return mRigid.locked[p] != mRigid.locked[q] ? mRigid.locked[p] : area[p] > area[q];
+        });
+        std::vector<bool> stays(pieces.count, false);
+        for (const int piece : order) {
+            stays[piece] = mRigid.locked[piece] || !away[piece];
+            if (!mRigid.locked[piece]) {
+                stays[piece] = stays[piece] && std::none_of(meets[piece].begin(), meets[piece].end(),
+                                                            [&](int other) { return stays[other]; });
+            }
+        }
+        std::vector<bool> faces(mMesh.faceCount(), false);
+        for (int face = 0; face < mMesh.faceCount(); ++face)
+            faces[face] = pieces.faceChart[face] >= 0 && !stays[pieces.faceChart[face]];
+        return faces;
     }
 
     bool run(UvMatrix &uv, const JobContext &job) const
@@ -197,6 +245,12 @@ bool packCharts(const MeshData &mesh, const ChartMap &charts, const PackJob &pac
                 const JobContext &job)
 {
     return BinPacker(mesh, charts, pack).run(uv, job);
+}
+
+std::vector<bool> misplacedFaces(const MeshData &mesh, const ChartMap &charts, const PackJob &pack,
+                                 const UvMatrix &uv, const JobContext &job)
+{
+    return BinPacker(mesh, charts, pack).misplaced(uv, job);
 }
 
 bool liesFree(const MeshData &mesh, const ChartMap &charts, const PackJob &pack, const UvMatrix &uv,

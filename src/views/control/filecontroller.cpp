@@ -182,10 +182,9 @@ void FileController::endAutosave()
 void FileController::saveForRecovery(const QString &path, const Autosave::Saved &saved)
 {
     SessionToSave session = sessionNow(mWorkspace.sessionPath());
-    if (const std::shared_ptr<const live::SolveResult> live =
-            mSolver.isRunning() ? mSolver.result() : nullptr) {
-        session.state.scene.uvSets[session.state.activeUvSet].uv =
-            documentUvs(*mWorkspace.document(), live->soupUv);
+    if (const std::shared_ptr<const unwrap::LiveMapResult> live =
+            mSolver.isRunning() ? mSolver.map() : nullptr) {
+        session.state.scene.uvSets[session.state.activeUvSet].uv = live->uv;
         session.journal.reset();
     }
     mSaver.save(std::move(session), path, saved);

@@ -107,7 +107,7 @@ MapInput MapController::input() const
     input.selectedFaces = document.selection().faces;
     const QList<int> &edges = document.selection().edges;
     input.selectedEdges.assign(edges.begin(), edges.end());
-    input.live.result = mSolver.result();
+    input.live.result = mSolver.liveView() == LiveView::Soup ? mSolver.soup() : nullptr;
     input.live.hasMoreToDo = input.live.result && mSolver.mode() == homotopy::SolveMode::Budget &&
                              !input.live.result->status.converged;
     return input;

@@ -1,11 +1,14 @@
 #include "views/control/solvercontroller.h"
 
 #include "commands/changesettings.h"
-#include "commands/setuvs.h"
+#include "commands/newmap.h"
 #include "model/document/makesnapshot.h"
 #include "model/plain/uvlayout.h"
+#include "solver/packing/packmap.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
+
+#include <limits>
 
 namespace autocuts {
 
@@ -17,16 +20,22 @@ constexpr std::size_t mostTracePoints = 4000;
 } // namespace
 
 SolverController::SolverController(Workspace &workspace, ShownMap &shownMap, QObject *parent)
-    : QObject(parent), mWorkspace(workspace), mShownMap(shownMap), mWorker(new live::SolveWorker)
+    : QObject(parent), mWorkspace(workspace), mShownMap(shownMap), mWorker(new live::SolveWorker),
+      mKeeper(new live::MapKeeper)
 {
     mThread.setObjectName(QStringLiteral("solver"));
+    mKeeperThread.setObjectName(QStringLiteral("map keeper"));
     mWorker->moveToThread(&mThread);
+    mKeeper->moveToThread(&mKeeperThread);
     connect(&mThread, &QThread::finished, mWorker, &QObject::deleteLater);
+    connect(&mKeeperThread, &QThread::finished, mKeeper, &QObject::deleteLater);
     connect(mWorker, &live::SolveWorker::resultReady, this, &SolverController::takeResult);
-    connect(mWorker, &live::SolveWorker::pausedMapReady, this, &SolverController::takePausedMap);
     connect(mWorker, &live::SolveWorker::waiting, this, &SolverController::workerWaits);
-    connect(mWorker, &live::SolveWorker::waiting, this, &SolverController::workerRests, Qt::DirectConnection);
-    connect(mWorker, &live::SolveWorker::failed, this, &SolverController::workerFailed);
+    connect(mWorker, &live::SolveWorker::failed, this, [this] { fail(mWorker->takeFailure()); });
+    connect(mKeeper, &live::MapKeeper::mapReady, this, &SolverController::takeMap);
+    connect(mKeeper, &live::MapKeeper::rests, this, &SolverController::keeperRests);
+    connect(mKeeper, &live::MapKeeper::rests, this, &SolverController::workerRests, Qt::DirectConnection);
+    connect(mKeeper, &live::MapKeeper::failed, this, [this] { fail(mKeeper->takeFailure()); });
     connect(&workspace, &Workspace::documentReplaced, this, &SolverController::documentReplaced);
     connect(&workspace, &Workspace::changed, this, &SolverController::documentChanged);
     connect(&mPacker, &LivePacker::arranged, this, &SolverController::showResult);
@@ -34,13 +43,17 @@ SolverController::SolverController(Workspace &workspace, ShownMap &shownMap, QOb
     mSendSoon.setInterval(0);
     connect(&mSendSoon, &QTimer::timeout, this, [this] { sendSnapshot(); });
     mThread.start();
+    mKeeperThread.start();
 }
 
 SolverController::~SolverController()
 {
     mWorker->pause();
-    mThread.quit();
-    mThread.wait();
+    mKeeper->pause();
+    for (QThread *thread : {&mThread, &mKeeperThread})
+        thread->quit();
+    for (QThread *thread : {&mThread, &mKeeperThread})
+        thread->wait();
 }
 
 bool SolverController::canContinue() const
@@ -52,14 +65,19 @@ void SolverController::setMode(homotopy::SolveMode mode)
 {
     if (mode == mMode)
         return;
+    const live::SolveStatus before = mStatus;
     mMode = mode;
     mWorker->setMode(mMode, mMaxDistortion);
-    if (mMode == homotopy::SolveMode::Manual && mStatus.iteration > 0) {
+    if (mMode == homotopy::SolveMode::Manual && mSoupRan && before.iteration > 0) {
         SolveSettings settings = mWorkspace.document()->solveSettings();
-        settings.lambda = mStatus.lambda;
-        settings.delta = mStatus.delta;
+        settings.lambda = before.lambda;
+        settings.delta = before.delta;
         pushCommand(std::make_unique<ChangeSettings>(*mWorkspace.document(), settings));
     }
+    mSendSoon.start();
+    // By hand, the soup is steered, over the map that a pause puts into the document.
+    mGhost = mMode == homotopy::SolveMode::Manual;
+    setLiveView(mGhost ? LiveView::Soup : LiveView::Map);
     Q_EMIT stateChanged();
 }
 
@@ -69,7 +87,51 @@ void SolverController::setMaxDistortion(double bound)
         return;
     mMaxDistortion = bound;
     mWorker->setMode(mMode, mMaxDistortion);
+    mSendSoon.start();
     Q_EMIT stateChanged();
+}
+
+void SolverController::setLiveView(LiveView view)
+{
+    if (view == mView)
+        return;
+    mView = view;
+    runSoup();
+    showResult();
+    Q_EMIT stateChanged();
+    Q_EMIT statusChanged();
+}
+
+void SolverController::setGhost(bool ghost)
+{
+    if (ghost == mGhost)
+        return;
+    mGhost = ghost;
+    runSoup();
+    showResult();
+    Q_EMIT stateChanged();
+}
+
+live::SolveStatus SolverController::status() const
+{
+    if (mView == LiveView::Soup || !mMap)
+        return mStatus;
+    live::SolveStatus status;
+    const SolveSettings settings = mWorkspace.document()->solveSettings();
+    status.iteration = static_cast<int>(mMapTrace.size());
+    status.distortion = mMap->distortion;
+    status.separation = status.seamLength = mMap->seamLength;
+    status.islands = mMap->islands;
+    status.lambda = mSoupRan ? mStatus.lambda : settings.lambda;
+    status.delta = mSoupRan ? mStatus.delta : settings.delta;
+    status.energy = (1 - status.lambda) * status.distortion + status.lambda * status.separation;
+    status.converged = mMapRests;
+    return status;
+}
+
+const std::vector<live::TracePoint> &SolverController::trace() const
+{
+    return mView == LiveView::Soup || !mMap ? mTrace : mMapTrace;
 }
 
 void SolverController::whenPaused(std::function<void()> then)
@@ -86,8 +148,10 @@ void SolverController::setPulls(std::vector<Pin> pulls)
 {
     if (!mRunning || (pulls.empty() && mPulls.empty()))
         return;
-    if (mPulls.empty())
+    if (mPulls.empty()) {
         mBeforePulls = mResult;
+        mMapBeforePulls = mMap;
+    }
     mPulls = std::move(pulls);
     mSendSoon.start();
 }
@@ -100,7 +164,7 @@ void SolverController::cancelPulls()
     mSendSoon.stop();
     // Both changes are sent together: a solve without pulls could otherwise come to rest in the pulled
     // position.
-    sendSnapshot(mBeforePulls);
+    sendSnapshot(true);
 }
 
 void SolverController::run()
@@ -111,16 +175,38 @@ void SolverController::run()
     if (!mToken)
         beginWhereTheMapIs();
     mStepping = false;
+    mMapRests = false;
     setRunning(true, false);
-    mWorker->run();
+    mKeeper->run();
+    runSoup();
+}
+
+//! The soup is stepped only while it can be seen.
+void SolverController::runSoup()
+{
+    if (!mRunning || mStepping)
+        return;
+    if (seesSoup()) {
+        mSoupRan = true;
+        mWorker->run();
+    } else {
+        mWorker->pause();
+    }
 }
 
 void SolverController::pause()
 {
     if (!mRunning)
         return;
+    mWorker->pause();
     setRunning(false, true);
-    mWorker->pauseWithMap();
+    takeMap();
+    // Edits of this turn of the event loop have not been sent yet.
+    if (mSendSoon.isActive()) {
+        mSendSoon.stop();
+        sendSnapshot();
+    }
+    endPause();
 }
 
 void SolverController::toggle()
@@ -138,9 +224,11 @@ void SolverController::step()
         return;
     if (!mToken)
         beginWhereTheMapIs();
-    // waiting() is emitted at the end of the step and then stitches the map.
-    mStepping = true;
+    // waiting() is emitted at the end of the step.
+    setLiveView(LiveView::Soup);
+    mStepping = mSoupRan = true;
     setRunning(true, false);
+    mKeeper->run();
     mWorker->runSteps(1);
 }
 
@@ -152,7 +240,8 @@ void SolverController::restart()
     begin(document->solveSettings().start);
     mStepping = false;
     setRunning(true, false);
-    mWorker->run();
+    mKeeper->run();
+    runSoup();
 }
 
 void SolverController::discard()
@@ -160,12 +249,16 @@ void SolverController::discard()
     if (!mToken)
         return;
     mWorker->pause();
+    mKeeper->pause();
     mToken.reset();
     mResult.reset();
+    mMap.reset();
     mPacker.reset();
     mWhenPaused.clear();
     mStatus = {};
     mTrace.clear();
+    mMapTrace.clear();
+    mGhostUv = {};
     mShownMap.showDocument();
     setRunning(false, false);
     Q_EMIT statusChanged();
@@ -185,16 +278,32 @@ void SolverController::begin(StartMode start, bool warm)
     const auto snapshot = std::make_shared<const Snapshot>(makeSnapshot(document, start));
     mToken = snapshot->token;
     mResult.reset();
+    mMap.reset();
     mBeforePulls.reset();
+    mMapBeforePulls.reset();
     mPacker.reset();
     mStatus = {};
     mTrace.clear();
+    mMapTrace.clear();
     mTraceStride = 1;
+    mSoupRan = mMapRests = false;
     mWorker->setMode(mMode, mMaxDistortion);
     // Places the map at the centre of the unit square.
     const Vec2 centre = Vec2::Constant(0.5 / document.uvScale());
     mWorker->start(snapshot, centre, warm);
+    mKeeper->start(snapshot, mapOptions());
     Q_EMIT statusChanged();
+}
+
+unwrap::LiveMapOptions SolverController::mapOptions() const
+{
+    const Document &document = *mWorkspace.document();
+    unwrap::LiveMapOptions options;
+    options.maxDistortion = mMaxDistortion;
+    if (mMode == homotopy::SolveMode::Manual)
+        options.lambda = document.solveSettings().lambda;
+    options.packing = packing::tileOptions(document.packingSettings());
+    return options;
 }
 
 void SolverController::setRunning(bool running, bool pausing)
@@ -228,7 +337,8 @@ void SolverController::documentChanged()
         mSendSoon.start();
 }
 
-void SolverController::sendSnapshot(const std::shared_ptr<const live::SolveResult> &back)
+//! \param back the maps from before the pulls come back
+void SolverController::sendSnapshot(bool back)
 {
     if (!mToken || !mWorkspace.hasMapOf(*mToken))
         return;
@@ -241,7 +351,10 @@ void SolverController::sendSnapshot(const std::shared_ptr<const live::SolveResul
             pins.push_back(pull);
         }
     }
-    mWorker->update(std::make_shared<const Snapshot>(std::move(snapshot)), !mPulls.empty(), back);
+    const auto shared = std::make_shared<const Snapshot>(std::move(snapshot));
+    mMapRests = false;
+    mWorker->update(shared, !mPulls.empty(), back ? mBeforePulls : nullptr);
+    mKeeper->update(shared, mapOptions(), !mPulls.empty(), back ? mMapBeforePulls : nullptr);
 }
 
 void SolverController::takeResult()
@@ -256,16 +369,46 @@ void SolverController::takeResult()
     Q_EMIT statusChanged();
 }
 
+void SolverController::takeMap()
+{
+    const std::shared_ptr<const unwrap::LiveMapResult> map = mKeeper->takeMap();
+    if (!map || !mToken || !map->token.sameMap(*mToken))
+        return;
+    mMap = map;
+    mMapTrace.push_back({static_cast<int>(mMapTrace.size()) + 1, static_cast<float>(map->distortion),
+                         static_cast<float>(map->seamLength), std::numeric_limits<float>::quiet_NaN()});
+    showResult();
+    Q_EMIT statusChanged();
+    if (mPausing)
+        endPause();
+}
+
+//! Shows the definite map or the soup, and prepares the other one as a ghost.
 void SolverController::showResult()
 {
-    if (!mResult || !(mRunning || mPausing))
+    mGhostUv = {};
+    if (!(mRunning || mPausing))
         return;
     const Document &document = *mWorkspace.document();
-    UvMatrix uv = document.uvScale() * mResult->soupUv;
-    if (mLivePacking)
-        mPacker.arrange(document.state().scene.mesh, document.constraints(), document.packingSettings(),
-                        mResult->separation, uv);
-    mShownMap.showLive(std::move(uv), mResult->separation);
+    UvMatrix soup;
+    if (mResult && seesSoup() && mSoupRan) {
+        soup = document.uvScale() * mResult->soupUv;
+        if (mLivePacking && mView == LiveView::Soup)
+            mPacker.arrange(document.state().scene.mesh, document.constraints(), document.packingSettings(),
+                            mResult->separation, soup);
+    }
+    const MeshData &mesh = document.mesh();
+    if (mView == LiveView::Map && mMap) {
+        mGhostUv = std::move(soup);
+        std::vector<float> apart(mesh.cornerPairCount());
+        for (std::size_t p = 0; p < apart.size(); ++p)
+            apart[p] = mMap->cut[p / 2] ? 1.f : 0.f;
+        mShownMap.showLive(soupUv(mesh, mMap->uv), std::move(apart));
+    } else if (mView == LiveView::Soup && soup.rows() > 0) {
+        if (mGhost && mMap)
+            mGhostUv = soupUv(mesh, mMap->uv);
+        mShownMap.showLive(std::move(soup), mResult->separation);
+    }
 }
 
 void SolverController::setLivePacking(bool pack)
@@ -290,39 +433,57 @@ void SolverController::addToTrace(const std::vector<live::TracePoint> &points)
     }
 }
 
-//! The solve stopped by itself: a single step is done, the budget is reached, or, with manual settings, the
-//! map has converged. With manual settings the run stays active and waits for edits.
+//! The soup stopped by itself: a single step is done, the budget is reached, or it has converged. Only after a
+//! single step does the solve end.
 void SolverController::workerWaits()
 {
     if (!mWorker->takeRest())
         return; // it was started again meanwhile
     takeResult();
-    if (mRunning && mPulls.empty() &&
-        !(mStatus.converged && mMode == homotopy::SolveMode::Manual && !mStepping))
+    if (mStepping && mRunning)
         pause();
 }
 
-void SolverController::takePausedMap()
+//! No shorter seams are found. With manual settings the run stays active and waits for edits.
+void SolverController::keeperRests()
 {
-    const std::optional<live::PausedMap> paused = mWorker->takePausedMap();
-    if (!paused || !mPausing || !mToken || !paused->token.sameMap(*mToken))
+    if (!mKeeper->takeRest())
+        return; // it was told something meanwhile
+    takeMap();
+    mMapRests = true;
+    Q_EMIT statusChanged();
+    if (mRunning && mPulls.empty() && mMode == homotopy::SolveMode::Budget && !mStepping)
+        pause();
+    else
+        endPause(true);
+}
+
+//! Puts the map into the document, as soon as there is one that obeys the steering.
+//! \param withAnyMap do not wait for one
+void SolverController::endPause(bool withAnyMap)
+{
+    const bool obeys = mMap && mToken && mMap->token.steering == mToken->steering;
+    if (!mPausing || !(obeys || withAnyMap))
         return;
-    takeResult();
-    Document &document = *mWorkspace.document();
-    // Pushing does not invalidate the state of the worker: it belongs to the document's new map now.
-    mToken.reset();
-    pushCommand(std::make_unique<SetUvs>(document, UvEdit::Solve, paused->uv));
-    mToken = document.token();
-    mWorker->setToken(*mToken);
+    mKeeper->pause();
+    if (mMap) {
+        Document &document = *mWorkspace.document();
+        // Pushing does not invalidate the state of the solver: it belongs to the document's new map now.
+        mToken.reset();
+        pushCommand(newMapCommand(document, UvEdit::Solve, mMap->uv));
+        mToken = document.token();
+        mWorker->setToken(*mToken);
+        mKeeper->setToken(*mToken);
+    }
+    mGhostUv = {};
     mShownMap.showDocument();
     setRunning(false, false);
     for (const auto &then : std::exchange(mWhenPaused, {}))
         then();
 }
 
-void SolverController::workerFailed()
+void SolverController::fail(const std::optional<QString> &message)
 {
-    const std::optional<QString> message = mWorker->takeFailure();
     if (!message)
         return; // it was started again meanwhile
     discard();

@@ -1,6 +1,7 @@
 // Connects the document to the solver's worker: sends snapshots and receives results.
 #pragma once
 
+#include "solver/live/mapkeeper.h"
 #include "solver/live/worker.h"
 #include "views/control/livepacker.h"
 
@@ -18,13 +19,20 @@ namespace autocuts {
 class ShownMap;
 class Workspace;
 
-//! Runs the live solver (paper, section 3) beside the document.
+//! What is shown of a solve.
+enum class LiveView {
+    Map, //!< the definite map
+    Soup //!< the separate triangles of the paper's solver
+};
+
+//! Runs a live solve beside the document, in two states: the definite map, which is valid at every moment
+//! (MapKeeper), and the soup of the paper, section 3 (SolveWorker), which is stepped only while it is seen.
 //!
-//! While a solve runs, ShownMap shows the solver's map and the document keeps its old one. When the solve
-//! pauses, the worker stitches corner pairs that are nearly closed (paper, section 4, "Finalizing the UV
-//! map"), and this paused map is put into the document as one undo entry. The solver keeps its own state and
-//! can continue from it. Edits of the steering during a run are sent as a new snapshot, and the run
-//! continues. Edits of UVs and undo must wait for whenPaused(); otherwise the solver's map is discarded.
+//! While a solve runs, ShownMap shows one of them and the document keeps its old map. On pause, the definite
+//! map is put into the document as one undo entry; when there is none yet that obeys the steering, the pause
+//! waits for it. Both states are kept, and a run can continue from them. Edits of the steering during a run
+//! are sent as a new snapshot, and the run continues. Edits of UVs and undo must wait for whenPaused();
+//! otherwise the solver's maps are discarded.
 class SolverController final : public QObject
 {
     Q_OBJECT
@@ -34,7 +42,7 @@ public:
     ~SolverController() override;
 
     bool isRunning() const { return mRunning; }
-    //! True from pause() until the paused map is in the document.
+    //! True from pause() until the map is in the document.
     bool isPausing() const { return mPausing; }
     //! True when run() continues a paused solve.
     bool canContinue() const;
@@ -48,14 +56,25 @@ public:
     //! \pre bound > 4
     void setMaxDistortion(double bound);
 
-    //! Status of the newest result; iteration 0 before the first.
-    const live::SolveStatus &status() const { return mStatus; }
-    //! The figures of all steps of the run; of a long run, evenly spaced steps.
-    const std::vector<live::TracePoint> &trace() const { return mTrace; }
+    //! Status of what is shown; iteration 0 before the first result. Of the definite map: iteration counts the
+    //! maps that were found, the separation is the seam length, and there is no delta.
+    live::SolveStatus status() const;
+    //! The figures of what is shown: of all steps of the soup (of a long run, evenly spaced steps), or of all
+    //! definite maps.
+    const std::vector<live::TracePoint> &trace() const;
 
-    //! The solver's map when it is newer than the document's map or the latter was made from it; null
-    //! otherwise.
-    std::shared_ptr<const live::SolveResult> result() const { return mResult; }
+    LiveView liveView() const { return mView; }
+    void setLiveView(LiveView view);
+    //! True when the state that is not shown is to be seen as a ghost.
+    bool ghost() const { return mGhost; }
+    void setGhost(bool ghost);
+
+    //! The newest definite map of the solve; null when there is none.
+    std::shared_ptr<const unwrap::LiveMapResult> map() const { return mMap; }
+    //! The newest state of the soup, when that has been seen during this solve; null otherwise.
+    std::shared_ptr<const live::SolveResult> soup() const { return mSoupRan ? mResult : nullptr; }
+    //! What the views show as a ghost, one row per soup corner in texture space; empty: nothing.
+    const UvMatrix &ghostUv() const { return mGhostUv; }
 
     //! True when the islands of a running solve are shown side by side (LivePacker). Changes neither the map
     //! nor the results.
@@ -99,25 +118,37 @@ private:
     void documentReplaced();
     void documentChanged();
     void takeResult();
+    void takeMap();
     void showResult();
-    void takePausedMap();
+    bool seesSoup() const { return mView == LiveView::Soup || mGhost; }
+    void runSoup();
+    unwrap::LiveMapOptions mapOptions() const;
+    void endPause(bool withAnyMap = false);
     void workerWaits();
-    void workerFailed();
+    void keeperRests();
+    void fail(const std::optional<QString> &message);
     void begin(StartMode start, bool warm = false);
     void beginWhereTheMapIs();
     void setRunning(bool running, bool pausing);
-    void sendSnapshot(const std::shared_ptr<const live::SolveResult> &back = nullptr);
+    void sendSnapshot(bool back = false);
     void addToTrace(const std::vector<live::TracePoint> &points);
 
     Workspace &mWorkspace;
     ShownMap &mShownMap;
-    QThread mThread;
+    QThread mThread, mKeeperThread;
     live::SolveWorker *mWorker; //!< lives in mThread
+    live::MapKeeper *mKeeper;   //!< lives in mKeeperThread
     std::shared_ptr<const live::SolveResult> mResult;
+    std::shared_ptr<const unwrap::LiveMapResult> mMap;
+    UvMatrix mGhostUv;
+    LiveView mView = LiveView::Map;
+    bool mGhost = false;
+    bool mSoupRan = false;  //!< the soup was stepped since the solve began
+    bool mMapRests = false; //!< nothing is left to gain on the definite map
     LivePacker mPacker;
     bool mLivePacking = false;
     live::SolveStatus mStatus;
-    std::vector<live::TracePoint> mTrace;
+    std::vector<live::TracePoint> mTrace, mMapTrace;
     int mTraceStride = 1;
     homotopy::SolveMode mMode = homotopy::SolveMode::Budget;
     double mMaxDistortion = 4.1;
@@ -127,6 +158,7 @@ private:
     std::vector<std::function<void()>> mWhenPaused;
     std::vector<Pin> mPulls;
     std::shared_ptr<const live::SolveResult> mBeforePulls;
+    std::shared_ptr<const unwrap::LiveMapResult> mMapBeforePulls;
     QTimer mSendSoon; //!< sends one snapshot for all edits in one turn of the event loop
     bool mRunning = false, mPausing = false, mStepping = false;
 };

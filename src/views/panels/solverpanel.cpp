@@ -282,13 +282,15 @@ void SolverPanel::showStatus()
     const live::SolveStatus &status = solver.status();
     mState->setText(!document()            ? QString()
                     : solver.isRunning()   ? (status.converged ? tr("Converged") : tr("Running"))
-                    : solver.isPausing()   ? tr("Joining what is nearly joined")
+                    : solver.isPausing()   ? tr("Waiting for a map that obeys the steering")
                     : solver.canContinue() ? tr("Paused")
                                            : tr("Ready"));
     const bool none = status.iteration == 0;
     const auto text = [none](const QString &value) { return none ? missingText() : value; };
     const QString texts[] = {text(countText(status.iteration)),
-                             solver.isRunning() ? fixedText(status.stepsPerSecond, 1) : missingText(),
+                             solver.isRunning() && status.stepsPerSecond > 0
+                                 ? fixedText(status.stepsPerSecond, 1)
+                                 : missingText(),
                              text(fixedText(status.energy, 4)),
                              text(countText(status.islands)),
                              text(fixedText(status.distortion, 4)),

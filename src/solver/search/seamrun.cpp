@@ -1,0 +1,217 @@
+#include "solver/search/seamrun.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts::search {
+
+namespace {
+
+// Mu is the energy that one unit of seam cost is worth. In the prototype its value at a bound of 4.1 ended
+// between 0.05 and 0.25, depending on the mesh. Where no other source is named, a number below was chosen by
+// hand and its effect has not been measured.
+
+constexpr double firstMu = 0.1;
+constexpr double smallestMu = 0.005, largestMu = 1;
+//! Typical mu near the bound, to compare maps at different distortion: usualMu converts energy below the
+//! bound into seam cost, excessMu energy above it.
+constexpr double usualMu = 0.15, excessMu = 0.07;
+constexpr double leastMu = 1e-5;
+constexpr int boundRounds = 50;         // in which mu falls until the bound holds, at most
+constexpr int squeezeMoves = 20;        // large moves per squeeze
+constexpr int firstRelaxation = 60;     // Newton steps on a first map, at most
+constexpr double firstTolerance = 1e-2; // energy gained in ten steps below which the relaxation ends
+constexpr int firstPolishes = 4;
+//! While a polish lowers the energy above the bound by more than this share, mu stays. Without this rule,
+//! round shapes that start from one path ended with 5 to 10 % longer seams.
+constexpr double fastFall = 0.25;
+//! Seam cost that a fault at the anchors counts as: far more than the seams of any map.
+constexpr double anchorFaultCost = 1000;
+//! Share of (bound - 4) that is kept free in maps of several charts, because giving the charts one texel
+//! density afterwards costs some distortion.
+constexpr double densityReserve = 0.01;
+
+} // namespace
+
+SeamRun::SeamRun(const OptimizeOptions &options, CutState state, std::uint64_t seed)
+    : mOptions(options), mState(std::move(state)),
+      mSearch(mState, seed, {options.mu.value_or(firstMu), !options.allowOverlaps, options.job}),
+      mBest(mState), mBalance(firstMu)
+{
+    mBestScore = score();
+}
+
+double SeamRun::score() const
+{
+    if (mOptions.mu)
+        return mState.objective(*mOptions.mu) + anchorFaultCost * mState.anchorFaults();
+    return mState.cost + std::max(0.0, mState.distortion - bound()) / excessMu + steeringCost();
+}
+
+double SeamRun::expectedCost() const
+{
+    if (mOptions.mu)
+        return score();
+    const double over = mState.distortion - bound();
+    return mState.cost + over / (over > 0 ? excessMu : usualMu) + steeringCost();
+}
+
+bool SeamRun::fits(const CutState &state) const
+{
+    return mOptions.mu || state.distortion <= bound();
+}
+
+void SeamRun::start()
+{
+    // What lies on its pins already must not be pulled off them.
+    if (mState.anchored)
+        mSearch.anchor();
+    for (int i = 0; i < firstRelaxation / 10; ++i) {
+        // Without at least ten steps the map is badly distorted. Who is told every map has another one.
+        const bool needed = i == 0 && !mOptions.improved;
+        const double gained = needed ? mSearch.relaxSurely(10) : mSearch.relaxAll(10);
+        mBest = mState;
+        tellBest();
+        if (gained < firstTolerance || mSearch.stopped())
+            break;
+    }
+    mSearch.anchor();
+    mSearch.absorbSmallCharts();
+    mBest = mState;
+    mBestScore = score();
+    for (int i = 0; i < firstPolishes && !mSearch.stopped(); ++i) {
+        const double before = mState.distortion;
+        mSearch.polish(1);
+        mSearch.relaxAll(3);
+        // Lowering mu while the energy still falls fast would open needless seams.
+        if (before - mState.distortion < fastFall * (mState.distortion - bound()) ||
+            mState.distortion < bound())
+            adaptMu(0.4);
+        report(0);
+    }
+    keepBest();
+    report(0);
+}
+
+//! Mu is adapted after every 20 moves (the prototype: 8).
+void SeamRun::search(int moves, double heat)
+{
+    constexpr int interval = 20;
+    for (int i = 0; i < moves && !mSearch.stopped(); ++i) {
+        mSearch.setHeat(heat * (1 - double(i) / moves));
+        mSearch.tryLargeMove();
+        report(1);
+        if (i % interval == interval - 1) {
+            adaptMu(0.2);
+            if (i % (5 * interval) == 5 * interval - 1) {
+                mSearch.relaxAll(2);
+                mSearch.polish(1);
+                mState.updateEnergy();
+            }
+            keepBest();
+        }
+    }
+    mSearch.anchor();
+    keepBest();
+}
+
+void SeamRun::takeToBound()
+{
+    if (mOptions.mu || mSearch.stopped()) {
+        restoreBest();
+        return;
+    }
+    mSearch.absorbSmallCharts();
+    meetBound();
+    mSearch.anchor();
+    keepBest();
+    restoreBest();
+    mSearch.relaxAll(10);
+    if (mState.distortion > bound())
+        return;
+    // Spend what is left of the bound: rising mu removes the seams that raise the energy least per length.
+    mSearch.setCeiling(bound());
+    mSearch.setHeat(0);
+    for (int i = 0; i < mOptions.effort.squeezes && !mSearch.stopped(); ++i) {
+        mSearch.setMu(mSearch.mu() * std::pow(4.0, 1.0 / mOptions.effort.squeezes));
+        mSearch.polish(1);
+        for (int k = 0; k < squeezeMoves; ++k)
+            mSearch.tryLargeMove();
+        if (mSearch.relaxAll(2) > 0)
+            keepBest();
+        report(0);
+    }
+    keepBest();
+    restoreBest();
+}
+
+//! Lowers mu step by step until the bound holds.
+void SeamRun::meetBound()
+{
+    double mu = mSearch.mu();
+    mSearch.setHeat(0);
+    for (int i = 0; i < boundRounds && mState.distortion > bound() && !mSearch.stopped(); ++i) {
+        mu = std::max(leastMu, mu * mOptions.effort.boundFall);
+        mSearch.setMu(mu);
+        mSearch.polish(1);
+        for (int k = 0; k < mOptions.effort.boundMoves; ++k)
+            mSearch.tryLargeMove();
+        mSearch.relaxAll(3);
+        report(0);
+    }
+}
+
+void SeamRun::report(int steps) const
+{
+    if (mOptions.progress)
+        mOptions.progress(steps, mBest.distortion, mBest.length);
+}
+
+//! What pins and rectangles cost, in seam cost.
+double SeamRun::steeringCost() const
+{
+    return (mState.energy - mState.distortion) / usualMu + anchorFaultCost * mState.anchorFaults();
+}
+
+//! Bound on the energy less a small reserve.
+double SeamRun::bound() const
+{
+    const double reserve = mState.chartCount() > 1 ? densityReserve : 1e-4;
+    return mOptions.maxDistortion - reserve * (mOptions.maxDistortion - 4);
+}
+
+//! Adapts mu to the distance from the bound: mu falls at once when the energy is above the bound and rises
+//! when it is below, while the balance that it is derived from follows slowly.
+//! \param power how fast the balance follows
+void SeamRun::adaptMu(double power)
+{
+    if (mOptions.mu)
+        return;
+    const double room = mOptions.maxDistortion - 4;
+    const double over = (mState.distortion - bound()) / room;
+    mBalance *= std::exp(-power * std::clamp(over, -0.5, 0.5));
+    mBalance = std::clamp(mBalance, smallestMu, largestMu);
+    mSearch.setMu(mBalance / (1 + std::clamp(2 * over, -0.6, 5.0)));
+}
+
+void SeamRun::keepBest()
+{
+    const double now = score();
+    const int nowFaults = mState.anchorFaults(), bestFaults = mBest.anchorFaults();
+    const bool nowFits = fits(mState), bestFits = fits(mBest);
+    if (nowFaults != bestFaults ? nowFaults < bestFaults
+        : nowFits != bestFits   ? nowFits
+                                : now < mBestScore) {
+        mBest = mState;
+        mBestScore = now;
+        tellBest();
+    }
+}
+
+void SeamRun::tellBest() const
+{
+    if (mOptions.improved && (mBest.anchored || mBest.graph->anchors.empty()))
+        mOptions.improved(mBest);
+}
+
+} // namespace autocuts::search

@@ -1,0 +1,106 @@
+// The search on one map, from its first cuts to the bound.
+#pragma once
+
+#include "solver/base/jobcontext.h"
+#include "solver/base/seamedmap.h"
+#include "solver/search/seamsearch.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace autocuts::search {
+
+//! How much work the search does. Every first map is searched in the first round, the survivors in the
+//! second, and so on. The maps of the last round are taken to the bound, and the best one is the result. The
+//! plans of the unwrap and their origin are in unwrap/unwrap.cpp.
+struct OptimizeEffort
+{
+    struct Round
+    {
+        int moves = 0;     //!< large moves tried on each map
+        int survivors = 1; //!< number of the most promising maps that enter the next round
+    };
+    int seeds = 8; //!< number of different first cuts
+    std::vector<Round> rounds{{100, 2}, {2000, 1}};
+    //! Number of passes at the end in which mu rises to four times its value, to spend what is left of the
+    //! bound on shorter seams.
+    int squeezes = 10;
+    //! While a map is above the bound at the end, mu is multiplied by boundFall again and again, each time
+    //! followed by boundMoves large moves. Drafts use 0.5 and 16 because these rounds took most of their
+    //! time.
+    double boundFall = 0.85;
+    int boundMoves = 8;
+};
+
+struct OptimizeOptions
+{
+    double maxDistortion = 4.1; //!< bound on the mean symmetric Dirichlet energy, > 4
+    std::optional<double> mu;   //!< instead of the bound: energy that one unit of seam cost is worth
+    bool allowOverlaps = false;
+    OptimizeEffort effort;
+    //! Further maps to start from. Where there are pins or rectangles, they lie in their places.
+    std::vector<SeamedMap> given;
+    std::uint64_t seed = 1;         //!< of all random numbers
+    JobContext job;                 //!< for stopping and threads; progress goes to `start` and `progress`
+    std::function<void(int)> start; //!< called once with the number of large moves of the whole job
+    //! Called repeatedly from any thread with the number of large moves since the last call, and the
+    //! distortion and seam length of the best map of one run.
+    std::function<void(int, double, double)> progress;
+    //! Called from any thread with the best map of a run whenever that has become better: without flipped
+    //! triangles and, unless these are allowed, without overlaps; above the bound as long as the run has found
+    //! no other.
+    std::function<void(const CutState &)> improved;
+};
+
+//! One map under search, with the best one that it has been so far.
+class SeamRun
+{
+public:
+    //! \param options must outlive the run
+    SeamRun(const OptimizeOptions &options, CutState state, std::uint64_t seed);
+
+    //! Relaxes the first map, joins small charts and polishes the seams.
+    void start();
+    //! Tries large moves while the heat falls to zero.
+    //! \param heat at the start: the mean worsening that a large move is allowed, in mean edge lengths of seam
+    void search(int moves, double heat = 1);
+    //! Opens seams until the bound holds, then shortens them as far as the bound allows. Ends with the best
+    //! map of the run.
+    void takeToBound();
+
+    const CutState &best() const { return mBest; }
+    //! What the run minimises, of its best map: the seam cost, plus a penalty for energy above the bound.
+    //! With a given mu, the objective.
+    double bestScore() const { return mBestScore; }
+    //! Seam cost that the present map is expected to have once it is at the bound.
+    double expectedCost() const;
+    int anchorFaults() const { return mBest.anchorFaults(); }
+    //! True when the best map is within the bound.
+    bool fits() const { return fits(mBest); }
+    double mu() const { return mSearch.mu(); }
+    int steps() { return mSearch.steps(); }
+
+private:
+    double score() const;
+    bool fits(const CutState &state) const;
+    double bound() const;
+    double steeringCost() const;
+    void meetBound();
+    void adaptMu(double power);
+    void keepBest();
+    void tellBest() const;
+    void restoreBest() { mSearch.restore(mBest); }
+    void report(int steps) const;
+
+    const OptimizeOptions &mOptions;
+    CutState mState;
+    SeamSearch mSearch;
+    CutState mBest;
+    double mBestScore = 0;
+    double mBalance;
+};
+
+} // namespace autocuts::search

@@ -1,0 +1,120 @@
+#include "solver/unwrap/liveplacing.h"
+
+#include "solver/base/cornerat.h"
+#include "solver/base/rigidfit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace autocuts::unwrap {
+
+namespace {
+
+//! Where a chart without a place before is put, so that it counts as outside of its bin. Texture space.
+constexpr double nowhere = 1e3;
+
+double areaOf(const MeshData &mesh, const UvMatrix &uv)
+{
+    double area = 0;
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const auto &[a, b, c] = mesh.triangles[t];
+        area += 0.5 * cross2(Vec2(uv.row(a)), Vec2(uv.row(b)), Vec2(uv.row(c)));
+    }
+    return area;
+}
+
+} // namespace
+
+void LivePlacing::beginWith(const FreePart &part)
+{
+    const Snapshot &own = part.snapshot();
+    if (!own.uv)
+        return;
+    mBefore = Before{own.mesh, *own.uv, findCharts(*own.mesh, *own.uv), own.uvScale};
+}
+
+//! Moves every chart that is not held onto the place of the old chart that it has most in common with.
+UvMatrix LivePlacing::atOldPlaces(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &held,
+                                  const UvMatrix &uv) const
+{
+    const std::vector<std::vector<int>> faces = charts.faces();
+    UvMatrix placed = uv;
+    for (int chart = 0; chart < charts.count; ++chart) {
+        if (!held.empty() && held[chart])
+            continue;
+        std::map<int, std::pair<double, std::vector<PointMatch>>> byOldChart; // area, points
+        for (const int face : faces[chart]) {
+            auto &[area, points] = byOldChart[mBefore->charts.faceChart[face]];
+            const int first = mesh.faceStart[face], last = mesh.faceStart[face + 1];
+            double own = 0;
+            for (int c = first + 1; c + 1 < last; ++c)
+                own += 0.5 * cross2(Vec2(uv.row(first)), Vec2(uv.row(c)), Vec2(uv.row(c + 1)));
+            area += own;
+            for (int c = first; c < last && mBefore->uv.row(c).allFinite(); ++c)
+                points.push_back({mBefore->uv.row(c).transpose(), uv.row(c).transpose(),
+                                  std::max(own, 1e-12)});
+        }
+        byOldChart.erase(-1);
+        const auto most = std::max_element(
+            byOldChart.begin(), byOldChart.end(),
+            [](const auto &a, const auto &b) { return a.second.first < b.second.first; });
+        RigidMotion motion;
+        if (most != byOldChart.end() && !most->second.second.empty())
+            motion = fitRigid(most->second.second);
+        else
+            motion.shift = Vec2::Constant(nowhere);
+        for (const int face : faces[chart]) {
+            for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c)
+                placed.row(c) = motion(uv.row(c).transpose()).transpose();
+        }
+    }
+    return placed;
+}
+
+UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, const Soup &soup,
+                            const SeamedMap &map, const packing::PackOptions &options, const JobContext &job)
+{
+    const Snapshot &own = part.snapshot();
+    if (!mBefore || mBefore->mesh != own.mesh) {
+        mBefore.reset();
+        beginWith(part);
+    }
+    const MeshData &mesh = *own.mesh;
+    const CutMesh state(mesh, map.cut);
+    const ChartMap charts = chartsOf(mesh, state);
+    // True when some islands are where they belong, so that the scale is given.
+    const bool stays = !part.isWhole() || snapshot.placesIslands();
+    const UvMatrix shape = cornerUv(soup, map);
+    PackJob pack = steeredPackJob(snapshot, options);
+    pack.options.effort = std::min(pack.options.effort, packing::hurriedEffort);
+    pack.options.keepScale = false;
+    pack.keepScaleIfPossible = stays || mBefore;
+    pack.hurryWhenStopped = true;
+    const ChartMap whole = part.wholeCharts(charts);
+    UvMatrix uv;
+    mHadRoom = true;
+    if (!mBefore) {
+        uv = part.wholeUv((stays ? own.uvScale : 1) * shape);
+        mHadRoom = packCharts(*snapshot.mesh, whole, pack, uv, job);
+    } else {
+        const double scale = stays ? own.uvScale : mBefore->scale;
+        uv = part.wholeUv(atOldPlaces(mesh, charts, heldCharts(own, state), scale * shape));
+        const std::vector<bool> misplaced = misplacedFaces(*snapshot.mesh, whole, pack, uv, job);
+        if (std::find(misplaced.begin(), misplaced.end(), true) != misplaced.end()) {
+            PackJob around = pack;
+            for (std::size_t face = 0; face < misplaced.size(); ++face)
+                around.stays[face] = around.stays[face] || !misplaced[face];
+            around.options.keepScale = true;
+            if (!packCharts(*snapshot.mesh, whole, around, uv, job))
+                mHadRoom = packCharts(*snapshot.mesh, whole, pack, uv, job);
+        }
+    }
+    Before before{own.mesh, part.partUv(uv), charts, own.uvScale};
+    if (!stays)
+        before.scale = std::sqrt(areaOf(mesh, before.uv) / areaOf(mesh, shape));
+    mBefore = std::move(before);
+    return uv;
+}
+
+} // namespace autocuts::unwrap

@@ -1,0 +1,279 @@
+#include "solver/unwrap/mapfinder.h"
+
+#include "solver/definite/definitemap.h"
+#include "solver/definite/relaxing.h"
+#include "solver/preference/seampreference.h"
+#include "solver/search/anchoring.h"
+#include "solver/unwrap/coarsetofine.h"
+#include "solver/unwrap/mapbefore.h"
+#include "solver/unwrap/soupchains.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace autocuts::unwrap {
+
+namespace {
+
+//! Smaller meshes get another effort. Chosen by hand, not measured.
+constexpr double fullEffortTriangles = 2000;
+
+//! Effort on a mesh of fullEffortTriangles or more. The rounds were chosen by hand; no comparison with
+//! other plans is on record. Measured for the whole unwrap in draft, standard and best: seams are 1.10, .794
+//! and .771 times as long as those of OptCuts on 14 meshes used in development (in 1/61, 1/5.4 and 1/1.9 of
+//! its CPU time), and 1.13, .854 and .834 times as long on 18 other meshes.
+search::OptimizeEffort fullEffort(UnwrapQuality quality)
+{
+    switch (quality) {
+    case UnwrapQuality::Draft:
+        return {1, {{0, 1}, {25, 1}}, 0, 0.5, 16};
+    case UnwrapQuality::Standard:
+        return {10, {{80, 5}, {200, 2}, {1300, 1}}, 10};
+    case UnwrapQuality::Best:
+        return {24, {{100, 12}, {300, 6}, {800, 3}, {2000, 1}}, 10};
+    }
+    throw std::invalid_argument("unwrap: unknown quality");
+}
+
+//! Least share of the distortion in the energy, for lambda near 1. Chosen by hand.
+constexpr double smallestShare = 1e-9;
+//! Where only the given seams may be seams there is no bound on the distortion.
+constexpr double noBound = 1e6;
+constexpr double dearSeam = 100; // factor on the cost of a seam that is not given; chosen by hand
+constexpr int settleSteps = 20;  // Newton steps before hard pins are reached; chosen by hand
+
+//! True when the surface has several connected components or borders, or handles. Its first cuts are not few,
+//! so that the search also starts from a map of the soup.
+bool isComplicated(const MeshData &mesh)
+{
+    const CutMesh whole(mesh, CutFlags(mesh.edgePairs.size(), false));
+    const int loops = static_cast<int>(whole.boundaryLoops().size());
+    const int edges = static_cast<int>(mesh.edgePairs.size() + mesh.boundarySides.size());
+    const int euler = whole.uvVertexCount - edges + mesh.triangleCount();
+    return whole.chartCount > 1 || loops > 1 || euler + loops < 2;
+}
+
+//! Finds the best map of one unwrap, by the seam search and by the soup.
+class MapFinder
+{
+public:
+    //! \param snapshot with the preferences in its weights
+    MapFinder(std::shared_ptr<const Soup> soup, const Snapshot &snapshot, const UnwrapOptions &options,
+              Ranking &ranking, const JobContext &job)
+        : mSoup(std::move(soup)), mSnapshot(snapshot), mOptions(options), mJob(job), mRanking(ranking),
+          mGraph(search::SeamGraph::build(mSoup, snapshot))
+    {
+        if (snapshot.placesIslands())
+            mBefore = mapBefore(*mSoup, snapshot);
+    }
+
+    int iterations() const { return mIterations; }
+
+    //! \param symmetry null: cuts need not be symmetric
+    std::optional<Candidate> find(const preference::MeshSymmetry *symmetry)
+    {
+        std::optional<Candidate> best;
+        if (symmetry)
+            best = bySearch({}, symmetry);
+        if (best && (best->distortion <= mOptions.maxDistortion || mJob.stopped()))
+            return best;
+        // Only the soup can start from existing UVs.
+        if (mOptions.lambda)
+            best = bySoup(mOptions.quality);
+        else if (mSnapshot.settings.start == StartMode::ExistingUv || isComplicated(*mSnapshot.mesh) ||
+                 (mSnapshot.placesIslands() && !mBefore))
+            best = bySoup(UnwrapQuality::Draft);
+        keepBetter(best, bySearch(best, nullptr));
+        if (!best || (!mJob.stopped() && !mOptions.lambda && best->distortion > mOptions.maxDistortion))
+            keepBetter(best, bySoup(mOptions.quality));
+        else if (best->anchorFaults > 0 && mBefore && !mJob.stopped())
+            keepBetter(best, bySoup(UnwrapQuality::Draft)); // it tears where pins contradict each other
+        return best;
+    }
+
+private:
+    //! The best map of the seam search. \param other a further map to start from
+    std::optional<Candidate> bySearch(const std::optional<Candidate> &other,
+                                      const preference::MeshSymmetry *symmetry)
+    {
+        search::OptimizeOptions search;
+        search.maxDistortion = mOptions.maxDistortion;
+        if (mOptions.lambda)
+            search.mu = *mOptions.lambda / std::max(1 - *mOptions.lambda, smallestShare);
+        search.allowOverlaps = mOptions.allowOverlaps;
+        search.effort = effortFor(mOptions.quality, mSnapshot.mesh->triangleCount());
+        if (other)
+            search.given.push_back(other->map);
+        if (mBefore)
+            search.given.push_back(*mBefore);
+        search.seed = mSnapshot.settings.seed;
+        search.job = mJob;
+        search.start = [&](int steps) { mRanking.setTotal(steps); };
+        search.progress = [&](int steps, double distortion, double seamLength) {
+            mRanking.found(distortion, seamLength);
+            mRanking.stepDone(steps);
+        };
+        std::optional<search::OptimizedMap> found = search::optimizeSeams(
+            symmetry ? search::SeamGraph::build(mSoup, mSnapshot, symmetry) : mGraph, search);
+        if (!found)
+            return std::nullopt;
+        Candidate candidate;
+        candidate.map = std::move(found->map);
+        definite::equalizeDensity(*mSoup, mSnapshot, candidate.map);
+        if (!mOptions.allowOverlaps && definite::coversItself(*mSoup, candidate.map))
+            return std::nullopt;
+        candidate.measure(*mSoup, mSnapshot);
+        candidate.anchorFaults = found->anchorFaults;
+        candidate.lambda = mOptions.lambda.value_or(found->mu / (1 + found->mu));
+        mIterations += found->iterations;
+        return candidate;
+    }
+
+    std::optional<Candidate> bySoup(UnwrapQuality quality)
+    {
+        UnwrapOptions how = mOptions;
+        how.quality = quality;
+        std::optional<Candidate> best = bestOfSoupChains(mSnapshot, how, mRanking, mJob, mIterations);
+        if (best && mSnapshot.placesIslands()) {
+            best->anchorFaults =
+                search::settleAtAnchors(mGraph, best->map, settleSteps, !mOptions.allowOverlaps);
+            best->measure(*mSoup, mSnapshot);
+        }
+        return best;
+    }
+
+    void keepBetter(std::optional<Candidate> &best, std::optional<Candidate> found) const
+    {
+        if (!best || (found && mRanking.better(*found, *best)))
+            best = std::move(found);
+    }
+
+    const std::shared_ptr<const Soup> mSoup;
+    const Snapshot &mSnapshot;
+    const UnwrapOptions &mOptions;
+    const JobContext &mJob;
+    Ranking &mRanking;
+    const std::shared_ptr<const search::SeamGraph> mGraph; //!< without symmetry
+    std::optional<SeamedMap> mBefore; //!< where pins or rectangles hold islands: the map before the job
+    int mIterations = 0;
+};
+
+//! Finds the map of a large mesh by way of a coarser one; nothing when the mesh is not suited or that fails.
+std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                                     const UnwrapOptions &options, Ranking &ranking, const JobContext &job)
+{
+    if (!suitsCoarseToFine(snapshot))
+        return std::nullopt;
+    std::optional<CarriedMap> carried = mapByCoarse(
+        soup, snapshot, options,
+        [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions) {
+            Ranking coarseRanking(coarseOptions, job);
+            FoundMap found = findMap(coarse, coarseOptions, coarseRanking, job);
+            return CarriedMap{std::move(found.best.map), found.iterations, found.best.lambda,
+                              found.best.delta, found.best.anchorFaults};
+        },
+        job);
+    if (!carried)
+        return std::nullopt;
+    FoundMap found;
+    found.iterations = carried->iterations;
+    if (snapshot.settings.symmetry)
+        found.symmetry = 0;
+    found.best.map = std::move(carried->map);
+    found.best.measure(*soup, snapshot);
+    found.best.lambda = carried->lambda;
+    found.best.delta = carried->delta;
+    found.best.anchorFaults = carried->anchorFaults;
+    ranking.found(found.best.distortion, found.best.seamLength);
+    return found;
+}
+
+//! The map whose seams are only the given ones, with the least distortion; nothing when a chart would be
+//! closed or overlap itself. \pre all other edges are joined
+std::optional<FoundMap> onlyGivenSeams(const Snapshot &snapshot, const JobContext &job)
+{
+    const std::shared_ptr<const Soup> soup = Soup::build(snapshot.mesh);
+    search::OptimizeOptions search;
+    search.maxDistortion = noBound;
+    search.effort = {0, {{0, 1}}};
+    search.job = job.quiet();
+    std::optional<search::OptimizedMap> flat =
+        search::optimizeSeams(search::SeamGraph::build(soup, snapshot), search);
+    if (!flat)
+        return std::nullopt;
+    FoundMap found;
+    found.best.map = std::move(flat->map);
+    definite::equalizeDensity(*soup, snapshot, found.best.map);
+    found.best.measure(*soup, snapshot);
+    found.iterations = flat->iterations;
+    return found;
+}
+
+//! Other seams than the given ones may be added, but only where there is no other way.
+Snapshot withDearSeams(const Snapshot &snapshot)
+{
+    Snapshot loose = snapshot;
+    Steering &steering = loose.editSteering();
+    steering.pairWeight.resize(snapshot.mesh->cornerPairCount(), 1);
+    for (std::size_t p = 0; p < steering.pairState.size(); ++p) {
+        if (steering.pairState[p] != PairState::Joined)
+            continue;
+        steering.pairState[p] = PairState::Free;
+        steering.pairWeight[p] *= dearSeam;
+    }
+    return loose;
+}
+
+} // namespace
+
+search::OptimizeEffort effortFor(UnwrapQuality quality, int triangles)
+{
+    search::OptimizeEffort effort = fullEffort(quality);
+    const double share = std::clamp(std::sqrt(triangles / fullEffortTriangles), 0.4, 1.0);
+    if (quality == UnwrapQuality::Draft)
+        effort.seeds = static_cast<int>(std::lround(1 / (share * share)));
+    if (quality != UnwrapQuality::Standard)
+        return effort;
+    const auto more = [share](int count) { return static_cast<int>(std::lround(count / share)); };
+    effort.seeds = more(effort.seeds);
+    for (search::OptimizeEffort::Round &round : effort.rounds) {
+        round.moves = static_cast<int>(share * round.moves);
+        round.survivors = more(round.survivors);
+    }
+    return effort;
+}
+
+FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &ranking, const JobContext &job)
+{
+    if (given.settings.seams == SeamMode::Only && options.maxDistortion < noBound) {
+        if (std::optional<FoundMap> found = onlyGivenSeams(given, job))
+            return std::move(*found);
+        UnwrapOptions unbounded = options;
+        unbounded.maxDistortion = noBound;
+        return findMap(withDearSeams(given), unbounded, ranking, job);
+    }
+    const std::shared_ptr<const Soup> soup = Soup::build(given.mesh);
+    Snapshot snapshot = given;
+    // Decided on the mesh itself: a coarser version has sharper edges, which would look like creases.
+    snapshot.settings.creases = preference::decided(snapshot.settings.creases, *snapshot.mesh);
+    std::optional<preference::MeshSymmetry> symmetry;
+    if (snapshot.settings.symmetry)
+        symmetry = preference::findSymmetry(*snapshot.mesh);
+    // Not for symmetric cuts: the coarse mesh would not be symmetric.
+    if (!symmetry) {
+        if (std::optional<FoundMap> large = findLargeMap(soup, snapshot, options, ranking, job))
+            return std::move(*large);
+    }
+    snapshot = preference::SeamPreference().applied(snapshot, job.threads());
+    MapFinder finder(soup, snapshot, options, ranking, job);
+    FoundMap found;
+    found.best = *finder.find(symmetry ? &*symmetry : nullptr);
+    found.iterations = finder.iterations();
+    if (snapshot.settings.symmetry)
+        found.symmetry =
+            symmetry ? preference::symmetricShare(*snapshot.mesh, *symmetry, found.best.map.cut) : 0;
+    return found;
+}
+
+} // namespace autocuts::unwrap

@@ -1,0 +1,26 @@
+// Finds the map of an unwrap, by the seam search and by the soup; charts are placed elsewhere.
+#pragma once
+
+#include "solver/search/seamoptimizer.h"
+#include "solver/unwrap/candidates.h"
+
+namespace autocuts::unwrap {
+
+//! A map that is not placed yet.
+struct FoundMap
+{
+    Candidate best;
+    int iterations = 0;
+    std::optional<double> symmetry; //!< as UnwrapResult::symmetry
+};
+
+//! Effort on a mesh of this size. On small meshes fewer moves suffice and more starts help more. A draft has
+//! one start; below 2,000 triangles that left the result to chance, so that it gets several there. The least
+//! share of 0.4 was chosen by hand.
+[[nodiscard]] search::OptimizeEffort effortFor(UnwrapQuality quality, int triangles);
+
+//! Finds the best map. \param given the problem of a FreePart
+[[nodiscard]] FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &ranking,
+                               const JobContext &job);
+
+} // namespace autocuts::unwrap

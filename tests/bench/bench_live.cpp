@@ -1,0 +1,302 @@
+// Measures the definite map of a live solve: how soon there is a valid map, how soon it is as good as that of an
+// unwrap, and how soon it obeys an edit. Checks every map that is given out.
+// Usage: bench_live MESH... [--threads N] [--seconds N] [--no-unwrap] [--json]
+#include "model/io/meshfile.h"
+#include "model/plain/uvlayout.h"
+#include "solver/live/mapkeeper.h"
+#include "solver/metrics/uvmetrics.h"
+#include "solver/packing/packmap.h"
+#include "solver/unwrap/unwrap.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <thread>
+
+using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using MapPtr = std::shared_ptr<const unwrap::LiveMapResult>;
+
+constexpr double goodEnough = 1.05; // times the seam length of the unwrap
+constexpr int editedEdges = 10;
+
+double since(Clock::time_point begun)
+{
+    return std::chrono::duration<double>(Clock::now() - begun).count();
+}
+
+//! Runs a keeper and looks at all its maps.
+class Live
+{
+public:
+    Live(std::shared_ptr<const MeshData> mesh, int threads) : mMesh(std::move(mesh)), mKeeper(threads)
+    {
+        mKeeper.moveToThread(&mThread);
+        mThread.start();
+        mOptions.packing = packing::tileOptions({});
+    }
+    ~Live()
+    {
+        mKeeper.pause();
+        mThread.quit();
+        mThread.wait();
+    }
+
+    void start(const Snapshot &snapshot)
+    {
+        mSnapshot = snapshot;
+        mKeeper.start(std::make_shared<const Snapshot>(snapshot), mOptions);
+        mKeeper.run();
+    }
+
+    //! \returns seconds until a map obeys the edit, negative when none does in time
+    double edit(const std::function<void(Steering &)> &change, const std::function<bool(const MapPtr &)> &obeys)
+    {
+        change(mSnapshot.editSteering());
+        ++mSnapshot.token.steering;
+        const Clock::time_point begun = Clock::now();
+        mKeeper.update(std::make_shared<const Snapshot>(mSnapshot), mOptions);
+        return waitFor(begun, 20, [&](const MapPtr &map) {
+            return map->token.steering == mSnapshot.token.steering && obeys(map);
+        });
+    }
+
+    double waitFor(Clock::time_point begun, double seconds, const std::function<bool(const MapPtr &)> &what)
+    {
+        while (since(begun) < seconds) {
+            if (const MapPtr map = mKeeper.takeMap()) {
+                mMap = map;
+                const double now = since(begun);
+                check();
+                if (what(map))
+                    return now;
+            } else if (mKeeper.takeRest()) {
+                return -1;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        return -1;
+    }
+
+    const MapPtr &map() const { return mMap; }
+    int maps() const { return mMaps; }
+    int invalid() const { return mInvalid; }
+    const Snapshot &snapshot() const { return mSnapshot; }
+
+private:
+    void check()
+    {
+        ++mMaps;
+        const metrics::UvMetrics found = metrics::measureUv(*mMesh, mMap->uv, {});
+        if (found.flipped > 0 || found.overlapPairs > 0) {
+            std::fprintf(stderr, "invalid map: %lld flips, %lld overlaps\n", static_cast<long long>(found.flipped),
+                         static_cast<long long>(found.overlapPairs));
+            ++mInvalid;
+        }
+    }
+
+    std::shared_ptr<const MeshData> mMesh;
+    QThread mThread;
+    live::MapKeeper mKeeper;
+    unwrap::LiveMapOptions mOptions;
+    Snapshot mSnapshot;
+    MapPtr mMap;
+    int mMaps = 0, mInvalid = 0;
+};
+
+//! Edges from one end to the next, all of which `isWanted`.
+std::vector<int> walk(const MeshData &mesh, int first, const std::function<bool(int)> &isWanted)
+{
+    std::map<int, std::vector<int>> edgesAt;
+    const auto vertex = [&](int e, int end) { return mesh.vertexOfSoup(mesh.edgePairs[e].corner[end][0]); };
+    for (int e = 0; e < static_cast<int>(mesh.edgePairs.size()); ++e) {
+        for (int end = 0; end < 2; ++end)
+            edgesAt[vertex(e, end)].push_back(e);
+    }
+    std::vector<int> path{first};
+    int at = vertex(first, 1);
+    std::vector<int> seen{vertex(first, 0), at};
+    while (static_cast<int>(path.size()) < editedEdges) {
+        int next = -1, end = 0;
+        for (const int e : edgesAt[at]) {
+            for (int k = 0; k < 2; ++k) {
+                const int other = vertex(e, k);
+                if (other != at && isWanted(e) && std::find(seen.begin(), seen.end(), other) == seen.end()) {
+                    next = e;
+                    end = other;
+                }
+            }
+        }
+        if (next < 0)
+            break;
+        path.push_back(next);
+        seen.push_back(end);
+        at = end;
+    }
+    return path;
+}
+
+QJsonObject measured(const std::string &file, int threads, double seconds, bool withUnwrap)
+{
+    Result<Scene> scene = readMesh(QString::fromStdString(file));
+    QJsonObject report;
+    report["mesh"_L1] = QString::fromStdString(std::filesystem::path(file).filename().string());
+    if (!scene) {
+        report["error"_L1] = scene.error().message;
+        return report;
+    }
+    const std::shared_ptr<const MeshData> mesh = scene.value().mesh;
+    report["triangles"_L1] = mesh->triangleCount();
+    Snapshot snapshot;
+    snapshot.mesh = mesh;
+    snapshot.settings = {};
+    snapshot.token = {1, 1, 1, 1};
+
+    double unwrapTime = 0, goodLength = 0;
+    if (withUnwrap) {
+        unwrap::UnwrapOptions options;
+        options.packing = packing::tileOptions({});
+        const Clock::time_point begun = Clock::now();
+        const unwrap::UnwrapResult reference = unwrap::unwrapMesh(snapshot, options, {nullptr, threads});
+        unwrapTime = since(begun);
+        goodLength = goodEnough * reference.seamLength;
+        report["unwrap"_L1] = QJsonObject{{"seconds"_L1, unwrapTime},
+                                          {"seamLength"_L1, reference.seamLength},
+                                          {"distortion"_L1, reference.distortion}};
+    }
+
+    Live live(mesh, threads);
+    const Clock::time_point begun = Clock::now();
+    live.start(snapshot);
+    double first = -1, within = -1, good = -1;
+    QJsonArray course;
+    live.waitFor(begun, std::max(seconds, 1.5 * unwrapTime), [&](const MapPtr &map) {
+        const double now = since(begun);
+        if (first < 0)
+            first = now;
+        if (within < 0 && map->withinBound)
+            within = now;
+        if (good < 0 && map->withinBound && map->seamLength <= goodLength)
+            good = now;
+        course.append(QJsonArray{now, map->distortion, map->seamLength, map->islands});
+        return false;
+    });
+    report["first"_L1] = first;
+    report["withinBound"_L1] = within;
+    report["asGoodAsUnwrap"_L1] = good;
+    report["course"_L1] = course;
+    if (live.map()) {
+        report["seamLength"_L1] = live.map()->seamLength;
+        report["distortion"_L1] = live.map()->distortion;
+        QJsonObject edits;
+        const auto all = [&](const std::vector<int> &edges, bool cut) {
+            return [edges, cut](const MapPtr &map) {
+                return std::all_of(edges.begin(), edges.end(), [&](int e) { return map->cut[e] == cut; });
+            };
+        };
+        const auto setStates = [&](const std::vector<int> &edges, PairState state) {
+            return [&, edges, state](Steering &steering) {
+                steering.pairState.resize(mesh->cornerPairCount(), PairState::Free);
+                for (const int e : edges)
+                    steering.pairState[2 * e] = steering.pairState[2 * e + 1] = state;
+            };
+        };
+        const CutFlags cut = live.map()->cut;
+        const auto isFree = [&](int e) { return !cut[e] && !mesh->edgePairs[e].diagonal; };
+        int middle = static_cast<int>(cut.size() / 3);
+        while (!isFree(middle))
+            ++middle;
+        const std::vector<int> path = walk(*mesh, middle, isFree);
+        edits["cut"_L1] = live.edit(setStates(path, PairState::Cut), all(path, true));
+        const CutFlags now = live.map()->cut;
+        const std::vector<PairState> states = live.snapshot().steering->pairState;
+        const auto isSeam = [&](int e) { return now[e] && states[2 * e] == PairState::Free; };
+        int seam = static_cast<int>(cut.size() / 2);
+        while (!isSeam(seam))
+            seam = (seam + 1) % static_cast<int>(cut.size());
+        const std::vector<int> joined = walk(*mesh, seam, isSeam);
+        edits["join"_L1] = live.edit(setStates(joined, PairState::Joined), all(joined, false));
+        edits["stroke"_L1] = live.edit(
+            [&](Steering &steering) {
+                steering.pairWeight.resize(mesh->cornerPairCount(), 1);
+                for (std::size_t p = 0; p < steering.pairWeight.size() / 20; ++p)
+                    steering.pairWeight[p] = 10;
+            },
+            [](const MapPtr &) { return true; });
+        std::vector<int> corners;
+        const int faceOfPart = mesh->triangleFace[0];
+        const ChartMap charts = findCharts(*mesh, live.map()->uv);
+        for (int c = 0; c < mesh->soupCornerCount(); ++c) {
+            if (charts.faceChart[mesh->triangleFace[c / 3]] == charts.faceChart[faceOfPart])
+                corners.push_back(c);
+        }
+        const double side = std::sqrt(std::acos(-1.0));
+        edits["rectangle"_L1] = live.edit(
+            [&](Steering &steering) {
+                steering.rectangles.push_back({Vec2(2 * side, 0), Vec2(3.6 * side, 1.6 * side), corners});
+            },
+            [](const MapPtr &) { return true; });
+        edits["movedRectangle"_L1] = live.edit(
+            [&](Steering &steering) {
+                steering.rectangles.back().lower.y() += side;
+                steering.rectangles.back().upper.y() += side;
+            },
+            [](const MapPtr &) { return true; });
+        report["edits"_L1] = edits;
+    }
+    report["maps"_L1] = live.maps();
+    report["invalid"_L1] = live.invalid();
+    return report;
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    QCoreApplication application(argc, argv);
+    int threads = 2;
+    double seconds = 10;
+    bool json = false, withUnwrap = true;
+    QJsonArray reports;
+    for (int i = 1; i < argc; ++i) {
+        const QString argument = QString::fromLocal8Bit(argv[i]);
+        if (argument == "--threads"_L1 && i + 1 < argc)
+            threads = std::atoi(argv[++i]);
+        else if (argument == "--seconds"_L1 && i + 1 < argc)
+            seconds = std::atof(argv[++i]);
+        else if (argument == "--json"_L1)
+            json = true;
+        else if (argument == "--no-unwrap"_L1)
+            withUnwrap = false;
+    }
+    for (int i = 1; i < argc; ++i) {
+        const QByteArray argument = argv[i];
+        if (argument == "--threads" || argument == "--seconds")
+            ++i;
+        else if (argument != "--json" && argument != "--no-unwrap") {
+            const QJsonObject report = measured(argv[i], threads, seconds, withUnwrap);
+            reports.append(report);
+            if (!json) {
+                QJsonObject brief = report;
+                brief.remove("course"_L1);
+                std::printf("%s\n", QJsonDocument(brief).toJson(QJsonDocument::Compact).constData());
+                std::fflush(stdout);
+            }
+        }
+    }
+    if (json)
+        std::printf("%s", QJsonDocument(reports).toJson().constData());
+    return 0;
+}
