@@ -60,7 +60,8 @@ test::Outcome packed(const Snapshot &snapshot)
     return {uv, {}, {}, false, !done};
 }
 
-//! The second map of a live solve. \param before where it begins, before it is steered; null: it begins steered
+//! The second map of a live solve. \param before where it begins, before it is steered; null: it begins
+//! steered
 test::Outcome lived(const Snapshot *before, const Snapshot &snapshot)
 {
     std::shared_ptr<const LiveMapResult> last;
@@ -156,12 +157,9 @@ private Q_SLOTS:
             {
                 const char *job;
                 test::Outcome outcome;
-            } outcomes[] = {{"unwrap", unwrapped(snapshot)},
-                            {"finish", finished(snapshot)},
-                            {"separate", separated(snapshot)},
-                            {"pack", packed(snapshot)},
-                            {"live", lived(nullptr, snapshot)},
-                            {"live, steered", lived(&mapped, snapshot)}};
+            } outcomes[] = {{"unwrap", unwrapped(snapshot)},    {"finish", finished(snapshot)},
+                            {"separate", separated(snapshot)},  {"pack", packed(snapshot)},
+                            {"live", lived(nullptr, snapshot)}, {"live, steered", lived(&mapped, snapshot)}};
             for (const auto &[job, outcome] : outcomes) {
                 for (const QString &clause : test::broken(snapshot, outcome))
                     all << QStringLiteral("%1 with seed %2: %3")

@@ -300,7 +300,8 @@ private Q_SLOTS:
     void aPullMovesTheDefiniteMapWithoutOverlaps()
     {
         const MapCamera camera = view().camera();
-        mStudio->open(test::layoutDocument(test::grid(48, 0.6))); // large enough not to be done before the pull
+        mStudio->open(
+            test::layoutDocument(test::grid(48, 0.6))); // large enough not to be done before the pull
         view().setCamera(camera);
         mStudio->select(SelectionMode::Vertices);
         setRadius(0.7);
@@ -316,11 +317,13 @@ private Q_SLOTS:
         for (int step = 1; step <= 8; ++step) {
             Canvases::moveMouse(view(), start + (end - start) * step / 8, Qt::LeftButton);
             QVERIFY(QTest::qWaitFor([&] { return mStudio->solver.status().converged; }, 20'000));
-            const metrics::UvMetrics figures = metrics::measureUv(document().mesh(), mStudio->solver.map()->uv);
+            const metrics::UvMetrics figures =
+                metrics::measureUv(document().mesh(), mStudio->solver.map()->uv);
             QCOMPARE(figures.flipped, 0);
             QCOMPARE(figures.overlapPairs, 0);
         }
-        QTRY_VERIFY_WITH_TIMEOUT((mStudio->shown.uv().row(soup) - to).norm() < 0.1 * (to - from).norm(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT((mStudio->shown.uv().row(soup) - to).norm() < 0.1 * (to - from).norm(),
+                                 20'000);
         QTest::mouseRelease(&view(), Qt::LeftButton, {}, end);
         QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isRunning() && !mStudio->solver.isPausing(), 60'000);
         QVERIFY(document().uv() == mStudio->solver.map()->uv);

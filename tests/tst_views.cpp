@@ -480,7 +480,7 @@ private Q_SLOTS:
             live.row(3 * t + 1) << 0.1 * t + 0.09, -1;
             live.row(3 * t + 2) << 0.1 * t, -0.9;
         }
-        mStudio->shown.showLive(live, std::vector<float>(mesh.cornerPairCount(), 1));
+        mStudio->shown.showSoup(live, std::vector<float>(mesh.cornerPairCount(), 1));
         uv.frameAll();
         const QPoint place = Canvases::middle(uv, 9);
         QCOMPARE(uv.pick(place).triangle, 9);
@@ -530,7 +530,7 @@ private Q_SLOTS:
         mStudio->view.setOptions(options);
         expect(0, 0);
         const MeshData &mesh = mStudio->document().mesh();
-        mStudio->shown.showLive(UvMatrix::Random(mesh.soupCornerCount(), 2),
+        mStudio->shown.showSoup(UvMatrix::Random(mesh.soupCornerCount(), 2),
                                 std::vector<float>(mesh.cornerPairCount(), 0.2f));
         const int live = Content::Uvs | Content::Faces | Content::Sides;
         expect(live, live | Content::Points);

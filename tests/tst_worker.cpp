@@ -181,7 +181,8 @@ private Q_SLOTS:
         after->settings.lambda = 0.5;
         bench.worker->update(after);
         bench.worker->pause();
-        QMetaObject::invokeMethod(bench.worker, [] {}, Qt::BlockingQueuedConnection); // the edit was taken
+        QMetaObject::invokeMethod(
+            bench.worker, [] {}, Qt::BlockingQueuedConnection); // the edit was taken
         QCOMPARE(bench.results.back()->status.iteration, 3);
     }
 

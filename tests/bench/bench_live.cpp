@@ -1,6 +1,6 @@
-// Measures the definite map of a live solve: how soon there is a valid map, how soon it is as good as that of an
-// unwrap, and how soon it obeys an edit. Checks every map that is given out.
-// Usage: bench_live MESH... [--threads N] [--seconds N] [--no-unwrap] [--json]
+// Measures the definite map of a live solve: how soon there is a valid map, how soon it is as good as that of
+// an unwrap, and how soon it obeys an edit. Checks every map that is given out. Usage: bench_live MESH...
+// [--threads N] [--seconds N] [--no-unwrap] [--json]
 #include "model/io/meshfile.h"
 #include "model/plain/uvlayout.h"
 #include "solver/live/mapkeeper.h"
@@ -62,7 +62,8 @@ public:
     }
 
     //! \returns seconds until a map obeys the edit, negative when none does in time
-    double edit(const std::function<void(Steering &)> &change, const std::function<bool(const MapPtr &)> &obeys)
+    double edit(const std::function<void(Steering &)> &change,
+                const std::function<bool(const MapPtr &)> &obeys)
     {
         change(mSnapshot.editSteering());
         ++mSnapshot.token.steering;
@@ -101,8 +102,8 @@ private:
         ++mMaps;
         const metrics::UvMetrics found = metrics::measureUv(*mMesh, mMap->uv, {});
         if (found.flipped > 0 || found.overlapPairs > 0) {
-            std::fprintf(stderr, "invalid map: %lld flips, %lld overlaps\n", static_cast<long long>(found.flipped),
-                         static_cast<long long>(found.overlapPairs));
+            std::fprintf(stderr, "invalid map: %lld flips, %lld overlaps\n",
+                         static_cast<long long>(found.flipped), static_cast<long long>(found.overlapPairs));
             ++mInvalid;
         }
     }

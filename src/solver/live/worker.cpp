@@ -99,9 +99,7 @@ void SolveWorker::runSteps(int count)
 
 void SolveWorker::pause()
 {
-    order([](Orders &orders) {
-        orders.steps = 0;
-    });
+    order([](Orders &orders) { orders.steps = 0; });
 }
 
 std::shared_ptr<const SolveResult> SolveWorker::takeResult()

@@ -76,9 +76,8 @@ struct ChartAnchors
             return std::all_of(pins.begin(), pins.end(), [](const PointMatch &pin) {
                 return (pin.fixed - pin.moving).squaredNorm() < atPin * atPin;
             });
-        return !box || std::any_of(inBox.begin(), inBox.end(), [this](const Vec2 &p) {
-            return box->outside(p).squaredNorm() == 0;
-        });
+        return !box || std::any_of(inBox.begin(), inBox.end(),
+                                   [this](const Vec2 &p) { return box->outside(p).squaredNorm() == 0; });
     }
 };
 

@@ -7,8 +7,8 @@
 
 namespace autocuts::search {
 
-//! Moves every chart with anchors to them, unless it lies there: rigidly by its pins, else into its rectangle,
-//! turned and scaled down when it does not fit otherwise. From then on the anchors have an effect.
+//! Moves every chart with anchors to them, unless it lies there: rigidly by its pins, else into its
+//! rectangle, turned and scaled down when it does not fit otherwise. From then on the anchors have an effect.
 void placeAtAnchors(CutState &state);
 
 //! Pulls the corners of hard pins to these with ever stiffer springs and holds the corners that reach them.

@@ -33,8 +33,8 @@ public:
         for (const std::vector<int> &group : connected(edges)) {
             for (std::size_t first = 0; first < group.size() && !mJob.stopped(); first += edgesAtOnce) {
                 const auto begin = group.begin() + static_cast<std::ptrdiff_t>(first);
-                open({begin, begin + static_cast<std::ptrdiff_t>(
-                                         std::min(edgesAtOnce, group.size() - first))});
+                open({begin,
+                      begin + static_cast<std::ptrdiff_t>(std::min(edgesAtOnce, group.size() - first))});
             }
         }
     }
@@ -163,9 +163,8 @@ private:
         }
         if (held[0] && held[1])
             return false;
-        const bool firstMoves = held[0] != held[1]
-                                    ? held[1]
-                                    : mState.chartArea[charts[0]] < mState.chartArea[charts[1]];
+        const bool firstMoves =
+            held[0] != held[1] ? held[1] : mState.chartArea[charts[0]] < mState.chartArea[charts[1]];
         const int moving = charts[firstMoves ? 0 : 1], fixed = charts[firstMoves ? 1 : 0];
         std::vector<PointMatch> matches;
         for (const int e : edges) {
@@ -214,8 +213,9 @@ private:
         return false;
     }
 
-    //! The triangles at the edges, with all that joins and polygons hold together with them, and others around
-    //! them until the region has a share of the mesh's area. \param sides 0, 1: which triangles of an edge pair
+    //! The triangles at the edges, with all that joins and polygons hold together with them, and others
+    //! around them until the region has a share of the mesh's area. \param sides 0, 1: which triangles of an
+    //! edge pair
     std::set<int> regionAt(const std::vector<int> &edges, const std::vector<int> &sides, double share) const
     {
         std::vector<int> list;

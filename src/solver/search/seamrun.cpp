@@ -199,9 +199,7 @@ void SeamRun::keepBest()
     const double now = score();
     const int nowFaults = mState.anchorFaults(), bestFaults = mBest.anchorFaults();
     const bool nowFits = fits(mState), bestFits = fits(mBest);
-    if (nowFaults != bestFaults ? nowFaults < bestFaults
-        : nowFits != bestFits   ? nowFits
-                                : now < mBestScore) {
+    if (nowFaults != bestFaults ? nowFaults < bestFaults : nowFits != bestFits ? nowFits : now < mBestScore) {
         mBest = mState;
         mBestScore = now;
         tellBest();

@@ -50,8 +50,8 @@ struct OptimizeOptions
     //! distortion and seam length of the best map of one run.
     std::function<void(int, double, double)> progress;
     //! Called from any thread with the best map of a run whenever that has become better: without flipped
-    //! triangles and, unless these are allowed, without overlaps; above the bound as long as the run has found
-    //! no other.
+    //! triangles and, unless these are allowed, without overlaps; above the bound as long as the run has
+    //! found no other.
     std::function<void(const CutState &)> improved;
 };
 
@@ -65,7 +65,8 @@ public:
     //! Relaxes the first map, joins small charts and polishes the seams.
     void start();
     //! Tries large moves while the heat falls to zero.
-    //! \param heat at the start: the mean worsening that a large move is allowed, in mean edge lengths of seam
+    //! \param heat at the start: the mean worsening that a large move is allowed, in mean edge lengths of
+    //! seam
     void search(int moves, double heat = 1);
     //! Opens seams until the bound holds, then shortens them as far as the bound allows. Ends with the best
     //! map of the run.

@@ -29,6 +29,8 @@ public:
     //! The problem of the part: settings and steering in the solver units of the part, no scope, no flags.
     const Snapshot &snapshot() const { return mSnapshot; }
     bool isWhole() const { return mPart.mesh == nullptr; }
+    //! True when some of its corners are UV vertices of faces outside as well.
+    bool isAttached() const { return !mAttached.empty(); }
 
     //! Whole things from those of the part; what is not in the part comes from before the job.
     //! \param uv per corner of the part, texture space

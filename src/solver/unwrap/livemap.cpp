@@ -3,6 +3,7 @@
 #include "solver/base/parallel.h"
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
+#include "solver/metrics/uvmetrics.h"
 #include "solver/search/anchoring.h"
 #include "solver/search/resteering.h"
 #include "solver/unwrap/coarsetofine.h"
@@ -28,9 +29,8 @@ constexpr int quickSteps = 4;           // Newton steps on the first map
 constexpr double quickTolerance = 1e-2; // energy gained below which the first map counts as relaxed
 //! Meshes of more triangles than this get a draft by way of a coarser mesh. Twice the size of that mesh.
 constexpr int sizeForCoarseDraft = 12'000;
-constexpr double givingShare = 0.2;     // of the time that giving out maps may take
+constexpr double givingShare = 0.2;                         // of the time that giving out maps may take
 constexpr auto leastPause = std::chrono::milliseconds(100); // between two maps given out
-constexpr double smallestShare = 1e-9;  // of the distortion in the energy, for lambda near 1
 
 } // namespace
 
@@ -109,8 +109,8 @@ void LiveMap::takeSnapshot(const JobContext &job)
         mSymmetry = preference::findSymmetry(*mProblem.mesh);
     const preference::MeshSymmetry *symmetry =
         mProblem.settings.symmetry && mSymmetry ? &*mSymmetry : nullptr;
-    mGraph = mGraph ? mGraph->steeredBy(mProblem, symmetry)
-                    : search::SeamGraph::build(mSoup, mProblem, symmetry);
+    mGraph =
+        mGraph ? mGraph->steeredBy(mProblem, symmetry) : search::SeamGraph::build(mSoup, mProblem, symmetry);
     mWaiting.reset();
     mIdleRounds = 0;
     mNextGiven = {};
@@ -128,19 +128,31 @@ bool LiveMap::startFromMap(const UvMatrix &uv)
     if (definite::coversItself(*mSoup, *map) &&
         (!definite::removeOverlaps(*mSoup, mProblem, *map) || definite::coversItself(*mSoup, *map)))
         return false;
-    take(std::move(*map), 0);
+    search::CutState state = search::CutState::from(mGraph, *map, true);
+    if (!mGraph->anchors.empty()) {
+        search::placeAtAnchors(state);
+        search::SeamTrial trial(state);
+        search::reachPins(trial, true);
+    }
+    take(state);
     return mBest.has_value();
 }
 
-//! Makes a map that was found elsewhere the one to improve.
-void LiveMap::take(SeamedMap map, int anchorFaults)
+//! Makes a map that was found elsewhere, and lies at its anchors, the one to improve.
+void LiveMap::take(const SeamedMap &map)
 {
     if (!map.validate(*mSoup).empty())
         return;
     search::CutState state = search::CutState::from(mGraph, map, true);
-    search::SeamTrial trial(state);
-    if (anchorFaults == 0 && !mGraph->anchors.empty())
+    if (!mGraph->anchors.empty()) {
+        search::SeamTrial trial(state);
         search::reachPins(trial, true);
+    }
+    take(state);
+}
+
+void LiveMap::take(const search::CutState &state)
+{
     if (state.loopsAreInOrder() && !state.boundariesOverlap())
         offer(state);
     publishWaiting(true);
@@ -156,7 +168,7 @@ void LiveMap::findFirst(const JobContext &job)
         options.quality = UnwrapQuality::Draft;
         Ranking ranking(options, job);
         FoundMap found = findMap(mProblem, options, ranking, job);
-        take(std::move(found.best.map), found.best.anchorFaults);
+        take(found.best.map);
         mStage = Stage::Done;
         return;
     }
@@ -174,7 +186,6 @@ void LiveMap::findFirst(const JobContext &job)
 //! Changes the map to obey the snapshot; begins anew where that is not possible.
 void LiveMap::steerMap(const JobContext &job)
 {
-    const std::optional<FreePart> old = mPart;
     takeSnapshot(job);
     if (mProblem.settings.seams == SeamMode::Only || (!mBest && !mGiven)) {
         mStage = Stage::Begin;
@@ -183,7 +194,7 @@ void LiveMap::steerMap(const JobContext &job)
     if (mBack || !mBest) {
         const std::shared_ptr<const LiveMapResult> from = mBack ? std::exchange(mBack, nullptr) : mGiven;
         mBest.reset();
-        if (!startFromMap(mPart->partUv(from->uv))) {
+        if (!startFromMap(mPart->partUv(from->uv)) && !(mProblem.uv && startFromMap(*mProblem.uv))) {
             mStage = Stage::Explore;
             return;
         }
@@ -237,7 +248,6 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
 {
     UnwrapOptions options;
     options.maxDistortion = mOptions.maxDistortion;
-    options.lambda = mOptions.lambda;
     options.quality = quality;
     std::atomic<bool> carriedOver = false;
     parallelFor(quick ? 2 : 1, job.threads(), [&](int i) {
@@ -252,7 +262,7 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
                 },
                 job.quiet());
             if (carried)
-                take(carried->map, carried->anchorFaults);
+                take(carried->map);
             carriedOver = true;
         } else {
             search::SeamTrial trial(*quick);
@@ -289,17 +299,16 @@ void LiveMap::explore(const JobContext &job)
         if (job.stopped())
             return;
         if (found)
-            take(found->map, found->anchorFaults);
+            take(found->map);
     }
     if (!mBest) { // the search alone finds no map
         UnwrapOptions unwrap;
         unwrap.maxDistortion = mOptions.maxDistortion;
-        unwrap.lambda = mOptions.lambda;
         unwrap.quality = UnwrapQuality::Draft;
         Ranking ranking(unwrap, job);
         FoundMap other = findMap(mProblem, unwrap, ranking, job);
         if (!job.stopped())
-            take(std::move(other.best.map), other.best.anchorFaults);
+            take(other.best.map);
     }
     mStage = mBest ? Stage::Improve : Stage::Done;
 }
@@ -332,8 +341,6 @@ search::OptimizeOptions LiveMap::searchOptions(const JobContext &job)
 {
     search::OptimizeOptions options;
     options.maxDistortion = mOptions.maxDistortion;
-    if (mOptions.lambda)
-        options.mu = *mOptions.lambda / std::max(1 - *mOptions.lambda, smallestShare);
     options.seed = mProblem.settings.seed + mSeed++;
     options.job = job.quiet();
     options.improved = [this](const search::CutState &state) { offer(state); };
@@ -345,11 +352,8 @@ LiveMap::Merit LiveMap::meritOf(const search::CutState &state) const
 {
     Merit merit;
     merit.anchorFaults = state.anchorFaults();
-    merit.misses = !mOptions.lambda && state.distortion > mOptions.maxDistortion;
-    merit.value = merit.misses     ? state.distortion
-                  : mOptions.lambda ? state.objective(*mOptions.lambda /
-                                                      std::max(1 - *mOptions.lambda, smallestShare))
-                                    : state.cost;
+    merit.misses = state.distortion > mOptions.maxDistortion;
+    merit.value = merit.misses ? state.distortion : state.cost;
     return merit;
 }
 
@@ -375,20 +379,23 @@ void LiveMap::publishWaiting(bool atOnce)
     const Clock::time_point begun = Clock::now();
     publish(*std::exchange(mWaiting, std::nullopt));
     const Clock::time_point done = Clock::now();
-    mNextGiven = done + std::max<Clock::duration>(
-                            leastPause, std::chrono::duration_cast<Clock::duration>((done - begun) / givingShare));
+    mNextGiven = done + std::max<Clock::duration>(leastPause, std::chrono::duration_cast<Clock::duration>(
+                                                                  (done - begun) / givingShare));
 }
 
 //! \returns false when the map is not given out because it is not better or overlaps itself after all
 bool LiveMap::publish(search::CutState state)
 {
+    // Where it does not meet the faces around the scope, it cannot be attached to them.
+    if (mPart->isAttached() && state.anchorFaults() > state.chartsMayMeet)
+        return false;
     SeamedMap map = state.map();
     definite::equalizeDensity(*mSoup, mProblem, map);
     if (definite::coversItself(*mSoup, map))
         return false;
     auto result = std::make_shared<LiveMapResult>();
     result->distortion = map.distortion(*mSoup);
-    result->withinBound = mOptions.lambda || result->distortion <= mOptions.maxDistortion;
+    result->withinBound = result->distortion <= mOptions.maxDistortion;
     Merit merit = meritOf(state);
     merit.misses = !result->withinBound;
     if (mBest && !result->withinBound && !mBestMerit.misses)
@@ -397,8 +404,17 @@ bool LiveMap::publish(search::CutState state)
     result->seamLength = map.seamLength(*mSoup);
     result->islands = state.chartCount();
     result->cut = mPart->wholeCut(map.cut);
-    result->uv = mPlacing.place(*mSnapshot, *mPart, *mSoup, map, mOptions.packing, {});
+    const bool explores = !mFromMap && (mStage == Stage::Begin || mStage == Stage::Explore);
+    result->uv = mPlacing.place(*mSnapshot, *mPart, *mSoup, map, mOptions.packing, explores);
     result->hasRoom = mPlacing.hadRoom();
+    if (!mPart->isWhole()) {
+        metrics::UvMetricsOptions figures;
+        figures.overlaps = figures.gutter = false;
+        const metrics::UvMetrics whole = metrics::measureUv(*mSnapshot->mesh, result->uv, figures);
+        result->distortion = whole.symDirichlet;
+        result->seamLength = whole.seamNorm;
+        result->islands = whole.charts;
+    }
     mBest = std::move(state);
     mBestMerit = merit;
     mGiven = result;

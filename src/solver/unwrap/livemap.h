@@ -17,14 +17,8 @@ namespace autocuts::unwrap {
 
 struct LiveMapOptions
 {
-    double maxDistortion = 4.1;   //!< bound on the mean symmetric Dirichlet energy, > 4
-    std::optional<double> lambda; //!< weight of the separation (paper, equation 1) in place of the bound
+    double maxDistortion = 4.1; //!< bound on the mean symmetric Dirichlet energy, > 4
     packing::PackOptions packing;
-
-    bool operator==(const LiveMapOptions &other) const
-    {
-        return maxDistortion == other.maxDistortion && lambda == other.lambda;
-    }
 };
 
 //! A map without flipped triangles or overlaps (but for islands that the user holds in one place).
@@ -36,8 +30,8 @@ struct LiveMapResult
     double distortion = 0; //!< mean symmetric Dirichlet energy, 4 is isometric
     double seamLength = 0; //!< seam_norm, solver units
     int islands = 0;
-    bool withinBound = false;
-    bool hasRoom = true; //!< false: there is no room for all islands, some may overlap
+    bool withinBound = false; //!< of what may change
+    bool hasRoom = true;      //!< false: there is no room for all islands, some may overlap
 };
 
 //! Finds a first map as fast as possible and improves it by the seam search, for as long as something is
@@ -70,7 +64,7 @@ private:
     {
         int anchorFaults = 0;
         bool misses = false; //!< it is above the bound
-        double value = 0;    //!< seam cost; above the bound, the distortion; with lambda, the objective
+        double value = 0;    //!< seam cost; above the bound, the distortion
 
         auto operator<=>(const Merit &) const = default;
     };
@@ -83,7 +77,8 @@ private:
     void carryFromCoarse(UnwrapQuality quality, std::optional<search::CutState> quick, const JobContext &job);
     void explore(const JobContext &job);
     void improve(const JobContext &job);
-    void take(SeamedMap map, int anchorFaults);
+    void take(const SeamedMap &map);
+    void take(const search::CutState &state);
     search::OptimizeOptions searchOptions(const JobContext &job);
     Merit meritOf(const search::CutState &state) const;
     void offer(const search::CutState &state);
@@ -109,7 +104,7 @@ private:
     std::uint64_t mSeed = 0;
     int mIdleRounds = 0; //!< rounds in a row without a noteworthy gain
 
-    std::mutex mMutex; //!< for what follows: the searches of several threads offer maps
+    std::mutex mMutex;                     //!< for what follows: the searches of several threads offer maps
     std::optional<search::CutState> mBest; //!< the map that was given out last
     Merit mBestMerit;
     std::shared_ptr<const LiveMapResult> mGiven;

@@ -29,9 +29,9 @@ double areaOf(const MeshData &mesh, const UvMatrix &uv)
 void LivePlacing::beginWith(const FreePart &part)
 {
     const Snapshot &own = part.snapshot();
-    if (!own.uv)
-        return;
-    mBefore = Before{own.mesh, *own.uv, findCharts(*own.mesh, *own.uv), own.uvScale};
+    mBefore.reset();
+    if (own.uv)
+        mBefore = Before{own.mesh, *own.uv, findCharts(*own.mesh, *own.uv), own.uvScale};
 }
 
 //! Moves every chart that is not held onto the place of the old chart that it has most in common with.
@@ -52,13 +52,13 @@ UvMatrix LivePlacing::atOldPlaces(const MeshData &mesh, const ChartMap &charts, 
                 own += 0.5 * cross2(Vec2(uv.row(first)), Vec2(uv.row(c)), Vec2(uv.row(c + 1)));
             area += own;
             for (int c = first; c < last && mBefore->uv.row(c).allFinite(); ++c)
-                points.push_back({mBefore->uv.row(c).transpose(), uv.row(c).transpose(),
-                                  std::max(own, 1e-12)});
+                points.push_back(
+                    {mBefore->uv.row(c).transpose(), uv.row(c).transpose(), std::max(own, 1e-12)});
         }
         byOldChart.erase(-1);
-        const auto most = std::max_element(
-            byOldChart.begin(), byOldChart.end(),
-            [](const auto &a, const auto &b) { return a.second.first < b.second.first; });
+        const auto most =
+            std::max_element(byOldChart.begin(), byOldChart.end(),
+                             [](const auto &a, const auto &b) { return a.second.first < b.second.first; });
         RigidMotion motion;
         if (most != byOldChart.end() && !most->second.second.empty())
             motion = fitRigid(most->second.second);
@@ -73,18 +73,18 @@ UvMatrix LivePlacing::atOldPlaces(const MeshData &mesh, const ChartMap &charts, 
 }
 
 UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, const Soup &soup,
-                            const SeamedMap &map, const packing::PackOptions &options, const JobContext &job)
+                            const SeamedMap &map, const packing::PackOptions &options, bool afresh)
 {
     const Snapshot &own = part.snapshot();
-    if (!mBefore || mBefore->mesh != own.mesh) {
+    // True when some islands are where they belong, so that the scale is given.
+    const bool stays = !part.isWhole() || snapshot.placesIslands();
+    if (afresh && !stays)
         mBefore.reset();
+    else if (!mBefore || mBefore->mesh != own.mesh)
         beginWith(part);
-    }
     const MeshData &mesh = *own.mesh;
     const CutMesh state(mesh, map.cut);
     const ChartMap charts = chartsOf(mesh, state);
-    // True when some islands are where they belong, so that the scale is given.
-    const bool stays = !part.isWhole() || snapshot.placesIslands();
     const UvMatrix shape = cornerUv(soup, map);
     PackJob pack = steeredPackJob(snapshot, options);
     pack.options.effort = std::min(pack.options.effort, packing::hurriedEffort);
@@ -96,18 +96,18 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
     mHadRoom = true;
     if (!mBefore) {
         uv = part.wholeUv((stays ? own.uvScale : 1) * shape);
-        mHadRoom = packCharts(*snapshot.mesh, whole, pack, uv, job);
+        mHadRoom = packCharts(*snapshot.mesh, whole, pack, uv);
     } else {
         const double scale = stays ? own.uvScale : mBefore->scale;
         uv = part.wholeUv(atOldPlaces(mesh, charts, heldCharts(own, state), scale * shape));
-        const std::vector<bool> misplaced = misplacedFaces(*snapshot.mesh, whole, pack, uv, job);
+        const std::vector<bool> misplaced = misplacedFaces(*snapshot.mesh, whole, pack, uv);
         if (std::find(misplaced.begin(), misplaced.end(), true) != misplaced.end()) {
             PackJob around = pack;
             for (std::size_t face = 0; face < misplaced.size(); ++face)
                 around.stays[face] = around.stays[face] || !misplaced[face];
             around.options.keepScale = true;
-            if (!packCharts(*snapshot.mesh, whole, around, uv, job))
-                mHadRoom = packCharts(*snapshot.mesh, whole, pack, uv, job);
+            if (!packCharts(*snapshot.mesh, whole, around, uv))
+                mHadRoom = packCharts(*snapshot.mesh, whole, pack, uv);
         }
     }
     Before before{own.mesh, part.partUv(uv), charts, own.uvScale};

@@ -10,17 +10,18 @@
 namespace autocuts::unwrap {
 
 //! Places one map after the other. A chart goes to where its triangles were in the map before, at the same
-//! texel density. Charts that leave their bin or overlap another one are packed into the room that is left; all
-//! charts are packed where there is none.
+//! texel density. Charts that leave their bin or overlap another one are packed into the room that is left;
+//! all charts are packed where there is none.
 class LivePlacing
 {
 public:
     //! Forgets the map before; the next one is placed in relation to the part's own map, if it has one.
     void reset() { mBefore.reset(); }
     //! \param map of the part, solver units
-    //! \returns the whole map, one row per corner in texture space; see hadRoom()
+    //! \param afresh pack all charts as large as they fit, unless pins, rectangles or the scope give the
+    //! scale \returns the whole map, one row per corner in texture space; see hadRoom()
     UvMatrix place(const Snapshot &snapshot, const FreePart &part, const Soup &soup, const SeamedMap &map,
-                   const packing::PackOptions &options, const JobContext &job);
+                   const packing::PackOptions &options, bool afresh);
 
     //! False when there was no room for all charts of the last map, so that some may overlap.
     bool hadRoom() const { return mHadRoom; }

@@ -75,7 +75,8 @@ public:
         overlap::OverlapOptions options;
         options.job = job.quiet();
         overlap::visitOverlaps(soupUv(mMesh, uv), options, [&](int a, int b, double) {
-            const int p = pieces.faceChart[mMesh.triangleFace[a]], q = pieces.faceChart[mMesh.triangleFace[b]];
+            const int p = pieces.faceChart[mMesh.triangleFace[a]],
+                      q = pieces.faceChart[mMesh.triangleFace[b]];
             if (p >= 0 && q >= 0 && p != q && (meets[p].empty() || meets[p].back() != q)) {
                 meets[p].push_back(q);
                 meets[q].push_back(p);

@@ -48,8 +48,9 @@ struct PackJob
 
 //! Per face: true where an island that may move lies outside of its rectangle, tile or bin, or on an island
 //! that stays or is larger.
-[[nodiscard]] std::vector<bool> misplacedFaces(const MeshData &mesh, const ChartMap &charts, const PackJob &pack,
-                                               const UvMatrix &uv, const JobContext &job = {});
+[[nodiscard]] std::vector<bool> misplacedFaces(const MeshData &mesh, const ChartMap &charts,
+                                               const PackJob &pack, const UvMatrix &uv,
+                                               const JobContext &job = {});
 
 //! True when every island that may move lies in its rectangle, its tile or the bin, and overlaps nothing.
 [[nodiscard]] bool liesFree(const MeshData &mesh, const ChartMap &charts, const PackJob &pack,

@@ -124,6 +124,16 @@ constexpr std::array uvTable{
     ActionInfo{"uv.budget", "UV", QT_TRANSLATE_NOOP("Actions", "Distortion &budget"), "budget", "Ctrl+B",
                QT_TRANSLATE_NOOP("Actions", "Let the solver choose lambda and delta for a distortion bound"),
                0, true},
+    ActionInfo{"uv.soup", "UV", QT_TRANSLATE_NOOP("Actions", "Show the soup while sol&ving"), "", "Shift+B",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "While the solver runs, show the separate triangles that lambda and delta "
+                                 "act on instead of the definite map"),
+               0, true},
+    ActionInfo{"uv.ghost", "UV", QT_TRANSLATE_NOOP("Actions", "Ghost while solving"), "", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "While the solver runs, let the soup shine through the definite map, or the "
+                                 "map through the soup"),
+               0, true},
     ActionInfo{"uv.start.rigid", "UV/Start mode", QT_TRANSLATE_NOOP("Actions", "&Rigid triangles"), "", "",
                QT_TRANSLATE_NOOP("Actions", "Start from every triangle laid flat on its own"), NeedsDocument,
                true, "start"},

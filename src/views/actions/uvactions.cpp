@@ -81,6 +81,10 @@ void UvActions::connectSolver()
     connect(mContext.actions.action("uv.budget"), &QAction::triggered, this, [&solver](bool checked) {
         solver.setMode(checked ? homotopy::SolveMode::Budget : homotopy::SolveMode::Manual);
     });
+    connect(mContext.actions.action("uv.soup"), &QAction::triggered, this,
+            [&solver](bool checked) { solver.setLiveView(checked ? LiveView::Soup : LiveView::Map); });
+    connect(mContext.actions.action("uv.ghost"), &QAction::triggered, this,
+            [&solver](bool checked) { solver.setGhost(checked); });
     for (const auto &[id, value] : startChoices)
         connectSetting(id, &SolveSettings::start, value);
     for (const auto &[id, value] : energyChoices)
@@ -220,6 +224,8 @@ void UvActions::showState()
     run->setIconText(running ? tr("Pause") : tr("Run"));
     run->setIcon(icon(running ? QStringLiteral("pause") : QStringLiteral("run")));
     mContext.actions.action("uv.budget")->setChecked(mContext.solver.mode() == homotopy::SolveMode::Budget);
+    mContext.actions.action("uv.soup")->setChecked(mContext.solver.liveView() == LiveView::Soup);
+    mContext.actions.action("uv.ghost")->setChecked(mContext.solver.ghost());
     const Document *document = mContext.workspace.document();
     const SolveSettings settings = document ? document->solveSettings() : SolveSettings();
     showChoice(mContext.actions, startChoices, settings.start);

@@ -184,8 +184,11 @@ int SceneContent::refresh()
         mUvs = soupUvs(uv());
         mUvBox = layoutBox(uv());
         mGhostUvs.clear();
-        if (mAsMap && mContext.shownMap.isLive())
-            mGhostUvs = soupUvs(ghostUv(*own.mesh, uv(), mContext.shownMap.separation()));
+        const ShownMap &shown = mContext.shownMap;
+        if (mAsMap && shown.ghost().rows() > 0)
+            mGhostUvs = soupUvs(shown.ghost());
+        else if (mAsMap && shown.isSoup())
+            mGhostUvs = soupUvs(ghostUv(*own.mesh, uv(), shown.separation()));
     }
     if (parts & Faces)
         rebuildFaces();

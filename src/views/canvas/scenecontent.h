@@ -45,7 +45,8 @@ public:
 
     const std::vector<SoupVertex> &vertices() const { return mVertices; }
     const std::vector<float> &uvs() const { return mUvs; }
-    //! Empty unless the UV view shows a live map.
+    //! What shines through a live map in the UV view: the ghost of the shown map or, behind the soup, the map
+    //! that closing its gaps would give. Empty otherwise.
     const std::vector<float> &ghostUvs() const { return mGhostUvs; }
     const std::vector<FaceTexel> &faces() const { return mFaces; }
     //! The island number of each triangle, from 1; 0 when it has none or islands were not needed.

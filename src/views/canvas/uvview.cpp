@@ -135,7 +135,6 @@ void UvView::drawScene(GlResources &gl)
     gl.gl.glEnable(GL_BLEND);
     gl.gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     if (!content().ghostUvs().empty()) {
-        // The ghost of the finished map shows through the gaps between the triangles of the live map.
         SoupDrawing ghost = drawing;
         ghost.ghost = true;
         ghost.fillOpacity = 0.5 * drawing.fillOpacity;

@@ -8,9 +8,22 @@
 
 namespace autocuts {
 
+namespace {
+
+// Chosen by hand.
+constexpr int frameTime = 33; // milliseconds between two frames of a movement
+constexpr int moveFrames = 5;
+constexpr Eigen::Index mostMovedCorners = 300'000; // larger maps jump, which takes less time
+
+} // namespace
+
 ShownMap::ShownMap(Workspace &workspace, QObject *parent) : QObject(parent), mWorkspace(workspace)
 {
+    mFrames.setInterval(frameTime);
+    connect(&mFrames, &QTimer::timeout, this, &ShownMap::moveOn);
     connect(&workspace, &Workspace::documentReplaced, this, [this] {
+        mFrames.stop();
+        mGhost = {};
         mLive = false;
         mStale = true;
     });
@@ -40,12 +53,52 @@ bool ShownMap::isSeam(int edgePair) const
     return std::max(apart[2 * edgePair], apart[2 * edgePair + 1]) >= 0.5f;
 }
 
-void ShownMap::showLive(UvMatrix soupUv, std::vector<float> separation)
+void ShownMap::showMap(UvMatrix soupUv, std::vector<float> separation, UvMatrix ghost)
 {
+    const UvMatrix &now = uv();
+    const bool moves = !isSoup() && now.rows() == soupUv.rows() && soupUv.rows() <= mostMovedCorners &&
+                       now.allFinite() && now != soupUv;
+    setLive(false, std::move(separation), std::move(ghost));
+    if (!moves) {
+        mUv = std::move(soupUv);
+        Q_EMIT changed();
+        return;
+    }
+    mFrom = mUv;
+    mTo = std::move(soupUv);
+    mFrame = 0;
+    mFrames.start();
+    moveOn();
+}
+
+void ShownMap::showSoup(UvMatrix soupUv, std::vector<float> separation, UvMatrix ghost)
+{
+    setLive(true, std::move(separation), std::move(ghost));
     mUv = std::move(soupUv);
-    mSeparation = std::move(separation);
+    Q_EMIT changed();
+}
+
+void ShownMap::setLive(bool soup, std::vector<float> separation, UvMatrix ghost)
+{
+    mFrames.stop();
     mLive = true;
+    mSoup = soup;
     mStale = false;
+    mSeparation = std::move(separation);
+    mGhost = std::move(ghost);
+}
+
+//! Shows the next frame on the way from one definite map to the next.
+void ShownMap::moveOn()
+{
+    ++mFrame;
+    if (mFrame >= moveFrames) {
+        mFrames.stop();
+        mUv = std::move(mTo);
+    } else {
+        const double t = double(mFrame) / moveFrames, share = t * t * (3 - 2 * t);
+        mUv = (1 - share) * mFrom + share * mTo;
+    }
     Q_EMIT changed();
 }
 
@@ -53,8 +106,10 @@ void ShownMap::showDocument()
 {
     if (!mLive)
         return;
+    mFrames.stop();
     mLive = false;
     mStale = true;
+    mGhost = {};
     Q_EMIT changed();
 }
 

@@ -4,6 +4,7 @@
 #include "model/plain/types.h"
 
 #include <QObject>
+#include <QTimer>
 
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace autocuts {
 class Workspace;
 
 //! The shown UVs per soup corner and the separation of every corner pair. They are those of the document, or,
-//! while a solve runs, the newest ones of the solver, in which the triangles are still separate. Views and
-//! tools read the shown map only from here.
+//! while a solve runs, those of its definite map or of its soup, in which the triangles are still separate.
+//! One definite map passes into the next within a moment, so that the eye can follow. Views and tools read
+//! the shown map only from here.
 class ShownMap final : public QObject
 {
     Q_OBJECT
@@ -21,8 +23,12 @@ class ShownMap final : public QObject
 public:
     explicit ShownMap(Workspace &workspace, QObject *parent = nullptr);
 
-    //! True when the solver's map is shown.
+    //! True when a map of the running solve is shown.
     bool isLive() const { return mLive; }
+    //! True when the soup is shown.
+    bool isSoup() const { return mLive && mSoup; }
+    //! What shines through the shown map: one row per soup corner, texture space; empty: nothing.
+    const UvMatrix &ghost() const { return mGhost; }
     //! One row per soup corner, texture space; not finite for corners without a UV. Empty without a document.
     const UvMatrix &uv() const;
     //! Per corner pair, from 0 (closed) to 1 (cut): s_delta of the separation energy (paper, Eq. 6) while a
@@ -32,8 +38,10 @@ public:
     //! separation of 0.5 or more.
     bool isSeam(int edgePair) const;
 
-    //! Shows the solver's map instead of the document's. \pre the sizes are those of the document's mesh
-    void showLive(UvMatrix soupUv, std::vector<float> separation);
+    //! Shows a definite map instead of the document's. \pre the sizes are those of the document's mesh
+    void showMap(UvMatrix soupUv, std::vector<float> separation, UvMatrix ghost = {});
+    //! Shows the soup instead of the document's map. \pre the sizes are those of the document's mesh
+    void showSoup(UvMatrix soupUv, std::vector<float> separation, UvMatrix ghost = {});
     //! Shows the document's map again.
     void showDocument();
 
@@ -43,9 +51,15 @@ Q_SIGNALS:
 
 private:
     void refresh() const;
+    void setLive(bool soup, std::vector<float> separation, UvMatrix ghost);
+    void moveOn();
 
     Workspace &mWorkspace;
-    bool mLive = false;
+    bool mLive = false, mSoup = false;
+    UvMatrix mGhost;
+    UvMatrix mFrom, mTo; //!< the definite maps between which it moves
+    QTimer mFrames;
+    int mFrame = 0;
     mutable bool mStale = true;
     mutable UvMatrix mUv;
     mutable std::vector<float> mSeparation;

@@ -8,6 +8,7 @@
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
 
+#include <cmath>
 #include <limits>
 
 namespace autocuts {
@@ -16,6 +17,25 @@ namespace {
 
 //! Largest number of points in the graph. When there are more, every other one is dropped. Chosen by hand.
 constexpr std::size_t mostTracePoints = 4000;
+
+double areaOf(const UvMatrix &soup)
+{
+    double area = 0;
+    for (Eigen::Index c = 0; c + 2 < soup.rows(); c += 3)
+        area += cross2(Vec2(soup.row(c)), Vec2(soup.row(c + 1)), Vec2(soup.row(c + 2)));
+    return std::abs(area);
+}
+
+//! Moves and scales a ghost over the shown map.
+void fitOver(const UvMatrix &shown, UvMatrix &ghost)
+{
+    const double area = areaOf(ghost);
+    if (!(area > 0) || !shown.allFinite() || !ghost.allFinite())
+        return;
+    const double scale = std::sqrt(areaOf(shown) / area);
+    const Eigen::RowVector2d from = ghost.colwise().mean(), to = shown.colwise().mean();
+    ghost = (scale * (ghost.rowwise() - from)).rowwise() + to;
+}
 
 } // namespace
 
@@ -258,7 +278,6 @@ void SolverController::discard()
     mStatus = {};
     mTrace.clear();
     mMapTrace.clear();
-    mGhostUv = {};
     mShownMap.showDocument();
     setRunning(false, false);
     Q_EMIT statusChanged();
@@ -300,8 +319,6 @@ unwrap::LiveMapOptions SolverController::mapOptions() const
     const Document &document = *mWorkspace.document();
     unwrap::LiveMapOptions options;
     options.maxDistortion = mMaxDistortion;
-    if (mMode == homotopy::SolveMode::Manual)
-        options.lambda = document.solveSettings().lambda;
     options.packing = packing::tileOptions(document.packingSettings());
     return options;
 }
@@ -383,31 +400,31 @@ void SolverController::takeMap()
         endPause();
 }
 
-//! Shows the definite map or the soup, and prepares the other one as a ghost.
+//! Shows the definite map or the soup, and the other one as a ghost.
 void SolverController::showResult()
 {
-    mGhostUv = {};
     if (!(mRunning || mPausing))
         return;
     const Document &document = *mWorkspace.document();
-    UvMatrix soup;
-    if (mResult && seesSoup() && mSoupRan) {
-        soup = document.uvScale() * mResult->soupUv;
-        if (mLivePacking && mView == LiveView::Soup)
-            mPacker.arrange(document.state().scene.mesh, document.constraints(), document.packingSettings(),
-                            mResult->separation, soup);
-    }
     const MeshData &mesh = document.mesh();
-    if (mView == LiveView::Map && mMap) {
-        mGhostUv = std::move(soup);
+    UvMatrix soup, map;
+    if (mResult && mSoupRan && seesSoup())
+        soup = document.uvScale() * mResult->soupUv;
+    if (mMap && (mView == LiveView::Map || mGhost))
+        map = soupUv(mesh, mMap->uv);
+    // Without a map before, both begin where they like.
+    if (!hasUvs(document) && map.rows() > 0 && soup.rows() > 0)
+        mView == LiveView::Map ? fitOver(map, soup) : fitOver(soup, map);
+    if (mView == LiveView::Map && map.rows() > 0) {
         std::vector<float> apart(mesh.cornerPairCount());
         for (std::size_t p = 0; p < apart.size(); ++p)
             apart[p] = mMap->cut[p / 2] ? 1.f : 0.f;
-        mShownMap.showLive(soupUv(mesh, mMap->uv), std::move(apart));
+        mShownMap.showMap(std::move(map), std::move(apart), std::move(soup));
     } else if (mView == LiveView::Soup && soup.rows() > 0) {
-        if (mGhost && mMap)
-            mGhostUv = soupUv(mesh, mMap->uv);
-        mShownMap.showLive(std::move(soup), mResult->separation);
+        if (mLivePacking)
+            mPacker.arrange(document.state().scene.mesh, document.constraints(), document.packingSettings(),
+                            mResult->separation, soup);
+        mShownMap.showSoup(std::move(soup), mResult->separation, std::move(map));
     }
 }
 
@@ -433,8 +450,8 @@ void SolverController::addToTrace(const std::vector<live::TracePoint> &points)
     }
 }
 
-//! The soup stopped by itself: a single step is done, the budget is reached, or it has converged. Only after a
-//! single step does the solve end.
+//! The soup stopped by itself: a single step is done, the budget is reached, or it has converged. Only after
+//! a single step does the solve end.
 void SolverController::workerWaits()
 {
     if (!mWorker->takeRest())
@@ -475,7 +492,6 @@ void SolverController::endPause(bool withAnyMap)
         mWorker->setToken(*mToken);
         mKeeper->setToken(*mToken);
     }
-    mGhostUv = {};
     mShownMap.showDocument();
     setRunning(false, false);
     for (const auto &then : std::exchange(mWhenPaused, {}))

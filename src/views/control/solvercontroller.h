@@ -56,8 +56,8 @@ public:
     //! \pre bound > 4
     void setMaxDistortion(double bound);
 
-    //! Status of what is shown; iteration 0 before the first result. Of the definite map: iteration counts the
-    //! maps that were found, the separation is the seam length, and there is no delta.
+    //! Status of what is shown; iteration 0 before the first result. Of the definite map: iteration counts
+    //! the maps that were found, the separation is the seam length, and there is no delta.
     live::SolveStatus status() const;
     //! The figures of what is shown: of all steps of the soup (of a long run, evenly spaced steps), or of all
     //! definite maps.
@@ -73,8 +73,6 @@ public:
     std::shared_ptr<const unwrap::LiveMapResult> map() const { return mMap; }
     //! The newest state of the soup, when that has been seen during this solve; null otherwise.
     std::shared_ptr<const live::SolveResult> soup() const { return mSoupRan ? mResult : nullptr; }
-    //! What the views show as a ghost, one row per soup corner in texture space; empty: nothing.
-    const UvMatrix &ghostUv() const { return mGhostUv; }
 
     //! True when the islands of a running solve are shown side by side (LivePacker). Changes neither the map
     //! nor the results.
@@ -140,7 +138,6 @@ private:
     live::MapKeeper *mKeeper;   //!< lives in mKeeperThread
     std::shared_ptr<const live::SolveResult> mResult;
     std::shared_ptr<const unwrap::LiveMapResult> mMap;
-    UvMatrix mGhostUv;
     LiveView mView = LiveView::Map;
     bool mGhost = false;
     bool mSoupRan = false;  //!< the soup was stepped since the solve began

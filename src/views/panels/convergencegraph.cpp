@@ -46,9 +46,10 @@ ConvergenceGraph::ConvergenceGraph(QWidget *parent) : QWidget(parent)
     setAttribute(Qt::WA_OpaquePaintEvent);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
     setAccessibleName(tr("Convergence"));
-    setToolTip(
-        tr("Distortion D (left axis) and separation S (right axis) of every iteration; the steps behind "
-           "them are delta. Point at the graph, or use Left and Right, to read values."));
+    setToolTip(tr(
+        "Distortion D (left axis) and separation S (right axis) of every iteration, or of every definite map "
+        "that was found; the steps behind them are delta. Point at the graph, or use Left and Right, to "
+        "read values."));
 }
 
 void ConvergenceGraph::setTrace(const std::vector<live::TracePoint> &trace)
@@ -70,6 +71,11 @@ void ConvergenceGraph::setTrace(const std::vector<live::TracePoint> &trace)
 const live::TracePoint *ConvergenceGraph::marked() const
 {
     return mMark >= 0 && mMark < static_cast<int>(mTrace.size()) ? &mTrace[mMark] : nullptr;
+}
+
+bool ConvergenceGraph::hasDelta() const
+{
+    return !mTrace.empty() && std::isfinite(mTrace.back().delta);
 }
 
 void ConvergenceGraph::setMark(int index)
@@ -145,7 +151,8 @@ void ConvergenceGraph::paintEvent(QPaintEvent *)
                          tr("Run the solver to see how it converges"));
         return;
     }
-    drawDelta(painter, plot, c);
+    if (hasDelta())
+        drawDelta(painter, plot, c);
     drawFrame(painter, plot, c);
     drawCurve(painter, plot, &live::TracePoint::separation, mSeparationAxis, c.separation);
     drawCurve(painter, plot, &live::TracePoint::distortion, mDistortionAxis, c.distortion);
@@ -182,7 +189,7 @@ void ConvergenceGraph::drawFrame(QPainter &painter, const QRectF &plot, const Co
     painter.setPen(c.text);
     const QRectF below(plot.left(), plot.bottom() + 3, plot.width(), height);
     painter.drawText(below, Qt::AlignLeft, countText(mTrace.front().iteration));
-    painter.drawText(below, Qt::AlignHCenter, tr("iterations"));
+    painter.drawText(below, Qt::AlignHCenter, hasDelta() ? tr("iterations") : tr("maps"));
     painter.drawText(below, Qt::AlignRight, countText(mTrace.back().iteration));
 }
 
@@ -234,8 +241,9 @@ void ConvergenceGraph::drawLegend(QPainter &painter, const QRectF &plot, const C
     painter.setPen(c.separation);
     painter.drawText(above, Qt::AlignRight, tr("S %1").arg(fixedText(last.separation, 3)));
     painter.setPen(c.text);
-    painter.drawText(QRectF(plot.left(), 2, plot.width(), above.height()), Qt::AlignHCenter,
-                     tr("δ %1").arg(significantText(last.delta, 3)));
+    if (hasDelta())
+        painter.drawText(QRectF(plot.left(), 2, plot.width(), above.height()), Qt::AlignHCenter,
+                         tr("δ %1").arg(significantText(last.delta, 3)));
 }
 
 void ConvergenceGraph::drawMark(QPainter &painter, const QRectF &plot, const Colors &c) const
@@ -256,7 +264,7 @@ void ConvergenceGraph::drawMark(QPainter &painter, const QRectF &plot, const Col
         {tr("#%1").arg(point.iteration), c.text},
         {tr("D %1").arg(fixedText(point.distortion, 4)), c.distortion},
         {tr("S %1").arg(fixedText(point.separation, 3)), c.separation},
-        {tr("δ %1").arg(significantText(point.delta, 3)), c.text},
+        {hasDelta() ? tr("δ %1").arg(significantText(point.delta, 3)) : QString(), c.text},
     }};
     const QFontMetricsF metrics(font());
     double total = 0;

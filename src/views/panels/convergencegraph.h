@@ -1,4 +1,4 @@
-// The graph of a running solve: distortion and separation by iteration.
+// The graph of a running solve: distortion and separation by iteration, or of each definite map.
 #pragma once
 
 #include "views/control/solvercontroller.h"
@@ -10,9 +10,9 @@
 
 namespace autocuts {
 
-//! Shows D on the left axis, S on the right axis, and delta as steps in the background. The values of one
-//! iteration are shown for the mouse position or for a mark that Left and Right move. Each curve is drawn
-//! with at most one vertical line per pixel column, whatever the number of points.
+//! Shows D on the left axis, S on the right axis, and delta, where there is one, as steps in the background.
+//! The values of one iteration are shown for the mouse position or for a mark that Left and Right move. Each
+//! curve is drawn with at most one vertical line per pixel column, whatever the number of points.
 class ConvergenceGraph final : public QWidget
 {
     Q_OBJECT
@@ -51,6 +51,7 @@ private:
     };
 
     Colors colors() const;
+    bool hasDelta() const;
     QRectF plotRect() const;
     double xOf(int iteration, const QRectF &plot) const;
     std::vector<Column> columns(float live::TracePoint::*field, const QRectF &plot) const;

@@ -12,6 +12,7 @@
 #include "views/panels/solversettingsform.h"
 #include "views/ui/icons.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QGridLayout>
@@ -100,6 +101,24 @@ void SolverPanel::addModeRows(QFormLayout *form)
     addRow(form, tr("Mode"), row, tr("Who chooses lambda and delta"));
     mManual->setToolTip(tr("You choose lambda and delta"));
     mBudget->setToolTip(tr("The solver finds the shortest seams whose map stays within a distortion bound"));
+
+    mShowMap = new QRadioButton(tr("Map"));
+    mShowSoup = new QRadioButton(tr("Soup"));
+    mGhost = new QCheckBox(tr("Ghost"));
+    mShowMap->setObjectName("showMap"_L1);
+    mShowSoup->setObjectName("showSoup"_L1);
+    mGhost->setObjectName("ghost"_L1);
+    connect(mShowMap, &QRadioButton::clicked, this, [&solver] { solver.setLiveView(LiveView::Map); });
+    connect(mShowSoup, &QRadioButton::clicked, this, [&solver] { solver.setLiveView(LiveView::Soup); });
+    connect(mGhost, &QCheckBox::clicked, this, [&solver](bool on) { solver.setGhost(on); });
+    QWidget *views = makeRow({mShowMap, mShowSoup, mGhost}, RowWidths::AsNeeded);
+    views->setFocusProxy(mShowMap);
+    addRow(form, tr("Show"), views, tr("What the views show while the solver runs"));
+    explain(mShowMap, tr("The definite map: valid at every moment. Pause puts it into the document"),
+            {"uv.soup"});
+    explain(mShowSoup, tr("The separate triangles that lambda and delta act on; Finish makes a map of them"),
+            {"uv.soup"});
+    explain(mGhost, tr("The other one shines through in the UV view"), {"uv.ghost"});
 
     mBound = new QDoubleSpinBox;
     mBound->setObjectName("bound"_L1);
@@ -266,6 +285,8 @@ void SolverPanel::showState()
     mRun->setText(solver.isRunning() ? tr("Pause") : tr("Run"));
     mRun->setIcon(icon(solver.isRunning() ? u"pause"_s : u"run"_s));
     (manual ? mManual : mBudget)->setChecked(true);
+    (solver.liveView() == LiveView::Soup ? mShowSoup : mShowMap)->setChecked(true);
+    mGhost->setChecked(solver.ghost());
     const QSignalBlocker blocker(mBound);
     mBound->setValue(solver.maxDistortion());
     for (QWidget *widget : std::initializer_list<QWidget *>{mLambda, mDelta, mHalve, mDouble})
@@ -279,7 +300,7 @@ void SolverPanel::showStatus()
 {
     const SolverController &solver = context().solver;
     mGraph->setTrace(solver.trace());
-    const live::SolveStatus &status = solver.status();
+    const live::SolveStatus status = solver.status();
     mState->setText(!document()            ? QString()
                     : solver.isRunning()   ? (status.converged ? tr("Converged") : tr("Running"))
                     : solver.isPausing()   ? tr("Waiting for a map that obeys the steering")
@@ -287,17 +308,16 @@ void SolverPanel::showStatus()
                                            : tr("Ready"));
     const bool none = status.iteration == 0;
     const auto text = [none](const QString &value) { return none ? missingText() : value; };
-    const QString texts[] = {text(countText(status.iteration)),
-                             solver.isRunning() && status.stepsPerSecond > 0
-                                 ? fixedText(status.stepsPerSecond, 1)
-                                 : missingText(),
-                             text(fixedText(status.energy, 4)),
-                             text(countText(status.islands)),
-                             text(fixedText(status.distortion, 4)),
-                             text(fixedText(status.lambda, 4)),
-                             text(fixedText(status.separation, 3)),
-                             text(significantText(status.delta, 4)),
-                             text(fixedText(status.seamLength, 3))};
+    const QString texts[] = {
+        text(countText(status.iteration)),
+        solver.isRunning() && status.stepsPerSecond > 0 ? fixedText(status.stepsPerSecond, 1) : missingText(),
+        text(fixedText(status.energy, 4)),
+        text(countText(status.islands)),
+        text(fixedText(status.distortion, 4)),
+        text(fixedText(status.lambda, 4)),
+        text(fixedText(status.separation, 3)),
+        text(significantText(status.delta, 4)),
+        text(fixedText(status.seamLength, 3))};
     for (std::size_t i = 0; i < mFigures.size(); ++i)
         mFigures[i]->setText(texts[i]);
 }

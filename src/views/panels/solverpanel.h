@@ -5,6 +5,7 @@
 
 #include <vector>
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
@@ -44,7 +45,8 @@ private:
     void showStatus();
 
     QPushButton *mRun = nullptr, *mStep = nullptr, *mRestart = nullptr;
-    QRadioButton *mManual = nullptr, *mBudget = nullptr;
+    QRadioButton *mManual = nullptr, *mBudget = nullptr, *mShowMap = nullptr, *mShowSoup = nullptr;
+    QCheckBox *mGhost = nullptr;
     QDoubleSpinBox *mBound = nullptr;
     SliderSpin *mLambda = nullptr, *mDelta = nullptr;
     QPushButton *mHalve = nullptr, *mDouble = nullptr;

@@ -3,6 +3,7 @@
 #include "model/document/document.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/panels/elidedlabel.h"
@@ -255,8 +256,9 @@ void StatusBar::refresh()
 
 void StatusBar::showLiveFigures()
 {
-    const live::SolveStatus &status = mContext.solver.status();
-    mFigures->setFigure(Steps, fixedText(status.stepsPerSecond, 1));
+    const live::SolveStatus status = mContext.solver.status();
+    const bool soup = mContext.shownMap.isSoup();
+    mFigures->setFigure(Steps, soup ? fixedText(status.stepsPerSecond, 1) : missingText());
     mFigures->setFigure(Energy, fixedText(status.energy, 3));
     mFigures->setFigure(Distortion, fixedText(status.distortion, 4));
     mFigures->setFigure(Separation, fixedText(status.separation, 3));
@@ -264,9 +266,9 @@ void StatusBar::showLiveFigures()
     mFigures->setFigure(Delta, significantText(status.delta, 3));
     mFigures->setFigure(SeamLength, fixedText(status.seamLength, 3));
     mFigures->setFigure(Islands, countText(status.islands));
-    // The solver never flips a triangle; overlaps are searched for when it rests.
+    // The solver never flips a triangle. A definite map has no overlaps; those of the soup are not counted.
     mFigures->setFigure(Flips, countText(0));
-    mFigures->setFigure(Overlaps, missingText());
+    mFigures->setFigure(Overlaps, soup || !mContext.solver.map() ? missingText() : countText(0));
 }
 
 void StatusBar::showMapFigures()

@@ -1,0 +1,101 @@
+// Stop a live solve at any moment, and the map is valid: what is shown lands in the document.
+#include "commands/setseamstate.h"
+#include "model/io/meshfile.h"
+#include "model/samples/samples.h"
+#include "solver/base/random.h"
+#include "solver/metrics/uvmetrics.h"
+#include "support/meshbuilders.h"
+#include "views/control/shownmap.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+
+using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+constexpr int patience = 120'000; //!< milliseconds
+
+//! Pauses per mesh. $AUTOCUTS_PAUSES asks for more of them.
+int pauses()
+{
+    const int asked = qEnvironmentVariableIntValue("AUTOCUTS_PAUSES");
+    return asked > 0 ? asked : 3;
+}
+
+} // namespace
+
+class TestLivePauses : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyPauseGivesAValidMap_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *sample : {"bumpycube", "character", "torus", "machine"})
+            QTest::newRow(sample) << QString::fromLatin1(sample);
+        const QString meshes = qEnvironmentVariable("AUTOCUTS_PAUSE_MESHES");
+        for (const QString &mesh : meshes.split(u':', Qt::SkipEmptyParts))
+            QTest::newRow(qPrintable(mesh)) << mesh;
+    }
+    //! Begins anew every time; some edges are cut in every second run.
+    void everyPauseGivesAValidMap()
+    {
+        QFETCH(QString, name);
+        Workspace workspace;
+        ShownMap shown(workspace);
+        SolverController solver(workspace, shown);
+        const Result<Scene> scene = name.endsWith(u".obj")
+                                        ? readMesh(QString::fromStdString(test::meshFolder()) + u'/' + name)
+                                        : makeSample(name);
+        QVERIFY(scene);
+        workspace.open(std::make_unique<Document>(Scene(scene.value())), {});
+        Document &document = *workspace.document();
+        Random random(1);
+        QStringList problems;
+        for (int i = 0; i < pauses(); ++i) {
+            solver.restart();
+            const int wait = static_cast<int>(random.uniform() * random.uniform() * 12'000);
+            QTest::qWait(wait / 2);
+            if (i % 2) {
+                const int pair =
+                    static_cast<int>(random.uniform() * document.mesh().cornerPairCount()) / 2 * 2;
+                IndexRanges edge;
+                edge.append(pair);
+                edge.append(pair + 1);
+                pushCommand(std::make_unique<SetSeamState>(document, SetSeamState::Edit::Cut, edge));
+            }
+            QTest::qWait(wait / 2);
+            const std::shared_ptr<const unwrap::LiveMapResult> before = solver.map();
+            QElapsedTimer sincePause;
+            sincePause.start();
+            solver.pause();
+            QVERIFY(QTest::qWaitFor([&] { return !solver.isPausing(); }, patience));
+            const qint64 took = sincePause.elapsed();
+            const metrics::UvMetrics figures = metrics::measureUv(document.mesh(), document.uv());
+            const QString state = u"after %1 ms, pause of %2 ms: D %3, seams %4, charts %5"_s.arg(wait)
+                                      .arg(took)
+                                      .arg(figures.symDirichlet)
+                                      .arg(figures.seamNorm)
+                                      .arg(figures.charts);
+            if (pauses() > 3)
+                qInfo("%s", qPrintable(state));
+            if (figures.flipped > 0 || figures.overlapPairs > 0)
+                problems << u"%1: %2 flips, %3 overlaps"_s.arg(state)
+                                .arg(figures.flipped)
+                                .arg(figures.overlapPairs);
+            if (before && before->withinBound && figures.symDirichlet > solver.maxDistortion() + 1e-6)
+                problems << u"%1: above the bound again"_s.arg(state);
+            if (!solver.map() || document.uv() != solver.map()->uv)
+                problems << u"%1: not what was shown"_s.arg(state);
+        }
+        QVERIFY2(problems.isEmpty(), qPrintable(problems.join(u'\n')));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLivePauses)
+#include "tst_livepauses.moc"

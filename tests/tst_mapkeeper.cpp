@@ -1,0 +1,342 @@
+// The definite map of a live solve on its thread: valid at every moment, and it obeys at once.
+#include "model/plain/uvlayout.h"
+#include "solver/live/mapkeeper.h"
+#include "solver/metrics/uvmetrics.h"
+#include "solver/unwrap/unwrap.h"
+#include "support/meshbuilders.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QThread>
+
+#include <functional>
+
+using namespace autocuts;
+using namespace autocuts::live;
+using namespace autocuts::unwrap;
+
+namespace {
+
+constexpr int patience = 120'000; //!< milliseconds
+
+using MapPtr = std::shared_ptr<const LiveMapResult>;
+
+//! A keeper on its thread, and the maps that it gave.
+struct Bench : QObject
+{
+    explicit Bench(const test::MeshPtr &mesh, int threads = 2) : keeper(new MapKeeper(threads))
+    {
+        snapshot.mesh = mesh;
+        snapshot.token = {1, 1, 1, 1};
+        options.packing.effort = 0.02;
+        keeper->moveToThread(&thread);
+        connect(&thread, &QThread::finished, keeper, &QObject::deleteLater);
+        connect(keeper, &MapKeeper::mapReady, this, [this] {
+            if (const MapPtr map = keeper->takeMap())
+                maps.push_back(map);
+        });
+        connect(keeper, &MapKeeper::rests, this, [this] { rests = rests || keeper->takeRest(); });
+        thread.start();
+    }
+    ~Bench() override
+    {
+        keeper->pause();
+        thread.quit();
+        thread.wait();
+    }
+
+    void start()
+    {
+        rests = false;
+        keeper->start(std::make_shared<const Snapshot>(snapshot), options);
+        keeper->run();
+    }
+    //! Starts from a map.
+    void startFrom(const UvMatrix &uv)
+    {
+        snapshot.uv = std::make_shared<const UvMatrix>(uv);
+        snapshot.uvScale = layoutScale(*snapshot.mesh, uv);
+        snapshot.settings.start = StartMode::ExistingUv;
+        start();
+    }
+    void steer(const std::function<void(Steering &)> &change, bool pulled = false,
+               const MapPtr &back = nullptr)
+    {
+        change(snapshot.editSteering());
+        ++snapshot.token.steering;
+        rests = false;
+        keeper->update(std::make_shared<const Snapshot>(snapshot), options, pulled, back);
+    }
+    bool waitFor(const std::function<bool()> &what) { return QTest::qWaitFor(what, patience); }
+    bool hasMap()
+    {
+        return waitFor([this] { return !maps.empty(); });
+    }
+    //! Until there is a map that was made for the last steering.
+    bool obeys()
+    {
+        return waitFor(
+            [this] { return !maps.empty() && maps.back()->token.steering == snapshot.token.steering; });
+    }
+    bool comesToRest()
+    {
+        return waitFor([this] { return rests; });
+    }
+    QString problem(const LiveMapResult &map) const
+    {
+        const metrics::UvMetrics figures = metrics::measureUv(*snapshot.mesh, map.uv);
+        if (figures.flipped > 0 || figures.overlapPairs > 0)
+            return QStringLiteral("%1 flips, %2 overlaps").arg(figures.flipped).arg(figures.overlapPairs);
+        if (std::abs(figures.symDirichlet - map.distortion) > 1e-6 || figures.charts != map.islands)
+            return QStringLiteral("it says D %1 and %2 islands").arg(map.distortion).arg(map.islands);
+        return {};
+    }
+    QString problems() const
+    {
+        QStringList all;
+        for (const MapPtr &map : maps) {
+            if (const QString one = problem(*map); !one.isEmpty())
+                all << one;
+        }
+        return all.join(u'\n');
+    }
+
+    QThread thread;
+    MapKeeper *keeper;
+    Snapshot snapshot;
+    LiveMapOptions options;
+    std::vector<MapPtr> maps;
+    bool rests = false;
+};
+
+void setState(Steering &steering, const MeshData &mesh, const std::vector<int> &edges, PairState state)
+{
+    steering.pairState.resize(mesh.cornerPairCount(), PairState::Free);
+    for (const int e : edges)
+        steering.pairState[2 * e] = steering.pairState[2 * e + 1] = state;
+}
+
+std::vector<int> edgesOf(const MapPtr &map, bool cut, int count)
+{
+    std::vector<int> edges;
+    for (int e = 0; e < static_cast<int>(map->cut.size()) && static_cast<int>(edges.size()) < count; ++e) {
+        if (map->cut[e] == cut)
+            edges.push_back(e);
+    }
+    return edges;
+}
+
+bool areCut(const MapPtr &map, const std::vector<int> &edges, bool cut)
+{
+    return std::all_of(edges.begin(), edges.end(), [&](int e) { return map->cut[e] == cut; });
+}
+
+} // namespace
+
+class TestMapKeeper : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyMapIsValidAndTheLastOneIsGood_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"sphere", "torus", "bumpycube", "grid"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void everyMapIsValidAndTheLastOneIsGood()
+    {
+        QFETCH(QString, name);
+        const test::MeshPtr mesh = name == QLatin1String("sphere")  ? test::sphere(20, 24)
+                                   : name == QLatin1String("torus") ? test::torus(24, 12)
+                                                                    : test::meshNamed(name);
+        Bench bench(mesh);
+        bench.start();
+        QVERIFY(bench.comesToRest());
+        QVERIFY(!bench.maps.empty());
+        QCOMPARE(bench.problems(), QString());
+        // Once the bound is met, it stays met.
+        bool met = false;
+        for (const MapPtr &map : bench.maps) {
+            QVERIFY(!met || map->withinBound);
+            met = map->withinBound;
+        }
+        QVERIFY(met);
+        const UnwrapResult unwrapped = unwrapMesh(bench.snapshot, {});
+        const double length = bench.maps.back()->seamLength;
+        QVERIFY2(length <= 1.1 * unwrapped.seamLength,
+                 qPrintable(QStringLiteral("%1 against %2").arg(length).arg(unwrapped.seamLength)));
+    }
+
+    void cutsAndJoinsAreObeyed()
+    {
+        Bench bench(test::sphere(24, 32));
+        bench.start();
+        QVERIFY(bench.comesToRest());
+        const std::vector<int> cuts = edgesOf(bench.maps.back(), false, 12);
+        bench.steer([&](Steering &s) { setState(s, *bench.snapshot.mesh, cuts, PairState::Cut); });
+        QVERIFY(bench.obeys());
+        QVERIFY(areCut(bench.maps.back(), cuts, true));
+        const std::vector<int> seam = edgesOf(bench.maps.back(), true, 200);
+        std::vector<int> joins;
+        for (const int e : seam) {
+            if (std::find(cuts.begin(), cuts.end(), e) == cuts.end() && joins.size() < 8)
+                joins.push_back(e);
+        }
+        QVERIFY(!joins.empty());
+        bench.steer([&](Steering &s) { setState(s, *bench.snapshot.mesh, joins, PairState::Joined); });
+        QVERIFY(bench.obeys());
+        QVERIFY(areCut(bench.maps.back(), cuts, true));
+        QVERIFY(areCut(bench.maps.back(), joins, false));
+        QVERIFY(bench.comesToRest());
+        QVERIFY(areCut(bench.maps.back(), cuts, true));
+        QVERIFY(areCut(bench.maps.back(), joins, false));
+        // Taken back, the cuts close again.
+        bench.steer([&](Steering &s) { s.pairState.clear(); });
+        QVERIFY(bench.obeys());
+        QVERIFY(bench.comesToRest());
+        QVERIFY(!areCut(bench.maps.back(), cuts, true));
+        QCOMPARE(bench.problems(), QString());
+    }
+
+    void pinsAndRectanglesAreObeyed()
+    {
+        Bench bench(test::sphere(16, 20));
+        bench.start();
+        QVERIFY(bench.comesToRest());
+        bench.startFrom(bench.maps.back()->uv);
+        QVERIFY(bench.comesToRest());
+        const double scale = bench.snapshot.uvScale;
+        const int corner = bench.snapshot.mesh->cornerOfSoup(30);
+        const Vec2 place =
+            bench.maps.back()->uv.row(corner).transpose() + Eigen::RowVector2d(0.05, 0.02).transpose();
+        bench.steer([&](Steering &s) { s.pins.push_back({30, place / scale, true, 1}); });
+        QVERIFY(bench.obeys());
+        QVERIFY((bench.maps.back()->uv.row(corner).transpose() - place).norm() < 1e-9);
+        QVERIFY(bench.comesToRest());
+        QVERIFY((bench.maps.back()->uv.row(corner).transpose() - place).norm() < 1e-9);
+        std::vector<int> all(bench.snapshot.mesh->soupCornerCount());
+        for (int c = 0; c < static_cast<int>(all.size()); ++c)
+            all[c] = c;
+        bench.steer([&](Steering &s) {
+            s.pins.clear();
+            s.rectangles.push_back({Vec2(2, 0) / scale, Vec2(3.2, 1.2) / scale, all});
+        });
+        QVERIFY(bench.obeys());
+        QVERIFY(bench.comesToRest());
+        const UvMatrix &uv = bench.maps.back()->uv;
+        QVERIFY(uv.col(0).minCoeff() > 1.99 && uv.col(0).maxCoeff() < 3.21);
+        QVERIFY(uv.col(1).minCoeff() > -0.01 && uv.col(1).maxCoeff() < 1.21);
+        QCOMPARE(bench.problems(), QString());
+    }
+
+    void aLockedIslandKeepsItsBits()
+    {
+        const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1},
+                                        {5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {5, 0, 1}};
+        const test::MeshPtr mesh = test::polygonMesh(
+            corners,
+            {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {4, 6, 5}, {4, 5, 7}, {5, 6, 7}, {4, 7, 6}});
+        Bench bench(mesh);
+        bench.start();
+        QVERIFY(bench.comesToRest());
+        const UvMatrix uv = bench.maps.back()->uv;
+        QVERIFY(bench.maps.back()->islands > 1);
+        bench.startFrom(uv);
+        QVERIFY(bench.hasMap());
+        const ChartMap charts = findCharts(*mesh, uv);
+        bench.steer([&](Steering &s) {
+            s.faceFlags.resize(mesh->faceCount());
+            for (int face = 0; face < mesh->faceCount(); ++face)
+                s.faceFlags[face].locked = charts.faceChart[face] == 0;
+        });
+        QVERIFY(bench.obeys());
+        QVERIFY(bench.comesToRest());
+        for (int face = 0; face < mesh->faceCount(); ++face) {
+            for (int c = mesh->faceStart[face]; charts.faceChart[face] == 0 && c < mesh->faceStart[face + 1];
+                 ++c)
+                QVERIFY(bench.maps.back()->uv.row(c) == uv.row(c));
+        }
+        QCOMPARE(bench.problem(*bench.maps.back()), QString());
+        // With all of them locked nothing may change, and it says so.
+        QSignalSpy failed(bench.keeper, &MapKeeper::failed);
+        bench.steer([&](Steering &s) {
+            for (IslandFlags &flags : s.faceFlags)
+                flags.locked = 1;
+        });
+        QVERIFY(bench.waitFor([&] { return failed.count() > 0; }));
+        QVERIFY(bench.keeper->takeFailure());
+        bench.steer([](Steering &s) { s.faceFlags.clear(); });
+        bench.keeper->run();
+        QVERIFY(bench.obeys());
+    }
+
+    void aPulledMapFollowsAndComesBack()
+    {
+        Bench bench(test::sphere(16, 20));
+        bench.start();
+        QVERIFY(bench.comesToRest());
+        bench.startFrom(bench.maps.back()->uv);
+        QVERIFY(bench.comesToRest());
+        const MapPtr before = bench.maps.back();
+        const int corner = bench.snapshot.mesh->cornerOfSoup(9);
+        const Vec2 from = before->uv.row(corner).transpose(), to = from + Vec2(0.3, 0.1);
+        bench.steer(
+            [&](Steering &s) {
+                s.pins.push_back({9, to / bench.snapshot.uvScale, false, 100});
+            },
+            true);
+        QVERIFY(bench.obeys());
+        const double distance = (bench.maps.back()->uv.row(corner).transpose() - to).norm();
+        QVERIFY2(distance < 0.01, qPrintable(QString::number(distance)));
+        bench.steer([](Steering &s) { s.pins.clear(); }, false, before);
+        QVERIFY(bench.obeys());
+        QVERIFY((bench.maps.back()->uv.row(corner).transpose() - from).norm() < 0.05);
+        QCOMPARE(bench.problems(), QString());
+    }
+
+    void aPausedKeeperGivesNothing()
+    {
+        Bench bench(test::sphere(40, 60));
+        bench.start();
+        QVERIFY(bench.hasMap());
+        bench.keeper->pause();
+        QMetaObject::invokeMethod(
+            bench.keeper, [] {}, Qt::BlockingQueuedConnection);
+        QCoreApplication::processEvents();
+        const std::size_t count = bench.maps.size();
+        bench.steer([](Steering &s) { s.pairWeight.clear(); });
+        QMetaObject::invokeMethod(
+            bench.keeper, [] {}, Qt::BlockingQueuedConnection);
+        QCoreApplication::processEvents();
+        QCOMPARE(bench.maps.size(), count);
+        bench.keeper->run();
+        QVERIFY(bench.obeys());
+    }
+
+    void ordersFromAllSidesLeaveOneStateBehind()
+    {
+        Bench bench(test::sphere(12, 16));
+        for (int run = 1; run <= 30; ++run) {
+            bench.snapshot.mesh = test::sphere(run % 3 == 0 ? 12 : 8, 16);
+            ++bench.snapshot.token.topology;
+            bench.snapshot.editSteering() = {};
+            bench.start();
+            if (run % 2)
+                bench.steer([&](Steering &s) {
+                    setState(s, *bench.snapshot.mesh, {run, run + 7}, PairState::Cut);
+                });
+            if (run % 5 == 0)
+                bench.keeper->setToken(bench.snapshot.token);
+            bench.keeper->pause();
+        }
+        bench.keeper->run();
+        QVERIFY(bench.waitFor(
+            [&] { return !bench.maps.empty() && bench.maps.back()->token == bench.snapshot.token; }));
+        QVERIFY(bench.comesToRest());
+        QCOMPARE(bench.problem(*bench.maps.back()), QString());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestMapKeeper)
+#include "tst_mapkeeper.moc"
