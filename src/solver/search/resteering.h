@@ -10,9 +10,9 @@
 namespace autocuts::search {
 
 //! Adapts a map to a graph of the same mesh with other steering: opens what has to be cut, closes what was
-//! joined, and takes charts to pins and rectangles. Joins come before short seams: where closing an edge
-//! would make charts overlap, the triangles next to it are cut off their chart. \returns nothing when an edge
-//! could not be closed, or when stopped
+//! joined, and takes charts to pins and rectangles. Where closing an edge would make charts overlap, the
+//! triangles next to it are cut off their chart.
+//! \returns nothing when an edge could not be closed, or when stopped
 [[nodiscard]] std::optional<CutState> resteered(const CutState &map, std::shared_ptr<const SeamGraph> graph,
                                                 const JobContext &job = {});
 
