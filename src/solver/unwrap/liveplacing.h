@@ -18,7 +18,7 @@ public:
     //! Forgets the map before; the next one is placed in relation to the part's own map, if it has one.
     void reset() { mBefore.reset(); }
     //! \param map of the part, solver units
-    //! \param afresh pack all charts as large as they fit, unless pins, rectangles or the scope give the scale
+    //! \param afresh pack all charts as large as they fit, unless the steering gives the scale
     //! \returns the whole map, one row per corner in texture space; see hadRoom()
     UvMatrix place(const Snapshot &snapshot, const FreePart &part, const Soup &soup, const SeamedMap &map,
                    const packing::PackOptions &options, bool afresh);
