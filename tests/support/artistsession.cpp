@@ -107,7 +107,11 @@ private:
     {
         StudioSession &studio = mArtist.studio;
         studio.press(Qt::Key_Space);
-        require(studio.runsTo(30), u"the solver does not run"_s);
+        const auto hasGoodMap = [&] {
+            const auto map = studio.context.solver.map();
+            return map && map->withinBound;
+        };
+        require(QTest::qWaitFor(hasGoodMap, patience), u"the solver finds no map within the bound"_s);
         mArtist.use("tool.cut");
         mArtist.hover("cut while solving: hover", mArtist.model(), mArtist.edgesOn(mArtist.model(), hovers));
         mArtist.hover("cut while solving: hover in the map", mArtist.map(),

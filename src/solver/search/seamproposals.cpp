@@ -151,4 +151,26 @@ SeamChange SeamSearch::addChange()
     return change;
 }
 
+std::vector<int> SeamSearch::bestNewSeam(int tries)
+{
+    const CutState saved = mState;
+    std::vector<int> best;
+    double most = 0;
+    for (int i = 0; i < tries && !stopped(); ++i) {
+        const SeamChange change = addChange();
+        double length = 0;
+        for (const int e : change.open)
+            length += mState.graph->length[e];
+        if (!(length > 0) || !attempt(Add, change, mediumPatch, 6, -std::numeric_limits<double>::infinity()))
+            continue;
+        const double gain = (saved.energy - mState.energy) / length;
+        if (gain > most) {
+            most = gain;
+            best = change.open;
+        }
+        restore(saved);
+    }
+    return best;
+}
+
 } // namespace autocuts::search

@@ -39,6 +39,9 @@ public:
     //! Joins charts below CutState::smallestChart to their neighbours at any cost, as long as the energy
     //! stays below the ceiling.
     void absorbSmallCharts();
+    //! Tries random new seams and leaves the map as it was.
+    //! \returns the one that lowers the energy most per length; empty when none does
+    std::vector<int> bestNewSeam(int tries);
     //! Takes charts to their pins and rectangles, see anchoring.h. Does nothing when that has been done.
     void anchor();
     //! See SeamTrial::relaxAll().

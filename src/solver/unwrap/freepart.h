@@ -43,6 +43,7 @@ public:
     //! attached. \param charts of the part
     ChartMap wholeCharts(const ChartMap &charts) const;
     int wholeSoupCorner(int soupCorner) const;
+    int wholeEdge(int edgePair) const { return isWhole() ? edgePair : mPart.edgePair[edgePair]; }
     //! The part's rows of a matrix with a row per soup corner of the whole mesh.
     UvMatrix partRows(const UvMatrix &soupRows) const;
     //! The opposite: a row per soup corner of the whole mesh, in its solver units. \param rows of the part,

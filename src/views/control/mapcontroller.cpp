@@ -74,7 +74,9 @@ MapController::MapController(Workspace &workspace, SolverController &solver, QOb
         mMeasuring.abandon();
         mFigures.reset();
         mMeasureSoon.start();
+        mPrices.reset();
         Q_EMIT figuresChanged();
+        Q_EMIT pricesChanged();
     });
     connect(&workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
         const bool textureSize =
@@ -83,6 +85,7 @@ MapController::MapController(Workspace &workspace, SolverController &solver, QOb
         if (textureSize || event.type == ChangeEvent::Type::Uv || event.type == ChangeEvent::Type::UvSet) {
             mMeasureSoon.start();
             Q_EMIT figuresChanged();
+            Q_EMIT pricesChanged();
         }
     });
 }
@@ -135,6 +138,11 @@ void MapController::startJob(const QString &title,
 
 void MapController::applyResult(const MapJobResult &result)
 {
+    if (result.prices) {
+        mPrices = result.prices;
+        mPricesToken = result.token;
+        Q_EMIT pricesChanged();
+    }
     if (result.uv.rows() > 0) {
         if (!mWorkspace.hasMapOf(result.token)) {
             Q_EMIT failed(tr("The map was edited meanwhile: the result was not used"));
@@ -198,6 +206,16 @@ void MapController::relaxSelection()
 void MapController::straightenSelection()
 {
     startJob(tr("Straightening"), straightenJob);
+}
+
+void MapController::priceSeams()
+{
+    startJob(tr("Pricing seams"), priceJob);
+}
+
+const unwrap::SeamPrices *MapController::seamPrices() const
+{
+    return mPrices && mWorkspace.hasMapOf(mPricesToken) ? &*mPrices : nullptr;
 }
 
 void MapController::measure()

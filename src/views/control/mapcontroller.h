@@ -5,6 +5,7 @@
 #include "model/document/selection.h"
 #include "model/plain/statetoken.h"
 #include "solver/metrics/uvmetrics.h"
+#include "solver/unwrap/seamprices.h"
 #include "solver/unwrap/unwrapquality.h"
 #include "views/control/jobrunner.h"
 
@@ -56,6 +57,9 @@ public:
     //! True when the figures belong to the document's current map.
     bool figuresAreFresh() const;
 
+    //! The prices of the seams of the document's current map; null when they are not known.
+    const unwrap::SeamPrices *seamPrices() const;
+
 public Q_SLOTS:
     //! Unwraps automatically, as the command line does (pipeline.h).
     void unwrap(autocuts::unwrap::UnwrapQuality quality, double maxDistortion,
@@ -76,11 +80,15 @@ public Q_SLOTS:
     void relaxSelection();
     //! Makes each chain of selected edges straight; the rest of its island follows.
     void straightenSelection();
+    //! Prices the seams of the map.
+    void priceSeams();
     void cancel() { mJobs.cancel(); }
 
 Q_SIGNALS:
     //! figures() changed, or whether they are fresh.
     void figuresChanged();
+    //! seamPrices() changed.
+    void pricesChanged();
     //! A job succeeded. \param message translated, one line, for the status bar
     void done(const QString &message);
     //! A job failed, or could not do all that it was asked for.
@@ -100,6 +108,8 @@ private:
     JobRunner mMeasuring;
     QTimer mMeasureSoon;
     std::optional<MapFigures> mFigures;
+    std::optional<unwrap::SeamPrices> mPrices;
+    StateToken mPricesToken; //!< of the state that they were made from
 };
 
 } // namespace autocuts

@@ -170,6 +170,18 @@ MapJobResult finishJob(const MapInput &input, double maxDistortion, JobControl &
     return result;
 }
 
+MapJobResult priceJob(const MapInput &input, JobControl &control)
+{
+    MapJobResult result;
+    result.prices = unwrap::priceSeams(input.snapshot, contextOf(control));
+    if (!result.prices->hasMap)
+        result.problem = translated("Seams have no price on a map with turned-over triangles or open joins: "
+                                    "unwrap or finish it first");
+    else
+        result.message = translated("Seams priced: %1").arg(result.prices->seams.size());
+    return result;
+}
+
 MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl &control)
 {
     const MeshData &mesh = input.mesh();

@@ -7,6 +7,7 @@
 #include "model/document/selection.h"
 #include "model/plain/packingsettings.h"
 #include "model/plain/snapshot.h"
+#include "solver/unwrap/seamprices.h"
 #include "solver/unwrap/unwrapquality.h"
 #include "views/control/jobrunner.h"
 
@@ -54,6 +55,7 @@ struct MapJobResult
     QString problem;          //!< what could not be done
     Selection problemItems{}; //!< what the problem is about
     std::optional<int> count; //!< number for the text in the history
+    std::optional<unwrap::SeamPrices> prices{};
 };
 
 //! Which islands are packed, and where.
@@ -74,6 +76,8 @@ MapJobResult separateJob(const MapInput &input, JobControl &control);
 MapJobResult equalizeJob(const MapInput &input);
 //! Minimises the distortion of the selected faces while all others stay.
 MapJobResult relaxJob(const MapInput &input, JobControl &control);
+//! Prices the seams of the map, which stays as it is.
+MapJobResult priceJob(const MapInput &input, JobControl &control);
 //! Makes the chains of selected edges straight; the rest of their islands follows.
 MapJobResult straightenJob(const MapInput &input, JobControl &control);
 

@@ -3,12 +3,15 @@
 #include "commands/reset.h"
 #include "commands/setseamweights.h"
 #include "model/document/givenseams.h"
+#include "model/document/makesnapshot.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
 #include "views/panels/givenseamform.h"
 #include "views/panels/numbertext.h"
 #include "views/panels/seamcounts.h"
+#include "views/panels/seampricelist.h"
 #include "views/panels/sliderspin.h"
 
 #include <QDoubleSpinBox>
@@ -46,6 +49,26 @@ SeamPanel::SeamPanel(const StudioContext &context, QWidget *parent)
             [this](const std::function<void(SolveSettings &)> &edit) { changeSolveSettings(edit); });
     layout->addWidget(mGiven);
     layout->addWidget(makeFigures());
+    layout->addWidget(makeHeading(tr("What seams are worth")));
+    mPrices = new SeamPriceList;
+    MapController &map = context.map;
+    connect(mPrices, &SeamPriceList::pricesWanted, &map, &MapController::priceSeams);
+    connect(mPrices, &SeamPriceList::picked, this, [this](const std::vector<int> &edges) {
+        if (!document())
+            return;
+        Selection selection;
+        selection.mode = SelectionMode::Edges;
+        selection.edges = QList<int>(edges.begin(), edges.end());
+        selection.normalize(document()->mesh());
+        document()->setSelection(selection);
+    });
+    connect(mPrices, &SeamPriceList::dropped, this,
+            [this](const std::vector<int> &edges) { setSeams(SetSeamState::Edit::Join, edges); });
+    connect(mPrices, &SeamPriceList::added, this,
+            [this](const std::vector<int> &edges) { setSeams(SetSeamState::Edit::Cut, edges); });
+    connect(&map, &MapController::pricesChanged, this, &SeamPanel::showPrices);
+    connect(&map.jobs(), &JobRunner::busyChanged, this, &SeamPanel::showPrices);
+    layout->addWidget(mPrices);
     layout->addStretch();
     connect(&context.workspace, &Workspace::selectionChanged, this, [this] { refreshSoon(); });
     connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
@@ -149,8 +172,14 @@ void SeamPanel::steer(SetSeamState::Edit edit)
     if (!document())
         return;
     const QList<int> &edges = document()->selection().edges;
-    const IndexRanges pairs =
-        cornerPairsOfEdges(document()->mesh(), {edges.constData(), std::size_t(edges.size())});
+    setSeams(edit, {edges.begin(), edges.end()});
+}
+
+void SeamPanel::setSeams(SetSeamState::Edit edit, const std::vector<int> &edges)
+{
+    if (!document())
+        return;
+    const IndexRanges pairs = cornerPairsOfEdges(document()->mesh(), edges);
     pushCommand(std::make_unique<SetSeamState>(*document(), edit, pairs));
 }
 
@@ -184,6 +213,7 @@ void SeamPanel::refresh()
 {
     showMap();
     showGivenSeams();
+    mPrices->setCanPrice(document() && hasUvs(*document()) && !context().map.jobs().isBusy());
     mSelectedEdges->setVisible(document() != nullptr);
     mSelectedFaces->setVisible(document() != nullptr);
     if (!document()) {
@@ -227,6 +257,12 @@ void SeamPanel::showGivenSeams()
     }
     const std::vector<bool> &given = document()->givenSeams();
     mGivenCount->setText(countText(std::count(given.begin(), given.end(), true)));
+}
+
+void SeamPanel::showPrices()
+{
+    mPrices->setPrices(document() ? context().map.seamPrices() : nullptr, context().solver.maxDistortion());
+    mPrices->setCanPrice(document() && hasUvs(*document()) && !context().map.jobs().isBusy());
 }
 
 void SeamPanel::showMap()

@@ -10,10 +10,11 @@ class QPushButton;
 namespace autocuts {
 
 class GivenSeamForm;
+class SeamPriceList;
 class SliderSpin;
 
 //! Cuts, joins and frees the selected edges, paints weights on the edges of the selected faces that keep them
-//! together or attract cuts, and chooses whose seams the map gets.
+//! together or attract cuts, chooses whose seams the map gets, and lists what each seam is worth.
 class SeamPanel final : public Panel
 {
     Q_OBJECT
@@ -37,12 +38,15 @@ private:
     void showCounts(const Document &document);
     void showGivenSeams();
     void showMap();
+    void showPrices();
+    void setSeams(SetSeamState::Edit edit, const std::vector<int> &edges);
 
     QLabel *mSelectedEdges = nullptr, *mSelectedFaces = nullptr;
     QPushButton *mCut = nullptr, *mJoin = nullptr, *mClear = nullptr, *mClearAll = nullptr;
     SliderSpin *mStrength = nullptr;
     QPushButton *mKeep = nullptr, *mAttract = nullptr, *mErase = nullptr, *mErasePaint = nullptr;
     GivenSeamForm *mGiven = nullptr;
+    SeamPriceList *mPrices = nullptr;
     QLabel *mGivenCount = nullptr;
     QLabel *mCutCount = nullptr, *mHalfCutCount = nullptr, *mJoinCount = nullptr, *mKeepCount = nullptr;
     QLabel *mAttractCount = nullptr, *mSeamLength = nullptr, *mSeamNorm = nullptr, *mSeamEdges = nullptr;
