@@ -2,6 +2,7 @@
 
 #include "model/plain/unionfind.h"
 #include "solver/definite/definitemap.h"
+#include "solver/definite/seamopening.h"
 #include "solver/definite/stitching.h"
 #include "solver/homotopy/anneal.h"
 
@@ -342,8 +343,8 @@ void SolveWorker::giveResult()
         Q_EMIT resultReady();
 }
 
-//! Makes a paused map by stitching the soup. New orders interrupt it; unless they cancel the map, it is then
-//! made again.
+//! Makes a paused map by stitching the soup; what the user cut stays open. New orders interrupt it; unless
+//! they cancel the map, it is then made again.
 void SolveWorker::makePausedMap()
 {
     const SeamedMap map =
@@ -351,6 +352,7 @@ void SolveWorker::makePausedMap()
     if (mInterrupt)
         return;
     PausedMap pausedMap{mToken, cornerUv(mSolver->soup(), map)};
+    definite::openCuts(mSolver->snapshot(), pausedMap.cornerUv);
     {
         const std::lock_guard lock(mMutex);
         if (mInterrupt)

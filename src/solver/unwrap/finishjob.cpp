@@ -2,6 +2,7 @@
 
 #include "model/plain/uvlayout.h"
 #include "solver/definite/refinedmap.h"
+#include "solver/definite/seamopening.h"
 #include "solver/homotopy/liveschedule.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/preference/seampreference.h"
@@ -75,6 +76,7 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
                                        result.uv, job.part(0, 1, JobStage::Packing));
         result.noRoom = !packed && !job.stopped();
     }
+    definite::openCuts(input.snapshot, result.uv);
     const std::vector<PairState> &states = input.snapshot.steering->pairState;
     const bool joins = std::find(states.begin(), states.end(), PairState::Joined) != states.end();
     result.heldTogether =
