@@ -72,6 +72,10 @@ public Q_SLOTS:
     void relaxSelection();
     //! Makes each chain of selected edges straight; the rest of its island follows.
     void straightenSelection();
+    //! Cuts the map along edges at once and records the edges as cut. \param edges edges of MeshAdjacency
+    void rip(const QList<int> &edges);
+    //! Closes those of the edges that are seams of the map. \param edges edges of MeshAdjacency
+    void stitch(const QList<int> &edges);
     void cancel() { mJobs.cancel(); }
 
 Q_SIGNALS:
@@ -86,6 +90,7 @@ private:
     MapInput input() const;
     void startJob(const QString &title, std::function<MapJobResult(const MapInput &, JobControl &)> work);
     void applyResult(const MapJobResult &result);
+    bool pushMap(const MapJobResult &result);
     void startPacking(const PackTarget &target);
     void measure();
 
