@@ -63,7 +63,8 @@ private Q_SLOTS:
                  {"tool.rotate", "R"},      {"tool.scale", "S"},         {"select.vertices", "1"},
                  {"select.edges", "2"},     {"select.faces", "3"},       {"select.islands", "4"},
                  {"view.texture", "T"},     {"view.heatMap", "H"},       {"view.frameAll", "Home"},
-                 {"view.frameAll", "A"},    {"view.frameSelected", "F"}, {"view.frameSelected", "Num+."}})
+                 {"view.frameAll", "A"},    {"view.frameSelected", "F"}, {"view.frameSelected", "Num+."},
+                 {"uv.rip", "V"},           {"uv.stitch", "Shift+V"},    {"uv.clearSteering", "Shift+C"}})
             QTest::addRow("%s %s", id, key) << QString::fromLatin1(id) << QString::fromLatin1(key);
     }
 

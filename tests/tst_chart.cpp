@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+#include <set>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -95,6 +97,32 @@ private Q_SLOTS:
         QCOMPARE(charts.count, 2);
         QVERIFY(charts.faces()[0] == (std::vector<int>{0, 1, 4, 5, 8, 9, 12, 13}));
         QVERIFY(charts.faces()[1] == (std::vector<int>{2, 3, 6, 7, 10, 11, 14, 15}));
+    }
+
+    void sidesCanBeSeamsWhateverTheirUvs()
+    {
+        const auto mesh = test::grid(4);
+        const UvMatrix uv = planarUv(*mesh);
+        std::vector<bool> apart(mesh->cornerCount(), false);
+        const auto cut = [&](int face) { // the right side of a face, seen from both faces
+            apart[mesh->faceStart[face] + 1] = apart[mesh->faceStart[face + 1] + 3] = true;
+        };
+        // A slit: one island, in which the vertex between the two edges is there twice.
+        const auto vertices = [&] {
+            const UvTopology topology = findUvTopology(*mesh, uv, apart);
+            return std::set<int>(topology.cornerRoot.begin(), topology.cornerRoot.end()).size();
+        };
+        const std::size_t before = vertices();
+        cut(5);
+        QCOMPARE(vertices(), before);
+        cut(9);
+        QCOMPARE(vertices(), before + 1);
+        QCOMPARE(findUvTopology(*mesh, uv, apart).charts.count, 1);
+        cut(1);
+        cut(13);
+        QCOMPARE(vertices(), before + 5);
+        QVERIFY(findUvTopology(*mesh, uv, apart).charts.faces()[0] ==
+                (std::vector<int>{0, 1, 4, 5, 8, 9, 12, 13}));
     }
 
     void halfCutEdgeDoesNotJoin()

@@ -150,7 +150,7 @@ void TestCommands::everyIdIsCovered()
         const auto document = startFor(c);
         ids.insert(c.make(*document)->id());
     }
-    QCOMPARE(ids.size(), std::size_t(CommandId::StackIslands));
+    QCOMPARE(ids.size(), std::size_t(CommandId::EditMapSeams));
 }
 
 QTEST_GUILESS_MAIN(TestCommands)

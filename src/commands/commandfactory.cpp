@@ -2,6 +2,7 @@
 
 #include "commands/changesettings.h"
 #include "commands/commandreading.h"
+#include "commands/editmapseams.h"
 #include "commands/editpins.h"
 #include "commands/editrectangles.h"
 #include "commands/edituvsets.h"
@@ -21,7 +22,7 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
 {
     CborReader reader(map);
     const auto id =
-        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::StackIslands)));
+        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::EditMapSeams)));
     switch (id) {
     case CommandId::SetSeamState:
         return SetSeamState::fromCbor(document, reader);
@@ -51,6 +52,8 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
         return Reset::fromCbor(document, reader);
     case CommandId::StackIslands:
         return StackIslands::fromCbor(document, reader);
+    case CommandId::EditMapSeams:
+        return EditMapSeams::fromCbor(document, reader);
     }
     return damagedCommand();
 }

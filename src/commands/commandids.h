@@ -17,7 +17,8 @@ enum class CommandId {
     SetIslandFlags = 11,
     SetIslandTag = 12,
     Reset = 13,
-    StackIslands = 14
+    StackIslands = 14,
+    EditMapSeams = 15
 };
 
 } // namespace autocuts

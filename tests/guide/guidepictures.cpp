@@ -34,8 +34,8 @@ public:
     QString takeAll()
     {
         for (const auto step :
-             {&Guide::unwrapping, &Guide::steeringBySeams, &Guide::painting, &Guide::dragging, &Guide::boxing,
-              &Guide::overlaps, &Guide::arranging, &Guide::looking}) {
+             {&Guide::unwrapping, &Guide::steeringBySeams, &Guide::ripping, &Guide::painting,
+              &Guide::dragging, &Guide::boxing, &Guide::overlaps, &Guide::arranging, &Guide::looking}) {
             // A window of its own: no step depends on the one before.
             mArtist = std::make_unique<test::Artist>(QSize(1600, 900));
             (this->*step)();
@@ -150,6 +150,18 @@ private:
             mArtist->doubleClick("", model(), edges[30]);
             solveToRest();
         });
+    }
+
+    void ripping()
+    {
+        sample("file.sample.character");
+        mArtist->runJob("uv.unwrap");
+        studio().action("view.coloring.islands")->trigger();
+        frame();
+        mArtist->use("select.edges");
+        mArtist->click("", model(), mArtist->edgesOn(model(), 40)[22]);
+        studio().action("select.loop")->trigger();
+        pair(u"rip"_s, map(), [&] { mArtist->runJob("uv.rip"); });
     }
 
     //! Rows 28 and 29.

@@ -1,5 +1,6 @@
 #include "support/commandcases.h"
 
+#include "commands/editmapseams.h"
 #include "commands/edituvsets.h"
 #include "commands/islandtransform.h"
 #include "commands/reset.h"
@@ -137,6 +138,33 @@ std::vector<Case> seamCases()
          seams(Edit::Join, 30, 0)},
         {"clear", seams(Edit::Clear, 0, 3), "Clear 3 edges", {}, seams(Edit::Clear, 30, 4)},
         {"paint", paint(64, 3, 0.25), "Paint 2 edges", {u"seam 2: 64-66"_s}, paint(64, 3, 1)},
+    };
+}
+
+//! A map in which corner 3, which has a pin, moves, and the edges of it.
+Make mapSeams(EditMapSeams::Edit edit, double u, int first, int count)
+{
+    return [=](Document &d) {
+        UvMatrix uv = d.uv();
+        uv(3, 0) = u;
+        return EditMapSeams::make(d, edit, uv, plainEdges(d, first, count));
+    };
+}
+
+std::vector<Case> mapSeamCases()
+{
+    using Edit = EditMapSeams::Edit;
+    return {
+        {"rip",
+         mapSeams(Edit::Rip, 3, 30, 2),
+         "Rip 2 edges",
+         {u"uv 1 set 0: 3-3"_s, u"pin 3-3"_s, u"seam 1: 60-61,64-65"_s},
+         mapSeams(Edit::Rip, 0, 30, 0)},
+        {"stitch", // of the two edges one was cut
+         mapSeams(Edit::Stitch, 3, 30, 2),
+         "Stitch 2 edges",
+         {u"uv 1 set 0: 3-3"_s, u"pin 3-3"_s, u"seam 1: 64-65"_s},
+         mapSeams(Edit::Stitch, 0, 0, 3)},
     };
 }
 
@@ -418,8 +446,8 @@ const std::vector<Case> &commandCases()
 {
     static const std::vector<Case> all = [] {
         std::vector<Case> result;
-        for (const auto &some : {seamCases(), rectangleCases(), pinCases(), uvCases(), settingsCases(),
-                                 uvSetCases(), markCases(), resetCases()})
+        for (const auto &some : {seamCases(), mapSeamCases(), rectangleCases(), pinCases(), uvCases(),
+                                 settingsCases(), uvSetCases(), markCases(), resetCases()})
             result.insert(result.end(), some.begin(), some.end());
         return result;
     }();
@@ -436,6 +464,8 @@ std::unique_ptr<Document> startFor(const Case &c)
     }
     if (name == "move islands" || name == "rotate islands" || name == "scale islands")
         state.marks.faceFlags[0].locked = 1;
+    if (name == "stitch")
+        state.seams.states[64] = state.seams.states[65] = PairState::Cut;
     state.marks.faceFlags[2].locked = name == "unlock" || name == "reset marks";
     return std::move(*Document::create(std::move(state)).operator->());
 }

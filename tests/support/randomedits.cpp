@@ -1,6 +1,7 @@
 #include "support/randomedits.h"
 
 #include "commands/changesettings.h"
+#include "commands/editmapseams.h"
 #include "commands/editpins.h"
 #include "commands/editrectangles.h"
 #include "commands/edituvsets.h"
@@ -161,6 +162,12 @@ std::unique_ptr<DocumentCommand> RandomEdits::rectangles(Document &document)
 std::unique_ptr<DocumentCommand> RandomEdits::uvs(Document &document)
 {
     UvMatrix uv = document.uv();
+    if (mRandom.oneIn(8)) {
+        for (int corner : someOf(static_cast<int>(uv.rows())))
+            uv.row(corner) = point().transpose();
+        const auto edit = mRandom.oneIn(2) ? EditMapSeams::Edit::Rip : EditMapSeams::Edit::Stitch;
+        return EditMapSeams::make(document, edit, uv, someOf(document.adjacency().edgeCount()));
+    }
     if (mRandom.oneIn(8)) {
         for (Eigen::Index i = 0; i < uv.rows(); ++i)
             uv.row(i) = point().transpose();

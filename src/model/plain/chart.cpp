@@ -19,11 +19,12 @@ struct Side
     int low, high; //!< welded vertices
     int cornerLow, cornerHigh;
     int face;
+    bool apart; //!< a seam whatever its UVs are
 
     bool sameEdge(const Side &other) const { return low == other.low && high == other.high; }
 };
 
-std::vector<Side> sortedSides(const MeshData &mesh)
+std::vector<Side> sortedSides(const MeshData &mesh, const std::vector<bool> &apart)
 {
     std::vector<Side> sides;
     sides.reserve(mesh.cornerCount());
@@ -34,10 +35,11 @@ std::vector<Side> sortedSides(const MeshData &mesh)
             const int d = c + 1 < end ? c + 1 : start;
             const int a = mesh.vertexWeld[mesh.cornerVertex[c]];
             const int b = mesh.vertexWeld[mesh.cornerVertex[d]];
+            const bool isApart = !apart.empty() && apart[c];
             if (a < b)
-                sides.push_back({a, b, c, d, f});
+                sides.push_back({a, b, c, d, f, isApart});
             else if (b < a)
-                sides.push_back({b, a, d, c, f});
+                sides.push_back({b, a, d, c, f, isApart});
         }
     }
     std::sort(sides.begin(), sides.end(), [](const Side &a, const Side &b) {
@@ -77,7 +79,8 @@ std::vector<std::pair<const Side *, int>> joinAgreeing(std::span<const Side> sid
         if (!faceHasUv[side.face])
             continue;
         const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto &group) {
-            return sameUv(uv, group.first->cornerLow, side.cornerLow, tolerance) &&
+            return !side.apart && !group.first->apart &&
+                   sameUv(uv, group.first->cornerLow, side.cornerLow, tolerance) &&
                    sameUv(uv, group.first->cornerHigh, side.cornerHigh, tolerance);
         });
         if (same == groups.end()) {
@@ -104,12 +107,12 @@ std::vector<std::vector<int>> ChartMap::faces() const
     return result;
 }
 
-UvTopology findUvTopology(const MeshData &mesh, const UvMatrix &uv)
+UvTopology findUvTopology(const MeshData &mesh, const UvMatrix &uv, const std::vector<bool> &apart)
 {
     UvTopology topology;
     findUvBox(mesh, uv, topology);
     const double tolerance = uvTolerance * topology.boxDiagonal();
-    const std::vector<Side> sides = sortedSides(mesh);
+    const std::vector<Side> sides = sortedSides(mesh, apart);
 
     UnionFind faces(mesh.faceCount());
     UnionFind corners(mesh.cornerCount());

@@ -51,7 +51,9 @@ struct UvTopology
 };
 
 //! \param uv one row per corner; a non-finite row means that the corner has no UV
-UvTopology findUvTopology(const MeshData &mesh, const UvMatrix &uv);
+//! \param apart per corner, true when the polygon side that starts there is a seam whatever its UVs are;
+//! empty: none
+UvTopology findUvTopology(const MeshData &mesh, const UvMatrix &uv, const std::vector<bool> &apart = {});
 
 //! Finds the charts by the rule of the file format: two faces on one welded 3D edge belong to one chart when
 //! their UVs agree at both ends, to within uvTolerance (1e-6) of the diagonal of the bounding box of all UVs.

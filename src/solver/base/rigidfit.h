@@ -1,8 +1,9 @@
-// Rigid motion that fits one set of points to another. Plain: no Qt.
+// Rigid motion or similarity that fits one set of points to another. Plain: no Qt.
 #pragma once
 
 #include "model/plain/types.h"
 
+#include <cmath>
 #include <vector>
 
 namespace autocuts {
@@ -30,5 +31,22 @@ struct PointMatch
 //! distances; without rotation when no rotation is better than another.
 //! \pre the weights have a positive sum
 RigidMotion fitRigid(const std::vector<PointMatch> &matches);
+
+//! A rotation and a scale about the origin followed by a translation.
+struct SimilarMotion
+{
+    double c = 1, s = 0; //!< scale times cosine and sine
+    Vec2 shift = Vec2::Zero();
+
+    double scale() const { return std::hypot(c, s); }
+    Vec2 operator()(const Vec2 &p) const
+    {
+        return Vec2(c * p.x() - s * p.y(), s * p.x() + c * p.y()) + shift;
+    }
+};
+
+//! The same with a scale. The scale is 1 when the moving points coincide, and 0 when no rotation is better
+//! than another. \pre the weights have a positive sum
+SimilarMotion fitSimilar(const std::vector<PointMatch> &matches);
 
 } // namespace autocuts

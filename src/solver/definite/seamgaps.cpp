@@ -38,13 +38,18 @@ std::vector<std::vector<int>> touchingCharts(const MeshData &mesh, const SeamedM
 
 } // namespace
 
+double seamGap(double meanEdge, double diagonal)
+{
+    return std::max(gapOfEdge * meanEdge, gapOfMap * diagonal);
+}
+
 void openSeams(const Soup &soup, const Snapshot &snapshot, SeamedMap &map)
 {
     const MeshData &mesh = *soup.mesh;
     const CutMesh charts(mesh, map.cut);
     const auto points = rowsOf(map.x);
     const double diagonal = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
-    const double gap = std::max(gapOfEdge * soup.meanEdgeLength, gapOfMap * diagonal);
+    const double gap = seamGap(soup.meanEdgeLength, diagonal);
     const std::vector<std::vector<int>> touching = touchingCharts(mesh, map, charts, gap / 2);
 
     std::vector<double> importance(charts.chartCount, 0);

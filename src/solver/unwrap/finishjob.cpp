@@ -2,6 +2,7 @@
 
 #include "model/plain/uvlayout.h"
 #include "solver/definite/refinedmap.h"
+#include "solver/definite/seamopening.h"
 #include "solver/homotopy/liveschedule.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/preference/seampreference.h"
@@ -81,7 +82,9 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     if (!found)
         return result;
     const Snapshot &own = part->snapshot();
-    result.uv = part->wholeUv(own.uvScale * cornerUv(solver.soup(), found->map));
+    UvMatrix uv = own.uvScale * cornerUv(solver.soup(), found->map);
+    definite::openCuts(own, uv);
+    result.uv = part->wholeUv(uv);
     result.distortion = found->map.distortion(solver.soup());
     const ChartMap charts = part->wholeCharts(chartsOf(*own.mesh, CutMesh(*own.mesh, found->map.cut)));
     place(input, charts, !part->isWhole() || own.placesIslands(), job, result);

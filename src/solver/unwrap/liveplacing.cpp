@@ -2,6 +2,7 @@
 
 #include "solver/base/cornerat.h"
 #include "solver/base/rigidfit.h"
+#include "solver/definite/seamopening.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +86,8 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
     const MeshData &mesh = *own.mesh;
     const CutMesh state(mesh, map.cut);
     const ChartMap charts = chartsOf(mesh, state);
-    const UvMatrix shape = cornerUv(soup, map);
+    UvMatrix shape = cornerUv(soup, map);
+    definite::openCuts(own, shape);
     PackJob pack = steeredPackJob(snapshot, options);
     pack.options.effort = std::min(pack.options.effort, packing::hurriedEffort);
     pack.options.keepScale = false;

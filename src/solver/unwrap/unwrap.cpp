@@ -1,6 +1,7 @@
 #include "solver/unwrap/unwrap.h"
 
 #include "model/plain/uvlayout.h"
+#include "solver/definite/seamopening.h"
 #include "solver/unwrap/freepart.h"
 #include "solver/unwrap/mapfinder.h"
 #include "solver/unwrap/packjob.h"
@@ -31,7 +32,9 @@ void place(const Snapshot &snapshot, const FreePart &part, const SeamedMap &map,
     const std::shared_ptr<const Soup> soup = Soup::build(own.mesh);
     // True when some islands are where they belong. Otherwise packing finds the scale.
     const bool stays = !part.isWhole() || snapshot.placesIslands();
-    result.uv = part.wholeUv((stays ? own.uvScale : 1) * cornerUv(*soup, map));
+    UvMatrix uv = (stays ? own.uvScale : 1) * cornerUv(*soup, map);
+    definite::openCuts(own, uv);
+    result.uv = part.wholeUv(uv);
     if (!options.pack) {
         if (!stays)
             fitUnitSquare(result.uv);

@@ -198,6 +198,14 @@ constexpr std::array uvTable{
     ActionInfo{"uv.clearSteering", "UV", QT_TRANSLATE_NOOP("Actions", "Cle&ar cuts and joins"), "clear",
                "Shift+C", QT_TRANSLATE_NOOP("Actions", "Leave the selected edges to the solver"),
                NeedsEdgesOrFaces},
+    ActionInfo{"uv.rip", "UV", QT_TRANSLATE_NOOP("Actions", "Rip"), "rip", "V",
+               QT_TRANSLATE_NOOP("Actions", "Cut the map apart along the selected edges, or around the "
+                                            "selected faces, at once and without a solve"),
+               NeedsIdleMap | NeedsEdgesOrFaces},
+    ActionInfo{"uv.stitch", "UV", QT_TRANSLATE_NOOP("Actions", "Stitch"), "stitch", "Shift+V",
+               QT_TRANSLATE_NOOP("Actions", "Bring the two sides of the selected seams together at once: the "
+                                            "smaller island comes to the larger one"),
+               NeedsIdleMap | NeedsEdgesOrFaces},
     ActionInfo{"uv.pin", "UV", QT_TRANSLATE_NOOP("Actions", "P&in"), "pin", "Ctrl+P",
                QT_TRANSLATE_NOOP("Actions", "Hold the selection where it is in the map"),
                NeedsSelection | NeedsUvs, false, "", true},

@@ -113,6 +113,12 @@ void UvActions::connectJobs()
     onTriggered("uv.packSelection", [&map] { map.pack(PackScope::Selection); });
     onTriggered("uv.separate", [&map] { map.separateOverlaps(); });
     onTriggered("uv.density", [&map] { map.equalizeDensity(); });
+    const auto selectedEdges = [this](auto edges) {
+        const Document &document = *mContext.workspace.document();
+        return edges(document, document.selection());
+    };
+    onTriggered("uv.rip", [&map, selectedEdges] { map.rip(selectedEdges(edgesToCut)); });
+    onTriggered("uv.stitch", [&map, selectedEdges] { map.stitch(selectedEdges(edgesToJoin)); });
     connect(mContext.actions.action("uv.cancel"), &QAction::triggered, this, [this] {
         mContext.map.cancel();
         mContext.files.jobs().cancel();

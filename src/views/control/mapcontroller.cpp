@@ -136,6 +136,15 @@ void MapController::startJob(const QString &title,
     });
 }
 
+//! Returns false when that changes nothing.
+bool MapController::pushMap(const MapJobResult &result)
+{
+    Document &document = *mWorkspace.document();
+    if (result.seams)
+        return pushCommand(EditMapSeams::make(document, result.seams->edit, result.uv, result.seams->edges));
+    return pushCommand(newMapCommand(document, result.edit, result.uv, result.count));
+}
+
 void MapController::applyResult(const MapJobResult &result)
 {
     if (result.prices) {
@@ -148,7 +157,10 @@ void MapController::applyResult(const MapJobResult &result)
             Q_EMIT failed(tr("The map was edited meanwhile: the result was not used"));
             return;
         }
-        pushCommand(newMapCommand(*mWorkspace.document(), result.edit, result.uv, result.count));
+        if (!pushMap(result) && result.seams) {
+            Q_EMIT done(tr("Nothing to do: the edges are cut already"));
+            return;
+        }
     }
     if (!result.problem.isEmpty())
         Q_EMIT failed(result.problem, result.problemItems);
@@ -216,6 +228,19 @@ void MapController::priceSeams()
 const unwrap::SeamPrices *MapController::seamPrices() const
 {
     return mPrices && mWorkspace.hasMapOf(mPricesToken) ? &*mPrices : nullptr;
+}
+
+void MapController::rip(const QList<int> &edges)
+{
+    startJob(tr("Ripping"),
+             [edges](const MapInput &input, JobControl &control) { return ripJob(input, edges, control); });
+}
+
+void MapController::stitch(const QList<int> &edges)
+{
+    startJob(tr("Stitching"), [edges](const MapInput &input, JobControl &control) {
+        return stitchJob(input, edges, control);
+    });
 }
 
 void MapController::measure()

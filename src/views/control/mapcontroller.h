@@ -82,6 +82,10 @@ public Q_SLOTS:
     void straightenSelection();
     //! Prices the seams of the map.
     void priceSeams();
+    //! Cuts the map along edges at once and records the edges as cut. \param edges edges of MeshAdjacency
+    void rip(const QList<int> &edges);
+    //! Closes those of the edges that are seams of the map. \param edges edges of MeshAdjacency
+    void stitch(const QList<int> &edges);
     void cancel() { mJobs.cancel(); }
 
 Q_SIGNALS:
@@ -99,6 +103,7 @@ private:
     MapInput input() const;
     void startJob(const QString &title, std::function<MapJobResult(const MapInput &, JobControl &)> work);
     void applyResult(const MapJobResult &result);
+    bool pushMap(const MapJobResult &result);
     void startPacking(const PackTarget &target);
     void measure();
 

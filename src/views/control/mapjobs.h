@@ -1,7 +1,7 @@
 // The jobs of MapController, as functions of a copy of the document.
 #pragma once
 
-#include "commands/setuvs.h"
+#include "commands/editmapseams.h"
 #include "model/document/constraints.h"
 #include "model/document/islands.h"
 #include "model/document/selection.h"
@@ -45,6 +45,13 @@ struct MapInput
     const MeshData &mesh() const { return *snapshot.mesh; }
 };
 
+//! The seams that a job ripped or stitched.
+struct MapSeamEdit
+{
+    EditMapSeams::Edit edit = EditMapSeams::Edit::Rip;
+    std::vector<int> edges; //!< edge pairs
+};
+
 //! The result of a job.
 struct MapJobResult
 {
@@ -56,6 +63,8 @@ struct MapJobResult
     Selection problemItems{}; //!< what the problem is about
     std::optional<int> count; //!< number for the text in the history
     std::optional<unwrap::SeamPrices> prices{};
+    //! Of a rip or a stitch; then the map is not a whole new one.
+    std::optional<MapSeamEdit> seams{};
 };
 
 //! Which islands are packed, and where.
@@ -80,5 +89,9 @@ MapJobResult relaxJob(const MapInput &input, JobControl &control);
 MapJobResult priceJob(const MapInput &input, JobControl &control);
 //! Makes the chains of selected edges straight; the rest of their islands follows.
 MapJobResult straightenJob(const MapInput &input, JobControl &control);
+//! Cuts the map along edges. \param edges edges of MeshAdjacency
+MapJobResult ripJob(const MapInput &input, const QList<int> &edges, JobControl &control);
+//! Closes seams of the map. \param edges edges of MeshAdjacency; those that are no seams are left out
+MapJobResult stitchJob(const MapInput &input, const QList<int> &edges, JobControl &control);
 
 } // namespace autocuts

@@ -1,0 +1,117 @@
+#include "commands/editmapseams.h"
+
+#include "commands/commandreading.h"
+
+#include <limits>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! The corner pairs of the edges that the user cut.
+IndexRanges cutPairs(const Document &document, std::span<const int> edges)
+{
+    IndexRanges result;
+    cornerPairsOfEdges(document.mesh(), edges).forEach([&](int pair) {
+        if (document.seams().states[pair] == PairState::Cut)
+            result.append(pair);
+    });
+    return result;
+}
+
+//! The pins of the corners whose UVs change, at their new places.
+std::vector<UvPin> movedPins(const Document &document, const UvMatrix &uv)
+{
+    std::vector<UvPin> pins;
+    for (UvPin pin : document.constraints().pins) {
+        if (uv.row(pin.corner) == document.uv().row(pin.corner) || !uv.row(pin.corner).allFinite())
+            continue;
+        pin.position = uv.row(pin.corner).transpose();
+        pins.push_back(pin);
+    }
+    return pins;
+}
+
+} // namespace
+
+std::unique_ptr<EditMapSeams> EditMapSeams::make(Document &document, Edit edit, const UvMatrix &uv,
+                                                 std::span<const int> edges)
+{
+    UvEditExtras extras;
+    extras.pins = movedPins(document, uv);
+    auto states =
+        edit == Edit::Rip
+            ? std::make_unique<SetSeamState>(document, SetSeamState::Edit::Cut,
+                                             cornerPairsOfEdges(document.mesh(), edges))
+            : std::make_unique<SetSeamState>(document, SetSeamState::Edit::Clear, cutPairs(document, edges));
+    return std::make_unique<EditMapSeams>(document, edit, static_cast<int>(edges.size()),
+                                          std::make_unique<SetUvs>(document, UvEdit::Move, uv, extras),
+                                          std::move(states));
+}
+
+EditMapSeams::EditMapSeams(Document &document, Edit edit, int count, std::unique_ptr<SetUvs> uvs,
+                           std::unique_ptr<SetSeamState> states)
+    : DocumentCommand(document), mEdit(edit), mCount(count), mUvs(std::move(uvs)), mStates(std::move(states))
+{}
+
+void EditMapSeams::apply()
+{
+    applyPart(*mUvs);
+    applyPart(*mStates);
+}
+
+void EditMapSeams::revert()
+{
+    revertPart(*mStates);
+    revertPart(*mUvs);
+}
+
+QString EditMapSeams::label() const
+{
+    if (mEdit == Edit::Rip)
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Rip %n edge"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Rip %n edges"), mCount);
+    return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Stitch %n edge"),
+                       QT_TRANSLATE_NOOP("Undo Commands", "Stitch %n edges"), mCount);
+}
+
+void EditMapSeams::clearPayload()
+{
+    clearPart(*mUvs);
+    clearPart(*mStates);
+}
+
+void EditMapSeams::compact()
+{
+    compactPart(*mUvs);
+    compactPart(*mStates);
+}
+
+void EditMapSeams::writePayload(QCborMap &map) const
+{
+    map["edit"_L1] = static_cast<int>(mEdit);
+    map["count"_L1] = mCount;
+    map["uvs"_L1] = payloadOfPart(*mUvs);
+    map["states"_L1] = payloadOfPart(*mStates);
+}
+
+Result<std::unique_ptr<DocumentCommand>> EditMapSeams::fromCbor(Document &document, CborReader &reader)
+{
+    const Edit edit = reader.enumerator("edit"_L1, Edit::Stitch);
+    const int count = static_cast<int>(reader.integer("count"_L1, 0, std::numeric_limits<int>::max()));
+    CborReader uvReader(reader.map("uvs"_L1)), stateReader(reader.map("states"_L1));
+    if (reader.failed())
+        return damagedCommand();
+    auto uvs = SetUvs::fromCbor(document, uvReader);
+    auto states = SetSeamState::fromCbor(document, stateReader);
+    if (!uvs.ok() || !states.ok())
+        return damagedCommand();
+    const auto part = [](auto &result) { return result.value().release(); };
+    return std::unique_ptr<DocumentCommand>(std::make_unique<EditMapSeams>(
+        document, edit, count, std::unique_ptr<SetUvs>(static_cast<SetUvs *>(part(uvs))),
+        std::unique_ptr<SetSeamState>(static_cast<SetSeamState *>(part(states)))));
+}
+
+} // namespace autocuts

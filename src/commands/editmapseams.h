@@ -1,0 +1,45 @@
+// The command that rips a map along edges and stitches its seams, without a solve.
+#pragma once
+
+#include "commands/setseamstate.h"
+#include "commands/setuvs.h"
+
+namespace autocuts {
+
+//! Puts a map that was ripped or stitched into the document together with the seam states that make later
+//! solves keep it. Ripped edges are cut; stitched edges that were cut become free. Pins move with their
+//! corners. Changes UVs, pins and seam states as one entry.
+class EditMapSeams final : public DocumentCommand
+{
+public:
+    enum class Edit { Rip, Stitch };
+
+    //! \param uv the new UVs in texture space, one row per corner
+    //! \param edges the edge pairs that were ripped or stitched
+    static std::unique_ptr<EditMapSeams> make(Document &document, Edit edit, const UvMatrix &uv,
+                                              std::span<const int> edges);
+
+    EditMapSeams(Document &document, Edit edit, int count, std::unique_ptr<SetUvs> uvs,
+                 std::unique_ptr<SetSeamState> states);
+
+    CommandId commandId() const override { return CommandId::EditMapSeams; }
+    bool hasAnyChanges() const override { return mUvs->hasAnyChanges() || mStates->hasAnyChanges(); }
+    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+
+protected:
+    void apply() override;
+    void revert() override;
+    void writePayload(QCborMap &map) const override;
+    QString label() const override;
+    qint64 payloadBytes() const override { return bytesOfPart(*mUvs) + bytesOfPart(*mStates); }
+    void clearPayload() override;
+    void compact() override;
+
+private:
+    Edit mEdit;
+    int mCount; //!< of edges
+    std::unique_ptr<SetUvs> mUvs;
+    std::unique_ptr<SetSeamState> mStates;
+};
+
+} // namespace autocuts

@@ -1,0 +1,97 @@
+#include "solver/definite/seamfitting.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace autocuts::definite {
+
+namespace {
+
+//! Two sides lie on each other when they are at most this far apart, as a share of their length, and may
+//! belong together up to the second distance. The first was chosen by hand, the second is that of
+//! chartjoining.
+constexpr double fitDistance = 0.05, looseDistance = 0.6;
+//! Fewer edges, or less of the length of a seam, fit anywhere. Chosen by hand.
+constexpr std::size_t fewestToFit = 3;
+constexpr double leastShareToFit = 0.25;
+//! How often the worst third of the edges is left out. Chosen by hand.
+constexpr int rounds = 5;
+
+double lengthOf(const std::vector<EdgeMatch> &edges, const std::vector<int> &some)
+{
+    return std::accumulate(some.begin(), some.end(), 0.0,
+                           [&](double sum, int i) { return sum + edges[i][0].weight; });
+}
+
+std::vector<EdgeMatch> chosen(const std::vector<EdgeMatch> &edges, const std::vector<int> &some)
+{
+    std::vector<EdgeMatch> result(some.size());
+    std::transform(some.begin(), some.end(), result.begin(), [&](int i) { return edges[i]; });
+    return result;
+}
+
+double distanceOf(const EdgeMatch &edge, const SimilarMotion &motion)
+{
+    return std::max((motion(edge[0].moving) - edge[0].fixed).norm(),
+                    (motion(edge[1].moving) - edge[1].fixed).norm());
+}
+
+//! As a share of its length in the map.
+double misfitOf(const EdgeMatch &edge, const SimilarMotion &motion)
+{
+    const double length = (edge[0].fixed - edge[1].fixed).norm();
+    return distanceOf(edge, motion) / std::max(length, std::numeric_limits<double>::min());
+}
+
+std::vector<int> near(const std::vector<EdgeMatch> &edges, const SimilarMotion &motion)
+{
+    std::vector<int> result;
+    for (int i = 0; i < static_cast<int>(edges.size()); ++i) {
+        if (misfitOf(edges[i], motion) <= fitDistance)
+            result.push_back(i);
+    }
+    return result;
+}
+
+} // namespace
+
+SimilarMotion fitEdges(const std::vector<EdgeMatch> &edges)
+{
+    std::vector<PointMatch> points;
+    for (const EdgeMatch &edge : edges)
+        points.insert(points.end(), edge.begin(), edge.end());
+    return fitSimilar(points);
+}
+
+bool fitLoosely(const std::vector<EdgeMatch> &edges)
+{
+    const SimilarMotion motion = fitEdges(edges);
+    return std::all_of(edges.begin(), edges.end(),
+                       [&](const EdgeMatch &edge) { return misfitOf(edge, motion) <= looseDistance; });
+}
+
+std::vector<int> fittingEdges(const std::vector<EdgeMatch> &edges)
+{
+    std::vector<int> kept(edges.size());
+    std::iota(kept.begin(), kept.end(), 0);
+    const double all = lengthOf(edges, kept);
+    SimilarMotion motion = fitEdges(edges);
+    for (int round = 0; round < rounds && near(chosen(edges, kept), motion).size() < kept.size(); ++round) {
+        std::stable_sort(kept.begin(), kept.end(), [&](int a, int b) {
+            return distanceOf(edges[a], motion) < distanceOf(edges[b], motion);
+        });
+        kept.resize(kept.size() - kept.size() / 3);
+        motion = fitEdges(chosen(edges, kept));
+    }
+    const std::vector<int> fitting = near(edges, motion);
+    const bool few = fitting.size() < fewestToFit || lengthOf(edges, fitting) < leastShareToFit * all;
+    return few ? std::vector<int>() : fitting;
+}
+
+std::vector<int> touchingEdges(const std::vector<EdgeMatch> &edges)
+{
+    return near(edges, SimilarMotion());
+}
+
+} // namespace autocuts::definite
