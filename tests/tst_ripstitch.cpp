@@ -397,8 +397,8 @@ private Q_SLOTS:
         window.select(slit);
         QVERIFY(window.rip());
         QVERIFY(!window.studio.context.solver.isRunning());
-        QCOMPARE(window.document().undoStack().count(), 2);
-        QCOMPARE(window.document().undoStack().text(0), u"Solve"_s);
+        // The solve is an entry of its own, where it changed anything.
+        QVERIFY(window.document().undoStack().undoText().startsWith(u"Rip"_s));
         QCOMPARE(window.countOpen(slit), 4);
     }
 
@@ -430,8 +430,7 @@ private Q_SLOTS:
         QVERIFY(window.studio.solverRests());
         QCOMPARE(solver.status().iteration, 1);
         for (const int e : seam)
-            QVERIFY(std::max(solver.result()->separation[2 * e], solver.result()->separation[2 * e + 1]) <
-                    0.01f);
+            QVERIFY(!solver.map()->cut[e]);
         QCOMPARE(window.countOpen(seam), 0);
         QCOMPARE(window.countOpen(slit), 4);
         window.studio.press(Qt::Key_Space);

@@ -222,7 +222,9 @@ private:
         requireEntry(u"assign"_s);
         StudioSession &studio = mArtist.studio;
         studio.press(Qt::Key_Space);
-        require(studio.runsTo(studio.context.solver.status().iteration + 20), u"the solver does not run"_s);
+        const auto before = studio.context.solver.map();
+        require(QTest::qWaitFor([&] { return studio.context.solver.map() != before; }, patience),
+                u"the solver does not run"_s);
         if (studio.context.solver.isRunning())
             studio.press(Qt::Key_Space);
         require(studio.solverRests(), u"the solver does not rest"_s);

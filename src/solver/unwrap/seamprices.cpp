@@ -77,9 +77,9 @@ public:
     std::optional<SeamPrice> proposal() const
     {
         Snapshot open = mProblem;
-        if (!open.steering->pairState.empty() && mOnlyGiven)
-            std::replace(open.editSteering().pairState.begin(), open.editSteering().pairState.end(),
-                         PairState::Joined, PairState::Free);
+        std::vector<PairState> &states = open.editSteering().pairState;
+        if (mOnlyGiven)
+            std::replace(states.begin(), states.end(), PairState::Joined, PairState::Free);
         search::CutState state = mState;
         state.graph = mGraph->steeredBy(open);
         search::SeamSearch search(state, open.settings.seed, {proposalMu, true, mJob.quiet()});
@@ -121,8 +121,11 @@ private:
             search::resteered(mState, mGraph->steeredBy(without), mJob.quiet());
         if (!state)
             return price;
+        const double saved = mState.length - state->length;
+        if (!(saved > 0))
+            return price;
         relax(*state, mJob);
-        price.length = mState.length - state->length;
+        price.length = saved;
         price.distortion = state->distortion;
         return price;
     }

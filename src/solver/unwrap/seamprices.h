@@ -15,7 +15,8 @@ struct SeamPrice
     std::vector<int> edges; //!< edge pairs
     double length = 0;      //!< what the seams get shorter without it, or longer with it; solver units
     //! Mean symmetric Dirichlet energy of the map without it, or with a proposed one. Nothing: it cannot be
-    //! closed, because a chart would not be a disk, or would turn triangles over or lie on itself.
+    //! closed, because a chart would not be a disk, or would turn triangles over or lie on itself, or only in
+    //! exchange for longer seams elsewhere.
     std::optional<double> distortion;
 };
 

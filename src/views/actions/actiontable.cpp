@@ -124,7 +124,7 @@ constexpr std::array uvTable{
     ActionInfo{"uv.budget", "UV", QT_TRANSLATE_NOOP("Actions", "Distortion &budget"), "budget", "Ctrl+B",
                QT_TRANSLATE_NOOP("Actions", "Let the solver choose lambda and delta for a distortion bound"),
                0, true},
-    ActionInfo{"uv.soup", "UV", QT_TRANSLATE_NOOP("Actions", "Show the soup while sol&ving"), "", "Shift+B",
+    ActionInfo{"uv.soup", "UV", QT_TRANSLATE_NOOP("Actions", "Show the soup while solving"), "", "Shift+B",
                QT_TRANSLATE_NOOP("Actions",
                                  "While the solver runs, show the separate triangles that lambda and delta "
                                  "act on instead of the definite map"),

@@ -1,7 +1,7 @@
 // The list of the map's seams with their prices.
 #pragma once
 
-#include "solver/unwrap/seamprices.h"
+#include "views/control/mapcontroller.h"
 
 #include <QWidget>
 
