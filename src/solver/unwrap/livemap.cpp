@@ -41,7 +41,7 @@ void LiveMap::begin(std::shared_ptr<const Snapshot> snapshot, const LiveMapOptio
     mToken = mSnapshot->token;
     mBack = nullptr;
     mFromMap = mSnapshot->settings.start == StartMode::ExistingUv;
-    mPulled = false;
+    mPulled = mExplored = false;
     mPart.reset();
     mSymmetry.reset();
     mPlacing.reset();
@@ -62,7 +62,7 @@ void LiveMap::steer(std::shared_ptr<const Snapshot> snapshot, const LiveMapOptio
     mPulled = pulled;
     if (back)
         mBack = std::move(back);
-    if (mStage != Stage::Begin)
+    if (mStage != Stage::Begin || mBest)
         mStage = Stage::Steer;
 }
 
@@ -173,6 +173,7 @@ void LiveMap::findFirst(const JobContext &job)
         return;
     }
     if (mFromMap && mProblem.uv && startFromMap(*mProblem.uv)) {
+        mExplored = true; // its seams are what the user has
         mStage = Stage::Improve;
         return;
     }
@@ -183,10 +184,20 @@ void LiveMap::findFirst(const JobContext &job)
         mStage = Stage::Explore;
 }
 
+//! True when the mesh is so large that a coarser one is searched in its place.
+bool LiveMap::exploresCoarsely() const
+{
+    Snapshot problem = mProblem;
+    problem.settings.start = StartMode::Tutte; // there is no map that it could start from
+    return suitsCoarseToFine(problem) && !mSymmetry;
+}
+
 //! Changes the map to obey the snapshot; begins anew where that is not possible.
 void LiveMap::steerMap(const JobContext &job)
 {
     takeSnapshot(job);
+    // Coarsening does not stop at once: whoever steers a large mesh gets local searches, which do.
+    mExplored = mExplored || exploresCoarsely();
     if (mProblem.settings.seams == SeamMode::Only || (!mBest && !mGiven)) {
         mStage = Stage::Begin;
         return;
@@ -219,7 +230,7 @@ void LiveMap::steerMap(const JobContext &job)
     if (!mBest)
         mStage = Stage::Explore;
     else
-        mStage = mPulled ? Stage::Done : Stage::Improve;
+        mStage = mPulled ? Stage::Done : mExplored ? Stage::Improve : Stage::Explore;
 }
 
 //! Few cuts, hardly relaxed.
@@ -277,13 +288,12 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
 //! Searches from many first cuts, as an unwrap does; for a large mesh on a coarser one.
 void LiveMap::explore(const JobContext &job)
 {
-    Snapshot problem = mProblem;
-    problem.settings.start = StartMode::Tutte; // there is no map that it could start from
-    if (suitsCoarseToFine(problem) && !mSymmetry) {
+    if (exploresCoarsely()) {
         carryFromCoarse(UnwrapQuality::Standard, std::nullopt, job);
         if (job.stopped())
             return;
         if (mBest) {
+            mExplored = true;
             mStage = Stage::Improve;
             return;
         }
@@ -310,6 +320,7 @@ void LiveMap::explore(const JobContext &job)
         if (!job.stopped())
             take(other.best.map);
     }
+    mExplored = true;
     mStage = mBest ? Stage::Improve : Stage::Done;
 }
 

@@ -75,6 +75,7 @@ private:
     void findFirst(const JobContext &job);
     std::optional<search::CutState> makeQuickMap(const JobContext &job);
     void carryFromCoarse(UnwrapQuality quality, std::optional<search::CutState> quick, const JobContext &job);
+    bool exploresCoarsely() const;
     void explore(const JobContext &job);
     void improve(const JobContext &job);
     void take(const SeamedMap &map);
@@ -92,6 +93,7 @@ private:
     std::shared_ptr<const LiveMapResult> mBack;
     bool mFromMap = false; //!< it began with the map of the snapshot
     bool mPulled = false;
+    bool mExplored = false; //!< many first cuts have been searched, or the user has a map
     Stage mStage = Stage::Done;
 
     preference::SeamPreference mPreference;
