@@ -24,6 +24,9 @@ void Candidate::measure(const Soup &soup, const Snapshot &snapshot)
                 isSmallPart[c] = true;
         }
     }
+    openJoins = 0;
+    for (std::size_t e = 0; e < map.cut.size(); ++e)
+        openJoins += map.cut[e] && snapshot.isJoined(e);
     smallCharts = static_cast<int>(std::count(isSmallPart.begin(), isSmallPart.end(), true));
 }
 
@@ -31,6 +34,8 @@ bool Ranking::better(const Candidate &a, const Candidate &b) const
 {
     if (a.anchorFaults != b.anchorFaults)
         return a.anchorFaults < b.anchorFaults;
+    if (a.openJoins != b.openJoins)
+        return a.openJoins < b.openJoins;
     if (mOptions.lambda) {
         const double mu = *mOptions.lambda / std::max(1 - *mOptions.lambda, 1e-9);
         return a.distortion + mu * a.seamCost < b.distortion + mu * b.seamCost;

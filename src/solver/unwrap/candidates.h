@@ -18,8 +18,9 @@ struct Candidate
     double distortion = 0, seamLength = 0, seamCost = 0, lambda = 0, delta = 0;
     int smallCharts = 0;  //!< below CutState::smallestChart and not whole connected components of the mesh
     int anchorFaults = 0; //!< see search::CutState
+    int openJoins = 0;    //!< joined edges that are seams
 
-    //! Sets distortion, seamLength, seamCost and smallCharts from the map.
+    //! Sets distortion, seamLength, seamCost, smallCharts and openJoins from the map.
     void measure(const Soup &soup, const Snapshot &snapshot);
 };
 
@@ -29,9 +30,9 @@ class Ranking
 public:
     Ranking(const UnwrapOptions &options, const JobContext &job) : mOptions(options), mJob(job) {}
 
-    //! True when a is better than b. Fewer faults at the anchors win; a map within the bound is better than
-    //! one above it. Within the bound fewer small charts win, then cheaper seams; above it lower distortion
-    //! wins. With a given lambda, the lower objective wins.
+    //! True when a is better than b. Fewer faults at the anchors win, then fewer open joins; a map within the
+    //! bound is better than one above it. Within the bound fewer small charts win, then cheaper seams; above
+    //! it lower distortion wins. With a given lambda, the lower objective wins.
     bool better(const Candidate &a, const Candidate &b) const;
 
     //! Sets the number of steps of the search that begins; the reported progress never goes back.

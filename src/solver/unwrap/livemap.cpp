@@ -418,6 +418,7 @@ bool LiveMap::publish(search::CutState state)
     const bool explores = !mFromMap && (mStage == Stage::Begin || mStage == Stage::Explore);
     result->uv = mPlacing.place(*mSnapshot, *mPart, *mSoup, map, mOptions.packing, explores);
     result->hasRoom = mPlacing.hadRoom();
+    result->unmet = unmetSteering(*mSnapshot, result->uv);
     if (!mPart->isWhole()) {
         metrics::UvMetricsOptions figures;
         figures.overlaps = figures.gutter = false;

@@ -5,6 +5,7 @@
 #include "solver/search/seamrun.h"
 #include "solver/unwrap/freepart.h"
 #include "solver/unwrap/liveplacing.h"
+#include "solver/unwrap/unmetsteering.h"
 #include "solver/unwrap/unwrapquality.h"
 
 #include <chrono>
@@ -32,6 +33,7 @@ struct LiveMapResult
     int islands = 0;
     bool withinBound = false; //!< of what may change
     bool hasRoom = true;      //!< false: there is no room for all islands, some may overlap
+    UnmetSteering unmet;
 };
 
 //! Finds a first map as fast as possible and improves it by the seam search, for as long as something is

@@ -72,14 +72,20 @@ QString nothingFree()
 //! Says what the map does not obey, and what to select.
 void showUnmet(const MapInput &input, const unwrap::UnmetSteering &unmet, MapJobResult &result)
 {
+    result.problem = unmetText(input.snapshot, unmet, result.problemItems);
+}
+
+} // namespace
+
+QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, Selection &selection)
+{
     QStringList items;
-    Selection &selection = result.problemItems;
     if (!unmet.rectangles.empty()) {
         items << translated("rectangles: %1").arg(unmet.rectangles.size());
         selection.mode = SelectionMode::Faces;
         for (const int i : unmet.rectangles) {
-            for (const int corner : input.snapshot.steering->rectangles[i].soupCorners)
-                selection.faces << input.mesh().triangleFace[corner / 3];
+            for (const int corner : snapshot.steering->rectangles[i].soupCorners)
+                selection.faces << snapshot.mesh->triangleFace[corner / 3];
         }
     }
     if (!unmet.missingSeams.empty()) {
@@ -97,14 +103,10 @@ void showUnmet(const MapInput &input, const unwrap::UnmetSteering &unmet, MapJob
         selection.mode = SelectionMode::Vertices;
         selection.corners = QList<int>(unmet.pins.begin(), unmet.pins.end());
     }
-    selection.normalize(input.mesh());
-    result.problem =
-        translated("Not obeyed, because something else contradicts it or it would turn triangles "
-                   "over: %1")
-            .arg(items.join(u", "_s));
+    selection.normalize(*snapshot.mesh);
+    return translated("Not obeyed, because something else contradicts it or it would turn triangles over: %1")
+        .arg(items.join(u", "_s));
 }
-
-} // namespace
 
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, double maxDistortion,
                        JobControl &control)

@@ -8,6 +8,7 @@
 #include "model/plain/packingsettings.h"
 #include "model/plain/snapshot.h"
 #include "solver/unwrap/seamprices.h"
+#include "solver/unwrap/unmetsteering.h"
 #include "solver/unwrap/unwrapquality.h"
 #include "views/control/jobrunner.h"
 
@@ -74,6 +75,9 @@ struct PackTarget
     QList<int> faces;                       //!< empty: the selected faces
     std::optional<Eigen::AlignedBox2d> box; //!< texture space; without it, the tile of the settings
 };
+
+//! Says what a map does not obey. \param items what to select
+QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, Selection &items);
 
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, double maxDistortion,
                        JobControl &control);

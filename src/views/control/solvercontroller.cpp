@@ -5,6 +5,7 @@
 #include "model/document/makesnapshot.h"
 #include "model/plain/uvlayout.h"
 #include "solver/packing/packmap.h"
+#include "views/control/mapjobs.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
 
@@ -494,8 +495,26 @@ void SolverController::endPause(bool withAnyMap)
     }
     mShownMap.showDocument();
     setRunning(false, false);
+    if (mMap)
+        tellProblems();
     for (const auto &then : std::exchange(mWhenPaused, {}))
         then();
+}
+
+//! Says what the map in the document does not obey.
+void SolverController::tellProblems()
+{
+    if (!mMap->unmet.empty()) {
+        Selection items;
+        const QString text = unmetText(makeSnapshot(*mWorkspace.document()), mMap->unmet, items);
+        Q_EMIT foundProblems(text, items);
+    } else if (!mMap->withinBound) {
+        Q_EMIT foundProblems(tr("The distortion of %1 is above the bound of %2: let the solver run on, allow "
+                                "more, or remove joins")
+                                 .arg(mMap->distortion, 0, 'f', 4)
+                                 .arg(mMaxDistortion, 0, 'f', 4),
+                             {});
+    }
 }
 
 void SolverController::fail(const std::optional<QString> &message)

@@ -1,6 +1,7 @@
 // Connects the document to the solver's worker: sends snapshots and receives results.
 #pragma once
 
+#include "model/document/selection.h"
 #include "solver/live/mapkeeper.h"
 #include "solver/live/worker.h"
 #include "views/control/livepacker.h"
@@ -111,6 +112,9 @@ Q_SIGNALS:
     void workerRests();
     //! \param message translated, one line
     void failed(const QString &message);
+    //! The map that a pause put into the document does not obey the user in all.
+    //! \param message translated, one line \param items what it is about; empty: nothing in particular
+    void foundProblems(const QString &message, const autocuts::Selection &items);
 
 private:
     void documentReplaced();
@@ -122,6 +126,7 @@ private:
     void runSoup();
     unwrap::LiveMapOptions mapOptions() const;
     void endPause(bool withAnyMap = false);
+    void tellProblems();
     void workerWaits();
     void keeperRests();
     void fail(const std::optional<QString> &message);

@@ -207,6 +207,7 @@ void MainWindow::connectMessages()
     connect(&mFiles, &FileController::done, this, say);
     connect(&mMap, &MapController::failed, mNotice, &NoticeBar::showNotice);
     connect(&mMap, &MapController::done, mNotice, [this] { mNotice->showNotice({}); });
+    connect(&mSolver, &SolverController::foundProblems, mNotice, &NoticeBar::showNotice);
     connect(&mSolver, &SolverController::failed, mNotice, [this](const QString &message) {
         mNotice->showNotice(tr("The solver stopped: %1").arg(message));
     });
