@@ -4,6 +4,7 @@
 #include "solver/definite/refinedmap.h"
 #include "solver/definite/seamopening.h"
 #include "solver/homotopy/liveschedule.h"
+#include "solver/metrics/uvmetrics.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/preference/seampreference.h"
 #include "solver/unwrap/freepart.h"
@@ -54,6 +55,23 @@ void place(const FinishInput &input, const ChartMap &charts, bool stays, const J
     result.noRoom = !packed && !job.stopped();
 }
 
+//! Takes the map before back when it obeys more joins.
+void keepBetterMap(const Snapshot &snapshot, FinishResult &result)
+{
+    UnmetSteering before = unmetSteering(snapshot, *snapshot.uv);
+    if (before.joins.size() >= result.unmet.joins.size())
+        return;
+    metrics::UvMetricsOptions options;
+    options.overlaps = options.gutter = false;
+    const metrics::UvMetrics figures = metrics::measureUv(*snapshot.mesh, *snapshot.uv, options);
+    if (figures.facesWithoutUv > 0 || figures.flipped > 0)
+        return;
+    result.uv = *snapshot.uv;
+    result.distortion = figures.symDirichlet;
+    result.unmet = std::move(before);
+    result.noRoom = false;
+}
+
 } // namespace
 
 FinishResult finishMap(const FinishInput &input, const JobContext &job)
@@ -89,6 +107,8 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     const ChartMap charts = part->wholeCharts(chartsOf(*own.mesh, CutMesh(*own.mesh, found->map.cut)));
     place(input, charts, !part->isWhole() || own.placesIslands(), job, result);
     result.unmet = unmetSteering(input.snapshot, result.uv);
+    if (!input.live)
+        keepBetterMap(input.snapshot, result);
     const std::vector<PairState> &states = input.snapshot.steering->pairState;
     const bool joins = std::find(states.begin(), states.end(), PairState::Joined) != states.end();
     result.heldTogether = joins && !result.noRoom &&
