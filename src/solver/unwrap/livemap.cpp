@@ -48,6 +48,7 @@ void LiveMap::begin(std::shared_ptr<const Snapshot> snapshot, const LiveMapOptio
     mBest.reset();
     mWaiting.reset();
     mGiven = nullptr;
+    mSeed = 0;
     mStage = Stage::Begin;
 }
 
@@ -203,6 +204,8 @@ void LiveMap::steerMap(const JobContext &job)
         return;
     }
     if (mBack || !mBest) {
+        if (mBack)
+            mPlacing.returnTo(*mPart, mPart->partUv(mBack->uv));
         const std::shared_ptr<const LiveMapResult> from = mBack ? std::exchange(mBack, nullptr) : mGiven;
         mBest.reset();
         if (!startFromMap(mPart->partUv(from->uv)) && !(mProblem.uv && startFromMap(*mProblem.uv))) {
@@ -303,8 +306,10 @@ void LiveMap::explore(const JobContext &job)
         if (quality == UnwrapQuality::Draft && mBest && !mBestMerit.misses)
             continue;
         options.effort = effortFor(quality, mProblem.mesh->triangleCount());
-        if (quality == UnwrapQuality::Standard && mBest)
+        if (mBest)
             options.given.push_back(mBest->map());
+        if (quality == UnwrapQuality::Draft && mBest)
+            options.effort.seeds = 0; // the quick map has the first cuts of a draft
         const std::optional<search::OptimizedMap> found = search::optimizeSeams(mGraph, options);
         if (job.stopped())
             return;

@@ -35,6 +35,13 @@ void LivePlacing::beginWith(const FreePart &part)
         mBefore = Before{own.mesh, *own.uv, findCharts(*own.mesh, *own.uv), own.uvScale};
 }
 
+void LivePlacing::returnTo(const FreePart &part, const UvMatrix &uv)
+{
+    const MeshData &mesh = *part.snapshot().mesh;
+    const double scale = mBefore ? mBefore->scale : part.snapshot().uvScale;
+    mBefore = Before{part.snapshot().mesh, uv, findCharts(mesh, uv), scale};
+}
+
 //! Moves every chart that is not held onto the place of the old chart that it has most in common with.
 UvMatrix LivePlacing::atOldPlaces(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &held,
                                   const UvMatrix &uv) const

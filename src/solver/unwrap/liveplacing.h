@@ -17,6 +17,8 @@ class LivePlacing
 public:
     //! Forgets the map before; the next one is placed in relation to the part's own map, if it has one.
     void reset() { mBefore.reset(); }
+    //! Places the next map in relation to this one, which was placed before. \param uv per corner of the part
+    void returnTo(const FreePart &part, const UvMatrix &uv);
     //! \param map of the part, solver units
     //! \param afresh pack all charts as large as they fit, unless the steering gives the scale
     //! \returns the whole map, one row per corner in texture space; see hadRoom()
