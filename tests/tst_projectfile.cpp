@@ -1,4 +1,4 @@
-// Project files: what is saved comes back, and what is damaged is found.
+// Project files: what is saved comes back.
 #include "commands/replay.h"
 #include "model/io/objwriter.h"
 #include "model/io/projectfile.h"
@@ -12,7 +12,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <algorithm>
 #include <functional>
 
 #ifdef Q_OS_UNIX
@@ -29,11 +28,6 @@ QByteArray fileBytes(const QString &path)
 {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-QByteArray bytesOf(const test::Session &session)
-{
-    return ProjectWriter().bytes(session.state, session.extras);
 }
 
 test::Session sessionNamed(const QString &name)
@@ -84,29 +78,6 @@ void compareStates(const DocumentState &a, const DocumentState &b)
     QVERIFY(a == b);
 }
 
-//! The bytes of a session after a change of its parts, with checksums that fit again.
-QByteArray repacked(const QByteArray &bytes, const std::function<void(PartMap &)> &change,
-                    int version = projectVersion)
-{
-    PartMap parts = readContainer(bytes, projectVersion, {}).value().parts;
-    change(parts);
-    std::vector<PackedBlock> blocks;
-    for (const auto &[name, content] : parts)
-        blocks.push_back(packBlock(name, content));
-    return containerBytes(version, blocks);
-}
-
-//! The bytes of a session in which the content of one block is damaged in the file.
-QByteArray withDamagedBlock(const test::Session &session, const QByteArray &name)
-{
-    QByteArray bytes = bytesOf(session);
-    const QByteArray content = readContainer(bytes, projectVersion, {}).value().parts.at(name);
-    const PackedBlock block = packBlock(name, content, name != "thumbnail" && name != "journal");
-    const qsizetype at = bytes.indexOf(block.checksum);
-    bytes[at + 3] = static_cast<char>(bytes[at + 3] ^ 16);
-    return bytes;
-}
-
 } // namespace
 
 class TestProjectFile : public QObject
@@ -126,16 +97,6 @@ private Q_SLOTS:
     void newerVersionIsRefused();
     void migrationsRunInOrder();
     void migrationsFail();
-    void damagedBlock_data();
-    void damagedBlock();
-    void missingUvSet();
-    void exchangedBlocks();
-    void truncated();
-    void noSession_data();
-    void noSession();
-    void contradictions_data();
-    void contradictions();
-    void bombIsRefused();
     void backups();
     void backupsThroughLink();
     void failedSaveKeepsBackups();
@@ -179,7 +140,7 @@ void TestProjectFile::roundTrip()
 void TestProjectFile::objSourceComesBack()
 {
     const test::Session session = test::cubeSession();
-    const LoadedProject loaded = parseProject(bytesOf(session), {}).value();
+    const LoadedProject loaded = parseProject(test::bytesOf(session), {}).value();
     QVERIFY(loaded.notes.isEmpty());
     const QByteArray text = objBytes(loaded.state.scene);
     QVERIFY(text.startsWith("# a cube\nmtllib cube.mtl\no Würfel\n"));
@@ -189,7 +150,7 @@ void TestProjectFile::objSourceComesBack()
 
 void TestProjectFile::otherFormatsAreNoted()
 {
-    const LoadedProject loaded = parseProject(bytesOf(test::gridSession(3, 0, 1)), {}).value();
+    const LoadedProject loaded = parseProject(test::bytesOf(test::gridSession(3, 0, 1)), {}).value();
     QCOMPARE(loaded.notes.size(), 1);
     QVERIFY2(loaded.notes.first().contains(u"ply file, not its normals"), qPrintable(loaded.notes.first()));
 }
@@ -201,10 +162,10 @@ void TestProjectFile::seamSettingsComeBack()
     settings.seams = SeamMode::Only;
     settings.givenSeams = {
         .cuts = false, .map = true, .sharp = true, .hard = false, .materials = true, .sharpAngle = 12.5};
-    QVERIFY(parseProject(bytesOf(session), {}).value().state.solveSettings == settings);
+    QVERIFY(parseProject(test::bytesOf(session), {}).value().state.solveSettings == settings);
     // Files of older programs have none of this, and files of other programs may have nonsense.
     const auto reread = [&](const std::function<void(QCborMap &)> &change) {
-        const QByteArray bytes = repacked(bytesOf(session), [&](PartMap &parts) {
+        const QByteArray bytes = test::repacked(test::bytesOf(session), [&](PartMap &parts) {
             QCborMap all = QCborValue::fromCbor(parts["settings"]).toMap();
             QCborMap solve = all["solve"_L1].toMap();
             change(solve);
@@ -229,12 +190,12 @@ void TestProjectFile::hardEdgesAreChecked()
 {
     const test::Session session = test::gridSession(3, 0, 1);
     const auto reread = [&](const std::function<void(QCborMap &)> &change) {
-        return parseProject(repacked(bytesOf(session),
-                                     [&](PartMap &parts) {
-                                         QCborMap map = QCborValue::fromCbor(parts["polygons"]).toMap();
-                                         change(map);
-                                         parts["polygons"] = map.toCborValue().toCbor();
-                                     }),
+        return parseProject(test::repacked(test::bytesOf(session),
+                                           [&](PartMap &parts) {
+                                               QCborMap map = QCborValue::fromCbor(parts["polygons"]).toMap();
+                                               change(map);
+                                               parts["polygons"] = map.toCborValue().toCbor();
+                                           }),
                             {});
     };
     QCOMPARE(reread([](QCborMap &) {})->state.scene.hardEdges, session.state.scene.hardEdges);
@@ -250,7 +211,7 @@ void TestProjectFile::writerKeepsTheModel()
     const test::Session cube = test::cubeSession();
     const test::Session grid = test::gridSession(4, 10, 5);
     for (const test::Session *session : {&cube, &cube, &grid, &cube})
-        QVERIFY(writer.bytes(session->state, session->extras) == bytesOf(*session));
+        QVERIFY(writer.bytes(session->state, session->extras) == test::bytesOf(*session));
 }
 
 void TestProjectFile::everyVersionOpens_data()
@@ -279,8 +240,8 @@ void TestProjectFile::everyVersionOpens()
 
 void TestProjectFile::newerVersionIsRefused()
 {
-    const QByteArray bytes = repacked(
-        bytesOf(test::cubeSession()), [](PartMap &) {}, projectVersion + 1);
+    const QByteArray bytes = test::repacked(
+        test::bytesOf(test::cubeSession()), [](PartMap &) {}, projectVersion + 1);
     const Result<LoadedProject> loaded = parseProject(bytes, u"new.acproj"_s);
     QVERIFY(!loaded.ok());
     QVERIFY(loaded.error().message.contains(
@@ -319,216 +280,6 @@ void TestProjectFile::migrationsFail()
     QVERIFY(!reached);
     QVERIFY(migrateParts(parts, 2, migrations));
     QVERIFY(reached);
-}
-
-void TestProjectFile::damagedBlock_data()
-{
-    QTest::addColumn<QByteArray>("block");
-    QTest::addColumn<QString>("lost");
-    const auto row = [](const char *block, const char *lost) {
-        QTest::newRow(block) << QByteArray(block) << QString::fromLatin1(lost);
-    };
-    row("scene", "the names of objects and materials");
-    row("seams", "the seams");
-    row("constraints", "the pins and rectangles");
-    row("marks", "the marks of the islands");
-    row("settings", "the settings");
-    row("selection", "the selection");
-    row("view", "the view");
-    row("uvSets", "the list of UV sets");
-    row("thumbnail", "the thumbnail");
-    row("sessionPath", "the session's own path");
-    row("journal", "the journal");
-    row("journalStart", "the journal");
-    row("obj", "");
-}
-
-void TestProjectFile::damagedBlock()
-{
-    QFETCH(QByteArray, block);
-    QFETCH(QString, lost);
-    test::Session session = test::cubeSession();
-    const Result<LoadedProject> loaded = parseProject(withDamagedBlock(session, block), u"x.acproj"_s);
-    if (lost.isEmpty()) {
-        QVERIFY(!loaded.ok());
-        QCOMPARE(loaded.error().message, u"the model in the session is damaged"_s);
-        return;
-    }
-    QVERIFY(loaded.ok());
-    QCOMPARE(loaded->lost, QStringList{lost});
-    QCOMPARE(loaded->notes, QStringList{lost + u": damaged in the session, left out"_s});
-    QCOMPARE(loaded->state.validate(), QString());
-    // All the rest is there.
-    DocumentState &state = session.state;
-    if (block == "seams")
-        state.seams = Seams::allFree(*state.scene.mesh);
-    else if (block == "constraints")
-        state.constraints = {};
-    else if (block == "marks")
-        state.marks = IslandMarks::none(*state.scene.mesh);
-    else if (block == "settings")
-        state.solveSettings = {}, state.packingSettings = {};
-    else if (block == "selection")
-        state.selection = {};
-    else if (block == "view")
-        state.viewState.clear();
-    else if (block == "uvSets")
-        state.activeUvSet = 0;
-    else if (block == "scene")
-        state.scene.path = u"x.acproj"_s;
-    QVERIFY(loaded->state == state);
-    QCOMPARE(loaded->extras.journal.has_value(), !block.startsWith("journal"));
-}
-
-void TestProjectFile::missingUvSet()
-{
-    const test::Session session = test::cubeSession();
-    const auto &sets = session.state.scene.uvSets;
-    const Result<LoadedProject> first = parseProject(withDamagedBlock(session, "uv.0"), {});
-    QVERIFY(first.ok());
-    QCOMPARE(first->lost, QStringList{u"the UV sets before \"lightmap ☀\""_s});
-    QCOMPARE(first->state.scene.uvSets.size(), std::size_t(1));
-    QCOMPARE(first->state.scene.uvSets[0].name, sets[1].name);
-    QCOMPARE(first->state.activeUvSet, 0);
-    QCOMPARE(first->state.uvScales, std::vector<double>{session.state.uvScales[1]});
-    const Result<LoadedProject> second = parseProject(withDamagedBlock(session, "uv.1"), {});
-    QVERIFY(second.ok());
-    QCOMPARE(second->lost, QStringList{u"the last UV sets"_s});
-    QCOMPARE(second->state.scene.uvSets[0].name, sets[0].name);
-    const QByteArray none = repacked(bytesOf(session), [](PartMap &parts) {
-        parts.erase("uv.0");
-        parts.erase("uv.1");
-    });
-    const Result<LoadedProject> empty = parseProject(none, {});
-    QVERIFY(empty.ok());
-    QCOMPARE(empty->lost, QStringList{u"the UV sets"_s});
-    QCOMPARE(empty->state.scene.uvSets.size(), std::size_t(1));
-    QVERIFY(!empty->state.scene.hasUv());
-}
-
-void TestProjectFile::exchangedBlocks()
-{
-    const test::Session session = test::cubeSession();
-    const ProjectParts container = readContainer(bytesOf(session), projectVersion, {}).value();
-    std::vector<PackedBlock> blocks;
-    for (const auto &[name, content] : container.parts)
-        blocks.push_back(packBlock(name, content));
-    std::reverse(blocks.begin(), blocks.end());
-    const Result<LoadedProject> reversed = parseProject(containerBytes(projectVersion, blocks), {});
-    QVERIFY(reversed.ok());
-    QVERIFY(reversed->lost.isEmpty());
-    QVERIFY(reversed->state == session.state);
-    // The content of one block under the name of another.
-    const auto named = [&](const char *name) {
-        return std::find_if(blocks.begin(), blocks.end(),
-                            [&](const auto &block) { return block.name == name; });
-    };
-    std::swap(named("seams")->name, named("marks")->name);
-    const Result<LoadedProject> swapped = parseProject(containerBytes(projectVersion, blocks), {});
-    QVERIFY(swapped.ok());
-    QCOMPARE(swapped->lost, (QStringList{u"the seams"_s, u"the marks of the islands"_s}));
-}
-
-void TestProjectFile::truncated()
-{
-    const test::Session session = test::gridSession(6, 60, 2);
-    const QByteArray bytes = bytesOf(session);
-    int opened = 0;
-    for (qsizetype size = 0; size < bytes.size(); size += 7) {
-        const Result<LoadedProject> loaded = parseProject(bytes.left(size), {});
-        opened += loaded.ok();
-        if (!loaded.ok())
-            QCOMPARE(opened, 0); // once the model is whole it opens
-        else
-            QCOMPARE(loaded->notes.first(), u"the session is cut off or damaged in the middle"_s);
-    }
-    QVERIFY(opened > 10);
-}
-
-void TestProjectFile::noSession_data()
-{
-    QTest::addColumn<QByteArray>("bytes");
-    QTest::newRow("empty") << QByteArray();
-    QTest::newRow("text") << QByteArray("v 0 0 0\nv 1 0 0\n");
-    QTest::newRow("zeros") << QByteArray(1000, '\0');
-    QTest::newRow("break") << QByteArray(1000, '\xff');
-    QTest::newRow("array") << QByteArray("\x82\x01\x02");
-    QTest::newRow("other map") << QByteArray("\xa1\x66\x66ormat\x61\x61");
-    QTest::newRow("version of zero") << containerBytes(0, {});
-    QTest::newRow("version below zero") << containerBytes(-3, {});
-    QTest::newRow("deep") << QByteArray(100000, '\x81');
-    QTest::newRow("huge map") << QByteArray("\xbb\xff\xff\xff\xff\xff\xff\xff\xff");
-    QTest::newRow("huge text") << QByteArray("\xa3\x7b\x7f\xff\xff\xff\xff\xff\xff\xff"
-                                             "abc");
-    QTest::newRow("no blocks") << containerBytes(projectVersion, {});
-}
-
-void TestProjectFile::noSession()
-{
-    QFETCH(QByteArray, bytes);
-    const Result<LoadedProject> loaded = parseProject(bytes, u"x.acproj"_s);
-    QVERIFY(!loaded.ok());
-    QVERIFY(!loaded.error().message.isEmpty());
-    QCOMPARE(loaded.error().file, u"x.acproj"_s);
-}
-
-void TestProjectFile::contradictions_data()
-{
-    QTest::addColumn<QByteArray>("from");
-    QTest::addColumn<QByteArray>("part");
-    QTest::addColumn<QString>("lost");
-    // The parts of a larger grid instead of its own.
-    QTest::newRow("UVs") << QByteArray("uv.0") << QByteArray("uv.0") << u"the UV sets before \"lightmap\""_s;
-    QTest::newRow("seams") << QByteArray("seams") << QByteArray("seams") << QString();
-    QTest::newRow("constraints") << QByteArray("constraints") << QByteArray("constraints")
-                                 << u"the pins and rectangles"_s;
-    QTest::newRow("marks") << QByteArray("marks") << QByteArray("marks") << u"the marks of the islands"_s;
-    QTest::newRow("selection") << QByteArray("selection") << QByteArray("selection") << u"the selection"_s;
-    QTest::newRow("other kind") << QByteArray("marks") << QByteArray("seams") << u"the seams"_s;
-}
-
-void TestProjectFile::contradictions()
-{
-    QFETCH(QByteArray, from);
-    QFETCH(QByteArray, part);
-    QFETCH(QString, lost);
-    const auto stateFor = [](int n) {
-        DocumentState state = test::layoutDocument(test::grid(n))->state();
-        const MeshData &mesh = *state.scene.mesh;
-        for (int p = 0; p < mesh.cornerPairCount(); ++p) {
-            if (!mesh.edgePairs[p / 2].diagonal)
-                state.seams.states[p] = PairState::Cut;
-        }
-        state.constraints.pins = {{mesh.cornerCount() - 1, {0, 0}, true, 1}};
-        state.marks.faceFlags.back().locked = 1;
-        state.selection.faces = {mesh.faceCount() - 1};
-        return state;
-    };
-    const PartMap large = statePartsOf(stateFor(5), StateScope::Session);
-    const QByteArray bytes =
-        repacked(bytesOf({stateFor(3), {}}), [&](PartMap &parts) { parts[part] = large.at(from); });
-    const Result<LoadedProject> loaded = parseProject(bytes, {});
-    QVERIFY(loaded.ok());
-    QCOMPARE(loaded->state.validate(), QString());
-    if (!lost.isEmpty())
-        QCOMPARE(loaded->lost, QStringList{lost});
-    else
-        QVERIFY2(loaded->notes.join(u'\n').contains(u"seams do not fit the model"),
-                 qPrintable(loaded->notes.join(u'\n')));
-}
-
-void TestProjectFile::bombIsRefused()
-{
-    // A size that no stream of this length can give, and a stream that gives more than its size says.
-    const QByteArray content(1000000, 'x');
-    PackedBlock block = packBlock("view", content);
-    PackedBlock large = packBlock("seams", content);
-    block.size = qint64(1) << 40;
-    large.size = 10;
-    const ProjectParts parts =
-        readContainer(containerBytes(projectVersion, {block, large}), projectVersion, {}).value();
-    QVERIFY(parts.parts.empty());
-    QCOMPARE(parts.damaged.size(), std::size_t(2));
 }
 
 void TestProjectFile::backups()

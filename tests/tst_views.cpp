@@ -1,7 +1,4 @@
-// Both views with real mouse and key events: selecting, hovering, navigating, and what is drawn.
-#include "commands/changesettings.h"
-#include "commands/editrectangles.h"
-#include "commands/setseamstate.h"
+// Both views with real mouse and key events: selecting, hovering, navigating.
 #include "support/canvases.h"
 #include "support/editsupport.h"
 
@@ -19,47 +16,6 @@ namespace {
 std::unique_ptr<Document> gridDocument()
 {
     return test::layoutDocument(test::grid(4));
-}
-
-QColor pixelAt(Canvas &canvas, const QPoint &place)
-{
-    const QImage picture = canvas.picture();
-    return picture.pixelColor(place * picture.devicePixelRatio());
-}
-
-//! How many pixels are near a colour, by the sum of the differences of its components.
-int countNear(const QImage &picture, const QColor &color, int distance)
-{
-    int count = 0;
-    for (int y = 0; y < picture.height(); ++y) {
-        for (int x = 0; x < picture.width(); ++x) {
-            const QRgb c = picture.pixel(x, y);
-            count += std::abs(qRed(c) - color.red()) + std::abs(qGreen(c) - color.green()) +
-                         std::abs(qBlue(c) - color.blue()) <=
-                     distance;
-        }
-    }
-    return count;
-}
-
-//! The edge between two vertices of the grid, by their places.
-int edgeBetween(const Document &document, const Vec2 &a, const Vec2 &b)
-{
-    const MeshAdjacency &adjacency = document.adjacency();
-    for (int e = 0; e < adjacency.edgeCount(); ++e) {
-        const auto &v = adjacency.edgeVertices(e);
-        const Vec2 p = document.mesh().positions.row(v[0]).head<2>(),
-                   q = document.mesh().positions.row(v[1]).head<2>();
-        if (!adjacency.isDiagonal(e) && ((p == a && q == b) || (p == b && q == a)))
-            return e;
-    }
-    return -1;
-}
-
-QPoint edgePlace(const Canvas &canvas, int edge)
-{
-    const int side = canvas.content().topology().edgeSides[edge][0];
-    return Canvases::place(canvas, {side, nextSoupCorner(side)});
 }
 
 } // namespace
@@ -81,7 +37,7 @@ private Q_SLOTS:
     {
         Canvases empty;
         const QImage before = empty.mesh.picture();
-        QVERIFY(countNear(before, empty.mesh.content().colors().text, 30) > 50);
+        QVERIFY(test::countNear(before, empty.mesh.content().colors().text, 30) > 50);
         QTest::mouseClick(&empty.mesh, Qt::LeftButton, {}, {100, 100});
         Canvases::moveMouse(empty.uv, {50, 60});
         QTest::keyClick(&empty.uv, Qt::Key_Home);
@@ -117,22 +73,6 @@ private Q_SLOTS:
         QVERIFY(mStudio->document().undoStack().count() == 0);
     }
 
-    void selectionIsDrawnInBothViews()
-    {
-        const QColor orange = mStudio->preferences.values().selectionColor;
-        for (Canvas *canvas : {static_cast<Canvas *>(&mStudio->mesh), static_cast<Canvas *>(&mStudio->uv)}) {
-            const QPoint place = Canvases::middle(*canvas, 6);
-            mStudio->select(SelectionMode::Faces);
-            const QColor before = pixelAt(*canvas, place);
-            Selection selection = mStudio->document().selection();
-            selection.faces = {3};
-            mStudio->document().setSelection(selection);
-            const QColor after = pixelAt(*canvas, place);
-            QVERIFY(after.red() - after.blue() > before.red() - before.blue() + 60);
-            QVERIFY(std::abs(after.hue() - orange.hue()) < 25);
-        }
-    }
-
     void verticesOfTheModelAreAllTheirCorners()
     {
         mStudio->select(SelectionMode::Vertices);
@@ -154,26 +94,27 @@ private Q_SLOTS:
     {
         mStudio->select(SelectionMode::Edges);
         const Document &document = mStudio->document();
-        const int first = edgeBetween(document, {0, 0.25}, {0.25, 0.25});
-        const int last = edgeBetween(document, {0.75, 0.25}, {1, 0.25});
-        QTest::mouseClick(&mStudio->mesh, Qt::LeftButton, {}, edgePlace(mStudio->mesh, first));
+        const int first = mStudio->edgeBetween({0, 0.25, 0}, {0.25, 0.25, 0});
+        const int last = mStudio->edgeBetween({0.75, 0.25, 0}, {1, 0.25, 0});
+        QTest::mouseClick(&mStudio->mesh, Qt::LeftButton, {}, Canvases::middleOfEdge(mStudio->mesh, first));
         QCOMPARE(document.selection().edges, QList<int>({first}));
         QTest::mouseClick(&mStudio->mesh, Qt::LeftButton, Qt::ControlModifier,
-                          edgePlace(mStudio->mesh, last));
-        QList<int> row{first, edgeBetween(document, {0.25, 0.25}, {0.5, 0.25}),
-                       edgeBetween(document, {0.5, 0.25}, {0.75, 0.25}), last};
+                          Canvases::middleOfEdge(mStudio->mesh, last));
+        QList<int> row{first, mStudio->edgeBetween({0.25, 0.25, 0}, {0.5, 0.25, 0}),
+                       mStudio->edgeBetween({0.5, 0.25, 0}, {0.75, 0.25, 0}), last};
         std::sort(row.begin(), row.end());
         QCOMPARE(document.selection().edges, row);
 
-        const int upright = edgeBetween(document, {0.25, 0.25}, {0.25, 0.5});
-        QTest::mouseDClick(&mStudio->mesh, Qt::LeftButton, {}, edgePlace(mStudio->mesh, upright));
+        const int upright = mStudio->edgeBetween({0.25, 0.25, 0}, {0.25, 0.5, 0});
+        QTest::mouseDClick(&mStudio->mesh, Qt::LeftButton, {},
+                           Canvases::middleOfEdge(mStudio->mesh, upright));
         QCOMPARE(document.selection().edges.size(), 4);
         for (int edge : document.selection().edges) {
             for (int vertex : document.adjacency().edgeVertices(edge))
                 QCOMPARE(document.mesh().positions(vertex, 0), 0.25);
         }
         QTest::mouseDClick(&mStudio->mesh, Qt::LeftButton, Qt::ShiftModifier,
-                           edgePlace(mStudio->mesh, first));
+                           Canvases::middleOfEdge(mStudio->mesh, first));
         QCOMPARE(document.selection().edges.size(), 8);
     }
 
@@ -239,11 +180,11 @@ private Q_SLOTS:
     {
         QFETCH(SelectionMode, mode);
         mStudio->select(mode);
-        const int edge = edgeBetween(mStudio->document(), {0.25, 0.25}, {0.25, 0.5});
+        const int edge = mStudio->edgeBetween({0.25, 0.25, 0}, {0.25, 0.5, 0});
         const int soup = mStudio->mesh.content().topology().edgeSides[edge][0];
         const auto target = [&](const Canvas &canvas) {
             return mode == SelectionMode::Faces   ? Canvases::middle(canvas, 13)
-                   : mode == SelectionMode::Edges ? edgePlace(canvas, edge)
+                   : mode == SelectionMode::Edges ? Canvases::middleOfEdge(canvas, edge)
                                                   : Canvases::place(canvas, {soup});
         };
         Canvases::moveMouse(mStudio->mesh, {5, 5});
@@ -387,185 +328,6 @@ private Q_SLOTS:
         QCOMPARE(mStudio->uv.viewState(), ofMap);
     }
 
-    void seamsHaveTheirColour()
-    {
-        const QColor red = mStudio->preferences.values().seamColor;
-        for (Canvas *canvas : {static_cast<Canvas *>(&mStudio->mesh), static_cast<Canvas *>(&mStudio->uv)}) {
-            const int shown = countNear(canvas->picture(), red, 60);
-            QVERIFY2(shown > 150, qPrintable(QString::number(shown)));
-            ViewOptions options = mStudio->view.options();
-            options.seams = false;
-            mStudio->view.setOptions(options);
-            QVERIFY(countNear(canvas->picture(), red, 60) < shown / 10);
-            options.seams = true;
-            mStudio->view.setOptions(options);
-            QCOMPARE(countNear(canvas->picture(), red, 60), shown);
-        }
-    }
-
-    void texturesLieOnTheModelAndBehindTheMap()
-    {
-        QImage picture(2, 2, QImage::Format_RGB32);
-        picture.setPixel(0, 0, qRgb(250, 240, 20)); // upper left: small u, large v
-        picture.setPixel(1, 0, qRgb(20, 240, 20));
-        picture.setPixel(0, 1, qRgb(20, 30, 240));
-        picture.setPixel(1, 1, qRgb(20, 240, 240));
-        picture = picture.scaled(64, 64);
-        const QString path = mStudio->folder.filePath(QStringLiteral("texture.png"));
-        QVERIFY(picture.save(path));
-        ViewOptions options;
-        options.texturePath = path;
-        options.pattern = Pattern::Texture;
-        options.fillIslands = false;
-        mStudio->view.setOptions(options);
-        UvView &uv = mStudio->uv;
-        const auto inMap = [&](double u, double v) {
-            return pixelAt(uv, uv.camera().toScreen(Vec2(u, v)).toPoint());
-        };
-        QTRY_VERIFY(inMap(0.3, 0.7).red() > 180);
-        QVERIFY(inMap(0.3, 0.7).blue() < 60);
-        QVERIFY(inMap(0.3, 0.3).blue() > 180 && inMap(0.3, 0.3).green() < 90);
-        QVERIFY(inMap(0.7, 0.7).green() > 180 && inMap(0.7, 0.7).red() < 90);
-        // Faces 0 to 4 are the lower row; u is x for the left half.
-        const QColor lower = pixelAt(mStudio->mesh, Canvases::middle(mStudio->mesh, 0));
-        const QColor upper = pixelAt(mStudio->mesh, Canvases::middle(mStudio->mesh, 2 * 12));
-        QVERIFY(lower.blue() > lower.red() + 40);
-        QVERIFY(upper.red() > upper.blue() + 40);
-        options.texturePath = mStudio->folder.filePath(QStringLiteral("gone.png"));
-        mStudio->view.setOptions(options);
-        QTRY_VERIFY(inMap(0.3, 0.7).red() < 120);
-    }
-
-    void rectanglesAreDrawn()
-    {
-        LayoutRectangle rectangle;
-        rectangle.name = QStringLiteral("hands");
-        rectangle.color = qRgb(20, 230, 240);
-        rectangle.lower = Vec2(0.55, 0.55);
-        rectangle.upper = Vec2(0.9, 0.95);
-        rectangle.hard = true;
-        const QColor color(rectangle.color);
-        const int before = countNear(mStudio->uv.picture(), color, 90);
-        mStudio->document().undoStack().push(EditRectangles::add(mStudio->document(), rectangle));
-        QVERIFY(countNear(mStudio->uv.picture(), color, 90) > before + 300);
-        ViewOptions options;
-        options.steering = false;
-        mStudio->view.setOptions(options);
-        QCOMPARE(countNear(mStudio->uv.picture(), color, 90), before);
-    }
-
-    void forcedCutsAppearAtOnce()
-    {
-        const int edge = edgeBetween(mStudio->document(), {0.25, 0.25}, {0.25, 0.5});
-        const QPoint place = edgePlace(mStudio->mesh, edge);
-        const QColor before = pixelAt(mStudio->mesh, place);
-        mStudio->document().undoStack().push(std::make_unique<SetSeamState>(
-            mStudio->document(), SetSeamState::Edit::Cut,
-            cornerPairsOfEdges(mStudio->document().mesh(), std::vector<int>{edge})));
-        const QColor after = pixelAt(mStudio->mesh, place),
-                     blue = mStudio->preferences.values().forcedCutColor;
-        QVERIFY(after.blue() > before.blue() + 40);
-        QVERIFY(std::abs(after.hue() - blue.hue()) < 20);
-        mStudio->document().undoStack().undo();
-        QCOMPARE(pixelAt(mStudio->mesh, place), before);
-    }
-
-    void liveMapsAreDrawnAndPicked()
-    {
-        UvView &uv = mStudio->uv;
-        const MeshData &mesh = mStudio->document().mesh();
-        UvMatrix live(mesh.soupCornerCount(), 2);
-        for (int t = 0; t < mesh.triangleCount(); ++t) {
-            live.row(3 * t) << 0.1 * t, -1;
-            live.row(3 * t + 1) << 0.1 * t + 0.09, -1;
-            live.row(3 * t + 2) << 0.1 * t, -0.9;
-        }
-        mStudio->shown.showSoup(live, std::vector<float>(mesh.cornerPairCount(), 1));
-        uv.frameAll();
-        const QPoint place = Canvases::middle(uv, 9);
-        QCOMPARE(uv.pick(place).triangle, 9);
-        QVERIFY(pixelAt(uv, place) != pixelAt(uv, place + QPoint(0, 30)));
-        mStudio->shown.showDocument();
-        QVERIFY(uv.pick(place).triangle != 9);
-    }
-
-    void onlyWhatAnEventNamesIsRefilled()
-    {
-        using Content = SceneContent;
-        Content model(mStudio->context, false), map(mStudio->context, true);
-        QCOMPARE(model.refresh(), int(Content::AllParts));
-        QCOMPARE(map.refresh(), int(Content::AllParts));
-        QSignalSpy changes(&model, &Content::changed);
-        const auto expect = [&](int ofModel, int ofMap) {
-            QVERIFY(!changes.isEmpty());
-            changes.clear();
-            QCOMPARE(model.refresh(), ofModel);
-            QCOMPARE(map.refresh(), ofMap);
-        };
-        mStudio->view.setHover({3, -1, -1});
-        expect(0, 0);
-        Selection selection;
-        selection.faces = {1};
-        mStudio->document().setSelection(selection);
-        expect(Content::Faces, Content::Faces);
-        selection.edges = {edgeBetween(mStudio->document(), {0, 0.25}, {0.25, 0.25})};
-        mStudio->document().setSelection(selection);
-        expect(Content::Sides, Content::Sides);
-        selection.corners = {4};
-        mStudio->document().setSelection(selection);
-        expect(Content::Points, Content::Points);
-        QCOMPARE(model.points().size(), map.points().size());
-        mStudio->document().undoStack().push(
-            std::make_unique<SetSeamState>(mStudio->document(), SetSeamState::Edit::Cut,
-                                           cornerPairsOfEdges(mStudio->document().mesh(), selection.edges)));
-        expect(Content::Sides, Content::Sides);
-        ViewOptions options;
-        options.wireframe = false;
-        mStudio->view.setOptions(options);
-        expect(Content::Sides, Content::Sides);
-        options.coloring = Coloring::Islands;
-        mStudio->view.setOptions(options);
-        expect(Content::Faces, Content::Faces);
-        options.smoothShading = true;
-        mStudio->view.setOptions(options);
-        expect(0, 0);
-        const MeshData &mesh = mStudio->document().mesh();
-        mStudio->shown.showSoup(UvMatrix::Random(mesh.soupCornerCount(), 2),
-                                std::vector<float>(mesh.cornerPairCount(), 0.2f));
-        const int live = Content::Uvs | Content::Faces | Content::Sides;
-        expect(live, live | Content::Points);
-        QVERIFY(model.ghostUvs().empty());
-        QCOMPARE(map.ghostUvs().size(), map.uvs().size());
-        mStudio->shown.showDocument();
-        expect(live, live | Content::Points);
-        QVERIFY(map.ghostUvs().empty());
-    }
-
-    void givenSeamsAreDrawn()
-    {
-        Document &document = mStudio->document();
-        mStudio->uv.frameAll();
-        const auto drawn = [&](Canvas &canvas) {
-            const QColor given = canvas.content().colors().sides[static_cast<int>(SideStyle::Given)];
-            return countNear(canvas.picture(), given, 60);
-        };
-        SceneContent content(mStudio->context, false);
-        content.refresh();
-        QCOMPARE(drawn(mStudio->mesh) + drawn(mStudio->uv), 0);
-        SolveSettings settings;
-        settings.lambda = 0.5;
-        pushCommand(std::make_unique<ChangeSettings>(document, settings));
-        QCOMPARE(content.refresh(), 0);
-        settings.seams = SeamMode::Keep;
-        pushCommand(std::make_unique<ChangeSettings>(document, settings));
-        QCOMPARE(content.refresh(), int(SceneContent::Sides));
-        // The border between the islands: once in the model, on both sides in the map.
-        QVERIFY(drawn(mStudio->mesh) > 100 && drawn(mStudio->uv) > 100);
-        document.undoStack().undo();
-        QCOMPARE(content.refresh(), int(SceneContent::Sides));
-        QCOMPARE(drawn(mStudio->mesh) + drawn(mStudio->uv), 0);
-    }
-
     void lostReleasesDoNoHarm()
     {
         MeshView &mesh = mStudio->mesh;
@@ -592,28 +354,6 @@ private Q_SLOTS:
         mStudio->select(SelectionMode::Edges);
         QVERIFY(hints.count() > 0);
         QVERIFY(mStudio->tools.tool()->hint().contains(QStringLiteral("edges")));
-    }
-
-    void picturesSurviveHostileDocuments()
-    {
-        // Degenerate, non-manifold, without UVs; and UVs beyond all bounds.
-        const auto dirty = test::dirty();
-        Document &document = mStudio->open(std::make_unique<Document>(test::sceneOf(dirty)));
-        QVERIFY(!mStudio->mesh.picture().isNull());
-        Scene scene = document.state().scene;
-        scene.uvSets[0].uv = UvMatrix::Constant(dirty->cornerCount(), 2, 1e300);
-        scene.uvSets[0].uv.row(0) << -1e300, 0.5;
-        mStudio->open(std::make_unique<Document>(scene));
-        for (int coloring = 0; coloring <= static_cast<int>(Coloring::PaintWeights); ++coloring) {
-            ViewOptions options;
-            options.coloring = static_cast<Coloring>(coloring);
-            mStudio->view.setOptions(options);
-            QVERIFY(!mStudio->uv.picture().isNull());
-            Canvases::moveMouse(mStudio->uv, {100 + coloring, 100});
-            Canvases::moveMouse(mStudio->mesh, {250, 250 + coloring});
-        }
-        mStudio->workspace.close();
-        QVERIFY(!mStudio->uv.picture().isNull());
     }
 
 private:

@@ -116,4 +116,18 @@ void Canvases::turnWheel(Canvas &canvas, const QPoint &place, int angle, Qt::Key
     QCoreApplication::sendEvent(&canvas, &event);
 }
 
+int countNear(const QImage &picture, const QColor &color, int distance)
+{
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const QRgb c = picture.pixel(x, y);
+            count += std::abs(qRed(c) - color.red()) + std::abs(qGreen(c) - color.green()) +
+                         std::abs(qBlue(c) - color.blue()) <=
+                     distance;
+        }
+    }
+    return count;
+}
+
 } // namespace autocuts::test

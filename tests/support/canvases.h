@@ -61,4 +61,7 @@ public:
     UvView uv;
 };
 
+//! How many pixels are near a colour, by the sum of the differences of its components.
+int countNear(const QImage &picture, const QColor &color, int distance);
+
 } // namespace autocuts::test

@@ -127,4 +127,19 @@ Session gridSession(int n, int edits, int seed)
     return sessionOf(*document, recorder);
 }
 
+QByteArray bytesOf(const Session &session)
+{
+    return ProjectWriter().bytes(session.state, session.extras);
+}
+
+QByteArray repacked(const QByteArray &bytes, const std::function<void(PartMap &)> &change, int version)
+{
+    PartMap parts = readContainer(bytes, projectVersion, {}).value().parts;
+    change(parts);
+    std::vector<PackedBlock> blocks;
+    for (const auto &[name, content] : parts)
+        blocks.push_back(packBlock(name, content));
+    return containerBytes(version, blocks);
+}
+
 } // namespace autocuts::test

@@ -2,6 +2,9 @@
 #pragma once
 
 #include "model/io/projectfile.h"
+#include "model/io/projectmigration.h"
+
+#include <functional>
 
 namespace autocuts::test {
 
@@ -18,5 +21,11 @@ Session cubeSession();
 //! A bulged grid of n x n quads from no OBJ file, in two islands, with random steering and a journal of
 //! random edits. \param seed of the edits
 Session gridSession(int n, int edits, int seed);
+
+//! The file of a session.
+QByteArray bytesOf(const Session &session);
+//! The bytes of a session after a change of its parts, with checksums that fit again.
+QByteArray repacked(const QByteArray &bytes, const std::function<void(PartMap &)> &change,
+                    int version = projectVersion);
 
 } // namespace autocuts::test
