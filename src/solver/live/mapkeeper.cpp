@@ -28,102 +28,71 @@ MapKeeper::~MapKeeper() = default;
 template <class Change>
 void MapKeeper::order(Change &&change)
 {
-    {
-        const std::lock_guard lock(mMutex);
-        change(mOrders);
-        mInterrupt = true;
-        mAtRest = false;
-    }
+    mMailbox.order([&](auto &box) {
+        box.atRest = false;
+        change(box);
+    });
     QMetaObject::invokeMethod(this, &MapKeeper::work, Qt::QueuedConnection);
 }
 
 void MapKeeper::start(std::shared_ptr<const Snapshot> snapshot, const unwrap::LiveMapOptions &options)
 {
-    order([&](Orders &orders) {
-        orders = {};
-        orders.start = true;
-        orders.snapshot = std::move(snapshot);
-        orders.options = options;
-        orders.run = false;
-        mWaitingMap.reset();
-        mFailure.reset();
+    order([&](auto &box) {
+        box = {};
+        box.orders.start = true;
+        box.orders.snapshot = std::move(snapshot);
+        box.orders.options = options;
+        box.orders.run = false;
     });
 }
 
 void MapKeeper::update(std::shared_ptr<const Snapshot> snapshot, const unwrap::LiveMapOptions &options,
                        bool pulled, std::shared_ptr<const unwrap::LiveMapResult> back)
 {
-    order([&](Orders &orders) {
-        orders.snapshot = std::move(snapshot);
-        orders.options = options;
-        orders.pulled = pulled;
-        orders.token.reset();
+    order([&](auto &box) {
+        box.orders.snapshot = std::move(snapshot);
+        box.orders.options = options;
+        box.orders.pulled = pulled;
+        box.orders.token.reset();
         if (back)
-            orders.back = std::move(back);
+            box.orders.back = std::move(back);
     });
 }
 
 void MapKeeper::setToken(const StateToken &token)
 {
-    order([&](Orders &orders) {
-        orders.token = token;
-        if (mWaitingMap)
-            mWaitingMap = withMapToken(*mWaitingMap, token);
+    order([&](auto &box) {
+        box.orders.token = token;
+        if (box.result)
+            box.result = withMapToken(*box.result, token);
     });
 }
 
 void MapKeeper::run()
 {
-    order([](Orders &orders) { orders.run = true; });
+    order([](auto &box) { box.orders.run = true; });
 }
 
 void MapKeeper::pause()
 {
-    order([](Orders &orders) { orders.run = false; });
-}
-
-std::shared_ptr<const unwrap::LiveMapResult> MapKeeper::takeMap()
-{
-    const std::lock_guard lock(mMutex);
-    return std::exchange(mWaitingMap, nullptr);
-}
-
-std::optional<QString> MapKeeper::takeFailure()
-{
-    const std::lock_guard lock(mMutex);
-    return std::exchange(mFailure, std::nullopt);
-}
-
-bool MapKeeper::takeRest()
-{
-    const std::lock_guard lock(mMutex);
-    return std::exchange(mAtRest, false);
+    order([](auto &box) { box.orders.run = false; });
 }
 
 //! Works until there is nothing to do; then the thread's event loop waits for the next order.
 void MapKeeper::work()
 {
+    const std::atomic<bool> &interrupt = mMailbox.interrupt();
     try {
         do {
-            Orders orders;
-            {
-                const std::lock_guard lock(mMutex);
-                orders = std::exchange(mOrders, {});
-                mInterrupt = false;
-            }
-            obey(std::move(orders));
-            if (mRunning && mMap.work({&mInterrupt, mThreads}))
-                comeToRest();
-        } while (mInterrupt);
+            obey(mMailbox.takeOrders());
+            if (mRunning && mMap.work({&interrupt, mThreads}) &&
+                mMailbox.rest([&](const Orders &) { return interrupt.load(); }))
+                Q_EMIT rests();
+        } while (interrupt);
     } catch (const std::exception &e) {
         mRunning = false;
-        {
-            const std::lock_guard lock(mMutex);
-            if (mOrders.start)
-                return; // it is about to start again
-            mFailure = QString::fromUtf8(e.what());
-        }
-        Q_EMIT failed();
+        if (mMailbox.fail(e.what()))
+            Q_EMIT failed();
     }
 }
 
@@ -141,29 +110,12 @@ void MapKeeper::obey(Orders orders)
 
 void MapKeeper::give(std::shared_ptr<const unwrap::LiveMapResult> map)
 {
-    bool isFirst = false;
-    {
-        const std::lock_guard lock(mMutex);
-        if (mOrders.start)
-            return; // it belongs to a map that is over
-        if (mOrders.token)
-            map = withMapToken(*map, *mOrders.token);
-        isFirst = !mWaitingMap;
-        mWaitingMap = std::move(map);
-    }
+    const bool isFirst = mMailbox.give(std::move(map), [](const auto &box, auto &result) {
+        if (box.orders.token)
+            result = withMapToken(*result, *box.orders.token);
+    });
     if (isFirst)
         Q_EMIT mapReady();
-}
-
-void MapKeeper::comeToRest()
-{
-    {
-        const std::lock_guard lock(mMutex);
-        if (mInterrupt)
-            return; // new orders keep it running
-        mAtRest = true;
-    }
-    Q_EMIT rests();
 }
 
 } // namespace autocuts::live

@@ -1,15 +1,11 @@
 // The definite map of a live solve on a thread of its own.
 #pragma once
 
+#include "solver/live/mailbox.h"
 #include "solver/unwrap/livemap.h"
 
 #include <QObject>
 #include <QThread>
-
-#include <atomic>
-#include <memory>
-#include <mutex>
-#include <optional>
 
 namespace autocuts::live {
 
@@ -37,11 +33,11 @@ public:
     void pause();
 
     //! The newest map that was not taken yet; null when there is none.
-    std::shared_ptr<const unwrap::LiveMapResult> takeMap();
+    std::shared_ptr<const unwrap::LiveMapResult> takeMap() { return mMailbox.takeResult(); }
     //! Why it failed, untranslated, one line.
-    std::optional<QString> takeFailure();
+    std::optional<QString> takeFailure() { return mMailbox.takeFailure(); }
     //! True, once, when nothing is left to gain and it was not told anything since.
-    bool takeRest();
+    bool takeRest() { return mMailbox.takeRest(); }
 
 Q_SIGNALS:
     //! A map is waiting. Sent once until it is taken.
@@ -68,15 +64,8 @@ private:
     void work();
     void obey(Orders orders);
     void give(std::shared_ptr<const unwrap::LiveMapResult> map);
-    void comeToRest();
 
-    // Shared between threads.
-    std::mutex mMutex;
-    Orders mOrders;
-    std::shared_ptr<const unwrap::LiveMapResult> mWaitingMap;
-    std::optional<QString> mFailure;
-    bool mAtRest = false;
-    std::atomic<bool> mInterrupt = false; //!< new orders have arrived
+    Mailbox<Orders, unwrap::LiveMapResult> mMailbox;
 
     // Used by the keeper's thread only.
     const int mThreads;

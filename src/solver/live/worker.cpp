@@ -40,84 +40,62 @@ SolveWorker::~SolveWorker() = default;
 template <class Change>
 void SolveWorker::order(Change &&change)
 {
-    {
-        const std::lock_guard lock(mMutex);
-        change(mOrders);
-        mInterrupt = true;
-    }
+    mMailbox.order(change);
     QMetaObject::invokeMethod(this, &SolveWorker::work, Qt::QueuedConnection);
 }
 
 void SolveWorker::start(std::shared_ptr<const Snapshot> snapshot, const Vec2 &centre, bool warm)
 {
-    order([&](Orders &orders) {
-        orders.start = true;
-        orders.snapshot = std::move(snapshot);
-        orders.token.reset();
-        orders.pulled = false;
-        orders.warm = warm;
-        orders.back.reset();
-        orders.centre = centre;
-        mWaitingResult.reset();
-        mFailure.reset();
-        mAtRest = false;
+    order([&](auto &box) {
+        box.result.reset();
+        box.failure.reset();
+        box.atRest = false;
+        box.orders.start = true;
+        box.orders.snapshot = std::move(snapshot);
+        box.orders.token.reset();
+        box.orders.pulled = false;
+        box.orders.warm = warm;
+        box.orders.back.reset();
+        box.orders.centre = centre;
     });
 }
 
 void SolveWorker::update(std::shared_ptr<const Snapshot> snapshot, bool pulled,
                          std::shared_ptr<const SolveResult> back)
 {
-    order([&](Orders &orders) {
-        orders.snapshot = std::move(snapshot);
-        orders.token.reset();
-        orders.pulled = pulled;
+    order([&](auto &box) {
+        box.orders.snapshot = std::move(snapshot);
+        box.orders.token.reset();
+        box.orders.pulled = pulled;
         if (back)
-            orders.back = std::move(back);
+            box.orders.back = std::move(back);
     });
 }
 
 void SolveWorker::setMode(homotopy::SolveMode mode, double maxDistortion)
 {
-    order([&](Orders &orders) {
-        orders.mode = mode;
-        orders.maxDistortion = maxDistortion;
+    order([&](auto &box) {
+        box.orders.mode = mode;
+        box.orders.maxDistortion = maxDistortion;
     });
 }
 
 void SolveWorker::setToken(const StateToken &token)
 {
-    order([&](Orders &orders) { orders.token = token; });
+    order([&](auto &box) { box.orders.token = token; });
 }
 
 void SolveWorker::runSteps(int count)
 {
-    order([&](Orders &orders) {
-        orders.steps = count;
-        mAtRest = false;
+    order([&](auto &box) {
+        box.orders.steps = count;
+        box.atRest = false;
     });
 }
 
 void SolveWorker::pause()
 {
-    order([](Orders &orders) { orders.steps = 0; });
-}
-
-std::shared_ptr<const SolveResult> SolveWorker::takeResult()
-{
-    const std::lock_guard lock(mMutex);
-    return std::exchange(mWaitingResult, nullptr);
-}
-
-std::optional<QString> SolveWorker::takeFailure()
-{
-    const std::lock_guard lock(mMutex);
-    return std::exchange(mFailure, std::nullopt);
-}
-
-bool SolveWorker::takeRest()
-{
-    const std::lock_guard lock(mMutex);
-    return std::exchange(mAtRest, false);
+    order([](auto &box) { box.orders.steps = 0; });
 }
 
 //! Works until there is nothing to do; then the thread's event loop waits for the next order.
@@ -125,26 +103,15 @@ void SolveWorker::work()
 {
     try {
         do {
-            Orders orders;
-            {
-                const std::lock_guard lock(mMutex);
-                orders = std::exchange(mOrders, {});
-                mInterrupt = false;
-            }
-            obey(std::move(orders));
+            obey(mMailbox.takeOrders());
             if (mSolver && mStepsLeft != 0)
                 step();
-        } while (mInterrupt || (mSolver && mStepsLeft != 0));
+        } while (mMailbox.interrupt() || (mSolver && mStepsLeft != 0));
     } catch (const std::exception &e) {
         mSolver.reset();
         mStepsLeft = 0;
-        {
-            const std::lock_guard lock(mMutex);
-            if (mOrders.start)
-                return; // another solve is about to start
-            mFailure = QString::fromUtf8(e.what());
-        }
-        Q_EMIT failed();
+        if (mMailbox.fail(e.what()))
+            Q_EMIT failed();
     }
 }
 
@@ -165,8 +132,7 @@ void SolveWorker::obey(Orders orders)
         updateSolver(true);
         if (mIdle && !orders.steps) {
             orders.steps = -1; // the edit gave it something to do again
-            const std::lock_guard lock(mMutex);
-            mAtRest = false;
+            mMailbox.endRest();
         }
     } else if (orders.mode && mSolver) {
         updateSolver(false);
@@ -279,19 +245,9 @@ void SolveWorker::step()
     }
     if (mStepsLeft == 0 || Clock::now() - mLastGiven >= resultInterval)
         giveResult();
-    if (mStepsLeft == 0)
-        comeToRest();
-}
-
-void SolveWorker::comeToRest()
-{
-    {
-        const std::lock_guard lock(mMutex);
-        if (mOrders.start || mOrders.steps)
-            return; // new orders keep it running
-        mAtRest = true;
-    }
-    Q_EMIT waiting();
+    const auto goesOn = [](const Orders &orders) { return orders.start || orders.steps; };
+    if (mStepsLeft == 0 && mMailbox.rest(goesOn))
+        Q_EMIT waiting();
 }
 
 //! Makes a result available, in place of an older one that was not taken.
@@ -333,19 +289,10 @@ void SolveWorker::giveResult()
     result->status = mStatus;
     result->trace = std::exchange(mTrace, {});
 
-    bool isFirst = false;
-    {
-        const std::lock_guard lock(mMutex);
-        if (mOrders.start)
-            return; // another solve is about to start
-        isFirst = !mWaitingResult;
-        if (mWaitingResult) {
-            std::vector<TracePoint> &older = mWaitingResult->trace;
-            older.insert(older.end(), result->trace.begin(), result->trace.end());
-            result->trace.swap(older);
-        }
-        mWaitingResult = std::move(result);
-    }
+    const bool isFirst = mMailbox.give(result, [&](const auto &box, auto &) {
+        if (box.result)
+            result->trace.insert(result->trace.begin(), box.result->trace.begin(), box.result->trace.end());
+    });
     if (isFirst)
         Q_EMIT resultReady();
 }

@@ -4,16 +4,15 @@
 #include "model/plain/snapshot.h"
 #include "solver/homotopy/liveschedule.h"
 #include "solver/homotopy/solver.h"
+#include "solver/live/mailbox.h"
 #include "solver/preference/seampreference.h"
 #include "solver/unwrap/freepart.h"
 
 #include <QObject>
 #include <QThread>
 
-#include <atomic>
 #include <chrono>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -75,7 +74,7 @@ public:
     void update(std::shared_ptr<const Snapshot> snapshot, bool pulled = false,
                 std::shared_ptr<const SolveResult> back = nullptr);
     void setMode(homotopy::SolveMode mode, double maxDistortion);
-    //! The paused map was put into the document, which now has this token.
+    //! A map was put into the document, which now has this token.
     void setToken(const StateToken &token);
     //! Runs until told to stop.
     void run() { runSteps(-1); }
@@ -85,11 +84,11 @@ public:
     void pause();
 
     //! The newest result, with the trace of results that were never taken; null when none is waiting.
-    std::shared_ptr<const SolveResult> takeResult();
+    std::shared_ptr<const SolveResult> takeResult() { return mMailbox.takeResult(); }
     //! Why the solve failed, untranslated, one line.
-    std::optional<QString> takeFailure();
+    std::optional<QString> takeFailure() { return mMailbox.takeFailure(); }
     //! True, once, when the solve stopped by itself and has not been told to continue since.
-    bool takeRest();
+    bool takeRest() { return mMailbox.takeRest(); }
 
 Q_SIGNALS:
     //! A result is waiting. Sent once until it is taken, at most resultsPerSecond times a second.
@@ -123,20 +122,12 @@ private:
     void takeSnapshot(const Snapshot &snapshot);
     void updateSolver(bool steeringChanged);
     void step();
-    void comeToRest();
     void giveResult();
 
-    // Shared between threads.
-    std::mutex mMutex;
-    Orders mOrders;
-    std::shared_ptr<SolveResult> mWaitingResult;
-    std::optional<QString> mFailure;
-    bool mAtRest = false;
-    std::atomic<bool> mInterrupt = false; //!< new orders have arrived: long computations should end
-
-    const int mThreads;
+    Mailbox<Orders, SolveResult> mMailbox;
 
     // Used by the worker's thread only.
+    const int mThreads;
     std::unique_ptr<homotopy::Solver> mSolver;
     preference::SeamPreference mPreference;
     std::shared_ptr<const Snapshot> mSnapshot; //!< with the seam preferences multiplied into its weights

@@ -1,0 +1,102 @@
+// What passes between the thread of a worker and the other threads: orders go in, the newest result comes
+// out.
+#pragma once
+
+#include <QString>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace autocuts::live {
+
+//! Orders that were given to a worker and not yet carried out, and what it has to say. Every function may be
+//! called from any thread.
+//! \tparam Orders has a member `bool start`: everything begins anew, so what was made before is void
+template <class Orders, class Result>
+class Mailbox
+{
+public:
+    //! What lies in the box.
+    struct Content
+    {
+        Orders orders;
+        std::shared_ptr<const Result> result; //!< the newest that was not taken yet
+        std::optional<QString> failure;
+        bool atRest = false; //!< the worker stopped by itself
+    };
+
+    //! Lets change(Content &) add orders, and interrupts the worker.
+    template <class Change>
+    void order(Change &&change)
+    {
+        const std::lock_guard lock(mMutex);
+        change(mContent);
+        mInterrupt = true;
+    }
+
+    std::shared_ptr<const Result> takeResult() { return take(&Content::result); }
+    std::optional<QString> takeFailure() { return take(&Content::failure); }
+    bool takeRest() { return take(&Content::atRest); }
+
+    // For the worker.
+
+    //! New orders have arrived: long computations should end.
+    const std::atomic<bool> &interrupt() const { return mInterrupt; }
+    Orders takeOrders()
+    {
+        const std::lock_guard lock(mMutex);
+        mInterrupt = false;
+        return std::exchange(mContent.orders, {});
+    }
+    //! Puts the result in, once merge(const Content &, std::shared_ptr<const Result> &) has fitted it to what
+    //! lies there.
+    //! \return no other result was waiting; false too when the worker is about to start anew
+    template <class Merge>
+    bool give(std::shared_ptr<const Result> result, Merge &&merge)
+    {
+        const std::lock_guard lock(mMutex);
+        if (mContent.orders.start)
+            return false;
+        merge(std::as_const(mContent), result);
+        return !std::exchange(mContent.result, std::move(result));
+    }
+    //! \return false when the worker is about to start anew: then the failure is of no interest
+    bool fail(const char *why)
+    {
+        const std::lock_guard lock(mMutex);
+        if (mContent.orders.start)
+            return false;
+        mContent.failure = QString::fromUtf8(why);
+        return true;
+    }
+    //! \return false when awaited(Orders) says that orders keep the worker running
+    template <class Awaited>
+    bool rest(Awaited &&awaited)
+    {
+        const std::lock_guard lock(mMutex);
+        mContent.atRest = !awaited(mContent.orders);
+        return mContent.atRest;
+    }
+    void endRest()
+    {
+        const std::lock_guard lock(mMutex);
+        mContent.atRest = false;
+    }
+
+private:
+    template <class Value>
+    Value take(Value Content::*member)
+    {
+        const std::lock_guard lock(mMutex);
+        return std::exchange(mContent.*member, Value());
+    }
+
+    std::mutex mMutex;
+    Content mContent;
+    std::atomic<bool> mInterrupt = false;
+};
+
+} // namespace autocuts::live
