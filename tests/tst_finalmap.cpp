@@ -59,11 +59,11 @@ private Q_SLOTS:
         const double bound = 4.2;
         const std::optional<DefiniteMap> made = makeDefiniteMap(solver, {.maxDistortion = bound});
         double progress = 0;
-        const std::optional<RefinedMap> found = makeRefinedMap(
-            solver, {.maxDistortion = bound}, {nullptr, 1, [&](const JobProgress &done) {
-                                                   QVERIFY(done.fraction >= progress && done.fraction <= 1);
-                                                   progress = done.fraction;
-                                               }});
+        const std::optional<RefinedMap> found =
+            makeRefinedMap(solver, bound, {nullptr, 1, [&](const JobProgress &done) {
+                                               QVERIFY(done.fraction >= progress && done.fraction <= 1);
+                                               progress = done.fraction;
+                                           }});
         QVERIFY(made && found);
         const SeamedMap *map = &found->map;
         QCOMPARE(map->validate(solver.soup()), std::string());
@@ -102,7 +102,7 @@ private Q_SLOTS:
         for (int k = 0; k < 3; ++k)
             snapshot.editSteering().pins.push_back({3 + k, places[k], true});
         const Solved solver(snapshot);
-        const auto map = makeRefinedMap(solver, {.maxDistortion = 5});
+        const auto map = makeRefinedMap(solver, 5);
         QVERIFY(map);
         for (int k = 0; k < 3; ++k) {
             const Vec2 at(map->map.x[6 + 2 * static_cast<std::size_t>(k)],
@@ -133,7 +133,7 @@ private Q_SLOTS:
         for (const int edge : joined)
             steering.pairState[2 * edge] = steering.pairState[2 * edge + 1] = PairState::Joined;
         const Solved solver(snapshot);
-        const auto map = makeRefinedMap(solver, {.maxDistortion = 4.3});
+        const auto map = makeRefinedMap(solver, 4.3);
         QVERIFY(map);
         for (const int edge : cut)
             QVERIFY(map->map.cut[edge]);

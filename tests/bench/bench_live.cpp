@@ -1,6 +1,8 @@
 // Measures the definite map of a live solve: how soon there is a valid map, how soon it is as good as that of
 // an unwrap, and how soon it obeys an edit. Checks every map that is given out. Usage: bench_live MESH...
 // [--threads N] [--seconds N] [--no-unwrap] [--json]
+#include "edgewalk.h"
+
 #include "model/io/meshfile.h"
 #include "model/plain/uvlayout.h"
 #include "solver/live/mapkeeper.h"
@@ -18,7 +20,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <thread>
 
 using namespace autocuts;
@@ -117,38 +118,6 @@ private:
     int mMaps = 0, mInvalid = 0;
 };
 
-//! Edges from one end to the next, all of which `isWanted`.
-std::vector<int> walk(const MeshData &mesh, int first, const std::function<bool(int)> &isWanted)
-{
-    std::map<int, std::vector<int>> edgesAt;
-    const auto vertex = [&](int e, int end) { return mesh.vertexOfSoup(mesh.edgePairs[e].corner[end][0]); };
-    for (int e = 0; e < static_cast<int>(mesh.edgePairs.size()); ++e) {
-        for (int end = 0; end < 2; ++end)
-            edgesAt[vertex(e, end)].push_back(e);
-    }
-    std::vector<int> path{first};
-    int at = vertex(first, 1);
-    std::vector<int> seen{vertex(first, 0), at};
-    while (static_cast<int>(path.size()) < editedEdges) {
-        int next = -1, end = 0;
-        for (const int e : edgesAt[at]) {
-            for (int k = 0; k < 2; ++k) {
-                const int other = vertex(e, k);
-                if (other != at && isWanted(e) && std::find(seen.begin(), seen.end(), other) == seen.end()) {
-                    next = e;
-                    end = other;
-                }
-            }
-        }
-        if (next < 0)
-            break;
-        path.push_back(next);
-        seen.push_back(end);
-        at = end;
-    }
-    return path;
-}
-
 QJsonObject measured(const std::string &file, int threads, double seconds, bool withUnwrap)
 {
     Result<Scene> scene = readMesh(QString::fromStdString(file));
@@ -219,7 +188,7 @@ QJsonObject measured(const std::string &file, int threads, double seconds, bool 
         int middle = static_cast<int>(cut.size() / 3);
         while (!isFree(middle))
             ++middle;
-        const std::vector<int> path = walk(*mesh, middle, isFree);
+        const std::vector<int> path = bench::walkEdges(*mesh, middle, editedEdges, isFree);
         edits["cut"_L1] = live.edit(setStates(path, PairState::Cut), all(path, true));
         const CutFlags now = live.map()->cut;
         const std::vector<PairState> states = live.snapshot().steering->pairState;
@@ -227,7 +196,7 @@ QJsonObject measured(const std::string &file, int threads, double seconds, bool 
         int seam = static_cast<int>(cut.size() / 2);
         while (!isSeam(seam))
             seam = (seam + 1) % static_cast<int>(cut.size());
-        const std::vector<int> joined = walk(*mesh, seam, isSeam);
+        const std::vector<int> joined = bench::walkEdges(*mesh, seam, editedEdges, isSeam);
         edits["join"_L1] = live.edit(setStates(joined, PairState::Joined), all(joined, false));
         edits["stroke"_L1] = live.edit(
             [&](Steering &steering) {

@@ -102,15 +102,11 @@ std::optional<SeamedMap> seamedMapOf(const Soup &soup, const UvMatrix &uv, const
 
 std::vector<bool> heldCharts(const Snapshot &snapshot, const CutMesh &charts)
 {
-    if (!snapshot.placesIslands())
+    if (snapshot.steering->pins.empty())
         return {};
     std::vector<bool> held(charts.chartCount, false);
     for (const Pin &pin : snapshot.steering->pins)
         held[charts.chart[pin.soupCorner / 3]] = true;
-    for (const UvRectangle &box : snapshot.steering->rectangles) {
-        for (const int corner : box.soupCorners)
-            held[charts.chart[corner / 3]] = true;
-    }
     return held;
 }
 

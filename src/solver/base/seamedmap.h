@@ -37,7 +37,7 @@ struct SeamedMap
 [[nodiscard]] std::optional<SeamedMap> seamedMapOf(const Soup &soup, const UvMatrix &uv,
                                                    const CutFlags &alwaysCut);
 
-//! Per chart: true when a pin or a rectangle acts on it. Empty when there are none.
+//! Per chart: true when a pin acts on it. Empty when there are none.
 std::vector<bool> heldCharts(const Snapshot &snapshot, const CutMesh &charts);
 
 //! Per-corner UVs of a seamed map, in solver units.

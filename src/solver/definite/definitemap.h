@@ -26,7 +26,7 @@ struct DefiniteMap
 };
 
 //! The definite map of the solver's state: stitched, relaxed, without overlaps inside a chart (unless
-//! allowed), with needless seams closed and, as far as pins and rectangles leave it open, one texel density.
+//! allowed), with needless seams closed and, as far as pins leave it open, one texel density.
 //! \returns nothing when cancelled
 [[nodiscard]] std::optional<DefiniteMap> makeDefiniteMap(const homotopy::Solver &solver,
                                                          const DefiniteMapOptions &options,
@@ -38,7 +38,7 @@ struct DefiniteMap
 [[nodiscard]] bool removeOverlaps(const Soup &soup, const Snapshot &snapshot, SeamedMap &map,
                                   const JobContext &job = {});
 
-//! Gives every chart the texel density of the whole map. Charts that pins or rectangles hold stay, and the
+//! Gives every chart the texel density of the whole map. Charts that pins hold stay, and the
 //! others get their density.
 void equalizeDensity(const Soup &soup, const Snapshot &snapshot, SeamedMap &map);
 

@@ -55,15 +55,13 @@ bool isBetter(const Soup &soup, const Snapshot &snapshot, const SeamedMap &found
 
 //! The map that the seam search makes of a definite map; nothing when it cannot start from there.
 std::optional<RefinedMap> searched(const std::shared_ptr<const search::SeamGraph> &graph,
-                                   const Snapshot &snapshot, const SeamedMap &made,
-                                   const RefinedMapOptions &options, const JobContext &job)
+                                   const Snapshot &snapshot, const SeamedMap &made, double maxDistortion,
+                                   const JobContext &job)
 {
     search::OptimizeOptions search;
-    search.maxDistortion = options.maxDistortion;
+    search.maxDistortion = maxDistortion;
     search.effort = {0, {{searchMoves, 1}}};
     search.given.push_back(made);
-    if (options.before)
-        search.given.push_back(*options.before);
     search.seed = snapshot.settings.seed;
     search.job = job;
     std::mutex mutex;
@@ -83,28 +81,35 @@ std::optional<RefinedMap> searched(const std::shared_ptr<const search::SeamGraph
 
 } // namespace
 
-std::optional<RefinedMap> makeRefinedMap(const homotopy::Solver &solver, const RefinedMapOptions &options,
+RefinedMap refineMap(const std::shared_ptr<const search::SeamGraph> &graph, const Snapshot &snapshot,
+                     RefinedMap made, const std::vector<double> &places, double maxDistortion,
+                     const JobContext &job)
+{
+    const Soup &soup = *graph->soup;
+    std::optional<RefinedMap> found = searched(graph, snapshot, made.map, maxDistortion, job);
+    if (found && (found->anchorFaults < made.anchorFaults ||
+                  (found->anchorFaults == made.anchorFaults &&
+                   isBetter(soup, snapshot, found->map, made.map, maxDistortion))))
+        made = std::move(*found);
+    placeNear(soup, snapshot, made.map, places);
+    openSeams(soup, snapshot, made.map);
+    return made;
+}
+
+std::optional<RefinedMap> makeRefinedMap(const homotopy::Solver &solver, double maxDistortion,
                                          const JobContext &job)
 {
     const Snapshot &snapshot = solver.snapshot();
-    std::optional<DefiniteMap> made =
-        makeDefiniteMap(solver, {.maxDistortion = options.maxDistortion}, job.quiet());
-    if (!made)
+    std::optional<DefiniteMap> definite =
+        makeDefiniteMap(solver, {.maxDistortion = maxDistortion}, job.quiet());
+    if (!definite)
         return std::nullopt;
-    const Soup &soup = solver.soup();
     const auto graph = search::SeamGraph::build(solver.sharedSoup(), snapshot);
-    RefinedMap result{std::move(made->map)};
+    RefinedMap made{std::move(definite->map)};
     if (!graph->anchors.empty())
-        result.anchorFaults = search::settleAtAnchors(graph, result.map, settleSteps, true);
-    openSeams(soup, snapshot, result.map);
-    std::optional<RefinedMap> found = searched(graph, snapshot, result.map, options, job);
-    if (!found || found->anchorFaults > result.anchorFaults ||
-        (found->anchorFaults == result.anchorFaults &&
-         !isBetter(soup, snapshot, found->map, result.map, options.maxDistortion)))
-        return result;
-    placeNear(soup, snapshot, found->map, solver.coordinates());
-    openSeams(soup, snapshot, found->map);
-    return found;
+        made.anchorFaults = search::settleAtAnchors(graph, made.map, settleSteps, true);
+    openSeams(solver.soup(), snapshot, made.map);
+    return refineMap(graph, snapshot, std::move(made), solver.coordinates(), maxDistortion, job);
 }
 
 } // namespace autocuts::definite

@@ -41,11 +41,10 @@ int relaxWithoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot
     const auto distortion = energy::makeDistortionTerm(soup, snapshot.settings.energy);
     const energy::BoundaryBarrierTerm barrier(*soup, state, map.x, barrierWeight / soup->triangleCount(),
                                               barrierReach * soup->meanEdgeLength);
-    const energy::BoxTerm boxes(snapshot.steering->rectangles, snapshot.settings.boxWeight);
     const energy::PinTerm pins(snapshot.steering->pins);
     newton::Minimizer minimizer(soup,
                                 newton::makeExactDirection(soup, {state.uvVertex, state.uvVertexCount}));
-    minimizer.setTerms({distortion.get(), &barrier, &boxes, &pins});
+    minimizer.setTerms({distortion.get(), &barrier, &pins});
     if (!std::isfinite(minimizer.energy(map.x)))
         return 0;
     int done = 0;

@@ -10,7 +10,7 @@ namespace autocuts::definite {
 //! True when some chart overlaps itself.
 bool coversItself(const Soup &soup, const SeamedMap &map);
 
-//! Minimises the distortion, with rectangles and pins, while the seams stay as they are and no chart's
+//! Minimises the distortion, with pins, while the seams stay as they are and no chart's
 //! boundary may cross itself. Ends after `steps` Newton steps or when the energy stalls.
 //! \return the number of steps; 0 also when some boundary touches itself from the start
 //! \pre no chart overlaps itself

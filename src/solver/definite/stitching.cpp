@@ -62,20 +62,18 @@ bool isCut(const Snapshot &snapshot, std::size_t pair)
     return !snapshot.steering->pairState.empty() && snapshot.steering->pairState[pair] == PairState::Cut;
 }
 
-//! The terms that every stage has: distortion, pins (hard ones as stiff springs) and rectangles.
+//! The terms that every stage has: distortion and pins (hard ones as stiff springs).
 struct ShapeTerms
 {
     std::unique_ptr<energy::DistortionTerm> distortion;
     energy::PinTerm pins;
-    energy::BoxTerm boxes;
 
     ShapeTerms(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot)
         : distortion(energy::makeDistortionTerm(soup, snapshot.settings.energy)),
-          pins(stiffened(snapshot.steering->pins)),
-          boxes(snapshot.steering->rectangles, snapshot.settings.boxWeight)
+          pins(stiffened(snapshot.steering->pins))
     {}
 
-    std::vector<const energy::EnergyTerm *> all() const { return {distortion.get(), &pins, &boxes}; }
+    std::vector<const energy::EnergyTerm *> all() const { return {distortion.get(), &pins}; }
 
 private:
     static std::vector<Pin> stiffened(std::vector<Pin> pins)
@@ -147,7 +145,7 @@ bool release(const MeshData &mesh, const Snapshot &snapshot, const std::vector<i
 }
 
 //! Lays the polygons of the bad triangles out undistorted: each triangle at rest, turned to the one across a
-//! diagonal. Frees them from pins and rectangles, which may pull a polygon inside out.
+//! diagonal. Frees them from pins, which may pull a polygon inside out.
 //! \pre all edges of these polygons but their diagonals are cut
 void layOut(const Soup &soup, const std::vector<int> &bad, Snapshot &snapshot, std::vector<double> &x)
 {
@@ -177,13 +175,9 @@ void layOut(const Soup &soup, const std::vector<int> &bad, Snapshot &snapshot, s
             placed[moving] = again = true;
         }
     }
-    if (!snapshot.placesIslands())
-        return;
-    const auto isFreed = [&](int corner) { return face[mesh.triangleFace[corner / 3]]; };
-    Steering &steering = snapshot.editSteering();
-    std::erase_if(steering.pins, [&](const Pin &pin) { return isFreed(pin.soupCorner); });
-    for (UvRectangle &box : steering.rectangles)
-        std::erase_if(box.soupCorners, isFreed);
+    if (!snapshot.steering->pins.empty())
+        std::erase_if(snapshot.editSteering().pins,
+                      [&](const Pin &pin) { return face[mesh.triangleFace[pin.soupCorner / 3]]; });
 }
 
 } // namespace

@@ -22,7 +22,7 @@ SeamedMap stitchSoup(const std::shared_ptr<const Soup> &soup, const Snapshot &sn
 SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, CutFlags cut,
                    const std::vector<double> &x, const JobContext &job = {});
 
-//! Minimises the distortion, with pins and rectangles, while the seams stay as they are. Ends after `steps`
+//! Minimises the distortion, with pins, while the seams stay as they are. Ends after `steps`
 //! Newton steps or when the energy stalls.
 //! \return the number of steps
 int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map, int steps,

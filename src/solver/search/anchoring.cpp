@@ -19,7 +19,8 @@ constexpr double boxShare = 0.98; // of the rectangle that a fitted chart takes 
 constexpr double firstStiffness = 10; // springs of hard pins: 10, 100 ... 100,000
 constexpr int stiffnessLevels = 5;
 constexpr int stepsPerLevel = 6;
-constexpr double atPin = 1e-9; // solver units: nearer corners lie on their pin
+constexpr double atPin = 1e-9;     // solver units: nearer corners lie on their pin
+constexpr double rounding = 1e-12; // of a scale
 
 //! A similarity: scale, turn, move.
 struct Placement
@@ -62,55 +63,18 @@ Placement fitToBox(const std::vector<Vec2> &points, const Vec2 &lower, const Vec
     return best;
 }
 
-//! What holds one chart.
-struct ChartAnchors
+//! True when the chart lies at its pins, so that springs can do the rest.
+bool isThere(const std::vector<PointMatch> &pins)
 {
-    std::vector<PointMatch> pins;
-    const Anchor *box = nullptr; //!< a corner's box of the chart's first rectangle
-    std::vector<Vec2> inBox;     //!< the corners that belong into it
+    return std::all_of(pins.begin(), pins.end(), [](const PointMatch &pin) {
+        return (pin.fixed - pin.moving).squaredNorm() < atPin * atPin;
+    });
+}
 
-    //! True when the chart lies where it is held, so that springs can do the rest.
-    bool isThere() const
-    {
-        if (!pins.empty())
-            return std::all_of(pins.begin(), pins.end(), [](const PointMatch &pin) {
-                return (pin.fixed - pin.moving).squaredNorm() < atPin * atPin;
-            });
-        return !box || std::any_of(inBox.begin(), inBox.end(),
-                                   [this](const Vec2 &p) { return box->outside(p).squaredNorm() == 0; });
-    }
-};
-
-} // namespace
-
-void placeAtAnchors(CutState &state)
+//! Moves charts. From then on the anchors have an effect.
+void place(CutState &state, const std::vector<std::optional<Placement>> &placements)
 {
-    const SeamGraph &graph = *state.graph;
-    std::vector<ChartAnchors> charts(state.chartCount());
-    for (const Anchor &anchor : graph.anchors.all()) {
-        ChartAnchors &chart = charts[state.chart[anchor.soupCorner / 3]];
-        if (!anchor.isBox) {
-            const double weight = anchor.isHardPin ? hardPinWeight : std::max(anchor.stiffness, 1e-6);
-            chart.pins.push_back({anchor.lower, state.at(anchor.soupCorner), weight});
-            continue;
-        }
-        if (!chart.box)
-            chart.box = &anchor;
-        if (anchor.lower == chart.box->lower && anchor.upper == chart.box->upper)
-            chart.inBox.push_back(state.at(anchor.soupCorner));
-    }
-    std::vector<std::optional<Placement>> placements(charts.size());
-    for (std::size_t i = 0; i < charts.size(); ++i) {
-        if (charts[i].isThere())
-            continue;
-        if (!charts[i].pins.empty()) {
-            const RigidMotion motion = fitRigid(charts[i].pins);
-            placements[i] = Placement{motion.movingCentre, motion.fixedCentre, motion.c, motion.s};
-        } else if (charts[i].box) {
-            placements[i] = fitToBox(charts[i].inBox, charts[i].box->lower, charts[i].box->upper);
-        }
-    }
-    for (int c = 0; c < 3 * graph.triangleCount(); ++c) {
+    for (int c = 0; c < 3 * state.graph->triangleCount(); ++c) {
         if (const std::optional<Placement> &place = placements[state.chart[c / 3]])
             cornerAt(state.x, c) = (*place)(state.at(c));
     }
@@ -119,6 +83,56 @@ void placeAtAnchors(CutState &state)
     state.chartsMayMeet = false;
     state.chartsMayMeet = state.boundariesOverlap();
     state.updateEnergy();
+}
+
+} // namespace
+
+void placeAtAnchors(CutState &state)
+{
+    std::vector<std::vector<PointMatch>> pins(state.chartCount());
+    for (const Anchor &anchor : state.graph->anchors.all()) {
+        const double weight = anchor.isHardPin ? hardPinWeight : std::max(anchor.stiffness, 1e-6);
+        pins[state.chart[anchor.soupCorner / 3]].push_back(
+            {anchor.lower, state.at(anchor.soupCorner), weight});
+    }
+    std::vector<std::optional<Placement>> placements(pins.size());
+    for (std::size_t i = 0; i < pins.size(); ++i) {
+        if (isThere(pins[i]))
+            continue;
+        const RigidMotion motion = fitRigid(pins[i]);
+        placements[i] = Placement{motion.movingCentre, motion.fixedCentre, motion.c, motion.s};
+    }
+    place(state, placements);
+}
+
+bool fitsInto(const std::vector<double> &x, const std::vector<int> &soupCorners, const Vec2 &lower,
+              const Vec2 &upper)
+{
+    std::vector<Vec2> points;
+    for (const int corner : soupCorners)
+        points.push_back(cornerAt(x, corner));
+    const Placement fit = fitToBox(points, lower, upper);
+    return std::hypot(fit.c, fit.s) > 1 - rounding;
+}
+
+SeamedMap fittedToBoxes(const std::shared_ptr<const SeamGraph> &graph, const SeamedMap &map, int steps)
+{
+    CutState state = CutState::from(graph, map, true);
+    std::vector<std::vector<Vec2>> points(state.chartCount());
+    std::vector<const Anchor *> boxes(state.chartCount(), nullptr);
+    for (const Anchor &anchor : graph->anchors.all()) {
+        const int chart = state.chart[anchor.soupCorner / 3];
+        points[chart].push_back(state.at(anchor.soupCorner));
+        boxes[chart] = &anchor;
+    }
+    std::vector<std::optional<Placement>> placements(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i])
+            placements[i] = fitToBox(points[i], boxes[i]->lower, boxes[i]->upper);
+    }
+    place(state, placements);
+    SeamTrial(state).relaxAll(steps, true);
+    return state.map();
 }
 
 void reachPins(SeamTrial &trial, bool guarded)

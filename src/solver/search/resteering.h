@@ -1,4 +1,4 @@
-// Takes a map to other cuts, joins, pins and rectangles, and leaves the rest of it as it is.
+// Takes a map to other cuts, joins and pins, and leaves the rest of it as it is.
 #pragma once
 
 #include "solver/base/jobcontext.h"
@@ -10,7 +10,7 @@
 namespace autocuts::search {
 
 //! Adapts a map to a graph of the same mesh with other steering: opens what has to be cut, closes what was
-//! joined, and takes charts to pins and rectangles. Where closing an edge would make charts overlap, the
+//! joined, and takes charts to pins. Where closing an edge would make charts overlap, the
 //! triangles next to it are cut off their chart.
 //! \returns nothing when an edge could not be closed, or when stopped
 [[nodiscard]] std::optional<CutState> resteered(const CutState &map, std::shared_ptr<const SeamGraph> graph,

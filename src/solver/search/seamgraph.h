@@ -39,8 +39,8 @@ struct SeamGraph
     std::vector<bool> onPlane; //!< per vertex: on the plane of symmetry; empty like mirror
     std::vector<int> rank;     //!< per vertex: position in an elimination order with little fill
     DistortionEnergy energy = DistortionEnergy::SymmetricDirichlet; //!< what maps minimise beside the cost
-    Anchors anchors;                                                //!< pins and rectangles
-    std::shared_ptr<const std::vector<Obstacle>> obstacles;         //!< for charts with anchors; null: none
+    Anchors anchors; //!< pins; rectangles only while charts are fitted into them
+    std::shared_ptr<const std::vector<Obstacle>> obstacles; //!< for charts with anchors; null: none
 
     //! \param symmetry symmetry that the cuts must have; null: none
     [[nodiscard]] static std::shared_ptr<const SeamGraph>

@@ -167,7 +167,7 @@ void SeamRun::report(int steps) const
         mOptions.progress(steps, mBest.distortion, mBest.length);
 }
 
-//! What pins and rectangles cost, in seam cost.
+//! What pins cost, in seam cost.
 double SeamRun::steeringCost() const
 {
     return (mState.energy - mState.distortion) / usualMu + anchorFaultCost * mState.anchorFaults();

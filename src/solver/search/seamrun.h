@@ -41,7 +41,7 @@ struct OptimizeOptions
     std::optional<double> mu;   //!< instead of the bound: energy that one unit of seam cost is worth
     bool allowOverlaps = false;
     OptimizeEffort effort;
-    //! Further maps to start from. Where there are pins or rectangles, they lie in their places.
+    //! Further maps to start from. Where there are pins, they lie there.
     std::vector<SeamedMap> given;
     std::uint64_t seed = 1;         //!< of all random numbers
     JobContext job;                 //!< for stopping and threads; progress goes to `start` and `progress`

@@ -42,7 +42,7 @@ public:
     //! Tries random new seams and leaves the map as it was.
     //! \returns the one that lowers the energy most per length; empty when none does
     std::vector<int> bestNewSeam(int tries);
-    //! Takes charts to their pins and rectangles, see anchoring.h. Does nothing when that has been done.
+    //! Takes charts to their pins, see anchoring.h. Does nothing when that has been done.
     void anchor();
     //! See SeamTrial::relaxAll().
     double relaxAll(int steps) { return mTrial.relaxAll(steps, mOptions.guarded, mOptions.job); }

@@ -101,9 +101,9 @@ double unitOf(const MeshData &coarse, const MeshData &fine)
     return std::sqrt(fine.area / coarse.area);
 }
 
-//! Adds the pins and rectangles that act on triangles of the coarse mesh.
-void addAnchors(const Snapshot &snapshot, const std::vector<int> &triangles, const MeshData &mesh,
-                Steering &steering)
+//! Adds the pins that act on triangles of the coarse mesh.
+void addPins(const Snapshot &snapshot, const std::vector<int> &triangles, const MeshData &mesh,
+             Steering &steering)
 {
     if (!snapshot.placesIslands())
         return;
@@ -121,18 +121,9 @@ void addAnchors(const Snapshot &snapshot, const std::vector<int> &triangles, con
         if (pin.soupCorner >= 0)
             steering.pins.push_back(pin);
     }
-    for (UvRectangle box : snapshot.steering->rectangles) {
-        box.lower *= unit;
-        box.upper *= unit;
-        for (int &corner : box.soupCorners)
-            corner = coarseCorner(corner);
-        std::erase(box.soupCorners, -1);
-        steering.rectangles.push_back(std::move(box));
-    }
 }
 
-//! A snapshot of the coarse mesh with the settings, cuts, joins, weights, pins and rectangles of the fine
-//! one.
+//! A snapshot of the coarse mesh with the settings, cuts, joins, weights and pins of the fine one.
 Snapshot coarseSnapshot(const Snapshot &snapshot, const std::shared_ptr<const MeshData> &mesh,
                         const multires::ProgressiveMesh &points, const std::vector<int> &triangles,
                         const Decisions &decisions, const std::vector<double> &weights)
@@ -141,7 +132,7 @@ Snapshot coarseSnapshot(const Snapshot &snapshot, const std::shared_ptr<const Me
     coarse.mesh = mesh;
     coarse.settings = snapshot.settings;
     Steering &steering = coarse.editSteering();
-    addAnchors(snapshot, triangles, *mesh, steering);
+    addPins(snapshot, triangles, *mesh, steering);
     if (!decisions.empty())
         steering.pairState.assign(mesh->cornerPairCount(), PairState::Free);
     if (!weights.empty())
@@ -326,9 +317,14 @@ std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const S
 
 } // namespace
 
+bool isLargeMesh(const MeshData &mesh)
+{
+    return mesh.triangleCount() > largeMesh;
+}
+
 bool suitsCoarseToFine(const Snapshot &snapshot)
 {
-    return snapshot.mesh->triangleCount() > largeMesh && snapshot.settings.start != StartMode::ExistingUv;
+    return isLargeMesh(*snapshot.mesh) && snapshot.settings.start != StartMode::ExistingUv;
 }
 
 std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,

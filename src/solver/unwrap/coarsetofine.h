@@ -23,7 +23,9 @@ struct CarriedMap
 //! Finds a map of the coarse version of a mesh.
 using CoarseUnwrap = std::function<CarriedMap(const Snapshot &, const UnwrapOptions &)>;
 
-//! True when the mesh has more than 25,000 triangles and does not start from existing UVs.
+//! True when the mesh has more than 25,000 triangles.
+bool isLargeMesh(const MeshData &mesh);
+//! True when the mesh is large and does not start from existing UVs.
 bool suitsCoarseToFine(const Snapshot &snapshot);
 
 //! Coarsens the mesh, unwraps the coarse one by `unwrapCoarse`, carries seams and map over to the fine mesh

@@ -9,6 +9,7 @@
 #include "solver/preference/seampreference.h"
 #include "solver/unwrap/freepart.h"
 #include "solver/unwrap/mapbefore.h"
+#include "solver/unwrap/rectanglefit.h"
 
 #include <algorithm>
 
@@ -72,6 +73,45 @@ void keepBetterMap(const Snapshot &snapshot, FinishResult &result)
     result.noRoom = false;
 }
 
+//! The map before, steered and improved; nothing when it cannot be steered.
+std::optional<definite::RefinedMap> refinedMapBefore(const std::shared_ptr<const Soup> &soup,
+                                                     const Snapshot &part, double maxDistortion,
+                                                     const JobContext &job)
+{
+    const Snapshot problem = preference::SeamPreference().applied(part, job.threads());
+    const auto graph = search::SeamGraph::build(soup, problem);
+    const std::optional<search::CutState> state = steeredMapBefore(graph, problem, job);
+    if (!state)
+        return std::nullopt;
+    const UvMatrix rows = soupUv(*part.mesh, *part.uv) / part.uvScale;
+    return definite::refineMap(graph, problem, {state->map(), state->anchorFaults()},
+                               {rows.data(), rows.data() + rows.size()}, maxDistortion, job);
+}
+
+//! The map of the soup: of a live solve, or of the map before as a soup that touches itself.
+std::optional<definite::RefinedMap> refinedSoup(const FinishInput &input, const FreePart &part,
+                                                const JobContext &job)
+{
+    homotopy::Solver solver;
+    load(input, part, job.threads(), solver);
+    double begun = 0;
+    if (input.live && input.live->hasMoreToDo) {
+        int steps = 0;
+        const JobContext toTheEnd = job.part(0, 1, JobStage::SolvingToTheEnd);
+        homotopy::runToTheEnd(solver, input.maxDistortion, job, [&] {
+            ++steps;
+            begun = 0.5 * steps / (steps + usualSteps); // the number of steps is not known beforehand
+            toTheEnd.report(begun);
+        });
+    }
+    Snapshot rest = solver.snapshot();
+    if (!rest.steering->rectangles.empty()) {
+        rest.editSteering().rectangles.clear();
+        solver.update(rest);
+    }
+    return definite::makeRefinedMap(solver, input.maxDistortion, job.part(begun, 1));
+}
+
 } // namespace
 
 FinishResult finishMap(const FinishInput &input, const JobContext &job)
@@ -83,29 +123,22 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
         result.uv = *input.snapshot.uv;
         return result;
     }
-    homotopy::Solver solver;
-    load(input, *part, job.threads(), solver);
-    double begun = 0;
-    if (input.live && input.live->hasMoreToDo) {
-        int steps = 0;
-        const JobContext toTheEnd = job.part(0, 1, JobStage::SolvingToTheEnd);
-        homotopy::runToTheEnd(solver, input.maxDistortion, job, [&] {
-            ++steps;
-            begun = 0.5 * steps / (steps + usualSteps); // the number of steps is not known beforehand
-            toTheEnd.report(begun);
-        });
-    }
-    const std::optional<definite::RefinedMap> found = definite::makeRefinedMap(
-        solver, {input.maxDistortion, mapBefore(solver.soup(), solver.snapshot())}, job.part(begun, 1));
+    const Snapshot own = part->withoutRectangles();
+    const std::shared_ptr<const Soup> soup = Soup::build(own.mesh);
+    std::optional<definite::RefinedMap> found;
+    if (!input.live)
+        found = refinedMapBefore(soup, own, input.maxDistortion, job);
+    if (!found)
+        found = refinedSoup(input, *part, job);
     if (!found)
         return result;
-    const Snapshot &own = part->snapshot();
-    UvMatrix uv = own.uvScale * cornerUv(solver.soup(), found->map);
+    fitToRectangles(*part, soup, found->map);
+    UvMatrix uv = own.uvScale * cornerUv(*soup, found->map);
     definite::openCuts(own, uv);
     result.uv = part->wholeUv(uv);
-    result.distortion = found->map.distortion(solver.soup());
+    result.distortion = found->map.distortion(*soup);
     const ChartMap charts = part->wholeCharts(chartsOf(*own.mesh, CutMesh(*own.mesh, found->map.cut)));
-    place(input, charts, !part->isWhole() || own.placesIslands(), job, result);
+    place(input, charts, !part->isWhole() || input.snapshot.placesIslands(), job, result);
     result.unmet = unmetSteering(input.snapshot, result.uv);
     if (!input.live)
         keepBetterMap(input.snapshot, result);

@@ -80,6 +80,14 @@ std::optional<FreePart> FreePart::of(const Snapshot &snapshot, const FreePart *p
     return part;
 }
 
+Snapshot FreePart::withoutRectangles() const
+{
+    Snapshot snapshot = mSnapshot;
+    if (!snapshot.steering->rectangles.empty())
+        snapshot.editSteering().rectangles.clear();
+    return snapshot;
+}
+
 void FreePart::addSteering(const Snapshot &whole)
 {
     const Steering &from = *whole.steering;

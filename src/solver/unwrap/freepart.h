@@ -28,6 +28,8 @@ public:
 
     //! The problem of the part: settings and steering in the solver units of the part, no scope, no flags.
     const Snapshot &snapshot() const { return mSnapshot; }
+    //! The same without rectangles, whose borders are cuts: these say where charts go, not how they are made.
+    Snapshot withoutRectangles() const;
     bool isWhole() const { return mPart.mesh == nullptr; }
     //! True when some of its corners are UV vertices of faces outside as well.
     bool isAttached() const { return !mAttached.empty(); }

@@ -1,23 +1,15 @@
 #include "solver/unwrap/livemap.h"
 
 #include "solver/base/parallel.h"
-#include "solver/definite/definitemap.h"
-#include "solver/definite/relaxing.h"
-#include "solver/metrics/uvmetrics.h"
 #include "solver/search/anchoring.h"
 #include "solver/search/resteering.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/mapbefore.h"
 #include "solver/unwrap/mapfinder.h"
 
-#include <algorithm>
-#include <stdexcept>
-
 namespace autocuts::unwrap {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // Chosen by hand; their effect has not been measured.
 constexpr int movesPerRound = 120;      // large moves on each map between two squeezes
@@ -29,25 +21,18 @@ constexpr int quickSteps = 4;           // Newton steps on the first map
 constexpr double quickTolerance = 1e-2; // energy gained below which the first map counts as relaxed
 //! Meshes of more triangles than this get a draft by way of a coarser mesh. Twice the size of that mesh.
 constexpr int sizeForCoarseDraft = 12'000;
-constexpr double givingShare = 0.2;                         // of the time that giving out maps may take
-constexpr auto leastPause = std::chrono::milliseconds(100); // between two maps given out
 
 } // namespace
 
 void LiveMap::begin(std::shared_ptr<const Snapshot> snapshot, const LiveMapOptions &options)
 {
     mSnapshot = std::move(snapshot);
-    mOptions = options;
-    mToken = mSnapshot->token;
+    takeOver(options);
     mBack = nullptr;
     mFromMap = mSnapshot->settings.start == StartMode::ExistingUv;
     mPulled = mExplored = false;
-    mPart.reset();
-    mSymmetry.reset();
-    mPlacing.reset();
+    mProblem.reset();
     mBest.reset();
-    mWaiting.reset();
-    mGiven = nullptr;
     mSeed = 0;
     mStage = Stage::Begin;
 }
@@ -58,18 +43,25 @@ void LiveMap::steer(std::shared_ptr<const Snapshot> snapshot, const LiveMapOptio
     if (!mSnapshot)
         return;
     mSnapshot = std::move(snapshot);
-    mOptions = options;
-    mToken = mSnapshot->token;
+    takeOver(options);
     mPulled = pulled;
     if (back)
         mBack = std::move(back);
-    if (mStage != Stage::Begin || mBest)
+    if (mStage != Stage::Begin || mBest.best())
         mStage = Stage::Steer;
+}
+
+void LiveMap::takeOver(const LiveMapOptions &options)
+{
+    mOptions = options;
+    mBest.setOptions(options);
+    mBest.setToken(mSnapshot->token);
 }
 
 bool LiveMap::work(const JobContext &job)
 {
     while (mSnapshot && !job.stopped() && mStage != Stage::Done) {
+        mBest.setPacksAfresh(!mFromMap && (mStage == Stage::Begin || mStage == Stage::Explore));
         switch (mStage) {
         case Stage::Begin:
             findFirst(job);
@@ -86,66 +78,38 @@ bool LiveMap::work(const JobContext &job)
         case Stage::Done:
             break;
         }
-        publishWaiting(mStage == Stage::Done);
+        mBest.giveWaiting(mStage == Stage::Done);
     }
     return !job.stopped();
 }
 
 //! Takes the snapshot's problem. A map of the same faces stays.
-void LiveMap::takeSnapshot(const JobContext &job)
+void LiveMap::updateProblem(const JobContext &job)
 {
-    std::optional<FreePart> part = FreePart::of(*mSnapshot, mPart ? &*mPart : nullptr);
-    if (!part)
-        throw std::runtime_error("nothing may change: all islands are locked, stacked or grouped");
-    const bool same = mPart && part->sameFaces(*mPart);
-    mPart = std::move(part);
-    mProblem = mPreference.applied(mPart->snapshot(), job.threads());
-    if (!same) {
-        mSoup = Soup::build(mProblem.mesh);
-        mGraph = nullptr;
-        mBest.reset();
-        mSymmetry.reset();
-    }
-    if (mProblem.settings.symmetry && !mSymmetry)
-        mSymmetry = preference::findSymmetry(*mProblem.mesh);
-    const preference::MeshSymmetry *symmetry =
-        mProblem.settings.symmetry && mSymmetry ? &*mSymmetry : nullptr;
-    mGraph =
-        mGraph ? mGraph->steeredBy(mProblem, symmetry) : search::SeamGraph::build(mSoup, mProblem, symmetry);
-    mWaiting.reset();
+    if (!mProblem.update(mSnapshot, job.threads()))
+        mBest.forgetBest();
+    mBest.forgetWaiting();
     mIdleRounds = 0;
-    mNextGiven = {};
 }
 
-//! Makes a map of the part the one to improve, if it can be used. Overlaps are cut apart first.
+//! Makes a map of the part, as far as it can be steered, the one to improve.
 //! \param uv per corner of the part, texture space
-bool LiveMap::startFromMap(const UvMatrix &uv)
+bool LiveMap::startFromMap(const UvMatrix &uv, const JobContext &job)
 {
-    Snapshot before = mProblem;
+    Snapshot before = mProblem.problem();
     before.uv = std::make_shared<const UvMatrix>(uv);
-    std::optional<SeamedMap> map = mapBefore(*mSoup, before);
-    if (!map)
-        return false;
-    if (definite::coversItself(*mSoup, *map) &&
-        (!definite::removeOverlaps(*mSoup, mProblem, *map) || definite::coversItself(*mSoup, *map)))
-        return false;
-    search::CutState state = search::CutState::from(mGraph, *map, true);
-    if (!mGraph->anchors.empty()) {
-        search::placeAtAnchors(state);
-        search::SeamTrial trial(state);
-        search::reachPins(trial, true);
-    }
-    take(state);
-    return mBest.has_value();
+    if (const std::optional<search::CutState> state = steeredMapBefore(mProblem.graph(), before, job))
+        take(*state);
+    return mBest.best().has_value();
 }
 
 //! Makes a map that was found elsewhere, and lies at its anchors, the one to improve.
 void LiveMap::take(const SeamedMap &map)
 {
-    if (!map.validate(*mSoup).empty())
+    if (!map.validate(*mProblem.soup()).empty())
         return;
-    search::CutState state = search::CutState::from(mGraph, map, true);
-    if (!mGraph->anchors.empty()) {
+    search::CutState state = search::CutState::from(mProblem.graph(), map, true);
+    if (!mProblem.graph()->anchors.empty()) {
         search::SeamTrial trial(state);
         search::reachPins(trial, true);
     }
@@ -155,69 +119,71 @@ void LiveMap::take(const SeamedMap &map)
 void LiveMap::take(const search::CutState &state)
 {
     if (state.loopsAreInOrder() && !state.boundariesOverlap())
-        offer(state);
-    publishWaiting(true);
+        mBest.offer(state);
+    mBest.giveWaiting(true);
 }
 
 //! A first map: the one of the document, or few cuts.
 void LiveMap::findFirst(const JobContext &job)
 {
-    takeSnapshot(job);
-    if (mProblem.settings.seams == SeamMode::Only) {
-        UnwrapOptions options;
-        options.maxDistortion = mOptions.maxDistortion;
-        options.quality = UnwrapQuality::Draft;
-        Ranking ranking(options, job);
-        FoundMap found = findMap(mProblem, options, ranking, job);
-        take(found.best.map);
-        mStage = Stage::Done;
+    updateProblem(job);
+    if (mProblem.problem().settings.seams == SeamMode::Only) {
+        findAnyMap(job);
+        if (!job.stopped())
+            mStage = Stage::Done;
         return;
     }
-    if (mFromMap && mProblem.uv && startFromMap(*mProblem.uv)) {
+    if (mFromMap && mProblem.problem().uv && startFromMap(*mProblem.problem().uv, job)) {
         mExplored = true; // its seams are what the user has
         mStage = Stage::Improve;
         return;
     }
     std::optional<search::CutState> quick = makeQuickMap(job);
-    if (mProblem.mesh->triangleCount() > sizeForCoarseDraft && !mSymmetry)
+    if (mProblem.problem().mesh->triangleCount() > sizeForCoarseDraft && !mProblem.isSymmetric())
         carryFromCoarse(UnwrapQuality::Draft, std::move(quick), job);
     if (!job.stopped())
         mStage = Stage::Explore;
 }
 
-//! True when the mesh is so large that a coarser one is searched in its place.
-bool LiveMap::exploresCoarsely() const
+//! A map that does not come from the search alone.
+void LiveMap::findAnyMap(const JobContext &job)
 {
-    Snapshot problem = mProblem;
-    problem.settings.start = StartMode::Tutte; // there is no map that it could start from
-    return suitsCoarseToFine(problem) && !mSymmetry;
+    UnwrapOptions options;
+    options.maxDistortion = mOptions.maxDistortion;
+    options.quality = UnwrapQuality::Draft;
+    Ranking ranking(options, job);
+    const FoundMap found = findMap(mProblem.problem(), options, ranking, job);
+    if (!job.stopped())
+        take(found.best.map);
 }
 
 //! Changes the map to obey the snapshot; begins anew where that is not possible.
 void LiveMap::steerMap(const JobContext &job)
 {
-    takeSnapshot(job);
+    updateProblem(job);
     // Coarsening does not stop at once: whoever steers a large mesh gets local searches, which do.
-    mExplored = mExplored || exploresCoarsely();
-    if (mProblem.settings.seams == SeamMode::Only || (!mBest && !mGiven)) {
+    mExplored = mExplored || mProblem.isForCoarse();
+    if (mProblem.problem().settings.seams == SeamMode::Only || (!mBest.best() && !mBest.given())) {
         mStage = Stage::Begin;
         return;
     }
-    if (mBack || !mBest) {
+    if (mBack || !mBest.best()) {
         if (mBack)
-            mPlacing.returnTo(*mPart, mPart->partUv(mBack->uv));
-        const std::shared_ptr<const LiveMapResult> from = mBack ? std::exchange(mBack, nullptr) : mGiven;
-        mBest.reset();
-        if (!startFromMap(mPart->partUv(from->uv)) && !(mProblem.uv && startFromMap(*mProblem.uv))) {
+            mBest.returnTo(mProblem.part().partUv(mBack->uv));
+        const std::shared_ptr<const LiveMapResult> from =
+            mBack ? std::exchange(mBack, nullptr) : mBest.given();
+        mBest.forgetBest();
+        if (!startFromMap(mProblem.part().partUv(from->uv), job) &&
+            !(mProblem.problem().uv && startFromMap(*mProblem.problem().uv, job))) {
             mStage = Stage::Explore;
             return;
         }
     } else {
-        std::optional<search::CutState> state = search::resteered(*mBest, mGraph, job);
+        std::optional<search::CutState> state = search::resteered(*mBest.best(), mProblem.graph(), job);
         if (job.stopped())
             return;
         if (!state) {
-            mBest.reset();
+            mBest.forgetBest();
             mStage = Stage::Explore;
             return;
         }
@@ -226,11 +192,11 @@ void LiveMap::steerMap(const JobContext &job)
             trial.relaxAll(pulledSteps, true);
         }
         // The snapshot has other costs: whatever obeys it is better than the old map.
-        mBest.reset();
-        offer(*state);
-        publishWaiting(true);
+        mBest.forgetBest();
+        mBest.offer(*state);
+        mBest.giveWaiting(true);
     }
-    if (!mBest)
+    if (!mBest.best())
         mStage = Stage::Explore;
     else
         mStage = mPulled ? Stage::Done : mExplored ? Stage::Improve : Stage::Explore;
@@ -241,18 +207,18 @@ std::optional<search::CutState> LiveMap::makeQuickMap(const JobContext &job)
 {
     search::OptimizeOptions options = searchOptions(job);
     options.effort.seeds = 1;
-    std::optional<search::CutState> state = search::firstMap(mGraph, options, 0);
+    std::optional<search::CutState> state = search::firstMap(mProblem.graph(), options, 0);
     if (!state)
         return std::nullopt;
     search::SeamTrial trial(*state);
     trial.relaxAll(quickSteps, true, job);
-    if (!mGraph->anchors.empty()) {
+    if (!mProblem.graph()->anchors.empty()) {
         search::placeAtAnchors(*state);
         trial.reset();
         search::reachPins(trial, true);
     }
-    offer(*state);
-    publishWaiting(true);
+    mBest.offer(*state);
+    mBest.giveWaiting(true);
     return state;
 }
 
@@ -267,7 +233,7 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
     parallelFor(quick ? 2 : 1, job.threads(), [&](int i) {
         if (i == 0) {
             const std::optional<CarriedMap> carried = mapByCoarse(
-                mSoup, mPart->snapshot(), options,
+                mProblem.soup(), mProblem.part().withoutRectangles(), options,
                 [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions) {
                     Ranking ranking(coarseOptions, job);
                     FoundMap found = findMap(coarse, coarseOptions, ranking, job);
@@ -281,8 +247,8 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
         } else {
             search::SeamTrial trial(*quick);
             while (!carriedOver && !job.stopped() && trial.relaxAll(quickSteps, true, job) > quickTolerance) {
-                offer(*quick);
-                publishWaiting();
+                mBest.offer(*quick);
+                mBest.giveWaiting();
             }
         }
     });
@@ -291,11 +257,11 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
 //! Searches from many first cuts, as an unwrap does; for a large mesh on a coarser one.
 void LiveMap::explore(const JobContext &job)
 {
-    if (exploresCoarsely()) {
+    if (mProblem.isForCoarse()) {
         carryFromCoarse(UnwrapQuality::Standard, std::nullopt, job);
         if (job.stopped())
             return;
-        if (mBest) {
+        if (mBest.best()) {
             mExplored = true;
             mStage = Stage::Improve;
             return;
@@ -303,40 +269,33 @@ void LiveMap::explore(const JobContext &job)
     }
     for (const UnwrapQuality quality : {UnwrapQuality::Draft, UnwrapQuality::Standard}) {
         search::OptimizeOptions options = searchOptions(job);
-        if (quality == UnwrapQuality::Draft && mBest && !mBestMerit.misses)
+        if (quality == UnwrapQuality::Draft && mBest.best() && !mBest.misses())
             continue;
-        options.effort = effortFor(quality, mProblem.mesh->triangleCount());
-        if (mBest)
-            options.given.push_back(mBest->map());
-        if (quality == UnwrapQuality::Draft && mBest)
+        options.effort = effortFor(quality, mProblem.problem().mesh->triangleCount());
+        if (mBest.best())
+            options.given.push_back(mBest.best()->map());
+        if (quality == UnwrapQuality::Draft && mBest.best())
             options.effort.seeds = 0; // the quick map has the first cuts of a draft
-        const std::optional<search::OptimizedMap> found = search::optimizeSeams(mGraph, options);
+        const std::optional<search::OptimizedMap> found = search::optimizeSeams(mProblem.graph(), options);
         if (job.stopped())
             return;
         if (found)
             take(found->map);
     }
-    if (!mBest) { // the search alone finds no map
-        UnwrapOptions unwrap;
-        unwrap.maxDistortion = mOptions.maxDistortion;
-        unwrap.quality = UnwrapQuality::Draft;
-        Ranking ranking(unwrap, job);
-        FoundMap other = findMap(mProblem, unwrap, ranking, job);
-        if (!job.stopped())
-            take(other.best.map);
-    }
+    if (!mBest.best()) // the search alone finds no map
+        findAnyMap(job);
     mExplored = true;
-    mStage = mBest ? Stage::Improve : Stage::Done;
+    mStage = mBest.best() ? Stage::Improve : Stage::Done;
 }
 
 //! One round: several searches on the map, side by side.
 void LiveMap::improve(const JobContext &job)
 {
     const search::OptimizeOptions options = searchOptions(job);
-    const double before = mBest->cost;
-    const bool missed = mBestMerit.misses;
+    const double before = mBest.best()->cost;
+    const bool missed = mBest.misses();
     const int count = job.threads();
-    const search::CutState start = *mBest;
+    const search::CutState start = *mBest.best();
     parallelFor(count, count, [&](int i) {
         search::SeamRun run(options, start, options.seed * 1000 + i);
         // A map above the bound first has to meet it.
@@ -346,8 +305,8 @@ void LiveMap::improve(const JobContext &job)
     });
     if (job.stopped())
         return;
-    publishWaiting(true);
-    const bool gained = mBestMerit.misses != missed || mBest->cost < (1 - noteworthy) * before;
+    mBest.giveWaiting(true);
+    const bool gained = mBest.misses() != missed || mBest.best()->cost < (1 - noteworthy) * before;
     mIdleRounds = gained ? 0 : mIdleRounds + 1;
     if (mIdleRounds >= idleRoundsToRest)
         mStage = Stage::Done;
@@ -357,86 +316,11 @@ search::OptimizeOptions LiveMap::searchOptions(const JobContext &job)
 {
     search::OptimizeOptions options;
     options.maxDistortion = mOptions.maxDistortion;
-    options.seed = mProblem.settings.seed + mSeed++;
+    options.seed = mProblem.problem().settings.seed + mSeed++;
     options.job = job.quiet();
-    options.improved = [this](const search::CutState &state) { offer(state); };
-    options.progress = [this](int, double, double) { publishWaiting(); };
+    options.improved = [this](const search::CutState &state) { mBest.offer(state); };
+    options.progress = [this](int, double, double) { mBest.giveWaiting(); };
     return options;
-}
-
-LiveMap::Merit LiveMap::meritOf(const search::CutState &state) const
-{
-    Merit merit;
-    merit.anchorFaults = state.anchorFaults();
-    merit.misses = state.distortion > mOptions.maxDistortion;
-    merit.value = merit.misses ? state.distortion : state.cost;
-    return merit;
-}
-
-void LiveMap::offer(const search::CutState &state)
-{
-    const std::lock_guard lock(mMutex);
-    const Merit merit = meritOf(state);
-    if ((mWaiting && !(merit < meritOf(*mWaiting))) || (mBest && !(merit < mBestMerit)))
-        return;
-    mWaiting = state;
-}
-
-//! Gives out the best map that waits. \param atOnce even if the last one was given out a moment ago
-void LiveMap::publishWaiting(bool atOnce)
-{
-    std::unique_lock lock(mMutex, std::defer_lock);
-    if (atOnce)
-        lock.lock();
-    else if (!lock.try_lock())
-        return; // another thread does it
-    if (!mWaiting || (!atOnce && Clock::now() < mNextGiven))
-        return;
-    const Clock::time_point begun = Clock::now();
-    publish(*std::exchange(mWaiting, std::nullopt));
-    const Clock::time_point done = Clock::now();
-    mNextGiven = done + std::max<Clock::duration>(leastPause, std::chrono::duration_cast<Clock::duration>(
-                                                                  (done - begun) / givingShare));
-}
-
-//! \returns false when the map is not given out because it is not better or overlaps itself after all
-bool LiveMap::publish(search::CutState state)
-{
-    // Where it does not meet the faces around the scope, it cannot be attached to them.
-    if (mPart->isAttached() && state.anchorFaults() > state.chartsMayMeet)
-        return false;
-    SeamedMap map = state.map();
-    definite::equalizeDensity(*mSoup, mProblem, map);
-    if (definite::coversItself(*mSoup, map))
-        return false;
-    auto result = std::make_shared<LiveMapResult>();
-    result->distortion = map.distortion(*mSoup);
-    result->withinBound = result->distortion <= mOptions.maxDistortion;
-    Merit merit = meritOf(state);
-    merit.misses = !result->withinBound;
-    if (mBest && !result->withinBound && !mBestMerit.misses)
-        return false;
-    result->token = mToken;
-    result->seamLength = map.seamLength(*mSoup);
-    result->islands = state.chartCount();
-    result->cut = mPart->wholeCut(map.cut);
-    const bool explores = !mFromMap && (mStage == Stage::Begin || mStage == Stage::Explore);
-    result->uv = mPlacing.place(*mSnapshot, *mPart, *mSoup, map, mOptions.packing, explores);
-    result->hasRoom = mPlacing.hadRoom();
-    result->unmet = unmetSteering(*mSnapshot, result->uv);
-    if (!mPart->isWhole()) {
-        metrics::UvMetricsOptions figures;
-        figures.overlaps = figures.gutter = false;
-        const metrics::UvMetrics whole = metrics::measureUv(*mSnapshot->mesh, result->uv, figures);
-        result->distortion = whole.symDirichlet;
-        result->seamLength = whole.seamNorm;
-        result->islands = whole.charts;
-    }
-    mBest = std::move(state);
-    mBestMerit = merit;
-    mGiven = result;
-    mSink(std::move(result));
-    return true;
 }
 
 } // namespace autocuts::unwrap

@@ -83,7 +83,7 @@ UvMatrix LivePlacing::atOldPlaces(const MeshData &mesh, const ChartMap &charts, 
 UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, const Soup &soup,
                             const SeamedMap &map, const packing::PackOptions &options, bool afresh)
 {
-    const Snapshot &own = part.snapshot();
+    const Snapshot own = part.withoutRectangles();
     // True when some islands are where they belong, so that the scale is given.
     const bool stays = !part.isWhole() || snapshot.placesIslands();
     if (afresh && !stays)

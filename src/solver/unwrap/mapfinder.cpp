@@ -4,6 +4,7 @@
 #include "solver/definite/relaxing.h"
 #include "solver/preference/seampreference.h"
 #include "solver/search/anchoring.h"
+#include "solver/search/resteering.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/mapbefore.h"
 #include "solver/unwrap/soupchains.h"
@@ -65,7 +66,7 @@ public:
           mGraph(search::SeamGraph::build(mSoup, snapshot))
     {
         if (snapshot.placesIslands())
-            mBefore = mapBefore(*mSoup, snapshot);
+            mBefore = steeredMapBefore(mGraph, snapshot, job);
     }
 
     int iterations() const { return mIterations; }
@@ -103,13 +104,23 @@ private:
             search.mu = *mOptions.lambda / std::max(1 - *mOptions.lambda, smallestShare);
         search.allowOverlaps = mOptions.allowOverlaps;
         search.effort = effortFor(mOptions.quality, mSnapshot.mesh->triangleCount());
+        search.seed = mSnapshot.settings.seed;
+        search.job = mJob;
+        const bool twice = !symmetry && hasDecidedEdges();
+        search.start = [&](int steps) { mRanking.setTotal(twice ? 2 * steps : steps); };
+        search.progress = [&](int steps, double, double) { mRanking.stepDone(steps); };
+        if (twice) {
+            if (std::optional<SeamedMap> free = steeredFreeMap(search))
+                search.given.push_back(std::move(*free));
+            search.start = [&](int steps) {
+                mRanking.setTotal(2 * steps);
+                mRanking.stepDone(steps);
+            };
+        }
         if (other)
             search.given.push_back(other->map);
         if (mBefore)
-            search.given.push_back(*mBefore);
-        search.seed = mSnapshot.settings.seed;
-        search.job = mJob;
-        search.start = [&](int steps) { mRanking.setTotal(steps); };
+            search.given.push_back(mBefore->map());
         search.progress = [&](int steps, double distortion, double seamLength) {
             mRanking.found(distortion, seamLength);
             mRanking.stepDone(steps);
@@ -128,6 +139,29 @@ private:
         candidate.lambda = mOptions.lambda.value_or(found->mu / (1 + found->mu));
         mIterations += found->iterations;
         return candidate;
+    }
+
+    bool hasDecidedEdges() const
+    {
+        const std::vector<PairState> &states = mSnapshot.steering->pairState;
+        return std::any_of(states.begin(), states.end(),
+                           [](PairState state) { return state != PairState::Free; });
+    }
+
+    //! A map without the user's cuts and joins, changed to obey them. Joins leave little choice for first
+    //! cuts; most of them are close to what a good map has.
+    std::optional<SeamedMap> steeredFreeMap(const search::OptimizeOptions &options)
+    {
+        Snapshot free = mSnapshot;
+        free.editSteering().pairState.clear();
+        const auto graph = mGraph->steeredBy(free);
+        const std::optional<search::OptimizedMap> found = search::optimizeSeams(graph, options);
+        if (!found)
+            return std::nullopt;
+        mIterations += found->iterations;
+        const std::optional<search::CutState> state =
+            search::resteered(search::CutState::from(graph, found->map, true), mGraph, mJob.quiet());
+        return state ? std::optional(state->map()) : std::nullopt;
     }
 
     std::optional<Candidate> bySoup(UnwrapQuality quality)
@@ -155,7 +189,7 @@ private:
     const JobContext &mJob;
     Ranking &mRanking;
     const std::shared_ptr<const search::SeamGraph> mGraph; //!< without symmetry
-    std::optional<SeamedMap> mBefore; //!< where pins or rectangles hold islands: the map before the job
+    std::optional<search::CutState> mBefore; //!< where pins hold islands: the map before the job, steered
     int mIterations = 0;
 };
 

@@ -48,7 +48,8 @@ public:
     bool lieFree(const UvMatrix &uv, const JobContext &job) const
     {
         for (std::size_t bin = 0; bin < mBins.size(); ++bin) {
-            if (!liesFree(mBins[bin].box, lockedFor(bin), uv, job))
+            if (!liesFree(mBins[bin].box, lockedFor(bin), std::vector<bool>(mRigid.pieces.count, true), uv,
+                          job))
                 return false;
         }
         return true;
@@ -66,10 +67,8 @@ public:
         }
         for (int face = 0; face < mMesh.faceCount(); ++face) {
             const int piece = pieces.faceChart[face];
-            for (int c = mMesh.faceStart[face]; piece >= 0 && c < mMesh.faceStart[face + 1]; ++c) {
-                if (mBins[mBinOf[piece]].box.exteriorDistance(Vec2(uv.row(c))) > boxTolerance)
-                    away[piece] = !mRigid.locked[piece];
-            }
+            if (piece >= 0 && !mRigid.locked[piece] && !liesIn(mBins[mBinOf[piece]].box, face, uv))
+                away[piece] = true;
         }
         std::vector<std::vector<int>> meets(pieces.count);
         overlap::OverlapOptions options;
@@ -105,20 +104,46 @@ public:
     bool run(UvMatrix &uv, const JobContext &job) const
     {
         UvMatrix packed = uv;
+        std::vector<bool> placed = placedBefore(uv);
         for (std::size_t bin = 0; bin < mBins.size(); ++bin) {
             const std::vector<bool> locked = lockedFor(bin);
             if (std::find(locked.begin(), locked.end(), false) == locked.end())
                 continue;
-            if (mBins[bin].isRectangle && liesFree(mBins[bin].box, locked, packed, job))
-                continue;
-            if (!packBin(mBins[bin], locked, packed, job))
+            const bool stays =
+                mBins[bin].isRectangle && liesFree(mBins[bin].box, locked, placed, packed, job);
+            if (!stays && !packBin(bin, placed, packed, job))
                 return false;
+            for (std::size_t piece = 0; piece < placed.size(); ++piece)
+                placed[piece] = placed[piece] || !locked[piece];
         }
         uv = std::move(packed);
         return true;
     }
 
 private:
+    //! Per piece: true when it is where it belongs before anything is packed. The others are no obstacles.
+    std::vector<bool> placedBefore(const UvMatrix &uv) const
+    {
+        std::vector<bool> placed(mRigid.pieces.count);
+        for (std::size_t piece = 0; piece < placed.size(); ++piece)
+            placed[piece] = mRigid.locked[piece] || mBins[mBinOf[piece]].isRectangle;
+        for (int face = 0; face < mMesh.faceCount(); ++face) {
+            const int piece = mRigid.pieces.faceChart[face];
+            if (piece >= 0 && placed[piece] && !mRigid.locked[piece])
+                placed[piece] = liesIn(mBins[mBinOf[piece]].box, face, uv);
+        }
+        return placed;
+    }
+
+    bool liesIn(const Eigen::AlignedBox2d &box, int face, const UvMatrix &uv) const
+    {
+        for (int c = mMesh.faceStart[face]; c < mMesh.faceStart[face + 1]; ++c) {
+            if (box.exteriorDistance(Vec2(uv.row(c))) > boxTolerance)
+                return false;
+        }
+        return true;
+    }
+
     //! Per piece: true when it stays while a bin is packed.
     std::vector<bool> lockedFor(std::size_t bin) const
     {
@@ -162,36 +187,56 @@ private:
         return static_cast<int>(std::find(mBins.begin(), mBins.end(), bin) - mBins.begin());
     }
 
-    //! True when all pieces that may move lie in the box and overlap nothing.
-    bool liesFree(const Eigen::AlignedBox2d &box, const std::vector<bool> &locked, const UvMatrix &uv,
-                  const JobContext &job) const
+    //! True when all pieces that may move lie in the box and overlap nothing that has its place.
+    bool liesFree(const Eigen::AlignedBox2d &box, const std::vector<bool> &locked,
+                  const std::vector<bool> &placed, const UvMatrix &uv, const JobContext &job) const
     {
-        const auto moves = [&](int face) {
-            const int piece = mRigid.pieces.faceChart[face];
-            return piece >= 0 && !locked[piece];
+        const auto pieceOf = [&](int triangle) {
+            return mRigid.pieces.faceChart[mMesh.triangleFace[triangle]];
         };
+        const auto moves = [&](int piece) { return piece >= 0 && !locked[piece]; };
         for (int face = 0; face < mMesh.faceCount(); ++face) {
-            for (int c = mMesh.faceStart[face]; moves(face) && c < mMesh.faceStart[face + 1]; ++c) {
-                if (box.exteriorDistance(Vec2(uv.row(c))) > boxTolerance)
-                    return false;
-            }
+            if (moves(mRigid.pieces.faceChart[face]) && !liesIn(box, face, uv))
+                return false;
         }
         overlap::OverlapOptions options;
         options.job = job.quiet();
         return overlap::visitOverlaps(soupUv(mMesh, uv), options, [&](int a, int b, double) {
-            return !moves(mMesh.triangleFace[a]) && !moves(mMesh.triangleFace[b]);
+            const int p = pieceOf(a), q = pieceOf(b);
+            const auto inPlace = [&](int piece) { return moves(piece) || piece < 0 || placed[piece]; };
+            return !(moves(p) || moves(q)) || !inPlace(p) || !inPlace(q);
         });
     }
 
-    bool packBin(const Bin &bin, const std::vector<bool> &locked, UvMatrix &uv, const JobContext &job) const
+    //! The pieces of a bin, and those that have their place.
+    RigidPieces presentPieces(std::size_t bin, const std::vector<bool> &placed) const
     {
+        const std::vector<bool> locked = lockedFor(bin);
+        RigidPieces present;
+        std::vector<int> number(mRigid.pieces.count, -1);
+        for (int piece = 0; piece < mRigid.pieces.count; ++piece) {
+            if (locked[piece] && !placed[piece])
+                continue;
+            number[piece] = present.pieces.count++;
+            present.locked.push_back(locked[piece]);
+        }
+        for (const int piece : mRigid.pieces.faceChart)
+            present.pieces.faceChart.push_back(piece < 0 ? -1 : number[piece]);
+        return present;
+    }
+
+    bool packBin(std::size_t index, const std::vector<bool> &placed, UvMatrix &uv,
+                 const JobContext &job) const
+    {
+        const Bin &bin = mBins[index];
+        const RigidPieces present = presentPieces(index, placed);
         packing::PackOptions options = mPack.options;
         options.lower = bin.box.min();
         options.upper = bin.box.max();
         const bool scaleLater = !options.keepScale && (mPack.keepScaleIfPossible || bin.isRectangle);
         options.keepScale = options.keepScale || scaleLater;
         const auto pack = [&] {
-            return packing::packMap(mMesh, mRigid.pieces, locked, options, uv, job).complete;
+            return packing::packMap(mMesh, present.pieces, present.locked, options, uv, job).complete;
         };
         if (pack())
             return true;
@@ -201,7 +246,8 @@ private:
         if (!job.stopped() || !mPack.hurryWhenStopped)
             return false;
         options.effort = std::min(options.effort, packing::hurriedEffort);
-        return packing::packMap(mMesh, mRigid.pieces, locked, options, uv, job.unstoppable()).complete;
+        return packing::packMap(mMesh, present.pieces, present.locked, options, uv, job.unstoppable())
+            .complete;
     }
 
     const MeshData &mMesh;

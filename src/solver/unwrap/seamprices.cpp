@@ -32,9 +32,7 @@ public:
     SeamPricing(const FreePart &part, const SeamedMap &map, bool onlyGiven, const JobContext &job)
         : mPart(part), mJob(job), mOnlyGiven(onlyGiven)
     {
-        // In the problem of the part, where only given seams may be seams, all other edges are joined: then
-        // no new seam could be proposed.
-        mProblem = preference::SeamPreference().applied(part.snapshot(), job.threads());
+        mProblem = preference::SeamPreference().applied(part.withoutRectangles(), job.threads());
         mSoup = Soup::build(mProblem.mesh);
         mGraph = search::SeamGraph::build(mSoup, mProblem);
         mState = search::CutState::from(mGraph, map, true);
@@ -76,6 +74,8 @@ public:
 
     std::optional<SeamPrice> proposal() const
     {
+        // Where only given seams may be seams, all other edges are joined: then no new seam could be
+        // proposed.
         Snapshot open = mProblem;
         std::vector<PairState> &states = open.editSteering().pairState;
         if (mOnlyGiven)

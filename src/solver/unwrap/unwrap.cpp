@@ -5,6 +5,7 @@
 #include "solver/unwrap/freepart.h"
 #include "solver/unwrap/mapfinder.h"
 #include "solver/unwrap/packjob.h"
+#include "solver/unwrap/rectanglefit.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -76,8 +77,8 @@ UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options, 
         return result;
     }
     Ranking ranking(options, job);
-    const FoundMap found = findMap(part->snapshot(), options, ranking, job);
-    const Candidate &best = found.best;
+    FoundMap found = findMap(part->withoutRectangles(), options, ranking, job);
+    Candidate &best = found.best;
     result.iterations = found.iterations;
     result.symmetry = found.symmetry;
     result.cut = part->wholeCut(best.map.cut);
@@ -87,6 +88,8 @@ UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options, 
     result.delta = best.delta;
     result.withinBound = options.lambda || snapshot.settings.seams == SeamMode::Only ||
                          best.distortion <= options.maxDistortion;
+    if (options.pack)
+        fitToRectangles(*part, Soup::build(part->snapshot().mesh), best.map);
     place(snapshot, *part, best.map, options, job, ranking, result);
     result.unmet = unmetSteering(snapshot, result.uv);
     result.stopped = job.stopped();

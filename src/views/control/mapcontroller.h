@@ -61,7 +61,7 @@ public:
     const unwrap::SeamPrices *seamPrices() const;
 
 public Q_SLOTS:
-    //! Unwraps automatically, as the command line does (pipeline.h).
+    //! Unwraps automatically, as the command line does (solver/unwrap/unwrap.h).
     void unwrap(autocuts::unwrap::UnwrapQuality quality, double maxDistortion,
                 autocuts::JobReach reach = JobReach::All);
     //! Finishes the live map, or the document's map when there is none: the result has definite seams and no

@@ -3,46 +3,16 @@
 #include "commands/changesettings.h"
 #include "commands/newmap.h"
 #include "model/document/makesnapshot.h"
-#include "model/plain/uvlayout.h"
 #include "solver/packing/packmap.h"
 #include "views/control/mapjobs.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
 
-#include <cmath>
-#include <limits>
-
 namespace autocuts {
-
-namespace {
-
-//! Largest number of points in the graph. When there are more, every other one is dropped. Chosen by hand.
-constexpr std::size_t mostTracePoints = 4000;
-
-double areaOf(const UvMatrix &soup)
-{
-    double area = 0;
-    for (Eigen::Index c = 0; c + 2 < soup.rows(); c += 3)
-        area += cross2(Vec2(soup.row(c)), Vec2(soup.row(c + 1)), Vec2(soup.row(c + 2)));
-    return std::abs(area);
-}
-
-//! Moves and scales a ghost over the shown map.
-void fitOver(const UvMatrix &shown, UvMatrix &ghost)
-{
-    const double area = areaOf(ghost);
-    if (!(area > 0) || !shown.allFinite() || !ghost.allFinite())
-        return;
-    const double scale = std::sqrt(areaOf(shown) / area);
-    const Eigen::RowVector2d from = ghost.colwise().mean(), to = shown.colwise().mean();
-    ghost = (scale * (ghost.rowwise() - from)).rowwise() + to;
-}
-
-} // namespace
 
 SolverController::SolverController(Workspace &workspace, ShownMap &shownMap, QObject *parent)
     : QObject(parent), mWorkspace(workspace), mShownMap(shownMap), mWorker(new live::SolveWorker),
-      mKeeper(new live::MapKeeper)
+      mKeeper(new live::MapKeeper), mDisplay(workspace, shownMap)
 {
     mThread.setObjectName(QStringLiteral("solver"));
     mKeeperThread.setObjectName(QStringLiteral("map keeper"));
@@ -59,7 +29,7 @@ SolverController::SolverController(Workspace &workspace, ShownMap &shownMap, QOb
     connect(mKeeper, &live::MapKeeper::failed, this, [this] { fail(mKeeper->takeFailure()); });
     connect(&workspace, &Workspace::documentReplaced, this, &SolverController::documentReplaced);
     connect(&workspace, &Workspace::changed, this, &SolverController::documentChanged);
-    connect(&mPacker, &LivePacker::arranged, this, &SolverController::showResult);
+    connect(&mDisplay, &LiveDisplay::arranged, this, &SolverController::showResult);
     mSendSoon.setSingleShot(true);
     mSendSoon.setInterval(0);
     connect(&mSendSoon, &QTimer::timeout, this, [this] { sendSnapshot(); });
@@ -86,10 +56,10 @@ void SolverController::setMode(homotopy::SolveMode mode)
 {
     if (mode == mMode)
         return;
-    const live::SolveStatus before = mStatus;
+    const live::SolveStatus before = mDisplay.soupStatus();
     mMode = mode;
     mWorker->setMode(mMode, mMaxDistortion);
-    if (mMode == homotopy::SolveMode::Manual && mSoupRan && before.iteration > 0) {
+    if (mMode == homotopy::SolveMode::Manual && mDisplay.soupRan() && before.iteration > 0) {
         SolveSettings settings = mWorkspace.document()->solveSettings();
         settings.lambda = before.lambda;
         settings.delta = before.delta;
@@ -97,8 +67,9 @@ void SolverController::setMode(homotopy::SolveMode mode)
     }
     mSendSoon.start();
     // By hand, the soup is steered, over the map that a pause puts into the document.
-    mGhost = mMode == homotopy::SolveMode::Manual;
-    setLiveView(mGhost ? LiveView::Soup : LiveView::Map);
+    const bool byHand = mMode == homotopy::SolveMode::Manual;
+    mDisplay.setGhost(byHand);
+    setLiveView(byHand ? LiveView::Soup : LiveView::Map);
     Q_EMIT stateChanged();
 }
 
@@ -114,9 +85,9 @@ void SolverController::setMaxDistortion(double bound)
 
 void SolverController::setLiveView(LiveView view)
 {
-    if (view == mView)
+    if (view == mDisplay.view())
         return;
-    mView = view;
+    mDisplay.setView(view);
     runSoup();
     showResult();
     Q_EMIT stateChanged();
@@ -125,34 +96,12 @@ void SolverController::setLiveView(LiveView view)
 
 void SolverController::setGhost(bool ghost)
 {
-    if (ghost == mGhost)
+    if (ghost == mDisplay.ghost())
         return;
-    mGhost = ghost;
+    mDisplay.setGhost(ghost);
     runSoup();
     showResult();
     Q_EMIT stateChanged();
-}
-
-live::SolveStatus SolverController::status() const
-{
-    if (mView == LiveView::Soup || !mMap)
-        return mStatus;
-    live::SolveStatus status;
-    const SolveSettings settings = mWorkspace.document()->solveSettings();
-    status.iteration = static_cast<int>(mMapTrace.size());
-    status.distortion = mMap->distortion;
-    status.separation = status.seamLength = mMap->seamLength;
-    status.islands = mMap->islands;
-    status.lambda = mSoupRan ? mStatus.lambda : settings.lambda;
-    status.delta = mSoupRan ? mStatus.delta : settings.delta;
-    status.energy = (1 - status.lambda) * status.distortion + status.lambda * status.separation;
-    status.converged = mMapRests;
-    return status;
-}
-
-const std::vector<live::TracePoint> &SolverController::trace() const
-{
-    return mView == LiveView::Soup || !mMap ? mTrace : mMapTrace;
 }
 
 void SolverController::whenPaused(std::function<void()> then)
@@ -170,8 +119,8 @@ void SolverController::setPulls(std::vector<Pin> pulls)
     if (!mRunning || (pulls.empty() && mPulls.empty()))
         return;
     if (mPulls.empty()) {
-        mBeforePulls = mResult;
-        mMapBeforePulls = mMap;
+        mBeforePulls = mDisplay.soup();
+        mMapBeforePulls = mDisplay.map();
     }
     mPulls = std::move(pulls);
     mSendSoon.start();
@@ -207,8 +156,8 @@ void SolverController::runSoup()
 {
     if (!mRunning || mStepping)
         return;
-    if (seesSoup()) {
-        mSoupRan = true;
+    if (mDisplay.seesSoup()) {
+        mDisplay.setSoupRan();
         mWorker->run();
     } else {
         mWorker->pause();
@@ -247,7 +196,8 @@ void SolverController::step()
         beginWhereTheMapIs();
     // waiting() is emitted at the end of the step.
     setLiveView(LiveView::Soup);
-    mStepping = mSoupRan = true;
+    mDisplay.setSoupRan();
+    mStepping = true;
     setRunning(true, false);
     mKeeper->run();
     mWorker->runSteps(1);
@@ -272,13 +222,8 @@ void SolverController::discard()
     mWorker->pause();
     mKeeper->pause();
     mToken.reset();
-    mResult.reset();
-    mMap.reset();
-    mPacker.reset();
+    mDisplay.clear();
     mWhenPaused.clear();
-    mStatus = {};
-    mTrace.clear();
-    mMapTrace.clear();
     mShownMap.showDocument();
     setRunning(false, false);
     Q_EMIT statusChanged();
@@ -297,16 +242,10 @@ void SolverController::begin(StartMode start, bool warm)
     const Document &document = *mWorkspace.document();
     const auto snapshot = std::make_shared<const Snapshot>(makeSnapshot(document, start));
     mToken = snapshot->token;
-    mResult.reset();
-    mMap.reset();
+    mDisplay.clear();
     mBeforePulls.reset();
     mMapBeforePulls.reset();
-    mPacker.reset();
-    mStatus = {};
-    mTrace.clear();
-    mMapTrace.clear();
-    mTraceStride = 1;
-    mSoupRan = mMapRests = false;
+    mMapRests = false;
     mWorker->setMode(mMode, mMaxDistortion);
     // Places the map at the centre of the unit square.
     const Vec2 centre = Vec2::Constant(0.5 / document.uvScale());
@@ -375,14 +314,19 @@ void SolverController::sendSnapshot(bool back)
     mKeeper->update(shared, mapOptions(), !mPulls.empty(), back ? mMapBeforePulls : nullptr);
 }
 
+//! Shows the newest state, while a solve is running or about to pause.
+void SolverController::showResult()
+{
+    if (mRunning || mPausing)
+        mDisplay.show();
+}
+
 void SolverController::takeResult()
 {
     const std::shared_ptr<const live::SolveResult> result = mWorker->takeResult();
     if (!result || !mToken || !result->token.sameMap(*mToken))
         return;
-    mResult = result;
-    mStatus = result->status;
-    addToTrace(result->trace);
+    mDisplay.take(result);
     showResult();
     Q_EMIT statusChanged();
 }
@@ -392,63 +336,20 @@ void SolverController::takeMap()
     const std::shared_ptr<const unwrap::LiveMapResult> map = mKeeper->takeMap();
     if (!map || !mToken || !map->token.sameMap(*mToken))
         return;
-    mMap = map;
-    mMapTrace.push_back({static_cast<int>(mMapTrace.size()) + 1, static_cast<float>(map->distortion),
-                         static_cast<float>(map->seamLength), std::numeric_limits<float>::quiet_NaN()});
+    mDisplay.take(map);
     showResult();
     Q_EMIT statusChanged();
     if (mPausing)
         endPause();
 }
 
-//! Shows the definite map or the soup, and the other one as a ghost.
-void SolverController::showResult()
-{
-    if (!(mRunning || mPausing))
-        return;
-    const Document &document = *mWorkspace.document();
-    const MeshData &mesh = document.mesh();
-    UvMatrix soup, map;
-    if (mResult && mSoupRan && seesSoup())
-        soup = document.uvScale() * mResult->soupUv;
-    if (mMap && (mView == LiveView::Map || mGhost))
-        map = soupUv(mesh, mMap->uv);
-    // Without a map before, both begin where they like.
-    if (!hasUvs(document) && map.rows() > 0 && soup.rows() > 0)
-        mView == LiveView::Map ? fitOver(map, soup) : fitOver(soup, map);
-    if (mView == LiveView::Map && map.rows() > 0) {
-        std::vector<float> apart(mesh.cornerPairCount());
-        for (std::size_t p = 0; p < apart.size(); ++p)
-            apart[p] = mMap->cut[p / 2] ? 1.f : 0.f;
-        mShownMap.showMap(std::move(map), std::move(apart), std::move(soup));
-    } else if (mView == LiveView::Soup && soup.rows() > 0) {
-        if (mLivePacking)
-            mPacker.arrange(document.state().scene.mesh, document.constraints(), document.packingSettings(),
-                            mResult->separation, soup);
-        mShownMap.showSoup(std::move(soup), mResult->separation, std::move(map));
-    }
-}
-
 void SolverController::setLivePacking(bool pack)
 {
-    if (pack == mLivePacking)
+    if (pack == mDisplay.packs())
         return;
-    mLivePacking = pack;
-    mPacker.reset();
+    mDisplay.setPacks(pack);
     showResult();
     Q_EMIT stateChanged();
-}
-
-void SolverController::addToTrace(const std::vector<live::TracePoint> &points)
-{
-    for (const live::TracePoint &point : points) {
-        if (point.iteration % mTraceStride == 0)
-            mTrace.push_back(point);
-    }
-    while (mTrace.size() > mostTracePoints) {
-        mTraceStride *= 2;
-        std::erase_if(mTrace, [this](const live::TracePoint &p) { return p.iteration % mTraceStride != 0; });
-    }
 }
 
 //! The soup stopped by itself: a single step is done, the budget is reached, or it has converged. Only after
@@ -480,22 +381,23 @@ void SolverController::keeperRests()
 //! \param withAnyMap do not wait for one
 void SolverController::endPause(bool withAnyMap)
 {
-    const bool obeys = mMap && mToken && mMap->token.steering == mToken->steering;
+    const std::shared_ptr<const unwrap::LiveMapResult> map = mDisplay.map();
+    const bool obeys = map && mToken && map->token.steering == mToken->steering;
     if (!mPausing || !(obeys || withAnyMap))
         return;
     mKeeper->pause();
-    if (mMap) {
+    if (map) {
         Document &document = *mWorkspace.document();
         // Pushing does not invalidate the state of the solver: it belongs to the document's new map now.
         mToken.reset();
-        pushCommand(newMapCommand(document, UvEdit::Solve, mMap->uv));
+        pushCommand(newMapCommand(document, UvEdit::Solve, map->uv));
         mToken = document.token();
         mWorker->setToken(*mToken);
         mKeeper->setToken(*mToken);
     }
     mShownMap.showDocument();
     setRunning(false, false);
-    if (mMap)
+    if (map)
         tellProblems();
     for (const auto &then : std::exchange(mWhenPaused, {}))
         then();
@@ -504,14 +406,15 @@ void SolverController::endPause(bool withAnyMap)
 //! Says what the map in the document does not obey.
 void SolverController::tellProblems()
 {
-    if (!mMap->unmet.empty()) {
+    const unwrap::LiveMapResult &map = *mDisplay.map();
+    if (!map.unmet.empty()) {
         Selection items;
-        const QString text = unmetText(makeSnapshot(*mWorkspace.document()), mMap->unmet, items);
+        const QString text = unmetText(makeSnapshot(*mWorkspace.document()), map.unmet, items);
         Q_EMIT foundProblems(text, items);
-    } else if (!mMap->withinBound) {
+    } else if (!map.withinBound) {
         Q_EMIT foundProblems(tr("The distortion of %1 is above the bound of %2: let the solver run on, allow "
                                 "more, or remove joins")
-                                 .arg(mMap->distortion, 0, 'f', 4)
+                                 .arg(map.distortion, 0, 'f', 4)
                                  .arg(mMaxDistortion, 0, 'f', 4),
                              {});
     }

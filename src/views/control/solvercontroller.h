@@ -2,9 +2,7 @@
 #pragma once
 
 #include "model/document/selection.h"
-#include "solver/live/mapkeeper.h"
-#include "solver/live/worker.h"
-#include "views/control/livepacker.h"
+#include "views/control/livedisplay.h"
 
 #include <QObject>
 #include <QThread>
@@ -19,12 +17,6 @@ namespace autocuts {
 
 class ShownMap;
 class Workspace;
-
-//! What is shown of a solve.
-enum class LiveView {
-    Map, //!< the definite map
-    Soup //!< the separate triangles of the paper's solver
-};
 
 //! Runs a live solve beside the document, in two states: the definite map, which is valid at every moment
 //! (MapKeeper), and the soup of the paper, section 3 (SolveWorker), which is stepped only while it is seen.
@@ -59,25 +51,28 @@ public:
 
     //! Status of what is shown; iteration 0 before the first result. Of the definite map: iteration counts
     //! the maps that were found, the separation is the seam length, and there is no delta.
-    live::SolveStatus status() const;
+    live::SolveStatus status() const { return mDisplay.status(mMapRests); }
     //! The figures of what is shown: of all steps of the soup (of a long run, evenly spaced steps), or of all
     //! definite maps.
-    const std::vector<live::TracePoint> &trace() const;
+    const std::vector<live::TracePoint> &trace() const { return mDisplay.trace(); }
 
-    LiveView liveView() const { return mView; }
+    LiveView liveView() const { return mDisplay.view(); }
     void setLiveView(LiveView view);
     //! True when the state that is not shown is to be seen as a ghost.
-    bool ghost() const { return mGhost; }
+    bool ghost() const { return mDisplay.ghost(); }
     void setGhost(bool ghost);
 
     //! The newest definite map of the solve; null when there is none.
-    std::shared_ptr<const unwrap::LiveMapResult> map() const { return mMap; }
+    std::shared_ptr<const unwrap::LiveMapResult> map() const { return mDisplay.map(); }
     //! The newest state of the soup, when that has been seen during this solve; null otherwise.
-    std::shared_ptr<const live::SolveResult> soup() const { return mSoupRan ? mResult : nullptr; }
+    std::shared_ptr<const live::SolveResult> soup() const
+    {
+        return mDisplay.soupRan() ? mDisplay.soup() : nullptr;
+    }
 
     //! True when the islands of a running solve are shown side by side (LivePacker). Changes neither the map
     //! nor the results.
-    bool livePacking() const { return mLivePacking; }
+    bool livePacking() const { return mDisplay.packs(); }
     void setLivePacking(bool pack);
 
     //! Pauses, and calls the function when the map is in the document; at once when no solve runs. The call
@@ -122,7 +117,6 @@ private:
     void takeResult();
     void takeMap();
     void showResult();
-    bool seesSoup() const { return mView == LiveView::Soup || mGhost; }
     void runSoup();
     unwrap::LiveMapOptions mapOptions() const;
     void endPause(bool withAnyMap = false);
@@ -134,24 +128,14 @@ private:
     void beginWhereTheMapIs();
     void setRunning(bool running, bool pausing);
     void sendSnapshot(bool back = false);
-    void addToTrace(const std::vector<live::TracePoint> &points);
 
     Workspace &mWorkspace;
     ShownMap &mShownMap;
     QThread mThread, mKeeperThread;
     live::SolveWorker *mWorker; //!< lives in mThread
     live::MapKeeper *mKeeper;   //!< lives in mKeeperThread
-    std::shared_ptr<const live::SolveResult> mResult;
-    std::shared_ptr<const unwrap::LiveMapResult> mMap;
-    LiveView mView = LiveView::Map;
-    bool mGhost = false;
-    bool mSoupRan = false;  //!< the soup was stepped since the solve began
+    LiveDisplay mDisplay;
     bool mMapRests = false; //!< nothing is left to gain on the definite map
-    LivePacker mPacker;
-    bool mLivePacking = false;
-    live::SolveStatus mStatus;
-    std::vector<live::TracePoint> mTrace, mMapTrace;
-    int mTraceStride = 1;
     homotopy::SolveMode mMode = homotopy::SolveMode::Budget;
     double mMaxDistortion = 4.1;
     //! Token of the document's state from which the worker continues; empty when the worker has nothing that

@@ -1,0 +1,112 @@
+#include "solver/unwrap/bestlivemap.h"
+
+#include "solver/definite/definitemap.h"
+#include "solver/definite/relaxing.h"
+#include "solver/metrics/uvmetrics.h"
+#include "solver/unwrap/rectanglefit.h"
+
+#include <algorithm>
+
+namespace autocuts::unwrap {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Chosen by hand; their effect has not been measured.
+constexpr double givingShare = 0.2;                         // of the time that giving out maps may take
+constexpr auto leastPause = std::chrono::milliseconds(100); // between two maps given out
+
+} // namespace
+
+void BestLiveMap::reset()
+{
+    mPlacing.reset();
+    mBest.reset();
+    mGiven = nullptr;
+    forgetWaiting();
+}
+
+void BestLiveMap::forgetWaiting()
+{
+    mWaiting.reset();
+    mNextGiven = {};
+}
+
+BestLiveMap::Merit BestLiveMap::meritOf(const search::CutState &state) const
+{
+    Merit merit;
+    merit.anchorFaults = state.anchorFaults();
+    merit.misses = state.distortion > mOptions.maxDistortion;
+    merit.value = merit.misses ? state.distortion : state.cost;
+    return merit;
+}
+
+void BestLiveMap::offer(const search::CutState &state)
+{
+    const std::lock_guard lock(mMutex);
+    const Merit merit = meritOf(state);
+    if ((mWaiting && !(merit < meritOf(*mWaiting))) || (mBest && !(merit < mBestMerit)))
+        return;
+    mWaiting = state;
+}
+
+void BestLiveMap::giveWaiting(bool atOnce)
+{
+    std::unique_lock lock(mMutex, std::defer_lock);
+    if (atOnce)
+        lock.lock();
+    else if (!lock.try_lock())
+        return; // another thread does it
+    if (!mWaiting || (!atOnce && Clock::now() < mNextGiven))
+        return;
+    const Clock::time_point begun = Clock::now();
+    give(*std::exchange(mWaiting, std::nullopt));
+    const Clock::time_point done = Clock::now();
+    mNextGiven = done + std::max<Clock::duration>(leastPause, std::chrono::duration_cast<Clock::duration>(
+                                                                  (done - begun) / givingShare));
+}
+
+//! Gives the map out, unless it is not better or overlaps itself after all.
+void BestLiveMap::give(search::CutState state)
+{
+    const FreePart &part = mProblem.part();
+    const Snapshot &whole = mProblem.whole();
+    const Soup &soup = *mProblem.soup();
+    // Where it does not meet the faces around the scope, it cannot be attached to them.
+    if (part.isAttached() && state.anchorFaults() > state.chartsMayMeet)
+        return;
+    SeamedMap map = state.map();
+    definite::equalizeDensity(soup, mProblem.problem(), map);
+    Merit merit = meritOf(state);
+    merit.misses = map.distortion(soup) > mOptions.maxDistortion;
+    if (mBest && merit.misses && !mBestMerit.misses)
+        return;
+    fitToRectangles(part, mProblem.soup(), map);
+    if (definite::coversItself(soup, map))
+        return;
+    auto result = std::make_shared<LiveMapResult>();
+    result->distortion = map.distortion(soup);
+    result->withinBound = result->distortion <= mOptions.maxDistortion;
+    result->token = mToken;
+    result->seamLength = map.seamLength(soup);
+    result->islands = state.chartCount();
+    result->cut = part.wholeCut(map.cut);
+    result->uv = mPlacing.place(whole, part, soup, map, mOptions.packing, mPacksAfresh);
+    result->hasRoom = mPlacing.hadRoom();
+    result->unmet = unmetSteering(whole, result->uv);
+    if (!part.isWhole()) {
+        metrics::UvMetricsOptions figures;
+        figures.overlaps = figures.gutter = false;
+        const metrics::UvMetrics all = metrics::measureUv(*whole.mesh, result->uv, figures);
+        result->distortion = all.symDirichlet;
+        result->seamLength = all.seamNorm;
+        result->islands = all.charts;
+    }
+    mBest = std::move(state);
+    mBestMerit = merit;
+    mGiven = result;
+    mSink(std::move(result));
+}
+
+} // namespace autocuts::unwrap

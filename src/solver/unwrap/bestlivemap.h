@@ -1,0 +1,102 @@
+// The best map of a live solve so far, and the giving out of every better one.
+#pragma once
+
+#include "solver/packing/packing.h"
+#include "solver/search/cutstate.h"
+#include "solver/unwrap/liveplacing.h"
+#include "solver/unwrap/liveproblem.h"
+#include "solver/unwrap/unmetsteering.h"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+namespace autocuts::unwrap {
+
+struct LiveMapOptions
+{
+    double maxDistortion = 4.1; //!< bound on the mean symmetric Dirichlet energy, > 4
+    packing::PackOptions packing;
+};
+
+//! A map without flipped triangles or overlaps (but for islands that the user holds in one place).
+struct LiveMapResult
+{
+    StateToken token;      //!< of the snapshot that it obeys
+    UvMatrix uv;           //!< per corner, texture space
+    CutFlags cut;          //!< per edge pair
+    double distortion = 0; //!< mean symmetric Dirichlet energy, 4 is isometric
+    double seamLength = 0; //!< seam_norm, solver units
+    int islands = 0;
+    bool withinBound = false; //!< of what may change
+    bool hasRoom = true;      //!< false: there is no room for all islands, some may overlap
+    UnmetSteering unmet;
+};
+
+//! Keeps the better of all maps offered to it, and gives it out when nothing is wrong with it.
+class BestLiveMap
+{
+public:
+    //! Receives every new map, from any thread but one at a time.
+    using Sink = std::function<void(std::shared_ptr<const LiveMapResult>)>;
+
+    BestLiveMap(const LiveProblem &problem, Sink sink) : mProblem(problem), mSink(std::move(sink)) {}
+
+    //! Forgets all maps.
+    void reset();
+    void setOptions(const LiveMapOptions &options) { mOptions = options; }
+    //! The document's state that the next maps obey.
+    void setToken(const StateToken &token) { mToken = token; }
+    //! True: all islands of the next maps are packed; false: they stay in place as far as possible.
+    void setPacksAfresh(bool on) { mPacksAfresh = on; }
+    //! Forgets maps that were offered and not given out yet.
+    void forgetWaiting();
+    //! Whatever map comes next counts as better than the one before.
+    void forgetBest() { mBest.reset(); }
+    //! The next map is placed in relation to this one. \param uv per corner of the part, texture space
+    void returnTo(const UvMatrix &uv) { mPlacing.returnTo(mProblem.part(), uv); }
+
+    //! The map that was given out last, or nothing when it was forgotten.
+    const std::optional<search::CutState> &best() const { return mBest; }
+    //! The best map is above the bound.
+    bool misses() const { return mBestMerit.misses; }
+    //! The last map that was given out, forgotten or not.
+    const std::shared_ptr<const LiveMapResult> &given() const { return mGiven; }
+
+    //! Any thread may offer maps at any time.
+    void offer(const search::CutState &state);
+    //! Gives out the best map that waits. \param atOnce even if the last one was given out a moment ago
+    void giveWaiting(bool atOnce = false);
+
+private:
+    //! What decides between two maps; less is better.
+    struct Merit
+    {
+        int anchorFaults = 0;
+        bool misses = false; //!< it is above the bound
+        double value = 0;    //!< seam cost; above the bound, the distortion
+
+        auto operator<=>(const Merit &) const = default;
+    };
+
+    Merit meritOf(const search::CutState &state) const;
+    void give(search::CutState state);
+
+    const LiveProblem &mProblem;
+    const Sink mSink;
+    LiveMapOptions mOptions;
+    StateToken mToken;
+    bool mPacksAfresh = false;
+
+    std::mutex mMutex; //!< for what follows
+    LivePlacing mPlacing;
+    std::optional<search::CutState> mBest;
+    Merit mBestMerit;
+    std::shared_ptr<const LiveMapResult> mGiven;
+    std::optional<search::CutState> mWaiting; //!< a better map that has not been given out yet
+    std::chrono::steady_clock::time_point mNextGiven;
+};
+
+} // namespace autocuts::unwrap

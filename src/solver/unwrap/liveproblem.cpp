@@ -1,0 +1,42 @@
+#include "solver/unwrap/liveproblem.h"
+
+#include "solver/unwrap/coarsetofine.h"
+
+#include <stdexcept>
+
+namespace autocuts::unwrap {
+
+bool LiveProblem::update(std::shared_ptr<const Snapshot> snapshot, int threads)
+{
+    mWhole = std::move(snapshot);
+    std::optional<FreePart> part = FreePart::of(*mWhole, mPart ? &*mPart : nullptr);
+    if (!part)
+        throw std::runtime_error("nothing may change: all islands are locked, stacked or grouped");
+    const bool same = mPart && part->sameFaces(*mPart);
+    mPart = std::move(part);
+    mProblem = mPreference.applied(mPart->withoutRectangles(), threads);
+    if (!same) {
+        mSoup = Soup::build(mProblem.mesh);
+        mGraph = nullptr;
+        mSymmetry.reset();
+    }
+    if (mProblem.settings.symmetry && !mSymmetry)
+        mSymmetry = preference::findSymmetry(*mProblem.mesh);
+    const preference::MeshSymmetry *symmetry = isSymmetric() ? &*mSymmetry : nullptr;
+    mGraph =
+        mGraph ? mGraph->steeredBy(mProblem, symmetry) : search::SeamGraph::build(mSoup, mProblem, symmetry);
+    return same;
+}
+
+void LiveProblem::reset()
+{
+    mPart.reset();
+    mSymmetry.reset();
+}
+
+bool LiveProblem::isForCoarse() const
+{
+    return isLargeMesh(*mProblem.mesh) && !mSymmetry;
+}
+
+} // namespace autocuts::unwrap

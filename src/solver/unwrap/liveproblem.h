@@ -1,0 +1,45 @@
+// What a live solve works on: the document's state, and the problem of the part that may change.
+#pragma once
+
+#include "solver/preference/seampreference.h"
+#include "solver/search/seamgraph.h"
+#include "solver/unwrap/freepart.h"
+
+#include <memory>
+#include <optional>
+
+namespace autocuts::unwrap {
+
+class LiveProblem
+{
+public:
+    //! Works on what the snapshot lets change. The seam graph of before is steered anew where that is the
+    //! same. \returns false when there was another part, or none: maps of that are of no use \throws
+    //! std::runtime_error when nothing may change
+    bool update(std::shared_ptr<const Snapshot> snapshot, int threads);
+    //! Forgets the part; the next one is numbered anew.
+    void reset();
+
+    //! The whole mesh.
+    const Snapshot &whole() const { return *mWhole; }
+    const FreePart &part() const { return *mPart; }
+    //! Of the part, with the seam preferences in its weights.
+    const Snapshot &problem() const { return mProblem; }
+    const std::shared_ptr<const Soup> &soup() const { return mSoup; }
+    const std::shared_ptr<const search::SeamGraph> &graph() const { return mGraph; }
+    //! Symmetric seams are asked for, and the part is symmetric.
+    bool isSymmetric() const { return mProblem.settings.symmetry && mSymmetry; }
+    //! The part is so large that a coarser mesh is searched in its place.
+    bool isForCoarse() const;
+
+private:
+    std::shared_ptr<const Snapshot> mWhole;
+    preference::SeamPreference mPreference;
+    std::optional<preference::MeshSymmetry> mSymmetry;
+    std::optional<FreePart> mPart;
+    Snapshot mProblem;
+    std::shared_ptr<const Soup> mSoup;
+    std::shared_ptr<const search::SeamGraph> mGraph;
+};
+
+} // namespace autocuts::unwrap
