@@ -42,6 +42,7 @@ constexpr double smallestShare = 1e-9;
 //! Where only the given seams may be seams there is no bound on the distortion.
 constexpr double noBound = 1e6;
 constexpr double dearSeam = 100; // factor on the cost of a seam that is not given; chosen by hand
+constexpr int relaxSteps = 200;  // Newton steps for a map whose seams stay; chosen by hand
 constexpr int settleSteps = 20;  // Newton steps before hard pins are reached; chosen by hand
 
 //! True when the surface has several connected components or borders, or handles. Its first cuts are not few,
@@ -65,7 +66,7 @@ public:
         : mSoup(std::move(soup)), mSnapshot(snapshot), mOptions(options), mJob(job), mRanking(ranking),
           mGraph(search::SeamGraph::build(mSoup, snapshot))
     {
-        if (snapshot.placesIslands())
+        if (!snapshot.steering->pins.empty() || snapshot.settings.seams == SeamMode::Keep)
             mBefore = steeredMapBefore(mGraph, snapshot, job);
     }
 
@@ -189,7 +190,8 @@ private:
     const JobContext &mJob;
     Ranking &mRanking;
     const std::shared_ptr<const search::SeamGraph> mGraph; //!< without symmetry
-    std::optional<search::CutState> mBefore; //!< where pins hold islands: the map before the job, steered
+    std::optional<search::CutState>
+        mBefore; //!< where pins hold islands or given seams stay: the map before the job, steered
     int mIterations = 0;
 };
 
@@ -228,20 +230,28 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
 std::optional<FoundMap> onlyGivenSeams(const Snapshot &snapshot, const JobContext &job)
 {
     const std::shared_ptr<const Soup> soup = Soup::build(snapshot.mesh);
+    const auto graph = search::SeamGraph::build(soup, snapshot);
     search::OptimizeOptions search;
     search.maxDistortion = noBound;
     search.effort = {0, {{0, 1}}};
     search.job = job.quiet();
-    std::optional<search::OptimizedMap> flat =
-        search::optimizeSeams(search::SeamGraph::build(soup, snapshot), search);
-    if (!flat)
-        return std::nullopt;
-    FoundMap found;
-    found.best.map = std::move(flat->map);
-    definite::equalizeDensity(*soup, snapshot, found.best.map);
-    found.best.measure(*soup, snapshot);
-    found.iterations = flat->iterations;
-    return found;
+    std::optional<FoundMap> best;
+    const auto keepBetter = [&](SeamedMap map) {
+        Candidate candidate;
+        candidate.map = std::move(map);
+        definite::equalizeDensity(*soup, snapshot, candidate.map);
+        candidate.measure(*soup, snapshot);
+        if (!best || candidate.distortion < best->best.distortion)
+            best = FoundMap{std::move(candidate), 0, {}};
+    };
+    if (std::optional<search::OptimizedMap> flat = search::optimizeSeams(graph, search))
+        keepBetter(std::move(flat->map));
+    // The map before may be another minimum, when it has these seams.
+    if (std::optional<search::CutState> before = steeredMapBefore(graph, snapshot, job.quiet())) {
+        search::SeamTrial(*before).relaxAll(relaxSteps, true, job.quiet());
+        keepBetter(before->map());
+    }
+    return best;
 }
 
 //! Other seams than the given ones may be added, but only where there is no other way.
