@@ -5,11 +5,13 @@
 #include "solver/base/random.h"
 #include "solver/metrics/uvmetrics.h"
 #include "support/meshbuilders.h"
+#include "views/control/filecontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 
 #include <QElapsedTimer>
+#include <QFileInfo>
 #include <QTest>
 
 using namespace autocuts;
@@ -19,7 +21,8 @@ namespace {
 
 constexpr int patience = 120'000; //!< milliseconds
 
-//! Pauses per mesh. $AUTOCUTS_PAUSES asks for more of them.
+//! Pauses per mesh. $AUTOCUTS_PAUSES asks for more of them, $AUTOCUTS_PAUSE_MESHES for further meshes, and
+//! $AUTOCUTS_PAUSE_FOLDER for the maps, to be measured by another program.
 int pauses()
 {
     const int asked = qEnvironmentVariableIntValue("AUTOCUTS_PAUSES");
@@ -90,6 +93,9 @@ private Q_SLOTS:
                                 .arg(figures.overlapPairs);
             if (before && before->withinBound && figures.symDirichlet > solver.maxDistortion() + 1e-6)
                 problems << u"%1: above the bound again"_s.arg(state);
+            if (const QString folder = qEnvironmentVariable("AUTOCUTS_PAUSE_FOLDER"); !folder.isEmpty())
+                QVERIFY(writeMesh(sceneForWriting(document),
+                                  folder + u"/%1_%2.obj"_s.arg(QFileInfo(name).completeBaseName()).arg(i)));
             if (!solver.map() || document.uv() != solver.map()->uv)
                 problems << u"%1: not what was shown"_s.arg(state);
         }

@@ -234,6 +234,54 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(entries, 1, patience);
     }
 
+    //! A solve of some faces leaves all others as they are, also with a cut on the way; the next run is free.
+    void aRunOnTheSelectionChangesNothingElse()
+    {
+        Studio studio("character");
+        studio.solver.setMode(SolveMode::Budget);
+        studio.solver.run();
+        QVERIFY(QTest::qWaitFor([&] { return studio.solver.map() && studio.solver.map()->withinBound; },
+                                patience));
+        QVERIFY(studio.settles());
+        const UvMatrix before = studio.document().uv();
+        const MeshData &mesh = studio.document().mesh();
+        Selection arm;
+        arm.mode = SelectionMode::Faces;
+        for (int face = 0; face < mesh.faceCount() / 8; ++face)
+            arm.faces << face;
+        studio.document().setSelection(arm);
+        studio.solver.runOnSelection();
+        QVERIFY(studio.solver.isRunning());
+        QVERIFY(studio.solver.isLimited());
+        QVERIFY(QTest::qWaitFor([&] { return studio.solver.map() != nullptr; }, patience));
+        int edge = 0;
+        while (mesh.edgePairs[edge].diagonal || mesh.triangleFace[mesh.edgePairs[edge].triangle[0]] > 20)
+            ++edge;
+        const std::vector<int> cut{edge};
+        pushCommand(std::make_unique<SetSeamState>(studio.document(), SetSeamState::Edit::Cut,
+                                                   cornerPairsOfEdges(mesh, cut)));
+        QVERIFY(studio.settles());
+        const UvMatrix &after = studio.document().uv();
+        for (int face = 0; face < mesh.faceCount(); ++face) {
+            for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c)
+                QVERIFY(arm.faces.contains(face) || after.row(c) == before.row(c));
+        }
+        const UvMetrics figures = measureUv(mesh, after);
+        QCOMPARE(figures.flipped, 0);
+        QCOMPARE(figures.overlapPairs, 0);
+        studio.solver.run();
+        QVERIFY(!studio.solver.isLimited());
+        QVERIFY(studio.settles());
+    }
+
+    //! Without selected faces there is nothing to run on.
+    void aRunOnNothingDoesNotBegin()
+    {
+        Studio studio;
+        studio.solver.runOnSelection();
+        QVERIFY(!studio.solver.isRunning());
+    }
+
     void anotherDocumentEndsTheRun()
     {
         Studio studio;

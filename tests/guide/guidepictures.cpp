@@ -33,9 +33,9 @@ public:
     //! Returns the first problem; empty: none.
     QString takeAll()
     {
-        for (const auto step :
-             {&Guide::unwrapping, &Guide::steeringBySeams, &Guide::ripping, &Guide::painting,
-              &Guide::dragging, &Guide::boxing, &Guide::overlaps, &Guide::arranging, &Guide::looking}) {
+        for (const auto step : {&Guide::unwrapping, &Guide::runningLive, &Guide::steeringBySeams,
+                                &Guide::ripping, &Guide::painting, &Guide::dragging, &Guide::boxing,
+                                &Guide::overlaps, &Guide::arranging, &Guide::looking}) {
             // A window of its own: no step depends on the one before.
             mArtist = std::make_unique<test::Artist>(QSize(1600, 900));
             (this->*step)();
@@ -131,6 +131,42 @@ private:
         frame();
         studio().action("view.pattern.checker")->trigger();
         window(u"unwrapped"_s);
+    }
+
+    //! A live solve after 1, 3 and 10 seconds, its ghost, a cut on the way, and a solve of the selection.
+    void runningLive()
+    {
+        sample("file.sample.character");
+        studio().action("view.coloring.islands")->trigger();
+        studio().press(Qt::Key_Space);
+        QImage course;
+        for (const int wait : {1000, 2000, 7000}) {
+            QTest::qWait(wait);
+            frame();
+            settle();
+            course = course.isNull() ? map().picture() : beside(course, map().picture());
+        }
+        save(course, u"live"_s);
+        studio().action("uv.ghost")->trigger();
+        QTest::qWait(4000);
+        save(both(), u"ghost"_s);
+        studio().action("uv.ghost")->trigger();
+        mArtist->use("tool.cut");
+        pair(u"livecut"_s, map(), [&] {
+            mArtist->doubleClick("", model(), mArtist->edgesOn(model(), 40)[22]);
+            QTest::qWait(1500);
+        });
+        pause();
+        mArtist->use("select.faces");
+        mArtist->click("", model(), mArtist->placesOn(model(), 9)[4]);
+        for (int i = 0; i < 4; ++i)
+            studio().action("select.grow")->trigger();
+        pair(u"scope"_s, map(), [&] {
+            studio().action("uv.runSelection")->trigger();
+            QTest::qWait(3000);
+            studio().press(Qt::Key_Space);
+            studio().solverRests();
+        });
     }
 
     //! Rows 25 to 27.

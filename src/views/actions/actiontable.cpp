@@ -107,6 +107,10 @@ constexpr std::array uvTable{
     ActionInfo{"uv.run", "UV", QT_TRANSLATE_NOOP("Actions", "&Run"), "run", "Space",
                QT_TRANSLATE_NOOP("Actions", "Let the solver run, or pause it and keep its map"),
                NeedsIdleDocument},
+    ActionInfo{"uv.runSelection", "UV", QT_TRANSLATE_NOOP("Actions", "Run on selection"), "run", "Ctrl+Space",
+               QT_TRANSLATE_NOOP("Actions", "Let the solver change the selected faces only, until it pauses; "
+                                            "the map stays continuous with the rest of their islands"),
+               NeedsIdleMap | NeedsSelectedFaces},
     ActionInfo{"uv.step", "UV", QT_TRANSLATE_NOOP("Actions", "&One step"), "step", "Shift+Space",
                QT_TRANSLATE_NOOP("Actions", "Make one step of the solver"), NeedsIdleDocument},
     ActionInfo{"uv.restart", "UV", QT_TRANSLATE_NOOP("Actions", "R&estart"), "restart", "Ctrl+R",

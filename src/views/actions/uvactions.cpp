@@ -72,6 +72,7 @@ void UvActions::connectSolver()
 {
     SolverController &solver = mContext.solver;
     onTriggered("uv.run", [&solver] { solver.toggle(); });
+    onTriggered("uv.runSelection", [&solver] { solver.runOnSelection(); });
     onTriggered("uv.step", [&solver] { solver.step(); });
     onTriggered("uv.restart", [&solver] { solver.restart(); });
     onTriggered("uv.lambdaLess", [this] { changeLambda(-lambdaStep); });

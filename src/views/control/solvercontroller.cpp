@@ -139,9 +139,38 @@ void SolverController::cancelPulls()
 
 void SolverController::run()
 {
-    const Document *document = mWorkspace.document();
-    if (!document || mRunning)
+    if (!mWorkspace.document() || mRunning)
         return;
+    setScope(nullptr);
+    goOn();
+}
+
+void SolverController::runOnSelection()
+{
+    const Document *document = mWorkspace.document();
+    if (!document || document->selection().faces.isEmpty())
+        return;
+    JobScope scope{std::vector<bool>(document->mesh().faceCount(), false), true};
+    for (const int face : document->selection().faces)
+        scope.faces[face] = true;
+    // What runs is put into the document first: the rest keeps that map.
+    whenPaused([this, limit = std::make_shared<const JobScope>(std::move(scope))] {
+        setScope(limit);
+        goOn();
+    });
+}
+
+//! Other faces may change from now on; a solve of the faces before is over.
+void SolverController::setScope(std::shared_ptr<const JobScope> scope)
+{
+    if (scope || mScope)
+        discard();
+    mScope = std::move(scope);
+}
+
+//! Continues the solve, or begins one.
+void SolverController::goOn()
+{
     if (!mToken)
         beginWhereTheMapIs();
     mStepping = false;
@@ -189,8 +218,7 @@ void SolverController::toggle()
 
 void SolverController::step()
 {
-    const Document *document = mWorkspace.document();
-    if (!document)
+    if (!mWorkspace.document())
         return;
     if (!mToken)
         beginWhereTheMapIs();
@@ -208,6 +236,7 @@ void SolverController::restart()
     const Document *document = mWorkspace.document();
     if (!document)
         return;
+    setScope(nullptr);
     begin(document->solveSettings().start);
     mStepping = false;
     setRunning(true, false);
@@ -217,6 +246,7 @@ void SolverController::restart()
 
 void SolverController::discard()
 {
+    mScope.reset();
     if (!mToken)
         return;
     mWorker->pause();
@@ -240,7 +270,8 @@ void SolverController::beginWhereTheMapIs()
 void SolverController::begin(StartMode start, bool warm)
 {
     const Document &document = *mWorkspace.document();
-    const auto snapshot = std::make_shared<const Snapshot>(makeSnapshot(document, start));
+    auto snapshot = std::make_shared<Snapshot>(makeSnapshot(document, start));
+    snapshot->scope = mScope;
     mToken = snapshot->token;
     mDisplay.clear();
     mBeforePulls.reset();
@@ -300,6 +331,7 @@ void SolverController::sendSnapshot(bool back)
     if (!mToken || !mWorkspace.hasMapOf(*mToken))
         return;
     Snapshot snapshot = makeSnapshot(*mWorkspace.document());
+    snapshot.scope = mScope;
     mToken = snapshot.token;
     if (!mPulls.empty()) {
         std::vector<Pin> &pins = snapshot.editSteering().pins;

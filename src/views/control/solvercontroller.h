@@ -37,6 +37,8 @@ public:
     bool isRunning() const { return mRunning; }
     //! True from pause() until the map is in the document.
     bool isPausing() const { return mPausing; }
+    //! True when the solve may change only a part of the mesh.
+    bool isLimited() const { return mScope != nullptr; }
     //! True when run() continues a paused solve.
     bool canContinue() const;
 
@@ -91,6 +93,9 @@ public Q_SLOTS:
     void run();
     void pause();
     void toggle();
+    //! Begins a solve that may change the selected faces only, until it is paused. The map stays continuous
+    //! at the border of the selection. Does nothing without selected faces.
+    void runOnSelection();
     //! Runs one Newton step.
     void step();
     //! Starts again from the start mode; keeps running if it was running.
@@ -125,6 +130,8 @@ private:
     void keeperRests();
     void fail(const std::optional<QString> &message);
     void begin(StartMode start, bool warm = false);
+    void setScope(std::shared_ptr<const JobScope> scope);
+    void goOn();
     void beginWhereTheMapIs();
     void setRunning(bool running, bool pausing);
     void sendSnapshot(bool back = false);
@@ -145,6 +152,7 @@ private:
     std::vector<Pin> mPulls;
     std::shared_ptr<const live::SolveResult> mBeforePulls;
     std::shared_ptr<const unwrap::LiveMapResult> mMapBeforePulls;
+    std::shared_ptr<const JobScope> mScope; //!< what the solve may change; null: all faces
     QTimer mSendSoon; //!< sends one snapshot for all edits in one turn of the event loop
     bool mRunning = false, mPausing = false, mStepping = false;
 };

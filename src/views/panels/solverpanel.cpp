@@ -302,7 +302,9 @@ void SolverPanel::showStatus()
     mGraph->setTrace(solver.trace());
     const live::SolveStatus status = solver.status();
     mState->setText(!document()            ? QString()
-                    : solver.isRunning()   ? (status.converged ? tr("Converged") : tr("Running"))
+                    : solver.isRunning()   ? (status.converged     ? tr("Converged")
+                                              : solver.isLimited() ? tr("Running on the selection")
+                                                                   : tr("Running"))
                     : solver.isPausing()   ? tr("Waiting for a map that obeys the steering")
                     : solver.canContinue() ? tr("Paused")
                                            : tr("Ready"));
