@@ -246,12 +246,13 @@ void addUpdate(const float *update, int stride, const FrontRun *runs, int first,
             const float *line = update + static_cast<std::ptrdiff_t>(i) * stride;
             const int row = runs[r].place + i - runs[r].begin;
             float *const pivotLine = inPivots + static_cast<std::ptrdiff_t>(row) * pivotStride;
-            float *const rowLine = inRows + static_cast<std::ptrdiff_t>(row) * rowStride - pivots;
+            const std::ptrdiff_t rowBegin = static_cast<std::ptrdiff_t>(row) * rowStride; // in inRows
             const int diagonal = i - i % 2 - runs[r].begin; // column at which the row's node begins
             for (int q = r; q < count; ++q) {
                 const FrontRun &run = runs[q];
                 const int skip = q == r ? diagonal : 0;
-                float *target = (run.place < pivots ? pivotLine : rowLine) + run.place;
+                float *target =
+                    run.place < pivots ? pivotLine + run.place : inRows + (rowBegin + run.place - pivots);
                 addRow(line + run.begin + skip, target + skip, run.end - run.begin - skip);
             }
         }

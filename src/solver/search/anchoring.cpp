@@ -1,6 +1,7 @@
 #include "solver/search/anchoring.h"
 
 #include "solver/base/cornerat.h"
+#include "solver/base/cutmesh.h"
 #include "solver/base/rigidfit.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ constexpr double firstStiffness = 10; // springs of hard pins: 10, 100 ... 100,0
 constexpr int stiffnessLevels = 5;
 constexpr int stepsPerLevel = 6;
 constexpr double atPin = 1e-9;     // solver units: nearer corners lie on their pin
-constexpr double rounding = 1e-12; // of a scale
+constexpr double rounding = 1e-11; // of a scale, and of a place in solver units
 
 //! A similarity: scale, turn, move.
 struct Placement
@@ -85,6 +86,25 @@ void place(CutState &state, const std::vector<std::optional<Placement>> &placeme
     state.updateEnergy();
 }
 
+//! Holds what lies on its hard pin already, so that nothing else pulls it off. It is put exactly there.
+void holdAtPins(CutState &state)
+{
+    const CutMesh charts(*state.graph->soup->mesh, CutFlags(state.cut.begin(), state.cut.end()));
+    std::vector<const Anchor *> pinAt(charts.uvVertexCount, nullptr);
+    const std::vector<Anchor> &anchors = state.graph->anchors.all();
+    for (std::size_t i = 0; i < anchors.size(); ++i) {
+        const Vec2 away = state.at(anchors[i].soupCorner) - anchors[i].lower;
+        if (!anchors[i].isHardPin || away.norm() > rounding)
+            continue;
+        pinAt[charts.uvVertex[anchors[i].soupCorner]] = &anchors[i];
+        state.pinReached[i] = 1;
+    }
+    for (int c = 0; c < 3 * state.graph->triangleCount(); ++c) {
+        if (const Anchor *pin = pinAt[charts.uvVertex[c]])
+            cornerAt(state.x, c) = pin->lower;
+    }
+}
+
 } // namespace
 
 void placeAtAnchors(CutState &state)
@@ -139,11 +159,8 @@ void reachPins(SeamTrial &trial, bool guarded)
 {
     CutState &state = trial.state();
     const std::vector<Anchor> &anchors = state.graph->anchors.all();
-    // What lies on its pin already must not be pulled off by something else.
-    for (std::size_t i = 0; i < anchors.size(); ++i) {
-        if (anchors[i].isHardPin && state.at(anchors[i].soupCorner) == anchors[i].lower)
-            state.pinReached[i] = 1;
-    }
+    holdAtPins(state);
+    trial.reset();
     double stiffness = firstStiffness;
     for (int level = 0; level < stiffnessLevels && state.anchorFaults() > 0; ++level, stiffness *= 10) {
         state.pinStiffness = std::max(state.pinStiffness, stiffness);

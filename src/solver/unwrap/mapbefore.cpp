@@ -2,6 +2,7 @@
 
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
+#include "solver/search/anchoring.h"
 #include "solver/search/resteering.h"
 
 namespace autocuts::unwrap {
@@ -35,15 +36,18 @@ std::optional<search::CutState> steeredMapBefore(const std::shared_ptr<const sea
                                                  const Snapshot &snapshot, const JobContext &job)
 {
     const Soup &soup = *graph->soup;
-    Snapshot unsteered = snapshot;
-    unsteered.steering = std::make_shared<const Steering>();
+    Snapshot unsteered = snapshot; // but for the pins, which hold charts that lie there already
+    unsteered.editSteering() = {};
+    unsteered.editSteering().pins = snapshot.steering->pins;
     std::optional<SeamedMap> map = mapOf(soup, unsteered, CutFlags(snapshot.mesh->edgePairs.size(), false));
     if (!map)
         return std::nullopt;
     if (definite::coversItself(soup, *map) &&
         (!definite::removeOverlaps(soup, unsteered, *map) || definite::coversItself(soup, *map)))
         return std::nullopt;
-    const search::CutState state = search::CutState::from(graph->steeredBy(unsteered), *map, true);
+    search::CutState state = search::CutState::from(graph->steeredBy(unsteered), *map, true);
+    if (!graph->anchors.empty())
+        search::placeAtAnchors(state);
     if (!state.loopsAreInOrder() || state.boundariesOverlap())
         return std::nullopt;
     return search::resteered(state, graph, job);
