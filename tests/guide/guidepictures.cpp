@@ -4,6 +4,7 @@
 //
 // Each picture shows a view before and after: rows 24 to 39 of what the paper's artist does, and the window
 // as a whole. scripts/guide runs it.
+#include "model/plain/uvlayout.h"
 #include "support/artist.h"
 #include "support/canvases.h"
 #include "views/canvas/meshview.h"
@@ -111,6 +112,17 @@ private:
             studio().press(Qt::Key_Space);
         studio().solverRests();
     }
+    //! Waits until the views have moved to the newest map.
+    void standStill()
+    {
+        settle();
+        (void)QTest::qWaitFor(
+            [&] {
+                const auto map = studio().context.solver.map();
+                return map && studio().context.shownMap.uv() == soupUv(document().mesh(), map->uv);
+            },
+            test::patience);
+    }
     //! Lets the solver come to rest by itself, as it does within a distortion budget.
     void solveToRest()
     {
@@ -124,7 +136,7 @@ private:
     {
         window(u"start"_s);
         sample("file.sample.bumpycube");
-        solve(40);
+        solve(3);
         window(u"solving"_s);
         pause();
         mArtist->runJob("uv.unwrap");
@@ -143,7 +155,7 @@ private:
         for (const int wait : {1000, 2000, 7000}) {
             QTest::qWait(wait);
             frame();
-            settle();
+            standStill();
             course = course.isNull() ? map().picture() : beside(course, map().picture());
         }
         save(course, u"live"_s);
@@ -152,9 +164,11 @@ private:
         save(both(), u"ghost"_s);
         studio().action("uv.ghost")->trigger();
         mArtist->use("tool.cut");
+        standStill();
         pair(u"livecut"_s, map(), [&] {
             mArtist->doubleClick("", model(), mArtist->edgesOn(model(), 40)[22]);
             QTest::qWait(1500);
+            standStill();
         });
         pause();
         mArtist->use("select.faces");
@@ -257,16 +271,12 @@ private:
     //! Rows 35 and 36.
     void overlaps()
     {
-        sample("file.sample.character");
-        studio().action("uv.budget")->trigger();
-        for (int i = 0; i < 6; ++i)
-            studio().press(Qt::Key_Right);
-        for (int i = 0; i < 12; ++i) {
-            solve(40);
-            studio().press(Qt::Key_Down);
-        }
-        solve(100);
-        pause();
+        sample("file.sample.machine");
+        mArtist->runJob("uv.unwrap");
+        mArtist->use("select.islands");
+        studio().action("select.all")->trigger();
+        studio().action("uv.alignLeft")->trigger();
+        studio().action("select.none")->trigger();
         frame();
         studio().measured();
         mArtist->use("tool.region");
