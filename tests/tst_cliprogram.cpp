@@ -270,6 +270,10 @@ private Q_SLOTS:
         QCOMPARE(fails({o, at("out.obj"), QStringLiteral("--report"), at("nowhere/r.json")},
                        {QStringLiteral("nowhere")}),
                  QString());
+        for (const QString &path : {at("out.obj"), mFolder.path() + QStringLiteral("/./in.obj")})
+            QCOMPARE(fails({o, at("out.obj"), QStringLiteral("--report"), path},
+                           {QStringLiteral("would overwrite another file")}),
+                     QString());
         QVERIFY(!QFileInfo::exists(at("out.obj")));
         QCOMPARE(problemWithFailure(test::runProgram(program(), draft(in, QStringLiteral("/proc/out.obj"))),
                                     {QStringLiteral("/proc")}),

@@ -57,6 +57,7 @@ private Q_SLOTS:
     void optionsWin();
     void packAndSeparate();
     void separateKeepsJoinedEdges();
+    void aMissedBoundIsSaid();
     void checkReadsTheActiveSet();
     void replayReproduces();
     void replaySeesADifference();
@@ -219,6 +220,31 @@ void TestCliSession::separateKeepsJoinedEdges()
     QVERIFY(std::count(steered.begin(), steered.end(), true) > 0);
     for (std::size_t p = 0; p < plain.size(); ++p)
         QVERIFY(!(plain[p] && steered[p]));
+}
+
+//! Joins leave cuts on one cap of a sphere only: the rest cannot be flattened within the bound.
+void TestCliSession::aMissedBoundIsSaid()
+{
+    Document document(test::sceneOf(test::sphere(10, 12)));
+    const MeshData &mesh = document.mesh();
+    std::vector<int> joined;
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        const EdgePair &pair = mesh.edgePairs[e];
+        const auto height = [&](int end) {
+            return mesh.positions(mesh.vertexOfSoup(pair.corner[end][0]), 2);
+        };
+        if (!pair.diagonal && std::min(height(0), height(1)) < 0.5)
+            joined.push_back(static_cast<int>(e));
+    }
+    pushCommand(
+        std::make_unique<SetSeamState>(document, SetSeamState::Edit::Join, cornerPairsOfEdges(mesh, joined)));
+    QVERIFY(saveProject(document.state(), {}, file(u"a.acproj"_s)));
+    const test::CliRun made =
+        unwrap({file(u"a.acproj"_s), u"-o"_s, file(u"b.obj"_s), u"--report"_s, file(u"r.json"_s)});
+    QCOMPARE(made.code, 3);
+    QVERIFY(made.err.contains(u"above the bound"_s));
+    QVERIFY(test::readBytes(file(u"r.json"_s)).contains("\"bound_missed\""));
+    QVERIFY(readMesh(file(u"b.obj"_s)).ok());
 }
 
 void TestCliSession::checkReadsTheActiveSet()

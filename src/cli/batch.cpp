@@ -11,6 +11,7 @@
 #include "model/samples/samples.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QElapsedTimer>
 #include <QFileInfo>
 
@@ -24,7 +25,7 @@ namespace {
 
 using Command = CliOptions::Command;
 
-QString statusWord(const StopSource &stop)
+QString statusWord(const StopSource &stop, bool boundMissed)
 {
     switch (stop.reason.load()) {
     case StopReason::Interrupted:
@@ -34,7 +35,7 @@ QString statusWord(const StopSource &stop)
     case StopReason::None:
         break;
     }
-    return QStringLiteral("done");
+    return boundMissed ? QStringLiteral("bound_missed") : QStringLiteral("done");
 }
 
 //! Runs one command.
@@ -182,6 +183,17 @@ private:
                 return Error{QStringLiteral("the output folder is read-only"), folder.filePath(), 0,
                              QStringLiteral("Check its permissions or choose another one")};
         }
+        const auto samePath = [](const QString &a, const QString &b) {
+            const auto clean = [](const QString &path) {
+                return QDir::cleanPath(QFileInfo(path).absoluteFilePath());
+            };
+            return !a.isEmpty() && !b.isEmpty() && clean(a) == clean(b);
+        };
+        for (const QString &other : {mOptions.input, mOptions.output, mOptions.layout}) {
+            if (samePath(mOptions.report, other))
+                return Error{QStringLiteral("the report would overwrite another file"), mOptions.report, 0,
+                             QStringLiteral("Give it a name of its own")};
+        }
         return isProjectPath(mOptions.output) ? Done{} : checkWriteFormat(mOptions.output);
     }
 
@@ -221,7 +233,7 @@ private:
             report.iterations = *made.iterations;
         report.lambda = made.lambda;
         report.delta = made.delta;
-        report.status = statusWord(mStop);
+        report.status = statusWord(mStop, made.boundMissed);
         report.notes += made.notes;
         if (!mOptions.quiet)
             printFigures(scene, report);
@@ -238,7 +250,9 @@ private:
             if (const Result<Done> saved = saveAtomically(mOptions.report, reportJson(report)); !saved)
                 return fail(saved.error());
         }
-        return mStop.reason == StopReason::Interrupted ? 130 : 0;
+        if (mStop.reason == StopReason::Interrupted)
+            return 130;
+        return report.status == QLatin1String("bound_missed") ? 3 : 0;
     }
 
     void printFigures(const Scene &scene, const MapReport &report)

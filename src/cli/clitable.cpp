@@ -370,6 +370,8 @@ const std::vector<CliExitCode> &cliExitCodes()
          u"failed; one line on stderr says what, where and what to do, and an existing output file is left "
          "as it was"_s},
         {2, u"wrong usage"_s},
+        {3, u"the distortion is above --max-distortion (status bound_missed in the report); the map has been "
+            "written"_s},
         {130, u"interrupted by Ctrl-C; the best valid map so far has been written"_s},
     };
     return codes;

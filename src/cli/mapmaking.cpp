@@ -46,7 +46,7 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
         outcome.notes
             << QStringLiteral("symmetric part of the seams: %1 %").arg(100 * *result.symmetry, 0, 'f', 1);
     if (!result.withinBound)
-        outcome.warnings << boundMissed(result.distortion);
+        sayBoundMissed(result.distortion, outcome);
     return outcome;
 }
 
@@ -139,7 +139,7 @@ Result<MadeMap> MapMaking::finish(Scene &scene) const
     if (made.nothingFree)
         outcome.warnings << nothingFree();
     else if (made.distortion > mOptions.unwrap.maxDistortion)
-        outcome.warnings << boundMissed(made.distortion);
+        sayBoundMissed(made.distortion, outcome);
     outcome.warnings << unmetText(made.unmet);
     sayGivenSeams(snapshot.value(), outcome);
     if (made.heldTogether)
@@ -173,11 +173,12 @@ void MapMaking::sayGivenSeams(const Snapshot &snapshot, MadeMap &made) const
         made.warnings << QStringLiteral("there are no given seams: --seams-from names where they come from");
 }
 
-QString MapMaking::boundMissed(double distortion) const
+void MapMaking::sayBoundMissed(double distortion, MadeMap &made) const
 {
-    return QStringLiteral("the distortion is %1, above the bound of %2")
-        .arg(distortion, 0, 'g', 6)
-        .arg(mOptions.unwrap.maxDistortion);
+    made.boundMissed = true;
+    made.warnings << QStringLiteral("the distortion is %1, above the bound of %2")
+                         .arg(distortion, 0, 'g', 6)
+                         .arg(mOptions.unwrap.maxDistortion);
 }
 
 QString MapMaking::nothingFree() const

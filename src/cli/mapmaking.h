@@ -14,6 +14,7 @@ struct MadeMap
 {
     std::optional<int> iterations;
     double lambda = MapReport::unknown, delta = MapReport::unknown;
+    bool boundMissed = false;
     QStringList notes;    //!< what was done
     QStringList warnings; //!< what was requested and could not be done
 };
@@ -35,7 +36,7 @@ private:
     //! The input of the solver, with the scope of --only.
     Result<Snapshot> snapshotOf(const Scene &scene) const;
     void sayGivenSeams(const Snapshot &snapshot, MadeMap &made) const;
-    QString boundMissed(double distortion) const;
+    void sayBoundMissed(double distortion, MadeMap &made) const;
     QString nothingFree() const;
     //! A line for each kind of steering that the map does not obey.
     QStringList unmetText(const unwrap::UnmetSteering &unmet) const;

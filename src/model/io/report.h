@@ -28,7 +28,7 @@ struct MapReport
     double seconds = unknown;
     Count iterations;
     double lambda = unknown, delta = unknown;
-    QString status; //!< "done", "time_limit", "interrupted", ...
+    QString status; //!< "done", "bound_missed", "time_limit" or "interrupted"
 
     // More figures of the map.
     QString input, output, layout;
