@@ -17,7 +17,11 @@ using namespace autocuts::unwrap;
 
 namespace {
 
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+constexpr int patience = 1'800'000; //!< milliseconds; sanitized code is many times slower
+#else
 constexpr int patience = 120'000; //!< milliseconds
+#endif
 
 using MapPtr = std::shared_ptr<const LiveMapResult>;
 

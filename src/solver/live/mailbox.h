@@ -28,6 +28,12 @@ public:
         bool atRest = false; //!< the worker stopped by itself
     };
 
+    Mailbox() = default;
+    //! Waits until whoever gave the last order has left the box.
+    ~Mailbox() { const std::lock_guard lock(mMutex); }
+    Mailbox(const Mailbox &) = delete;
+    Mailbox &operator=(const Mailbox &) = delete;
+
     //! Lets change(Content &) add orders, and interrupts the worker.
     template <class Change>
     void order(Change &&change)

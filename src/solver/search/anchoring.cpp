@@ -151,7 +151,7 @@ SeamedMap fittedToBoxes(const std::shared_ptr<const SeamGraph> &graph, const Sea
             placements[i] = fitToBox(points[i], boxes[i]->lower, boxes[i]->upper);
     }
     place(state, placements);
-    SeamTrial(state).relaxAll(steps, true);
+    SeamTrial(state).relaxAnchored(steps, true);
     return state.map();
 }
 

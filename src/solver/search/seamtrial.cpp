@@ -314,11 +314,30 @@ bool SeamTrial::keepsCharts(int oldSmallParts)
 
 double SeamTrial::relaxAll(int steps, bool guarded, const JobContext &job)
 {
+    return relaxCharts(std::vector<char>(mState.chartCount(), 1), steps, guarded, job);
+}
+
+double SeamTrial::relaxAnchored(int steps, bool guarded, const JobContext &job)
+{
+    std::vector<char> anchored(mState.chartCount(), 0);
+    for (int t = 0; t < mState.graph->triangleCount(); ++t) {
+        if (mState.isAnchored(t))
+            anchored[mState.chart[t]] = 1;
+    }
+    return relaxCharts(anchored, steps, guarded, job);
+}
+
+//! \param which per chart: relax it
+double SeamTrial::relaxCharts(const std::vector<char> &which, int steps, bool guarded, const JobContext &job)
+{
     const double before = mState.energy;
     const std::vector<double> old = mState.x;
     std::vector<std::vector<int>> members(mState.chartCount());
-    for (int t = 0; t < mState.graph->triangleCount(); ++t)
-        members[mState.chart[t]].push_back(t);
+    for (int t = 0; t < mState.graph->triangleCount(); ++t) {
+        if (which[mState.chart[t]])
+            members[mState.chart[t]].push_back(t);
+    }
+    std::erase_if(members, [](const std::vector<int> &triangles) { return triangles.empty(); });
     for (const std::vector<int> &triangles : members)
         relaxChart(triangles, steps, guarded, job);
     if (guarded && !mState.loopsAreInOrder())

@@ -43,6 +43,8 @@ public:
     //! Minimises the energy of every chart by Newton steps with the seams fixed; fewer steps when stopped.
     //! \returns the energy gained
     double relaxAll(int steps, bool guarded, const JobContext &job = {});
+    //! The same for the charts that have anchors.
+    double relaxAnchored(int steps, bool guarded, const JobContext &job = {});
     //! Puts the corner of a hard pin onto it and holds it there, unless that flips a triangle or makes charts
     //! overlap. \param pin its index in the anchors
     bool reachPin(int pin, bool guarded);
@@ -67,6 +69,7 @@ private:
     Pieces findPieces() const;
     void alignPieces(const std::vector<int> &close);
     double solve(const SeamChange &change, const TrialTerms &terms, double before, double costGain);
+    double relaxCharts(const std::vector<char> &which, int steps, bool guarded, const JobContext &job);
     void relaxChart(const std::vector<int> &triangles, int steps, bool guarded, const JobContext &job);
     void keep();
     void undo();
