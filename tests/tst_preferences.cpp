@@ -115,7 +115,7 @@ private Q_SLOTS:
         const QString path = folder.filePath(u"p.ini"_s);
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(QByteArray("\0\xff[[[\n=\n[values\ntheme", 24));
+        file.write(QByteArray("\0\xff[[[\n=\n[values\ntheme", 21));
         file.close();
         const Preferences preferences(path);
         QCOMPARE(preferences.values(), PreferenceValues());
