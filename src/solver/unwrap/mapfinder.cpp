@@ -190,8 +190,8 @@ private:
     const JobContext &mJob;
     Ranking &mRanking;
     const std::shared_ptr<const search::SeamGraph> mGraph; //!< without symmetry
-    std::optional<search::CutState>
-        mBefore; //!< where pins hold islands or given seams stay: the map before the job, steered
+    //! The map before the job, steered, where pins hold islands or given seams stay.
+    std::optional<search::CutState> mBefore;
     int mIterations = 0;
 };
 
