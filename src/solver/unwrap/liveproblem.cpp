@@ -36,7 +36,7 @@ void LiveProblem::reset()
 
 bool LiveProblem::isForCoarse() const
 {
-    return isLargeMesh(*mProblem.mesh) && !mSymmetry;
+    return isLargeMesh(*mProblem.mesh) && !isSymmetric();
 }
 
 } // namespace autocuts::unwrap

@@ -149,8 +149,8 @@ private:
                            [](PairState state) { return state != PairState::Free; });
     }
 
-    //! A map without the user's cuts and joins, changed to obey them. Joins leave little choice for first
-    //! cuts; most of them are close to what a good map has.
+    //! A map made without the user's cuts and joins, then changed to obey them. Joins leave few first cuts to
+    //! choose from; this map usually has shorter seams.
     std::optional<SeamedMap> steeredFreeMap(const search::OptimizeOptions &options)
     {
         Snapshot free = mSnapshot;

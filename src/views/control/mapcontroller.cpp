@@ -52,10 +52,7 @@ MapInput limited(MapInput input, JobReach reach)
 {
     if (reach == JobReach::All)
         return input;
-    JobScope scope{std::vector<bool>(input.mesh().faceCount(), false), reach == JobReach::SelectionAttached};
-    for (const int face : input.selectedFaces)
-        scope.faces[face] = true;
-    input.snapshot.scope = std::make_shared<const JobScope>(std::move(scope));
+    input.snapshot.scope = scopeOf(input.mesh(), input.selectedFaces, reach == JobReach::SelectionAttached);
     return input;
 }
 

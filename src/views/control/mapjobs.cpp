@@ -77,6 +77,14 @@ void showUnmet(const MapInput &input, const unwrap::UnmetSteering &unmet, MapJob
 
 } // namespace
 
+std::shared_ptr<const JobScope> scopeOf(const MeshData &mesh, const QList<int> &faces, bool attached)
+{
+    JobScope scope{std::vector<bool>(mesh.faceCount(), false), attached};
+    for (const int face : faces)
+        scope.faces[face] = true;
+    return std::make_shared<const JobScope>(std::move(scope));
+}
+
 QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, Selection &selection)
 {
     QStringList items;

@@ -76,6 +76,9 @@ struct PackTarget
     std::optional<Eigen::AlignedBox2d> box; //!< texture space; without it, the tile of the settings
 };
 
+//! The scope of a job that may change these faces only. \param attached see JobScope
+std::shared_ptr<const JobScope> scopeOf(const MeshData &mesh, const QList<int> &faces, bool attached);
+
 //! Says what a map does not obey. \param items what to select
 QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, Selection &items);
 

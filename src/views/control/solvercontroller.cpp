@@ -150,11 +150,8 @@ void SolverController::runOnSelection()
     const Document *document = mWorkspace.document();
     if (!document || document->selection().faces.isEmpty())
         return;
-    JobScope scope{std::vector<bool>(document->mesh().faceCount(), false), true};
-    for (const int face : document->selection().faces)
-        scope.faces[face] = true;
     // What runs is put into the document first: the rest keeps that map.
-    whenPaused([this, limit = std::make_shared<const JobScope>(std::move(scope))] {
+    whenPaused([this, limit = scopeOf(document->mesh(), document->selection().faces, true)] {
         setScope(limit);
         goOn();
     });
