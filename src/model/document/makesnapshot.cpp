@@ -3,27 +3,27 @@
 #include "model/document/document.h"
 #include "model/plain/uvlayout.h"
 
+#include <algorithm>
+
 namespace autocuts {
 
 namespace {
 
-//! For every corner, its soup corners in ascending order.
-std::vector<std::vector<int>> soupCornersByCorner(const MeshData &mesh)
+int faceOfCorner(const MeshData &mesh, int corner)
 {
-    std::vector<std::vector<int>> result(mesh.cornerCount());
-    for (int s = 0; s < mesh.soupCornerCount(); ++s)
-        result[mesh.cornerOfSoup(s)].push_back(s);
-    return result;
+    const auto next = std::upper_bound(mesh.faceStart.begin(), mesh.faceStart.end(), corner);
+    return static_cast<int>(next - mesh.faceStart.begin()) - 1;
 }
 
 void addConstraints(Steering &steering, const Document &document)
 {
     const MeshData &mesh = document.mesh();
     const double toSolver = 1 / document.uvScale();
-    const auto soupCorners = soupCornersByCorner(mesh);
     for (const UvPin &pin : document.constraints().pins) {
-        for (int s : soupCorners[pin.corner])
-            steering.pins.push_back({s, toSolver * pin.position, pin.hard, pin.weight});
+        for (int s : mesh.soupCornersOf(faceOfCorner(mesh, pin.corner))) {
+            if (mesh.cornerOfSoup(s) == pin.corner)
+                steering.pins.push_back({s, toSolver * pin.position, pin.hard, pin.weight});
+        }
     }
     for (const LayoutRectangle &rectangle : document.constraints().rectangles) {
         UvRectangle box;
@@ -32,8 +32,8 @@ void addConstraints(Steering &steering, const Document &document)
         box.hard = rectangle.hard;
         box.weight = rectangle.weight;
         for (int face : rectangle.faces) {
-            for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c)
-                box.soupCorners.insert(box.soupCorners.end(), soupCorners[c].begin(), soupCorners[c].end());
+            const auto own = mesh.soupCornersOf(face);
+            box.soupCorners.insert(box.soupCorners.end(), own.begin(), own.end());
         }
         if (!box.soupCorners.empty())
             steering.rectangles.push_back(std::move(box));
