@@ -271,7 +271,7 @@ private Q_SLOTS:
         options.effort = {4, {{10, 3}, {20, 2}, {30, 1}}, 1};
         int announced = 0, done = 0;
         options.start = [&](int steps) { announced = steps; };
-        options.progress = [&](int steps, double, double) { done += steps; };
+        options.progress = [&](int steps) { done += steps; };
         QVERIFY(optimizeSeams(graphOf(snapshot), options).has_value());
         QCOMPARE(announced, 4 * 10 + 3 * 20 + 2 * 30);
         QCOMPARE(done, announced);

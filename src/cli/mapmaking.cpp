@@ -35,6 +35,12 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
     if (mOptions.unwrap.pack && !result.packed)
         return noRoomError(mOptions);
     setUv(scene, result.uv);
+    if (result.onlyPatches)
+        outcome.warnings << QLatin1String(result.stopped
+                                              ? "stopped before a map with few seams was found: this one is "
+                                                "made of many flat patches"
+                                              : "the mesh is too irregular for a map with few seams: this "
+                                                "one is made of many flat patches");
     outcome.warnings << unmetText(result.unmet);
     sayGivenSeams(snapshot.value(), outcome);
     outcome.iterations = result.iterations;

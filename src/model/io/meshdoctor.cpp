@@ -1,5 +1,7 @@
 #include "model/io/meshdoctor.h"
 
+#include <algorithm>
+
 namespace autocuts {
 
 namespace {
@@ -8,6 +10,19 @@ namespace {
 QString counted(int count, const char *one, const char *many)
 {
     return QStringLiteral("%1 %2").arg(count).arg(QLatin1String(count == 1 ? one : many));
+}
+
+constexpr std::size_t mostNumbers = 10; // listed in one sentence
+
+//! "face 3" or "faces 3, 8, 9, ...", counted from 1.
+QString faceNumbers(const std::vector<int> &faces)
+{
+    QStringList numbers;
+    for (std::size_t i = 0; i < std::min(faces.size(), mostNumbers); ++i)
+        numbers << QString::number(faces[i] + 1);
+    if (faces.size() > mostNumbers)
+        numbers << QStringLiteral("...");
+    return QLatin1String(faces.size() == 1 ? "face " : "faces ") + numbers.join(QLatin1String(", "));
 }
 
 } // namespace
@@ -32,6 +47,12 @@ QStringList meshDoctorNotes(const MeshReport &report)
          "kept, and unwrapped as a layer of its own");
     note(report.concavePolygons, "polygon that is not convex", "polygons that are not convex",
          "split into triangles along diagonals inside it; the polygon itself stays whole");
+    if (!report.selfContactFaces.empty()) {
+        notes << QStringLiteral("%1 (%2): cut off from the faces around where it does so")
+                     .arg(counted(static_cast<int>(report.selfContactFaces.size()), "polygon meets itself",
+                                  "polygons meet themselves"),
+                          faceNumbers(report.selfContactFaces));
+    }
     note(report.weldedVertices, "vertex at the place of another", "vertices at the place of another",
          "treated as joined, and kept apart in the saved file");
     note(report.isolatedVertices, "vertex without a face", "vertices without a face",

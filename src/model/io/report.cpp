@@ -78,6 +78,7 @@ QByteArray meshJson(const std::optional<MeshReport> &mesh)
     writer.add("faces", mesh->faces);
     writer.add("polygons", mesh->polygons);
     writer.add("concave_polygons", mesh->concavePolygons);
+    writer.add("self_contact_polygons", static_cast<int>(mesh->selfContactFaces.size()));
     writer.add("objects", mesh->objects);
     writer.add("components", mesh->components);
     writer.add("degenerate_triangles", mesh->degenerateTriangles);

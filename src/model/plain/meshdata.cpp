@@ -10,6 +10,7 @@
 #include <compare>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -187,9 +188,106 @@ void pairDiagonals(MeshData &mesh, std::vector<DiagonalSide> &sides)
     sides.clear();
 }
 
+//! A polygon that has a vertex more than once.
+class RepeatingPolygon
+{
+public:
+    RepeatingPolygon(const MeshData &mesh, int face)
+        : mMesh(mesh), mFace(face), mStart(mesh.faceStart[face]), mCount(mesh.faceStart[face + 1] - mStart)
+    {
+        for (int i = 0; i < mCount; ++i)
+            ++mUses[vertex(i)];
+    }
+
+    //! True when the polygon has the vertex of this corner more than once.
+    bool repeatsAt(int i) const { return mUses.at(vertex(i)) > 1; }
+
+    //! True when the polygon can be laid flat with those of its sides stitched that lie on each other: a disk
+    //! with holes, such as a polygon with a bridge to its hole.
+    bool canBeLaidFlat() const
+    {
+        for (const int t : mMesh.trianglesOf(mFace)) {
+            const auto [a, b, c] = mMesh.triangles[t];
+            const int v = vertex(a - mStart), w = vertex(b - mStart), u = vertex(c - mStart);
+            if (v == w || w == u || u == v)
+                return false;
+        }
+        std::map<std::pair<int, int>, int> waiting; // sides without a partner, by their vertices
+        std::vector<bool> open(mCount, true);
+        UnionFind corners(mCount); // stitched to each other
+        int stitched = 0;
+        for (int i = 0; i < mCount; ++i) {
+            const auto partner = waiting.find({vertex(next(i)), vertex(i)});
+            if (partner == waiting.end()) {
+                waiting.insert_or_assign({vertex(i), vertex(next(i))}, i);
+                continue;
+            }
+            const int j = partner->second;
+            waiting.erase(partner);
+            open[i] = open[j] = false;
+            corners.unite(i, next(j));
+            corners.unite(next(i), j);
+            ++stitched;
+        }
+        const auto [corner, count] = corners.labels();
+        std::vector<int> openSides(count, 0);
+        UnionFind loops(count);
+        for (int i = 0; i < mCount; ++i) {
+            if (open[i]) {
+                loops.unite(corner[i], corner[next(i)]);
+                ++openSides[corner[i]];
+            }
+        }
+        // On such a disk every corner is on one boundary loop.
+        if (std::any_of(openSides.begin(), openSides.end(), [](int sides) { return sides != 1; }))
+            return false;
+        const int euler = count - (mCount - stitched) + 1;
+        return euler + loops.labels().second == 2;
+    }
+
+private:
+    int next(int i) const { return (i + 1) % mCount; }
+    int vertex(int i) const { return mMesh.vertexWeld[mMesh.cornerVertex[mStart + i]]; }
+
+    const MeshData &mMesh;
+    int mFace, mStart, mCount;
+    std::map<int, int> mUses; //!< number of corners at each vertex
+};
+
+bool repeatsVertices(const MeshData &mesh, int face, std::vector<int> &vertices)
+{
+    vertices.clear();
+    for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c)
+        vertices.push_back(mesh.vertexWeld[mesh.cornerVertex[c]]);
+    std::sort(vertices.begin(), vertices.end());
+    return std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
+}
+
+//! Per corner: true when the side that starts there stays open because its polygon meets itself. Empty when
+//! there is no such polygon. Their faces go into the report.
+std::vector<bool> findSelfContacts(MeshData &mesh)
+{
+    std::vector<bool> contacts;
+    std::vector<int> vertices;
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        const int start = mesh.faceStart[f], n = mesh.faceStart[f + 1] - start;
+        if (n == 3 || !repeatsVertices(mesh, f, vertices))
+            continue;
+        const RepeatingPolygon polygon(mesh, f);
+        if (polygon.canBeLaidFlat())
+            continue;
+        mesh.report.selfContactFaces.push_back(f);
+        contacts.resize(mesh.cornerCount(), false);
+        for (int i = 0; i < n; ++i)
+            contacts[start + i] = polygon.repeatsAt(i) || polygon.repeatsAt((i + 1) % n);
+    }
+    return contacts;
+}
+
 //! Returns the sides along polygon edges. Sides along diagonals are paired here and not returned.
 std::vector<Side> collectSides(MeshData &mesh)
 {
+    const std::vector<bool> contacts = findSelfContacts(mesh);
     std::vector<Side> sides;
     sides.reserve(mesh.cornerCount());
     std::vector<DiagonalSide> diagonals;
@@ -206,8 +304,9 @@ std::vector<Side> collectSides(MeshData &mesh)
             }
             const int a = mesh.vertexWeld[mesh.cornerVertex[c]];
             const int b = mesh.vertexWeld[mesh.cornerVertex[d]];
-            if (a == b) {
-                mesh.boundarySides.push_back({t, k, OpenSide::Boundary});
+            const bool contact = !contacts.empty() && contacts[c];
+            if (a == b || contact) {
+                mesh.boundarySides.push_back({t, k, contact ? OpenSide::SelfContact : OpenSide::Boundary});
                 continue;
             }
             sides.push_back({mesh.faceObject[face], std::min(a, b), std::max(a, b), t, k, a < b});

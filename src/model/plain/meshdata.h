@@ -38,7 +38,8 @@ struct EdgePair
 enum class OpenSide {
     Boundary,    //!< only one face is on this edge
     NonManifold, //!< three or more faces; the others were paired with each other
-    Winding      //!< the neighbour runs in the same direction along the edge: its winding disagrees
+    Winding,     //!< the neighbour runs in the same direction along the edge: its winding disagrees
+    SelfContact  //!< the polygon meets itself at an end of this side in a way that cannot be laid flat
 };
 
 //! A triangle side without a partner.
@@ -59,6 +60,9 @@ struct MeshReport
     int concavePolygons = 0;
     int degenerateTriangles = 0; //!< without area in 3D; the solver uses a thin shape in their place
     int duplicateFaces = 0;
+    //! Polygons that meet themselves in a way that cannot be laid flat, such as `a b c b`. Their sides at
+    //! these vertices are open.
+    std::vector<int> selfContactFaces;
     int boundaryEdges = 0, nonManifoldEdges = 0, windingEdges = 0;
     double area = 0, boxDiagonal = 0, distanceFromOrigin = 0;
 };

@@ -67,7 +67,7 @@ std::optional<RefinedMap> searched(const std::shared_ptr<const search::SeamGraph
     std::mutex mutex;
     int total = 1, done = 0;
     search.start = [&](int steps) { total = std::max(steps, 1); };
-    search.progress = [&](int steps, double, double) {
+    search.progress = [&](int steps) {
         const std::lock_guard lock(mutex);
         done += steps;
         job.report(std::min(1.0, double(done) / total));

@@ -205,7 +205,7 @@ SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &give
             layOut(*soup, bad, snapshot, x);
             // A guard against endless rounds; chosen by hand.
             if (round > 50)
-                throw std::runtime_error("stitchTo: a polygon cannot be laid out without a fold");
+                throw std::runtime_error("a polygon cannot be laid flat");
         }
     }
 }

@@ -68,10 +68,13 @@ int BlockCholesky::place(int row, int column) const
     return static_cast<int>(std::lower_bound(first, last, column) - mColumn.begin());
 }
 
-bool BlockCholesky::factorize()
+bool BlockCholesky::factorize(const JobContext &job)
 {
+    constexpr int rowsPerLook = 256; // a row takes microseconds at the sizes of a seam search
     std::copy(mColumnStart.begin(), mColumnStart.end() - 1, mFilled.begin());
     for (int k = 0; k < mCount; ++k) {
+        if (k % rowsPerLook == 0 && job.stopped())
+            return false;
         for (int p = mRowStart[k]; p < mRowStart[k + 1]; ++p) {
             const Block &v = mValue[p];
             mWork[mColumn[p]] = {Pair{v[0], v[1]}, Pair{v[2], v[3]}};

@@ -1,6 +1,8 @@
 // Sparse Cholesky factorisation of small symmetric positive definite matrices of 2 x 2 blocks.
 #pragma once
 
+#include "solver/base/jobcontext.h"
+
 #include <array>
 #include <utility>
 #include <vector>
@@ -31,8 +33,8 @@ public:
     //! Diagonal block; only its lower triangle is read.
     Block &diagonal(int row) { return mDiagonal[row]; }
 
-    //! \returns false when the matrix is not positive definite
-    [[nodiscard]] bool factorize();
+    //! \returns false when the matrix is not positive definite, or when stopped
+    [[nodiscard]] bool factorize(const JobContext &job = {});
     //! Replaces the right-hand side by the solution. \pre factorize() returned true
     //! \param b two numbers per block row
     void solve(double *b) const;

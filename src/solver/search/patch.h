@@ -6,6 +6,7 @@
 #include "solver/search/cutstate.h"
 #include "solver/search/segments.h"
 
+#include <functional>
 #include <limits>
 #include <span>
 #include <utility>
@@ -21,8 +22,9 @@ struct PatchLimits
     //! Give up when the energy would stay above this even if it fell by the whole predicted decrease, twice
     //! what the quadratic model gains.
     double hopeless = std::numeric_limits<double>::infinity();
-    bool guarded = false; //!< no step may make boundary sides cross
-    JobContext job;       //!< no further step once it is stopped
+    bool guarded = false;          //!< no step may make boundary sides cross
+    JobContext job;                //!< the step under way is given up once it is stopped
+    std::function<void()> stepped; //!< called after every step, when set
 };
 
 //! A patch: the triangles around a change of seams whose points may move while everything outside is held.
@@ -83,7 +85,7 @@ private:
     void assemble();
     void assembleTriangles();
     void assembleSprings();
-    bool solve();
+    bool solve(const JobContext &job);
     double flipFreeStep(double limit) const;
     bool lineSearch(double before, const PatchLimits &limits, double slope, double &after);
 

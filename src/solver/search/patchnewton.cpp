@@ -145,9 +145,9 @@ void Patch::assembleSprings()
     }
 }
 
-bool Patch::solve()
+bool Patch::solve(const JobContext &job)
 {
-    if (!mSystem.factorize())
+    if (!mSystem.factorize(job))
         return false;
     mDirection.resize(mGradient.size());
     for (std::size_t i = 0; i < mGradient.size(); ++i)
@@ -227,7 +227,7 @@ int Patch::minimize(const PatchLimits &limits)
         for (int round = 0; round < (limits.guarded ? freezeRounds : 1); ++round) {
             ++mSteps;
             assemble();
-            if (!solve())
+            if (!solve(limits.job))
                 return step;
             double slope = 0;
             for (std::size_t i = 0; i < mGradient.size(); ++i)
@@ -254,6 +254,8 @@ int Patch::minimize(const PatchLimits &limits)
         }
         if (!moved)
             return step;
+        if (limits.stepped)
+            limits.stepped();
     }
     return limits.steps;
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace autocuts::search {
 
@@ -21,6 +22,8 @@ constexpr double hopelessExcess = 1;
 //! Other first cuts that are tried in place of one whose map folds or overlaps; a long limb may do so for
 //! single seeds.
 constexpr int firstTries = 3;
+//! The first maps of all are told while they have this share of the distortion told last, at most.
+constexpr double worthTelling = 0.7;
 constexpr int firstRelaxation = 60;     // Newton steps on a first map, at most
 constexpr double firstTolerance = 1e-2; // energy gained in ten steps below which the relaxation ends
 
@@ -57,10 +60,10 @@ std::optional<OptimizedMap> flatMap(const std::shared_ptr<const SeamGraph> &grap
         return std::nullopt;
     SeamTrial trial(*state);
     for (int i = 0; i < firstRelaxation / 10; ++i) {
-        const double gained = trial.relaxAll(10, !options.allowOverlaps);
+        const double gained = trial.relaxAll(10, !options.allowOverlaps, options.job.quiet());
         if (state->distortion > options.maxDistortion + hopelessExcess)
             return std::nullopt;
-        if (gained < 1e-6)
+        if (gained < 1e-6 || options.job.stopped())
             break;
     }
     if (state->distortion > options.maxDistortion)
@@ -68,23 +71,37 @@ std::optional<OptimizedMap> flatMap(const std::shared_ptr<const SeamGraph> &grap
     return OptimizedMap{state->map(), 0, trial.patch().steps(), {}};
 }
 
-//! Removes the least promising runs until `count` are left. \returns the Newton steps of the removed ones
-int keepMostPromising(std::vector<std::unique_ptr<SeamRun>> &runs, int count)
+using Runs = std::vector<std::unique_ptr<SeamRun>>;
+
+//! Moves the least promising runs to the end of `retired` until `count` are left.
+void keepMostPromising(Runs &runs, int count, Runs &retired)
 {
     std::stable_sort(runs.begin(), runs.end(), [](const auto &a, const auto &b) {
         const int faultsOfA = a->anchorFaults(), faultsOfB = b->anchorFaults();
         return faultsOfA != faultsOfB ? faultsOfA < faultsOfB : a->expectedCost() < b->expectedCost();
     });
-    int iterations = 0;
     while (static_cast<int>(runs.size()) > count) {
-        iterations += runs.back()->steps();
+        retired.push_back(std::move(runs.back()));
         runs.pop_back();
     }
-    return iterations;
+}
+
+//! \returns nothing when the map has flipped triangles, or overlaps that are not allowed, or when stopped
+std::optional<CutState> mapOfSeed(const std::shared_ptr<const SeamGraph> &graph,
+                                  const OptimizeOptions &options, const SeedOptions &seed)
+{
+    const std::vector<char> cut = fewCuts(*graph, seed);
+    if (seed.job.stopped())
+        return std::nullopt;
+    SeamedMap map;
+    map.cut.assign(cut.begin(), cut.end());
+    map.x = tutteEmbedding(*graph->soup, CutMesh(*graph->soup->mesh, map.cut));
+    if (!map.validate(*graph->soup).empty())
+        return std::nullopt;
+    return usable(CutState::from(graph, map), options);
 }
 
 //! First cuts and their map. \param number every number gives other cuts
-//! \returns nothing when the map has flipped triangles, or overlaps that are not allowed
 std::optional<CutState> tryFirstMap(const std::shared_ptr<const SeamGraph> &graph,
                                     const OptimizeOptions &options, int number)
 {
@@ -96,13 +113,19 @@ std::optional<CutState> tryFirstMap(const std::shared_ptr<const SeamGraph> &grap
     seed.joinBorders = number % 2 == 1;
     seed.seed = options.seed * 1000 + static_cast<std::uint64_t>(number);
     seed.job = options.job;
-    const std::vector<char> cut = fewCuts(*graph, seed);
-    SeamedMap map;
-    map.cut.assign(cut.begin(), cut.end());
-    map.x = tutteEmbedding(*graph->soup, CutMesh(*graph->soup->mesh, map.cut));
-    if (!map.validate(*graph->soup).empty())
-        return std::nullopt;
-    return usable(CutState::from(graph, map), options);
+    double told = std::numeric_limits<double>::infinity();
+    if (number == 0 && options.improved && graph->anchors.empty()) {
+        seed.embedded = [&](const SeamedMap &map) {
+            const double distortion = map.distortion(*graph->soup);
+            if (!(distortion < worthTelling * told) || !map.validate(*graph->soup).empty())
+                return;
+            if (const std::optional<CutState> state = usable(CutState::from(graph, map), options)) {
+                options.improved(*state);
+                told = distortion;
+            }
+        };
+    }
+    return mapOfSeed(graph, options, seed);
 }
 
 } // namespace
@@ -133,9 +156,10 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
         }
         options.start(steps);
     }
-    int iterations = 0;
-    std::vector<std::unique_ptr<SeamRun>> runs(effort.seeds + given);
+    Runs runs(effort.seeds + given), retired;
     const auto begin = [&](int i) {
+        if (options.job.stopped())
+            return;
         std::optional<CutState> state =
             i < effort.seeds ? firstMap(graph, options, i)
                              : usable(CutState::from(graph, options.given[i - effort.seeds], true), options);
@@ -146,7 +170,7 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
     };
     for (std::size_t round = 0; round < effort.rounds.size(); ++round) {
         if (round > 0)
-            iterations += keepMostPromising(runs, effort.rounds[round - 1].survivors);
+            keepMostPromising(runs, effort.rounds[round - 1].survivors, retired);
         const bool last = round + 1 == effort.rounds.size();
         parallelFor(static_cast<int>(runs.size()), options.job.threads(), [&](int i) {
             if (round == 0)
@@ -161,6 +185,9 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
         if (runs.empty())
             return std::nullopt;
     }
+    // A run that was given up may have had the best map after all.
+    std::move(retired.begin(), retired.end(), std::back_inserter(runs));
+    int iterations = 0;
     for (const auto &run : runs)
         iterations += run->steps();
     const auto better = [](const std::unique_ptr<SeamRun> &a, const std::unique_ptr<SeamRun> &b) {

@@ -20,7 +20,8 @@ struct OptimizedMap
 
 //! Searches for the shortest seams within the bound. The same arguments give the same bits unless the job is
 //! stopped. \returns the best map found, above the bound when no map met it; nothing when no first map
-//! without flipped triangles (or without overlaps, where these are not allowed) was found
+//! without flipped triangles (or without overlaps, where these are not allowed) was found, or when the job
+//! was stopped before
 [[nodiscard]] std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph> &graph,
                                                         const OptimizeOptions &options);
 

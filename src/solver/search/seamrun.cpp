@@ -66,12 +66,14 @@ void SeamRun::start()
     // What lies on its pins already must not be pulled off them.
     if (mState.anchored)
         mSearch.anchor();
+    tell(mState);
     for (int i = 0; i < firstRelaxation / 10; ++i) {
-        // Without at least ten steps the map is badly distorted. Who is told every map has another one.
-        const bool needed = i == 0 && !mOptions.improved;
-        const double gained = needed ? mSearch.relaxSurely(10) : mSearch.relaxAll(10);
+        // The first steps turn a badly distorted map into a usable one.
+        const double gained =
+            mSearch.relaxAll(10, i == 0 ? SeamTrial::MapSink([this](const CutState &map) { tell(map); })
+                                        : SeamTrial::MapSink());
         mBest = mState;
-        tellBest();
+        tell(mBest);
         if (gained < firstTolerance || mSearch.stopped())
             break;
     }
@@ -164,7 +166,7 @@ void SeamRun::meetBound()
 void SeamRun::report(int steps) const
 {
     if (mOptions.progress)
-        mOptions.progress(steps, mBest.distortion, mBest.length);
+        mOptions.progress(steps);
 }
 
 //! What pins cost, in seam cost.
@@ -202,14 +204,14 @@ void SeamRun::keepBest()
     if (nowFaults != bestFaults ? nowFaults < bestFaults : nowFits != bestFits ? nowFits : now < mBestScore) {
         mBest = mState;
         mBestScore = now;
-        tellBest();
+        tell(mBest);
     }
 }
 
-void SeamRun::tellBest() const
+void SeamRun::tell(const CutState &map) const
 {
-    if (mOptions.improved && (mBest.anchored || mBest.graph->anchors.empty()))
-        mOptions.improved(mBest);
+    if (mOptions.improved && (map.anchored || map.graph->anchors.empty()))
+        mOptions.improved(map);
 }
 
 } // namespace autocuts::search

@@ -46,9 +46,8 @@ struct OptimizeOptions
     std::uint64_t seed = 1;         //!< of all random numbers
     JobContext job;                 //!< for stopping and threads; progress goes to `start` and `progress`
     std::function<void(int)> start; //!< called once with the number of large moves of the whole job
-    //! Called repeatedly from any thread with the number of large moves since the last call, and the
-    //! distortion and seam length of the best map of one run.
-    std::function<void(int, double, double)> progress;
+    //! Called repeatedly from any thread with the number of large moves since the last call.
+    std::function<void(int)> progress;
     //! Called from any thread with the best map of a run whenever that has become better: without flipped
     //! triangles and, unless these are allowed, without overlaps; above the bound as long as the run has
     //! found no other.
@@ -92,7 +91,7 @@ private:
     void meetBound();
     void adaptMu(double power);
     void keepBest();
-    void tellBest() const;
+    void tell(const CutState &map) const;
     void restoreBest() { mSearch.restore(mBest); }
     void report(int steps) const;
 

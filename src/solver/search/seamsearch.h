@@ -45,9 +45,10 @@ public:
     //! Takes charts to their pins, see anchoring.h. Does nothing when that has been done.
     void anchor();
     //! See SeamTrial::relaxAll().
-    double relaxAll(int steps) { return mTrial.relaxAll(steps, mOptions.guarded, mOptions.job); }
-    //! The same even when stopped.
-    double relaxSurely(int steps) { return mTrial.relaxAll(steps, mOptions.guarded); }
+    double relaxAll(int steps, const SeamTrial::MapSink &between = {})
+    {
+        return mTrial.relaxAll(steps, mOptions.guarded, mOptions.job, between);
+    }
     //! Replaces the map under search. \pre it is a map of the same mesh
     void restore(const CutState &state);
 

@@ -305,7 +305,10 @@ std::vector<char> fewCuts(const SeamGraph &graph, const SeedOptions &options)
     const auto stopped = [&] { return options.job.stopped(); };
     for (int added = 0; added < options.paths && !stopped(); ++added) {
         const CutMesh state(mesh, cut);
-        const std::vector<double> shrunk = shrinkage(graph, tutteEmbedding(*graph.soup, state));
+        SeamedMap map{cut, tutteEmbedding(*graph.soup, state)};
+        if (options.embedded)
+            options.embedded(map);
+        const std::vector<double> shrunk = shrinkage(graph, map.x);
         std::vector<bool> onSeam = graph.border;
         for (std::size_t e = 0; e < cut.size(); ++e) {
             if (cut[e])

@@ -5,6 +5,7 @@
 #include "solver/search/cutstate.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct SeedOptions
     bool joinBorders = false; //!< first join the borders of each chart by paths
     std::uint64_t seed = 1;   //!< of the random factors on the edge costs
     JobContext job;
+    //! Called with the map of the cuts so far, which may be invalid, before each path that is added.
+    std::function<void(const SeamedMap &)> embedded;
 };
 
 //! Opens closed charts along a path between two distant vertices and cuts charts with handles to disks. Then

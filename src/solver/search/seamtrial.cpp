@@ -26,6 +26,8 @@ constexpr int springLevels = 5;
 constexpr int stepsPerSpring = 3;
 constexpr int guardedSteps = 10; // Newton steps with contacts barred
 constexpr int pinPatch = 60;     // triangles that move when a corner is put on its pin
+//! Triangles of a chart from which its Newton steps take so long that a map between them is worth having.
+constexpr int slowChart = 2000;
 //! Number of chart relaxations that bar contacts from the start after one whose free result overlapped.
 constexpr int stayGuarded = 3;
 
@@ -312,9 +314,9 @@ bool SeamTrial::keepsCharts(int oldSmallParts)
     return mState.smallParts() <= oldSmallParts;
 }
 
-double SeamTrial::relaxAll(int steps, bool guarded, const JobContext &job)
+double SeamTrial::relaxAll(int steps, bool guarded, const JobContext &job, const MapSink &between)
 {
-    return relaxCharts(std::vector<char>(mState.chartCount(), 1), steps, guarded, job);
+    return relaxCharts(std::vector<char>(mState.chartCount(), 1), steps, guarded, job, between);
 }
 
 double SeamTrial::relaxAnchored(int steps, bool guarded, const JobContext &job)
@@ -328,7 +330,8 @@ double SeamTrial::relaxAnchored(int steps, bool guarded, const JobContext &job)
 }
 
 //! \param which per chart: relax it
-double SeamTrial::relaxCharts(const std::vector<char> &which, int steps, bool guarded, const JobContext &job)
+double SeamTrial::relaxCharts(const std::vector<char> &which, int steps, bool guarded, const JobContext &job,
+                              const MapSink &between)
 {
     const double before = mState.energy;
     const std::vector<double> old = mState.x;
@@ -338,8 +341,11 @@ double SeamTrial::relaxCharts(const std::vector<char> &which, int steps, bool gu
             members[mState.chart[t]].push_back(t);
     }
     std::erase_if(members, [](const std::vector<int> &triangles) { return triangles.empty(); });
-    for (const std::vector<int> &triangles : members)
-        relaxChart(triangles, steps, guarded, job);
+    for (const std::vector<int> &triangles : members) {
+        if (job.stopped())
+            break;
+        relaxChart(triangles, steps, guarded, job, between);
+    }
     if (guarded && !mState.loopsAreInOrder())
         mState.x = old;
     mState.updateEnergy();
@@ -374,7 +380,8 @@ bool SeamTrial::reachPin(int pin, bool guarded)
 }
 
 //! Relaxes one chart. Charts are relaxed one by one so that each has its own step length.
-void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool guarded, const JobContext &job)
+void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool guarded, const JobContext &job,
+                           const MapSink &between)
 {
     mPatch.select(mState, triangles, 0);
     mPatch.join(mState, mState.x);
@@ -383,6 +390,14 @@ void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool gu
     limits.job = job.quiet();
     // A chart relaxation that overlapped will probably do so again; contacts are barred for a while.
     limits.guarded = guarded && mGuardedFor > 0;
+    if (between && static_cast<int>(triangles.size()) >= slowChart) {
+        limits.stepped = [&] {
+            CutState now = mState;
+            mPatch.commit(now);
+            if (!guarded || (now.loopsAreInOrder() && !now.boundariesOverlap(triangles)))
+                between(now);
+        };
+    }
     mPatch.minimize(limits);
     if (limits.guarded) {
         --mGuardedFor;
@@ -392,6 +407,8 @@ void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool gu
         limits.guarded = true;
         mPatch.minimize(limits);
     }
+    if (job.stopped())
+        return;
     keep();
     if (guarded && mState.boundariesOverlap(triangles))
         undo();

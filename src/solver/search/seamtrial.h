@@ -4,6 +4,7 @@
 #include "solver/search/cutstate.h"
 #include "solver/search/patch.h"
 
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct TrialTerms
 class SeamTrial
 {
 public:
+    using MapSink = std::function<void(const CutState &)>;
+
     explicit SeamTrial(CutState &state);
 
     //! Makes the change and keeps it when it fulfils the terms, else leaves the state as it was.
@@ -40,9 +43,10 @@ public:
     bool attempt(const SeamChange &change, const TrialTerms &terms);
     //! Must be called when the state has been replaced from outside.
     void reset() { mX = mState.x; }
-    //! Minimises the energy of every chart by Newton steps with the seams fixed; fewer steps when stopped.
-    //! \returns the energy gained
-    double relaxAll(int steps, bool guarded, const JobContext &job = {});
+    //! Minimises the energy of every chart by Newton steps with the seams fixed. When stopped, the chart
+    //! under way stays as it was, so that more time never gives less. \param between called with the map
+    //! between the steps of large charts, as long as none overlaps itself \returns the energy gained
+    double relaxAll(int steps, bool guarded, const JobContext &job = {}, const MapSink &between = {});
     //! The same for the charts that have anchors.
     double relaxAnchored(int steps, bool guarded, const JobContext &job = {});
     //! Puts the corner of a hard pin onto it and holds it there, unless that flips a triangle or makes charts
@@ -69,8 +73,10 @@ private:
     Pieces findPieces() const;
     void alignPieces(const std::vector<int> &close);
     double solve(const SeamChange &change, const TrialTerms &terms, double before, double costGain);
-    double relaxCharts(const std::vector<char> &which, int steps, bool guarded, const JobContext &job);
-    void relaxChart(const std::vector<int> &triangles, int steps, bool guarded, const JobContext &job);
+    double relaxCharts(const std::vector<char> &which, int steps, bool guarded, const JobContext &job,
+                       const MapSink &between = {});
+    void relaxChart(const std::vector<int> &triangles, int steps, bool guarded, const JobContext &job,
+                    const MapSink &between);
     void keep();
     void undo();
     bool keepsCharts(int oldSmallParts);

@@ -65,14 +65,10 @@ void Ranking::stepDone(int steps)
     mJob.report(mProgress);
 }
 
-void Ranking::found(double distortion, double seamLength)
+void Ranking::noteFound(double distortion, double seamLength)
 {
-    const std::scoped_lock lock(mMutex);
-    mHasAny = true;
-    if (mProgress.distortion == 0 || seamLength < mProgress.seamLength) {
-        mProgress.distortion = distortion;
-        mProgress.seamLength = seamLength;
-    }
+    mProgress.distortion = distortion;
+    mProgress.seamLength = seamLength;
 }
 
 void Ranking::packing(double fraction)

@@ -4,8 +4,6 @@
 #include "solver/base/seamedmap.h"
 #include "solver/unwrap/unwrapoptions.h"
 
-#include <atomic>
-#include <functional>
 #include <mutex>
 #include <optional>
 
@@ -19,12 +17,14 @@ struct Candidate
     int smallCharts = 0;  //!< below CutState::smallestChart and not whole connected components of the mesh
     int anchorFaults = 0; //!< see search::CutState
     int openJoins = 0;    //!< joined edges that are seams
+    bool onlyPatches = false; //!< see flatPatches()
 
     //! Sets distortion, seamLength, seamCost, smallCharts and openJoins from the map.
     void measure(const Soup &soup, const Snapshot &snapshot);
 };
 
-//! Compares candidates and reports the progress of an unwrap. May be used by several threads at once.
+//! Compares candidates, keeps the best one and reports the progress of an unwrap. May be used by several
+//! threads at once.
 class Ranking
 {
 public:
@@ -39,10 +39,24 @@ public:
     void setTotal(int steps);
     //! Reports that so many further steps are done.
     void stepDone(int steps);
-    //! True when some map has been found.
-    bool hasAny() const { return mHasAny; }
-    //! Stores the measures of a map that has been found, for the next report.
-    void found(double distortion, double seamLength);
+    //! Keeps the map when it is the best so far, for a job that is stopped. Stores its measures for the next
+    //! report. \param measures its map is not looked at \param makeMap returns the map
+    template <typename MakeMap>
+    void offer(Candidate measures, MakeMap makeMap)
+    {
+        const std::scoped_lock lock(mMutex);
+        if (mBest && !better(measures, *mBest))
+            return;
+        measures.map = makeMap();
+        mBest = std::move(measures);
+        noteFound(mBest->distortion, mBest->seamLength);
+    }
+    //! The best map that was offered; nothing when there was none.
+    std::optional<Candidate> best() const
+    {
+        const std::scoped_lock lock(mMutex);
+        return mBest;
+    }
     //! Reports progress while the islands are packed. \param fraction of the whole job
     void packing(double fraction);
 
@@ -51,10 +65,12 @@ public:
     static constexpr double optimizingShare = 0.9;
 
 private:
+    void noteFound(double distortion, double seamLength);
+
     const UnwrapOptions &mOptions;
     const JobContext &mJob;
-    std::mutex mMutex;
-    std::atomic<bool> mHasAny = false;
+    mutable std::mutex mMutex;
+    std::optional<Candidate> mBest;
     int mTotalSteps = 1, mSteps = 0;
     JobProgress mProgress;
 };

@@ -319,7 +319,7 @@ search::OptimizeOptions LiveMap::searchOptions(const JobContext &job)
     options.seed = mProblem.problem().settings.seed + mSeed++;
     options.job = job.quiet();
     options.improved = [this](const search::CutState &state) { mBest.offer(state); };
-    options.progress = [this](int, double, double) { mBest.giveWaiting(); };
+    options.progress = [this](int) { mBest.giveWaiting(); };
     return options;
 }
 

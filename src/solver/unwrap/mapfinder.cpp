@@ -6,6 +6,7 @@
 #include "solver/search/anchoring.h"
 #include "solver/search/resteering.h"
 #include "solver/unwrap/coarsetofine.h"
+#include "solver/unwrap/flatpatches.h"
 #include "solver/unwrap/mapbefore.h"
 #include "solver/unwrap/soupchains.h"
 
@@ -41,9 +42,10 @@ search::OptimizeEffort fullEffort(UnwrapQuality quality)
 constexpr double smallestShare = 1e-9;
 //! Where only the given seams may be seams there is no bound on the distortion.
 constexpr double noBound = 1e6;
-constexpr double dearSeam = 100; // factor on the cost of a seam that is not given; chosen by hand
-constexpr int relaxSteps = 200;  // Newton steps for a map whose seams stay; chosen by hand
-constexpr int settleSteps = 20;  // Newton steps before hard pins are reached; chosen by hand
+constexpr double dearSeam = 100;   // factor on the cost of a seam that is not given; chosen by hand
+constexpr int relaxSteps = 200;    // Newton steps for a map whose seams stay; chosen by hand
+constexpr double leastGain = 1e-9; // energy gained in ten steps below which relaxing ends
+constexpr int settleSteps = 20;    // Newton steps before hard pins are reached; chosen by hand
 
 //! True when the surface has several connected components or borders, or handles. Its first cuts are not few,
 //! so that the search also starts from a map of the soup.
@@ -73,12 +75,29 @@ public:
     int iterations() const { return mIterations; }
 
     //! \param symmetry null: cuts need not be symmetric
-    std::optional<Candidate> find(const preference::MeshSymmetry *symmetry)
+    Candidate find(const preference::MeshSymmetry *symmetry)
+    {
+        std::optional<Candidate> best = search(symmetry);
+        if (mJob.stopped() || !best || best->distortion > mOptions.maxDistortion) {
+            if (std::optional<Candidate> earlier = mRanking.best(); earlier && makeUsable(*earlier))
+                keepBetter(best, std::move(earlier));
+        }
+        if (!best && mBefore) {
+            best = measuresOf(*mBefore);
+            best->map = mBefore->map();
+        }
+        if (!best)
+            best = patches();
+        return *best;
+    }
+
+private:
+    std::optional<Candidate> search(const preference::MeshSymmetry *symmetry)
     {
         std::optional<Candidate> best;
         if (symmetry)
             best = bySearch({}, symmetry);
-        if (best && (best->distortion <= mOptions.maxDistortion || mJob.stopped()))
+        if (mJob.stopped() || (best && best->distortion <= mOptions.maxDistortion))
             return best;
         // Only the soup can start from existing UVs.
         if (mOptions.lambda)
@@ -87,14 +106,15 @@ public:
                  (mSnapshot.placesIslands() && !mBefore))
             best = bySoup(UnwrapQuality::Draft);
         keepBetter(best, bySearch(best, nullptr));
-        if (!best || (!mJob.stopped() && !mOptions.lambda && best->distortion > mOptions.maxDistortion))
+        if (mJob.stopped())
+            return best;
+        if (!best || (!mOptions.lambda && best->distortion > mOptions.maxDistortion))
             keepBetter(best, bySoup(mOptions.quality));
-        else if (best->anchorFaults > 0 && mBefore && !mJob.stopped())
+        else if (best->anchorFaults > 0 && mBefore)
             keepBetter(best, bySoup(UnwrapQuality::Draft)); // it tears where pins contradict each other
         return best;
     }
 
-private:
     //! The best map of the seam search. \param other a further map to start from
     std::optional<Candidate> bySearch(const std::optional<Candidate> &other,
                                       const preference::MeshSymmetry *symmetry)
@@ -107,39 +127,76 @@ private:
         search.effort = effortFor(mOptions.quality, mSnapshot.mesh->triangleCount());
         search.seed = mSnapshot.settings.seed;
         search.job = mJob;
-        const bool twice = !symmetry && hasDecidedEdges();
-        search.start = [&](int steps) { mRanking.setTotal(twice ? 2 * steps : steps); };
-        search.progress = [&](int steps, double, double) { mRanking.stepDone(steps); };
-        if (twice) {
+        const bool steers = !symmetry && hasDecidedEdges();
+        const bool isBest = mOptions.quality == UnwrapQuality::Best;
+        const int searches = 1 + steers + isBest;
+        int begun = 0;
+        search.start = [&](int steps) {
+            mRanking.setTotal(searches * steps);
+            mRanking.stepDone(begun++ * steps);
+        };
+        search.progress = [&](int steps) { mRanking.stepDone(steps); };
+        if (steers) {
             if (std::optional<SeamedMap> free = steeredFreeMap(search))
                 search.given.push_back(std::move(*free));
-            search.start = [&](int steps) {
-                mRanking.setTotal(2 * steps);
-                mRanking.stepDone(steps);
-            };
         }
         if (other)
             search.given.push_back(other->map);
         if (mBefore)
             search.given.push_back(mBefore->map());
-        search.progress = [&](int steps, double distortion, double seamLength) {
-            mRanking.found(distortion, seamLength);
-            mRanking.stepDone(steps);
+        search.improved = [&](const search::CutState &state) {
+            mRanking.offer(measuresOf(state), [&] { return state.map(); });
         };
-        std::optional<search::OptimizedMap> found = search::optimizeSeams(
-            symmetry ? search::SeamGraph::build(mSoup, mSnapshot, symmetry) : mGraph, search);
+        const auto graph = symmetry ? search::SeamGraph::build(mSoup, mSnapshot, symmetry) : mGraph;
+        if (isBest) {
+            // Begins with the result of the standard quality, so that it is never worse.
+            search::OptimizeOptions standard = search;
+            standard.effort = effortFor(UnwrapQuality::Standard, mSnapshot.mesh->triangleCount());
+            if (std::optional<search::OptimizedMap> found = search::optimizeSeams(graph, standard)) {
+                search.given.push_back(std::move(found->map));
+                mIterations += found->iterations;
+            }
+        }
+        std::optional<search::OptimizedMap> found = search::optimizeSeams(graph, search);
         if (!found)
             return std::nullopt;
         Candidate candidate;
         candidate.map = std::move(found->map);
-        definite::equalizeDensity(*mSoup, mSnapshot, candidate.map);
-        if (!mOptions.allowOverlaps && definite::coversItself(*mSoup, candidate.map))
-            return std::nullopt;
-        candidate.measure(*mSoup, mSnapshot);
         candidate.anchorFaults = found->anchorFaults;
         candidate.lambda = mOptions.lambda.value_or(found->mu / (1 + found->mu));
         mIterations += found->iterations;
+        return makeUsable(candidate) ? std::optional(std::move(candidate)) : std::nullopt;
+    }
+
+    //! Gives all charts one texel density and measures the map. \returns false when a chart overlaps itself
+    bool makeUsable(Candidate &candidate) const
+    {
+        definite::equalizeDensity(*mSoup, mSnapshot, candidate.map);
+        if (!mOptions.allowOverlaps && definite::coversItself(*mSoup, candidate.map))
+            return false;
+        candidate.measure(*mSoup, mSnapshot);
+        return true;
+    }
+
+    //! For want of a better map: the job was stopped too early, or the mesh is too odd.
+    Candidate patches() const
+    {
+        Candidate candidate;
+        candidate.map = flatPatches(*mSoup, mSnapshot);
+        candidate.onlyPatches = true;
+        candidate.measure(*mSoup, mSnapshot);
         return candidate;
+    }
+
+    static Candidate measuresOf(const search::CutState &state)
+    {
+        Candidate measures;
+        measures.distortion = state.distortion;
+        measures.seamLength = state.length;
+        measures.seamCost = state.cost;
+        measures.smallCharts = state.smallParts();
+        measures.anchorFaults = state.anchorFaults();
+        return measures;
     }
 
     bool hasDecidedEdges() const
@@ -165,11 +222,17 @@ private:
         return state ? std::optional(state->map()) : std::nullopt;
     }
 
+    //! \returns nothing also when the mesh is too odd for the soup, such as one of very mixed scales
     std::optional<Candidate> bySoup(UnwrapQuality quality)
     {
         UnwrapOptions how = mOptions;
         how.quality = quality;
-        std::optional<Candidate> best = bestOfSoupChains(mSnapshot, how, mRanking, mJob, mIterations);
+        std::optional<Candidate> best;
+        try {
+            best = bestOfSoupChains(mSnapshot, how, mRanking, mJob, mIterations);
+        } catch (const std::runtime_error &) {
+            return std::nullopt;
+        }
         if (best && mSnapshot.placesIslands()) {
             best->anchorFaults =
                 search::settleAtAnchors(mGraph, best->map, settleSteps, !mOptions.allowOverlaps);
@@ -197,7 +260,7 @@ private:
 
 //! Finds the map of a large mesh by way of a coarser one; nothing when the mesh is not suited or that fails.
 std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                                     const UnwrapOptions &options, Ranking &ranking, const JobContext &job)
+                                     const UnwrapOptions &options, const JobContext &job)
 {
     if (!suitsCoarseToFine(snapshot))
         return std::nullopt;
@@ -221,7 +284,6 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
     found.best.lambda = carried->lambda;
     found.best.delta = carried->delta;
     found.best.anchorFaults = carried->anchorFaults;
-    ranking.found(found.best.distortion, found.best.seamLength);
     return found;
 }
 
@@ -248,7 +310,11 @@ std::optional<FoundMap> onlyGivenSeams(const Snapshot &snapshot, const JobContex
         keepBetter(std::move(flat->map));
     // The map before may be another minimum, when it has these seams.
     if (std::optional<search::CutState> before = steeredMapBefore(graph, snapshot, job.quiet())) {
-        search::SeamTrial(*before).relaxAll(relaxSteps, true, job.quiet());
+        search::SeamTrial trial(*before);
+        for (int i = 0; i < relaxSteps / 10; ++i) {
+            if (trial.relaxAll(10, true, job.quiet()) < leastGain)
+                break;
+        }
         keepBetter(before->map());
     }
     return best;
@@ -306,13 +372,13 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
         symmetry = preference::findSymmetry(*snapshot.mesh);
     // Not for symmetric cuts: the coarse mesh would not be symmetric.
     if (!symmetry) {
-        if (std::optional<FoundMap> large = findLargeMap(soup, snapshot, options, ranking, job))
+        if (std::optional<FoundMap> large = findLargeMap(soup, snapshot, options, job))
             return std::move(*large);
     }
     snapshot = preference::SeamPreference().applied(snapshot, job.threads());
     MapFinder finder(soup, snapshot, options, ranking, job);
     FoundMap found;
-    found.best = *finder.find(symmetry ? &*symmetry : nullptr);
+    found.best = finder.find(symmetry ? &*symmetry : nullptr);
     found.iterations = finder.iterations();
     if (snapshot.settings.symmetry)
         found.symmetry =

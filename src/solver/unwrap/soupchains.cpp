@@ -15,8 +15,7 @@ namespace autocuts::unwrap {
 namespace {
 
 // Chosen by hand; their effect has not been measured.
-constexpr int hurriedSteps = 4; // Newton steps per delta level after a stop
-constexpr int extraRuns = 5;    // more runs of a chain when none of the planned ones met the bound, at most
+constexpr int extraRuns = 5; // more runs of a chain when none of the planned ones met the bound, at most
 
 //! One chain of annealing runs, each reheated from the end of the one before: delta goes back to `reheat`, so
 //! that short, nearly shut seams close and wide open ones stay (in a prototype the seam of the cow fell from
@@ -91,7 +90,6 @@ struct ChainResult
 ChainResult runChain(const Snapshot &start, const ChainPlan &plan, const QualityPlan &quality,
                      const UnwrapOptions &options, Ranking &ranking, const JobContext &job)
 {
-    const auto stopped = [&] { return job.stopped(); };
     Snapshot snapshot = start;
     snapshot.settings.delta = 1;
     homotopy::Solver solver;
@@ -107,7 +105,7 @@ ChainResult runChain(const Snapshot &start, const ChainPlan &plan, const Quality
     ChainResult result;
     // A run that misses the bound may be followed by some more than planned.
     const int mostRuns = quality.runs + (options.lambda ? 0 : extraRuns);
-    for (int run = 0; run < mostRuns && !(stopped() && ranking.hasAny()); ++run) {
+    for (int run = 0; run < mostRuns && !job.stopped(); ++run) {
         const bool fits = result.best && result.best->distortion <= options.maxDistortion;
         if (run >= quality.runs && (fits || options.lambda))
             break;
@@ -119,17 +117,9 @@ ChainResult runChain(const Snapshot &start, const ChainPlan &plan, const Quality
             ++result.iterations;
             ranking.stepDone(1);
         });
-        if (stopped()) {
-            if (ranking.hasAny())
-                break;
-            // The remaining delta levels are run in a few steps, so that half-open pairs open or close.
-            anneal.startDelta = solver.snapshot().settings.delta;
-            anneal.stepsPerLevel = hurriedSteps;
-            homotopy::annealSoup(solver, anneal, nullptr);
-        }
-        // The first map is completed even when the job is stopped.
-        std::optional<definite::DefiniteMap> made =
-            definite::makeDefiniteMap(solver, making, ranking.hasAny() ? job.quiet() : JobContext());
+        if (job.stopped())
+            break;
+        std::optional<definite::DefiniteMap> made = definite::makeDefiniteMap(solver, making, job.quiet());
         if (!made)
             break;
         budget.report(made->seedDistortion);
@@ -138,7 +128,7 @@ ChainResult runChain(const Snapshot &start, const ChainPlan &plan, const Quality
         candidate.measure(solver.soup(), snapshot);
         candidate.lambda = solver.snapshot().settings.lambda;
         candidate.delta = solver.snapshot().settings.delta;
-        ranking.found(candidate.distortion, candidate.seamLength);
+        ranking.offer(candidate, [&] { return candidate.map; });
         if (!result.best || ranking.better(candidate, *result.best))
             result.best = std::move(candidate);
     }

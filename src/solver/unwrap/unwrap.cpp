@@ -84,6 +84,7 @@ UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options, 
     result.cut = part->wholeCut(best.map.cut);
     result.distortion = best.distortion;
     result.seamLength = best.seamLength;
+    result.onlyPatches = best.onlyPatches;
     result.lambda = best.lambda;
     result.delta = best.delta;
     result.withinBound = options.lambda || snapshot.settings.seams == SeamMode::Only ||

@@ -31,6 +31,8 @@ struct UnwrapResult
     double lambda = 0, delta = 0;
     bool stopped = false;    //!< the job was stopped: this is the best map until then
     bool withinBound = true; //!< false when the bound was not met
+    //! No map was found but one of many near-flat patches: the job was stopped early, or the mesh is odd.
+    bool onlyPatches = false;
     //! Share of the seam length that is symmetric, 0 on a mesh that is not. Set when symmetry is asked for.
     std::optional<double> symmetry;
     bool packed = false;      //!< false when packing was not asked for or there is no room

@@ -8,6 +8,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QPushButton>
 
 namespace autocuts {
 
@@ -27,7 +28,8 @@ QGridLayout *makeGrid(QWidget *owner)
 } // namespace
 
 DoctorPanel::DoctorPanel(const StudioContext &context, QWidget *parent)
-    : Panel(context, tr("Open a model to have it examined."), parent), mNotes(new QLabel)
+    : Panel(context, tr("Open a model to have it examined."), parent), mNotes(new QLabel),
+      mSelect(new QPushButton(tr("Select polygons that meet themselves")))
 {
     auto *layout = new QVBoxLayout(content());
     layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
@@ -39,6 +41,9 @@ DoctorPanel::DoctorPanel(const StudioContext &context, QWidget *parent)
     mNotes->setAccessibleName(tr("Findings"));
     layout->addWidget(makeHeading(tr("Findings")));
     layout->addWidget(mNotes);
+    mSelect->setObjectName("selectSelfContacts"_L1);
+    connect(mSelect, &QPushButton::clicked, this, &DoctorPanel::selectSelfContacts);
+    layout->addWidget(mSelect);
     layout->addWidget(makeHeading(tr("Model")));
     layout->addWidget(makeCounts());
     layout->addWidget(makeHeading(tr("Map")));
@@ -65,6 +70,8 @@ QWidget *DoctorPanel::makeCounts()
     add(tr("Triangles without area"), tr("Kept, with a thin stand-in shape while solving"));
     add(tr("Duplicated faces"), tr("Faces at the place of another one"));
     add(tr("Concave polygons"), tr("Polygons that are not convex: split along diagonals inside them"));
+    add(tr("Polygons that meet themselves"),
+        tr("Polygons with a vertex twice, such as a, b, c, b: cut off from the faces around there"));
     add(tr("Surface area"), tr("In the units of the model"));
     add(tr("Diagonal"), tr("Diagonal of the bounding box, in the units of the model"));
     return box;
@@ -99,6 +106,7 @@ void DoctorPanel::refresh()
         showCounts(document()->mesh().report);
     } else {
         mNotes->clear();
+        mSelect->hide();
         for (QLabel *label : mCounts)
             label->setText(missingText());
     }
@@ -115,7 +123,15 @@ void DoctorPanel::showNotes(const Document &document)
     }
     for (QString &note : notes)
         note.prepend(u"• "_s);
+    mSelect->setVisible(!document.mesh().report.selfContactFaces.empty());
     mNotes->setText(notes.isEmpty() ? tr("✓ All fine: nothing unusual was found.") : notes.join(u'\n'));
+}
+
+void DoctorPanel::selectSelfContacts()
+{
+    Selection selection;
+    selection.faces = IndexRanges::fromSorted(document()->mesh().report.selfContactFaces);
+    document()->setSelection(std::move(selection));
 }
 
 void DoctorPanel::showCounts(const MeshReport &report)
@@ -131,6 +147,7 @@ void DoctorPanel::showCounts(const MeshReport &report)
                              countText(report.degenerateTriangles),
                              countText(report.duplicateFaces),
                              countText(report.concavePolygons),
+                             countText(static_cast<int>(report.selfContactFaces.size())),
                              significantText(report.area, 5),
                              significantText(report.boxDiagonal, 5)};
     for (std::size_t i = 0; i < mCounts.size(); ++i)

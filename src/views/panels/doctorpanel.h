@@ -7,6 +7,7 @@
 
 class QGridLayout;
 class QLabel;
+class QPushButton;
 
 namespace autocuts {
 
@@ -28,8 +29,10 @@ private:
     void showNotes(const Document &document);
     void showCounts(const MeshReport &report);
     void showFigures();
+    void selectSelfContacts();
 
     QLabel *mNotes;
+    QPushButton *mSelect;                    //!< selects the polygons that meet themselves
     std::vector<QLabel *> mCounts, mFigures; //!< in the order of their rows
 };
 
