@@ -231,6 +231,8 @@ SeamedMap stitchSoup(const std::shared_ptr<const Soup> &soup, const Snapshot &sn
 int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map, int steps,
              const JobContext &job)
 {
+    if (job.stopped())
+        return 0;
     const CutMesh state(*soup->mesh, map.cut);
     const ShapeTerms shape(soup, snapshot);
     newton::Minimizer minimizer(soup,

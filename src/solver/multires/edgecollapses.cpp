@@ -247,15 +247,31 @@ private:
     int mRefused = 0;
 };
 
+//! Ends the decimation when the job is stopped.
+class Stopper final : public OpenMesh::Decimater::Observer
+{
+public:
+    explicit Stopper(const JobContext &job) : Observer(collapsesPerLook), mJob(job) {}
+    void notify(std::size_t) override {}
+    bool abort() const override { return mJob.stopped(); }
+
+private:
+    static constexpr std::size_t collapsesPerLook = 100;
+    const JobContext &mJob;
+};
+
 } // namespace
 
-std::vector<HalfEdgeCollapse> edgeCollapses(const CollapsingSurface &surface, int triangles)
+std::vector<HalfEdgeCollapse> edgeCollapses(const CollapsingSurface &surface, int triangles,
+                                            const JobContext &job)
 {
     HalfEdgeMesh mesh;
     const Builder builder(surface, mesh);
     OpenMesh::Decimater::DecimaterT<HalfEdgeMesh> decimater(mesh);
     OpenMesh::Decimater::ModHandleT<CollapseCost> cost;
     decimater.add(cost);
+    Stopper stopper(job);
+    decimater.set_observer(&stopper);
     decimater.initialize();
     decimater.decimate_to_faces(0, static_cast<std::size_t>(std::max(0, triangles - builder.refused())));
     return std::move(decimater.module(cost).collapses);

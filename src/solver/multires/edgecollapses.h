@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/types.h"
+#include "solver/base/jobcontext.h"
 
 #include <vector>
 
@@ -27,7 +28,8 @@ struct CollapsingSurface
 
 //! The collapses of a quadric error decimation (Garland and Heckbert 1997), cheapest first, until `triangles`
 //! are left or nothing can be collapsed. No collapse makes the surface non-manifold, moves a border point
-//! inside, flips a triangle or makes a sliver. Runs OpenMesh's decimater.
-std::vector<HalfEdgeCollapse> edgeCollapses(const CollapsingSurface &surface, int triangles);
+//! inside, flips a triangle or makes a sliver. Fewer when stopped. Runs OpenMesh's decimater.
+std::vector<HalfEdgeCollapse> edgeCollapses(const CollapsingSurface &surface, int triangles,
+                                            const JobContext &job = {});
 
 } // namespace autocuts::multires

@@ -31,16 +31,16 @@ constexpr int sweepsPerLevel = 3;
 
 MapRefiner::MapRefiner(ProgressiveMesh &mesh, double scale) : mMesh(mesh), mScale(scale) {}
 
-int MapRefiner::refineTo(int triangles)
+int MapRefiner::refineTo(int triangles, const JobContext &job)
 {
     int folded = 0;
     int level = 2 * mMesh.triangleCount();
     while (mMesh.triangleCount() < triangles && !mMesh.collapses().empty()) {
         folded += !refineOne();
         if (mMesh.triangleCount() >= level || mMesh.collapses().empty()) {
-            if (mayStraighten)
+            if (mayStraighten && !job.stopped())
                 straighten();
-            for (int i = 0; i < sweepsPerLevel; ++i)
+            for (int i = 0; i < sweepsPerLevel && !job.stopped(); ++i)
                 sweep();
             level *= 2;
         }

@@ -1,6 +1,7 @@
 // Undoes collapses inside a UV map: no triangle flips and no chart overlaps itself.
 #pragma once
 
+#include "solver/base/jobcontext.h"
 #include "solver/base/soup.h"
 #include "solver/multires/pointfan.h"
 #include "solver/multires/progressivemesh.h"
@@ -29,9 +30,10 @@ public:
     //! False when seams must not be moved.
     bool mayStraighten = true;
 
-    //! Undoes collapses until the surface has `triangles` triangles (or all of them).
+    //! Undoes collapses until the surface has `triangles` triangles (or all of them). When stopped, does so
+    //! without improving the map.
     //! \returns the number of points that had to be placed although a triangle flips
-    int refineTo(int triangles);
+    int refineTo(int triangles, const JobContext &job = {});
 
 private:
     struct Sector

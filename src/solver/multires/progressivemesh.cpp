@@ -103,7 +103,7 @@ void ProgressiveMesh::collapse(int removed, int kept)
     mCollapses.push_back(record);
 }
 
-void ProgressiveMesh::coarsen(int triangles)
+void ProgressiveMesh::coarsen(int triangles, const JobContext &job)
 {
     mCornerOf.assign(mPosition.size(), -1);
     for (int c = 0; c < static_cast<int>(mPoint.size()); ++c) {
@@ -111,7 +111,7 @@ void ProgressiveMesh::coarsen(int triangles)
             mCornerOf[mPoint[c]] = c;
     }
     for (const auto &[removed, kept] :
-         edgeCollapses({mPosition, mPoint, mAcross, mAlive, mLocked}, triangles))
+         edgeCollapses({mPosition, mPoint, mAcross, mAlive, mLocked}, triangles, job))
         collapse(removed, kept);
     mCornerOf.clear();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/meshdata.h"
+#include "solver/base/jobcontext.h"
 
 #include <array>
 #include <cstdint>
@@ -28,8 +29,8 @@ public:
     //! \param locked per edge pair: true where both ends must stay
     ProgressiveMesh(const MeshData &mesh, const std::vector<bool> &locked);
 
-    //! Collapses edges until `triangles` are left or nothing can be collapsed.
-    void coarsen(int triangles);
+    //! Collapses edges until `triangles` are left or nothing can be collapsed, or the job is stopped.
+    void coarsen(int triangles, const JobContext &job = {});
     //! Undoes the last collapse. \pre there is one
     void refine();
 

@@ -250,7 +250,13 @@ bool makeUsable(const std::shared_ptr<const Soup> &soup, const Snapshot &snapsho
         map = definite::stitchTo(soup, snapshot, map.cut, map.x, job);
     SeamedMap relaxed = map;
     definite::relaxMap(soup, snapshot, relaxed, fineSteps, job);
-    if (options.allowOverlaps || !definite::coversItself(*soup, relaxed)) {
+    if (job.stopped()) {
+        // There is no time to choose between two maps.
+        map = std::move(relaxed);
+        if (!options.allowOverlaps && definite::coversItself(*soup, map) &&
+            !definite::removeOverlaps(*soup, snapshot, map))
+            return false;
+    } else if (options.allowOverlaps || !definite::coversItself(*soup, relaxed)) {
         map = std::move(relaxed);
     } else {
         // The relaxed map overlaps itself. Relax again with boundaries barred; if that misses the bound, cut
@@ -292,14 +298,17 @@ std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const S
     const std::vector<double> weights = pointWeights(snapshot, mesh);
     std::vector<double> preferred =
         pointWeights(preference::SeamPreference().applied(snapshot, job.threads()), mesh);
-    mesh.coarsen(coarseTriangles);
-    if (mesh.triangleCount() > leastReduction * soup->triangleCount())
+    mesh.coarsen(coarseTriangles, job);
+    if (job.stopped() || mesh.triangleCount() > leastReduction * soup->triangleCount())
         return std::nullopt;
     std::vector<int> triangles;
     const std::shared_ptr<const MeshData> coarse = mesh.extract(triangles);
 
-    CarriedMap carried =
+    std::optional<CarriedMap> found =
         unwrapCoarse(coarseSnapshot(snapshot, coarse, mesh, triangles, decisions, weights), coarseOptions);
+    if (!found)
+        return std::nullopt;
+    CarriedMap &carried = *found;
 
     multires::MapRefiner refiner(mesh, soup->scale);
     refiner.uv.assign(soup->mesh->soupCornerCount(), Vec2::Zero());
@@ -310,9 +319,9 @@ std::optional<CarriedMap> carry(const std::shared_ptr<const Soup> &soup, const S
     const double scale = snapshot.placesIslands() ? 1 / unitOf(*coarse, *soup->mesh)
                                                   : std::sqrt(std::numbers::pi / areaOf(carried.map));
     setCoarseMap(*coarse, carried.map, scale, triangles, mesh, refiner);
-    refiner.refineTo(soup->triangleCount());
+    refiner.refineTo(soup->triangleCount(), job);
     carried.map = fineMap(*soup, refiner);
-    return carried;
+    return found;
 }
 
 } // namespace

@@ -20,8 +20,8 @@ struct CarriedMap
     int anchorFaults = 0;         //!< see search::CutState
 };
 
-//! Finds a map of the coarse version of a mesh.
-using CoarseUnwrap = std::function<CarriedMap(const Snapshot &, const UnwrapOptions &)>;
+//! Finds a map of the coarse version of a mesh; nothing when there is none that is worth being carried over.
+using CoarseUnwrap = std::function<std::optional<CarriedMap>(const Snapshot &, const UnwrapOptions &)>;
 
 //! True when the mesh has more than 25,000 triangles.
 bool isLargeMesh(const MeshData &mesh);
@@ -32,7 +32,8 @@ bool suitsCoarseToFine(const Snapshot &snapshot);
 //! and relaxes the map there. Borders and the user's cut and joined edges are not collapsed; painted weights
 //! are carried over. No chart overlaps itself unless overlaps are allowed.
 //! \param coarseTriangles triangles of the coarse mesh. The default was chosen by hand, not measured
-//! \returns nothing when the mesh cannot be coarsened far enough or the map cannot be carried over
+//! \returns nothing when the mesh cannot be coarsened far enough, when the map cannot be carried over, or
+//! when the job was stopped before there was one
 [[nodiscard]] std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup,
                                                     const Snapshot &snapshot, const UnwrapOptions &options,
                                                     const CoarseUnwrap &unwrapCoarse,

@@ -237,8 +237,11 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
                 [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions) {
                     Ranking ranking(coarseOptions, job);
                     FoundMap found = findMap(coarse, coarseOptions, ranking, job);
-                    return CarriedMap{std::move(found.best.map), found.iterations, 0, 0,
-                                      found.best.anchorFaults};
+                    // After an edit nobody waits for this map any more.
+                    if (job.stopped() || found.best.onlyPatches)
+                        return std::optional<CarriedMap>();
+                    return std::optional(CarriedMap{std::move(found.best.map), found.iterations, 0, 0,
+                                                    found.best.anchorFaults});
                 },
                 job.quiet());
             if (carried)

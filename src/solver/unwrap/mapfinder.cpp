@@ -42,8 +42,10 @@ search::OptimizeEffort fullEffort(UnwrapQuality quality)
 constexpr double smallestShare = 1e-9;
 //! Where only the given seams may be seams there is no bound on the distortion.
 constexpr double noBound = 1e6;
-constexpr double dearSeam = 100;   // factor on the cost of a seam that is not given; chosen by hand
-constexpr int relaxSteps = 200;    // Newton steps for a map whose seams stay; chosen by hand
+constexpr double dearSeam = 100; // factor on the cost of a seam that is not given; chosen by hand
+constexpr int relaxSteps = 200;  // Newton steps for a map whose seams stay; chosen by hand
+//! A map whose distortion is further above the bound takes long to carry to a finer mesh: not after a stop.
+constexpr double worthCarrying = 0.5;
 constexpr double leastGain = 1e-9; // energy gained in ten steps below which relaxing ends
 constexpr int settleSteps = 20;    // Newton steps before hard pins are reached; chosen by hand
 
@@ -56,6 +58,16 @@ bool isComplicated(const MeshData &mesh)
     const int edges = static_cast<int>(mesh.edgePairs.size() + mesh.boundarySides.size());
     const int euler = whole.uvVertexCount - edges + mesh.triangleCount();
     return whole.chartCount > 1 || loops > 1 || euler + loops < 2;
+}
+
+//! For want of a better map: the job was stopped too early, or the mesh is too odd.
+Candidate patches(const Soup &soup, const Snapshot &snapshot)
+{
+    Candidate candidate;
+    candidate.map = flatPatches(soup, snapshot);
+    candidate.onlyPatches = true;
+    candidate.measure(soup, snapshot);
+    return candidate;
 }
 
 //! Finds the best map of one unwrap, by the seam search and by the soup.
@@ -87,7 +99,7 @@ public:
             best->map = mBefore->map();
         }
         if (!best)
-            best = patches();
+            best = patches(*mSoup, mSnapshot);
         return *best;
     }
 
@@ -178,16 +190,6 @@ private:
         return true;
     }
 
-    //! For want of a better map: the job was stopped too early, or the mesh is too odd.
-    Candidate patches() const
-    {
-        Candidate candidate;
-        candidate.map = flatPatches(*mSoup, mSnapshot);
-        candidate.onlyPatches = true;
-        candidate.measure(*mSoup, mSnapshot);
-        return candidate;
-    }
-
     static Candidate measuresOf(const search::CutState &state)
     {
         Candidate measures;
@@ -269,8 +271,11 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
         [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions) {
             Ranking coarseRanking(coarseOptions, job);
             FoundMap found = findMap(coarse, coarseOptions, coarseRanking, job);
-            return CarriedMap{std::move(found.best.map), found.iterations, found.best.lambda,
-                              found.best.delta, found.best.anchorFaults};
+            const bool isBad = found.best.distortion > coarseOptions.maxDistortion + worthCarrying;
+            if (found.best.onlyPatches || (job.stopped() && isBad))
+                return std::optional<CarriedMap>();
+            return std::optional(CarriedMap{std::move(found.best.map), found.iterations, found.best.lambda,
+                                            found.best.delta, found.best.anchorFaults});
         },
         job);
     if (!carried)
@@ -375,9 +380,13 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
         if (std::optional<FoundMap> large = findLargeMap(soup, snapshot, options, job))
             return std::move(*large);
     }
+    FoundMap found;
+    if (job.stopped()) {
+        found.best = patches(*soup, snapshot);
+        return found;
+    }
     snapshot = preference::SeamPreference().applied(snapshot, job.threads());
     MapFinder finder(soup, snapshot, options, ranking, job);
-    FoundMap found;
     found.best = finder.find(symmetry ? &*symmetry : nullptr);
     found.iterations = finder.iterations();
     if (snapshot.settings.symmetry)

@@ -26,14 +26,13 @@ void fitUnitSquare(UvMatrix &uv)
 }
 
 //! Places the islands of a new map. Sets result.uv and result.packed.
-void place(const Snapshot &snapshot, const FreePart &part, const SeamedMap &map, const UnwrapOptions &options,
-           const JobContext &job, Ranking &ranking, UnwrapResult &result)
+void place(const Snapshot &snapshot, const FreePart &part, const Soup &soup, const SeamedMap &map,
+           const UnwrapOptions &options, const JobContext &job, Ranking &ranking, UnwrapResult &result)
 {
     const Snapshot &own = part.snapshot();
-    const std::shared_ptr<const Soup> soup = Soup::build(own.mesh);
     // True when some islands are where they belong. Otherwise packing finds the scale.
     const bool stays = !part.isWhole() || snapshot.placesIslands();
-    UvMatrix uv = (stays ? own.uvScale : 1) * cornerUv(*soup, map);
+    UvMatrix uv = (stays ? own.uvScale : 1) * cornerUv(soup, map);
     definite::openCuts(own, uv);
     result.uv = part.wholeUv(uv);
     if (!options.pack) {
@@ -89,9 +88,10 @@ UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options, 
     result.delta = best.delta;
     result.withinBound = options.lambda || snapshot.settings.seams == SeamMode::Only ||
                          best.distortion <= options.maxDistortion;
+    const std::shared_ptr<const Soup> soup = Soup::build(part->snapshot().mesh);
     if (options.pack)
-        fitToRectangles(*part, Soup::build(part->snapshot().mesh), best.map);
-    place(snapshot, *part, best.map, options, job, ranking, result);
+        fitToRectangles(*part, soup, best.map);
+    place(snapshot, *part, *soup, best.map, options, job, ranking, result);
     result.unmet = unmetSteering(snapshot, result.uv);
     result.stopped = job.stopped();
     return result;
