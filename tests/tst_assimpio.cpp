@@ -438,5 +438,5 @@ void TestAssimpIo::realFiles()
     QVERIFY(read * 3 > files.size() * 2);
 }
 
-QTEST_APPLESS_MAIN(TestAssimpIo)
+QTEST_GUILESS_MAIN(TestAssimpIo)
 #include "tst_assimpio.moc"
