@@ -31,9 +31,9 @@ namespace {
 
 // Limits for files of any size, and what each byte adds. Chosen by hand from all files that are at hand.
 constexpr qint64 memoryBase = qint64(512) << 20;
-constexpr qint64 memoryPerByte = 64;
+constexpr qint64 memoryPerByte = 128;
 constexpr qint64 secondsBase = 10;
-constexpr qint64 bytesPerSecond = 200'000;
+constexpr qint64 bytesPerSecond = 20'000;
 constexpr qint64 wallFactor = 6;
 
 constexpr int pollInterval = 20; //!< milliseconds
@@ -41,6 +41,14 @@ constexpr std::size_t chunkSize = std::size_t(1) << 18;
 
 Error unreadable(const QString &path, const QString &reason)
 {
+    if (path.endsWith(".blend"_L1, Qt::CaseInsensitive)) {
+        const QString why =
+            reason.contains("resolving pointer"_L1)
+                ? u"it refers to data that was not saved with it, which Blender alone can read"_s
+                : reason.simplified();
+        return {u"the file cannot be read: %1"_s.arg(why), path, 0,
+                u"Open it in Blender and export it as glb or OBJ"_s};
+    }
     return {u"the file cannot be read: %1"_s.arg(reason.simplified()), path, 0,
             u"It may be damaged or of a newer version: export the model again, or as OBJ"_s};
 }
