@@ -3,15 +3,11 @@
 #include "model/io/assimpimport.h"
 #include "model/io/assimpstream.h"
 
-#include <assimp/scene.h>
-
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <new>
-#include <string>
 #include <sys/resource.h>
 #include <unistd.h>
 #ifdef __linux__
@@ -54,24 +50,7 @@ void setSignals()
 
 [[noreturn]] void endForLackOfMemory()
 {
-    _exit(autocuts::OutOfMemory);
-}
-
-int read(const std::string &path, std::FILE *out)
-{
-    std::string error;
-    try {
-        if (const std::unique_ptr<aiScene> scene = autocuts::importWithAssimp(path, error)) {
-            autocuts::writeAssimpScene(*scene, out);
-            // Without destroying the scene: a damaged one could crash here.
-            _exit(autocuts::Done);
-        }
-    } catch (const std::exception &e) {
-        error = e.what();
-    }
-    std::fputc('\0', out);
-    std::fwrite(error.data(), 1, error.size(), out);
-    return autocuts::Unreadable;
+    _exit(autocuts::readerexit::outOfMemory);
 }
 
 } // namespace
@@ -89,8 +68,7 @@ int main(int argc, char *argv[])
     // The standard output is for the scene alone, whatever a library prints.
     std::FILE *out = fdopen(dup(STDOUT_FILENO), "wb");
     if (!out || !std::freopen("/dev/null", "w", stdout))
-        return autocuts::OutOfMemory;
-    const int code = read(argv[1], out);
-    std::fflush(out);
-    _exit(code);
+        return autocuts::readerexit::outOfMemory;
+    autocuts::importWithAssimp(argv[1], out, _exit);
+    return autocuts::readerexit::unreadable;
 }

@@ -1,5 +1,7 @@
 #include "model/io/assimpimport.h"
 
+#include "model/io/assimpstream.h"
+
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/scene.h>
@@ -8,6 +10,7 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <string_view>
 
 namespace autocuts {
@@ -100,29 +103,41 @@ std::string contentOf(const std::string &path)
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+//! The scene with its root, or null. It belongs to the importer.
+const aiScene *imported(Assimp::Importer &importer, const std::string &path, std::string &error)
+{
+    // Without this, Assimp reads an FBX node as a chain of helper nodes, one for each part of its transform.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+    const aiScene *scene = importer.ReadFile(path, 0);
+    if (!scene)
+        error = importer.GetErrorString();
+    if (!scene && isCollada(path)) {
+        // What Assimp cannot read by itself: UTF-16, and white space before numbers.
+        const std::string xml = withoutLeadingSpace(asUtf8(contentOf(path)));
+        scene = importer.ReadFileFromMemory(xml.data(), xml.size(), 0, "dae");
+    }
+    return scene && scene->mRootNode ? scene : nullptr;
+}
+
 } // namespace
 
-std::unique_ptr<aiScene> importWithAssimp(const std::string &path, std::string &error)
+void importWithAssimp(const std::string &path, std::FILE *out, void (*finish)(int code))
 {
+    Assimp::Importer importer;
+    std::string error;
     try {
-        Assimp::Importer importer;
-        // Without this, Assimp reads an FBX node as a chain of helper nodes, one for each part of its
-        // transform.
-        importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
-        const aiScene *scene = importer.ReadFile(path, 0);
-        if (!scene)
-            error = importer.GetErrorString();
-        if (!scene && isCollada(path)) {
-            // What Assimp cannot read by itself: UTF-16, and white space before numbers.
-            const std::string xml = withoutLeadingSpace(asUtf8(contentOf(path)));
-            scene = importer.ReadFileFromMemory(xml.data(), xml.size(), 0, "dae");
+        if (imported(importer, path, error)) {
+            const std::unique_ptr<aiScene> scene(importer.GetOrphanedScene());
+            writeAssimpScene(*scene, out);
+            finish(readerexit::done);
         }
-        if (scene && scene->mRootNode)
-            return std::unique_ptr<aiScene>(importer.GetOrphanedScene());
     } catch (const std::exception &e) {
         error = e.what();
     }
-    return nullptr;
+    std::fputc('\0', out);
+    std::fwrite(error.data(), 1, error.size(), out);
+    std::fflush(out);
+    finish(readerexit::unreadable);
 }
 
 } // namespace autocuts

@@ -2,14 +2,14 @@
 // files can crash or hang them.
 #pragma once
 
-#include <memory>
+#include <cstdio>
 #include <string>
-
-struct aiScene;
 
 namespace autocuts {
 
-//! \returns the scene with a root node, or null and the reason in `error` (UTF-8)
-std::unique_ptr<aiScene> importWithAssimp(const std::string &path, std::string &error);
+//! Reads a file and writes what the caller of autocuts-reader gets: see assimpstream.h.
+//! \param finish ends the program with an exit code. It is called while the scene exists, because destroying
+//! a damaged one can crash.
+void importWithAssimp(const std::string &path, std::FILE *out, void (*finish)(int code));
 
 } // namespace autocuts

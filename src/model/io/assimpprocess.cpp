@@ -163,9 +163,9 @@ Error failure(int status, const std::vector<char> &output, const QString &path, 
 {
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
         return tooLong(path, limits.cpuSeconds);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == OutOfMemory)
+    if (WIFEXITED(status) && WEXITSTATUS(status) == readerexit::outOfMemory)
         return tooLarge(path, limits.memory);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == Unreadable) {
+    if (WIFEXITED(status) && WEXITSTATUS(status) == readerexit::unreadable) {
         const QByteArrayView text(output.data(), static_cast<qsizetype>(output.size()));
         return unreadable(path, QString::fromUtf8(text.sliced(text.lastIndexOf('\0') + 1)));
     }
@@ -198,7 +198,7 @@ Result<std::shared_ptr<const aiScene>> readInProcess(const QString &path, const 
             return tooLarge(path, limits.memory);
     }
     const int status = reader.end();
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != ReaderExit::Done)
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != readerexit::done)
         return failure(status, output, path, limits);
     try {
         return std::shared_ptr<const aiScene>(

@@ -12,7 +12,9 @@ namespace autocuts {
 
 //! The exit codes of autocuts-reader. Its standard output holds the scene after Done, after Unreadable the
 //! reason in UTF-8 behind the last zero byte, and nothing of use after anything else.
-enum ReaderExit { Done = 0, Unreadable = 1, OutOfMemory = 3 };
+namespace readerexit {
+inline constexpr int done = 0, unreadable = 1, outOfMemory = 3;
+}
 
 //! Writes everything that exporting needs: nodes, meshes with all their data, materials, textures,
 //! animations, cameras, lights and metadata. The form is that of this machine; both programs must be of one
