@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 
 namespace autocuts {
 
@@ -89,7 +90,7 @@ bool SoupBuilder::addVertices(const aiNode &node, const aiMesh &mesh, const Eige
         Vec3 position(p.x, p.y, p.z);
         if (!identity)
             position = (transform * position.homogeneous()).head<3>();
-        if (!(position.cwiseAbs().maxCoeff() <= maxCoordinate))
+        if (!position.allFinite() || position.cwiseAbs().maxCoeff() > maxCoordinate)
             return fail(
                 QStringLiteral("a vertex of \"%1\" has a coordinate that is not finite or is too large")
                     .arg(objectName(node)));
@@ -297,8 +298,13 @@ Result<Scene> readWithAssimp(const QString &path, const std::atomic<bool> *stop)
     scene.path = path;
     scene.format = QFileInfo(path).suffix().toLower();
     SoupBuilder builder(*source->scene, path);
-    if (!builder.build(scene, *source))
-        return builder.error();
+    try {
+        if (!builder.build(scene, *source))
+            return builder.error();
+    } catch (const std::invalid_argument &) {
+        return Error{QStringLiteral("the file cannot be read: its data contradict each other"), path, 0,
+                     QStringLiteral("Export the model again from the program that made it, or as OBJ")};
+    }
     scene.source = std::move(source);
     return scene;
 }
