@@ -186,6 +186,30 @@ private Q_SLOTS:
         QVERIFY(readMesh(out).ok());
     }
 
+    void readingCanBeInterrupted()
+    {
+        const QString in = file("read.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+        const QString reader = file("reader", "#!/bin/sh\nexec sleep 1000\n");
+        QVERIFY(QFile::setPermissions(reader, QFile::ReadOwner | QFile::ExeOwner));
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("AUTOCUTS_READER"), reader);
+        QProcess process;
+        process.setProcessEnvironment(environment);
+        process.start(program(), draft(in, at("read_uv.obj")));
+        QVERIFY(process.waitForStarted());
+        QVERIFY(QTest::qWaitFor([&] { return catchesSignal(process.processId(), SIGINT); }, 60'000));
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(120'000));
+        QCOMPARE(process.exitCode(), 130);
+        QVERIFY(process.readAllStandardError().contains("before the model was read"));
+
+        process.start(program(), draft(in, at("read_uv.obj")) << QStringLiteral("--time-limit=0.1"));
+        QVERIFY(process.waitForFinished(120'000));
+        QCOMPARE(process.exitCode(), 1);
+        QVERIFY(process.readAllStandardError().contains("--time-limit"));
+        QVERIFY(!QFileInfo::exists(at("read_uv.obj")));
+    }
+
     void badInputIsExplained_data()
     {
         QTest::addColumn<QByteArray>("bytes");

@@ -28,6 +28,7 @@ struct Layer
 
 const std::vector<Layer> layers{
     {"model", {"plain", "document", "samples", "io"}, {}},
+    {"reader", {""}, {"model"}},
     {"commands", {""}, {"model"}},
     {"solver",
      {"base", "energy", "linear", "newton", "overlap", "metrics", "preference", "packing", "search",

@@ -39,6 +39,9 @@ private Q_SLOTS:
     void contradictions_data();
     void contradictions();
     void bombIsRefused();
+    void unknownBlocksAreSkipped();
+    void contentsHaveALimit();
+    void uvSetsWithImpossibleNumbers();
 };
 
 void TestProjectErrors::damagedBlock_data()
@@ -249,6 +252,60 @@ void TestProjectErrors::bombIsRefused()
         readContainer(containerBytes(projectVersion, {block, large}), projectVersion, {}).value();
     QVERIFY(parts.parts.empty());
     QCOMPARE(parts.damaged.size(), std::size_t(2));
+}
+
+void TestProjectErrors::unknownBlocksAreSkipped()
+{
+    // Of a name that is not read, not even the size matters.
+    PackedBlock unknown = packBlock("future", QByteArray(1000000, 'x'));
+    const auto isView = [](const QByteArray &name) { return name == "view"; };
+    const QByteArray bytes = containerBytes(projectVersion, {unknown, packBlock("view", "v")});
+    const ProjectParts parts = readContainer(bytes, projectVersion, {}, isView).value();
+    QCOMPARE(parts.parts.size(), std::size_t(1));
+    QVERIFY(parts.damaged.empty());
+
+    // Through the session: 600 MB of an unknown block, more than all contents together may have.
+    unknown = packBlock("future", QByteArray(qsizetype(600) << 20, '\0'));
+    QByteArray session = test::bytesOf(test::cubeSession());
+    const QByteArray more = containerBytes(projectVersion, {unknown});
+    // Both are maps of known length: the block follows the two entries of the head.
+    const qsizetype head = more.indexOf("future") - 1;
+    session[0] = static_cast<char>(session[0] + 1);
+    const Result<LoadedProject> loaded = parseProject(session + more.mid(head), {});
+    QVERIFY2(loaded.ok(), loaded ? "" : qPrintable(loaded.error().toString()));
+    QVERIFY(loaded->lost.isEmpty());
+}
+
+void TestProjectErrors::contentsHaveALimit()
+{
+    // Five blocks of 150 MB that are all zeros: 750 MB from less than one.
+    std::vector<PackedBlock> blocks;
+    const QByteArray content(qsizetype(150) << 20, '\0');
+    blocks.assign(5, packBlock("uv.0", content));
+    // Of one name only the first is read.
+    QCOMPARE(readContainer(containerBytes(projectVersion, blocks), projectVersion, {}).value().parts.size(),
+             std::size_t(1));
+    blocks.clear();
+    for (int i = 0; i < 5; ++i)
+        blocks.push_back(packBlock("uv." + QByteArray::number(i), content));
+    const auto refused = readContainer(containerBytes(projectVersion, blocks), projectVersion, u"a.acproj"_s);
+    QVERIFY(!refused.ok());
+    QVERIFY(refused.error().message.contains(u"far larger"_s));
+    QCOMPARE(refused.error().file, u"a.acproj"_s);
+    QVERIFY(!refused.error().remedy.isEmpty());
+}
+
+void TestProjectErrors::uvSetsWithImpossibleNumbers()
+{
+    const QByteArray bytes = test::bytesOf(test::cubeSession());
+    for (const char *name : {"uv.2147483647", "uv.99999999999", "uv.-1", "uv.x", "uv.01"}) {
+        const QByteArray changed =
+            test::repacked(bytes, [&](PartMap &parts) { parts[name] = parts.at("uv.0"); });
+        const Result<LoadedProject> loaded = parseProject(changed, {});
+        QVERIFY(loaded.ok());
+        QCOMPARE(loaded->lost, QStringList{u"a UV set with an impossible number"_s});
+        QCOMPARE(loaded->state.scene.uvSets.size(), std::size_t(2));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestProjectErrors)

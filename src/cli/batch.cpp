@@ -201,14 +201,14 @@ private:
     {
         if (const Result<Done> writable = checkTargets(); !writable)
             return fail(writable.error());
-        Result<Scene> scene = mFiles.read(mOptions.input);
+        const StopTimer timer(mOptions.timeLimit, mStop);
+        Result<Scene> scene = mFiles.read(mOptions.input, &mStop.stop);
         if (!scene)
-            return fail(scene.error());
+            return failReading(scene.error());
         mFiles.mergeSettings(mOptions);
         if (!(scene->mesh->area > 0))
             return fail({QStringLiteral("all faces are without area, there is nothing to map"),
                          mOptions.input, 0, QStringLiteral("Check the scale and the vertices of the model")});
-        const StopTimer timer(mOptions.timeLimit, mStop);
         const JobContext job(&mStop.stop, mOptions.threads,
                              [this](const JobProgress &progress) { mProgress.show(progress); });
         const MapMaking making(mOptions, mFiles, job);
@@ -217,6 +217,24 @@ private:
         if (!made)
             return fail(made.error());
         return writeResults(scene.value(), made.value());
+    }
+
+    int failReading(const Error &error)
+    {
+        switch (mStop.reason.load()) {
+        case StopReason::Interrupted:
+            fail({QStringLiteral("interrupted before the model was read, nothing was written"),
+                  mOptions.input,
+                  0,
+                  {}});
+            return 130;
+        case StopReason::TimeLimit:
+            return fail({QStringLiteral("the time limit was over before the model was read"), mOptions.input,
+                         0, QStringLiteral("Give it a longer --time-limit")});
+        case StopReason::None:
+            break;
+        }
+        return fail(error);
     }
 
     int writeResults(const Scene &scene, const MadeMap &made)

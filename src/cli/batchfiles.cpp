@@ -54,10 +54,10 @@ PackingSettings packingSettingsOf(const CliOptions &options, const PackingSettin
 
 } // namespace
 
-Result<Scene> BatchFiles::read(const QString &path)
+Result<Scene> BatchFiles::read(const QString &path, const std::atomic<bool> *stop)
 {
     if (!isProjectPath(path)) {
-        Result<Scene> scene = readMesh(path);
+        Result<Scene> scene = readMesh(path, stop);
         if (scene)
             mOriginal = scene.value();
         return scene;

@@ -7,6 +7,7 @@
 #include "model/document/islands.h"
 #include "model/document/scene.h"
 
+#include <atomic>
 #include <memory>
 
 namespace autocuts {
@@ -19,7 +20,8 @@ class BatchFiles
 public:
     //! Reads a mesh file, or the model of a session with its active UV set first. The notes include what the
     //! user should know about the session.
-    Result<Scene> read(const QString &path);
+    //! \param stop as in readMesh()
+    Result<Scene> read(const QString &path, const std::atomic<bool> *stop = nullptr);
     //! Takes a document instead of reading a file. \param journal leads to the document's current state
     Scene take(std::unique_ptr<Document> document, Journal journal);
 

@@ -372,7 +372,8 @@ const std::vector<CliExitCode> &cliExitCodes()
         {2, u"wrong usage"_s},
         {3, u"the distortion is above --max-distortion (status bound_missed in the report); the map has been "
             "written"_s},
-        {130, u"interrupted by Ctrl-C; the best valid map so far has been written"_s},
+        {130,
+         u"interrupted by Ctrl-C; the best valid map so far has been written, if the model had been read"_s},
     };
     return codes;
 }

@@ -1,20 +1,22 @@
 #include "model/io/assimpreader.h"
 
+#include "model/io/assimpprocess.h"
 #include "model/io/assimpscene.h"
 #include "model/io/hardedges.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QUrl>
 
 #include <Eigen/Dense>
 
-#include <assimp/Importer.hpp>
-#include <assimp/config.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 
 namespace autocuts {
 
@@ -24,8 +26,6 @@ namespace {
 constexpr qint64 maxFileSize = qint64(4) << 30;
 constexpr std::size_t maxElements = std::numeric_limits<int>::max() / 8;
 constexpr double maxCoordinate = 1e100;
-//! The node tree is read recursively; deeper ones are refused. Chosen by hand.
-constexpr int maxDepth = 2000;
 
 Eigen::Matrix4d toMatrix(const aiMatrix4x4 &m)
 {
@@ -50,7 +50,7 @@ public:
     const Error &error() const { return *mError; }
 
 private:
-    bool addNode(const aiNode &node, const Eigen::Matrix4d &parent, int depth);
+    bool addNode(const aiNode &node, const Eigen::Matrix4d &parent);
     bool addMesh(const aiNode &node, unsigned meshIndex, const Eigen::Matrix4d &transform);
     bool addVertices(const aiNode &node, const aiMesh &mesh, const Eigen::Matrix4d &transform);
     bool addFaces(const aiNode &node, const aiMesh &mesh, int firstVertex, bool mirrored);
@@ -90,7 +90,7 @@ bool SoupBuilder::addVertices(const aiNode &node, const aiMesh &mesh, const Eige
         Vec3 position(p.x, p.y, p.z);
         if (!identity)
             position = (transform * position.homogeneous()).head<3>();
-        if (!(position.cwiseAbs().maxCoeff() <= maxCoordinate))
+        if (!position.allFinite() || position.cwiseAbs().maxCoeff() > maxCoordinate)
             return fail(
                 QStringLiteral("a vertex of \"%1\" has a coordinate that is not finite or is too large")
                     .arg(objectName(node)));
@@ -145,10 +145,8 @@ bool SoupBuilder::addMesh(const aiNode &node, unsigned meshIndex, const Eigen::M
     return true;
 }
 
-bool SoupBuilder::addNode(const aiNode &node, const Eigen::Matrix4d &parent, int depth)
+bool SoupBuilder::addNode(const aiNode &node, const Eigen::Matrix4d &parent)
 {
-    if (depth > maxDepth)
-        return fail(QStringLiteral("the nodes are nested too deeply"));
     ++mNodes;
     const Eigen::Matrix4d transform = parent * toMatrix(node.mTransformation);
     const std::size_t firstFace = mFaceObject.size();
@@ -159,7 +157,7 @@ bool SoupBuilder::addNode(const aiNode &node, const Eigen::Matrix4d &parent, int
     if (mFaceObject.size() > firstFace)
         mObjectNames.push_back(objectName(node));
     for (unsigned c = 0; c < node.mNumChildren; ++c) {
-        if (!addNode(*node.mChildren[c], transform, depth + 1))
+        if (!addNode(*node.mChildren[c], transform))
             return false;
     }
     return true;
@@ -214,7 +212,7 @@ FileShading SoupBuilder::shading() const
 
 bool SoupBuilder::build(Scene &scene, AssimpSource &source)
 {
-    if (!addNode(*mAi.mRootNode, Eigen::Matrix4d::Identity(), 0))
+    if (!addNode(*mAi.mRootNode, Eigen::Matrix4d::Identity()))
         return false;
     if (mFaceObject.empty())
         return fail(QStringLiteral("the file has no faces"));
@@ -265,39 +263,50 @@ std::optional<Error> checkFile(const QString &path)
     return {};
 }
 
-Error unreadable(const QString &path, const QString &reason)
+//! The size of a file; of a glTF file with its buffers, which may be files of their own.
+qint64 sizeToRead(const QString &path)
 {
-    return {QStringLiteral("the file cannot be read: %1").arg(reason.simplified()), path, 0,
-            QStringLiteral("It may be damaged or of a newer version: export the model again, or as OBJ")};
+    QFile file(path);
+    qint64 size = file.size();
+    if (!path.endsWith(QLatin1String(".gltf"), Qt::CaseInsensitive) || !file.open(QIODevice::ReadOnly))
+        return size;
+    const QByteArray text = file.readAll();
+    for (qsizetype at = text.indexOf("\"uri\""); at >= 0; at = text.indexOf("\"uri\"", at + 5)) {
+        const qsizetype begin = text.indexOf('"', at + 5) + 1;
+        const qsizetype end = begin > 0 ? text.indexOf('"', begin) : -1;
+        if (end < 0)
+            break;
+        const QByteArray uri = text.mid(begin, end - begin);
+        if (!uri.startsWith("data:"))
+            size += QFileInfo(QFileInfo(path).dir(), QUrl::fromPercentEncoding(uri)).size();
+    }
+    return size;
 }
 
 } // namespace
 
-Result<Scene> readWithAssimp(const QString &path)
+Result<Scene> readWithAssimp(const QString &path, const std::atomic<bool> *stop)
 {
     if (const std::optional<Error> error = checkFile(path))
         return *error;
+    Result<std::shared_ptr<const aiScene>> read = readInProcess(path, readerLimits(sizeToRead(path)), stop);
+    if (!read)
+        return read.error();
+    auto source = std::make_shared<AssimpSource>();
+    source->scene = std::move(read).value();
+    Scene scene;
+    scene.path = path;
+    scene.format = QFileInfo(path).suffix().toLower();
+    SoupBuilder builder(*source->scene, path);
     try {
-        Assimp::Importer importer;
-        // Without this, Assimp reads an FBX node as a chain of helper nodes, one for each part of its
-        // transform.
-        importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
-        const aiScene *read = importer.ReadFile(QFile::encodeName(path).toStdString(), 0);
-        if (!read || !read->mRootNode)
-            return unreadable(path, QString::fromUtf8(importer.GetErrorString()));
-        auto source = std::make_shared<AssimpSource>();
-        source->scene.reset(importer.GetOrphanedScene());
-        Scene scene;
-        scene.path = path;
-        scene.format = QFileInfo(path).suffix().toLower();
-        SoupBuilder builder(*source->scene, path);
         if (!builder.build(scene, *source))
             return builder.error();
-        scene.source = std::move(source);
-        return scene;
-    } catch (const std::exception &e) {
-        return unreadable(path, QString::fromUtf8(e.what()));
+    } catch (const std::invalid_argument &) {
+        return Error{QStringLiteral("the file cannot be read: its data contradict each other"), path, 0,
+                     QStringLiteral("Export the model again from the program that made it, or as OBJ")};
     }
+    scene.source = std::move(source);
+    return scene;
 }
 
 } // namespace autocuts

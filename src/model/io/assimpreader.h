@@ -4,6 +4,8 @@
 #include "model/document/result.h"
 #include "model/document/scene.h"
 
+#include <atomic>
+
 namespace autocuts {
 
 //! Reads a file as one polygon soup in world space: texel density and packing need the true sizes, so each
@@ -12,6 +14,7 @@ namespace autocuts {
 //! saving. Each node becomes one object, since Assimp splits an object of the file by material. All UV sets
 //! are read, with v pointing up. Polygons stay polygons; points and lines are left out and mentioned in the
 //! notes.
-Result<Scene> readWithAssimp(const QString &path);
+//! \param stop ends the reading with an Error when it becomes true; null: never
+Result<Scene> readWithAssimp(const QString &path, const std::atomic<bool> *stop);
 
 } // namespace autocuts

@@ -45,13 +45,13 @@ QStringList writableFormats()
     return QStringLiteral("obj glb gltf dae fbx ply").split(QLatin1Char(' '));
 }
 
-Result<Scene> readMesh(const QString &path)
+Result<Scene> readMesh(const QString &path, const std::atomic<bool> *stop)
 {
     const QString suffix = suffixOf(path);
     if (!readableFormats().contains(suffix))
         return unknownFormat(path, readableFormats(), QStringLiteral("read"));
     try {
-        return suffix == QLatin1String("obj") ? readObj(path) : readWithAssimp(path);
+        return suffix == QLatin1String("obj") ? readObj(path) : readWithAssimp(path, stop);
     } catch (const std::bad_alloc &) {
         return outOfMemory(path);
     }

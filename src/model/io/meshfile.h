@@ -6,6 +6,8 @@
 
 #include <QStringList>
 
+#include <atomic>
+
 namespace autocuts {
 
 //! The lower-case suffixes that readMesh() supports, OBJ first.
@@ -14,7 +16,9 @@ QStringList readableFormats();
 QStringList writableFormats();
 
 //! Reads a mesh file. The suffix of the path, in upper or lower case, gives the format.
-Result<Scene> readMesh(const QString &path);
+//! \param stop when it becomes true, the reading of any format but OBJ ends within 0.1 s with an Error; null:
+//! never
+Result<Scene> readMesh(const QString &path, const std::atomic<bool> *stop = nullptr);
 
 //! An Error when writeMesh() does not support the format given by the suffix.
 Result<Done> checkWriteFormat(const QString &path);

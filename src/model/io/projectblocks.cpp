@@ -18,6 +18,12 @@ namespace {
 
 constexpr auto formatName = "autocuts-project"_L1;
 
+// The contents of all blocks together may have so many bytes, so many for each byte of the file, and no more
+// than the last. A million quads take 50 MB. Chosen by hand.
+constexpr qint64 contentBase = qint64(512) << 20;
+constexpr qint64 contentPerByte = 64;
+constexpr qint64 largestContent = qint64(8) << 30;
+
 //! Checksum over the name, the size and the data of a block, so that none of them can be changed unnoticed.
 QByteArray checksumOf(const QByteArray &name, qint64 size, QByteArrayView data)
 {
@@ -29,10 +35,14 @@ QByteArray checksumOf(const QByteArray &name, qint64 size, QByteArrayView data)
     return hash.result();
 }
 
+bool isWhole(const PackedBlock &block)
+{
+    return checksumOf(block.name, block.size, block.data) == block.checksum;
+}
+
+//! The content of a whole block.
 std::optional<QByteArray> unpackBlock(const PackedBlock &block)
 {
-    if (checksumOf(block.name, block.size, block.data) != block.checksum)
-        return std::nullopt;
     if (block.size == block.data.size())
         return block.data;
     return inflated(block.data, block.size);
@@ -110,11 +120,6 @@ private:
     bool mFailed = false;
 };
 
-bool wanted(const std::vector<QByteArray> &only, const QByteArray &name)
-{
-    return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
-}
-
 } // namespace
 
 const QByteArray *ProjectParts::part(const char *name) const
@@ -157,7 +162,7 @@ QByteArray containerBytes(int version, const std::vector<PackedBlock> &blocks)
 }
 
 Result<ProjectParts> readContainer(const QByteArray &bytes, int newest, const QString &path,
-                                   const std::vector<QByteArray> &only)
+                                   const std::function<bool(const QByteArray &)> &wanted)
 {
     ContainerReader reader(bytes);
     if (!reader.enterMap() || reader.text() != "format"_L1 || reader.text() != formatName ||
@@ -176,16 +181,26 @@ Result<ProjectParts> readContainer(const QByteArray &bytes, int newest, const QS
             path, 0, u"Install a newer Autocuts"_s};
     ProjectParts result;
     result.version = static_cast<int>(version);
+    qint64 room = std::min(contentBase + contentPerByte * bytes.size(), largestContent);
     while (!reader.atEnd()) {
         const PackedBlock block = reader.block();
         if (reader.failed())
             break;
-        if (!wanted(only, block.name))
+        if (!wanted(block.name) || result.parts.contains(block.name))
             continue;
-        if (std::optional<QByteArray> content = unpackBlock(block))
-            result.parts.try_emplace(block.name, std::move(*content));
-        else
+        const bool whole = isWhole(block);
+        if (whole && block.size > room)
+            return Error{
+                u"the contents of the session are far larger than those of any session of its size"_s, path,
+                0,
+                u"The file is forged or damaged: open a backup of it, the same name with .1 or .2 behind it"_s};
+        std::optional<QByteArray> content = whole ? unpackBlock(block) : std::nullopt;
+        if (content) {
+            room -= block.size;
+            result.parts.emplace(block.name, std::move(*content));
+        } else {
             result.damaged.push_back(block.name);
+        }
     }
     result.brokenOff = reader.failed();
     return result;

@@ -6,6 +6,7 @@
 #include <QByteArray>
 #include <QStringList>
 
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -39,10 +40,12 @@ struct ProjectParts
     const QByteArray *part(const char *name) const;
 };
 
-//! Reads all undamaged blocks. Error when this is not a project file, or its version is above `newest`.
-//! \param path used in messages
-//! \param only names of the blocks to read; empty: all
-Result<ProjectParts> readContainer(const QByteArray &bytes, int newest, const QString &path,
-                                   const std::vector<QByteArray> &only = {});
+//! Reads all undamaged blocks. Error when this is not a project file, its version is above `newest`, or the
+//! contents together are far larger than those of a session in a file of this size. \param path used in
+//! messages \param wanted true for the names of the blocks to read; the others are skipped without
+//! decompressing them
+Result<ProjectParts> readContainer(
+    const QByteArray &bytes, int newest, const QString &path,
+    const std::function<bool(const QByteArray &)> &wanted = [](const QByteArray &) { return true; });
 
 } // namespace autocuts

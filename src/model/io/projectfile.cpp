@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <new>
+#include <set>
 
 namespace autocuts {
 
@@ -30,6 +31,15 @@ bool isCompressed(const QByteArray &name)
 bool isModel(const QByteArray &name)
 {
     return name == "obj" || name == "polygons";
+}
+
+//! True for the names of the blocks that are read.
+bool isKnown(const QByteArray &name)
+{
+    static const std::set<QByteArray> names{"scene",        "obj",     "polygons",  "uvSets",     "seams",
+                                            "constraints",  "marks",   "settings",  "selection",  "view",
+                                            "journalStart", "journal", "thumbnail", "sessionPath"};
+    return names.contains(name) || isUvPart(name);
 }
 
 //! Position of a block in the file: the most important ones come first, in case the file is truncated.
@@ -118,7 +128,7 @@ void addNotes(const ProjectParts &container, int lostSeams, LoadedProject &proje
 
 Result<LoadedProject> parse(const QByteArray &bytes, const QString &path)
 {
-    Result<ProjectParts> container = readContainer(bytes, projectVersion, path);
+    Result<ProjectParts> container = readContainer(bytes, projectVersion, path, isKnown);
     if (!container)
         return container.error();
     PartMap &parts = container->parts;
@@ -235,7 +245,8 @@ Result<ProjectSummary> loadProjectSummary(const QString &path)
     if (!bytes)
         return bytes.error();
     const Result<ProjectParts> container =
-        readContainer(bytes.value(), projectVersion, path, {"thumbnail", "sessionPath"});
+        readContainer(bytes.value(), projectVersion, path,
+                      [](const QByteArray &name) { return name == "thumbnail" || name == "sessionPath"; });
     if (!container)
         return container.error();
     ProjectSummary summary;

@@ -21,6 +21,7 @@ namespace {
 
 //! A block of a UV set is named by this prefix and the number of the set.
 constexpr auto uvPrefix = "uv."_L1;
+constexpr int largestUvSet = 9999;
 
 QByteArray uvPartName(int index)
 {
@@ -214,14 +215,18 @@ bool readUvSet(const QByteArray &part, DocumentState &state)
 }
 
 //! The numbers of the UV sets that have a block, ascending.
-std::vector<int> uvSetsIn(const PartMap &parts)
+std::vector<int> uvSetsIn(const PartMap &parts, LostParts &lost)
 {
     std::vector<int> result;
     for (const auto &[name, content] : parts) {
+        if (!isUvPart(name))
+            continue;
         bool ok = false;
-        const int index = name.startsWith(uvPrefix.data()) ? name.mid(uvPrefix.size()).toInt(&ok) : -1;
-        if (ok && name == uvPartName(index))
+        const int index = name.mid(uvPrefix.size()).toInt(&ok);
+        if (ok && index >= 0 && index <= largestUvSet && name == uvPartName(index))
             result.push_back(index);
+        else
+            lost.names << u"a UV set with an impossible number"_s;
     }
     std::sort(result.begin(), result.end());
     return result;
@@ -244,7 +249,7 @@ void readUvSets(const PartMap &parts, DocumentState &state, LostParts &lost)
     state.uvScales.clear();
     state.activeUvSet = 0;
     int next = 0;
-    for (int index : uvSetsIn(parts)) {
+    for (int index : uvSetsIn(parts, lost)) {
         if (!readUvSet(parts.at(uvPartName(index)), state))
             continue;
         if (index > next)
@@ -262,6 +267,11 @@ void readUvSets(const PartMap &parts, DocumentState &state, LostParts &lost)
 }
 
 } // namespace
+
+bool isUvPart(const QByteArray &name)
+{
+    return name.startsWith(uvPrefix.data());
+}
 
 std::optional<QCborMap> parsedMap(const QByteArray &bytes)
 {

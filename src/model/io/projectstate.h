@@ -33,6 +33,9 @@ struct LostParts
 //! defaults and are listed in the result. \pre state.scene has its mesh
 LostParts readStateParts(const PartMap &parts, StateScope scope, DocumentState &state);
 
+//! True when a block of this name holds a UV set.
+bool isUvPart(const QByteArray &name);
+
 //! Decodes untrusted bytes to a CBOR map; nothing when they are damaged or not a map.
 std::optional<QCborMap> parsedMap(const QByteArray &bytes);
 

@@ -74,13 +74,13 @@ void FileController::open(const QString &path)
     const QString full = QFileInfo(path).absoluteFilePath();
     const bool started = mJobs.start(
         tr("Opening %1").arg(QFileInfo(path).fileName()),
-        [full](JobControl &) {
+        [full](JobControl &job) {
             Opened opened;
             opened.isProject = isProjectPath(full);
             if (opened.isProject)
                 opened.project = loadProject(full);
             else
-                opened.scene = readMesh(full);
+                opened.scene = readMesh(full, &job.stop());
             return opened;
         },
         [this, full](Opened opened) {
@@ -229,8 +229,8 @@ void FileController::relink(const QString &meshPath)
         return;
     const bool started = mJobs.start(
         tr("Reading %1").arg(QFileInfo(meshPath).fileName()),
-        [state = document->state(), meshPath](JobControl &) -> Result<Relinked> {
-            Result<Scene> scene = readMesh(meshPath);
+        [state = document->state(), meshPath](JobControl &job) -> Result<Relinked> {
+            Result<Scene> scene = readMesh(meshPath, &job.stop());
             if (!scene)
                 return scene.error();
             return relinkDocument(state, std::move(scene).value());

@@ -1,0 +1,143 @@
+#include "model/io/assimpimport.h"
+
+#include "model/io/assimpstream.h"
+
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/scene.h>
+
+#include <cstddef>
+#include <exception>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string_view>
+
+namespace autocuts {
+
+namespace {
+
+bool isCollada(const std::string &path)
+{
+    const std::size_t dot = path.rfind('.');
+    std::string suffix = dot == std::string::npos ? std::string() : path.substr(dot + 1);
+    for (char &c : suffix)
+        c = static_cast<char>(c | 0x20);
+    return suffix == "dae";
+}
+
+void appendUtf8(std::string &text, char32_t c)
+{
+    const auto add = [&text](char32_t byte) { text.push_back(static_cast<char>(byte)); };
+    if (c < 0x80) {
+        add(c);
+    } else if (c < 0x800) {
+        add(0xC0 | c >> 6);
+        add(0x80 | (c & 0x3F));
+    } else if (c < 0x10000) {
+        add(0xE0 | c >> 12);
+        add(0x80 | (c >> 6 & 0x3F));
+        add(0x80 | (c & 0x3F));
+    } else {
+        add(0xF0 | c >> 18);
+        add(0x80 | (c >> 12 & 0x3F));
+        add(0x80 | (c >> 6 & 0x3F));
+        add(0x80 | (c & 0x3F));
+    }
+}
+
+//! \param high place of the high byte in each pair: 0 or 1
+std::string fromUtf16(std::string_view bytes, std::size_t high)
+{
+    std::string text;
+    text.reserve(bytes.size() / 2);
+    char32_t first = 0; // of a surrogate pair
+    for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+        const char32_t unit = static_cast<unsigned char>(bytes[i + high]) << 8 |
+                              static_cast<unsigned char>(bytes[i + 1 - high]);
+        const bool isFirst = unit >= 0xD800 && unit < 0xDC00;
+        const bool isSecond = unit >= 0xDC00 && unit < 0xE000;
+        if (isSecond && first != 0)
+            appendUtf8(text, 0x10000 + ((first - 0xD800) << 10) + (unit - 0xDC00));
+        else if (!isFirst && !isSecond)
+            appendUtf8(text, unit);
+        first = isFirst ? unit : 0;
+    }
+    return text;
+}
+
+//! XML in UTF-8 without a byte order mark.
+std::string asUtf8(std::string bytes)
+{
+    const std::string_view start = std::string_view(bytes).substr(0, 2);
+    if (start == "\xFF\xFE" || start == std::string_view("<\0", 2))
+        return fromUtf16(std::string_view(bytes).substr(start == "\xFF\xFE" ? 2 : 0), 1);
+    if (start == "\xFE\xFF" || start == std::string_view("\0<", 2))
+        return fromUtf16(std::string_view(bytes).substr(start == "\xFE\xFF" ? 2 : 0), 0);
+    return bytes;
+}
+
+//! Takes out white space before the first tag and between a tag and the text behind it. Assimp expects
+//! numbers at once.
+std::string withoutLeadingSpace(const std::string &xml)
+{
+    constexpr const char *space = " \t\r\n";
+    std::string result;
+    result.reserve(xml.size());
+    std::size_t at = 0;
+    while (true) {
+        at = xml.find_first_not_of(space, at);
+        if (at == std::string::npos)
+            return result;
+        const std::size_t end = xml.find('>', at);
+        if (end == std::string::npos)
+            return result.append(xml, at);
+        result.append(xml, at, end + 1 - at);
+        at = end + 1;
+    }
+}
+
+std::string contentOf(const std::string &path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+//! The scene with its root, or null. It belongs to the importer.
+const aiScene *imported(Assimp::Importer &importer, const std::string &path, std::string &error)
+{
+    // Without this, Assimp reads an FBX node as a chain of helper nodes, one for each part of its transform.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+    const aiScene *scene = importer.ReadFile(path, 0);
+    if (!scene)
+        error = importer.GetErrorString();
+    if (!scene && isCollada(path)) {
+        // What Assimp cannot read by itself: UTF-16, and white space before numbers.
+        const std::string xml = withoutLeadingSpace(asUtf8(contentOf(path)));
+        scene = importer.ReadFileFromMemory(xml.data(), xml.size(), 0, "dae");
+    }
+    return scene && scene->mRootNode ? scene : nullptr;
+}
+
+} // namespace
+
+void importWithAssimp(const std::string &path, std::FILE *out, void (*finish)(int code))
+{
+    Assimp::Importer importer;
+    std::string error;
+    try {
+        if (imported(importer, path, error)) {
+            const std::unique_ptr<aiScene> scene(importer.GetOrphanedScene());
+            writeAssimpScene(*scene, out);
+            finish(readerexit::done);
+        }
+    } catch (const std::exception &e) {
+        error = e.what();
+    }
+    std::fputc('\0', out);
+    std::fwrite(error.data(), 1, error.size(), out);
+    std::fflush(out);
+    finish(readerexit::unreadable);
+}
+
+} // namespace autocuts
