@@ -10,6 +10,8 @@ import oddmeshes
 import sessions
 
 FORMATS = ["obj", "ply", "stl", "off", "gltf", "glb", "fbx", "dae", "3ds", "blend", "acproj"]
+# CPU seconds in which a job ends after an interrupt, besides those for the files.
+INTERRUPT_SECONDS = 0.3
 OUTPUTS = ["obj", "obj", "acproj", "glb", "ply", "dae", "fbx"]
 
 
@@ -170,13 +172,13 @@ class Cases:
             faults.append("no output after an interrupt")
         else:
             faults += ["after an interrupt: " + f for f in self.program.map_faults(str(output), True)]
-            # Not part of the 0.3 seconds: reading, where the signal comes as early as that, measuring and writing.
+            # Not part of these seconds: reading, where the signal comes as early as that, measuring and writing.
             files = (self.program.run(["check", output.name]).cpu +
                      self.program.run(["convert", output.name, "-o", "again.obj"]).cpu)
             if run.late > 0:
                 self.delays.append(run.late)
                 self.delays_cpu.append(run.late_cpu)
-            if run.late_cpu > 0.3 * self.program.slowness + 2 * files:
+            if run.late_cpu > INTERRUPT_SECONDS * self.program.slowness + 2 * files:
                 faults.append("ends late after an interrupt")
         if faults:
             return Finding(faults[0], arguments, run, self.folder / "in.obj", None,

@@ -6,6 +6,7 @@ import resource
 import signal
 import subprocess
 import time
+from collections import Counter
 from dataclasses import dataclass
 
 EXIT_CODES = {0, 1, 2, 3, 130}
@@ -32,6 +33,7 @@ class Program:
         self.path, self.folder = path, None
         self.slowness = 20 if sanitized else 1
         self.sanitized = sanitized
+        self.codes = Counter()  # runs by command and exit code
         self.environment = dict(os.environ, ASAN_OPTIONS="exitcode=99:allocator_may_return_null=1",
                                 UBSAN_OPTIONS="halt_on_error=1:exitcode=99", OMP_NUM_THREADS="1")
 
@@ -67,6 +69,7 @@ class Program:
                     time.sleep(0.001)
         texts = [open(n, "rb").read().decode("utf-8", "replace") for n in names]
         cpu = usage.ru_utime + usage.ru_stime
+        self.codes[arguments[0], status] += 1
         run = Run(status, "" if out else texts[0], texts[1], cpu, usage.ru_maxrss / 1024)
         if sent is not None:
             run.late, run.late_cpu = now - sent, cpu - sent_cpu

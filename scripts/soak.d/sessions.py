@@ -99,13 +99,14 @@ def inner_edges(faces):
     return edges
 
 
-def odd(rng, usual):
-    """Mostly the usual number, now and then one that a file should not hold."""
-    return usual if rng.random() < 0.97 else rng.choice([0.0, -1.0, 1e300, 1e-300, float("nan"), float("inf")])
-
-
 def steer(rng, session, faces):
     """The session with random cuts, joins, weights, pins and rectangles. \\param faces as in its OBJ file"""
+    odd_share = rng.choice([0, 0, 0, 0, 0.1])
+
+    def odd(usual):
+        """The usual number, or in some sessions one that a file should not hold."""
+        return usual if rng.random() >= odd_share else rng.choice([0.0, -1.0, 1e300, 1e-300, float("nan"), float("inf")])
+
     blocks = blocks_of(session)
     edges = [e for e in inner_edges(faces) if rng.random() < rng.choice([0.05, 0.3])]
     states, weights = [], []
@@ -113,20 +114,20 @@ def steer(rng, session, faces):
         state = rng.choice([0, 0, 1, 2])
         both = rng.random() < 0.9
         states += [state, state if both else rng.randrange(3)]
-        weights += 2 * [odd(rng, rng.choice([1.0, 0.0, 0.2, 5.0]))]
+        weights += 2 * [odd(rng.choice([1.0, 0.0, 0.2, 5.0]))]
     blocks["seams"] = encode({"sides": packed("<i", [c for e in edges for c in e]), "states": bytes(states),
                               "weights": packed("<d", weights)})
     corners = sorted(rng.sample(range(sum(map(len, faces))), rng.choice([0, 0, 1, 2, 5, 10])
                                 if len(faces) > 2 else 0))
-    pins = [{"corner": c, "position": [odd(rng, rng.random()), odd(rng, rng.random())],
-             "hard": rng.random() < 0.7, "weight": odd(rng, 1.0)} for c in corners]
+    pins = [{"corner": c, "position": [odd(rng.random()), odd(rng.random())],
+             "hard": rng.random() < 0.7, "weight": odd(1.0)} for c in corners]
     rectangles = []
     for number in range(rng.choice([0, 0, 1, 3])):
         x, y = rng.random() * 0.7, rng.random() * 0.7
         chosen = [f for f in range(len(faces)) if rng.random() < 0.2]
         rectangles.append({"id": number + 1, "name": "R%d" % number, "color": 4282417407,
-                           "lower": [x, y], "upper": [x + odd(rng, 0.3), y + 0.3], "hard": rng.random() < 0.5,
-                           "weight": odd(rng, 1.0), "faces": packed("<i", chosen)})
+                           "lower": [x, y], "upper": [x + odd(0.3), y + 0.3], "hard": rng.random() < 0.5,
+                           "weight": odd(1.0), "faces": struct.pack("<%di" % len(chosen), *chosen)})
     blocks["constraints"] = encode({"pins": pins, "rectangles": rectangles})
     return session_of(blocks)
 
