@@ -240,6 +240,22 @@ std::vector<Case> cases()
                     annulus,
                     {{FIGURE(charts), 1}, {FIGURE(nonDiskCharts), 1}},
                     {{FIGURE(symDirichlet), 4}, {FIGURE(overlapAreaRatio), 0}}});
+    // Polygons without a good fan. U, as it lies on the model; with the notch at other corners in the map, in
+    // both directions; crossing itself there.
+    const std::string uShape = "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 2 3 0\nv 2 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\n";
+    const std::string uFace = "f 1/1 2/2 3/3 4/4 5/5 6/6 7/7 8/8\n";
+    list.push_back({"polygon without a fan",
+                    uShape + "vt 0 0\nvt 3 0\nvt 3 3\nvt 2 3\nvt 2 1\nvt 1 1\nvt 1 3\nvt 0 3\n" + uFace,
+                    {{FIGURE(triangles), 6}, {FIGURE(flipped), 0}},
+                    {{FIGURE(uvArea), 7}, {FIGURE(symDirichlet), 4}, {FIGURE(overlapAreaRatio), 0}}});
+    list.push_back({"polygon without a fan, other notch in the map",
+                    uShape + "vt 3 3\nvt 2 3\nvt 2 1\nvt 1 1\nvt 1 3\nvt 0 3\nvt 0 0\nvt 3 0\n" + uFace,
+                    {{FIGURE(triangles), 6}, {FIGURE(flipped), 0}},
+                    {{FIGURE(uvArea), 7}, {FIGURE(overlapAreaRatio), 0}}});
+    list.push_back({"polygon without a fan, other notch, mirrored",
+                    uShape + "vt -3 3\nvt -2 3\nvt -2 1\nvt -1 1\nvt -1 3\nvt 0 3\nvt 0 0\nvt -3 0\n" + uFace,
+                    {{FIGURE(flipped), 0}, {FIGURE(mirroredCharts), 1}},
+                    {{FIGURE(uvArea), 7}, {FIGURE(overlapAreaRatio), 0}}});
     return list;
 }
 

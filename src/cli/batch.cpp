@@ -124,7 +124,7 @@ private:
             report.status = QStringLiteral("done");
             mOut << QString::fromUtf8(reportJson(report));
         } else {
-            printFigures(scene.value(), report);
+            printFigures(report);
         }
         mOut << Qt::flush;
         if (mOut.status() != QTextStream::Ok)
@@ -254,10 +254,11 @@ private:
         report.status = statusWord(mStop, made.boundMissed);
         report.notes += made.notes;
         if (!mOptions.quiet)
-            printFigures(scene, report);
-        for (const QString &warning : made.warnings)
+            printFigures(report);
+        const QStringList warnings = made.warnings + mapWarnings(report);
+        for (const QString &warning : warnings)
             mErr << "autocuts-cli: warning: " << warning << Qt::endl;
-        report.notes += made.warnings;
+        report.notes += warnings;
         if (!mOptions.layout.isEmpty()) {
             const bool overlaps = report.overlapPairs.value_or(0) > 0;
             if (const Result<Done> drawn = writeLayout(mOptions.layout, scene, textureSize, overlaps); !drawn)
@@ -273,12 +274,12 @@ private:
         return report.status == QLatin1String("bound_missed") ? 3 : 0;
     }
 
-    void printFigures(const Scene &scene, const MapReport &report)
+    void printFigures(const MapReport &report)
     {
         mOut << reportTable(report);
         for (const QString &note : report.notes)
             mOut << "note: " << note << '\n';
-        const QStringList problems = mapProblems(scene, report);
+        const QStringList problems = mapProblems(report);
         for (const QString &problem : problems)
             mOut << "problem: " << problem << '\n';
         if (problems.isEmpty())

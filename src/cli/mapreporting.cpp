@@ -3,8 +3,6 @@
 #include "model/io/meshdoctor.h"
 #include "model/io/savefile.h"
 #include "model/io/uvexport.h"
-#include "model/plain/chart.h"
-#include "model/plain/flippedtriangles.h"
 #include "model/plain/uvlayout.h"
 #include "solver/overlap/overlapfinder.h"
 
@@ -28,8 +26,10 @@ MapReport reportOf(const metrics::UvMetrics &m)
     r.symDirichlet = m.symDirichlet;
     r.symDirichletMax = m.symDirichletMax;
     r.flipped = m.flipped;
-    if (m.overlapPairs >= 0)
+    if (m.overlapPairs >= 0) {
         r.overlapPairs = m.overlapPairs;
+        r.overlappingTriangles = m.overlappingTriangles;
+    }
     r.overlapAreaRatio = m.overlapAreaRatio;
     r.packingEfficiency = m.packingUnit;
     r.minGutterTexels = m.minGutterTexels;
@@ -52,6 +52,16 @@ MapReport reportOf(const metrics::UvMetrics &m)
     r.borderGutterTexels = m.borderGutterTexels;
     r.inUnitSquare = m.inUnitSquare;
     return r;
+}
+
+qint64 facesWithoutUvArea(const MeshData &mesh, const metrics::UvMetrics &m)
+{
+    std::vector<bool> collapsed(mesh.faceCount(), false);
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        if (std::isinf(m.triangleSymDirichlet[t]))
+            collapsed[mesh.triangleFace[t]] = true;
+    }
+    return std::count(collapsed.begin(), collapsed.end(), true);
 }
 
 std::vector<int> overlappingTriangles(const MeshData &mesh, const UvMatrix &uv)
@@ -89,7 +99,9 @@ MapReport reportOn(const Scene &scene, int textureSize)
     if (scene.hasUv()) {
         metrics::UvMetricsOptions options;
         options.textureSize = textureSize;
-        report = reportOf(measureUv(*scene.mesh, scene.uvSets.front().uv, options));
+        const metrics::UvMetrics figures = measureUv(*scene.mesh, scene.uvSets.front().uv, options);
+        report = reportOf(figures);
+        report.facesWithoutUvArea = facesWithoutUvArea(*scene.mesh, figures);
     } else {
         report.triangles = scene.mesh->triangleCount();
         report.faces = scene.mesh->faceCount();
@@ -103,31 +115,21 @@ MapReport reportOn(const Scene &scene, int textureSize)
     return report;
 }
 
-QStringList mapProblems(const Scene &scene, const MapReport &report)
+QStringList mapProblems(const MapReport &report)
 {
-    const MeshData &mesh = *scene.mesh;
     QStringList problems;
     const qint64 bare = report.facesWithoutUv.value_or(0);
     if (bare > 0 && bare == report.faces.value_or(0))
         return {QStringLiteral("the file has no UVs")};
     if (bare > 0)
         problems << counted(bare, "face has no UVs", "faces have no UVs");
-    if (report.flipped.value_or(0) > 0) {
-        // The figure in the report splits polygons into fans, which cover the wrong area where a fan turns
-        // triangles over. The warning counts the triangles that are drawn.
-        const UvMatrix &uv = scene.uvSets.front().uv;
-        const std::vector<bool> flipped =
-            flippedTriangles(mesh, soupUv(mesh, uv), findCharts(mesh, uv).faceChart);
-        if (const auto n = std::count(flipped.begin(), flipped.end(), true))
-            problems << counted(n, "triangle is flipped", "triangles are flipped");
-    }
+    if (const qint64 n = report.flipped.value_or(0))
+        problems << counted(n, "triangle is flipped", "triangles are flipped");
     if (const qint64 n = report.symDirichletInfinite.value_or(0))
         problems << counted(n, "triangle has no area in the map", "triangles have no area in the map");
-    std::size_t overlaps = 0;
-    if (report.overlapPairs.value_or(0) > 0)
-        overlaps = overlappingTriangles(mesh, scene.uvSets.front().uv).size();
+    const qint64 overlaps = report.overlappingTriangles.value_or(0);
     if (overlaps > 0)
-        problems << counted(qint64(overlaps), "triangle overlaps", "triangles overlap");
+        problems << counted(overlaps, "triangle overlaps", "triangles overlap");
     if (report.inUnitSquare && !*report.inUnitSquare)
         problems << QStringLiteral("the UVs leave the unit square");
     if (overlaps == 0 && report.minGutterTexels < fewestGutterTexels)
@@ -135,6 +137,17 @@ QStringList mapProblems(const Scene &scene, const MapReport &report)
                         .arg(report.minGutterTexels, 0, 'g', 3)
                         .arg(report.textureSize.value_or(0));
     return problems;
+}
+
+QStringList mapWarnings(const MapReport &report)
+{
+    const qint64 n = report.facesWithoutUvArea.value_or(0);
+    if (n == 0)
+        return {};
+    return {
+        counted(n, "face has", "faces have") +
+        QStringLiteral(" no area in the map and would show a single texel. Parts that are very much smaller "
+                       "than the rest need a file of their own, or a larger scale")};
 }
 
 QString reportTable(const MapReport &r)

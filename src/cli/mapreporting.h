@@ -15,9 +15,11 @@ namespace autocuts {
 //! \param textureSize texels along a side, for figures in texels
 MapReport reportOn(const Scene &scene, int textureSize);
 
-//! The problems of the active UV set, one sentence each; empty when it can be used.
-//! \pre report is that of reportOn() for the scene
-QStringList mapProblems(const Scene &scene, const MapReport &report);
+//! The problems of a map, one sentence each; empty when it can be used. \param report from reportOn()
+QStringList mapProblems(const MapReport &report);
+
+//! What a new map could not give to the model, one sentence each. \param report from reportOn()
+QStringList mapWarnings(const MapReport &report);
 
 //! The most important figures, one per line: the key in the report, the value and its meaning.
 QString reportTable(const MapReport &report);

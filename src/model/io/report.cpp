@@ -128,11 +128,13 @@ void addFurtherKeys(ObjectWriter &writer, const MapReport &report)
     writer.add("texture_size", report.textureSize);
     writer.add("faces", report.faces);
     writer.add("faces_without_uv", report.facesWithoutUv);
+    writer.add("faces_without_uv_area", report.facesWithoutUvArea);
     writer.add("zero_area_triangles", report.zeroAreaTriangles);
     writer.add("non_disk_charts", report.nonDiskCharts);
     writer.add("mirrored_charts", report.mirroredCharts);
     writer.add("seam_edges", report.seamEdges);
     writer.add("uv_degenerate", report.uvDegenerate);
+    writer.add("overlapping_triangles", report.overlappingTriangles);
     writer.add("sym_dirichlet_p99", report.symDirichletP99);
     writer.add("sym_dirichlet_infinite", report.symDirichletInfinite);
     writer.add("sym_dirichlet_scale", report.symDirichletScale);

@@ -9,7 +9,7 @@ namespace autocuts {
 
 //! Returns which triangles have the opposite orientation to their island as a whole. An island is mirrored
 //! when the sum of its signed areas is negative. Triangles without UV area are not flipped. Renderers draw
-//! these triangles; UvMetrics counts the triangles of a fan instead, so its figures may differ on polygons.
+//! these triangles; UvMetrics may split polygons without a fan differently.
 //! \param soupUv three rows per triangle
 //! \param islands the island of each face, -1 for a face without UVs
 std::vector<bool> flippedTriangles(const MeshData &mesh, const UvMatrix &soupUv,

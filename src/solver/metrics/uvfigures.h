@@ -13,10 +13,11 @@ namespace autocuts::metrics {
 inline constexpr double missingFigure = std::numeric_limits<double>::quiet_NaN();
 
 //! Figures of a UV map. Definitions and tolerances follow an independent measuring program, so that figures
-//! can be compared. Vertices are welded where their positions are exactly equal. Polygons are split by a fan
-//! from fanApex(), or from their first corner when fanApex() finds none; fan diagonals are never edges.
-//! Signed UV area is positive when the UV triangle has the winding of its 3D face; totals sum |area|. 3D
-//! lengths and areas are in mesh units, UV ones in units of the texture square.
+//! can be compared. Vertices are welded where their positions are exactly equal. Polygons are split as in
+//! MeshData: by a fan from fanApex() when there is one. Of the others, those with triangles that this turns
+//! over in the map are split as they lie in the map, if no triangle is turned over then. Diagonals are never
+//! edges. Signed UV area is positive when the UV triangle has the winding of its 3D face; totals sum |area|.
+//! 3D lengths and areas are in mesh units, UV ones in units of the texture square.
 struct UvMetrics
 {
     int faces = 0, triangles = 0, vertices = 0, weldedVertices = 0;
@@ -50,6 +51,7 @@ struct UvMetrics
     double overlapAreaRatio = missingFigure; //!< summed intersection areas of all triangle pairs / UV area
     std::int64_t overlapPairs = -1;          //!< pairs above 1e-9 of the UV area; -1: not measured
     std::int64_t overlapPairsSameChart = -1;
+    std::int64_t overlappingTriangles = -1; //!< triangles in these pairs
 
     double uvArea = 0;
     Vec2 uvMin = Vec2::Constant(missingFigure), uvMax = Vec2::Constant(missingFigure);

@@ -6,6 +6,7 @@
 #include "solver/metrics/uvtriangles.h"
 #include "solver/overlap/overlapfinder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -105,10 +106,12 @@ void measureOverlaps(const UvMatrix &uv, const UvTopology &topology, const UvTri
     const double threshold = 1e-9 * triangles.totalUvArea;
     double sum = 0;
     std::int64_t pairs = 0, sameChart = 0;
+    std::vector<bool> overlapping(source.size(), false);
     const bool complete = overlap::visitOverlaps(snapped, options, [&](int a, int b, double area) {
         sum += area;
         if (area > threshold) {
             ++pairs;
+            overlapping[a] = overlapping[b] = true;
             sameChart += triangles.chart[source[a]] == triangles.chart[source[b]];
         }
         return true;
@@ -117,6 +120,7 @@ void measureOverlaps(const UvMatrix &uv, const UvTopology &topology, const UvTri
         return;
     metrics.overlapPairs = pairs;
     metrics.overlapPairsSameChart = sameChart;
+    metrics.overlappingTriangles = std::count(overlapping.begin(), overlapping.end(), true);
     metrics.overlapAreaRatio = triangles.totalUvArea > 0 ? sum / triangles.totalUvArea : 0;
 }
 

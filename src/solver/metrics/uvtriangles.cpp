@@ -11,31 +11,55 @@ namespace autocuts::metrics {
 
 namespace {
 
-int apexOfFace(const MeshData &mesh, int face, std::vector<Vec3> &points)
+using Triangles = std::vector<std::array<int, 3>>;
+
+//! True when the triangles of one polygon do not all have the same winding in the map.
+bool turnsOver(const Triangles &triangles, const UvMatrix &uv)
 {
-    const int start = mesh.faceStart[face];
-    const int end = mesh.faceStart[face + 1];
-    if (end - start == 3)
-        return 0;
-    points.clear();
-    for (int c = start; c < end; ++c)
-        points.push_back(mesh.cornerPosition(c));
-    return std::max(0, fanApex(points));
+    double sum = 0, absolute = 0;
+    for (const auto &t : triangles) {
+        const double area = cross2(uv.row(t[0]), uv.row(t[1]), uv.row(t[2]));
+        sum += area;
+        absolute += std::abs(area);
+    }
+    return absolute - std::abs(sum) > 1e-12 * absolute;
 }
 
-void addFans(const MeshData &mesh, const UvTopology &topology, UvTriangles &triangles)
+//! The triangles of a polygon of which those of the mesh are turned over in the map; those of the mesh when
+//! there are no better ones.
+Triangles trianglesInMap(const MeshData &mesh, const UvMatrix &uv, int face, const Triangles &ofMesh)
 {
-    std::vector<Vec3> points;
-    while (triangles.count() < mesh.triangleCount()) {
-        const int f = mesh.triangleFace[triangles.count()];
-        const int start = mesh.faceStart[f];
-        const int n = mesh.faceStart[f + 1] - start;
-        const int apex = apexOfFace(mesh, f, points);
-        for (int i = 1; i + 1 < n; ++i) {
-            triangles.corners.push_back({start + apex, start + (apex + i) % n, start + (apex + i + 1) % n});
-            triangles.face.push_back(f);
-            triangles.chart.push_back(topology.charts.faceChart[f]);
-        }
+    std::vector<Vec3> points, flat;
+    const int start = mesh.faceStart[face];
+    for (int c = start; c < mesh.faceStart[face + 1]; ++c) {
+        points.push_back(mesh.cornerPosition(c));
+        flat.emplace_back(uv(c, 0), uv(c, 1), 0);
+    }
+    if (fanApex(points) >= 0)
+        return ofMesh;
+    Triangles result = triangulatePolygon(flat);
+    for (auto &triangle : result) {
+        for (int &corner : triangle)
+            corner += start;
+    }
+    return turnsOver(result, uv) ? ofMesh : result;
+}
+
+void addTriangles(const MeshData &mesh, const UvMatrix &uv, const UvTopology &topology,
+                  UvTriangles &triangles)
+{
+    triangles.corners = mesh.triangles;
+    triangles.face = mesh.triangleFace;
+    for (const int f : mesh.triangleFace)
+        triangles.chart.push_back(topology.charts.faceChart[f]);
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        const auto count = mesh.trianglesOf(f).size();
+        if (count < 2 || !topology.faceHasUv[f])
+            continue;
+        const auto first = triangles.corners.begin() + mesh.faceTriangle[f];
+        const Triangles ofMesh(first, first + static_cast<std::ptrdiff_t>(count));
+        if (turnsOver(ofMesh, uv))
+            std::ranges::copy(trianglesInMap(mesh, uv, f, ofMesh), first);
     }
 }
 
@@ -94,7 +118,7 @@ UvTriangles collectUvTriangles(const MeshData &mesh, const UvMatrix &uv, const U
 {
     UvTriangles triangles;
     triangles.charts.resize(topology.charts.count);
-    addFans(mesh, topology, triangles);
+    addTriangles(mesh, uv, topology, triangles);
     measureAreas(mesh, uv, triangles);
     countChartElements(mesh, topology, triangles);
     return triangles;

@@ -19,8 +19,8 @@ struct ChartSums
     int euler() const { return vertices - edges + faces; }
 };
 
-//! Triangles of all faces by the fan rule of UvMetrics, with their areas. They have the same numbers as in
-//! the mesh, face by face.
+//! Triangles of all faces by the rule of UvMetrics, with their areas. A face has the same numbers as in the
+//! mesh.
 struct UvTriangles
 {
     std::vector<std::array<int, 3>> corners;
