@@ -260,6 +260,7 @@ private Q_SLOTS:
         QCOMPARE(mesh->report.degenerateTriangles, 1);
         QCOMPARE(mesh->boundarySides.size(), std::size_t(4));
         QCOMPARE(mesh->report.boundaryEdges, 3);
+        QVERIFY(mesh->report.selfContactFaces.empty());
     }
 
     void bridgeToAHoleIsInsideThePolygon()
@@ -270,6 +271,7 @@ private Q_SLOTS:
             {{0, 1, 2, 3, 0, 4, 5, 6, 7, 4}});
         QCOMPARE(mesh->validate(), std::string());
         QCOMPARE(mesh->area, 12.0);
+        QVERIFY(mesh->report.selfContactFaces.empty());
         QCOMPARE(mesh->triangleCount(), 8);
         QCOMPARE(countDiagonals(*mesh), 8); // seven diagonals and the bridge
         QCOMPARE(mesh->edgePairs.size(), std::size_t(8));
@@ -283,6 +285,34 @@ private Q_SLOTS:
         QCOMPARE(mesh->validate(), std::string());
         QCOMPARE(mesh->report.windingEdges, 0);
         QCOMPARE(mesh->report.degenerateTriangles, 3);
+    }
+
+    void polygonsThatMeetThemselvesAreOpenThere_data()
+    {
+        QTest::addColumn<std::vector<int>>("polygon");
+        QTest::addColumn<int>("openSides"); // of the polygon
+        QTest::newRow("spur over the whole polygon") << std::vector<int>{4, 5, 6, 5} << 4;
+        QTest::newRow("twice through a vertex, next to it") << std::vector<int>{4, 5, 4, 6} << 4;
+        QTest::newRow("spur into the polygon") << std::vector<int>{0, 1, 2, 5, 2, 3} << 4;
+        QTest::newRow("two vertices twice") << std::vector<int>{4, 5, 6, 4, 6, 7} << 6;
+    }
+    void polygonsThatMeetThemselvesAreOpenThere()
+    {
+        QFETCH(std::vector<int>, polygon);
+        QFETCH(int, openSides);
+        const auto mesh = test::polygonMesh(
+            {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0}, {3, 1, 0}, {3, 3, 0}, {1, 3, 0}},
+            {{0, 4, 5, 1}, polygon, {1, 5, 6, 2}});
+        QCOMPARE(mesh->validate(), std::string());
+        QCOMPARE(mesh->report.selfContactFaces, std::vector<int>{1});
+        int open = 0;
+        for (const BoundarySide &side : mesh->boundarySides) {
+            if (side.reason == OpenSide::SelfContact) {
+                QCOMPARE(mesh->triangleFace[side.triangle], 1);
+                ++open;
+            }
+        }
+        QCOMPARE(open, openSides);
     }
 
     void concavePolygonsAreCounted()

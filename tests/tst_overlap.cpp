@@ -42,6 +42,23 @@ class TestOverlap : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void groupsMayLieOnEachOther()
+    {
+        const std::array<Vec2, 3> one{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)};
+        const std::array<Vec2, 3> beside{Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
+        const UvMatrix uv = triangles({one, one, beside, one, beside});
+        const auto pairsWithin = [&](const std::vector<int> &group) {
+            std::set<std::pair<int, int>> pairs;
+            visitOverlapsWithin(uv, group, {},
+                                [&](int a, int b, double) { return pairs.emplace(a, b).second; });
+            return pairs;
+        };
+        QVERIFY(pairsWithin({0, 1, 0, 2, 1}).empty());
+        QVERIFY((pairsWithin({0, 1, 0, 0, 1}) == std::set<std::pair<int, int>>{{0, 3}}));
+        QVERIFY(
+            (pairsWithin({7, 7, 2, 7, 2}) == std::set<std::pair<int, int>>{{0, 1}, {0, 3}, {1, 3}, {2, 4}}));
+    }
+
     void orientationIsExact()
     {
         // Points on a fine lattice, many of them in one line: integers say what is true.

@@ -476,6 +476,22 @@ private Q_SLOTS:
         QCOMPARE(notes.count(QStringLiteral("duplicated face")), 1);
     }
 
+    void polygonsThatMeetThemselvesAreSelected()
+    {
+        Bench<DoctorPanel> bench;
+        auto *const select = child<QPushButton>(bench.panel, "selectSelfContacts");
+        QVERIFY(bench.followed());
+        QVERIFY(!select->isVisible());
+        const auto mesh =
+            test::polygonMesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}, {0, 1, 2, 1}});
+        bench.workspace.open(std::make_unique<Document>(test::sceneOf(mesh)), {}, std::nullopt, {});
+        QVERIFY(bench.followed());
+        QVERIFY(bench.text("notes").contains(QStringLiteral("1 polygon meets itself (face 2)")));
+        QVERIFY(select->isVisible());
+        QTest::mouseClick(select, Qt::LeftButton);
+        QCOMPARE(bench.document().selection().faces, QList<int>{1});
+    }
+
     // View.
 
     void viewOptionsFollowBothWays()

@@ -1,7 +1,9 @@
 // The whole way from a mesh to a packed map: valid, within the bound, steerable, the same every time.
 #include "model/plain/uvlayout.h"
+#include "solver/definite/relaxing.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/overlap/overlapfinder.h"
+#include "solver/unwrap/flatpatches.h"
 #include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 #include "support/objuv.h"
@@ -10,6 +12,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <numbers>
 #include <tuple>
 
@@ -237,6 +240,97 @@ private Q_SLOTS:
                                                    }});
         QCOMPARE(problemWith(*mesh, result.uv), QString());
         QCOMPARE(result.stopped, calls == 0 || seen >= calls); // few calls for a single triangle
+    }
+
+    //! Polygons that no map can lay flat with the faces around them.
+    void oddPolygonsDoNotRefuseTheModel_data()
+    {
+        QTest::addColumn<std::vector<int>>("polygon"); // on the vertices of a cube
+        QTest::newRow("a b c b") << std::vector<int>{0, 1, 2, 1};
+        QTest::newRow("opposite corners in one place") << std::vector<int>{0, 1, 0, 3};
+        QTest::newRow("two vertices twice") << std::vector<int>{0, 1, 2, 0, 2, 3};
+        QTest::newRow("many times") << std::vector<int>{3, 6, 4, 3, 7, 3, 4, 2, 5};
+        QTest::newRow("bow-tie") << std::vector<int>{0, 2, 1, 3};
+    }
+    void oddPolygonsDoNotRefuseTheModel()
+    {
+        QFETCH(std::vector<int>, polygon);
+        const std::vector<Vec3> cube{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                     {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+        const auto mesh = test::polygonMesh(
+            cube, {{4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, polygon});
+        const UnwrapResult result = unwrapMesh(snapshotOf(mesh), draft());
+        QVERIFY(result.uv.allFinite());
+        for (const auto &t : mesh->triangles)
+            QVERIFY(cross2(result.uv.row(t[0]), result.uv.row(t[1]), result.uv.row(t[2])) > 0);
+    }
+
+    //! On one thread a job is stopped after the same work each time.
+    void moreTimeNeverGivesLess()
+    {
+        const auto mesh = test::torus(24, 16);
+        UnwrapOptions options;
+        options.pack = false;
+        bool hasMap = false, fitted = false;
+        double last = std::numeric_limits<double>::infinity();
+        for (int calls = 0; calls < 400; calls = 2 * calls + 1) {
+            std::atomic<bool> stop = calls == 0;
+            int seen = 0;
+            const UnwrapResult result =
+                unwrapMesh(snapshotOf(mesh), options, {&stop, 1, [&](const JobProgress &) {
+                                                           if (++seen == calls)
+                                                               stop = true;
+                                                       }});
+            if (result.onlyPatches) {
+                QVERIFY(!hasMap);
+                continue;
+            }
+            hasMap = true;
+            const double value = result.withinBound ? result.seamLength : result.distortion;
+            QVERIFY(result.withinBound || !fitted);
+            if (result.withinBound && !fitted)
+                last = std::numeric_limits<double>::infinity();
+            fitted = result.withinBound;
+            QVERIFY2(value <= last * (1 + 1e-9),
+                     qPrintable(QStringLiteral("%1 after %2, %3 before").arg(value).arg(calls).arg(last)));
+            last = value;
+        }
+        QVERIFY(fitted);
+    }
+
+    void bestIsNeverWorseThanStandard_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"cube", "sphere", "torus"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void bestIsNeverWorseThanStandard()
+    {
+        QFETCH(QString, name);
+        UnwrapOptions options;
+        options.pack = false;
+        const UnwrapResult standard = unwrapMesh(snapshotOf(pipelineMesh(name)), options, {nullptr, 2});
+        options.quality = UnwrapQuality::Best;
+        const UnwrapResult best = unwrapMesh(snapshotOf(pipelineMesh(name)), options, {nullptr, 2});
+        QVERIFY(standard.withinBound && best.withinBound);
+        QVERIFY(best.seamLength <= standard.seamLength * (1 + 1e-9));
+    }
+
+    void flatPatchesAreValid_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char *name : {"triangle", "quad cube", "sphere", "torus", "dirty", "machine"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void flatPatchesAreValid()
+    {
+        QFETCH(QString, name);
+        const Snapshot snapshot = snapshotOf(pipelineMesh(name));
+        const auto soup = Soup::build(snapshot.mesh);
+        const SeamedMap map = flatPatches(*soup, snapshot);
+        QCOMPARE(map.validate(*soup), std::string());
+        QVERIFY(!definite::coversItself(*soup, map));
+        QVERIFY(map.distortion(*soup) < 5);
     }
 
     void progressRises()

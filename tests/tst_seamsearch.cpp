@@ -321,6 +321,9 @@ private Q_SLOTS:
         OptimizeOptions options = littleEffort();
         std::atomic<bool> stop = true;
         options.job = &stop;
+        QVERIFY(!optimizeSeams(graphOf(snapshot), options).has_value());
+        stop = false;
+        options.progress = [&](int) { stop = true; }; // while the first map is searched
         const auto found = optimizeSeams(graphOf(snapshot), options);
         QVERIFY(found.has_value());
         const auto soup = Soup::build(snapshot.mesh);

@@ -64,9 +64,11 @@ struct StudioSession
     //! Or until the solver has nothing left to gain and waits for an edit.
     bool runsTo(int iteration)
     {
+        // A solve by budget may end by itself before.
+        const bool ran = context.solver.isRunning();
         const auto isThere = [=, this] {
             const SolveStatus &status = context.solver.status();
-            return status.iteration >= iteration || status.converged;
+            return status.iteration >= iteration || status.converged || (ran && !context.solver.isRunning());
         };
         return QTest::qWaitFor(isThere, patience);
     }

@@ -38,24 +38,24 @@ constexpr std::size_t maxCorners = std::numeric_limits<int>::max() / 3;
 void checkInput(const MeshData &mesh)
 {
     if (!mesh.positions.allFinite())
-        throw std::invalid_argument("MeshData::build: a position is not finite");
+        throw std::invalid_argument("a position is not finite");
     // Areas are products of two lengths. This bound keeps them and their sums finite.
     if (mesh.positions.size() > 0 && mesh.positions.cwiseAbs().maxCoeff() > 1e150)
-        throw std::invalid_argument("MeshData::build: a position is larger than 1e150");
+        throw std::invalid_argument("a position is larger than 1e150");
     if (mesh.cornerVertex.size() > maxCorners)
-        throw std::invalid_argument("MeshData::build: too many face corners");
+        throw std::invalid_argument("too many face corners");
     if (mesh.faceObject.size() + 1 != mesh.faceStart.size() || mesh.faceStart.front() != 0 ||
         mesh.faceStart.back() != mesh.cornerCount())
-        throw std::invalid_argument("MeshData::build: face arrays do not fit together");
+        throw std::invalid_argument("face arrays do not fit together");
     for (int f = 0; f < mesh.faceCount(); ++f) {
         if (mesh.faceStart[f + 1] > mesh.cornerCount())
-            throw std::invalid_argument("MeshData::build: face arrays do not fit together");
+            throw std::invalid_argument("face arrays do not fit together");
         if (mesh.faceStart[f + 1] < mesh.faceStart[f] + 3)
-            throw std::invalid_argument("MeshData::build: a face has fewer than three corners");
+            throw std::invalid_argument("a face has fewer than three corners");
     }
     for (int v : mesh.cornerVertex) {
         if (v < 0 || v >= mesh.vertexCount())
-            throw std::invalid_argument("MeshData::build: a vertex index is out of range");
+            throw std::invalid_argument("a vertex index is out of range");
     }
 }
 
@@ -188,70 +188,85 @@ void pairDiagonals(MeshData &mesh, std::vector<DiagonalSide> &sides)
     sides.clear();
 }
 
-//! A polygon that has a vertex more than once.
-class RepeatingPolygon
+//! A polygon in which a vertex may come back. Successive corners at one vertex are one turn.
+class TurningPolygon
 {
 public:
-    RepeatingPolygon(const MeshData &mesh, int face)
-        : mMesh(mesh), mFace(face), mStart(mesh.faceStart[face]), mCount(mesh.faceStart[face + 1] - mStart)
+    TurningPolygon(const MeshData &mesh, int face)
+        : mMesh(mesh), mFace(face), mStart(mesh.faceStart[face]), mCorners(mesh.faceStart[face + 1] - mStart)
     {
-        for (int i = 0; i < mCount; ++i)
-            ++mUses[vertex(i)];
+        for (int i = 0; i < mCorners; ++i) {
+            if (mVertex.empty() || vertexAt(i) != mVertex.back())
+                mVertex.push_back(vertexAt(i));
+            mTurn.push_back(static_cast<int>(mVertex.size()) - 1);
+        }
+        while (mVertex.size() > 1 && mVertex.back() == mVertex.front()) {
+            std::replace(mTurn.begin(), mTurn.end(), static_cast<int>(mVertex.size()) - 1, 0);
+            mVertex.pop_back();
+        }
+        for (const int v : mVertex)
+            ++mUses[v];
     }
 
-    //! True when the polygon has the vertex of this corner more than once.
-    bool repeatsAt(int i) const { return mUses.at(vertex(i)) > 1; }
+    bool comesBack() const { return mUses.size() < mVertex.size(); }
+    //! True when the polygon comes back to the vertex of this corner.
+    bool comesBackTo(int i) const { return mUses.at(vertexAt(i)) > 1; }
 
     //! True when the polygon can be laid flat with those of its sides stitched that lie on each other: a disk
     //! with holes, such as a polygon with a bridge to its hole.
     bool canBeLaidFlat() const
     {
         for (const int t : mMesh.trianglesOf(mFace)) {
-            const auto [a, b, c] = mMesh.triangles[t];
-            const int v = vertex(a - mStart), w = vertex(b - mStart), u = vertex(c - mStart);
-            if (v == w || w == u || u == v)
-                return false;
+            for (int k = 0; k < 3; ++k) {
+                const int a = mTurn[mMesh.triangles[t][k] - mStart];
+                const int b = mTurn[mMesh.triangles[t][(k + 1) % 3] - mStart];
+                if (a != b && mVertex[a] == mVertex[b])
+                    return false;
+            }
         }
+        const int sides = static_cast<int>(mVertex.size());
+        const auto next = [sides](int i) { return (i + 1) % sides; };
         std::map<std::pair<int, int>, int> waiting; // sides without a partner, by their vertices
-        std::vector<bool> open(mCount, true);
-        UnionFind corners(mCount); // stitched to each other
+        std::vector<bool> open(sides, true);
+        UnionFind turns(sides); // stitched to each other
         int stitched = 0;
-        for (int i = 0; i < mCount; ++i) {
-            const auto partner = waiting.find({vertex(next(i)), vertex(i)});
+        for (int i = 0; i < sides; ++i) {
+            const auto partner = waiting.find({mVertex[next(i)], mVertex[i]});
             if (partner == waiting.end()) {
-                waiting.insert_or_assign({vertex(i), vertex(next(i))}, i);
+                waiting.insert_or_assign({mVertex[i], mVertex[next(i)]}, i);
                 continue;
             }
             const int j = partner->second;
             waiting.erase(partner);
             open[i] = open[j] = false;
-            corners.unite(i, next(j));
-            corners.unite(next(i), j);
+            turns.unite(i, next(j));
+            turns.unite(next(i), j);
             ++stitched;
         }
-        const auto [corner, count] = corners.labels();
-        std::vector<int> openSides(count, 0);
-        UnionFind loops(count);
-        for (int i = 0; i < mCount; ++i) {
+        const auto [point, points] = turns.labels();
+        std::vector<int> openSides(points, 0);
+        UnionFind loops(points);
+        for (int i = 0; i < sides; ++i) {
             if (open[i]) {
-                loops.unite(corner[i], corner[next(i)]);
-                ++openSides[corner[i]];
+                loops.unite(point[i], point[next(i)]);
+                ++openSides[point[i]];
             }
         }
-        // On such a disk every corner is on one boundary loop.
-        if (std::any_of(openSides.begin(), openSides.end(), [](int sides) { return sides != 1; }))
+        // On such a disk every point is on one boundary loop.
+        if (std::any_of(openSides.begin(), openSides.end(), [](int count) { return count != 1; }))
             return false;
-        const int euler = count - (mCount - stitched) + 1;
+        const int euler = points - (sides - stitched) + 1;
         return euler + loops.labels().second == 2;
     }
 
 private:
-    int next(int i) const { return (i + 1) % mCount; }
-    int vertex(int i) const { return mMesh.vertexWeld[mMesh.cornerVertex[mStart + i]]; }
+    int vertexAt(int i) const { return mMesh.vertexWeld[mMesh.cornerVertex[mStart + i]]; }
 
     const MeshData &mMesh;
-    int mFace, mStart, mCount;
-    std::map<int, int> mUses; //!< number of corners at each vertex
+    int mFace, mStart, mCorners;
+    std::vector<int> mVertex; //!< per turn
+    std::vector<int> mTurn;   //!< per corner
+    std::map<int, int> mUses; //!< number of turns at each vertex
 };
 
 bool repeatsVertices(const MeshData &mesh, int face, std::vector<int> &vertices)
@@ -273,13 +288,13 @@ std::vector<bool> findSelfContacts(MeshData &mesh)
         const int start = mesh.faceStart[f], n = mesh.faceStart[f + 1] - start;
         if (n == 3 || !repeatsVertices(mesh, f, vertices))
             continue;
-        const RepeatingPolygon polygon(mesh, f);
-        if (polygon.canBeLaidFlat())
+        const TurningPolygon polygon(mesh, f);
+        if (!polygon.comesBack() || polygon.canBeLaidFlat())
             continue;
         mesh.report.selfContactFaces.push_back(f);
         contacts.resize(mesh.cornerCount(), false);
         for (int i = 0; i < n; ++i)
-            contacts[start + i] = polygon.repeatsAt(i) || polygon.repeatsAt((i + 1) % n);
+            contacts[start + i] = polygon.comesBackTo(i) || polygon.comesBackTo((i + 1) % n);
     }
     return contacts;
 }

@@ -83,7 +83,7 @@ std::vector<CornerPartners> partnersOf(const MeshData &mesh)
 std::shared_ptr<const Soup> Soup::build(std::shared_ptr<const MeshData> mesh)
 {
     if (!(mesh->area > 0) || !std::isfinite(mesh->area))
-        throw std::invalid_argument("Soup::build: the mesh has no area");
+        throw std::invalid_argument("the mesh has no area");
     auto soup = std::make_shared<Soup>();
     soup->mesh = mesh;
     soup->scale = std::sqrt(std::numbers::pi / mesh->area);

@@ -26,12 +26,8 @@ constexpr double stall = 1e-6;
 bool coversItself(const Soup &soup, const SeamedMap &map)
 {
     const CutMesh state(*soup.mesh, map.cut);
-    bool found = false;
-    overlap::visitOverlaps(rowsOf(map.x), {}, [&](int a, int b, double) {
-        found = state.chart[a] == state.chart[b];
-        return !found;
-    });
-    return found;
+    return !overlap::visitOverlapsWithin(rowsOf(map.x), state.chart, {},
+                                         [](int, int, double) { return false; });
 }
 
 int relaxWithoutOverlaps(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map,

@@ -61,9 +61,8 @@ std::vector<double> unfolded(const Soup &soup, const CutMesh &units, const std::
 std::vector<bool> foldedOnes(const CutMesh &units, const std::vector<double> &x)
 {
     std::vector<bool> folded(units.chartCount, false);
-    overlap::visitOverlaps(rowsOf(x), {}, [&](int a, int b, double) {
-        if (units.chart[a] == units.chart[b])
-            folded[units.chart[a]] = true;
+    overlap::visitOverlapsWithin(rowsOf(x), units.chart, {}, [&](int a, int, double) {
+        folded[units.chart[a]] = true;
         return true;
     });
     return folded;

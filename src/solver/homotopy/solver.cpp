@@ -79,7 +79,7 @@ void Solver::load(const Snapshot &snapshot)
 void Solver::update(const Snapshot &snapshot)
 {
     if (!mSoup || snapshot.mesh != mSoup->mesh)
-        throw std::invalid_argument("Solver::update: another mesh than the one loaded");
+        throw std::invalid_argument("another mesh than the one loaded");
     if (snapshot.steering == mSnapshot.steering && sameButBalance(snapshot.settings, mSnapshot.settings)) {
         mSnapshot = snapshot;
         setBalance();

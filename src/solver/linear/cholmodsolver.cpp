@@ -125,7 +125,7 @@ void CholmodSolver::analyze(const Matrix &lower, Order order)
     cholmod_sparse view = viewOf(lower);
     in.factor = cholmod_analyze(&view, &in.common);
     if (!in.factor)
-        throw std::runtime_error("CholmodSolver: the symbolic factorisation failed, out of memory");
+        throw std::runtime_error("there is not enough memory for the solver");
 }
 
 bool CholmodSolver::factorize(const Matrix &lower)
@@ -135,7 +135,7 @@ bool CholmodSolver::factorize(const Matrix &lower)
     cholmod_sparse view = viewOf(lower);
     cholmod_factorize(&view, in.factor, &in.common);
     if (in.common.status == CHOLMOD_OUT_OF_MEMORY)
-        throw std::runtime_error("CholmodSolver: out of memory");
+        throw std::runtime_error("there is not enough memory for the solver");
     return in.common.status == CHOLMOD_OK;
 }
 
@@ -151,7 +151,7 @@ void CholmodSolver::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
     view.dtype = CHOLMOD_DOUBLE;
     if (!cholmod_solve2(CHOLMOD_A, in.factor, &view, nullptr, &in.solution, nullptr, &in.work1, &in.work2,
                         &in.common))
-        throw std::runtime_error("CholmodSolver: the solve failed");
+        throw std::runtime_error("a linear system could not be solved");
     x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double *>(in.solution->x), b.size());
 }
 
@@ -166,7 +166,7 @@ std::vector<int> eliminationRanks(const LinearSolver::Matrix &lower)
     const int ok = cholmod_amd(&view, nullptr, 0, order.data(), &common);
     cholmod_finish(&common);
     if (!ok)
-        throw std::runtime_error("eliminationRanks: out of memory");
+        throw std::runtime_error("there is not enough memory for the solver");
     std::vector<int> rank(order.size());
     for (std::size_t place = 0; place < order.size(); ++place)
         rank[order[place]] = static_cast<int>(place);

@@ -51,7 +51,7 @@ bool isMadeOfBlocks(const LinearSolver::Matrix &lower)
 void FrontalSolver::analyze(const Matrix &lower, Order order)
 {
     if (order != Order::Natural || !isMadeOfBlocks(lower))
-        throw std::invalid_argument("FrontalSolver: an ordered matrix of 2 x 2 blocks is needed");
+        throw std::invalid_argument("an ordered matrix of 2 x 2 blocks is needed");
     mStructure = FrontalStructure::build(lower);
     mLayout.clear();
     std::size_t inverse = 0, coupling = 0;

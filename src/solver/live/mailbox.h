@@ -5,8 +5,10 @@
 #include <QString>
 
 #include <atomic>
+#include <exception>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -70,12 +72,14 @@ public:
         return !std::exchange(mContent.result, std::move(result));
     }
     //! \return false when the worker is about to start anew: then the failure is of no interest
-    bool fail(const char *why)
+    bool fail(const std::exception &why)
     {
         const std::lock_guard lock(mMutex);
         if (mContent.orders.start)
             return false;
-        mContent.failure = QString::fromUtf8(why);
+        const bool memory = dynamic_cast<const std::bad_alloc *>(&why) != nullptr;
+        mContent.failure =
+            memory ? QStringLiteral("there is not enough memory") : QString::fromUtf8(why.what());
         return true;
     }
     //! \return false when awaited(Orders) says that orders keep the worker running

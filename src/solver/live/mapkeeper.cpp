@@ -91,7 +91,7 @@ void MapKeeper::work()
         } while (interrupt);
     } catch (const std::exception &e) {
         mRunning = false;
-        if (mMailbox.fail(e.what()))
+        if (mMailbox.fail(e))
             Q_EMIT failed();
     }
 }

@@ -110,7 +110,7 @@ void SolveWorker::work()
     } catch (const std::exception &e) {
         mSolver.reset();
         mStepsLeft = 0;
-        if (mMailbox.fail(e.what()))
+        if (mMailbox.fail(e))
             Q_EMIT failed();
     }
 }

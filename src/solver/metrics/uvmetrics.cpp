@@ -151,7 +151,7 @@ void measurePacking(const UvTopology &topology, int textureSize, UvMetrics &metr
 UvMetrics measureUv(const MeshData &mesh, const UvMatrix &uv, const UvMetricsOptions &options)
 {
     if (uv.rows() != mesh.cornerCount())
-        throw std::invalid_argument("measureUv: the UVs do not have one row per corner");
+        throw std::invalid_argument("the UVs do not have one row per corner");
     const UvTopology topology = findUvTopology(mesh, uv);
     const UvTriangles triangles = collectUvTriangles(mesh, uv, topology);
     UvMetrics metrics;

@@ -162,7 +162,8 @@ private:
             if (mSolver.factorize(mMatrix))
                 return;
         }
-        throw std::runtime_error("ExactDirection: the Hessian could not be factorised");
+        throw std::runtime_error(
+            "the solver found no step: the mesh may mix very large and very small triangles");
     }
 
     std::shared_ptr<const Soup> mSoup;

@@ -254,7 +254,8 @@ private:
                 mSolver->analyze(mMatrix.matrix(), linear::LinearSolver::Order::Natural);
             }
         }
-        throw std::runtime_error("HubDirection: the hub matrix could not be factorised");
+        throw std::runtime_error(
+            "the solver found no step: the mesh may mix very large and very small triangles");
     }
 
     //! First half of z = M^-1 r: computes the hubs' positions u.

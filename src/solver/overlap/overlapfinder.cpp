@@ -155,6 +155,23 @@ bool visitOverlaps(const UvMatrix &uv, const OverlapOptions &options,
     return visitAmong(uv, allTriangles(uv), options, visit);
 }
 
+bool visitOverlapsWithin(const UvMatrix &uv, const std::vector<int> &group, const OverlapOptions &given,
+                         const std::function<bool(int, int, double)> &visit)
+{
+    OverlapOptions options = given;
+    if (!(options.totalArea > 0))
+        options.totalArea = totalUvArea(uv);
+    std::vector<int> order = allTriangles(uv);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return group[a] < group[b]; });
+    for (auto first = order.begin(); first != order.end();) {
+        const auto last = std::find_if(first, order.end(), [&](int t) { return group[t] != group[*first]; });
+        if (options.job.stopped() || (last - first > 1 && !visitAmong(uv, {first, last}, options, visit)))
+            return false;
+        first = last;
+    }
+    return true;
+}
+
 OverlapList findOverlaps(const UvMatrix &uv, const OverlapOptions &options)
 {
     return findOverlapsAmong(uv, allTriangles(uv), options);

@@ -52,6 +52,11 @@ double totalUvArea(const UvMatrix &uv);
 bool visitOverlaps(const UvMatrix &uv, const OverlapOptions &options,
                    const std::function<bool(int, int, double)> &visit);
 
+//! The same for triangles of one group only. Groups may lie on each other at no cost.
+//! \param group of each triangle, from 0
+bool visitOverlapsWithin(const UvMatrix &uv, const std::vector<int> &group, const OverlapOptions &options,
+                         const std::function<bool(int, int, double)> &visit);
+
 //! All overlapping pairs. \param uv three rows per triangle
 [[nodiscard]] OverlapList findOverlaps(const UvMatrix &uv, const OverlapOptions &options = {});
 

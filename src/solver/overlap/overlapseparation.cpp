@@ -21,7 +21,7 @@ void checkSizes(const MeshData &mesh, const UvMatrix &soupUv, const std::vector<
     const auto fits = [&](std::size_t size) { return size == 0 || size == pairs; };
     if (soupUv.rows() != mesh.soupCornerCount() || cut.size() != pairs || !fits(protectedPair.size()) ||
         !fits(options.pairWeight.size()))
-        throw std::invalid_argument("separateOverlaps: a size does not fit the mesh");
+        throw std::invalid_argument("a size does not fit the mesh");
 }
 
 //! Units in breadth-first order over uncut links, from the first one of `members`. Units that cannot be

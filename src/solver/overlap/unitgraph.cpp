@@ -82,7 +82,7 @@ ChartConflicts conflictsOfChart(const MeshData &mesh, const UvMatrix &soupUv, co
 {
     if (soupUv.rows() != mesh.soupCornerCount() || cut.size() != mesh.edgePairs.size() || seedTriangle < 0 ||
         seedTriangle >= mesh.triangleCount())
-        throw std::invalid_argument("conflictsOfChart: a size does not fit the mesh");
+        throw std::invalid_argument("a size does not fit the mesh");
     ChartConflicts result;
     const std::vector<int> chart = chartsOfCut(mesh, cut);
     for (int t = 0; t < mesh.triangleCount(); ++t) {

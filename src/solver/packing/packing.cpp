@@ -20,11 +20,11 @@ void checkSettings(const PackOptions &settings)
 {
     const Vec2 size = settings.upper - settings.lower;
     if (!isUsablePoint(settings.lower) || !isUsablePoint(settings.upper) || !(size.minCoeff() > 0))
-        throw std::invalid_argument("packing: the bin is empty or not finite");
+        throw std::invalid_argument("the bin is empty or not finite");
     if (settings.textureSize <= 0 || !(settings.margin >= 0) || !(settings.margin < 1e100) ||
         !(std::abs(settings.border) < 1e100) || !(settings.effort >= 0))
         throw std::invalid_argument(
-            "packing: margin, border, texture size and effort must be finite and not negative");
+            "margin, border, texture size and effort must be finite and not negative");
 }
 
 //! The unit of the outlines, in UV units: the square root of the total area, so that their coordinates are
@@ -153,7 +153,7 @@ Layout solve(const PackProblem &problem, const PackOptions &settings, const JobC
     bool anyExtent = false;
     for (int i = 0; i < problem.count(); ++i)
         anyExtent = anyExtent || (problem.movable(i) && problem.outlines[i].radius > 0);
-    if (!anyExtent && shelves.scale > 0)
+    if ((!anyExtent || settings.effort == 0) && shelves.scale > 0)
         return shelves;
     return search(shelves, std::numeric_limits<double>::infinity());
 }

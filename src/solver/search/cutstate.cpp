@@ -175,7 +175,7 @@ bool CutState::loopsAreInOrder() const
     return true;
 }
 
-bool CutState::boundariesOverlap(const std::vector<int> &triangles) const
+bool CutState::boundariesOverlap(const std::vector<int> &triangles, const JobContext &job) const
 {
     Vec2 low = Vec2::Constant(-1e300), high = Vec2::Constant(1e300);
     if (!triangles.empty()) {
@@ -213,6 +213,7 @@ bool CutState::boundariesOverlap(const std::vector<int> &triangles) const
     }
     overlap::OverlapOptions options;
     options.totalArea = std::numbers::pi;
+    options.job = job.quiet();
     // a < b: an obstacle is always the second one.
     return !overlap::visitOverlaps(uv, options, [&](int a, int b, double) {
         if (a >= own)

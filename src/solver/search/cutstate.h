@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/base/cornerat.h"
+#include "solver/base/jobcontext.h"
 #include "solver/base/seamedmap.h"
 #include "solver/search/seamgraph.h"
 #include "solver/search/trianglekernel.h"
@@ -75,7 +76,8 @@ struct CutState
     bool loopsAreInOrder() const;
     //! \returns true when triangles at the boundaries overlap near the given triangles (anywhere when empty).
     //! When this is false everywhere and loopsAreInOrder() is true, no chart overlaps itself.
-    bool boundariesOverlap(const std::vector<int> &triangles = {}) const;
+    //! True also when stopped.
+    bool boundariesOverlap(const std::vector<int> &triangles = {}, const JobContext &job = {}) const;
     //! The obstacles whose boxes meet a box. None before the charts are at their anchors.
     std::vector<const Obstacle *> obstaclesAt(const Vec2 &low, const Vec2 &high) const;
     //! Moves the charts without anchors into rows with room between them.

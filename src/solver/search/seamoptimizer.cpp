@@ -27,10 +27,10 @@ constexpr double worthTelling = 0.7;
 constexpr int firstRelaxation = 60;     // Newton steps on a first map, at most
 constexpr double firstTolerance = 1e-2; // energy gained in ten steps below which the relaxation ends
 
-//! The state itself; nothing when charts overlap themselves and that is not allowed.
+//! The state itself; nothing when charts overlap themselves and that is not allowed, or when stopped.
 std::optional<CutState> usable(CutState state, const OptimizeOptions &options)
 {
-    if (!options.allowOverlaps && (!state.loopsAreInOrder() || state.boundariesOverlap()))
+    if (!options.allowOverlaps && (!state.loopsAreInOrder() || state.boundariesOverlap({}, options.job)))
         return std::nullopt;
     return state;
 }

@@ -85,7 +85,7 @@ private:
             chartArea[mCut.chart[t]] += mSoup.weight[t] * std::numbers::pi;
         for (int chart = 0; chart < mCut.chartCount; ++chart) {
             if (mOuter[chart] < 0)
-                throw std::invalid_argument("tutteEmbedding: a chart has no boundary");
+                throw std::invalid_argument("a chart has no boundary");
             const double radius = std::sqrt(chartArea[chart] / std::numbers::pi);
             double walked = 0;
             for (const int side : mLoops[mOuter[chart]]) {
@@ -153,7 +153,7 @@ private:
         linear::CholmodSolver solver;
         solver.analyze(matrix, linear::LinearSolver::Order::FillReducing);
         if (!solver.factorize(matrix))
-            throw std::runtime_error("tutteEmbedding: the system could not be solved");
+            throw std::runtime_error("a linear system could not be solved");
         Eigen::VectorXd solution[2];
         for (int axis = 0; axis < 2; ++axis) {
             mRight[axis].conservativeResize(total);

@@ -2,7 +2,7 @@
 
 #include "solver/base/cornerat.h"
 #include "solver/definite/definitemap.h"
-#include "solver/definite/relaxing.h"
+#include "solver/overlap/overlapfinder.h"
 #include "solver/search/tutte.h"
 
 #include <Eigen/Geometry>
@@ -63,6 +63,17 @@ public:
             }
         }
         return project();
+    }
+
+    //! Per triangle: its patch; a number of its own where the patch is one convex polygon.
+    std::vector<int> projected() const
+    {
+        std::vector<int> group;
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            const int patch = mPatch[mMesh.triangleFace[t]];
+            group.push_back(mFlat[patch] ? patch : static_cast<int>(mDirection.size()) + t);
+        }
+        return group;
     }
 
 private:
@@ -132,8 +143,10 @@ private:
 
 SeamedMap flatPatches(const Soup &soup, const Snapshot &snapshot)
 {
-    SeamedMap map = PatchMaker(soup, snapshot).make();
-    if (definite::coversItself(soup, map))
+    PatchMaker maker(soup, snapshot);
+    SeamedMap map = maker.make();
+    if (!overlap::visitOverlapsWithin(rowsOf(map.x), maker.projected(), {},
+                                      [](int, int, double) { return false; }))
         (void)definite::removeOverlaps(soup, snapshot, map);
     return map;
 }

@@ -35,7 +35,7 @@ search::OptimizeEffort fullEffort(UnwrapQuality quality)
     case UnwrapQuality::Best:
         return {24, {{100, 12}, {300, 6}, {800, 3}, {2000, 1}}, 10};
     }
-    throw std::invalid_argument("unwrap: unknown quality");
+    throw std::invalid_argument("unknown quality");
 }
 
 //! Least share of the distortion in the energy, for lambda near 1. Chosen by hand.

@@ -13,6 +13,9 @@ namespace autocuts::unwrap {
 
 namespace {
 
+//! After a stop more pieces than this are only laid into shelves: chosen by hand.
+constexpr int mostHurriedPieces = 100;
+
 //! How far an island may reach out of its rectangle. Chosen by hand far above rounding.
 constexpr double boxTolerance = 1e-9;
 
@@ -234,20 +237,23 @@ private:
         options.lower = bin.box.min();
         options.upper = bin.box.max();
         const bool scaleLater = !options.keepScale && (mPack.keepScaleIfPossible || bin.isRectangle);
-        options.keepScale = options.keepScale || scaleLater;
-        const auto pack = [&] {
-            return packing::packMap(mMesh, present.pieces, present.locked, options, uv, job).complete;
+        const bool keepsScale = options.keepScale;
+        // At the scale that the map has, where that is wanted and there is room, else at another one.
+        const auto pack = [&](const JobContext &how) {
+            const auto packAt = [&](bool givenScale) {
+                options.keepScale = givenScale;
+                return packing::packMap(mMesh, present.pieces, present.locked, options, uv, how).complete;
+            };
+            return packAt(keepsScale || scaleLater) || (scaleLater && packAt(false));
         };
-        if (pack())
+        const auto hurries = [&] { return job.stopped() && mPack.hurryWhenStopped; };
+        if (!hurries() && pack(job))
             return true;
-        options.keepScale = options.keepScale && !scaleLater;
-        if (scaleLater && pack())
-            return true;
-        if (!job.stopped() || !mPack.hurryWhenStopped)
+        if (!hurries())
             return false;
-        options.effort = std::min(options.effort, packing::hurriedEffort);
-        return packing::packMap(mMesh, present.pieces, present.locked, options, uv, job.unstoppable())
-            .complete;
+        const bool many = present.pieces.count > mostHurriedPieces;
+        options.effort = many ? 0 : std::min(options.effort, packing::hurriedEffort);
+        return pack(job.unstoppable());
     }
 
     const MeshData &mMesh;

@@ -68,7 +68,7 @@ QualityPlan planFor(UnwrapQuality quality, int triangles)
     case UnwrapQuality::Best:
         return {chains(80000, 4), 6, 60};
     }
-    throw std::invalid_argument("unwrap: unknown quality");
+    throw std::invalid_argument("unknown quality");
 }
 
 //! Start mode of chain i: the first takes the one that was asked for, and the second another one.

@@ -58,9 +58,9 @@ void place(const Snapshot &snapshot, const FreePart &part, const Soup &soup, con
 void checkOptions(const UnwrapOptions &options)
 {
     if (!(options.maxDistortion > 4))
-        throw std::invalid_argument("unwrap: the distortion bound must be above 4, the value of an isometry");
+        throw std::invalid_argument("the distortion bound must be above 4, the value of an isometry");
     if (options.lambda && !(*options.lambda >= 0 && *options.lambda <= 1))
-        throw std::invalid_argument("unwrap: lambda must be between 0 and 1");
+        throw std::invalid_argument("lambda must be between 0 and 1");
 }
 
 } // namespace

@@ -130,7 +130,8 @@ void DoctorPanel::showNotes(const Document &document)
 void DoctorPanel::selectSelfContacts()
 {
     Selection selection;
-    selection.faces = IndexRanges::fromSorted(document()->mesh().report.selfContactFaces);
+    for (const int face : document()->mesh().report.selfContactFaces)
+        selection.faces << face;
     document()->setSelection(std::move(selection));
 }
 
