@@ -131,6 +131,12 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, dou
         result.problem = nothingFree();
         return result;
     }
+    const bool hadMap = input.snapshot.uv != nullptr;
+    if (made.stopped && (made.onlyPatches || (hadMap && !made.withinBound))) {
+        result.problem = hadMap ? translated("Unwrapping was cancelled: the map stays as it was")
+                                : translated("Unwrapping was cancelled before there was a map");
+        return result;
+    }
     result.uv = made.uv;
     result.message = translated("Unwrapped: distortion %1").arg(made.distortion, 0, 'f', 4);
     if (!made.packed)
