@@ -8,7 +8,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
@@ -69,19 +68,11 @@ const char *const foldedObj =
 
 } // namespace
 
-class TestCli : public QObject
+class TestCli : public QObject, private test::OwnFolder
 {
     Q_OBJECT
 
 private:
-    QTemporaryDir mFolder;
-
-    QString at(const char *name) const { return mFolder.filePath(QString::fromUtf8(name)); }
-    QString file(const char *name, const QByteArray &bytes) const
-    {
-        const QString path = at(name);
-        return test::writeBytes(path, bytes) ? path : QString();
-    }
     static test::CliRun draft(const QString &in, const QString &out, const QStringList &more = {})
     {
         return test::runInProcess(QStringList{QStringLiteral("unwrap"), in, QStringLiteral("-o"), out,

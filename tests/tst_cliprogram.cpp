@@ -9,7 +9,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <csignal>
@@ -41,19 +40,11 @@ QByteArray withLine(const char *line)
 
 } // namespace
 
-class TestCliProgram : public QObject
+class TestCliProgram : public QObject, private test::OwnFolder
 {
     Q_OBJECT
 
 private:
-    QTemporaryDir mFolder;
-
-    QString at(const char *name) const { return mFolder.filePath(QString::fromUtf8(name)); }
-    QString file(const char *name, const QByteArray &bytes) const
-    {
-        const QString path = at(name);
-        return test::writeBytes(path, bytes) ? path : QString();
-    }
     static QStringList draft(const QString &in, const QString &out)
     {
         return {QStringLiteral("unwrap"),

@@ -3,7 +3,6 @@
 
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QTemporaryDir>
 #include <QTest>
 
 using namespace autocuts;
@@ -17,19 +16,9 @@ QJsonObject jsonOf(const QByteArray &text)
 
 } // namespace
 
-class TestMapReporting : public QObject
+class TestMapReporting : public QObject, private test::OwnFolder
 {
     Q_OBJECT
-
-private:
-    QTemporaryDir mFolder;
-
-    QString at(const char *name) const { return mFolder.filePath(QString::fromUtf8(name)); }
-    QString file(const char *name, const QByteArray &bytes) const
-    {
-        const QString path = at(name);
-        return test::writeBytes(path, bytes) ? path : QString();
-    }
 
 private Q_SLOTS:
     void initTestCase() { QVERIFY(mFolder.isValid()); }

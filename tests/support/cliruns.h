@@ -4,6 +4,7 @@
 #include <QByteArray>
 #include <QString>
 #include <QStringList>
+#include <QTemporaryDir>
 
 namespace autocuts::test {
 
@@ -23,6 +24,21 @@ CliRun runProgram(const QString &program, const QStringList &arguments);
 QByteArray readBytes(const QString &path);
 //! Writes a file; false when that fails.
 bool writeBytes(const QString &path, const QByteArray &bytes);
+
+//! A folder of its own for the files of a test class.
+class OwnFolder
+{
+protected:
+    QString at(const char *name) const { return mFolder.filePath(QString::fromUtf8(name)); }
+    //! Writes a file. \returns its path, empty when that failed
+    QString file(const char *name, const QByteArray &bytes) const
+    {
+        const QString path = at(name);
+        return writeBytes(path, bytes) ? path : QString();
+    }
+
+    QTemporaryDir mFolder;
+};
 
 //! An OBJ cube of quads with comments, groups, materials, normals and unknown lines, without UVs.
 QByteArray quadCubeObj();

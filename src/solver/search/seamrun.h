@@ -48,9 +48,9 @@ struct OptimizeOptions
     std::function<void(int)> start; //!< called once with the number of large moves of the whole job
     //! Called repeatedly from any thread with the number of large moves since the last call.
     std::function<void(int)> progress;
-    //! Called from any thread with the best map of a run whenever that has become better: without flipped
-    //! triangles and, unless these are allowed, without overlaps; above the bound as long as the run has
-    //! found no other.
+    //! Called from any thread with maps that may be the best so far: the best map of a run whenever that has
+    //! become better, and those on the way to its first one. They are without flipped triangles and, unless
+    //! these are allowed, without overlaps, but may be above the bound.
     std::function<void(const CutState &)> improved;
 };
 

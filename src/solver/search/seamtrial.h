@@ -44,8 +44,9 @@ public:
     //! Must be called when the state has been replaced from outside.
     void reset() { mX = mState.x; }
     //! Minimises the energy of every chart by Newton steps with the seams fixed. When stopped, the chart
-    //! under way stays as it was, so that more time never gives less. \param between called with the map
-    //! between the steps of large charts, as long as none overlaps itself \returns the energy gained
+    //! under way stays as it was, so that more time never gives less.
+    //! \param between called between the steps of large charts with the map as it is then, where valid
+    //! \returns the energy gained
     double relaxAll(int steps, bool guarded, const JobContext &job = {}, const MapSink &between = {});
     //! The same for the charts that have anchors.
     double relaxAnchored(int steps, bool guarded, const JobContext &job = {});
