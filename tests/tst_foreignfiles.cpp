@@ -49,6 +49,49 @@ QByteArray glbOfAGigabyte()
     return QByteArray(reinterpret_cast<const char *>(head), sizeof head) + json;
 }
 
+//! The pivot becomes part of the node, so that the node that the animation names does not exist.
+constexpr QByteArrayView fbxWithAnimatedPivot = R"(; FBX 7.4.0 project file
+FBXHeaderExtension:  {
+FBXHeaderVersion: 1003
+FBXVersion: 7400
+}
+Objects:  {
+Geometry: 1, "Geometry::", "Mesh" {
+Vertices: *9 { a: 0,0,0,1,0,0,0,1,0 }
+PolygonVertexIndex: *3 { a: 0,1,-3 }
+}
+Model: 2, "Model::part", "Mesh" {
+Properties70:  {
+P: "RotationPivot", "Vector3D", "Vector", "",1,0,0
+}
+}
+AnimationStack: 3, "AnimStack::Take", "" {
+}
+AnimationLayer: 4, "AnimLayer::Base", "" {
+}
+AnimationCurveNode: 5, "AnimCurveNode::T", "" {
+Properties70:  {
+P: "d|X", "Number", "", "A",0
+}
+}
+AnimationCurve: 6, "AnimCurve::", "" {
+KeyTime: *2 { a: 0,46186158000 }
+KeyValueFloat: *2 { a: 0,1 }
+KeyAttrFlags: *1 { a: 264 }
+KeyAttrDataFloat: *4 { a: 0,0,0,0 }
+KeyAttrRefCount: *1 { a: 2 }
+}
+}
+Connections:  {
+C: "OO",1,2
+C: "OO",2,0
+C: "OO",4,3
+C: "OO",5,4
+C: "OP",5,2, "Lcl Translation"
+C: "OP",6,5, "d|X"
+}
+)";
+
 //! True when no child process is left, not even one that has ended.
 bool hasNoChildren()
 {
@@ -249,6 +292,8 @@ private Q_SLOTS:
     void colladaOfOthers_data();
     void colladaOfOthers();
     void blendFilesAreSentToBlender();
+    void animatedPivotsCanBeWritten_data();
+    void animatedPivotsCanBeWritten();
 };
 
 void TestForeignFiles::faultyFiles_data()
@@ -490,6 +535,28 @@ void TestForeignFiles::blendFilesAreSentToBlender()
     const Result<Scene> scene = readMesh(path);
     QVERIFY(!scene.ok());
     QVERIFY(scene.error().remedy.contains(u"Open it in Blender"_s));
+}
+
+void TestForeignFiles::animatedPivotsCanBeWritten_data()
+{
+    QTest::addColumn<QString>("suffix");
+    QTest::newRow("glb") << u"glb"_s;
+    QTest::newRow("fbx") << u"fbx"_s;
+}
+
+void TestForeignFiles::animatedPivotsCanBeWritten()
+{
+    QFETCH(QString, suffix);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(u"a.fbx"_s);
+    QVERIFY(saveAtomically(path, fbxWithAnimatedPivot.toByteArray()).ok());
+    const Result<Scene> scene = readMesh(path);
+    QVERIFY(scene.ok());
+    const QString written = folder.filePath(u"b."_s + suffix);
+    QVERIFY(writeMesh(scene.value(), written).ok());
+    const Result<Scene> again = readMesh(written);
+    QVERIFY(again.ok());
+    QCOMPARE(again->mesh->faceCount(), 1);
 }
 
 QTEST_GUILESS_MAIN(TestForeignFiles)

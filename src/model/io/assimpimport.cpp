@@ -6,6 +6,7 @@
 #include <assimp/config.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <fstream>
@@ -119,6 +120,21 @@ const aiScene *imported(Assimp::Importer &importer, const std::string &path, std
     return scene && scene->mRootNode ? scene : nullptr;
 }
 
+//! Takes out the channels whose node is not in the scene: Assimp's exporters crash on them. An FBX with
+//! pivots that are animated has such channels.
+void dropChannelsWithoutNode(aiScene &scene)
+{
+    for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
+        aiAnimation &animation = *scene.mAnimations[a];
+        aiNodeAnim **end = animation.mChannels + animation.mNumChannels;
+        aiNodeAnim **kept = std::stable_partition(animation.mChannels, end, [&](const aiNodeAnim *channel) {
+            return scene.mRootNode->FindNode(channel->mNodeName) != nullptr;
+        });
+        std::for_each(kept, end, std::default_delete<aiNodeAnim>());
+        animation.mNumChannels = static_cast<unsigned>(kept - animation.mChannels);
+    }
+}
+
 } // namespace
 
 void importWithAssimp(const std::string &path, std::FILE *out, void (*finish)(int code))
@@ -128,6 +144,7 @@ void importWithAssimp(const std::string &path, std::FILE *out, void (*finish)(in
     try {
         if (imported(importer, path, error)) {
             const std::unique_ptr<aiScene> scene(importer.GetOrphanedScene());
+            dropChannelsWithoutNode(*scene);
             writeAssimpScene(*scene, out);
             finish(readerexit::done);
         }
