@@ -40,12 +40,12 @@ inline float sumOf(const Lanes &v)
 //! Sums over the lanes of four vectors at once, each added in the order of sumOf().
 inline void sumsOf(const Lanes &a, const Lanes &b, const Lanes &c, const Lanes &d, float *sums)
 {
-    using Order = int __attribute__((vector_size(sizeof(Lanes))));
-    constexpr Order evenPairs{0, 8, 1, 9, 4, 12, 5, 13}, oddPairs{2, 10, 3, 11, 6, 14, 7, 15};
-    constexpr Order lowHalves{0, 1, 8, 9, 4, 5, 12, 13}, highHalves{2, 3, 10, 11, 6, 7, 14, 15};
-    const Lanes ab = __builtin_shuffle(a, b, evenPairs) + __builtin_shuffle(a, b, oddPairs);
-    const Lanes cd = __builtin_shuffle(c, d, evenPairs) + __builtin_shuffle(c, d, oddPairs);
-    const Lanes all = __builtin_shuffle(ab, cd, lowHalves) + __builtin_shuffle(ab, cd, highHalves);
+    const Lanes ab = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13) +
+                     __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+    const Lanes cd = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13) +
+                     __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+    const Lanes all = __builtin_shufflevector(ab, cd, 0, 1, 8, 9, 4, 5, 12, 13) +
+                      __builtin_shufflevector(ab, cd, 2, 3, 10, 11, 6, 7, 14, 15);
     for (int i = 0; i < 4; ++i)
         sums[i] = all[i] + all[i + 4];
 }

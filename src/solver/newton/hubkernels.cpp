@@ -48,19 +48,18 @@ inline const float *flat(const Lanes *v)
 
 //! Four corners' coordinates: u v u v ...
 using Pairs = double __attribute__((vector_size(sizeof(Lanes))));
-using Order = int __attribute__((vector_size(sizeof(Lanes))));
 
 //! Splits the two Lanes in which slotOf() stores a corner of eight triangles into its two axes.
 inline void takeApart(const Lanes &first, const Lanes &second, Lanes &u, Lanes &v)
 {
-    u = __builtin_shuffle(first, second, Order{0, 2, 8, 10, 4, 6, 12, 14});
-    v = __builtin_shuffle(first, second, Order{1, 3, 9, 11, 5, 7, 13, 15});
+    u = __builtin_shufflevector(first, second, 0, 2, 8, 10, 4, 6, 12, 14);
+    v = __builtin_shufflevector(first, second, 1, 3, 9, 11, 5, 7, 13, 15);
 }
 
 inline void putTogether(const Lanes &u, const Lanes &v, Lanes &first, Lanes &second)
 {
-    first = __builtin_shuffle(u, v, Order{0, 8, 1, 9, 4, 12, 5, 13});
-    second = __builtin_shuffle(u, v, Order{2, 10, 3, 11, 6, 14, 7, 15});
+    first = __builtin_shufflevector(u, v, 0, 8, 1, 9, 4, 12, 5, 13);
+    second = __builtin_shufflevector(u, v, 2, 10, 3, 11, 6, 14, 7, 15);
 }
 
 inline void takeApart(const Lanes *block, Lanes *axes)
