@@ -3,7 +3,6 @@
 #include "solver/base/segmentcrossing.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace autocuts::packing {
 
@@ -68,38 +67,32 @@ bool cellKeepsDistance(const PackProblem &problem, const std::vector<PlacedEdge>
 bool nothingContained(const PackProblem &problem, const Layout &layout,
                       const std::vector<Eigen::AlignedBox2d> &boxes, double &tests)
 {
-    const auto contains = [&](int outer, int inner) {
-        const Turn turn(layout.poses[inner].angle, problem.scaleOf(inner, layout.scale));
-        const double outerScale = problem.scaleOf(outer, layout.scale);
-        const Turn back(layout.poses[outer].angle, 1 / outerScale);
-        for (const int point : problem.outlines[inner].componentPoints) {
-            const Vec2 p = turn(problem.outlines[inner].points[point]) + layout.poses[inner].position;
-            tests += 4;
-            if (problem.outlines[outer].windingAt(back.transposed(p - layout.poses[outer].position)) != 0)
-                return true;
-        }
-        return false;
-    };
-    std::vector<int> order;
+    std::vector<PlacedEdge> points;
     for (int i = 0; i < problem.count(); ++i) {
-        if (!problem.outlines[i].points.empty())
-            order.push_back(i);
-    }
-    std::sort(order.begin(), order.end(), [&](int i, int j) {
-        const double a = boxes[i].min().x(), b = boxes[j].min().x();
-        return a < b || (a == b && i < j);
-    });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        for (std::size_t j = i + 1; j < order.size(); ++j) {
-            const int a = order[i], b = order[j];
-            if (boxes[b].min().x() > boxes[a].max().x())
-                break;
-            tests += 0.2;
-            if ((problem.locked[a] && problem.locked[b]) || !areNear(boxes[a], boxes[b], 0))
-                continue;
-            if (contains(a, b) || contains(b, a))
-                return false;
+        const Turn turn(layout.poses[i].angle, problem.scaleOf(i, layout.scale));
+        for (const int point : problem.outlines[i].componentPoints) {
+            const Vec2 p = turn(problem.outlines[i].points[point]) + layout.poses[i].position;
+            points.push_back({p, p, i});
         }
+    }
+    const SegmentGrid grid(points, problem.lower, problem.upper, 0);
+    for (int i = 0; i < problem.count(); ++i) {
+        if (boxes[i].isEmpty())
+            continue;
+        const Turn back(layout.poses[i].angle, 1 / problem.scaleOf(i, layout.scale));
+        const auto keepsOut = [&](const PlacedEdge &point) {
+            tests += 0.2;
+            if (point.island == i || (problem.locked[i] && problem.locked[point.island]) ||
+                !boxes[i].contains(point.a))
+                return true;
+            tests += 4;
+            return problem.outlines[i].windingAt(back.transposed(point.a - layout.poses[i].position)) == 0;
+        };
+        const bool isFree = grid.visitCellsOf(boxes[i], [&](int cell) {
+            return std::all_of(grid.begin(cell), grid.end(cell), [&](int p) { return keepsOut(points[p]); });
+        });
+        if (!isFree)
+            return false;
     }
     return true;
 }

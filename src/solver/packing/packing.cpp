@@ -78,27 +78,31 @@ Layout largestShelves(const PackProblem &problem, WorkMeter &work)
             largest = std::max(largest, problem.outlines[i].radius);
     }
     Layout best{0, problem.given};
+    const auto improve = [&](double scale) {
+        std::optional<Layout> layout = packShelves(problem, scale, work);
+        if (layout)
+            best = std::move(*layout);
+        return layout.has_value();
+    };
     // Islands that are single points look the same at any scale: keep the original one.
     double high = largest > 0 ? problem.size().norm() / largest : problem.unit;
     double low = 0;
     for (int k = 0; k < 64 && low == 0 && !work.cancelled(); ++k) {
         const double scale = std::ldexp(high, -k);
-        const std::optional<Layout> layout = packShelves(problem, scale, work);
-        if (layout && isValidLayout(problem, *layout, work)) {
-            best = *layout;
+        if (improve(scale)) {
             low = scale;
             high = k == 0 ? scale : 2 * scale;
         }
     }
     for (int k = 0; k < 10 && low > 0 && low < high && !work.cancelled(); ++k) {
         const double middle = std::sqrt(low * high);
-        const std::optional<Layout> layout = packShelves(problem, middle, work);
-        if (layout && isValidLayout(problem, *layout, work)) {
-            best = *layout;
-            low = middle;
-        } else {
-            high = middle;
-        }
+        (improve(middle) ? low : high) = middle;
+    }
+    // Shelves are valid but for rounding, so that one check of the result is enough.
+    while (best.scale > 0 && !isValidLayout(problem, best, work)) {
+        const double smaller = 0.5 * best.scale;
+        if (!(smaller > 0) || work.cancelled() || !improve(smaller))
+            return {0, problem.given};
     }
     return best;
 }

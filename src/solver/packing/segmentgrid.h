@@ -1,11 +1,11 @@
-// Uniform grid over the edges of a layout.
+// Uniform grid over the edges or points of a layout.
 #pragma once
 
 #include "solver/packing/layout.h"
 
 namespace autocuts::packing {
 
-//! An edge of an island where the layout puts it.
+//! An edge of an island where the layout puts it. A point is an edge whose ends are equal.
 struct PlacedEdge
 {
     Vec2 a, b;
@@ -22,6 +22,10 @@ public:
 
     int cellCount() const { return mColumns * mRows; }
     int cellOf(const Vec2 &p) const { return row(p.y()) * mColumns + column(p.x()); }
+    //! Calls visit(cell) for each cell that the box touches, until it returns false.
+    //! \return false when visit returned false
+    template <class Visit>
+    bool visitCellsOf(const Eigen::AlignedBox2d &box, Visit visit) const;
     //! Range of the edge indices of a cell.
     const int *begin(int cell) const { return mEntries.data() + mStart[cell]; }
     const int *end(int cell) const { return mEntries.data() + mStart[cell + 1]; }
@@ -42,6 +46,20 @@ private:
     int mColumns = 1, mRows = 1;
     std::vector<int> mStart, mEntries;
 };
+
+template <class Visit>
+bool SegmentGrid::visitCellsOf(const Eigen::AlignedBox2d &box, Visit visit) const
+{
+    const int firstColumn = column(box.min().x()), lastColumn = column(box.max().x());
+    const int firstRow = row(box.min().y()), lastRow = row(box.max().y());
+    for (int r = firstRow; r <= lastRow; ++r) {
+        for (int c = firstColumn; c <= lastColumn; ++c) {
+            if (!visit(r * mColumns + c))
+                return false;
+        }
+    }
+    return true;
+}
 
 //! Squared distance of p to the segment a, b.
 inline double pointSegmentSquared(const Vec2 &p, const Vec2 &a, const Vec2 &b)

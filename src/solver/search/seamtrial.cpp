@@ -394,7 +394,7 @@ void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool gu
         limits.stepped = [&] {
             CutState now = mState;
             mPatch.commit(now);
-            if (!guarded || (now.loopsAreInOrder() && !now.boundariesOverlap(triangles)))
+            if (!guarded || (now.loopsAreInOrder() && !now.boundariesOverlap(triangles, job.quiet())))
                 between(now);
         };
     }
@@ -410,7 +410,7 @@ void SeamTrial::relaxChart(const std::vector<int> &triangles, int steps, bool gu
     if (job.stopped())
         return;
     keep();
-    if (guarded && mState.boundariesOverlap(triangles))
+    if (guarded && mState.boundariesOverlap(triangles, job.quiet()))
         undo();
 }
 
