@@ -144,9 +144,9 @@ private Q_SLOTS:
         pin("standard", Job::Standard, "torus", {5.87010, 4.084522, 0.47874, 1});
         // Not the machine: that takes long and shows little more than its draft.
         pin("finish", Job::Finish, "bumpycube", {3.40379, 4.097472, 0.53249, 1});
-        pin("finish", Job::Finish, "character", {11.16425, 4.098828, 0.63563, 11});
-        pin("finish", Job::Finish, "torus", {10.34334, 4.029752, 0.54808, 7});
-        pin("finish", Job::Finish, "machine", {21.24278, 4.099122, 0.82700, 54});
+        pin("finish", Job::Finish, "character", {10.47352, 4.098997, 0.66344, 9});
+        pin("finish", Job::Finish, "torus", {9.06237, 4.032888, 0.54859, 7});
+        pin("finish", Job::Finish, "machine", {20.90177, 4.099148, 0.81766, 53});
         pin("separate", Job::Separate, "bumpycube", {8.41853, 4.019709, 0.65081, 6});
         pin("separate", Job::Separate, "character", {30.50326, 4.062418, 0.55380, 51});
         pin("separate", Job::Separate, "torus", {23.82475, 4.129902, 0.70890, 28});
