@@ -15,6 +15,7 @@ target_compile_definitions(autocuts_flags INTERFACE
   QT_NO_CAST_FROM_BYTEARRAY QT_NO_FOREACH QT_NO_KEYWORDS
   QT_DISABLE_DEPRECATED_BEFORE=0x060400)
 if(AUTOCUTS_SANITIZE)
+  target_compile_definitions(autocuts_flags INTERFACE AUTOCUTS_SANITIZED)
   target_compile_options(autocuts_flags INTERFACE -fsanitize=${AUTOCUTS_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(autocuts_flags INTERFACE -fsanitize=${AUTOCUTS_SANITIZE})
 endif()

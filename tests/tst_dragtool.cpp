@@ -7,6 +7,7 @@
 #include "solver/metrics/uvmetrics.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
+#include "support/patience.h"
 #include "views/tools/draghandles.h"
 #include "views/tools/dragtool.h"
 
@@ -227,13 +228,14 @@ private Q_SLOTS:
         const Row from = mStudio->shown.uv().row(soup);
         const QPoint start = pixel(from.transpose()), end = start - QPoint(0, 110);
         pressAndPull(start, end);
-        QTRY_VERIFY_WITH_TIMEOUT((mStudio->shown.uv().row(soup) - from - Row(0, 0.55)).norm() < 0.02, 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT((mStudio->shown.uv().row(soup) - from - Row(0, 0.55)).norm() < 0.02,
+                                 test::patience);
         const auto open = [this] {
             const std::vector<float> &separation = mStudio->shown.separation();
             return std::count_if(separation.begin(), separation.end(), [](float s) { return s >= 0.5f; });
         };
         if (tears)
-            QTRY_VERIFY_WITH_TIMEOUT(open() >= 4, 20'000);
+            QTRY_VERIFY_WITH_TIMEOUT(open() >= 4, test::patience);
         else
             QCOMPARE(open(), 0);
         QTest::mouseRelease(&view(), Qt::LeftButton, {}, end);
@@ -288,12 +290,12 @@ private Q_SLOTS:
         const int soup = soupAt({0.5, 1});
         const QPoint start = pixel(mStudio->shown.uv().row(soup).transpose());
         pressAndPull(start, start + QPoint(10, -30));
-        QTRY_VERIFY_WITH_TIMEOUT(mStudio->solver.status().converged, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(mStudio->solver.status().converged, test::patience);
         QTest::qWait(0);
         const bool ran = mStudio->solver.isRunning();
         QTest::mouseRelease(&view(), Qt::LeftButton, {}, start + QPoint(10, -30));
         QVERIFY(ran);
-        QTRY_VERIFY_WITH_TIMEOUT(ends(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(ends(), test::patience);
     }
 
     //! The definite map follows the mouse, and nothing of it comes to lie on anything else.
@@ -325,7 +327,8 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT((mStudio->shown.uv().row(soup) - to).norm() < 0.1 * (to - from).norm(),
                                  20'000);
         QTest::mouseRelease(&view(), Qt::LeftButton, {}, end);
-        QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isRunning() && !mStudio->solver.isPausing(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isRunning() && !mStudio->solver.isPausing(),
+                                 test::patience);
         QVERIFY(document().uv() == mStudio->solver.map()->uv);
     }
 
@@ -341,9 +344,10 @@ private Q_SLOTS:
         const Row from = mStudio->shown.uv().row(soup);
         const QPoint start = pixel(from.transpose()), end = start - QPoint(0, 110);
         pressAndPull(start, end);
-        QTRY_VERIFY_WITH_TIMEOUT((mStudio->shown.uv().row(soup) - from - Row(0, 0.55)).norm() < 0.02, 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT((mStudio->shown.uv().row(soup) - from - Row(0, 0.55)).norm() < 0.02,
+                                 test::patience);
         QTest::keyClick(&view(), Qt::Key_Escape);
-        QTRY_VERIFY_WITH_TIMEOUT((mStudio->shown.uv().row(soup) - from).norm() < 0.02, 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT((mStudio->shown.uv().row(soup) - from).norm() < 0.02, test::patience);
         QTest::mouseRelease(&view(), Qt::LeftButton, {}, end);
         QVERIFY(mStudio->solver.isRunning());
         QCOMPARE(document().undoStack().count(), entries);

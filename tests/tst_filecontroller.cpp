@@ -5,6 +5,7 @@
 #include "model/io/meshfile.h"
 #include "support/editsupport.h"
 #include "support/meshbuilders.h"
+#include "support/patience.h"
 #include "views/control/filecontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
@@ -19,8 +20,6 @@
 using namespace autocuts;
 
 namespace {
-
-constexpr int patience = 60'000; //!< milliseconds
 
 //! What a window has for files, without the window.
 struct Desk
@@ -41,7 +40,8 @@ struct Desk
     Document &document() { return *workspace.document(); }
     bool rests()
     {
-        return QTest::qWaitFor([this] { return !files.jobs().isBusy() && !files.isSaving(); }, patience);
+        return QTest::qWaitFor([this] { return !files.jobs().isBusy() && !files.isSaving(); },
+                               test::patience);
     }
     void openLargeGrid() { workspace.open(std::make_unique<Document>(test::sceneOf(test::grid(200))), {}); }
     //! Cuts the edge of that number among those that are no diagonals.
@@ -282,7 +282,7 @@ private Q_SLOTS:
         Desk desk(folder);
         desk.files.openSample(QStringLiteral("torus"));
         desk.solver.run();
-        QVERIFY(QTest::qWaitFor([&] { return desk.solver.status().iteration > 3; }, patience));
+        QVERIFY(QTest::qWaitFor([&] { return desk.solver.status().iteration > 3; }, test::patience));
         desk.files.saveForRecoveryNow();
         desk.files.waitForSaves();
         const std::vector<QString> files = recoveryFiles(folder);
@@ -388,7 +388,7 @@ private Q_SLOTS:
         desk.files.open(path);
         desk.files.jobs().cancel();
         QVERIFY(!desk.files.jobs().isBusy());
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 20'000);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, test::patience);
         QCOMPARE(desk.workspace.document(), before);
     }
 

@@ -1,4 +1,5 @@
 // Long work off the GUI thread: results, progress, cancel, failure.
+#include "support/patience.h"
 #include "views/control/jobrunner.h"
 
 #include <QSignalSpy>
@@ -10,8 +11,6 @@
 using namespace autocuts;
 
 namespace {
-
-constexpr int patience = 20'000; //!< milliseconds
 
 //! Counts up until it is told to stop.
 int countUntilStopped(JobControl &control)
@@ -48,7 +47,7 @@ private Q_SLOTS:
             }));
         QVERIFY(runner.isBusy());
         QCOMPARE(runner.title(), QStringLiteral("Adding"));
-        QTRY_COMPARE_WITH_TIMEOUT(result, 5, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(result, 5, test::patience);
         QVERIFY(!runner.isBusy());
         QCOMPARE(doneThread, QThread::currentThread());
         QVERIFY(workThread != doneThread);
@@ -62,7 +61,7 @@ private Q_SLOTS:
         QVERIFY(!runner.start(
             QStringLiteral("Second"), [](JobControl &) { return 0; }, [&](int) { second = true; }));
         runner.cancel();
-        QTRY_VERIFY_WITH_TIMEOUT(!runner.isBusy(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!runner.isBusy(), test::patience);
         QVERIFY(!second);
     }
 
@@ -79,11 +78,11 @@ private Q_SLOTS:
                 return countUntilStopped(control);
             },
             [](int) {});
-        QTRY_COMPARE_WITH_TIMEOUT(runner.progress(), 0.5, patience);
-        QTRY_COMPARE_WITH_TIMEOUT(runner.stage(), QStringLiteral("half way"), patience);
-        QTRY_VERIFY_WITH_TIMEOUT(progress.count() > 2, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(runner.progress(), 0.5, test::patience);
+        QTRY_COMPARE_WITH_TIMEOUT(runner.stage(), QStringLiteral("half way"), test::patience);
+        QTRY_VERIFY_WITH_TIMEOUT(progress.count() > 2, test::patience);
         runner.cancel();
-        QTRY_VERIFY_WITH_TIMEOUT(!runner.isBusy(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!runner.isBusy(), test::patience);
         QCOMPARE(runner.progress(), -1.0);
         QVERIFY(runner.stage().isEmpty());
     }
@@ -100,9 +99,9 @@ private Q_SLOTS:
                 return countUntilStopped(control);
             },
             [&](int count) { result = count; });
-        QTRY_VERIFY_WITH_TIMEOUT(begun, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(begun, test::patience);
         runner.cancel();
-        QTRY_VERIFY_WITH_TIMEOUT(result > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(result > 0, test::patience);
     }
 
     void aJobThatIsLetGoIsForgotten()
@@ -116,8 +115,8 @@ private Q_SLOTS:
         int result = 0;
         QVERIFY(runner.start(
             QStringLiteral("Another"), [](JobControl &) { return 7; }, [&](int value) { result = value; }));
-        QTRY_COMPARE_WITH_TIMEOUT(result, 7, patience);
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(result, 7, test::patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, test::patience);
         QVERIFY(!called);
     }
 
@@ -136,26 +135,26 @@ private Q_SLOTS:
         const auto begin = [&] {
             release = false;
             QVERIFY(runner.start(QStringLiteral("Thinking"), stubborn, [&](int value) { late += value; }));
-            QTRY_COMPARE_WITH_TIMEOUT(runner.progress(), 0.5, patience);
+            QTRY_COMPARE_WITH_TIMEOUT(runner.progress(), 0.5, test::patience);
             runner.cancel();
             QVERIFY(runner.isBusy());
-            QTRY_VERIFY_WITH_TIMEOUT(!runner.isBusy(), patience);
+            QTRY_VERIFY_WITH_TIMEOUT(!runner.isBusy(), test::patience);
         };
         // What it has is used when it comes ...
         begin();
         QCOMPARE(late, 0);
         release = true;
-        QTRY_COMPARE_WITH_TIMEOUT(late, 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(late, 1, test::patience);
         // ... unless something else was begun, or it is not wanted any more.
         begin();
         runner.start(
             QStringLiteral("Next"), [](JobControl &) { return 1; }, [&](int value) { next = value; });
         release = true;
-        QTRY_COMPARE_WITH_TIMEOUT(next, 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(next, 1, test::patience);
         begin();
         runner.abandon();
         release = true;
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 3, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 3, test::patience);
         QCOMPARE(late, 1);
     }
 
@@ -167,7 +166,7 @@ private Q_SLOTS:
         runner.start(
             QStringLiteral("Failing"), [](JobControl &) -> int { throw std::runtime_error("no such thing"); },
             [&](int) { called = true; });
-        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, test::patience);
         QCOMPARE(failed.first().first().toString(), QStringLiteral("no such thing"));
         QVERIFY(!called);
         QVERIFY(!runner.isBusy());
@@ -184,7 +183,7 @@ private Q_SLOTS:
                     QStringLiteral("Next"), [value](JobControl &) { return value + 1; }, next);
         };
         next(0);
-        QTRY_COMPARE_WITH_TIMEOUT(steps, 3, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(steps, 3, test::patience);
         runner.start(
             QStringLiteral("Last"), [](JobControl &) { return 9; }, [&](int v) { steps = v; });
         runner.waitForDone();

@@ -1,5 +1,6 @@
 // Islands shown beside each other while the solver runs.
 #include "commands/editpins.h"
+#include "support/patience.h"
 #include "support/pieces.h"
 #include "views/control/livepacker.h"
 #include "views/control/shownmap.h"
@@ -14,8 +15,6 @@ using namespace autocuts;
 using namespace autocuts::homotopy;
 
 namespace {
-
-constexpr int patience = 60'000; //!< milliseconds
 
 Eigen::AlignedBox2d boxOf(const UvMatrix &soup, int part)
 {
@@ -89,7 +88,7 @@ private Q_SLOTS:
         QVERIFY(!solver.livePacking());
         solver.setLivePacking(true);
         solver.run();
-        QVERIFY(QTest::qWaitFor([&] { return shown.isLive() && apart(shown.uv(), 4); }, patience));
+        QVERIFY(QTest::qWaitFor([&] { return shown.isLive() && apart(shown.uv(), 4); }, test::patience));
         QVERIFY(solver.soup());
         QVERIFY(!apart(solver.soup()->soupUv, 4));
         QCOMPARE(document.undoStack().count(), 0);
@@ -101,7 +100,7 @@ private Q_SLOTS:
         QVERIFY(!apart(shown.uv(), 4));
         solver.setLivePacking(true);
         solver.pause();
-        QVERIFY(QTest::qWaitFor([&] { return !solver.isPausing(); }, patience));
+        QVERIFY(QTest::qWaitFor([&] { return !solver.isPausing(); }, test::patience));
         QVERIFY(!shown.isLive());
         QVERIFY(document.undoStack().count() <= 1);
         while (document.undoStack().canUndo())

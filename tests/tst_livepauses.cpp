@@ -5,6 +5,7 @@
 #include "solver/base/random.h"
 #include "solver/metrics/uvmetrics.h"
 #include "support/meshbuilders.h"
+#include "support/patience.h"
 #include "views/control/filecontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
@@ -18,8 +19,6 @@ using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
 namespace {
-
-constexpr int patience = 120'000; //!< milliseconds
 
 //! Pauses per mesh. $AUTOCUTS_PAUSES asks for more of them, $AUTOCUTS_PAUSE_MESHES for further meshes, and
 //! $AUTOCUTS_PAUSE_FOLDER for the maps, to be measured by another program.
@@ -77,7 +76,7 @@ private Q_SLOTS:
             QElapsedTimer sincePause;
             sincePause.start();
             solver.pause();
-            QVERIFY(QTest::qWaitFor([&] { return !solver.isPausing(); }, patience));
+            QVERIFY(QTest::qWaitFor([&] { return !solver.isPausing(); }, test::patience));
             const qint64 took = sincePause.elapsed();
             const metrics::UvMetrics figures = metrics::measureUv(document.mesh(), document.uv());
             const QString state = u"after %1 ms, pause of %2 ms: D %3, seams %4, charts %5"_s.arg(wait)

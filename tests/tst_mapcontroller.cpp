@@ -5,6 +5,7 @@
 #include "commands/setuvs.h"
 #include "model/document/makesnapshot.h"
 #include "model/samples/samples.h"
+#include "support/patience.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/mapjobs.h"
 #include "views/control/shownmap.h"
@@ -21,8 +22,6 @@ using namespace autocuts::metrics;
 using namespace autocuts::unwrap;
 
 namespace {
-
-constexpr int patience = 120'000; //!< milliseconds
 
 struct Studio
 {
@@ -41,11 +40,11 @@ struct Studio
     bool ends()
     {
         return QTest::qWaitFor([&] { return !map.jobs().isBusy() && done.count() + failed.count() > 0; },
-                               patience);
+                               test::patience);
     }
     bool measures()
     {
-        return QTest::qWaitFor([&] { return map.figuresAreFresh(); }, patience);
+        return QTest::qWaitFor([&] { return map.figuresAreFresh(); }, test::patience);
     }
     //! A quick map: every face of the box on its own, side by side and on top of each other as they come.
     void layOut(bool overlapping)
@@ -118,9 +117,9 @@ private Q_SLOTS:
         QVERIFY(obeys(true));
         studio.solver.setLiveView(LiveView::Soup);
         studio.solver.run();
-        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration >= 5; }, patience));
+        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration >= 5; }, test::patience));
         studio.solver.pause();
-        QVERIFY(QTest::qWaitFor([&] { return !studio.solver.isPausing(); }, patience));
+        QVERIFY(QTest::qWaitFor([&] { return !studio.solver.isPausing(); }, test::patience));
         QVERIFY(obeys(true));
     }
 
@@ -155,7 +154,7 @@ private Q_SLOTS:
         Studio studio;
         studio.solver.setLiveView(LiveView::Soup);
         studio.solver.run();
-        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > steps; }, patience));
+        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > steps; }, test::patience));
         studio.map.finish(4.5);
         QVERIFY(studio.ends());
         QCOMPARE(studio.failed.count(), 0);
@@ -174,7 +173,7 @@ private Q_SLOTS:
         Studio studio;
         studio.solver.setLiveView(LiveView::Soup);
         studio.solver.run();
-        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > 3; }, patience));
+        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > 3; }, test::patience));
         MapInput input;
         studio.solver.whenPaused([&] {
             const Document &document = studio.document();
@@ -205,7 +204,7 @@ private Q_SLOTS:
         pushCommand(EditRectangles::add(studio.document(), box));
         studio.solver.setLiveView(LiveView::Soup);
         studio.solver.run();
-        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > 10; }, patience));
+        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > 10; }, test::patience));
         studio.map.finish(4.3);
         QVERIFY(studio.ends());
         QCOMPARE(studio.failed.count(), 0);
@@ -329,7 +328,7 @@ private Q_SLOTS:
     {
         Studio studio("bumpycube"); // of one closed part: the search reports progress when it has a map
         studio.map.unwrap(UnwrapQuality::Best, 4.1);
-        QTRY_VERIFY_WITH_TIMEOUT(studio.map.jobs().progress() > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(studio.map.jobs().progress() > 0, test::patience);
         studio.map.cancel();
         QVERIFY(studio.ends());
         QCOMPARE(studio.stack().count(), 1);
@@ -359,7 +358,7 @@ private Q_SLOTS:
         studio.map.unwrap(UnwrapQuality::Draft, 4.2);
         studio.workspace.open(std::make_unique<Document>(makeSample(QStringLiteral("torus")).value()), {});
         QVERIFY(!studio.map.jobs().isBusy());
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, test::patience);
         QCOMPARE(studio.stack().count(), 0);
         QVERIFY(!studio.document().uv().allFinite());
     }

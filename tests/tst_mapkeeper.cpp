@@ -4,6 +4,7 @@
 #include "solver/metrics/uvmetrics.h"
 #include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
+#include "support/patience.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -16,12 +17,6 @@ using namespace autocuts::live;
 using namespace autocuts::unwrap;
 
 namespace {
-
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
-constexpr int patience = 1'800'000; //!< milliseconds; sanitized code is many times slower
-#else
-constexpr int patience = 120'000; //!< milliseconds
-#endif
 
 using MapPtr = std::shared_ptr<const LiveMapResult>;
 
@@ -71,7 +66,7 @@ struct Bench : QObject
         rests = false;
         keeper->update(std::make_shared<const Snapshot>(snapshot), options, pulled, back);
     }
-    bool waitFor(const std::function<bool()> &what) { return QTest::qWaitFor(what, patience); }
+    bool waitFor(const std::function<bool()> &what) { return QTest::qWaitFor(what, test::patience); }
     bool hasMap()
     {
         return waitFor([this] { return !maps.empty(); });

@@ -21,7 +21,7 @@
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
 
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef AUTOCUTS_SANITIZED
 // The sanitizer takes address space for itself; large requests are caught this way instead.
 extern "C" const char *__asan_default_options()
 {
@@ -39,7 +39,7 @@ class MemoryLimit
 public:
     explicit MemoryLimit([[maybe_unused]] qint64 bytes)
     {
-#if defined(Q_OS_LINUX) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(Q_OS_LINUX) && !defined(AUTOCUTS_SANITIZED)
         getrlimit(RLIMIT_AS, &mBefore);
         rlimit limit = mBefore;
         limit.rlim_cur = static_cast<rlim_t>(inUse() + bytes);

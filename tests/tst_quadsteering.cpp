@@ -4,6 +4,7 @@
 #include "model/samples/samplemodels.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
+#include "support/patience.h"
 #include "views/tools/painttool.h"
 
 #include <QTest>
@@ -46,7 +47,7 @@ private Q_SLOTS:
             pushCommand(std::make_unique<ChangeSettings>(document, settings));
             studio.solver.setMode(SolveMode::Manual);
             studio.solver.run();
-            QTRY_VERIFY_WITH_TIMEOUT(studio.solver.status().iteration > 10, 20'000);
+            QTRY_VERIFY_WITH_TIMEOUT(studio.solver.status().iteration > 10, test::patience);
             studio.uv.frameAll();
         }
         std::vector<Canvas *> views{&studio.mesh};
@@ -126,7 +127,7 @@ private:
         };
         QVERIFY2(worst() < 0.5f, qPrintable(QString::number(double(worst()))));
         studio.solver.pause();
-        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isPausing(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isPausing(), test::patience);
         QCOMPARE(worst(), 0.0f);
         const std::vector<int> &face = mesh.triangleFace;
         for (const EdgePair &pair : mesh.edgePairs) {

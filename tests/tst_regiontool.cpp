@@ -4,6 +4,7 @@
 #include "solver/metrics/uvmetrics.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
+#include "support/patience.h"
 #include "views/control/cleanfaces.h"
 
 #include <QTest>
@@ -147,11 +148,12 @@ private Q_SLOTS:
     {
         mStudio->solver.setMode(SolveMode::Manual);
         mStudio->solver.run();
-        QTRY_VERIFY_WITH_TIMEOUT(mStudio->solver.status().iteration > 2, 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(mStudio->solver.status().iteration > 2, test::patience);
         QVERIFY(mStudio->shown.isLive());
         mStudio->uv.frameAll();
         clickFace(20);
-        QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isRunning() && !mStudio->solver.isPausing(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isRunning() && !mStudio->solver.isPausing(),
+                                 test::patience);
         QVERIFY(!mStudio->shown.isLive());
         QVERIFY(!document().selection().faces.isEmpty());
         QVERIFY(document().islands().count() >= 1);
@@ -162,7 +164,7 @@ private Q_SLOTS:
         QVERIFY(!(document().uv() == before));
         QVERIFY(mStudio->solver.isRunning());
         mStudio->solver.pause();
-        QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isPausing(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!mStudio->solver.isPausing(), test::patience);
     }
 
     //! Three layers do not come apart in two: the tool says so and takes what it can.

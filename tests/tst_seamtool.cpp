@@ -2,6 +2,7 @@
 #include "commands/changesettings.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
+#include "support/patience.h"
 #include "views/tools/seamtool.h"
 
 #include <QTest>
@@ -200,7 +201,7 @@ private Q_SLOTS:
         pushCommand(std::make_unique<ChangeSettings>(document(), settings));
         mStudio->solver.setMode(SolveMode::Manual);
         mStudio->solver.run();
-        QTRY_VERIFY_WITH_TIMEOUT(mStudio->solver.status().iteration > 3, 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(mStudio->solver.status().iteration > 3, test::patience);
         EnergyGain gain;
         QVERIFY(gain.text(mStudio->solver).isEmpty());
         const double before = mStudio->solver.status().energy;
@@ -212,7 +213,7 @@ private Q_SLOTS:
             edges.push_back(e);
         pushCommand(std::make_unique<SetSeamState>(document(), SetSeamState::Edit::Cut,
                                                    cornerPairsOfEdges(document().mesh(), edges)));
-        QTRY_VERIFY_WITH_TIMEOUT(mStudio->solver.status().iteration > start, 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(mStudio->solver.status().iteration > start, test::patience);
         QVERIFY(mStudio->solver.status().energy < before);
         QVERIFY2(gain.text(mStudio->solver).startsWith(u"Energy saved since the edit"_s),
                  qPrintable(gain.text(mStudio->solver)));

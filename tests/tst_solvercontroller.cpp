@@ -4,6 +4,7 @@
 #include "commands/setuvs.h"
 #include "model/samples/samples.h"
 #include "solver/metrics/uvmetrics.h"
+#include "support/patience.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
@@ -18,8 +19,6 @@ using namespace autocuts::live;
 using namespace autocuts::metrics;
 
 namespace {
-
-constexpr int patience = 60'000; //!< milliseconds
 
 //! A workspace with a model, and the solver on it.
 struct Studio
@@ -42,12 +41,12 @@ struct Studio
     bool runsTo(int iteration)
     {
         solver.run();
-        return QTest::qWaitFor([&] { return solver.status().iteration >= iteration; }, patience);
+        return QTest::qWaitFor([&] { return solver.status().iteration >= iteration; }, test::patience);
     }
     bool settles()
     {
         solver.pause();
-        return QTest::qWaitFor([&] { return !solver.isPausing(); }, patience);
+        return QTest::qWaitFor([&] { return !solver.isPausing(); }, test::patience);
     }
     bool hasNoUvs() { return !document().uv().allFinite(); }
 };
@@ -69,11 +68,11 @@ private Q_SLOTS:
         connect(&studio.solver, &SolverController::workerRests, [&rests] { rests.release(); });
         studio.solver.run();
         // The worker says so while this thread is not listening, and another run begins.
-        QVERIFY(rests.tryAcquire(1, patience));
+        QVERIFY(rests.tryAcquire(1, test::patience));
         studio.workspace.open(std::make_unique<Document>(makeSample(QStringLiteral("torus")).value()), {});
         studio.solver.setMode(SolveMode::Budget);
         studio.solver.run();
-        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration >= 3; }, patience));
+        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration >= 3; }, test::patience));
         QVERIFY(studio.solver.isRunning());
     }
 
@@ -142,7 +141,7 @@ private Q_SLOTS:
         settings.lambda = 0.25;
         settings.delta = 0.5;
         QVERIFY(pushCommand(std::make_unique<ChangeSettings>(studio.document(), settings)));
-        QTRY_COMPARE_WITH_TIMEOUT(studio.solver.status().lambda, 0.25, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(studio.solver.status().lambda, 0.25, test::patience);
         QCOMPARE(studio.solver.status().delta, 0.5);
         QVERIFY(studio.solver.isRunning());
         QVERIFY(studio.solver.status().iteration >= before);
@@ -152,10 +151,10 @@ private Q_SLOTS:
     {
         Studio studio;
         studio.solver.step();
-        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isPausing(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isPausing(), test::patience);
         QCOMPARE(studio.solver.status().iteration, 1);
         studio.solver.step();
-        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isPausing(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isPausing(), test::patience);
         QCOMPARE(studio.solver.status().iteration, 2);
     }
 
@@ -165,7 +164,7 @@ private Q_SLOTS:
         studio.solver.setMode(SolveMode::Budget);
         studio.solver.setMaxDistortion(4.3);
         studio.solver.run();
-        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isPausing(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isPausing(), test::patience);
         QVERIFY(studio.solver.status().converged);
         QCOMPARE(studio.stack().count(), 1);
         const UvMetrics metrics = measureUv(studio.document().mesh(), studio.document().uv());
@@ -189,9 +188,9 @@ private Q_SLOTS:
         const auto steps = [&] { return studio.solver.status().iteration; };
         const int before = steps();
         QTRY_VERIFY_WITH_TIMEOUT(steps() > before && studio.solver.status().delta == settings.delta,
-                                 patience);
+                                 test::patience);
         const int then = steps();
-        QTRY_VERIFY_WITH_TIMEOUT(steps() > then + 5, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(steps() > then + 5, test::patience);
         QCOMPARE(studio.solver.status().delta, settings.delta);
     }
 
@@ -201,7 +200,7 @@ private Q_SLOTS:
         QVERIFY(studio.runsTo(30));
         QVERIFY(studio.settles());
         studio.solver.restart();
-        QTRY_VERIFY_WITH_TIMEOUT(studio.solver.status().iteration > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(studio.solver.status().iteration > 0, test::patience);
         QVERIFY(studio.solver.status().iteration < 30 || studio.solver.trace().front().iteration == 1);
         QVERIFY(studio.settles());
         QVERIFY(studio.document().uv() == studio.solver.map()->uv);
@@ -231,7 +230,7 @@ private Q_SLOTS:
         int entries = -1;
         studio.solver.whenPaused([&] { entries = studio.stack().count(); });
         QCOMPARE(entries, -1);
-        QTRY_COMPARE_WITH_TIMEOUT(entries, 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(entries, 1, test::patience);
     }
 
     //! A solve of some faces leaves all others as they are, also with a cut on the way; the next run is free.
@@ -241,7 +240,7 @@ private Q_SLOTS:
         studio.solver.setMode(SolveMode::Budget);
         studio.solver.run();
         QVERIFY(QTest::qWaitFor([&] { return studio.solver.map() && studio.solver.map()->withinBound; },
-                                patience));
+                                test::patience));
         QVERIFY(studio.settles());
         const UvMatrix before = studio.document().uv();
         const MeshData &mesh = studio.document().mesh();
@@ -253,7 +252,7 @@ private Q_SLOTS:
         studio.solver.runOnSelection();
         QVERIFY(studio.solver.isRunning());
         QVERIFY(studio.solver.isLimited());
-        QVERIFY(QTest::qWaitFor([&] { return studio.solver.map() != nullptr; }, patience));
+        QVERIFY(QTest::qWaitFor([&] { return studio.solver.map() != nullptr; }, test::patience));
         int edge = 0;
         while (mesh.edgePairs[edge].diagonal || mesh.triangleFace[mesh.edgePairs[edge].triangle[0]] > 20)
             ++edge;

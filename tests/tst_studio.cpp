@@ -4,6 +4,7 @@
 #include "model/io/projectfile.h"
 #include "model/samples/samples.h"
 #include "support/editsupport.h"
+#include "support/patience.h"
 #include "support/studiosession.h"
 #include "views/actions/studioactions.h"
 #include "views/canvas/meshview.h"
@@ -66,7 +67,7 @@ private Q_SLOTS:
         studio.press(Qt::Key_Left);
         QVERIFY(studio.document()->solveSettings().lambda < lambda);
         QVERIFY(studio.context.solver.isRunning());
-        QTRY_COMPARE_WITH_TIMEOUT(studio.context.solver.status().delta, delta / 32, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(studio.context.solver.status().delta, delta / 32, test::patience);
         QVERIFY(studio.runsTo(studio.context.solver.status().iteration + 30));
         studio.press(Qt::Key_Space);
         QVERIFY(studio.solverRests());
@@ -82,7 +83,7 @@ private Q_SLOTS:
         // Save, close, reopen.
         studio.answers->filesToSave << project;
         studio.press(Qt::Key_S, Qt::ControlModifier);
-        QTRY_VERIFY_WITH_TIMEOUT(!studio.context.workspace.isModified(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.context.workspace.isModified(), test::patience);
         QVERIFY2(studio.answers->errors.isEmpty(),
                  qPrintable(studio.answers->errors.join(QLatin1Char('\n'))));
         const DocumentState saved = studio.document()->state();
@@ -91,7 +92,7 @@ private Q_SLOTS:
         QCOMPARE(studio.answers->unsavedAsked, 0);
         studio.answers->filesToOpen << project;
         studio.press(Qt::Key_O, Qt::ControlModifier);
-        QTRY_VERIFY_WITH_TIMEOUT(studio.document(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(studio.document(), test::patience);
         QVERIFY(studio.document()->uv() == settled);
         QVERIFY(studio.document()->solveSettings() == saved.solveSettings);
         QCOMPARE(studio.context.preferences.recentFiles().value(0), project);
@@ -134,7 +135,7 @@ private Q_SLOTS:
         // There may be nothing to undo yet but the run itself.
         studio.action("edit.undo")->trigger();
         QVERIFY(studio.solverRests());
-        QTRY_VERIFY_WITH_TIMEOUT(!hasUvs(*studio.document()), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!hasUvs(*studio.document()), test::patience);
         QVERIFY(studio.document()->undoStack().canRedo());
     }
 
@@ -156,7 +157,7 @@ private Q_SLOTS:
         QVERIFY(enter.isAccepted());
         QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&studio.window, &drop);
-        QTRY_VERIFY_WITH_TIMEOUT(studio.document(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(studio.document(), test::patience);
         QVERIFY(studio.window.windowTitle().startsWith(QStringLiteral("cathead.obj")));
     }
 
@@ -172,7 +173,7 @@ private Q_SLOTS:
         file.close();
         studio.answers->filesToOpen << broken;
         studio.action("file.open")->trigger();
-        QTRY_COMPARE_WITH_TIMEOUT(studio.answers->errors.size(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(studio.answers->errors.size(), 1, test::patience);
         QVERIFY2(studio.answers->errors.front().contains(QStringLiteral("broken.obj:2")),
                  qPrintable(studio.answers->errors.front()));
         QCOMPARE(studio.document(), before);

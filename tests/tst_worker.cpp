@@ -1,6 +1,7 @@
 // The live solver on its thread: what it does is what Solver does, and it obeys at once.
 #include "solver/live/worker.h"
 #include "support/meshbuilders.h"
+#include "support/patience.h"
 
 #include <QDir>
 #include <QScopeGuard>
@@ -14,8 +15,6 @@ using namespace autocuts::homotopy;
 using namespace autocuts::live;
 
 namespace {
-
-constexpr int patience = 60'000; //!< milliseconds
 
 std::shared_ptr<Snapshot> snapshotOf(const test::MeshPtr &mesh)
 {
@@ -57,7 +56,7 @@ struct Bench : QObject
         QSignalSpy waiting(worker, &SolveWorker::waiting);
         worker->start(std::move(snapshot), Vec2::Zero());
         worker->runSteps(steps);
-        QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, test::patience);
     }
 
     QThread thread;
@@ -85,9 +84,9 @@ private Q_SLOTS:
         QSignalSpy waiting(bench.worker, &SolveWorker::waiting);
         bench.worker->start(snapshot, Vec2::Zero());
         bench.worker->runSteps(7);
-        QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, test::patience);
         QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->status.iteration == 7,
-                                 patience);
+                                 test::patience);
         const SolveResult &last = *bench.results.back();
         QVERIFY(last.token == snapshot->token);
         const std::vector<double> &x = solver.coordinates();
@@ -107,7 +106,7 @@ private Q_SLOTS:
         for (const int threads : {1, 2, 3}) {
             Bench bench(threads);
             bench.runAndWait(snapshot, 15);
-            QTRY_COMPARE_WITH_TIMEOUT(bench.results.back()->status.iteration, 15, patience);
+            QTRY_COMPARE_WITH_TIMEOUT(bench.results.back()->status.iteration, 15, test::patience);
             maps.push_back(bench.results.back()->soupUv);
         }
         QVERIFY(maps[1] == maps[0]);
@@ -133,7 +132,7 @@ private Q_SLOTS:
     {
         Bench bench;
         bench.worker->start(snapshotOf(test::sphere(8, 12)), Vec2(3, 4));
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty(), test::patience);
         const Eigen::RowVector2d mean = bench.results.back()->soupUv.colwise().mean();
         QVERIFY((mean - Eigen::RowVector2d(3, 4)).norm() < 0.5);
     }
@@ -147,9 +146,9 @@ private Q_SLOTS:
         Bench bench;
         bench.worker->start(before, Vec2::Zero());
         bench.worker->run();
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.trace.empty(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.trace.empty(), test::patience);
         bench.worker->update(after);
-        QTRY_COMPARE_WITH_TIMEOUT(bench.results.back()->status.lambda, 0.5, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.results.back()->status.lambda, 0.5, test::patience);
         // No restart: the count of steps goes on.
         const int iteration = bench.results.back()->status.iteration;
         QVERIFY(iteration >= 1);
@@ -161,12 +160,13 @@ private Q_SLOTS:
         Bench bench;
         bench.worker->start(before, Vec2::Zero());
         bench.worker->run();
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->status.converged, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->status.converged,
+                                 test::patience);
         const int iteration = bench.results.back()->status.iteration;
         const auto after = std::make_shared<Snapshot>(*before);
         after->settings.delta = 0.01;
         bench.worker->update(after);
-        QTRY_VERIFY_WITH_TIMEOUT(bench.results.back()->status.iteration > iteration, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.results.back()->status.iteration > iteration, test::patience);
     }
 
     void aPausedRunStaysPausedAfterAnEdit()
@@ -176,7 +176,7 @@ private Q_SLOTS:
         bench.worker->start(before, Vec2::Zero());
         bench.worker->runSteps(3);
         QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->status.iteration == 3,
-                                 patience);
+                                 test::patience);
         const auto after = std::make_shared<Snapshot>(*before);
         after->settings.lambda = 0.5;
         bench.worker->update(after);
@@ -193,8 +193,8 @@ private Q_SLOTS:
         bench.worker->setMode(SolveMode::Budget, 4.2);
         bench.worker->start(snapshotOf(test::sphere(10, 12)), Vec2::Zero());
         bench.worker->run();
-        QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, patience);
-        QTRY_VERIFY_WITH_TIMEOUT(bench.results.back()->status.converged, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, test::patience);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.results.back()->status.converged, test::patience);
         const SolveStatus &status = bench.results.back()->status;
         QVERIFY2(status.distortion < 4.3, qPrintable(QString::number(status.distortion)));
         QVERIFY(status.seamLength > 0);
@@ -225,18 +225,18 @@ private Q_SLOTS:
         });
         worker.start(first, Vec2::Zero());
         worker.runSteps(1);
-        QVERIFY(rests.tryAcquire(1, patience));
+        QVERIFY(rests.tryAcquire(1, test::patience));
         QVERIFY(worker.takeRest());
         QVERIFY(!worker.takeRest());
         worker.runSteps(1);
-        QVERIFY(rests.tryAcquire(1, patience));
+        QVERIFY(rests.tryAcquire(1, test::patience));
         bool atRest = true, hasResult = true;
         whileItIsBusy([&] {
             worker.runSteps(1);
             atRest = worker.takeRest();
         });
         QVERIFY(!atRest);
-        QVERIFY(rests.tryAcquire(1, patience));
+        QVERIFY(rests.tryAcquire(1, test::patience));
         whileItIsBusy([&] {
             worker.start(second, Vec2::Zero());
             hasResult = worker.takeResult() != nullptr;
@@ -251,11 +251,11 @@ private Q_SLOTS:
         ++pushed.uv;
         Bench bench;
         bench.runAndWait(snapshot, 1);
-        QTRY_VERIFY_WITH_TIMEOUT(bench.results.back()->status.iteration == 1, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.results.back()->status.iteration == 1, test::patience);
         QVERIFY(bench.results.back()->token == snapshot->token);
         bench.worker->setToken(pushed);
         bench.worker->runSteps(1);
-        QTRY_VERIFY_WITH_TIMEOUT(bench.results.back()->status.iteration == 2, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.results.back()->status.iteration == 2, test::patience);
         QVERIFY(bench.results.back()->token == pushed);
     }
 
@@ -265,7 +265,7 @@ private Q_SLOTS:
         Bench bench;
         QSignalSpy failed(bench.worker, &SolveWorker::failed);
         bench.worker->start(snapshotOf(MeshData::build(positions, {0, 3}, {0, 1, 2}, {0})), Vec2::Zero());
-        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, test::patience);
         const std::optional<QString> message = bench.worker->takeFailure();
         QVERIFY(message && !message->isEmpty());
         // And the next model is solved as if nothing had been.
@@ -273,7 +273,7 @@ private Q_SLOTS:
         bench.worker->start(next, Vec2::Zero());
         bench.worker->runSteps(1);
         QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->token == next->token,
-                                 patience);
+                                 test::patience);
     }
 
     void ordersFromAllSidesLeaveOneStateBehind()
@@ -294,7 +294,7 @@ private Q_SLOTS:
         bench.worker->runSteps(2);
         QTRY_VERIFY_WITH_TIMEOUT(!bench.results.empty() && bench.results.back()->token == last->token &&
                                      bench.results.back()->status.iteration == 2,
-                                 patience);
+                                 test::patience);
     }
 };
 

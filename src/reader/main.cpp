@@ -29,7 +29,7 @@ void setLimits(rlim_t memory, rlim_t seconds)
 {
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, seconds);
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef AUTOCUTS_SANITIZED
     // Sanitizers take address space for themselves.
     static_cast<void>(memory);
 #else

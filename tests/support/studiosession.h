@@ -2,6 +2,7 @@
 #pragma once
 
 #include "support/answers.h"
+#include "support/patience.h"
 #include "views/shell/mainwindow.h"
 #include "views/ui/preferences.h"
 
@@ -12,8 +13,6 @@
 namespace autocuts::test {
 
 using namespace live;
-
-inline constexpr int patience = 120'000; //!< milliseconds
 
 //! A window of its own with empty preferences in a folder of its own.
 struct StudioSession
