@@ -73,7 +73,8 @@ class Cases:
                 strict = sound and not {"--no-pack", "--allow-overlaps"} & set(arguments)
                 status = json.loads(report.read_text())["status"] if report.exists() else "done"
                 if status in ("done", "bound_missed"):
-                    faults += self.program.map_faults(str(output), strict)
+                    session = arguments[1] if arguments[1].endswith(".acproj") else None
+                    faults += self.program.map_faults(str(output), strict, session)
             return faults, run
 
         faults, run = attempt()

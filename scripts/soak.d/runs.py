@@ -96,8 +96,16 @@ class Program:
                 faults.append("fails with %d error lines" % len(errors))
         return faults
 
-    def map_faults(self, path, without_overlaps):
-        """What is wrong with a map that a job has written with success."""
+    def flipped_in(self, path):
+        """The flipped triangles of the map of a file."""
+        run = self.run(["check", path, "--json"])
+        try:
+            return json.loads(run.out)["flipped"]
+        except (ValueError, KeyError):
+            return 0
+
+    def map_faults(self, path, without_overlaps, session=None):
+        """What is wrong with a map that a job has written with success. Islands that a session locks keep their flips."""
         run = self.run(["check", path, "--json"])
         faults = ["check of the result: " + f for f in self.faults(run)]
         if run.code != 0:
@@ -106,7 +114,7 @@ class Program:
             figures = json.loads(run.out)
         except ValueError:
             return faults + ["check --json writes no JSON"]
-        if figures["flipped"]:
+        if figures["flipped"] and not (session and figures["flipped"] <= self.flipped_in(session)):
             faults.append("flipped triangles in the result")
         if figures["faces_without_uv"]:
             faults.append("faces without UVs in the result")
