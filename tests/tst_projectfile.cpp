@@ -4,6 +4,7 @@
 #include "model/io/projectfile.h"
 #include "model/io/projectmigration.h"
 #include "model/io/projectscene.h"
+#include "model/io/savefile.h"
 #include "model/samples/samples.h"
 #include "support/editsupport.h"
 #include "support/sessions.h"
@@ -17,6 +18,9 @@
 #ifdef Q_OS_UNIX
 #include <csignal>
 #include <sys/resource.h>
+#ifdef Q_OS_LINUX
+#include <sys/mount.h>
+#endif
 #endif
 
 using namespace autocuts;
@@ -100,6 +104,7 @@ private Q_SLOTS:
     void backups();
     void backupsThroughLink();
     void failedSaveKeepsBackups();
+    void aFullDiskIsNamed();
     void summary();
 };
 
@@ -345,6 +350,22 @@ void TestProjectFile::failedSaveKeepsBackups()
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 2);
 #else
     QSKIP("There is no limit on the size of files here");
+#endif
+}
+
+void TestProjectFile::aFullDiskIsNamed()
+{
+#ifdef Q_OS_LINUX
+    QTemporaryDir folder;
+    const QByteArray disk = QFile::encodeName(folder.path());
+    if (mount("none", disk.constData(), "tmpfs", 0, "size=16k") != 0)
+        QSKIP("This user may not mount a small disk");
+    const Result<Done> saved = saveAtomically(folder.filePath(u"a"_s), QByteArray(100'000, 'a'));
+    QCOMPARE(umount(disk.constData()), 0);
+    QVERIFY(!saved.ok());
+    QCOMPARE(saved.error().message, u"there is no space left on the disk"_s);
+#else
+    QSKIP("Needs a small disk");
 #endif
 }
 

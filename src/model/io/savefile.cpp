@@ -4,8 +4,8 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
-#ifdef Q_OS_UNIX
 #include <cerrno>
+#ifdef Q_OS_UNIX
 #include <unistd.h>
 #endif
 
@@ -25,9 +25,17 @@ bool reachesDisk([[maybe_unused]] int handle)
 #endif
 }
 
-Error writeError(const QString &path, const QSaveFile &file)
+//! \param systemError errno after the step that failed
+Error writeError(const QString &path, const QSaveFile &file, int systemError)
 {
-    return {QStringLiteral("the file cannot be written (%1)").arg(file.errorString()), path, 0,
+#ifdef Q_OS_UNIX
+    if (systemError == ENOSPC || systemError == EDQUOT)
+        return {QStringLiteral("there is no space left on the disk"), path, 0,
+                QStringLiteral("Free some space, or choose another folder")};
+#endif
+    const QString reason =
+        file.error() == QFileDevice::NoError ? qt_error_string(systemError) : file.errorString();
+    return {QStringLiteral("the file cannot be written (%1)").arg(reason), path, 0,
             QStringLiteral("Check the permissions and the free space of the folder, or choose another one")};
 }
 
@@ -48,12 +56,13 @@ Result<Done> saveAtomically(const QString &path, QByteArrayView bytes,
                      QStringLiteral("Create the folder or choose another one")};
 
     QSaveFile file(path);
+    errno = 0;
     if (!file.open(QIODevice::WriteOnly))
-        return writeError(path, file);
+        return writeError(path, file, errno);
     // flush() is called here because commit() does not notice when its own flush fails.
     const bool written = file.write(bytes.data(), bytes.size()) == bytes.size() && file.flush();
     if (!written || !reachesDisk(file.handle())) {
-        const Error error = writeError(path, file);
+        const Error error = writeError(path, file, errno);
         file.cancelWriting();
         file.commit();
         return error;
@@ -61,7 +70,7 @@ Result<Done> saveAtomically(const QString &path, QByteArrayView bytes,
     if (beforeReplacing)
         beforeReplacing();
     if (!file.commit())
-        return writeError(path, file);
+        return writeError(path, file, errno);
     return Done{};
 }
 
