@@ -1,8 +1,10 @@
 // Files of the studio: opened and written off the GUI thread, recovered after a crash, never half done.
+#include "commands/changesettings.h"
 #include "commands/editpins.h"
 #include "commands/replay.h"
 #include "commands/setseamstate.h"
 #include "model/io/meshfile.h"
+#include "model/plain/uvlayout.h"
 #include "support/editsupport.h"
 #include "support/meshbuilders.h"
 #include "support/patience.h"
@@ -229,12 +231,56 @@ private Q_SLOTS:
         PreferenceValues values = desk.preferences.values();
         values.textureSize = 512;
         values.margin = 3;
+        values.maxDistortion = 4.2;
         values.undoMemoryMb = 64;
         desk.preferences.setValues(values);
         desk.files.openSample(QStringLiteral("torus"));
         QCOMPARE(desk.document().packingSettings().textureSize, 512);
         QCOMPARE(desk.document().packingSettings().margin, 3);
+        QCOMPARE(desk.document().solveSettings().maxDistortion, 4.2);
         QCOMPARE(desk.document().undoStack().memoryLimit(), qint64(64) * 1024 * 1024);
+    }
+
+    void savingLetsTheSolverRun()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        desk.cutAnEdge();
+        desk.solver.run();
+        QVERIFY(QTest::qWaitFor([&] { return desk.solver.map() != nullptr; }, test::patience));
+        const QString path = folder.filePath(QStringLiteral("a.acproj"));
+        const UvMatrix map = desk.solver.map()->uv;
+        desk.files.save(path);
+        QVERIFY(desk.solver.isRunning());
+        QCOMPARE(desk.document().undoStack().count(), 1);
+        QVERIFY(desk.rests());
+        // The file has the map that was shown, as a last entry of the history.
+        const Result<LoadedProject> loaded = loadProject(path);
+        QVERIFY(loaded.ok());
+        QVERIFY(sameBits(loaded->state.scene.uvSets.front().uv, map));
+        const Journal &journal = *loaded->extras.journal;
+        QCOMPARE(journal.commands.size(), std::size_t(2));
+        QVERIFY(sameWork(replay(journal).value()->state(), loaded->state));
+        QCOMPARE(desk.workspace.recorder().journal().commands.size(), std::size_t(1));
+    }
+
+    void theDistortionBudgetBelongsToTheSession()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        SolveSettings settings = desk.document().solveSettings();
+        settings.maxDistortion = 4.3;
+        pushCommand(std::make_unique<ChangeSettings>(desk.document(), settings));
+        const QString session = folder.filePath(QStringLiteral("a.acproj"));
+        desk.files.save(session);
+        QVERIFY(desk.rests());
+        desk.files.openSample(QStringLiteral("bumpycube"));
+        QCOMPARE(desk.document().solveSettings().maxDistortion, 4.1);
+        desk.files.open(session);
+        QVERIFY(desk.rests());
+        QCOMPARE(desk.document().solveSettings().maxDistortion, 4.3);
     }
 
     void aCrashedSessionComesBack()

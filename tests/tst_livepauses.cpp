@@ -90,7 +90,8 @@ private Q_SLOTS:
                 problems << u"%1: %2 flips, %3 overlaps"_s.arg(state)
                                 .arg(figures.flipped)
                                 .arg(figures.overlapPairs);
-            if (before && before->withinBound && figures.symDirichlet > solver.maxDistortion() + 1e-6)
+            if (before && before->withinBound &&
+                figures.symDirichlet > document.solveSettings().maxDistortion + 1e-6)
                 problems << u"%1: above the bound again"_s.arg(state);
             if (const QString folder = qEnvironmentVariable("AUTOCUTS_PAUSE_FOLDER"); !folder.isEmpty())
                 QVERIFY(writeMesh(sceneForWriting(document),

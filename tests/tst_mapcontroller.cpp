@@ -78,8 +78,9 @@ private Q_SLOTS:
     void handWorkStaysThroughAllJobs()
     {
         Studio studio("machine");
-        studio.map.unwrap(UnwrapQuality::Draft, 4.1);
+        studio.map.unwrap(UnwrapQuality::Draft);
         QVERIFY(studio.ends());
+        QCOMPARE(studio.stack().undoText(), QStringLiteral("Unwrap"));
         const auto faces = findCharts(studio.document().mesh(), studio.document().uv()).faces();
         pushCommand(std::make_unique<SetIslandFlags>(studio.document(), SetIslandFlags::Edit::Lock,
                                                      std::vector<int>{0}));
@@ -103,10 +104,10 @@ private Q_SLOTS:
         studio.map.pack(PackScope::All);
         QVERIFY(studio.ends());
         QVERIFY(obeys(false));
-        studio.map.unwrap(UnwrapQuality::Draft, 4.1);
+        studio.map.unwrap(UnwrapQuality::Draft);
         QVERIFY(studio.ends());
         QVERIFY(obeys(true));
-        studio.map.finish(4.1);
+        studio.map.finish();
         QVERIFY(studio.ends());
         QVERIFY(obeys(true));
         studio.map.separateOverlaps();
@@ -126,7 +127,7 @@ private Q_SLOTS:
     void unwrappingGivesAMapFitForUse()
     {
         Studio studio;
-        studio.map.unwrap(UnwrapQuality::Draft, 4.2);
+        studio.map.unwrap(UnwrapQuality::Draft);
         QVERIFY(studio.map.jobs().isBusy());
         QVERIFY(studio.ends());
         QCOMPARE(studio.failed.count(), 0);
@@ -155,7 +156,7 @@ private Q_SLOTS:
         studio.solver.setLiveView(LiveView::Soup);
         studio.solver.run();
         QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > steps; }, test::patience));
-        studio.map.finish(4.5);
+        studio.map.finish();
         QVERIFY(studio.ends());
         QCOMPARE(studio.failed.count(), 0);
         QCOMPARE(studio.stack().count(), 2); // the run, and its finish
@@ -183,12 +184,12 @@ private Q_SLOTS:
             input.packing = document.packingSettings();
             input.live = {studio.solver.soup(), !studio.solver.status().converged};
         });
-        studio.map.finish(4.1);
+        studio.map.finish();
         QVERIFY(studio.ends());
         QCOMPARE(studio.failed.count(), 0);
         QVERIFY(input.live.result);
         JobControl control;
-        QVERIFY(studio.document().uv() == finishJob(input, 4.1, control).uv);
+        QVERIFY(studio.document().uv() == finishJob(input, control).uv);
     }
 
     //! The solve itself has to get to its end first.
@@ -205,7 +206,7 @@ private Q_SLOTS:
         studio.solver.setLiveView(LiveView::Soup);
         studio.solver.run();
         QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > 10; }, test::patience));
-        studio.map.finish(4.3);
+        studio.map.finish();
         QVERIFY(studio.ends());
         QCOMPARE(studio.failed.count(), 0);
         QVERIFY(studio.measures());
@@ -224,12 +225,12 @@ private Q_SLOTS:
     void finishingAMapDoesNotMakeItWorse()
     {
         Studio studio;
-        studio.map.unwrap(UnwrapQuality::Draft, 4.2);
+        studio.map.unwrap(UnwrapQuality::Draft);
         QVERIFY(studio.ends());
         QVERIFY(studio.measures());
         const double seams = studio.map.figures()->metrics.seamNorm;
         studio.done.clear();
-        studio.map.finish(4.2);
+        studio.map.finish();
         QVERIFY(studio.ends());
         QVERIFY(studio.measures());
         const UvMetrics &metrics = studio.map.figures()->metrics;
@@ -297,6 +298,7 @@ private Q_SLOTS:
         studio.map.pack(PackScope::Selection);
         QVERIFY(studio.ends());
         QCOMPARE(studio.failed.count(), 0);
+        QCOMPARE(studio.stack().undoText(), QStringLiteral("Pack 1 island"));
         const MeshData &mesh = document.mesh();
         int moved = 0;
         const std::vector<int> selected = document.islands().islandsOf(selection.faces);
@@ -315,7 +317,7 @@ private Q_SLOTS:
     void anEditMeanwhileWins()
     {
         Studio studio;
-        studio.map.unwrap(UnwrapQuality::Draft, 4.2);
+        studio.map.unwrap(UnwrapQuality::Draft);
         studio.layOut(false);
         const UvMatrix edited = studio.document().uv();
         QVERIFY(studio.ends());
@@ -327,7 +329,7 @@ private Q_SLOTS:
     void cancelKeepsTheBestSoFar()
     {
         Studio studio("bumpycube"); // of one closed part: the search reports progress when it has a map
-        studio.map.unwrap(UnwrapQuality::Best, 4.1);
+        studio.map.unwrap(UnwrapQuality::Best);
         QTRY_VERIFY_WITH_TIMEOUT(studio.map.jobs().progress() > 0, test::patience);
         studio.map.cancel();
         QVERIFY(studio.ends());
@@ -343,7 +345,7 @@ private Q_SLOTS:
         studio.layOut(false);
         const UvMatrix before = studio.document().uv();
         const int entries = studio.stack().count();
-        studio.map.unwrap(UnwrapQuality::Best, 4.1);
+        studio.map.unwrap(UnwrapQuality::Best);
         studio.map.cancel();
         QVERIFY(studio.ends());
         QVERIFY(studio.document().uv() == before);
@@ -355,7 +357,7 @@ private Q_SLOTS:
     {
         Studio studio;
         QSignalSpy ended(&studio.map.jobs(), &JobRunner::letGoEnded);
-        studio.map.unwrap(UnwrapQuality::Draft, 4.2);
+        studio.map.unwrap(UnwrapQuality::Draft);
         studio.workspace.open(std::make_unique<Document>(makeSample(QStringLiteral("torus")).value()), {});
         QVERIFY(!studio.map.jobs().isBusy());
         QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, test::patience);

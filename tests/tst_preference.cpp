@@ -300,10 +300,11 @@ private Q_SLOTS:
         settings.creaseStrength = 0.25;
         settings.visibility = 0.5;
         settings.symmetry = true;
+        settings.maxDistortion = 4.3;
         CborReader reader(toCbor(settings));
         QVERIFY(readSolveSettings(reader) == settings);
         QVERIFY(!reader.failed());
-        for (const char *name : {"creaseStrength", "visibility"}) {
+        for (const char *name : {"creaseStrength", "visibility", "maxDistortion"}) {
             QCborMap map = toCbor(settings);
             map[QLatin1StringView(name)] = 1.5;
             CborReader bad(map);

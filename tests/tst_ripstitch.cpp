@@ -187,7 +187,7 @@ private Q_SLOTS:
         QFETCH(QString, sample);
         Artist artist({1400, 900});
         artist.studio.action(qPrintable(u"file.sample."_s + sample))->trigger();
-        artist.studio.context.map.unwrap(unwrap::UnwrapQuality::Draft, 4.2);
+        artist.studio.context.map.unwrap(unwrap::UnwrapQuality::Draft);
         QVERIFY(artist.studio.jobsRest());
         artist.studio.press(Qt::Key_2);
         int loops = 0;

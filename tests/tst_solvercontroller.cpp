@@ -162,11 +162,13 @@ private Q_SLOTS:
     {
         Studio studio;
         studio.solver.setMode(SolveMode::Budget);
-        studio.solver.setMaxDistortion(4.3);
+        SolveSettings settings = studio.document().solveSettings();
+        settings.maxDistortion = 4.3;
+        pushCommand(std::make_unique<ChangeSettings>(studio.document(), settings));
         studio.solver.run();
         QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isPausing(), test::patience);
         QVERIFY(studio.solver.status().converged);
-        QCOMPARE(studio.stack().count(), 1);
+        QCOMPARE(studio.stack().count(), 2); // the bound, and the run
         const UvMetrics metrics = measureUv(studio.document().mesh(), studio.document().uv());
         QCOMPARE(metrics.flipped, 0);
         QVERIFY2(metrics.symDirichlet < 4.4, qPrintable(QString::number(metrics.symDirichlet)));

@@ -255,16 +255,17 @@ private Q_SLOTS:
         QVERIFY(!bench.delta()->isEnabled());
         auto *const bound = child<QDoubleSpinBox>(bench.panel, "bound");
         typeInto(bound, QStringLiteral("4.25"));
-        QCOMPARE(bench.solver.maxDistortion(), 4.25);
+        QCOMPARE(bench.settings().maxDistortion, 4.25);
+        QCOMPARE(bench.stack().undoText(), QStringLiteral("Change distortion budget"));
         QCOMPARE(bound->minimum(), 4.0001);
-        QCOMPARE(bound->maximum(), 10.0);
+        QCOMPARE(bound->maximum(), 100.0);
         click(bench.panel, "manual");
         QVERIFY(test::isUpToDate(bench.panel));
         QCOMPARE(bench.solver.mode(), SolveMode::Manual);
         QVERIFY(bench.lambda()->isEnabled());
-        bench.solver.setMaxDistortion(4.5);
+        bench.stack().undo();
         QVERIFY(test::isUpToDate(bench.panel));
-        QCOMPARE(bound->value(), 4.5);
+        QCOMPARE(bound->value(), 4.1);
     }
 
     void runStepPauseAndRestart()

@@ -11,15 +11,19 @@
 #include "views/canvas/uvview.h"
 
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
 #include <QSignalSpy>
 
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using namespace autocuts::metrics;
-using test::patience;
 using test::StudioSession;
 
 class TestStudio : public QObject
@@ -35,6 +39,139 @@ private Q_SLOTS:
         QVERIFY(!studio.action("file.save")->isEnabled());
         QVERIFY(!studio.action("uv.run")->isEnabled());
         QVERIFY(studio.action("file.open")->isEnabled());
+    }
+
+    void theWindowFitsASmallScreen()
+    {
+        StudioSession studio;
+        // 1280 x 720, and 1920 x 1080 at twice the scale.
+        QVERIFY2(studio.window.minimumSizeHint().width() <= 960,
+                 qPrintable(QString::number(studio.window.minimumSizeHint().width())));
+        QVERIFY2(studio.window.minimumSizeHint().height() <= 500,
+                 qPrintable(QString::number(studio.window.minimumSizeHint().height())));
+        Preferences preferences{studio.folder.filePath(QStringLiteral("other.ini"))};
+        const MainWindow window(preferences, studio.folder.filePath(QStringLiteral("other")));
+        const QSize space = window.screen()->availableSize();
+        QVERIFY(window.width() < space.width() && window.height() < space.height());
+    }
+
+    void aFieldGivesTheFocusBack()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        auto *const bound = studio.window.findChild<QDoubleSpinBox *>(QStringLiteral("bound"));
+        const auto type = [&](const char *text) {
+            bound->setFocus();
+            bound->selectAll();
+            QTest::keyClicks(bound, QLatin1StringView(text));
+        };
+        type("9");
+        QTest::keyClick(bound, Qt::Key_Escape);
+        QCOMPARE(bound->value(), 4.1);
+        QCOMPARE(studio.document()->solveSettings().maxDistortion, 4.1);
+        QVERIFY(!bound->hasFocus());
+        type("4.2");
+        QTest::keyClick(bound, Qt::Key_Return);
+        QTRY_VERIFY(studio.window.focusWidget() == studio.window.findChild<UvView *>());
+        QCOMPARE(studio.document()->solveSettings().maxDistortion, 4.2);
+        QTest::keyClick(studio.window.focusWidget(), Qt::Key_Space);
+        QVERIFY(studio.context.solver.isRunning());
+        QCOMPARE(bound->value(), 4.2);
+    }
+
+    void pointAndCommaAreDecimal_data()
+    {
+        QTest::addColumn<QLocale>("locale");
+        QTest::newRow("English") << QLocale(QLocale::English);
+        QTest::newRow("German") << QLocale(QLocale::German);
+    }
+    void pointAndCommaAreDecimal()
+    {
+        QFETCH(QLocale, locale);
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        auto *const bound = studio.window.findChild<QDoubleSpinBox *>(QStringLiteral("bound"));
+        bound->setLocale(locale);
+        const std::pair<const char *, double> inputs[] = {{"4.25", 4.25}, {"4,3", 4.3}};
+        for (const auto &[text, value] : inputs) {
+            bound->setFocus();
+            bound->selectAll();
+            QTest::keyClicks(bound, QLatin1StringView(text));
+            QTest::keyClick(bound, Qt::Key_Return);
+            QCOMPARE(studio.document()->solveSettings().maxDistortion, value);
+        }
+    }
+
+    void aRightClickOffersWhatFits()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        auto *const view = studio.window.findChild<MeshView *>();
+        const auto openMenu = [&]() -> QMenu * {
+            QTest::mouseClick(view, Qt::RightButton, {}, view->rect().center());
+            auto *const menu = qobject_cast<QMenu *>(QApplication::activePopupWidget());
+            return menu && menu->objectName() == QLatin1String("contextMenu") ? menu : nullptr;
+        };
+        const auto offers = [&](QMenu *menu, const char *id) {
+            return menu->actions().contains(studio.action(id));
+        };
+        // Edges: the one under the mouse is selected.
+        studio.action("select.edges")->trigger();
+        QTest::mouseMove(view, view->rect().center());
+        studio.action("select.all")->trigger();
+        QMenu *menu = openMenu();
+        QVERIFY(menu);
+        QVERIFY(offers(menu, "uv.cut") && !offers(menu, "uv.lock") && offers(menu, "view.frameSelected"));
+        menu->close();
+        studio.action("select.none")->trigger();
+        studio.action("select.faces")->trigger();
+        menu = openMenu();
+        QVERIFY(menu);
+        QCOMPARE(studio.document()->selection().faces.size(), 1);
+        QVERIFY(offers(menu, "select.linked"));
+        QVERIFY(!offers(menu, "uv.packSelection")); // there is no map yet
+        menu->close();
+        // A click on a part of the selection keeps it whole.
+        studio.action("select.all")->trigger();
+        const qsizetype all = studio.document()->selection().faces.size();
+        menu = openMenu();
+        QVERIFY(menu);
+        QCOMPARE(studio.document()->selection().faces.size(), all);
+        menu->close();
+        // A drag with the right button is none.
+        QTest::mousePress(view, Qt::RightButton, {}, view->rect().center());
+        QTest::mouseMove(view, view->rect().center() + QPoint(60, 0));
+        QTest::mouseRelease(view, Qt::RightButton, {}, view->rect().center() + QPoint(60, 0));
+        QVERIFY(!QApplication::activePopupWidget());
+    }
+
+    void anActionIsFoundByName()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        int shown = 0;
+        studio.answers->onDialog = [&](QDialog &dialog) {
+            auto *const field = dialog.findChild<QLineEdit *>();
+            auto *const list = dialog.findChild<QListWidget *>();
+            dialog.show();
+            QTest::keyClicks(field, QStringLiteral("sel all"));
+            shown = list->count();
+            QTest::keyClick(field, Qt::Key_Return);
+            return dialog.result();
+        };
+        studio.press(Qt::Key_F3);
+        QVERIFY(shown >= 1 && shown < 10);
+        QVERIFY(!studio.document()->selection().isEmpty());
+        // What cannot be run now is not run.
+        studio.answers->onDialog = [&](QDialog &dialog) {
+            dialog.show();
+            QTest::keyClicks(dialog.findChild<QLineEdit *>(), QStringLiteral("pack all islands xyz"));
+            QTest::keyClick(dialog.findChild<QLineEdit *>(), Qt::Key_Return);
+            return dialog.result();
+        };
+        const int entries = studio.document()->undoStack().count();
+        studio.press(Qt::Key_F3);
+        QCOMPARE(studio.document()->undoStack().count(), entries);
     }
 
     //! Open, run, steer, pause, undo, redo, save, close, reopen, finish, pack, export.

@@ -190,8 +190,10 @@ private Q_SLOTS:
     {
         Bench bench;
         QSignalSpy waiting(bench.worker, &SolveWorker::waiting);
-        bench.worker->setMode(SolveMode::Budget, 4.2);
-        bench.worker->start(snapshotOf(test::sphere(10, 12)), Vec2::Zero());
+        bench.worker->setMode(SolveMode::Budget);
+        const auto snapshot = std::make_shared<Snapshot>(*snapshotOf(test::sphere(10, 12)));
+        snapshot->settings.maxDistortion = 4.2;
+        bench.worker->start(snapshot, Vec2::Zero());
         bench.worker->run();
         QTRY_COMPARE_WITH_TIMEOUT(waiting.count(), 1, test::patience);
         QTRY_VERIFY_WITH_TIMEOUT(bench.results.back()->status.converged, test::patience);
@@ -285,10 +287,10 @@ private Q_SLOTS:
             if (run % 2)
                 bench.worker->pause();
             if (run % 5 == 0)
-                bench.worker->setMode(run % 10 ? SolveMode::Budget : SolveMode::Manual, 4.1);
+                bench.worker->setMode(run % 10 ? SolveMode::Budget : SolveMode::Manual);
             bench.worker->pause();
         }
-        bench.worker->setMode(SolveMode::Manual, 4.1);
+        bench.worker->setMode(SolveMode::Manual);
         const auto last = snapshotOf(test::sphere(8, 12));
         bench.worker->start(last, Vec2::Zero());
         bench.worker->runSteps(2);

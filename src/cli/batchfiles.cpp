@@ -37,8 +37,10 @@ UvEdit editOf(CliOptions::Command command)
         return UvEdit::Pack;
     case CliOptions::Command::Separate:
         return UvEdit::Separate;
+    case CliOptions::Command::Finish:
+        return UvEdit::Finish;
     default:
-        return UvEdit::Solve;
+        return UvEdit::Unwrap;
     }
 }
 
@@ -89,6 +91,8 @@ void BatchFiles::mergeSettings(CliOptions &options)
             option = setting;
     };
     const SolveSettings &solve = mDocument->solveSettings();
+    merge("--max-distortion", options.unwrap.maxDistortion, solve.maxDistortion);
+    options.settings.maxDistortion = options.unwrap.maxDistortion;
     merge("--init", options.settings.start, solve.start);
     merge("--weights", options.settings.weighting, solve.weighting);
     merge("--energy", options.settings.energy, solve.energy);

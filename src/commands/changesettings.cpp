@@ -43,6 +43,8 @@ const char *solveText(int properties)
         return QT_TRANSLATE_NOOP("Undo Commands", "Change sources of given seams");
     case SharpAngleProperty:
         return QT_TRANSLATE_NOOP("Undo Commands", "Change angle of sharp edges");
+    case MaxDistortionProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change distortion budget");
     default:
         return nullptr;
     }

@@ -35,6 +35,8 @@ class PendingJournal final
 public:
     PendingJournal(Journal past, std::vector<std::shared_ptr<JournalEntry>> newer);
 
+    //! Adds a command behind the recorded ones, to this journal only.
+    void add(const QCborMap &command) { mNewer.push_back(std::make_shared<JournalEntry>(command)); }
     //! Compresses the remaining commands; may be called on another thread than the recorder's.
     Journal finished() const;
 

@@ -8,7 +8,7 @@ namespace autocuts {
 //! Makes the command for a map. The set gets the scale of the map (DocumentState::uvScales). Pins stay: jobs
 //! obey them.
 //! \param uv one row per corner, texture space
-//! \param count number in the history's text; without it, the number of the map's islands
+//! \param count number in the history's text; without it, the number of islands that the map changes
 std::unique_ptr<SetUvs> newMapCommand(Document &document, UvEdit edit, const UvMatrix &uv,
                                       std::optional<int> count = std::nullopt);
 

@@ -101,6 +101,8 @@ QString SetUvs::label() const
                            QT_TRANSLATE_NOOP("Undo Commands", "Relax %n faces"), mCount);
     case UvEdit::Solve:
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Solve"));
+    case UvEdit::Unwrap:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Unwrap"));
     case UvEdit::Finish:
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Finish map"));
     case UvEdit::Separate:
@@ -139,7 +141,7 @@ void SetUvs::writePayload(QCborMap &map) const
 
 Result<std::unique_ptr<DocumentCommand>> SetUvs::fromCbor(Document &document, CborReader &reader)
 {
-    const UvEdit edit = reader.enumerator("edit"_L1, UvEdit::Relax);
+    const UvEdit edit = reader.enumerator("edit"_L1, UvEdit::Unwrap);
     const int uvSet = static_cast<int>(reader.integer("uvSet"_L1, 0, std::numeric_limits<int>::max()));
     UvEditExtras extras;
     extras.count = static_cast<int>(reader.integer("count"_L1, 0, std::numeric_limits<int>::max()));

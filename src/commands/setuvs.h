@@ -26,7 +26,8 @@ enum class UvEdit {
     Orient,
     Scatter,
     Straighten,
-    Relax
+    Relax,
+    Unwrap
 };
 
 //! Changes that an edit of UVs makes besides the UVs.
@@ -47,6 +48,8 @@ public:
 
     CommandId commandId() const override { return CommandId::SetUvs; }
     bool hasAnyChanges() const override;
+    //! The scale of the UV set after the command (DocumentState::uvScales).
+    double scale() const { return mScaleAfter; }
     static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
 
 protected:

@@ -159,7 +159,7 @@ int main(int argc, char *argv[])
         "pause", [&] { studio.context.solver.pause(); }, [&] { return !solver.isRunning(); });
     watchLoop("settle", [&] { return !solver.isPausing(); });
     watchLoop("measure", [&] { return studio.context.map.figuresAreFresh(); });
-    studio.context.map.unwrap(UnwrapQuality::Standard, 4.1);
+    studio.context.map.unwrap(UnwrapQuality::Standard);
     watchLoop("unwrap", waited(milliseconds / 2));
     timeUntil(
         "cancel unwrap", [&] { studio.context.map.cancel(); },

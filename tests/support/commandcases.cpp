@@ -289,6 +289,7 @@ std::vector<Case> uvCases()
          {u"uv 1 set 0: 7-7"_s},
          none(UvEdit::Drag)},
         {"solver result", uvs(UvEdit::Solve, 7, 3), "Solve", {u"uv 1 set 0: 7-7"_s}, none(UvEdit::Solve)},
+        {"unwrap", uvs(UvEdit::Unwrap, 7, 3), "Unwrap", {u"uv 1 set 0: 7-7"_s}, none(UvEdit::Unwrap)},
         {"finish",
          uvs(UvEdit::Finish, 7, 3, {0, 0.125, {}}),
          "Finish map",

@@ -228,6 +228,7 @@ QCborMap toCbor(const SolveSettings &settings)
             {"start"_L1, static_cast<int>(settings.start)},
             {"solver"_L1, static_cast<int>(settings.solver)},
             {"seed"_L1, qint64(settings.seed)},
+            {"maxDistortion"_L1, settings.maxDistortion},
             {"creases"_L1, static_cast<int>(settings.creases)},
             {"creaseStrength"_L1, settings.creaseStrength},
             {"visibility"_L1, settings.visibility},
@@ -255,6 +256,8 @@ SolveSettings readSolveSettings(CborReader &reader)
     read("seed"_L1, settings.seed, [&] {
         return static_cast<unsigned>(reader.integer("seed"_L1, 0, std::numeric_limits<unsigned>::max()));
     });
+    read("maxDistortion"_L1, settings.maxDistortion,
+         [&] { return reader.number("maxDistortion"_L1, 4, SolveSettings::maxBound); });
     read("creases"_L1, settings.creases, [&] { return reader.enumerator("creases"_L1, CreaseMode::On); });
     read("creaseStrength"_L1, settings.creaseStrength,
          [&] { return reader.number("creaseStrength"_L1, 0, 1); });

@@ -26,7 +26,8 @@ int differences(const SolveSettings &a, const SolveSettings &b)
            (a.visibility != b.visibility ? VisibilityProperty : 0) |
            (a.symmetry != b.symmetry ? SymmetryProperty : 0) | (a.seams != b.seams ? SeamModeProperty : 0) |
            (sameSources(a.givenSeams, b.givenSeams) ? 0 : SeamSourcesProperty) |
-           (a.givenSeams.sharpAngle != b.givenSeams.sharpAngle ? SharpAngleProperty : 0);
+           (a.givenSeams.sharpAngle != b.givenSeams.sharpAngle ? SharpAngleProperty : 0) |
+           (a.maxDistortion != b.maxDistortion ? MaxDistortionProperty : 0);
 }
 
 int differences(const PackingSettings &a, const PackingSettings &b)
@@ -42,6 +43,7 @@ bool isValid(const SolveSettings &settings)
     const auto inRange = [](auto value, auto last) { return value >= decltype(last){} && value <= last; };
     return settings.lambda >= 0 && settings.lambda <= 1 && std::isfinite(settings.delta) &&
            settings.delta > 0 && std::isfinite(settings.boxWeight) && settings.boxWeight >= 0 &&
+           settings.maxDistortion > 4 && settings.maxDistortion <= SolveSettings::maxBound &&
            inRange(settings.energy, DistortionEnergy::Amips) &&
            inRange(settings.weighting, SeamWeighting::Count) &&
            inRange(settings.start, StartMode::ExistingUv) && inRange(settings.solver, SolverKind::Exact) &&

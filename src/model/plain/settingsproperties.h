@@ -22,7 +22,8 @@ enum SolveProperty {
     SymmetryProperty = 1 << 11,
     SeamModeProperty = 1 << 12,
     SeamSourcesProperty = 1 << 13, //!< all of SolveSettings::givenSeams but the angle
-    SharpAngleProperty = 1 << 14
+    SharpAngleProperty = 1 << 14,
+    MaxDistortionProperty = 1 << 15
 };
 
 //! The fields of PackingSettings.

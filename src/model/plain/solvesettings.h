@@ -28,6 +28,8 @@ struct GivenSeamOptions
 //! Parameters of the energy (1 - lambda) D + lambda S (paper, Eq. 1) and of how it is minimised.
 struct SolveSettings
 {
+    static constexpr double maxBound = 1e6;
+
     double lambda = 0;      //!< balance in [0, 1]; 0 minimises distortion alone
     double delta = 1;       //!< smoothing of the seamless L0 penalty (paper, Eq. 6), for a mesh of area pi
     double boxWeight = 100; //!< beta, the weight of the rectangles (paper, section 4, which uses 100)
@@ -36,6 +38,8 @@ struct SolveSettings
     StartMode start = StartMode::Rigid;
     SolverKind solver = SolverKind::Fast;
     unsigned seed = 1;
+    //! Bound on the mean symmetric Dirichlet energy of a definite map, in (4, maxBound].
+    double maxDistortion = 4.1;
     // Preferences for the places of seams. All ways of cutting use them.
     //! Prefer seams along sharp edges; Auto: on meshes that have creases.
     CreaseMode creases = CreaseMode::Auto;

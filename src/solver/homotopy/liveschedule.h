@@ -24,6 +24,8 @@ public:
     //! \param maxDistortion bound on the mean distortion, > 4
     LiveSchedule(const Soup &soup, double maxDistortion);
 
+    double maxDistortion() const { return mBound; }
+
     //! Writes lambda and delta of the next step into the settings.
     void apply(SolveSettings &settings) const;
     //! Continues a run that had reached these values.

@@ -72,12 +72,9 @@ void SolveWorker::update(std::shared_ptr<const Snapshot> snapshot, bool pulled,
     });
 }
 
-void SolveWorker::setMode(homotopy::SolveMode mode, double maxDistortion)
+void SolveWorker::setMode(homotopy::SolveMode mode)
 {
-    order([&](auto &box) {
-        box.orders.mode = mode;
-        box.orders.maxDistortion = maxDistortion;
-    });
+    order([&](auto &box) { box.orders.mode = mode; });
 }
 
 void SolveWorker::setToken(const StateToken &token)
@@ -119,7 +116,6 @@ void SolveWorker::obey(Orders orders)
 {
     if (orders.mode) {
         mMode = *orders.mode;
-        mMaxDistortion = orders.maxDistortion;
         mSchedule.reset();
     }
     if (orders.start) {
@@ -208,8 +204,8 @@ void SolveWorker::updateSolver(bool steeringChanged)
 {
     SolveSettings settings = mPart->snapshot().settings;
     if (mMode == homotopy::SolveMode::Budget) {
-        if (!mSchedule)
-            mSchedule.emplace(mSolver->soup(), mMaxDistortion);
+        if (!mSchedule || mSchedule->maxDistortion() != settings.maxDistortion)
+            mSchedule.emplace(mSolver->soup(), settings.maxDistortion);
         mSchedule->apply(settings);
     }
     if (steeringChanged || settings != mSolver->snapshot().settings) {

@@ -73,7 +73,7 @@ public:
     //! \param back a result since start() to which the map returns first
     void update(std::shared_ptr<const Snapshot> snapshot, bool pulled = false,
                 std::shared_ptr<const SolveResult> back = nullptr);
-    void setMode(homotopy::SolveMode mode, double maxDistortion);
+    void setMode(homotopy::SolveMode mode);
     //! A map was put into the document, which now has this token.
     void setToken(const StateToken &token);
     //! Runs until told to stop.
@@ -111,7 +111,6 @@ private:
         Vec2 centre = Vec2::Zero();
         std::optional<int> steps; //!< 0: pause
         std::optional<homotopy::SolveMode> mode;
-        double maxDistortion = 4.1;
     };
 
     template <class Change>
@@ -134,7 +133,6 @@ private:
     std::optional<unwrap::FreePart> mPart;     //!< of mSnapshot: what the solver works on
     std::optional<homotopy::LiveSchedule> mSchedule; //!< in budget mode
     homotopy::SolveMode mMode = homotopy::SolveMode::Manual;
-    double mMaxDistortion = 4.1;
     SolveStatus mStatus;
     homotopy::StepResult mLast;
     std::chrono::steady_clock::time_point mLastGiven, mRateSince;

@@ -354,6 +354,8 @@ constexpr std::array viewTable{
 };
 
 constexpr std::array helpTable{
+    ActionInfo{"help.findAction", "Help", QT_TRANSLATE_NOOP("Actions", "&Find action..."), "", "F3",
+               QT_TRANSLATE_NOOP("Actions", "Search all actions by name and run one")},
     ActionInfo{"help.shortcuts", "Help", QT_TRANSLATE_NOOP("Actions", "&Keyboard shortcuts"), "help", "F1",
                QT_TRANSLATE_NOOP("Actions", "List all keys")},
     ActionInfo{"help.recovery", "Help", QT_TRANSLATE_NOOP("Actions", "&Recovery folder"), "open", "",

@@ -65,8 +65,8 @@ void FileActions::connectActions()
     }
     onTriggered("file.clearRecent", [this] { mContext.preferences.clearRecentFiles(); });
     onTriggered("file.close", [this] { leaveSession([this] { mContext.files.close(); }); });
-    onTriggered("file.save", [this] { mContext.solver.whenPaused([this] { save(); }); });
-    onTriggered("file.saveAs", [this] { mContext.solver.whenPaused([this] { saveAs(); }); });
+    onTriggered("file.save", [this] { save(); });
+    onTriggered("file.saveAs", [this] { saveAs(); });
     onTriggered("file.relink", [this] { askRelink(); });
     onTriggered("file.exportMesh", [this] { mContext.solver.whenPaused([this] { askExportMesh(); }); });
     onTriggered("file.exportLayout", [this] { mContext.solver.whenPaused([this] { askExportLayout(); }); });

@@ -1,5 +1,6 @@
 #include "views/actions/helpactions.h"
 
+#include "views/actions/actionpalette.h"
 #include "views/actions/actionregistry.h"
 #include "views/actions/shortcutlistdialog.h"
 #include "views/dialogs/aboutdialog.h"
@@ -14,6 +15,11 @@ HelpActions::HelpActions(const StudioContext &context, Questions &questions, con
     : QObject(parent)
 {
     ActionRegistry &actions = context.actions;
+    connect(actions.action("help.findAction"), &QAction::triggered, this, [&actions, &questions] {
+        ActionPalette palette(actions, questions.window());
+        if (questions.run(palette) == QDialog::Accepted && palette.chosen())
+            palette.chosen()->trigger();
+    });
     connect(actions.action("help.shortcuts"), &QAction::triggered, this, [&actions, &questions] {
         ShortcutListDialog dialog(actions, questions.window());
         questions.run(dialog);

@@ -97,19 +97,14 @@ void UvActions::connectSolver()
 void UvActions::connectJobs()
 {
     MapController &map = mContext.map;
-    SolverController &solver = mContext.solver;
-    onTriggered("uv.unwrap",
-                [&map, &solver] { map.unwrap(unwrap::UnwrapQuality::Standard, solver.maxDistortion()); });
+    onTriggered("uv.unwrap", [&map] { map.unwrap(unwrap::UnwrapQuality::Standard); });
     const auto onSelection = [this](const char *id, JobReach reach) {
-        onTriggered(id, [this, reach] {
-            mContext.map.unwrap(unwrap::UnwrapQuality::Standard, mContext.solver.maxDistortion(), reach);
-        });
+        onTriggered(id, [this, reach] { mContext.map.unwrap(unwrap::UnwrapQuality::Standard, reach); });
     };
     onSelection("uv.unwrapSelection", JobReach::SelectionAttached);
     onSelection("uv.unwrapSelectionFree", JobReach::SelectionFree);
-    onTriggered("uv.finishSelection",
-                [&map, &solver] { map.finish(solver.maxDistortion(), JobReach::SelectionAttached); });
-    onTriggered("uv.finish", [&map, &solver] { map.finish(solver.maxDistortion()); });
+    onTriggered("uv.finishSelection", [&map] { map.finish(JobReach::SelectionAttached); });
+    onTriggered("uv.finish", [&map] { map.finish(); });
     onTriggered("uv.pack", [&map] { map.pack(PackScope::All); });
     onTriggered("uv.packSelection", [&map] { map.pack(PackScope::Selection); });
     onTriggered("uv.separate", [&map] { map.separateOverlaps(); });

@@ -39,6 +39,11 @@ public:
     //! A picture of the view.
     QImage picture() { return grabFramebuffer(); }
 
+Q_SIGNALS:
+    //! The user wants the menu for what is at a pixel: by a right click that no gesture of navigation or of
+    //! the tool uses, or by the key for menus.
+    void menuRequested(const QPointF &pixel);
+
 protected:
     Canvas(Kind kind, const StudioContext &context, ToolManager &tools, QWidget *parent);
 
@@ -69,6 +74,7 @@ protected:
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
     void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void enterEvent(QEnterEvent *event) override;
@@ -93,6 +99,7 @@ private:
     Qt::MouseButton mNavigationButton = Qt::NoButton;
     QPointF mLastMouse, mNavigationStart;
     bool mToolPressed = false;
+    std::optional<QPointF> mMenuPress; //!< where the right button went down for a menu
 };
 
 } // namespace autocuts

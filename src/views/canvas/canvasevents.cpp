@@ -4,6 +4,8 @@
 #include "views/canvas/toolmanager.h"
 #include "views/control/workspace.h"
 
+#include <QApplication>
+#include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
@@ -51,6 +53,12 @@ void Canvas::mousePressEvent(QMouseEvent *event)
         setCursor(navigation == Navigation::Zoom ? Qt::SizeVerCursor : Qt::ClosedHandCursor);
         return;
     }
+    const bool toolIsBusy = mToolPressed || (mTools.tool() && mTools.tool()->isBusy());
+    mMenuPress.reset();
+    if (event->button() == Qt::RightButton && !toolIsBusy) {
+        mMenuPress = event->position();
+        return;
+    }
     if (!mContent.mesh() || !mTools.tool())
         return;
     mToolPressed = true;
@@ -84,6 +92,14 @@ void Canvas::mouseReleaseEvent(QMouseEvent *event)
         }
         return;
     }
+    if (event->button() == Qt::RightButton && mMenuPress) {
+        const bool isClick =
+            (event->position() - *mMenuPress).manhattanLength() < QApplication::startDragDistance();
+        mMenuPress.reset();
+        if (isClick)
+            Q_EMIT menuRequested(event->position());
+        return;
+    }
     mToolPressed = event->buttons() != Qt::NoButton && mToolPressed;
     if (mContent.mesh() && mTools.tool())
         mTools.tool()->release(toolEvent(*event, true));
@@ -92,13 +108,19 @@ void Canvas::mouseReleaseEvent(QMouseEvent *event)
 void Canvas::mouseDoubleClickEvent(QMouseEvent *event)
 {
     const NavigationPreset preset = studio().preferences.values().navigation;
-    if (navigationOf(preset, event->button(), event->modifiers()) != Navigation::None || !mContent.mesh() ||
-        !mTools.tool()) {
+    if (event->button() == Qt::RightButton || !mContent.mesh() || !mTools.tool() ||
+        navigationOf(preset, event->button(), event->modifiers()) != Navigation::None) {
         mousePressEvent(event);
         return;
     }
     mToolPressed = true;
     mTools.tool()->doubleClick(toolEvent(*event, true));
+}
+
+void Canvas::contextMenuEvent(QContextMenuEvent *event)
+{
+    if (event->reason() == QContextMenuEvent::Keyboard)
+        Q_EMIT menuRequested(rect().contains(mLastMouse.toPoint()) ? mLastMouse : QRectF(rect()).center());
 }
 
 void Canvas::wheelEvent(QWheelEvent *event)

@@ -1,5 +1,6 @@
 #include "views/control/filecontroller.h"
 
+#include "commands/newmap.h"
 #include "model/document/makesnapshot.h"
 #include "model/io/meshdoctor.h"
 #include "model/io/meshfile.h"
@@ -127,6 +128,7 @@ void FileController::adopt(Scene scene)
     QStringList notes(scene.notes.begin(), scene.notes.end());
     notes += meshDoctorNotes(scene.mesh->report);
     DocumentState state = DocumentState::initial(std::move(scene));
+    state.solveSettings.maxDistortion = mPreferences.values().maxDistortion;
     state.packingSettings.textureSize = mPreferences.values().textureSize;
     state.packingSettings.margin = mPreferences.values().margin;
     Result<std::unique_ptr<Document>> document = Document::create(std::move(state));
@@ -178,25 +180,29 @@ void FileController::endAutosave()
     mAutosave.reset();
 }
 
-//! Saves the current state; during a solve with the solver's map, which the journal does not contain.
 void FileController::saveForRecovery(const QString &path, const Autosave::Saved &saved)
 {
-    SessionToSave session = sessionNow(mWorkspace.sessionPath());
-    if (const std::shared_ptr<const unwrap::LiveMapResult> live =
-            mSolver.isRunning() ? mSolver.map() : nullptr) {
-        session.state.scene.uvSets[session.state.activeUvSet].uv = live->uv;
-        session.journal.reset();
-    }
-    mSaver.save(std::move(session), path, saved);
+    mSaver.save(sessionNow(mWorkspace.sessionPath()), path, saved);
 }
 
+//! The session as it is shown: with the newest map of a running solve, as a pause would leave it.
 SessionToSave FileController::sessionNow(const QString &sessionPath)
 {
     Document &document = *mWorkspace.document();
     if (mViewState)
         document.setViewState(mViewState());
-    return {document.state(), mWorkspace.recorder().pending(), mThumbnail ? mThumbnail() : QImage(),
-            sessionPath};
+    SessionToSave session{document.state(), mWorkspace.recorder().pending(),
+                          mThumbnail ? mThumbnail() : QImage(), sessionPath};
+    const bool solves = mSolver.isRunning() || mSolver.isPausing();
+    if (const std::shared_ptr<const unwrap::LiveMapResult> live = solves ? mSolver.map() : nullptr) {
+        const std::unique_ptr<SetUvs> command = newMapCommand(document, UvEdit::Solve, live->uv);
+        if (command->hasAnyChanges()) {
+            session.state.scene.uvSets[session.state.activeUvSet].uv = live->uv;
+            session.state.uvScales[session.state.activeUvSet] = command->scale();
+            session.journal->add(command->toCbor());
+        }
+    }
+    return session;
 }
 
 void FileController::save(const QString &path)

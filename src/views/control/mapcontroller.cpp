@@ -165,17 +165,17 @@ void MapController::applyResult(const MapJobResult &result)
         Q_EMIT done(result.message);
 }
 
-void MapController::unwrap(unwrap::UnwrapQuality quality, double maxDistortion, JobReach reach)
+void MapController::unwrap(unwrap::UnwrapQuality quality, JobReach reach)
 {
     startJob(tr("Unwrapping"), [=](const MapInput &input, JobControl &control) {
-        return unwrapJob(limited(input, reach), quality, maxDistortion, control);
+        return unwrapJob(limited(input, reach), quality, control);
     });
 }
 
-void MapController::finish(double maxDistortion, JobReach reach)
+void MapController::finish(JobReach reach)
 {
     startJob(tr("Finishing"), [=](const MapInput &input, JobControl &control) {
-        return finishJob(limited(input, reach), maxDistortion, control);
+        return finishJob(limited(input, reach), control);
     });
 }
 

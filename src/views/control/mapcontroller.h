@@ -62,11 +62,10 @@ public:
 
 public Q_SLOTS:
     //! Unwraps automatically, as the command line does (solver/unwrap/unwrap.h).
-    void unwrap(autocuts::unwrap::UnwrapQuality quality, double maxDistortion,
-                autocuts::JobReach reach = JobReach::All);
+    void unwrap(autocuts::unwrap::UnwrapQuality quality, autocuts::JobReach reach = JobReach::All);
     //! Finishes the live map, or the document's map when there is none: the result has definite seams and no
     //! overlaps.
-    void finish(double maxDistortion, autocuts::JobReach reach = JobReach::All);
+    void finish(autocuts::JobReach reach = JobReach::All);
     void pack(autocuts::PackScope scope);
     //! Packs the islands of the faces into a box instead of a tile; other islands are obstacles.
     //! \param box texture space

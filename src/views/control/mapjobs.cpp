@@ -116,17 +116,16 @@ QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, 
         .arg(items.join(u", "_s));
 }
 
-MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, double maxDistortion,
-                       JobControl &control)
+MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, JobControl &control)
 {
     unwrap::UnwrapOptions options;
     options.quality = quality;
-    options.maxDistortion = maxDistortion;
+    options.maxDistortion = input.snapshot.settings.maxDistortion;
     options.packing = packing::tileOptions(input.packing);
     options.packing.keepScale = false;
     const unwrap::UnwrapResult made = unwrap::unwrapMesh(input.snapshot, options, contextOf(control));
     MapJobResult result;
-    result.edit = UvEdit::Solve;
+    result.edit = UvEdit::Unwrap;
     if (made.nothingFree) {
         result.problem = nothingFree();
         return result;
@@ -147,11 +146,11 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, dou
         result.problem =
             translated("The distortion of %1 is above the bound of %2: allow more, or remove joins")
                 .arg(made.distortion, 0, 'f', 4)
-                .arg(maxDistortion, 0, 'f', 4);
+                .arg(options.maxDistortion, 0, 'f', 4);
     return result;
 }
 
-MapJobResult finishJob(const MapInput &input, double maxDistortion, JobControl &control)
+MapJobResult finishJob(const MapInput &input, JobControl &control)
 {
     unwrap::FinishInput finish;
     finish.snapshot = input.snapshot;
@@ -162,7 +161,7 @@ MapJobResult finishJob(const MapInput &input, double maxDistortion, JobControl &
                        live->status.delta,
                        input.live.hasMoreToDo};
     }
-    finish.maxDistortion = maxDistortion;
+    finish.maxDistortion = input.snapshot.settings.maxDistortion;
     finish.packing = packing::tileOptions(input.packing);
     const unwrap::FinishResult made = unwrap::finishMap(finish, contextOf(control));
     MapJobResult result;

@@ -82,11 +82,10 @@ std::shared_ptr<const JobScope> scopeOf(const MeshData &mesh, const QList<int> &
 //! Says what a map does not obey. \param items what to select
 QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, Selection &items);
 
-MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, double maxDistortion,
-                       JobControl &control);
+MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, JobControl &control);
 //! Finishes the map. Without a live solve it keeps the seams of the map; a solve that was paused early is
 //! first continued to its end.
-MapJobResult finishJob(const MapInput &input, double maxDistortion, JobControl &control);
+MapJobResult finishJob(const MapInput &input, JobControl &control);
 MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl &control);
 MapJobResult separateJob(const MapInput &input, JobControl &control);
 MapJobResult equalizeJob(const MapInput &input);

@@ -58,7 +58,7 @@ void SolverController::setMode(homotopy::SolveMode mode)
         return;
     const live::SolveStatus before = mDisplay.soupStatus();
     mMode = mode;
-    mWorker->setMode(mMode, mMaxDistortion);
+    mWorker->setMode(mMode);
     if (mMode == homotopy::SolveMode::Manual && mDisplay.soupRan() && before.iteration > 0) {
         SolveSettings settings = mWorkspace.document()->solveSettings();
         settings.lambda = before.lambda;
@@ -70,16 +70,6 @@ void SolverController::setMode(homotopy::SolveMode mode)
     const bool byHand = mMode == homotopy::SolveMode::Manual;
     mDisplay.setGhost(byHand);
     setLiveView(byHand ? LiveView::Soup : LiveView::Map);
-    Q_EMIT stateChanged();
-}
-
-void SolverController::setMaxDistortion(double bound)
-{
-    if (bound == mMaxDistortion || !(bound > 4))
-        return;
-    mMaxDistortion = bound;
-    mWorker->setMode(mMode, mMaxDistortion);
-    mSendSoon.start();
     Q_EMIT stateChanged();
 }
 
@@ -274,7 +264,7 @@ void SolverController::begin(StartMode start, bool warm)
     mBeforePulls.reset();
     mMapBeforePulls.reset();
     mMapRests = false;
-    mWorker->setMode(mMode, mMaxDistortion);
+    mWorker->setMode(mMode);
     // Places the map at the centre of the unit square.
     const Vec2 centre = Vec2::Constant(0.5 / document.uvScale());
     mWorker->start(snapshot, centre, warm);
@@ -286,7 +276,7 @@ unwrap::LiveMapOptions SolverController::mapOptions() const
 {
     const Document &document = *mWorkspace.document();
     unwrap::LiveMapOptions options;
-    options.maxDistortion = mMaxDistortion;
+    options.maxDistortion = document.solveSettings().maxDistortion;
     options.packing = packing::tileOptions(document.packingSettings());
     return options;
 }
@@ -444,7 +434,7 @@ void SolverController::tellProblems()
         Q_EMIT foundProblems(tr("The distortion of %1 is above the bound of %2: let the solver run on, allow "
                                 "more, or remove joins")
                                  .arg(map.distortion, 0, 'f', 4)
-                                 .arg(mMaxDistortion, 0, 'f', 4),
+                                 .arg(mWorkspace.document()->solveSettings().maxDistortion, 0, 'f', 4),
                              {});
     }
 }

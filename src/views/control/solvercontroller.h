@@ -47,9 +47,6 @@ public:
     //! bound. Changing to Manual copies what the worker has found to the document as the start for manual
     //! steering.
     void setMode(homotopy::SolveMode mode);
-    double maxDistortion() const { return mMaxDistortion; }
-    //! \pre bound > 4
-    void setMaxDistortion(double bound);
 
     //! Status of what is shown; iteration 0 before the first result. Of the definite map: iteration counts
     //! the maps that were found, the separation is the seam length, and there is no delta.
@@ -144,7 +141,6 @@ private:
     LiveDisplay mDisplay;
     bool mMapRests = false; //!< nothing is left to gain on the definite map
     homotopy::SolveMode mMode = homotopy::SolveMode::Budget;
-    double mMaxDistortion = 4.1;
     //! Token of the document's state from which the worker continues; empty when the worker has nothing that
     //! fits the document.
     std::optional<StateToken> mToken;

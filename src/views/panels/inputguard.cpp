@@ -6,7 +6,10 @@
 #include <QAbstractSpinBox>
 #include <QChildEvent>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QKeyEvent>
+#include <QLineEdit>
+#include <QMainWindow>
 #include <QScrollBar>
 
 namespace autocuts {
@@ -19,12 +22,39 @@ bool takesWheel(const QObject *object)
            (qobject_cast<const QAbstractSlider *>(object) && !qobject_cast<const QScrollBar *>(object));
 }
 
+bool isField(const QObject *object)
+{
+    const auto *combo = qobject_cast<const QComboBox *>(object);
+    return qobject_cast<const QAbstractSpinBox *>(object) || qobject_cast<const QLineEdit *>(object) ||
+           (combo && combo->isEditable());
+}
+
+//! Takes back what was typed into a spin box and has not become its value.
+void forgetTyped(QWidget *field)
+{
+    if (auto *box = qobject_cast<QSpinBox *>(field))
+        box->setValue(box->value());
+    else if (auto *numbers = qobject_cast<QDoubleSpinBox *>(field))
+        numbers->setValue(numbers->value());
+}
+
+void focusTheView(QWidget *field)
+{
+    const auto *window = qobject_cast<QMainWindow *>(field->window());
+    if (window && window->centralWidget())
+        window->centralWidget()->setFocus();
+    else
+        field->clearFocus();
+}
+
 bool isOperatedBy(const QObject *object, const QKeyEvent &event)
 {
     if (event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier))
         return false;
     const bool isView = qobject_cast<const QAbstractItemView *>(object);
     switch (event.key()) {
+    case Qt::Key_Escape:
+        return isField(object);
     case Qt::Key_Left:
     case Qt::Key_Right:
     case Qt::Key_Up:
@@ -62,6 +92,11 @@ bool InputGuard::eventFilter(QObject *watched, QEvent *event)
             return true;
         }
         break;
+    case QEvent::KeyPress:
+        if (isField(watched) &&
+            leavesField(static_cast<QWidget *>(watched), static_cast<QKeyEvent *>(event)->key()))
+            return true;
+        break;
     case QEvent::ShortcutOverride:
         if (isOperatedBy(watched, *static_cast<QKeyEvent *>(event))) {
             event->accept();
@@ -72,6 +107,21 @@ bool InputGuard::eventFilter(QObject *watched, QEvent *event)
         break;
     }
     return QObject::eventFilter(watched, event);
+}
+
+//! \returns true when the field shall not get the key
+bool InputGuard::leavesField(QWidget *field, int key)
+{
+    if (key == Qt::Key_Escape) {
+        forgetTyped(field);
+        focusTheView(field);
+        return true;
+    }
+    // The field takes the value over first.
+    if (key == Qt::Key_Return || key == Qt::Key_Enter)
+        QMetaObject::invokeMethod(
+            field, [field] { focusTheView(field); }, Qt::QueuedConnection);
+    return false;
 }
 
 void InputGuard::guard(QObject *object)

@@ -10,6 +10,8 @@ namespace autocuts {
 //!   scrolls.
 //! - The control with the focus gets the keys that operate it (arrows, Space), even when they are shortcuts
 //!   of the program.
+//! - Enter and Escape leave a field; the view in the middle of the window gets the focus. Escape first puts
+//!   the value back that a spin box had before typing.
 //! - Buttons get the focus by Tab only, so that after a click Space still runs and pauses the solver.
 class InputGuard final : public QObject
 {
@@ -23,6 +25,7 @@ public:
 
 private:
     void guard(QObject *object);
+    bool leavesField(QWidget *field, int key);
 };
 
 } // namespace autocuts

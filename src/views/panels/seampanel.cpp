@@ -261,7 +261,8 @@ void SeamPanel::showGivenSeams()
 
 void SeamPanel::showPrices()
 {
-    mPrices->setPrices(document() ? context().map.seamPrices() : nullptr, context().solver.maxDistortion());
+    mPrices->setPrices(document() ? context().map.seamPrices() : nullptr,
+                       document() ? document()->solveSettings().maxDistortion : 0);
     mPrices->setCanPrice(document() && hasUvs(*document()) && !context().map.jobs().isBusy());
 }
 

@@ -123,11 +123,12 @@ void SolverPanel::addModeRows(QFormLayout *form)
     mBound = new QDoubleSpinBox;
     mBound->setObjectName("bound"_L1);
     mBound->setDecimals(4);
-    mBound->setRange(4.0001, 10);
+    mBound->setRange(4.0001, 100);
     mBound->setSingleStep(0.01);
     mBound->setKeyboardTracking(false);
-    connect(mBound, &QDoubleSpinBox::valueChanged, this,
-            [&solver](double bound) { solver.setMaxDistortion(bound); });
+    connect(mBound, &QDoubleSpinBox::valueChanged, this, [this](double bound) {
+        changeSolveSettings([=](SolveSettings &s) { s.maxDistortion = bound; });
+    });
     addRow(
         form, tr("D at most"), mBound,
         tr("Distortion budget: bound on the mean symmetric Dirichlet energy, 4 where nothing is distorted. "
@@ -239,11 +240,9 @@ QWidget *SolverPanel::makeFinishRow()
             {"uv.finish"});
     explain(mUnwrap, tr("Make a packed map automatically, within the distortion budget"), {"uv.unwrap"});
     MapController &map = context().map;
-    connect(mFinish, &QPushButton::clicked, this,
-            [this, &map] { map.finish(context().solver.maxDistortion()); });
-    connect(mUnwrap, &QPushButton::clicked, this, [this, &map] {
-        map.unwrap(unwrap::UnwrapQuality(mQuality->currentData().toInt()), context().solver.maxDistortion());
-    });
+    connect(mFinish, &QPushButton::clicked, this, [&map] { map.finish(); });
+    connect(mUnwrap, &QPushButton::clicked, this,
+            [this, &map] { map.unwrap(unwrap::UnwrapQuality(mQuality->currentData().toInt())); });
     form->addRow(makeRow({mFinish, mUnwrap}));
     return box;
 }
@@ -263,6 +262,8 @@ void SolverPanel::refresh()
 {
     const SolveSettings settings = document() ? document()->solveSettings() : SolveSettings();
     showEnergyBalance(settings);
+    const QSignalBlocker blocker(mBound);
+    mBound->setValue(settings.maxDistortion);
     mPreference->setSettings(settings);
     content()->findChild<SolverSettingsForm *>()->setSettings(settings);
     showState();
@@ -287,8 +288,6 @@ void SolverPanel::showState()
     (manual ? mManual : mBudget)->setChecked(true);
     (solver.liveView() == LiveView::Soup ? mShowSoup : mShowMap)->setChecked(true);
     mGhost->setChecked(solver.ghost());
-    const QSignalBlocker blocker(mBound);
-    mBound->setValue(solver.maxDistortion());
     for (QWidget *widget : std::initializer_list<QWidget *>{mLambda, mDelta, mHalve, mDouble})
         widget->setEnabled(manual);
     const bool idle = !context().map.jobs().isBusy();
@@ -306,7 +305,7 @@ void SolverPanel::showStatus()
                                               : solver.isLimited() ? tr("Running on the selection")
                                                                    : tr("Running"))
                     : solver.isPausing()   ? tr("Waiting for a map that obeys the steering")
-                    : solver.canContinue() ? tr("Paused")
+                    : solver.canContinue() ? (status.converged ? tr("Done") : tr("Paused"))
                                            : tr("Ready"));
     const bool none = status.iteration == 0;
     const auto text = [none](const QString &value) { return none ? missingText() : value; };

@@ -14,18 +14,23 @@
 #include "views/panels/seampanel.h"
 #include "views/panels/solverpanel.h"
 #include "views/panels/viewpanel.h"
+#include "views/shell/contextmenu.h"
 #include "views/shell/statusbar.h"
 #include "views/tools/studiotools.h"
+#include "views/ui/decimalkeys.h"
 #include "views/ui/icons.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
 
+#include <QApplication>
 #include <QCborMap>
 #include <QCborValue>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
 #include <QSplitter>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -52,6 +57,7 @@ MainWindow::MainWindow(Preferences &preferences, const QString &recoveryFolder,
       mFiles(mWorkspace, mSolver, preferences, recoveryFolder), mTools(context())
 {
     mQuestions->setWindow(this);
+    new DecimalKeys(this);
     addStudioTools(mTools, context());
     setWindowIcon(applicationIcon());
     setAcceptDrops(true);
@@ -67,7 +73,6 @@ MainWindow::MainWindow(Preferences &preferences, const QString &recoveryFolder,
     connect(&mFiles, &FileController::opened, this, &MainWindow::showOpened);
     mFiles.setThumbnailSource([this] { return thumbnail(); });
     mFiles.setViewStateSource([this] { return viewStateBytes(); });
-    mSolver.setMaxDistortion(preferences.values().maxDistortion);
     showTitle();
     restoreLayout();
 }
@@ -104,6 +109,16 @@ void MainWindow::makeViews()
     column->addWidget(mNotice);
     column->addWidget(mSplitter, 1);
     setCentralWidget(centre);
+    // What gives the focus back to the middle gives it to the view that had it last.
+    centre->setFocusProxy(mUvView);
+    connect(qApp, &QApplication::focusChanged, this, [this, centre](QWidget *, QWidget *now) {
+        if (now == mMeshView || now == mUvView)
+            centre->setFocusProxy(now);
+    });
+
+    for (Canvas *view : std::initializer_list<Canvas *>{mMeshView, mUvView})
+        connect(view, &Canvas::menuRequested, this,
+                [this, view](const QPointF &pixel) { showMenu(*view, pixel); });
 
     ViewActions &view = mStudioActions->view();
     connect(&view, &ViewActions::layoutChosen, this, &MainWindow::arrangeViews);
@@ -113,6 +128,16 @@ void MainWindow::makeViews()
     };
     connect(&view, &ViewActions::frameAll, this, [=] { frameBoth(&Canvas::frameAll); });
     connect(&view, &ViewActions::frameSelected, this, [=] { frameBoth(&Canvas::frameSelection); });
+}
+
+void MainWindow::showMenu(Canvas &canvas, const QPointF &pixel)
+{
+    selectUnderMouse(context(), canvas, canvas.pick(pixel));
+    auto *menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("contextMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    fillContextMenu(*menu, context());
+    menu->popup(canvas.mapToGlobal(pixel.toPoint()));
 }
 
 void MainWindow::makePanels()
@@ -217,7 +242,8 @@ void MainWindow::connectMessages()
 
 void MainWindow::restoreLayout()
 {
-    resize(1680, 960);
+    // As large as the screen allows, with room for the frame of the window.
+    resize(QSize(1680, 960).boundedTo(0.94 * screen()->availableSize()));
     mDefaultState = saveState();
     restoreGeometry(mPreferences.windowGeometry());
     restoreState(mPreferences.windowState());
@@ -264,6 +290,8 @@ void MainWindow::arrangeViews(ViewLayout layout)
 {
     mMeshView->setVisible(layout != ViewLayout::OnlyUv);
     mUvView->setVisible(layout != ViewLayout::Only3d);
+    if (layout != ViewLayout::Both)
+        centralWidget()->setFocusProxy(mMeshView->isHidden() ? static_cast<QWidget *>(mUvView) : mMeshView);
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)

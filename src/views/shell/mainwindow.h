@@ -21,6 +21,7 @@ class QToolBar;
 
 namespace autocuts {
 
+class Canvas;
 class MenuBuilder;
 class MeshView;
 class NoticeBar;
@@ -55,6 +56,7 @@ protected:
 private:
     void makeViews();
     void makePanels();
+    void showMenu(Canvas &canvas, const QPointF &pixel);
     void makeMenus();
     QToolBar *makeToolBar();
     void connectMessages();
