@@ -1,12 +1,12 @@
 #include "views/control/jobrunner.h"
 
 #include <QCoreApplication>
-#include <QThread>
 #include <QTimer>
 
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <thread>
 
 namespace autocuts {
 
@@ -16,26 +16,38 @@ constexpr int progressInterval = 50; //!< milliseconds
 
 } // namespace
 
-//! The thread of one job.
-class JobRunner::Thread final : public QThread
+//! The thread of one job. A thread of the standard library: the thread sanitizer does not see how Qt's
+//! threads wait for each other.
+class JobRunner::Thread final
 {
 public:
-    Thread(std::shared_ptr<JobControl> control, std::function<void(JobControl &)> work)
-        : mControl(std::move(control)), mWork(std::move(work))
+    //! \param ended called on the thread at its end
+    Thread(std::shared_ptr<JobControl> control, std::function<void(JobControl &)> work,
+           std::function<void(Thread *)> ended)
+        : mControl(std::move(control)), mThread([this, work = std::move(work), ended = std::move(ended)] {
+              run(work);
+              ended(this);
+          })
     {}
-    ~Thread() override
-    {
-        mControl->mStop = true;
-        wait();
-    }
+    ~Thread() { mControl->mStop = true; }
+    Thread(const Thread &) = delete;
+    Thread &operator=(const Thread &) = delete;
 
+    void wait()
+    {
+        if (mThread.joinable())
+            mThread.join();
+    }
+    //! Empty when the job ended without an exception. \pre wait() was called
     const QString &error() const { return mError; }
 
-protected:
-    void run() override
+    QTimer ticker;
+
+private:
+    void run(const std::function<void(JobControl &)> &work)
     {
         try {
-            mWork(*mControl);
+            work(*mControl);
         } catch (const std::bad_alloc &) {
             mError =
                 JobRunner::tr("There is not enough memory. Close other programs or use a smaller model.");
@@ -44,21 +56,33 @@ protected:
         }
     }
 
-private:
     std::shared_ptr<JobControl> mControl;
-    std::function<void(JobControl &)> mWork;
     QString mError;
+    std::jthread mThread; //!< the last member, so that it has ended before the others are destroyed
 };
 
 void JobControl::setStage(const QString &text)
 {
-    if (mShowStage)
-        mShowStage(text);
+    {
+        const std::lock_guard lock(mMutex);
+        mStage = text;
+    }
+    if (mStageSet)
+        mStageSet();
 }
 
-JobRunner::JobRunner(OnCancel onCancel, QObject *parent) : QObject(parent), mOnCancel(onCancel) {}
+JobRunner::JobRunner(OnCancel onCancel, QObject *parent) : QObject(parent), mOnCancel(onCancel)
+{
+    connect(this, &JobRunner::stageSet, this, &JobRunner::showStage, Qt::QueuedConnection);
+    connect(this, &JobRunner::threadEnded, this, &JobRunner::takeEnded, Qt::QueuedConnection);
+}
 
-JobRunner::~JobRunner() = default;
+JobRunner::~JobRunner()
+{
+    // The threads use the other members until they end.
+    mThread.reset();
+    mLetGo.clear();
+}
 
 double JobRunner::progress() const
 {
@@ -73,32 +97,48 @@ bool JobRunner::startJob(const QString &title, std::function<void(JobControl &)>
     for (LetGo &job : mLetGo)
         job.done = nullptr;
     mControl = std::make_shared<JobControl>();
-    mControl->mShowStage = [this, job = mControl.get()](const QString &text) {
-        QMetaObject::invokeMethod(
-            this,
-            [this, job, text] {
-                if (mControl.get() != job)
-                    return;
-                mStage = text;
-                Q_EMIT busyChanged();
-            },
-            Qt::QueuedConnection);
-    };
+    mControl->mStageSet = [this] { Q_EMIT stageSet({}); };
     mTitle = title;
     mStage.clear();
     mDone = std::move(done);
-    mThread = std::make_unique<Thread>(mControl, std::move(work));
-    auto *ticker = new QTimer(mThread.get());
-    connect(ticker, &QTimer::timeout, this, &JobRunner::progressChanged);
-    ticker->start(progressInterval);
-    connect(mThread.get(), &QThread::finished, this, [this, thread = mThread.get()] { jobEnded(thread); });
-    mThread->start();
+    mThread = std::make_unique<Thread>(mControl, std::move(work), [this](Thread *thread) {
+        {
+            const std::lock_guard lock(mMutex);
+            mEnded.push_back(thread);
+        }
+        Q_EMIT threadEnded({});
+    });
+    connect(&mThread->ticker, &QTimer::timeout, this, &JobRunner::progressChanged);
+    mThread->ticker.start(progressInterval);
     Q_EMIT busyChanged();
     return true;
 }
 
+void JobRunner::showStage()
+{
+    if (!mControl)
+        return;
+    {
+        const std::lock_guard lock(mControl->mMutex);
+        mStage = mControl->mStage;
+    }
+    Q_EMIT busyChanged();
+}
+
+void JobRunner::takeEnded()
+{
+    std::vector<Thread *> ended;
+    {
+        const std::lock_guard lock(mMutex);
+        ended.swap(mEnded);
+    }
+    for (Thread *thread : ended)
+        jobEnded(thread);
+}
+
 void JobRunner::jobEnded(Thread *thread)
 {
+    thread->wait();
     if (thread != mThread.get()) {
         const auto job = std::find_if(mLetGo.begin(), mLetGo.end(),
                                       [thread](const LetGo &other) { return other.thread.get() == thread; });

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -28,7 +29,9 @@ private:
 
     std::atomic<bool> mStop = false;
     std::atomic<double> mFraction = -1;
-    std::function<void(const QString &)> mShowStage;
+    std::mutex mMutex;
+    QString mStage; //!< guarded by the mutex
+    std::function<void()> mStageSet;
 };
 
 //! Runs jobs on a separate thread. A job gets copies of its input and never uses the document; its result is
@@ -89,16 +92,23 @@ Q_SIGNALS:
     void failed(const QString &message);
     //! An abandoned job has ended, and its result was used or discarded.
     void letGoEnded();
+    // Emitted on the job's thread. What they are about is passed through members that a mutex guards.
+    void stageSet(QPrivateSignal);
+    void threadEnded(QPrivateSignal);
 
 private:
     class Thread;
 
     bool startJob(const QString &title, std::function<void(JobControl &)> work, std::function<void()> done);
+    void showStage();
+    void takeEnded();
     void jobEnded(Thread *thread);
     void releaseCancelled(const JobControl *control);
     void letGo(std::function<void()> done);
 
     OnCancel mOnCancel;
+    std::mutex mMutex;
+    std::vector<Thread *> mEnded; //!< not taken yet; guarded by the mutex
     QString mTitle, mStage;
     std::shared_ptr<JobControl> mControl; //!< of the running job
     std::unique_ptr<Thread> mThread;
