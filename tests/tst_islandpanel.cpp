@@ -1,4 +1,5 @@
 // The panel of the islands: its table, selection in both directions, marks and texel density.
+#include "commands/reset.h"
 #include "commands/setislandtag.h"
 #include "commands/setuvs.h"
 #include "support/editsupport.h"
@@ -9,6 +10,7 @@
 
 #include <QDoubleSpinBox>
 #include <QHeaderView>
+#include <QLabel>
 #include <QPushButton>
 #include <QTableView>
 
@@ -78,6 +80,32 @@ class TestIslandPanel : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void theListSaysWhatToDoWhileItIsEmpty()
+    {
+        IslandBench bench;
+        pushCommand(std::make_unique<Reset>(bench.document(), Reset::Uvs));
+        const auto says = [&](const char *part) {
+            const auto labels = bench.panel.findChildren<QLabel *>();
+            return test::isUpToDate(bench.panel) &&
+                   std::any_of(labels.begin(), labels.end(), [&](const QLabel *label) {
+                       return label->text().contains(QLatin1StringView(part));
+                   });
+        };
+        QVERIFY(says("No UVs yet"));
+        bench.solver.run();
+        QVERIFY(says("Pause the solver"));
+        QVERIFY(!says("No UVs yet"));
+    }
+
+    void aRightClickInTheListOffersWhatFits()
+    {
+        IslandBench bench;
+        QCOMPARE(bench.table()->contextMenuPolicy(), Qt::ActionsContextMenu);
+        const QList<QAction *> offered = bench.table()->actions();
+        for (const char *id : {"uv.lock", "uv.packSelection", "select.similar"})
+            QVERIFY(offered.contains(bench.actions.action(id)));
+    }
+
     void islandsAreListed()
     {
         IslandBench bench;

@@ -1,6 +1,8 @@
 #include "views/panels/islandpanel.h"
 
+#include "views/actions/actionregistry.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
 #include "views/panels/islandtable.h"
@@ -50,6 +52,13 @@ IslandPanel::IslandPanel(const StudioContext &context, QWidget *parent)
     connect(&context.workspace, &Workspace::selectionChanged, this, [this] { refreshSoon(); });
     connect(&context.map, &MapController::figuresChanged, this, [this] { refreshFigures(settleDelay); });
     connect(&context.map.jobs(), &JobRunner::busyChanged, this, [this] { refreshSoon(); });
+    connect(&context.solver, &SolverController::stateChanged, this, [this] { refreshSoon(); });
+    // A right click offers what can be done with the selected islands.
+    mView->setContextMenuPolicy(Qt::ActionsContextMenu);
+    for (const char *id :
+         {"uv.packSelection", "uv.unwrapSelection", "uv.orientBox", "uv.lock", "uv.unlock", "uv.group",
+          "uv.ungroup", "uv.stack", "uv.unstack", "select.similar", "view.frameSelected"})
+        mView->addAction(context.actions.action(id));
     connect(mView->selectionModel(), &QItemSelectionModel::selectionChanged, this, &IslandPanel::selectFaces);
     connect(mTable, &IslandTable::lockRequested, this, [this](int island, bool locked) {
         mark(locked ? SetIslandFlags::Edit::Lock : SetIslandFlags::Edit::Unlock, {island});
@@ -192,8 +201,10 @@ void IslandPanel::refresh()
     selectRows(*document());
     const auto selected = selectedIslands().size();
     mSummary->show();
+    const bool solves = context().solver.isRunning() || context().solver.isPausing();
     mSummary->setText(mTable->rowCount() == 0
-                          ? tr("No UVs yet: run the solver, or unwrap.")
+                          ? (solves ? tr("Pause the solver to list its islands.")
+                                    : tr("No UVs yet: run the solver, or unwrap."))
                           : tr("Islands: %1, selected: %2")
                                 .arg(countText(mTable->rowCount()), countText(qint64(selected))));
     for (QPushButton *button : mSelectionButtons)
