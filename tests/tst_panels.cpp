@@ -360,6 +360,21 @@ private Q_SLOTS:
         QCOMPARE(rotation->currentData().toInt(), int(PackRotation::Free));
     }
 
+    void escapeTakesBackWhatWasTyped()
+    {
+        Bench<PackPanel> bench;
+        auto *const size = child<QComboBox>(bench.panel, "textureSize");
+        const QString before = size->currentText();
+        size->setFocus();
+        size->lineEdit()->selectAll();
+        QTest::keyClicks(size, QStringLiteral("777"));
+        QCOMPARE(size->currentText(), QStringLiteral("777"));
+        QTest::keyClick(size, Qt::Key_Escape);
+        QVERIFY(!size->hasFocus());
+        QCOMPARE(size->currentText(), before);
+        QCOMPARE(bench.stack().count(), 0);
+    }
+
     void aSmallerTextureTakesTheMarginAlong()
     {
         Bench<PackPanel> bench;

@@ -29,13 +29,17 @@ bool isField(const QObject *object)
            (combo && combo->isEditable());
 }
 
-//! Takes back what was typed into a spin box and has not become its value.
+//! Takes back what was typed and has not become the value.
 void forgetTyped(QWidget *field)
 {
     if (auto *box = qobject_cast<QSpinBox *>(field))
         box->setValue(box->value());
     else if (auto *numbers = qobject_cast<QDoubleSpinBox *>(field))
         numbers->setValue(numbers->value());
+    const auto *combo = qobject_cast<const QComboBox *>(field);
+    auto *text = combo ? combo->lineEdit() : qobject_cast<QLineEdit *>(field);
+    while (text && text->isUndoAvailable())
+        text->undo();
 }
 
 void focusTheView(QWidget *field)

@@ -11,7 +11,7 @@ namespace autocuts {
 //! - The control with the focus gets the keys that operate it (arrows, Space), even when they are shortcuts
 //!   of the program.
 //! - Enter and Escape leave a field; the view in the middle of the window gets the focus. Escape first puts
-//!   the value back that a spin box had before typing.
+//!   the value back that was there before typing.
 //! - Buttons get the focus by Tab only, so that after a click Space still runs and pauses the solver.
 class InputGuard final : public QObject
 {
