@@ -298,10 +298,10 @@ private Q_SLOTS:
         studio.map.pack(PackScope::Selection);
         QVERIFY(studio.ends());
         QCOMPARE(studio.failed.count(), 0);
-        QCOMPARE(studio.stack().undoText(), QStringLiteral("Pack 1 island"));
         const MeshData &mesh = document.mesh();
         int moved = 0;
         const std::vector<int> selected = document.islands().islandsOf(selection.faces);
+        QCOMPARE(studio.stack().undoText(), QStringLiteral("Pack %1 islands").arg(selected.size()));
         for (int f = 0; f < mesh.faceCount(); ++f) {
             const bool isSelected =
                 std::binary_search(selected.begin(), selected.end(), document.islands().islandOfFace(f));

@@ -174,6 +174,13 @@ private Q_SLOTS:
             edges[i][0].fixed += Vec2(3, -2);
         QVERIFY(!fitLoosely(edges));
         QCOMPARE(fittingEdges(edges), (std::vector<int>{0, 2, 3, 6, 7, 8}));
+        QCOMPARE(exactEdges(edges), (std::vector<int>{0, 2, 3, 6, 7, 8}));
+        // Few that fit exactly are found among many that do not.
+        std::vector<EdgeMatch> others = edges;
+        for (int i = 0; i < 9; ++i)
+            others[i][0].fixed += i == 3 || i == 7 ? Vec2(0, 0) : Vec2(0.1 + 0.01 * i, 0.2 - 0.03 * i * i);
+        QCOMPARE(exactEdges(others), (std::vector<int>{3, 7}));
+        QVERIFY(exactEdges({others[0], others[3], others[4]}).empty());
         // Two edges, and a small share, would fit anywhere.
         QVERIFY(fittingEdges({edges[0], edges[2], edges[1]}).empty());
         edges[2][0].fixed = edges[2][0].moving;

@@ -60,14 +60,12 @@ struct StudioSession
     {
         return QTest::qWaitFor([this] { return context.map.figuresAreFresh(); }, patience);
     }
-    //! Or until the solver has nothing left to gain and waits for an edit.
+    //! Or until the solver has nothing left to gain, and waits for an edit or has ended by itself.
     bool runsTo(int iteration)
     {
-        // A solve by budget may end by itself before.
-        const bool ran = context.solver.isRunning();
         const auto isThere = [=, this] {
             const SolveStatus &status = context.solver.status();
-            return status.iteration >= iteration || status.converged || (ran && !context.solver.isRunning());
+            return status.iteration >= iteration || status.converged || !context.solver.isRunning();
         };
         return QTest::qWaitFor(isThere, patience);
     }

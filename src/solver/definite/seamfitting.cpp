@@ -12,6 +12,11 @@ namespace {
 //! belong together up to the second distance. The first was chosen by hand, the second is that of
 //! chartjoining.
 constexpr double fitDistance = 0.05, looseDistance = 0.6;
+//! Sides that were one are at most this far apart, as a share of their length, in files of 32-bit numbers
+//! too.
+constexpr double exactDistance = 1e-4;
+//! How many edges of a seam, about, are asked for the similarity of which they are exact. Chosen by hand.
+constexpr std::size_t mostSamples = 50;
 //! Fewer edges, or less of the length of a seam, fit anywhere. Chosen by hand.
 constexpr std::size_t fewestToFit = 3;
 constexpr double leastShareToFit = 0.25;
@@ -44,11 +49,11 @@ double misfitOf(const EdgeMatch &edge, const SimilarMotion &motion)
     return distanceOf(edge, motion) / std::max(length, std::numeric_limits<double>::min());
 }
 
-std::vector<int> near(const std::vector<EdgeMatch> &edges, const SimilarMotion &motion)
+std::vector<int> near(const std::vector<EdgeMatch> &edges, const SimilarMotion &motion, double distance)
 {
     std::vector<int> result;
     for (int i = 0; i < static_cast<int>(edges.size()); ++i) {
-        if (misfitOf(edges[i], motion) <= fitDistance)
+        if (misfitOf(edges[i], motion) <= distance)
             result.push_back(i);
     }
     return result;
@@ -77,21 +82,38 @@ std::vector<int> fittingEdges(const std::vector<EdgeMatch> &edges)
     std::iota(kept.begin(), kept.end(), 0);
     const double all = lengthOf(edges, kept);
     SimilarMotion motion = fitEdges(edges);
-    for (int round = 0; round < rounds && near(chosen(edges, kept), motion).size() < kept.size(); ++round) {
+    for (int round = 0; round < rounds && near(chosen(edges, kept), motion, fitDistance).size() < kept.size();
+         ++round) {
         std::stable_sort(kept.begin(), kept.end(), [&](int a, int b) {
             return distanceOf(edges[a], motion) < distanceOf(edges[b], motion);
         });
         kept.resize(kept.size() - kept.size() / 3);
         motion = fitEdges(chosen(edges, kept));
     }
-    const std::vector<int> fitting = near(edges, motion);
+    const std::vector<int> fitting = near(edges, motion, fitDistance);
     const bool few = fitting.size() < fewestToFit || lengthOf(edges, fitting) < leastShareToFit * all;
     return few ? std::vector<int>() : fitting;
 }
 
+std::vector<int> exactEdges(const std::vector<EdgeMatch> &edges)
+{
+    std::vector<int> best;
+    double longest = 0;
+    const std::size_t stride = std::max<std::size_t>(1, edges.size() / mostSamples);
+    for (std::size_t sample = 0; sample < edges.size(); sample += stride) {
+        std::vector<int> agreeing = near(edges, fitEdges({edges[sample]}), exactDistance);
+        const double length = lengthOf(edges, agreeing);
+        if (agreeing.size() > 1 && length > longest) {
+            longest = length;
+            best = std::move(agreeing);
+        }
+    }
+    return best;
+}
+
 std::vector<int> touchingEdges(const std::vector<EdgeMatch> &edges)
 {
-    return near(edges, SimilarMotion());
+    return near(edges, SimilarMotion(), fitDistance);
 }
 
 } // namespace autocuts::definite

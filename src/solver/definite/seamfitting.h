@@ -22,6 +22,10 @@ bool fitLoosely(const std::vector<EdgeMatch> &edges);
 //! ascending. Empty when these are so few that they would fit anywhere.
 std::vector<int> fittingEdges(const std::vector<EdgeMatch> &edges);
 
+//! The indices of the edges whose sides lie on each other, but for rounding, under one similarity, ascending:
+//! they were closed before an island was moved. Empty when no two of them agree.
+std::vector<int> exactEdges(const std::vector<EdgeMatch> &edges);
+
 //! The indices of the edges whose sides lie on each other as they are, ascending.
 std::vector<int> touchingEdges(const std::vector<EdgeMatch> &edges);
 

@@ -146,8 +146,9 @@ private:
         }
     }
 
-    //! Between islands first, the one at the largest island before the others, then the longest; then parts
-    //! inside them, those whose sides are nearest first. \pre there are open edges
+    //! Between islands first: those that fit exactly before the others, so that what was ripped closes again
+    //! before anything else is closed, then the one at the largest island, then the longest. Then parts
+    //! inside islands, those whose sides are nearest first. \pre there are open edges
     Seam nextSeam() const
     {
         std::map<std::pair<int, int>, Seam> seams;
@@ -159,14 +160,22 @@ private:
         const auto order = [&](const Seam &seam) {
             const double first = std::abs(mIslands[seam.first].area);
             const double second = std::abs(mIslands[seam.second].area);
-            return std::tuple(seam.first != seam.second, std::max(first, second), seam.length);
+            const bool isZip = seam.first == seam.second;
+            const bool exact =
+                mAsTheyFit && !isZip && !exactEdges(matchesOf(movingOf(seam), seam.edges)).empty();
+            return std::tuple(!isZip, exact, std::max(first, second), seam.length);
         };
-        const auto best = std::max_element(seams.begin(), seams.end(), [&](const auto &a, const auto &b) {
-            return order(a.second) < order(b.second);
-        });
-        if (best->second.first != best->second.second)
-            return best->second;
-        const std::vector<Seam> parts = partsOf(best->second);
+        const Seam *best = nullptr;
+        decltype(order(*best)) rank;
+        for (const auto &[islands, seam] : seams) {
+            if (const auto own = order(seam); !best || rank < own) {
+                best = &seam;
+                rank = own;
+            }
+        }
+        if (best->first != best->second)
+            return *best;
+        const std::vector<Seam> parts = partsOf(*best);
         return *std::min_element(parts.begin(), parts.end(),
                                  [&](const Seam &a, const Seam &b) { return gapOf(a) < gapOf(b); });
     }
@@ -234,17 +243,24 @@ private:
         return outcome;
     }
 
-    //! What is to be closed of a seam before anything is relaxed: the edges that fit. The whole seam when all
-    //! of it fits loosely, and when the rest could not be zipped later because an island is held.
+    //! What is to be closed of a seam before anything is relaxed: the edges that fit exactly or, where there
+    //! are none, as well as any. The whole seam when all of it fits loosely, and when the rest could not be
+    //! zipped later because an island is held.
     Seam fittingPart(const Seam &seam) const
     {
         const bool isZip = seam.first == seam.second;
         const std::vector<EdgeMatch> matches = matchesOf(movingOf(seam), seam.edges);
         const bool isHeld = mIslands[seam.first].isHeld() || mIslands[seam.second].isHeld();
-        if (!isZip && (isHeld || fitLoosely(matches)))
+        if (!isZip && isHeld)
             return seam;
+        std::vector<int> fitting = isZip ? touchingEdges(matches) : exactEdges(matches);
+        if (!isZip && fitting.empty()) {
+            if (fitLoosely(matches))
+                return seam;
+            fitting = fittingEdges(matches);
+        }
         Seam part{seam.first, seam.second, {}};
-        for (const int i : isZip ? touchingEdges(matches) : fittingEdges(matches))
+        for (const int i : fitting)
             part.add(seam.edges[i], mMesh.edgePairs[seam.edges[i]].length);
         return part;
     }
@@ -279,6 +295,8 @@ private:
         return std::abs(first.area) < std::abs(second.area) ? seam.first : seam.second;
     }
 
+    //! Where the moved island would cover another part, sides that touch are closed without a move: a rip
+    //! that found no room opened them by a small gap, and the islands may touch all along their other sides.
     SewOutcome close(const Seam &seam)
     {
         const bool isZip = seam.first == seam.second;
@@ -286,8 +304,20 @@ private:
         if (mIslands[moving].locked || (!isZip && mIslands[moving].pinned))
             return SewOutcome::Held;
         UvMatrix placed = uv();
-        if (!isZip && !moveTo(moving, other, seam.edges, placed))
-            return SewOutcome::Folds;
+        if (isZip)
+            return sew(seam, moving, other, placed);
+        const SewOutcome outcome =
+            moveTo(moving, other, seam.edges, placed) ? sew(seam, moving, other, placed) : SewOutcome::Folds;
+        const bool touches = touchingEdges(matchesOf(moving, seam.edges)).size() == seam.edges.size();
+        if (outcome == SewOutcome::Sewn || !touches || isMirrored(moving) != isMirrored(other))
+            return outcome;
+        placed = uv();
+        return sew(seam, moving, other, placed);
+    }
+
+    //! \param placed the map with the moving island in its place
+    SewOutcome sew(const Seam &seam, int moving, int other, UvMatrix &placed)
+    {
         Sewing sewing{seam.edges, std::vector<FaceRole>(mMesh.faceCount(), FaceRole::Outside), mPinned,
                       mAsTheyFit};
         for (int f = 0; f < mMesh.faceCount(); ++f) {
