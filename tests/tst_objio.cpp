@@ -17,6 +17,7 @@
 #include <cstring>
 
 using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
@@ -72,6 +73,7 @@ class TestObjIo : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void readingStops();
     void unchangedIsByteIdentical_data();
     void unchangedIsByteIdentical();
     void realMeshesAreByteIdentical();
@@ -88,6 +90,15 @@ private Q_SLOTS:
     void plainObjFromOtherScenes();
     void pathsInAnyAlphabet();
 };
+
+void TestObjIo::readingStops()
+{
+    const std::atomic<bool> stop = true;
+    const Result<Scene> scene = parseObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", u"a.obj"_s, &stop);
+    QVERIFY(!scene.ok());
+    QCOMPARE(scene.error().message, u"reading was cancelled"_s);
+    QCOMPARE(scene.error().file, u"a.obj"_s);
+}
 
 void TestObjIo::unchangedIsByteIdentical_data()
 {

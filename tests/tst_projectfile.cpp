@@ -89,6 +89,7 @@ class TestProjectFile : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void loadingStops();
     void roundTrip_data();
     void roundTrip();
     void objSourceComesBack();
@@ -107,6 +108,16 @@ private Q_SLOTS:
     void aFullDiskIsNamed();
     void summary();
 };
+
+void TestProjectFile::loadingStops()
+{
+    const test::Session session = sessionNamed(u"cube"_s);
+    const std::atomic<bool> stop = true;
+    const Result<LoadedProject> loaded =
+        parseProject(ProjectWriter().bytes(session.state, session.extras), u"a.acproj"_s, &stop);
+    QVERIFY(!loaded.ok());
+    QCOMPARE(loaded.error().message, u"reading was cancelled"_s);
+}
 
 void TestProjectFile::roundTrip_data()
 {

@@ -64,7 +64,7 @@ Result<Scene> BatchFiles::read(const QString &path, const std::atomic<bool> *sto
             mOriginal = scene.value();
         return scene;
     }
-    Result<LoadedProject> project = loadProject(path);
+    Result<LoadedProject> project = loadProject(path, stop);
     if (!project)
         return project.error();
     mDocument = std::make_unique<Document>(std::move(project->state));

@@ -1,6 +1,7 @@
 #include "model/io/assimpprocess.h"
 
 #include "model/io/assimpstream.h"
+#include "model/io/savefile.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -191,7 +192,7 @@ Result<std::shared_ptr<const aiScene>> readInProcess(const QString &path, const 
     std::vector<char> output;
     while (reader.read(output)) {
         if (stop && *stop)
-            return Error{u"reading was cancelled"_s, path, 0, {}};
+            return readingCancelled(path);
         if (clock.elapsed() > limits.wallSeconds * 1000)
             return tooLong(path, limits.wallSeconds);
         if (std::ssize(output) > limits.memory)

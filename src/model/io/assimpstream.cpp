@@ -109,8 +109,19 @@ public:
 
 private:
     template <typename T>
-    requires isPlain<T>
-    void pass(T &value) { mArchive.bytes(&value, sizeof value); }
+    requires(isPlain<T> && !std::is_enum_v<T>) void pass(T &value) { mArchive.bytes(&value, sizeof value); }
+
+    //! Assimp's enumerations hold at least all of 0 to INT_MAX; what is beyond is no value of theirs.
+    template <typename T>
+    requires std::is_enum_v<T>
+    void pass(T &value)
+    {
+        auto number = static_cast<std::uint32_t>(value);
+        pass(number);
+        if (number > std::uint32_t(std::numeric_limits<int>::max()))
+            throw std::runtime_error("the scene is damaged");
+        value = static_cast<T>(number);
+    }
 
     void pass(bool &value)
     {

@@ -51,7 +51,7 @@ Result<Scene> readMesh(const QString &path, const std::atomic<bool> *stop)
     if (!readableFormats().contains(suffix))
         return unknownFormat(path, readableFormats(), QStringLiteral("read"));
     try {
-        return suffix == QLatin1String("obj") ? readObj(path) : readWithAssimp(path, stop);
+        return suffix == QLatin1String("obj") ? readObj(path, stop) : readWithAssimp(path, stop);
     } catch (const std::bad_alloc &) {
         return outOfMemory(path);
     }

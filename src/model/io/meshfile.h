@@ -16,8 +16,8 @@ QStringList readableFormats();
 QStringList writableFormats();
 
 //! Reads a mesh file. The suffix of the path, in upper or lower case, gives the format.
-//! \param stop when it becomes true, the reading of any format but OBJ ends within 0.1 s with an Error; null:
-//! never
+//! \param stop ends the reading with an Error when it becomes true, within 0.1 s but for the last steps of
+//! building the mesh; null: never
 Result<Scene> readMesh(const QString &path, const std::atomic<bool> *stop = nullptr);
 
 //! An Error when writeMesh() does not support the format given by the suffix.

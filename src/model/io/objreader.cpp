@@ -56,7 +56,7 @@ public:
         mSource->bytes = std::move(bytes);
     }
 
-    Result<Scene> parse();
+    Result<Scene> parse(const std::atomic<bool> *stop);
 
 private:
     bool readLine(const ObjScanner &scanner);
@@ -311,7 +311,7 @@ Scene ObjParser::makeScene()
     return scene;
 }
 
-Result<Scene> ObjParser::parse()
+Result<Scene> ObjParser::parse(const std::atomic<bool> *stop)
 {
     const std::string_view bytes(mSource->bytes.constData(), static_cast<std::size_t>(mSource->bytes.size()));
     if (bytes.empty())
@@ -324,6 +324,8 @@ Result<Scene> ObjParser::parse()
     }
     ObjScanner scanner(bytes);
     while (scanner.next()) {
+        if (stop && *stop)
+            return readingCancelled(mPath);
         if (!readLine(scanner))
             return *mError;
     }
@@ -334,17 +336,17 @@ Result<Scene> ObjParser::parse()
 
 } // namespace
 
-Result<Scene> parseObj(QByteArray bytes, const QString &path)
+Result<Scene> parseObj(QByteArray bytes, const QString &path, const std::atomic<bool> *stop)
 {
-    return ObjParser(std::move(bytes), path).parse();
+    return ObjParser(std::move(bytes), path).parse(stop);
 }
 
-Result<Scene> readObj(const QString &path)
+Result<Scene> readObj(const QString &path, const std::atomic<bool> *stop)
 {
     Result<QByteArray> bytes = loadFile(path, maxFileSize);
     if (!bytes)
         return bytes.error();
-    return parseObj(std::move(bytes).value(), path);
+    return parseObj(std::move(bytes).value(), path, stop);
 }
 
 } // namespace autocuts

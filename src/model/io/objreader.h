@@ -6,6 +6,8 @@
 
 #include <QByteArray>
 
+#include <atomic>
+
 namespace autocuts {
 
 //! Reads polygons, objects (o), materials (usemtl) and UVs. Everything else stays in the ObjSource of the
@@ -13,9 +15,10 @@ namespace autocuts {
 //! its vt is missing or not finite. Faces of fewer than three different vertices are left out and mentioned
 //! in the notes. Errors name the line: wrong indices, coordinates that are not finite numbers, truncated or
 //! binary data.
-Result<Scene> readObj(const QString &path);
+//! \param stop ends the reading with an Error when it becomes true; null: never
+Result<Scene> readObj(const QString &path, const std::atomic<bool> *stop = nullptr);
 
 //! Reads from bytes in memory; `path` is used in messages and for Scene::path.
-Result<Scene> parseObj(QByteArray bytes, const QString &path);
+Result<Scene> parseObj(QByteArray bytes, const QString &path, const std::atomic<bool> *stop = nullptr);
 
 } // namespace autocuts

@@ -126,8 +126,9 @@ void addNotes(const ProjectParts &container, int lostSeams, LoadedProject &proje
                "textures, bones and animations"_s.arg(scene.format);
 }
 
-Result<LoadedProject> parse(const QByteArray &bytes, const QString &path)
+Result<LoadedProject> parse(const QByteArray &bytes, const QString &path, const std::atomic<bool> *stop)
 {
+    const auto isStopped = [stop] { return stop && *stop; };
     Result<ProjectParts> container = readContainer(bytes, projectVersion, path, isKnown);
     if (!container)
         return container.error();
@@ -136,10 +137,14 @@ Result<LoadedProject> parse(const QByteArray &bytes, const QString &path)
     if (!migrateParts(parts, container->version, projectMigrations()))
         return Error{u"the session is of an old version and cannot be brought up to date"_s, path, 0,
                      u"Open a backup of it: the same name with .1 or .2 behind it"_s};
+    if (isStopped())
+        return readingCancelled(path);
     LoadedProject project;
     Result<Scene> scene = readSceneParts(parts, path, project.lost);
     if (!scene)
         return scene.error();
+    if (isStopped())
+        return readingCancelled(path);
     project.state.scene = std::move(scene).value();
     const LostParts lost = readStateParts(parts, StateScope::Session, project.state);
     project.lost += lost.names;
@@ -222,21 +227,22 @@ Result<Done> saveProject(const DocumentState &state, const ProjectExtras &extras
     return saveProjectBytes(ProjectWriter().bytes(state, extras), path);
 }
 
-Result<LoadedProject> parseProject(const QByteArray &bytes, const QString &path)
+Result<LoadedProject> parseProject(const QByteArray &bytes, const QString &path,
+                                   const std::atomic<bool> *stop)
 {
     try {
-        return parse(bytes, path);
+        return parse(bytes, path, stop);
     } catch (const std::bad_alloc &) {
         return Error{u"there is not enough memory to open the session"_s, path, 0, u"Close other programs"_s};
     }
 }
 
-Result<LoadedProject> loadProject(const QString &path)
+Result<LoadedProject> loadProject(const QString &path, const std::atomic<bool> *stop)
 {
     const Result<QByteArray> bytes = loadFile(path, maxFileSize);
     if (!bytes)
         return bytes.error();
-    return parseProject(bytes.value(), path);
+    return parseProject(bytes.value(), path, stop);
 }
 
 Result<ProjectSummary> loadProjectSummary(const QString &path)

@@ -10,6 +10,7 @@
 #include "model/document/result.h"
 #include "model/io/projectblocks.h"
 
+#include <atomic>
 #include <optional>
 
 namespace autocuts {
@@ -55,9 +56,11 @@ Result<Done> saveProject(const DocumentState &state, const ProjectExtras &extras
 Result<Done> saveProjectBytes(const QByteArray &bytes, const QString &path);
 
 //! Loads a session. Everything undamaged is recovered from a damaged file, unless the model is damaged.
-Result<LoadedProject> loadProject(const QString &path);
+//! \param stop ends the loading with an Error at the next step when it becomes true; null: never
+Result<LoadedProject> loadProject(const QString &path, const std::atomic<bool> *stop = nullptr);
 //! Loads a session from bytes in memory; `path` is used in messages.
-Result<LoadedProject> parseProject(const QByteArray &bytes, const QString &path);
+Result<LoadedProject> parseProject(const QByteArray &bytes, const QString &path,
+                                   const std::atomic<bool> *stop = nullptr);
 
 //! What a list of sessions shows about one of them.
 struct ProjectSummary

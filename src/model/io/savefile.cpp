@@ -99,4 +99,9 @@ Result<QByteArray> loadFile(const QString &path, qint64 limit)
     return bytes;
 }
 
+Error readingCancelled(const QString &path)
+{
+    return {QStringLiteral("reading was cancelled"), path, 0, {}};
+}
+
 } // namespace autocuts

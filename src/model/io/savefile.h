@@ -20,4 +20,7 @@ Result<Done> saveAtomically(const QString &path, QByteArrayView bytes,
 //! device, not readable, or larger than `limit` bytes.
 Result<QByteArray> loadFile(const QString &path, qint64 limit);
 
+//! What a reader says that was told to stop.
+Error readingCancelled(const QString &path);
+
 } // namespace autocuts

@@ -79,7 +79,7 @@ void FileController::open(const QString &path)
             Opened opened;
             opened.isProject = isProjectPath(full);
             if (opened.isProject)
-                opened.project = loadProject(full);
+                opened.project = loadProject(full, &job.stop());
             else
                 opened.scene = readMesh(full, &job.stop());
             return opened;
@@ -112,7 +112,7 @@ void FileController::openSample(const QString &name)
 void FileController::recover(const RecoverableSession &session)
 {
     const bool started = mJobs.start(
-        tr("Recovering"), [file = session.file](JobControl &) { return loadProject(file); },
+        tr("Recovering"), [file = session.file](JobControl &job) { return loadProject(file, &job.stop()); },
         [this, session](Result<LoadedProject> project) {
             if (project)
                 adoptProject(std::move(project).value(), session.sessionPath, &session);
