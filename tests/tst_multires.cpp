@@ -100,17 +100,20 @@ struct Hexagon
     }
 };
 
-CoarseUnwrap draft()
+CoarseSearch draft(int coarseTriangles)
 {
-    return [](const Snapshot &snapshot, const UnwrapOptions &options) {
+    CoarseSearch search;
+    search.triangles = coarseTriangles;
+    search.unwrap = [](const Snapshot &snapshot, const UnwrapOptions &options, const CarryOver &) {
         const UnwrapResult result = unwrapMesh(snapshot, options);
         CarriedMap map;
         map.map = seamedMapOf(*Soup::build(snapshot.mesh), result.uv, result.cut).value();
         map.iterations = result.iterations;
         map.lambda = result.lambda;
         map.delta = result.delta;
-        return map;
+        return std::optional(map);
     };
+    return search;
 }
 
 std::optional<CarriedMap> carried(const Snapshot &snapshot, const std::shared_ptr<const Soup> &soup,
@@ -118,7 +121,7 @@ std::optional<CarriedMap> carried(const Snapshot &snapshot, const std::shared_pt
 {
     UnwrapOptions options;
     options.quality = UnwrapQuality::Draft;
-    return mapByCoarse(soup, snapshot, options, draft(), nullptr, coarseTriangles);
+    return mapByCoarse(soup, snapshot, options, draft(coarseTriangles));
 }
 
 } // namespace

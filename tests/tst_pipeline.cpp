@@ -32,6 +32,8 @@ test::MeshPtr pipelineMesh(const QString &name)
                                  {{0, 1, 2}, {3, 4, 5}});
     if (name == QLatin1String("square of two"))
         return test::polygonMesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+    if (name == QLatin1String("large sphere")) // unwrapped by way of a coarser mesh
+        return test::sphere(120, 110);
     return test::meshNamed(name);
 }
 
@@ -225,6 +227,9 @@ private Q_SLOTS:
                 QTest::addRow("%s %d", name, calls) << calls;
         }
         QTest::addRow("torus 100") << 100;
+        // By way of a coarser mesh.
+        for (const int calls : {0, 1, 20, 60})
+            QTest::addRow("large sphere %d", calls) << calls;
     }
     void stoppingStillGivesAValidMap()
     {

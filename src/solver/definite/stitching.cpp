@@ -229,7 +229,7 @@ SeamedMap stitchSoup(const std::shared_ptr<const Soup> &soup, const Snapshot &sn
 }
 
 int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map, int steps,
-             const JobContext &job)
+             const JobContext &job, const std::function<void(int)> &stepped)
 {
     if (job.stopped())
         return 0;
@@ -242,6 +242,8 @@ int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, 
     while (done < steps && !job.stopped()) {
         const newton::Minimizer::Step step = minimizer.step(map.x);
         ++done;
+        if (stepped)
+            stepped(done);
         if (step.before - step.after <= stall * std::abs(step.before))
             break;
     }

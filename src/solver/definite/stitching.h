@@ -6,6 +6,7 @@
 #include "solver/base/jobcontext.h"
 #include "solver/base/seamedmap.h"
 
+#include <functional>
 #include <vector>
 
 namespace autocuts::definite {
@@ -24,8 +25,9 @@ SeamedMap stitchTo(const std::shared_ptr<const Soup> &soup, const Snapshot &snap
 
 //! Minimises the distortion, with pins, while the seams stay as they are. Ends after `steps`
 //! Newton steps or when the energy stalls.
+//! \param stepped called after each step with their number; may be empty
 //! \return the number of steps
 int relaxMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, SeamedMap &map, int steps,
-             const JobContext &job = {});
+             const JobContext &job = {}, const std::function<void(int)> &stepped = {});
 
 } // namespace autocuts::definite

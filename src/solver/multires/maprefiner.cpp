@@ -35,10 +35,10 @@ int MapRefiner::refineTo(int triangles, const JobContext &job)
 {
     int folded = 0;
     int level = 2 * mMesh.triangleCount();
-    while (mMesh.triangleCount() < triangles && !mMesh.collapses().empty()) {
+    while (mMesh.triangleCount() < triangles && !mMesh.collapses().empty() && !job.stopped()) {
         folded += !refineOne();
         if (mMesh.triangleCount() >= level || mMesh.collapses().empty()) {
-            if (mayStraighten && !job.stopped())
+            if (mayStraighten)
                 straighten();
             for (int i = 0; i < sweepsPerLevel && !job.stopped(); ++i)
                 sweep();

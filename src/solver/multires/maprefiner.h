@@ -30,8 +30,7 @@ public:
     //! False when seams must not be moved.
     bool mayStraighten = true;
 
-    //! Undoes collapses until the surface has `triangles` triangles (or all of them). When stopped, does so
-    //! without improving the map.
+    //! Undoes collapses until the surface has `triangles` triangles (or all of them), or the job is stopped.
     //! \returns the number of points that had to be placed although a triangle flips
     int refineTo(int triangles, const JobContext &job = {});
 

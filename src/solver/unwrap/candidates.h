@@ -4,6 +4,7 @@
 #include "solver/base/seamedmap.h"
 #include "solver/unwrap/unwrapoptions.h"
 
+#include <functional>
 #include <mutex>
 #include <optional>
 
@@ -50,7 +51,11 @@ public:
         measures.map = makeMap();
         mBest = std::move(measures);
         noteFound(mBest->distortion, mBest->seamLength);
+        if (mWatcher)
+            mWatcher(*mBest);
     }
+    //! Also shows every map that is the best so far to the callback, one at a time.
+    void setWatcher(std::function<void(const Candidate &)> watcher) { mWatcher = std::move(watcher); }
     //! The best map that was offered; nothing when there was none.
     std::optional<Candidate> best() const
     {
@@ -70,6 +75,7 @@ private:
     const UnwrapOptions &mOptions;
     const JobContext &mJob;
     mutable std::mutex mMutex;
+    std::function<void(const Candidate &)> mWatcher;
     std::optional<Candidate> mBest;
     int mTotalSteps = 1, mSteps = 0;
     JobProgress mProgress;

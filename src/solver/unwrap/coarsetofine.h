@@ -20,23 +20,35 @@ struct CarriedMap
     int anchorFaults = 0;         //!< see search::CutState
 };
 
-//! Finds a map of the coarse version of a mesh; nothing when there is none that is worth being carried over.
-using CoarseUnwrap = std::function<std::optional<CarriedMap>(const Snapshot &, const UnwrapOptions &)>;
+//! Makes a usable map of the fine mesh from one of the coarse mesh, in a hurry: it is hardly relaxed. Nothing
+//! when that fails or the job is stopped. May be kept, and called by any thread.
+using CarryOver = std::function<std::optional<CarriedMap>(CarriedMap coarse, const JobContext &)>;
+
+//! How the map of the coarse mesh is found.
+struct CoarseSearch
+{
+    //! Finds a map of the coarse version of a mesh; nothing when there is none that is worth being carried
+    //! over. May carry over maps that it finds on the way.
+    std::function<std::optional<CarriedMap>(const Snapshot &, const UnwrapOptions &, const CarryOver &)>
+        unwrap;
+    //! Receives the carried map of the fine mesh while it is relaxed; it may overlap itself. May be empty.
+    std::function<void(const CarriedMap &)> relaxing;
+    //! Of the coarse mesh. The default was chosen by hand, not measured.
+    int triangles = 6'000;
+};
 
 //! True when the mesh has more than 25,000 triangles.
 bool isLargeMesh(const MeshData &mesh);
 //! True when the mesh is large and does not start from existing UVs.
 bool suitsCoarseToFine(const Snapshot &snapshot);
 
-//! Coarsens the mesh, unwraps the coarse one by `unwrapCoarse`, carries seams and map over to the fine mesh
-//! and relaxes the map there. Borders and the user's cut and joined edges are not collapsed; painted weights
-//! are carried over. No chart overlaps itself unless overlaps are allowed.
-//! \param coarseTriangles triangles of the coarse mesh. The default was chosen by hand, not measured
+//! Coarsens the mesh, unwraps the coarse one, carries seams and map over to the fine mesh and relaxes the map
+//! there. Borders and the user's cut and joined edges are not collapsed; painted weights are carried over. No
+//! chart overlaps itself unless overlaps are allowed.
 //! \returns nothing when the mesh cannot be coarsened far enough, when the map cannot be carried over, or
 //! when the job was stopped before there was one
 [[nodiscard]] std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup,
                                                     const Snapshot &snapshot, const UnwrapOptions &options,
-                                                    const CoarseUnwrap &unwrapCoarse,
-                                                    const JobContext &job = {}, int coarseTriangles = 6'000);
+                                                    const CoarseSearch &search, const JobContext &job = {});
 
 } // namespace autocuts::unwrap

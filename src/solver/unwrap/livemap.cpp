@@ -232,18 +232,19 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
     std::atomic<bool> carriedOver = false;
     parallelFor(quick ? 2 : 1, job.threads(), [&](int i) {
         if (i == 0) {
+            CoarseSearch search;
+            search.unwrap = [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions,
+                                const CarryOver &) {
+                Ranking ranking(coarseOptions, job);
+                FoundMap found = findMap(coarse, coarseOptions, ranking, job);
+                // After an edit nobody waits for this map any more.
+                if (job.stopped() || found.best.onlyPatches)
+                    return std::optional<CarriedMap>();
+                return std::optional(
+                    CarriedMap{std::move(found.best.map), found.iterations, 0, 0, found.best.anchorFaults});
+            };
             const std::optional<CarriedMap> carried = mapByCoarse(
-                mProblem.soup(), mProblem.part().withoutRectangles(), options,
-                [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions) {
-                    Ranking ranking(coarseOptions, job);
-                    FoundMap found = findMap(coarse, coarseOptions, ranking, job);
-                    // After an edit nobody waits for this map any more.
-                    if (job.stopped() || found.best.onlyPatches)
-                        return std::optional<CarriedMap>();
-                    return std::optional(CarriedMap{std::move(found.best.map), found.iterations, 0, 0,
-                                                    found.best.anchorFaults});
-                },
-                job.quiet());
+                mProblem.soup(), mProblem.part().withoutRectangles(), options, search, job.quiet());
             if (carried)
                 take(carried->map);
             carriedOver = true;

@@ -44,7 +44,8 @@ constexpr double smallestShare = 1e-9;
 constexpr double noBound = 1e6;
 constexpr double dearSeam = 100; // factor on the cost of a seam that is not given; chosen by hand
 constexpr int relaxSteps = 200;  // Newton steps for a map whose seams stay; chosen by hand
-//! A map whose distortion is further above the bound takes long to carry to a finer mesh: not after a stop.
+//! A map whose distortion is further above the bound takes long to carry to a finer mesh; none of those is
+//! made ready for a stop.
 constexpr double worthCarrying = 0.5;
 constexpr double leastGain = 1e-9; // energy gained in ten steps below which relaxing ends
 constexpr int settleSteps = 20;    // Newton steps before hard pins are reached; chosen by hand
@@ -60,7 +61,6 @@ bool isComplicated(const MeshData &mesh)
     return whole.chartCount > 1 || loops > 1 || euler + loops < 2;
 }
 
-//! For want of a better map: the job was stopped too early, or the mesh is too odd.
 Candidate patches(const Soup &soup, const Snapshot &snapshot)
 {
     Candidate candidate;
@@ -260,35 +260,65 @@ private:
     int mIterations = 0;
 };
 
+//! A carried map as a candidate.
+Candidate candidateOf(CarriedMap carried, const Soup &soup, const Snapshot &snapshot)
+{
+    Candidate candidate;
+    candidate.map = std::move(carried.map);
+    candidate.lambda = carried.lambda;
+    candidate.delta = carried.delta;
+    candidate.anchorFaults = carried.anchorFaults;
+    candidate.measure(soup, snapshot);
+    return candidate;
+}
+
 //! Finds the map of a large mesh by way of a coarser one; nothing when the mesh is not suited or that fails.
 std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                                     const UnwrapOptions &options, const JobContext &job)
+                                     const UnwrapOptions &options, const JobContext &job, ReadyResult *ready)
 {
     if (!suitsCoarseToFine(snapshot))
         return std::nullopt;
-    std::optional<CarriedMap> carried = mapByCoarse(
-        soup, snapshot, options,
-        [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions) {
-            Ranking coarseRanking(coarseOptions, job);
-            FoundMap found = findMap(coarse, coarseOptions, coarseRanking, job);
-            const bool isBad = found.best.distortion > coarseOptions.maxDistortion + worthCarrying;
-            if (found.best.onlyPatches || (job.stopped() && isBad))
-                return std::optional<CarriedMap>();
-            return std::optional(CarriedMap{std::move(found.best.map), found.iterations, found.best.lambda,
-                                            found.best.delta, found.best.anchorFaults});
-        },
-        job);
+    CoarseSearch search;
+    search.unwrap = [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions, const CarryOver &carry) {
+        const double worst = coarseOptions.maxDistortion + worthCarrying;
+        Ranking coarseRanking(coarseOptions, job);
+        coarseRanking.setWatcher([&](const Candidate &best) {
+            if (!ready || best.distortion > worst)
+                return;
+            CarriedMap map{best.map, 0, best.lambda, best.delta, best.anchorFaults};
+            ready->prepare([=, map = std::move(map)](const JobContext &own) -> std::optional<Candidate> {
+                std::optional<CarriedMap> carried = carry(map, own);
+                if (!carried)
+                    return std::nullopt;
+                return candidateOf(std::move(*carried), *soup, snapshot);
+            });
+        });
+        FoundMap found = findMap(coarse, coarseOptions, coarseRanking, job);
+        if (found.best.onlyPatches || job.stopped())
+            return std::optional<CarriedMap>();
+        return std::optional(CarriedMap{std::move(found.best.map), found.iterations, found.best.lambda,
+                                        found.best.delta, found.best.anchorFaults});
+    };
+    if (ready) {
+        search.relaxing = [&](const CarriedMap &carried) {
+            ready->prepare([=, map = CarriedMap(carried), allow = options.allowOverlaps](
+                               const JobContext &own) mutable -> std::optional<Candidate> {
+                if (!allow && definite::coversItself(*soup, map.map) &&
+                    !definite::removeOverlaps(*soup, snapshot, map.map, own))
+                    return std::nullopt;
+                definite::equalizeDensity(*soup, snapshot, map.map);
+                return candidateOf(std::move(map), *soup, snapshot);
+            });
+        };
+    }
+    std::optional<CarriedMap> carried = mapByCoarse(soup, snapshot, options, search, job);
     if (!carried)
         return std::nullopt;
     FoundMap found;
     found.iterations = carried->iterations;
     if (snapshot.settings.symmetry)
         found.symmetry = 0;
-    found.best.map = std::move(carried->map);
-    found.best.measure(*soup, snapshot);
-    found.best.lambda = carried->lambda;
-    found.best.delta = carried->delta;
-    found.best.anchorFaults = carried->anchorFaults;
+    found.best = candidateOf(std::move(*carried), *soup, snapshot);
     return found;
 }
 
@@ -359,14 +389,20 @@ search::OptimizeEffort effortFor(UnwrapQuality quality, int triangles)
     return effort;
 }
 
-FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &ranking, const JobContext &job)
+Candidate patchesOf(const Snapshot &given)
+{
+    return patches(*Soup::build(given.mesh), given);
+}
+
+FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &ranking, const JobContext &job,
+                 ReadyResult *ready)
 {
     if (given.settings.seams == SeamMode::Only && options.maxDistortion < noBound) {
         if (std::optional<FoundMap> found = onlyGivenSeams(given, job))
             return std::move(*found);
         UnwrapOptions unbounded = options;
         unbounded.maxDistortion = noBound;
-        return findMap(withDearSeams(given), unbounded, ranking, job);
+        return findMap(withDearSeams(given), unbounded, ranking, job, ready);
     }
     const std::shared_ptr<const Soup> soup = Soup::build(given.mesh);
     Snapshot snapshot = given;
@@ -377,12 +413,15 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
         symmetry = preference::findSymmetry(*snapshot.mesh);
     // Not for symmetric cuts: the coarse mesh would not be symmetric.
     if (!symmetry) {
-        if (std::optional<FoundMap> large = findLargeMap(soup, snapshot, options, job))
+        if (std::optional<FoundMap> large = findLargeMap(soup, snapshot, options, job, ready))
             return std::move(*large);
     }
     FoundMap found;
     if (job.stopped()) {
-        found.best = patches(*soup, snapshot);
+        if (ready)
+            found.onlyReady = true;
+        else
+            found.best = patches(*soup, snapshot);
         return found;
     }
     snapshot = preference::SeamPreference().applied(snapshot, job.threads());

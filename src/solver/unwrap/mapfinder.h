@@ -3,6 +3,7 @@
 
 #include "solver/search/seamoptimizer.h"
 #include "solver/unwrap/candidates.h"
+#include "solver/unwrap/readyresult.h"
 
 namespace autocuts::unwrap {
 
@@ -12,6 +13,7 @@ struct FoundMap
     Candidate best;
     int iterations = 0;
     std::optional<double> symmetry; //!< as UnwrapResult::symmetry
+    bool onlyReady = false;         //!< stopped before there was a map; the result is ready
 };
 
 //! Effort on a mesh of this size. On small meshes fewer moves suffice and more starts help more. A draft has
@@ -19,8 +21,12 @@ struct FoundMap
 //! share of 0.4 was chosen by hand.
 [[nodiscard]] search::OptimizeEffort effortFor(UnwrapQuality quality, int triangles);
 
-//! Finds the best map. \param given the problem of a FreePart
+//! The map that can be made at once. \param given the problem of a FreePart
+[[nodiscard]] Candidate patchesOf(const Snapshot &given);
+
+//! Finds the best map. \param given the problem of a FreePart \param ready brought the maps of a large mesh
+//! that are found on the way; null: nobody wants them
 [[nodiscard]] FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &ranking,
-                               const JobContext &job);
+                               const JobContext &job, ReadyResult *ready = nullptr);
 
 } // namespace autocuts::unwrap

@@ -2,6 +2,7 @@
 
 #include "model/plain/uvlayout.h"
 #include "solver/definite/seamopening.h"
+#include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/freepart.h"
 #include "solver/unwrap/mapfinder.h"
 #include "solver/unwrap/packjob.h"
@@ -27,7 +28,7 @@ void fitUnitSquare(UvMatrix &uv)
 
 //! Places the islands of a new map. Sets result.uv and result.packed.
 void place(const Snapshot &snapshot, const FreePart &part, const Soup &soup, const SeamedMap &map,
-           const UnwrapOptions &options, const JobContext &job, Ranking &ranking, UnwrapResult &result)
+           const UnwrapOptions &options, const JobContext &job, UnwrapResult &result)
 {
     const Snapshot &own = part.snapshot();
     // True when some islands are where they belong. Otherwise packing finds the scale.
@@ -47,12 +48,30 @@ void place(const Snapshot &snapshot, const FreePart &part, const Soup &soup, con
     PackJob pack = steeredPackJob(snapshot, settings);
     pack.keepScaleIfPossible = stays;
     pack.hurryWhenStopped = true;
-    const JobContext::Sink report = [&](const JobProgress &done) {
-        ranking.packing(Ranking::optimizingShare + (1 - Ranking::optimizingShare) * done.fraction);
-    };
-    result.packed = packCharts(*snapshot.mesh, charts, pack, result.uv, job.watchedBy(report));
+    result.packed = packCharts(*snapshot.mesh, charts, pack, result.uv, job);
     if (!result.packed && !stays)
         fitUnitSquare(result.uv);
+}
+
+//! The result of an unwrap whose map was found.
+UnwrapResult resultOf(const Snapshot &snapshot, const FreePart &part, Candidate found,
+                      const UnwrapOptions &options, const JobContext &job)
+{
+    UnwrapResult result;
+    result.cut = part.wholeCut(found.map.cut);
+    result.distortion = found.distortion;
+    result.seamLength = found.seamLength;
+    result.onlyPatches = found.onlyPatches;
+    result.lambda = found.lambda;
+    result.delta = found.delta;
+    result.withinBound = options.lambda || snapshot.settings.seams == SeamMode::Only ||
+                         found.distortion <= options.maxDistortion;
+    const std::shared_ptr<const Soup> soup = Soup::build(part.snapshot().mesh);
+    if (options.pack)
+        fitToRectangles(part, soup, found.map);
+    place(snapshot, part, *soup, found.map, options, job, result);
+    result.unmet = unmetSteering(snapshot, result.uv);
+    return result;
 }
 
 void checkOptions(const UnwrapOptions &options)
@@ -75,24 +94,31 @@ UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options, 
         result.uv = snapshot.uv ? *snapshot.uv : emptyLayout(*snapshot.mesh);
         return result;
     }
+    const Snapshot &problem = part->withoutRectangles();
     Ranking ranking(options, job);
-    FoundMap found = findMap(part->withoutRectangles(), options, ranking, job);
-    Candidate &best = found.best;
+    std::optional<ReadyResult> ready;
+    if (suitsCoarseToFine(problem)) {
+        UnwrapOptions hurried = options;
+        hurried.packing.effort = std::min(hurried.packing.effort, packing::hurriedEffort);
+        ready.emplace(
+            ranking,
+            [&snapshot, &part, hurried](Candidate found, const JobContext &own) {
+                return resultOf(snapshot, *part, std::move(found), hurried, own);
+            },
+            [&problem](const JobContext &) { return patchesOf(problem); });
+    }
+    FoundMap found = findMap(problem, options, ranking, job, ready ? &*ready : nullptr);
+    if (found.onlyReady) {
+        result = ready->take();
+    } else {
+        const JobContext::Sink report = [&](const JobProgress &done) {
+            ranking.packing(Ranking::optimizingShare + (1 - Ranking::optimizingShare) * done.fraction);
+        };
+        ready.reset();
+        result = resultOf(snapshot, *part, std::move(found.best), options, job.watchedBy(report));
+    }
     result.iterations = found.iterations;
     result.symmetry = found.symmetry;
-    result.cut = part->wholeCut(best.map.cut);
-    result.distortion = best.distortion;
-    result.seamLength = best.seamLength;
-    result.onlyPatches = best.onlyPatches;
-    result.lambda = best.lambda;
-    result.delta = best.delta;
-    result.withinBound = options.lambda || snapshot.settings.seams == SeamMode::Only ||
-                         best.distortion <= options.maxDistortion;
-    const std::shared_ptr<const Soup> soup = Soup::build(part->snapshot().mesh);
-    if (options.pack)
-        fitToRectangles(*part, soup, best.map);
-    place(snapshot, *part, *soup, best.map, options, job, ranking, result);
-    result.unmet = unmetSteering(snapshot, result.uv);
     result.stopped = job.stopped();
     return result;
 }

@@ -1,0 +1,53 @@
+// The result that an unwrap of a large mesh returns at once when it is stopped.
+#pragma once
+
+#include "solver/unwrap/candidates.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace autocuts::unwrap {
+
+//! Makes results from the maps that a search finds on its way, in a thread of its own, and keeps the best
+//! one. Making one takes long on a large mesh: after a stop there would be no time for it. The thread rests
+//! for most of the time, so that the search goes on.
+class ReadyResult
+{
+public:
+    //! Makes a usable map; nothing when that fails or the job is stopped.
+    using MakeMap = std::function<std::optional<Candidate>(const JobContext &)>;
+    //! Places the islands of a map.
+    using Place = std::function<UnwrapResult(Candidate, const JobContext &)>;
+
+    //! \param first makes a map at once, and always one
+    ReadyResult(const Ranking &ranking, Place place, MakeMap first);
+    //! Waits until the thread has left what it does.
+    ~ReadyResult();
+
+    //! Any thread may bring a map at any time. It is made unless a newer one comes before its turn.
+    void prepare(MakeMap make);
+    //! The best result so far. Waits for the first one; throws what prevented that.
+    UnwrapResult take();
+
+private:
+    void run(const MakeMap &first);
+    void makeResult(const MakeMap &make);
+
+    const Ranking &mRanking;
+    const Place mPlace;
+    std::atomic<bool> mEnds = false;
+    std::mutex mMutex; //!< for what follows
+    std::condition_variable mChanged;
+    MakeMap mNext;                      //!< empty: none
+    std::optional<Candidate> mMeasures; //!< of the result; without the map
+    std::optional<UnwrapResult> mResult;
+    std::exception_ptr mFailure; //!< there is no result because of this
+    std::thread mThread;         //!< the last member: it uses the others
+};
+
+} // namespace autocuts::unwrap

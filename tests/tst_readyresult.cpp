@@ -1,0 +1,123 @@
+#include "solver/unwrap/readyresult.h"
+
+#include <QTest>
+
+#include <stdexcept>
+
+using namespace autocuts;
+using namespace autocuts::unwrap;
+
+namespace {
+
+Candidate candidate(double seamCost, double distortion = 4.05, bool onlyPatches = false)
+{
+    Candidate result;
+    result.seamCost = result.seamLength = seamCost;
+    result.distortion = distortion;
+    result.onlyPatches = onlyPatches;
+    return result;
+}
+
+ReadyResult::MakeMap makes(Candidate made)
+{
+    return [made](const JobContext &) { return made; };
+}
+
+UnwrapResult placed(Candidate found, const JobContext &)
+{
+    UnwrapResult result;
+    result.seamLength = found.seamLength;
+    return result;
+}
+
+} // namespace
+
+//! A bound of 4.1 and a thread that makes results.
+class TestReadyResult : public QObject
+{
+    Q_OBJECT
+
+    const UnwrapOptions mOptions;
+    const JobContext mJob;
+    const Ranking mRanking{mOptions, mJob};
+
+    //! Waits until the thread has taken up this map, too.
+    bool takesUp(ReadyResult &ready, const Candidate &next)
+    {
+        std::atomic<bool> taken = false;
+        ready.prepare([&taken, next](const JobContext &) {
+            taken = true;
+            return next;
+        });
+        const bool result = QTest::qWaitFor([&] { return taken.load(); });
+        // The next one is taken up after this one was placed.
+        taken = false;
+        ready.prepare([&taken](const JobContext &) -> std::optional<Candidate> {
+            taken = true;
+            return std::nullopt;
+        });
+        return result && QTest::qWaitFor([&] { return taken.load(); });
+    }
+
+private Q_SLOTS:
+    void theFirstIsWaitedFor()
+    {
+        ReadyResult ready(mRanking, placed, [](const JobContext &) {
+            QTest::qSleep(50);
+            return std::optional(candidate(9, 4.01, true));
+        });
+        QCOMPARE(ready.take().seamLength, 9.0);
+    }
+
+    void theBestIsKept()
+    {
+        ReadyResult ready(mRanking, placed, makes(candidate(90, 4.01, true)));
+        // However bad: patches are for want of anything else.
+        QVERIFY(takesUp(ready, candidate(30, 4.2)));
+        QCOMPARE(ready.take().seamLength, 30.0);
+        QVERIFY(takesUp(ready, candidate(10, 4.3)));
+        QCOMPARE(ready.take().seamLength, 30.0);
+        QVERIFY(takesUp(ready, candidate(40)));
+        QCOMPARE(ready.take().seamLength, 40.0);
+        QVERIFY(takesUp(ready, candidate(20)));
+        QCOMPARE(ready.take().seamLength, 20.0);
+        QVERIFY(takesUp(ready, candidate(1, 4.01, true)));
+        QCOMPARE(ready.take().seamLength, 20.0);
+    }
+
+    void failuresAreTold()
+    {
+        const ReadyResult::MakeMap fails = [](const JobContext &) -> std::optional<Candidate> {
+            throw std::runtime_error("no");
+        };
+        ReadyResult ready(mRanking, placed, fails);
+        QVERIFY_THROWS_EXCEPTION(std::runtime_error, ready.take());
+        // A result outweighs them, before and after.
+        QVERIFY(takesUp(ready, candidate(5)));
+        QCOMPARE(ready.take().seamLength, 5.0);
+        ready.prepare(fails);
+        QVERIFY(takesUp(ready, candidate(4)));
+        QCOMPARE(ready.take().seamLength, 4.0);
+    }
+
+    void whatIsBeingMadeIsGivenUp()
+    {
+        std::atomic<bool> begun = false, told = false;
+        {
+            ReadyResult ready(mRanking, placed, makes(candidate(5)));
+            ready.prepare([&](const JobContext &job) -> std::optional<Candidate> {
+                begun = true;
+                while (!job.stopped())
+                    QTest::qSleep(1);
+                told = true;
+                return std::nullopt;
+            });
+            QVERIFY(QTest::qWaitFor([&] { return begun.load(); }));
+            QCOMPARE(ready.take().seamLength, 5.0); // does not wait for it
+        }
+        QVERIFY(told);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestReadyResult)
+#include "tst_readyresult.moc"
