@@ -107,7 +107,7 @@ std::optional<RefinedMap> makeRefinedMap(const homotopy::Solver &solver, double 
     const auto graph = search::SeamGraph::build(solver.sharedSoup(), snapshot);
     RefinedMap made{std::move(definite->map)};
     if (!graph->anchors.empty())
-        made.anchorFaults = search::settleAtAnchors(graph, made.map, settleSteps, true);
+        made.anchorFaults = search::settleAtAnchors(graph, made.map, settleSteps, true, job);
     openSeams(solver.soup(), snapshot, made.map);
     return refineMap(graph, snapshot, std::move(made), solver.coordinates(), maxDistortion, job);
 }

@@ -155,17 +155,18 @@ SeamedMap fittedToBoxes(const std::shared_ptr<const SeamGraph> &graph, const Sea
     return state.map();
 }
 
-void reachPins(SeamTrial &trial, bool guarded)
+void reachPins(SeamTrial &trial, bool guarded, const JobContext &job)
 {
     CutState &state = trial.state();
     const std::vector<Anchor> &anchors = state.graph->anchors.all();
     holdAtPins(state);
     trial.reset();
     double stiffness = firstStiffness;
-    for (int level = 0; level < stiffnessLevels && state.anchorFaults() > 0; ++level, stiffness *= 10) {
+    for (int level = 0; level < stiffnessLevels && state.anchorFaults() > 0 && !job.stopped();
+         ++level, stiffness *= 10) {
         state.pinStiffness = std::max(state.pinStiffness, stiffness);
         state.updateEnergy();
-        trial.relaxAll(stepsPerLevel, guarded);
+        trial.relaxAll(stepsPerLevel, guarded, job.quiet());
         for (std::size_t i = 0; i < anchors.size(); ++i) {
             if (anchors[i].isHardPin && !state.pinReached[i])
                 trial.reachPin(static_cast<int>(i), guarded);
@@ -174,12 +175,13 @@ void reachPins(SeamTrial &trial, bool guarded)
     state.updateEnergy();
 }
 
-int settleAtAnchors(const std::shared_ptr<const SeamGraph> &graph, SeamedMap &map, int steps, bool guarded)
+int settleAtAnchors(const std::shared_ptr<const SeamGraph> &graph, SeamedMap &map, int steps, bool guarded,
+                    const JobContext &job)
 {
     CutState state = CutState::from(graph, map, true);
     SeamTrial trial(state);
-    trial.relaxAll(steps, guarded);
-    reachPins(trial, guarded);
+    trial.relaxAll(steps, guarded, job.quiet());
+    reachPins(trial, guarded, job);
     map = state.map();
     return state.anchorFaults();
 }

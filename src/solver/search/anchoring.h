@@ -12,13 +12,15 @@ namespace autocuts::search {
 void placeAtAnchors(CutState &state);
 
 //! Pulls the corners of hard pins to these with ever stiffer springs and holds the corners that reach them.
-//! Hard pins that cannot be reached without a flip or an overlap go on pulling.
-void reachPins(SeamTrial &trial, bool guarded);
+//! Hard pins that cannot be reached without a flip or an overlap, or before the job is stopped, go on
+//! pulling.
+void reachPins(SeamTrial &trial, bool guarded, const JobContext &job = {});
 
 //! Relaxes a map that lies at its pins and puts it onto the hard ones.
 //! \param steps Newton steps \param guarded no charts may come to overlap
 //! \returns CutState::anchorFaults()
-int settleAtAnchors(const std::shared_ptr<const SeamGraph> &graph, SeamedMap &map, int steps, bool guarded);
+int settleAtAnchors(const std::shared_ptr<const SeamGraph> &graph, SeamedMap &map, int steps, bool guarded,
+                    const JobContext &job = {});
 
 //! True when the corners of a chart fit into a box, turned as it may be.
 //! \param x per soup corner, see Soup

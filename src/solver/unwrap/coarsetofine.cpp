@@ -243,22 +243,48 @@ SeamedMap fineMap(const Soup &soup, const multires::MapRefiner &refiner)
     return map;
 }
 
+//! Gives all charts one texel density and puts them exactly onto their pins.
+void settle(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const UnwrapOptions &options,
+            int steps, CarriedMap &carried, const JobContext &job)
+{
+    definite::equalizeDensity(*soup, snapshot, carried.map);
+    carried.anchorFaults = 0;
+    if (!snapshot.placesIslands())
+        return;
+    const auto graph = search::SeamGraph::build(soup, snapshot);
+    carried.anchorFaults = search::settleAtAnchors(graph, carried.map, steps, !options.allowOverlaps, job);
+}
+
+//! Makes a map usable in a hurry. Nothing when overlaps cannot be removed or the job is stopped.
+std::optional<CarriedMap> usable(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                                 const UnwrapOptions &options, CarriedMap carried, const JobContext &job)
+{
+    if (!options.allowOverlaps && definite::coversItself(*soup, carried.map) &&
+        !definite::removeOverlaps(*soup, snapshot, carried.map, job))
+        return std::nullopt;
+    settle(soup, snapshot, options, hurriedSteps, carried, job);
+    return job.stopped() ? std::nullopt : std::optional(std::move(carried));
+}
+
 //! Steps of relaxing after which a map is shown to CoarseSearch::relaxing.
 constexpr int stepsBetween = 5;
 
 //! Relaxes a carried map and removes overlaps unless they are allowed. \returns false when they cannot be
 //! removed, or when the job is stopped
 bool relax(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const UnwrapOptions &options,
-           CarriedMap &carried, const std::function<void(const CarriedMap &)> &relaxing,
-           const JobContext &job)
+           CarriedMap &carried, const CoarseSearch &search, const JobContext &job)
 {
     SeamedMap &map = carried.map;
     CarriedMap relaxed = carried;
-    if (relaxing)
-        relaxing(relaxed);
+    const auto show = [&] {
+        if (search.relaxing)
+            search.relaxing(
+                [=](const JobContext &own) { return usable(soup, snapshot, options, relaxed, own); });
+    };
+    show();
     definite::relaxMap(soup, snapshot, relaxed.map, fineSteps, job, [&](int steps) {
-        if (relaxing && steps % stepsBetween == 0)
-            relaxing(relaxed);
+        if (steps % stepsBetween == 0)
+            show();
     });
     if (job.stopped())
         return false;
@@ -279,16 +305,6 @@ bool relax(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, co
             map = std::move(relaxed.map);
     }
     return !job.stopped();
-}
-
-//! Puts a map exactly onto its pins. \returns the faults that are left
-int settle(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const UnwrapOptions &options,
-           SeamedMap &map)
-{
-    if (!snapshot.placesIslands())
-        return 0;
-    const auto graph = search::SeamGraph::build(soup, snapshot);
-    return search::settleAtAnchors(graph, map, fineSteps, !options.allowOverlaps);
 }
 
 //! The coarse version of a mesh, and the way back from it.
@@ -369,13 +385,10 @@ std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup, c
         std::optional<SeamedMap> map = problem->carried(coarse.map, own);
         if (map && map->distortion(*soup) > options.maxDistortion)
             definite::relaxMap(soup, snapshot, *map, hurriedSteps, own);
-        if (!map || own.stopped() ||
-            (!options.allowOverlaps && definite::coversItself(*soup, *map) &&
-             !definite::removeOverlaps(*soup, snapshot, *map, own)))
+        if (!map)
             return std::nullopt;
         coarse.map = std::move(*map);
-        definite::equalizeDensity(*soup, snapshot, coarse.map);
-        return coarse;
+        return usable(soup, snapshot, options, std::move(coarse), own);
     };
     std::optional<CarriedMap> best;
     for (const double share : coarseShares) {
@@ -389,10 +402,11 @@ std::optional<CarriedMap> mapByCoarse(const std::shared_ptr<const Soup> &soup, c
         if (!map)
             break;
         carried->map = std::move(*map);
-        if (!relax(soup, snapshot, options, *carried, search.relaxing, job))
+        if (!relax(soup, snapshot, options, *carried, search, job))
             break;
-        definite::equalizeDensity(*soup, snapshot, carried->map);
-        carried->anchorFaults = settle(soup, snapshot, options, carried->map);
+        settle(soup, snapshot, options, fineSteps, *carried, job);
+        if (job.stopped() && carried->anchorFaults > 0)
+            break;
         const double distortion = carried->map.distortion(*soup);
         if (!best || distortion < best->map.distortion(*soup))
             best = std::move(carried);

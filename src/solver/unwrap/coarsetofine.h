@@ -31,8 +31,9 @@ struct CoarseSearch
     //! over. May carry over maps that it finds on the way.
     std::function<std::optional<CarriedMap>(const Snapshot &, const UnwrapOptions &, const CarryOver &)>
         unwrap;
-    //! Receives the carried map of the fine mesh while it is relaxed; it may overlap itself. May be empty.
-    std::function<void(const CarriedMap &)> relaxing;
+    //! While a carried map is relaxed, receives what makes a usable map of it as it is then; nothing is made
+    //! when the job is stopped. May be empty.
+    std::function<void(std::function<std::optional<CarriedMap>(const JobContext &)>)> relaxing;
     //! Of the coarse mesh. The default was chosen by hand, not measured.
     int triangles = 6'000;
 };

@@ -237,7 +237,7 @@ private:
         }
         if (best && mSnapshot.placesIslands()) {
             best->anchorFaults =
-                search::settleAtAnchors(mGraph, best->map, settleSteps, !mOptions.allowOverlaps);
+                search::settleAtAnchors(mGraph, best->map, settleSteps, !mOptions.allowOverlaps, mJob);
             best->measure(*mSoup, mSnapshot);
         }
         return best;
@@ -278,20 +278,25 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
 {
     if (!suitsCoarseToFine(snapshot))
         return std::nullopt;
+    const auto prepare = [&](std::function<std::optional<CarriedMap>(const JobContext &)> make) {
+        ready->prepare([=, make = std::move(make)](const JobContext &own) -> std::optional<Candidate> {
+            std::optional<CarriedMap> carried = make(own);
+            if (!carried)
+                return std::nullopt;
+            return candidateOf(std::move(*carried), *soup, snapshot);
+        });
+    };
     CoarseSearch search;
+    if (ready)
+        search.relaxing = prepare;
     search.unwrap = [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions, const CarryOver &carry) {
         const double worst = coarseOptions.maxDistortion + worthCarrying;
         Ranking coarseRanking(coarseOptions, job);
         coarseRanking.setWatcher([&](const Candidate &best) {
             if (!ready || best.distortion > worst)
                 return;
-            CarriedMap map{best.map, 0, best.lambda, best.delta, best.anchorFaults};
-            ready->prepare([=, map = std::move(map)](const JobContext &own) -> std::optional<Candidate> {
-                std::optional<CarriedMap> carried = carry(map, own);
-                if (!carried)
-                    return std::nullopt;
-                return candidateOf(std::move(*carried), *soup, snapshot);
-            });
+            const CarriedMap map{best.map, 0, best.lambda, best.delta, best.anchorFaults};
+            prepare([=](const JobContext &own) { return carry(map, own); });
         });
         FoundMap found = findMap(coarse, coarseOptions, coarseRanking, job);
         if (found.best.onlyPatches || job.stopped())
@@ -299,18 +304,6 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
         return std::optional(CarriedMap{std::move(found.best.map), found.iterations, found.best.lambda,
                                         found.best.delta, found.best.anchorFaults});
     };
-    if (ready) {
-        search.relaxing = [&](const CarriedMap &carried) {
-            ready->prepare([=, map = CarriedMap(carried), allow = options.allowOverlaps](
-                               const JobContext &own) mutable -> std::optional<Candidate> {
-                if (!allow && definite::coversItself(*soup, map.map) &&
-                    !definite::removeOverlaps(*soup, snapshot, map.map, own))
-                    return std::nullopt;
-                definite::equalizeDensity(*soup, snapshot, map.map);
-                return candidateOf(std::move(map), *soup, snapshot);
-            });
-        };
-    }
     std::optional<CarriedMap> carried = mapByCoarse(soup, snapshot, options, search, job);
     if (!carried)
         return std::nullopt;
