@@ -73,6 +73,8 @@ private Q_SLOTS:
     {
         ReadyResult ready(mRanking, placed, makes(candidate(90, 4.01, true)));
         // However bad: patches are for want of anything else.
+        QCOMPARE(ready.take().seamLength, 90.0);
+        QVERIFY(ready.isAsGoodAs(candidate(90, 4.01)));
         QVERIFY(takesUp(ready, candidate(30, 4.2)));
         QCOMPARE(ready.take().seamLength, 30.0);
         QVERIFY(takesUp(ready, candidate(10, 4.3)));
@@ -81,6 +83,9 @@ private Q_SLOTS:
         QCOMPARE(ready.take().seamLength, 40.0);
         QVERIFY(takesUp(ready, candidate(20)));
         QCOMPARE(ready.take().seamLength, 20.0);
+        QVERIFY(ready.isAsGoodAs(candidate(20)));
+        QVERIFY(ready.isAsGoodAs(candidate(1, 4.01, true)));
+        QVERIFY(!ready.isAsGoodAs(candidate(19)));
         QVERIFY(takesUp(ready, candidate(1, 4.01, true)));
         QCOMPARE(ready.take().seamLength, 20.0);
     }

@@ -6,7 +6,7 @@ Result<unwrap::PackJob> batchPacking(const CliOptions &options, const BatchFiles
                                      const Snapshot &snapshot)
 {
     unwrap::PackJob pack = unwrap::steeredPackJob(snapshot, options.unwrap.packing);
-    pack.hurryWhenStopped = true;
+    pack.hurry = unwrap::PackHurry::WhenStopped;
     if (options.hasRectangle())
         pack.packInto({options.unwrap.packing.lower, options.unwrap.packing.upper});
     if (!options.intoRectangle.isEmpty()) {

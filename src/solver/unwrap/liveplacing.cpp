@@ -99,7 +99,7 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
     pack.options.effort = std::min(pack.options.effort, packing::hurriedEffort);
     pack.options.keepScale = false;
     pack.keepScaleIfPossible = stays || mBefore;
-    pack.hurryWhenStopped = true;
+    pack.hurry = PackHurry::WhenStopped;
     const ChartMap whole = part.wholeCharts(charts);
     UvMatrix uv;
     mHadRoom = true;

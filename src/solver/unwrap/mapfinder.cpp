@@ -86,8 +86,8 @@ public:
 
     int iterations() const { return mIterations; }
 
-    //! \param symmetry null: cuts need not be symmetric
-    Candidate find(const preference::MeshSymmetry *symmetry)
+    //! Nothing when there is no map. \param symmetry null: cuts need not be symmetric
+    std::optional<Candidate> find(const preference::MeshSymmetry *symmetry)
     {
         std::optional<Candidate> best = search(symmetry);
         if (mJob.stopped() || !best || best->distortion > mOptions.maxDistortion) {
@@ -98,9 +98,7 @@ public:
             best = measuresOf(*mBefore);
             best->map = mBefore->map();
         }
-        if (!best)
-            best = patches(*mSoup, mSnapshot);
-        return *best;
+        return best;
     }
 
 private:
@@ -419,7 +417,11 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
     }
     snapshot = preference::SeamPreference().applied(snapshot, job.threads());
     MapFinder finder(soup, snapshot, options, ranking, job);
-    found.best = finder.find(symmetry ? &*symmetry : nullptr);
+    std::optional<Candidate> best = finder.find(symmetry ? &*symmetry : nullptr);
+    found.onlyReady = !best && ready && job.stopped();
+    if (found.onlyReady)
+        return found;
+    found.best = best ? std::move(*best) : patches(*soup, snapshot);
     found.iterations = finder.iterations();
     if (snapshot.settings.symmetry)
         found.symmetry =

@@ -246,14 +246,17 @@ private:
             };
             return packAt(keepsScale || scaleLater) || (scaleLater && packAt(false));
         };
-        const auto hurries = [&] { return job.stopped() && mPack.hurryWhenStopped; };
+        const bool always = mPack.hurry == PackHurry::Always;
+        const auto hurries = [&] {
+            return always || (job.stopped() && mPack.hurry == PackHurry::WhenStopped);
+        };
         if (!hurries() && pack(job))
             return true;
         if (!hurries())
             return false;
         const bool many = present.pieces.count > mostHurriedPieces;
         options.effort = many ? 0 : std::min(options.effort, packing::hurriedEffort);
-        return pack(job.unstoppable());
+        return pack(always ? job : job.unstoppable());
     }
 
     const MeshData &mMesh;

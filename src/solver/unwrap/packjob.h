@@ -18,6 +18,13 @@ struct PackRectangle
     std::vector<bool> faces; //!< per face: its island belongs to the rectangle
 };
 
+//! When only a quick layout is made.
+enum class PackHurry {
+    Never,
+    WhenStopped, //!< when stopped before the first layout
+    Always
+};
+
 //! What to pack, and how.
 struct PackJob
 {
@@ -29,7 +36,7 @@ struct PackJob
     std::vector<PackRectangle> rectangles{};
     //! Islands keep their size as long as there is room for them at that size.
     bool keepScaleIfPossible = false;
-    bool hurryWhenStopped = false; //!< when stopped before the first layout, still make a quick one
+    PackHurry hurry = PackHurry::Never;
 
     //! Packs into a box instead of tiles and rectangles.
     void packInto(const Eigen::AlignedBox2d &box);

@@ -10,6 +10,7 @@ namespace {
 
 //! The thread rests for this many times as long as it has worked. Chosen by hand.
 constexpr int restShare = 3;
+constexpr double rounding = 1e-9;
 
 } // namespace
 
@@ -34,6 +35,12 @@ void ReadyResult::prepare(MakeMap make)
         mNext = std::move(make);
     }
     mChanged.notify_all();
+}
+
+bool ReadyResult::isAsGoodAs(const Candidate &other)
+{
+    const std::scoped_lock lock(mMutex);
+    return !isBetter(other);
 }
 
 UnwrapResult ReadyResult::take()
@@ -70,6 +77,20 @@ void ReadyResult::run(const MakeMap &first)
     }
 }
 
+//! Than the present result. \pre the mutex is locked
+bool ReadyResult::isBetter(const Candidate &candidate) const
+{
+    if (!mMeasures)
+        return true;
+    // Patches are for want of anything else, except where they are as good, as for loose triangles.
+    if (mMeasures->onlyPatches && !candidate.onlyPatches)
+        return candidate.seamCost < mMeasures->seamCost ||
+               candidate.distortion < (1 - rounding) * mMeasures->distortion;
+    if (candidate.onlyPatches && !mMeasures->onlyPatches)
+        return false;
+    return mRanking.better(candidate, *mMeasures);
+}
+
 void ReadyResult::makeResult(const MakeMap &make)
 {
     const JobContext job(&mEnds);
@@ -78,16 +99,9 @@ void ReadyResult::makeResult(const MakeMap &make)
         return;
     Candidate measures = *candidate;
     measures.map = {};
-    const auto isBetter = [&] {
-        if (!mMeasures)
-            return true;
-        if (mMeasures->onlyPatches != measures.onlyPatches)
-            return mMeasures->onlyPatches;
-        return mRanking.better(measures, *mMeasures);
-    };
     {
         const std::scoped_lock lock(mMutex);
-        if (!isBetter())
+        if (!isBetter(measures))
             return;
     }
     UnwrapResult result = mPlace(std::move(*candidate), job);

@@ -31,11 +31,14 @@ public:
 
     //! Any thread may bring a map at any time. It is made unless a newer one comes before its turn.
     void prepare(MakeMap make);
+    //! True when there is a result, and its map is no worse than this one.
+    bool isAsGoodAs(const Candidate &other);
     //! The best result so far. Waits for the first one; throws what prevented that.
     UnwrapResult take();
 
 private:
     void run(const MakeMap &first);
+    bool isBetter(const Candidate &candidate) const;
     void makeResult(const MakeMap &make);
 
     const Ranking &mRanking;

@@ -26,53 +26,62 @@ void fitUnitSquare(UvMatrix &uv)
         uv /= side;
 }
 
-//! Places the islands of a new map. Sets result.uv and result.packed.
-void place(const Snapshot &snapshot, const FreePart &part, const Soup &soup, const SeamedMap &map,
-           const UnwrapOptions &options, const JobContext &job, UnwrapResult &result)
+//! Makes the result of an unwrap from the map that was found.
+class ResultMaker
 {
-    const Snapshot &own = part.snapshot();
-    // True when some islands are where they belong. Otherwise packing finds the scale.
-    const bool stays = !part.isWhole() || snapshot.placesIslands();
-    UvMatrix uv = (stays ? own.uvScale : 1) * cornerUv(soup, map);
-    definite::openCuts(own, uv);
-    result.uv = part.wholeUv(uv);
-    if (!options.pack) {
-        if (!stays)
-            fitUnitSquare(result.uv);
-        return;
-    }
-    const ChartMap charts = part.wholeCharts(chartsOf(*own.mesh, CutMesh(*own.mesh, map.cut)));
-    packing::PackOptions settings = options.packing;
-    if (options.quality == UnwrapQuality::Draft)
-        settings.effort = std::min(settings.effort, packing::hurriedEffort);
-    PackJob pack = steeredPackJob(snapshot, settings);
-    pack.keepScaleIfPossible = stays;
-    pack.hurryWhenStopped = true;
-    result.packed = packCharts(*snapshot.mesh, charts, pack, result.uv, job);
-    if (!result.packed && !stays)
-        fitUnitSquare(result.uv);
-}
+public:
+    ResultMaker(const Snapshot &snapshot, const FreePart &part, const UnwrapOptions &options)
+        : mSnapshot(snapshot), mPart(part), mOptions(options)
+    {}
 
-//! The result of an unwrap whose map was found.
-UnwrapResult resultOf(const Snapshot &snapshot, const FreePart &part, Candidate found,
-                      const UnwrapOptions &options, const JobContext &job)
-{
-    UnwrapResult result;
-    result.cut = part.wholeCut(found.map.cut);
-    result.distortion = found.distortion;
-    result.seamLength = found.seamLength;
-    result.onlyPatches = found.onlyPatches;
-    result.lambda = found.lambda;
-    result.delta = found.delta;
-    result.withinBound = options.lambda || snapshot.settings.seams == SeamMode::Only ||
-                         found.distortion <= options.maxDistortion;
-    const std::shared_ptr<const Soup> soup = Soup::build(part.snapshot().mesh);
-    if (options.pack)
-        fitToRectangles(part, soup, found.map);
-    place(snapshot, part, *soup, found.map, options, job, result);
-    result.unmet = unmetSteering(snapshot, result.uv);
-    return result;
-}
+    UnwrapResult resultOf(Candidate found, PackHurry hurry, const JobContext &job) const
+    {
+        UnwrapResult result;
+        result.cut = mPart.wholeCut(found.map.cut);
+        result.distortion = found.distortion;
+        result.seamLength = found.seamLength;
+        result.onlyPatches = found.onlyPatches;
+        result.lambda = found.lambda;
+        result.delta = found.delta;
+        result.withinBound = mOptions.lambda || mSnapshot.settings.seams == SeamMode::Only ||
+                             found.distortion <= mOptions.maxDistortion;
+        const std::shared_ptr<const Soup> soup = Soup::build(mPart.snapshot().mesh);
+        if (mOptions.pack)
+            fitToRectangles(mPart, soup, found.map);
+        place(*soup, found.map, hurry, job, result);
+        result.unmet = unmetSteering(mSnapshot, result.uv);
+        return result;
+    }
+
+private:
+    //! Places the islands. Sets result.uv and result.packed.
+    void place(const Soup &soup, const SeamedMap &map, PackHurry hurry, const JobContext &job,
+               UnwrapResult &result) const
+    {
+        const Snapshot &own = mPart.snapshot();
+        // True when some islands are where they belong. Otherwise packing finds the scale.
+        const bool stays = !mPart.isWhole() || mSnapshot.placesIslands();
+        UvMatrix uv = (stays ? own.uvScale : 1) * cornerUv(soup, map);
+        definite::openCuts(own, uv);
+        result.uv = mPart.wholeUv(uv);
+        if (mOptions.pack) {
+            const ChartMap charts = mPart.wholeCharts(chartsOf(*own.mesh, CutMesh(*own.mesh, map.cut)));
+            packing::PackOptions settings = mOptions.packing;
+            if (mOptions.quality == UnwrapQuality::Draft)
+                settings.effort = std::min(settings.effort, packing::hurriedEffort);
+            PackJob pack = steeredPackJob(mSnapshot, settings);
+            pack.keepScaleIfPossible = stays;
+            pack.hurry = hurry;
+            result.packed = packCharts(*mSnapshot.mesh, charts, pack, result.uv, job);
+        }
+        if (!result.packed && !stays)
+            fitUnitSquare(result.uv);
+    }
+
+    const Snapshot &mSnapshot;
+    const FreePart &mPart;
+    const UnwrapOptions &mOptions;
+};
 
 void checkOptions(const UnwrapOptions &options)
 {
@@ -96,26 +105,26 @@ UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options, 
     }
     const Snapshot &problem = part->withoutRectangles();
     Ranking ranking(options, job);
+    const ResultMaker maker(snapshot, *part, options);
     std::optional<ReadyResult> ready;
     if (suitsCoarseToFine(problem)) {
-        UnwrapOptions hurried = options;
-        hurried.packing.effort = std::min(hurried.packing.effort, packing::hurriedEffort);
         ready.emplace(
             ranking,
-            [&snapshot, &part, hurried](Candidate found, const JobContext &own) {
-                return resultOf(snapshot, *part, std::move(found), hurried, own);
+            [&maker](Candidate map, const JobContext &own) {
+                return maker.resultOf(std::move(map), PackHurry::Always, own);
             },
             [&problem](const JobContext &) { return patchesOf(problem); });
     }
     FoundMap found = findMap(problem, options, ranking, job, ready ? &*ready : nullptr);
-    if (found.onlyReady) {
+    // To place the islands takes long, too.
+    if (found.onlyReady || (ready && job.stopped() && ready->isAsGoodAs(found.best))) {
         result = ready->take();
     } else {
         const JobContext::Sink report = [&](const JobProgress &done) {
             ranking.packing(Ranking::optimizingShare + (1 - Ranking::optimizingShare) * done.fraction);
         };
         ready.reset();
-        result = resultOf(snapshot, *part, std::move(found.best), options, job.watchedBy(report));
+        result = maker.resultOf(std::move(found.best), PackHurry::WhenStopped, job.watchedBy(report));
     }
     result.iterations = found.iterations;
     result.symmetry = found.symmetry;
