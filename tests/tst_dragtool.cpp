@@ -338,7 +338,7 @@ private Q_SLOTS:
         setRadius(0.3);
         runAt(0.05, 0.004);
         // Until then the map moves by itself.
-        QVERIFY(QTest::qWaitFor([this] { return mStudio->solver.status().converged; }, 60'000));
+        QVERIFY(QTest::qWaitFor([this] { return mStudio->solver.status().converged; }, test::patience));
         const int soup = soupAt({0.5, 1});
         const int entries = document().undoStack().count();
         const Row from = mStudio->shown.uv().row(soup);
@@ -437,7 +437,7 @@ private:
         pushCommand(std::make_unique<ChangeSettings>(document(), settings));
         mStudio->solver.setMode(SolveMode::Manual);
         mStudio->solver.run();
-        QVERIFY(QTest::qWaitFor([this] { return mStudio->solver.status().iteration > 2; }, 60'000));
+        QVERIFY(QTest::qWaitFor([this] { return mStudio->solver.status().iteration > 2; }, test::patience));
     }
     //! In small steps, so that the solver keeps up.
     void pressAndPull(const QPoint &from, const QPoint &to)
@@ -451,7 +451,7 @@ private:
                     return mStudio->solver.status().iteration > iteration + 2 ||
                            mStudio->solver.status().converged;
                 },
-                60'000));
+                test::patience));
         }
     }
 
