@@ -135,6 +135,7 @@ void TestAutosave::nothingIsLeftInOrder()
         const auto autosave = std::move(Autosave::start(folder.path(), saving(number)).value());
         autosave->saveNow();
         QCOMPARE(filesIn(folder.path()).size(), 2);
+        QVERIFY(QFile::copy(autosave->file(), autosave->file() + u".1"_s)); // as a second saving leaves it
     }
     QCOMPARE(filesIn(folder.path()), QStringList());
 }

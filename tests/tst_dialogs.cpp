@@ -54,7 +54,7 @@ RecoverableSession crashed(const QString &file, const QString &sessionPath)
     ProjectExtras extras;
     extras.sessionPath = sessionPath;
     [[maybe_unused]] const bool saved = saveProject(state, extras, file).ok();
-    return {file, sessionPath, QDateTime(QDate(2026, 1, 2), QTime(3, 4))};
+    return {file, sessionPath, u"/models/чайник.obj"_s, QDateTime(QDate(2026, 1, 2), QTime(3, 4))};
 }
 
 double luminance(const QColor &color)
@@ -227,13 +227,15 @@ private Q_SLOTS:
         std::vector<RecoverableSession> sessions{
             crashed(folder.filePath(u"1.acproj"_s), u"/home/a/Машина.acproj"_s),
             crashed(folder.filePath(u"2.acproj"_s), QString())};
-        sessions.push_back({folder.filePath(u"damaged.acproj"_s), u"/x/damaged.acproj"_s, QDateTime()});
+        sessions.push_back({folder.filePath(u"damaged.acproj"_s), u"/x/damaged.acproj"_s, {}, QDateTime()});
         touch(sessions.back().file);
         RecoveryDialog dialog(sessions, answers);
         auto *list = dialog.findChild<QTreeWidget *>();
         QCOMPARE(list->topLevelItemCount(), 3);
         QCOMPARE(list->topLevelItem(0)->text(0), u"Машина.acproj"_s);
         QVERIFY(!list->topLevelItem(0)->text(1).isEmpty());
+        QCOMPARE(list->topLevelItem(1)->text(0), u"чайник.obj (never saved)"_s);
+        QCOMPARE(list->topLevelItem(1)->text(2), QDir::toNativeSeparators(u"/models"_s));
         QCOMPARE(dialog.chosen().file, sessions[0].file);
         list->setCurrentItem(list->topLevelItem(1));
         answers.confirms = false;

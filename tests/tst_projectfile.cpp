@@ -390,6 +390,7 @@ void TestProjectFile::summary()
     QVERIFY(read.ok());
     QCOMPARE(read->thumbnail, session.extras.thumbnail);
     QCOMPARE(read->sessionPath, session.extras.sessionPath);
+    QCOMPARE(read->modelPath, session.state.scene.path);
     QVERIFY(!loadProjectSummary(folder.filePath(u"none.acproj"_s)).ok());
 }
 

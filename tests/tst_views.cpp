@@ -1,6 +1,8 @@
 // Both views with real mouse and key events: selecting, hovering, navigating.
+#include "model/samples/samples.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
+#include "support/patience.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -8,6 +10,7 @@
 #include <algorithm>
 
 using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
 using test::Canvases;
 
 namespace {
@@ -42,6 +45,21 @@ private Q_SLOTS:
         Canvases::moveMouse(empty.uv, {50, 60});
         QTest::keyClick(&empty.uv, Qt::Key_Home);
         QCOMPARE(empty.view.hover(), Hover());
+    }
+
+    void emptyMapsSayWhatRuns()
+    {
+        Canvases canvases;
+        canvases.open(std::make_unique<Document>(makeSample(u"character"_s).value()));
+        const QImage before = canvases.uv.picture();
+        canvases.map.unwrap(unwrap::UnwrapQuality::Draft);
+        QVERIFY(canvases.map.jobs().isBusy());
+        const QImage during = canvases.uv.picture();
+        QVERIFY(during != before);
+        canvases.map.jobs().cancel();
+        QVERIFY(QTest::qWaitFor([&] { return !canvases.map.jobs().isBusy(); }, test::patience));
+        canvases.document().undoStack().undo();
+        QVERIFY(canvases.uv.picture() != during);
     }
 
     void facesAreSelectedInBothViews_data()

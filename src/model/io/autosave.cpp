@@ -76,7 +76,8 @@ std::vector<RecoverableSession> recoverableSessions(const QString &folder)
         const QFileInfo file(dir.filePath(base + u".acproj"_s));
         const Result<ProjectSummary> summary = loadProjectSummary(file.filePath());
         if (summary)
-            sessions.push_back({file.filePath(), summary->sessionPath, file.lastModified()});
+            sessions.push_back(
+                {file.filePath(), summary->sessionPath, summary->modelPath, file.lastModified()});
     }
     std::stable_sort(sessions.begin(), sessions.end(),
                      [](const auto &a, const auto &b) { return a.savedAt > b.savedAt; });
@@ -137,7 +138,7 @@ void Autosave::sessionSaved()
 {
     mTimer.stop();
     mUnwanted = mSaving > 0;
-    QFile::remove(mFile);
+    removeFiles(QFileInfo(mFile).path(), lockPathOf(mFile), false);
 }
 
 void Autosave::saveNow()
@@ -155,7 +156,7 @@ void Autosave::saveEnded(const Result<Done> &saved)
 {
     --mSaving;
     if (mUnwanted) {
-        QFile::remove(mFile);
+        removeFiles(QFileInfo(mFile).path(), lockPathOf(mFile), false);
         mUnwanted = mSaving > 0;
     } else if (!saved) {
         mTimer.start();

@@ -23,6 +23,7 @@ struct RecoverableSession
 {
     QString file;        //!< project file for loadProject()
     QString sessionPath; //!< the file that the user saved the session to; empty when it was never saved
+    QString modelPath;   //!< the model's file; empty for a sample
     QDateTime savedAt;   //!< time of the last autosave
 };
 

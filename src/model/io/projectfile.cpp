@@ -251,8 +251,9 @@ Result<ProjectSummary> loadProjectSummary(const QString &path)
     if (!bytes)
         return bytes.error();
     const Result<ProjectParts> container =
-        readContainer(bytes.value(), projectVersion, path,
-                      [](const QByteArray &name) { return name == "thumbnail" || name == "sessionPath"; });
+        readContainer(bytes.value(), projectVersion, path, [](const QByteArray &name) {
+            return name == "thumbnail" || name == "sessionPath" || name == "scene";
+        });
     if (!container)
         return container.error();
     ProjectSummary summary;
@@ -260,6 +261,8 @@ Result<ProjectSummary> loadProjectSummary(const QString &path)
         summary.thumbnail = *thumbnail;
     if (const QByteArray *sessionPath = container->part("sessionPath"))
         summary.sessionPath = QString::fromUtf8(*sessionPath);
+    if (const QByteArray *scene = container->part("scene"))
+        summary.modelPath = modelPathIn(*scene);
     return summary;
 }
 

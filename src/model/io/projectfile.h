@@ -67,6 +67,7 @@ struct ProjectSummary
 {
     QByteArray thumbnail;
     QString sessionPath;
+    QString modelPath; //!< the model's file; empty for a sample
 };
 
 //! Reads the summary only.

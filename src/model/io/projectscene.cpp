@@ -249,6 +249,12 @@ Result<Scene> readSceneParts(const PartMap &parts, const QString &path, QStringL
     }
 }
 
+QString modelPathIn(const QByteArray &sceneBlock)
+{
+    const std::optional<QCborMap> map = parsedMap(sceneBlock);
+    return map ? map->value("path"_L1).toString() : QString();
+}
+
 QStringList sessionLosses(const Scene &scene)
 {
     if (objSourceOf(scene) || !scene.source)

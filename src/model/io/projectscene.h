@@ -15,6 +15,9 @@ PartMap scenePartsOf(const Scene &scene);
 //! \param path path of the session, used in messages
 Result<Scene> readSceneParts(const PartMap &parts, const QString &path, QStringList &lost);
 
+//! The path of the model's file in the block "scene"; empty when there is none or the block is damaged.
+QString modelPathIn(const QByteArray &sceneBlock);
+
 //! Data of the model's file that a session does not hold, one line each; empty for OBJ.
 QStringList sessionLosses(const Scene &scene);
 

@@ -6,6 +6,7 @@
 #include "views/canvas/mapoverlays.h"
 #include "views/canvas/mappicker.h"
 #include "views/canvas/overlays.h"
+#include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
 #include "views/ui/preferences.h"
@@ -23,6 +24,7 @@ UvView::UvView(const StudioContext &context, ToolManager &tools, QWidget *parent
     : Canvas(Kind::Map, context, tools, parent)
 {
     setObjectName(u"uvView"_s);
+    connect(&context.map.jobs(), &JobRunner::busyChanged, this, qOverload<>(&UvView::update));
 }
 
 UvView::~UvView() = default;
@@ -163,9 +165,14 @@ void UvView::drawOverlay(QPainter &painter)
         drawTileNames(painter, rect(), colors, mCamera);
     if (document && options.steering)
         drawRectangles(painter, document->constraints().rectangles, mCamera);
-    if (document && content().uvBox().isEmpty())
-        drawMessage(painter, rect(), colors, tr("No UVs yet"),
-                    {tr("Press U to unwrap, or Space to solve live")});
+    if (document && content().uvBox().isEmpty()) {
+        const JobRunner &jobs = studio().map.jobs();
+        if (jobs.isBusy())
+            drawMessage(painter, rect(), colors, jobs.title(), {tr("The map appears here at the end")});
+        else
+            drawMessage(painter, rect(), colors, tr("No UVs yet"),
+                        {tr("Press U to unwrap, or Space to solve live")});
+    }
     const int textureSize =
         document ? document->packingSettings().textureSize : studio().preferences.values().textureSize;
     if (options.rulers)

@@ -81,11 +81,16 @@ void RecoveryDialog::fill()
     mList->clear();
     for (const RecoverableSession &session : mSessions) {
         const QFileInfo path(session.sessionPath);
+        const QString model = QFileInfo(session.modelPath).fileName();
         const bool named = !session.sessionPath.isEmpty();
         auto *item = new QTreeWidgetItem(mList);
-        item->setText(0, named ? path.fileName() : tr("Never saved"));
+        item->setText(0, named             ? path.fileName()
+                         : model.isEmpty() ? tr("Never saved")
+                                           : tr("%1 (never saved)").arg(model));
         item->setText(1, QLocale().toString(session.savedAt, QLocale::ShortFormat));
-        item->setText(2, named ? QDir::toNativeSeparators(path.path()) : QString());
+        item->setText(2, QDir::toNativeSeparators(named             ? path.path()
+                                                  : model.isEmpty() ? QString()
+                                                                    : QFileInfo(session.modelPath).path()));
         item->setToolTip(2, item->text(2));
         item->setIcon(0, thumbnail(session, devicePixelRatioF()));
     }
