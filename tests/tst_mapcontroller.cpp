@@ -379,6 +379,28 @@ private Q_SLOTS:
         QVERIFY(studio.ends());
         QVERIFY(studio.measures());
         QVERIFY(studio.map.figures()->metrics.texelDensitySpread < 1.0001);
+        QCOMPARE(studio.failed.count(), 0);
+    }
+
+    void overlapsThatEqualisingMakesAreSaid()
+    {
+        Studio studio("machine");
+        studio.layOut(false);
+        // A small island beside another one.
+        UvMatrix uv = studio.document().uv();
+        const int end = studio.document().mesh().faceStart[1];
+        const Eigen::RowVector2d shift = uv.row(end) - 0.05 * uv.row(0) - Eigen::RowVector2d(0.005, 0);
+        for (int c = 0; c < end; ++c)
+            uv.row(c) = 0.05 * uv.row(c) + shift;
+        pushCommand(std::make_unique<SetUvs>(studio.document(), UvEdit::Scale, uv));
+        studio.map.equalizeDensity();
+        QVERIFY(studio.ends());
+        QCOMPARE(studio.failed.count(), 1);
+        const auto message = studio.failed.first().first().toString();
+        QVERIFY2(message.contains(QStringLiteral("did not before")), qPrintable(message));
+        QVERIFY(studio.failed.first().at(1).value<Selection>().faces.contains(0));
+        QVERIFY(studio.measures());
+        QVERIFY(studio.map.figures()->metrics.overlapPairs > 0);
     }
 };
 

@@ -29,6 +29,8 @@ constexpr double coarseShares[] = {1.4, 0.9};
 constexpr int fineSteps = 30; // relaxation steps on the fine mesh, at most
 //! The same in a hurry. Measured: 4 steps took a mesh of 124,000 triangles from 4.217 to below 4.1.
 constexpr int hurriedSteps = 5;
+//! Steps of relaxing after which a map is shown to CoarseSearch::relaxing. Chosen by hand.
+constexpr int stepsBetween = 5;
 
 using PointPair = std::pair<int, int>;
 
@@ -265,9 +267,6 @@ std::optional<CarriedMap> usable(const std::shared_ptr<const Soup> &soup, const 
     settle(soup, snapshot, options, hurriedSteps, carried, job);
     return job.stopped() ? std::nullopt : std::optional(std::move(carried));
 }
-
-//! Steps of relaxing after which a map is shown to CoarseSearch::relaxing.
-constexpr int stepsBetween = 5;
 
 //! Relaxes a carried map and removes overlaps unless they are allowed. \returns false when they cannot be
 //! removed, or when the job is stopped

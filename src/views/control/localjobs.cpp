@@ -104,6 +104,8 @@ MapJobResult relaxJob(const MapInput &input, JobControl &control)
         result.message = translated("Relaxed: distortion %1 before, %2 now")
                              .arg(solution.before, 0, 'f', 4)
                              .arg(solution.after, 0, 'f', 4);
+    if (result.uv.rows() > 0)
+        tellNewOverlaps(input, control, result);
     return result;
 }
 
@@ -136,6 +138,8 @@ MapJobResult straightenJob(const MapInput &input, JobControl &control)
                              .arg(found.chains.size())
                              .arg(solution.before, 0, 'f', 4)
                              .arg(solution.after, 0, 'f', 4);
+    if (result.uv.rows() > 0)
+        tellNewOverlaps(input, control, result);
     return result;
 }
 

@@ -203,8 +203,7 @@ void MapController::separateOverlaps()
 
 void MapController::equalizeDensity()
 {
-    startJob(tr("Equalising texel density"),
-             [](const MapInput &input, JobControl &) { return equalizeJob(input); });
+    startJob(tr("Equalising texel density"), equalizeJob);
 }
 
 void MapController::relaxSelection()

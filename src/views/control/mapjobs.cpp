@@ -1,6 +1,8 @@
 #include "views/control/mapjobs.h"
 
+#include "model/plain/uvlayout.h"
 #include "solver/live/worker.h"
+#include "solver/overlap/overlapfinder.h"
 #include "solver/packing/islandgeometry.h"
 #include "solver/packing/packmap.h"
 #include "solver/unwrap/finishjob.h"
@@ -12,6 +14,7 @@
 #include <QThread>
 
 #include <algorithm>
+#include <iterator>
 
 namespace autocuts {
 
@@ -114,6 +117,36 @@ QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, 
     selection.normalize(*snapshot.mesh);
     return translated("Not obeyed, because something else contradicts it or it would turn triangles over: %1")
         .arg(items.join(u", "_s));
+}
+
+void tellNewOverlaps(const MapInput &input, const JobControl &control, MapJobResult &result)
+{
+    overlap::OverlapOptions options;
+    options.job = &control.stop();
+    options.minAreaRatio = 1e-9; // as UvMetrics::overlapPairs
+    const auto pairsOf = [&](const UvMatrix &uv) {
+        std::vector<std::pair<int, int>> pairs;
+        for (const overlap::OverlapPair &pair :
+             overlap::findOverlaps(soupUv(input.mesh(), uv), options).pairs)
+            pairs.emplace_back(pair.first, pair.second);
+        return pairs;
+    };
+    const auto after = pairsOf(result.uv);
+    if (after.empty())
+        return;
+    std::vector<std::pair<int, int>> added;
+    const auto before = pairsOf(input.uv);
+    std::set_difference(after.begin(), after.end(), before.begin(), before.end(), std::back_inserter(added));
+    if (added.empty() || control.stop())
+        return;
+    for (const auto &[first, second] : added)
+        result.problemItems.faces << input.mesh().triangleFace[first] << input.mesh().triangleFace[second];
+    result.problemItems.mode = SelectionMode::Faces;
+    result.problemItems.normalize(input.mesh());
+    result.problem =
+        translated("%1. Now faces overlap that did not before: %2. Pack (P), separate (O) or undo")
+            .arg(result.message)
+            .arg(result.problemItems.faces.size());
 }
 
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, JobControl &control)
@@ -258,7 +291,7 @@ MapJobResult separateJob(const MapInput &input, JobControl &control)
     return result;
 }
 
-MapJobResult equalizeJob(const MapInput &input)
+MapJobResult equalizeJob(const MapInput &input, JobControl &control)
 {
     const MeshData &mesh = input.mesh();
     const ChartMap charts = findCharts(mesh, input.uv);
@@ -276,6 +309,7 @@ MapJobResult equalizeJob(const MapInput &input)
     result.uv = input.uv;
     packing::equalizeTexelDensity(mesh, charts, result.uv, locked);
     result.message = translated("All islands have the same texel density");
+    tellNewOverlaps(input, control, result);
     return result;
 }
 

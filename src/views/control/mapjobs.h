@@ -82,13 +82,16 @@ std::shared_ptr<const JobScope> scopeOf(const MeshData &mesh, const QList<int> &
 //! Says what a map does not obey. \param items what to select
 QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, Selection &items);
 
+//! Says which faces of the new map overlap that did not before. \pre the result has a map
+void tellNewOverlaps(const MapInput &input, const JobControl &control, MapJobResult &result);
+
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, JobControl &control);
 //! Finishes the map. Without a live solve it keeps the seams of the map; a solve that was paused early is
 //! first continued to its end.
 MapJobResult finishJob(const MapInput &input, JobControl &control);
 MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl &control);
 MapJobResult separateJob(const MapInput &input, JobControl &control);
-MapJobResult equalizeJob(const MapInput &input);
+MapJobResult equalizeJob(const MapInput &input, JobControl &control);
 //! Minimises the distortion of the selected faces while all others stay.
 MapJobResult relaxJob(const MapInput &input, JobControl &control);
 //! Prices the seams of the map, which stays as it is.
