@@ -66,14 +66,15 @@ public:
             throw std::runtime_error("the scene is too large");
         mMemory -= size;
     }
-    //! Makes an array. Each element takes at least one byte of the input.
+    //! Makes an array, null for no elements, which Assimp would not delete. Each element takes at least one
+    //! byte of the input.
     template <typename T>
     void allocate(T *&data, std::size_t count)
     {
         if (count > mBytes.size())
             throw std::runtime_error("the scene breaks off");
         take(count * sizeof(T));
-        data = new T[count]();
+        data = count > 0 ? new T[count]() : nullptr;
     }
     bool atEnd() const { return mBytes.empty(); }
 
