@@ -59,12 +59,14 @@ PackingSettings packingSettingsOf(const CliOptions &options, const PackingSettin
 Result<Scene> BatchFiles::read(const QString &path, const std::atomic<bool> *stop)
 {
     if (!isProjectPath(path)) {
-        Result<Scene> scene = readMesh(path, stop);
+        // OBJ files and sessions are read to their end, which is soon, so that even then there is a map.
+        const bool isObj = path.endsWith(QLatin1String(".obj"), Qt::CaseInsensitive);
+        Result<Scene> scene = readMesh(path, isObj ? nullptr : stop);
         if (scene)
             mOriginal = scene.value();
         return scene;
     }
-    Result<LoadedProject> project = loadProject(path, stop);
+    Result<LoadedProject> project = loadProject(path);
     if (!project)
         return project.error();
     mDocument = std::make_unique<Document>(std::move(project->state));
