@@ -24,6 +24,9 @@ struct CarriedMap
 //! when that fails or the job is stopped. May be kept, and called by any thread.
 using CarryOver = std::function<std::optional<CarriedMap>(CarriedMap coarse, const JobContext &)>;
 
+//! Makes a usable map of the fine mesh of what was found so far; the rest as for CarryOver.
+using MakeCarriedMap = std::function<std::optional<CarriedMap>(const JobContext &)>;
+
 //! How the map of the coarse mesh is found.
 struct CoarseSearch
 {
@@ -31,9 +34,8 @@ struct CoarseSearch
     //! over. May carry over maps that it finds on the way.
     std::function<std::optional<CarriedMap>(const Snapshot &, const UnwrapOptions &, const CarryOver &)>
         unwrap;
-    //! While a carried map is relaxed, receives what makes a usable map of it as it is then; nothing is made
-    //! when the job is stopped. May be empty.
-    std::function<void(std::function<std::optional<CarriedMap>(const JobContext &)>)> relaxing;
+    //! While a carried map is relaxed, receives what makes a usable map of it as it is then. May be empty.
+    std::function<void(MakeCarriedMap)> relaxing;
     //! Of the coarse mesh. The default was chosen by hand, not measured.
     int triangles = 6'000;
 };

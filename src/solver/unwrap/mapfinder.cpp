@@ -61,15 +61,6 @@ bool isComplicated(const MeshData &mesh)
     return whole.chartCount > 1 || loops > 1 || euler + loops < 2;
 }
 
-Candidate patches(const Soup &soup, const Snapshot &snapshot)
-{
-    Candidate candidate;
-    candidate.map = flatPatches(soup, snapshot);
-    candidate.onlyPatches = true;
-    candidate.measure(soup, snapshot);
-    return candidate;
-}
-
 //! Finds the best map of one unwrap, by the seam search and by the soup.
 class MapFinder
 {
@@ -276,7 +267,7 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
 {
     if (!suitsCoarseToFine(snapshot))
         return std::nullopt;
-    const auto prepare = [&](std::function<std::optional<CarriedMap>(const JobContext &)> make) {
+    const auto prepare = [&](MakeCarriedMap make) {
         ready->prepare([=, make = std::move(make)](const JobContext &own) -> std::optional<Candidate> {
             std::optional<CarriedMap> carried = make(own);
             if (!carried)
@@ -382,7 +373,12 @@ search::OptimizeEffort effortFor(UnwrapQuality quality, int triangles)
 
 Candidate patchesOf(const Snapshot &given)
 {
-    return patches(*Soup::build(given.mesh), given);
+    const std::shared_ptr<const Soup> soup = Soup::build(given.mesh);
+    Candidate candidate;
+    candidate.map = flatPatches(*soup, given);
+    candidate.onlyPatches = true;
+    candidate.measure(*soup, given);
+    return candidate;
 }
 
 FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &ranking, const JobContext &job,
@@ -412,7 +408,7 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
         if (ready)
             found.onlyReady = true;
         else
-            found.best = patches(*soup, snapshot);
+            found.best = patchesOf(given);
         return found;
     }
     snapshot = preference::SeamPreference().applied(snapshot, job.threads());
@@ -421,7 +417,7 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
     found.onlyReady = !best && ready && job.stopped();
     if (found.onlyReady)
         return found;
-    found.best = best ? std::move(*best) : patches(*soup, snapshot);
+    found.best = best ? std::move(*best) : patchesOf(given);
     found.iterations = finder.iterations();
     if (snapshot.settings.symmetry)
         found.symmetry =

@@ -1,7 +1,6 @@
 #include "solver/unwrap/readyresult.h"
 
 #include <chrono>
-#include <stdexcept>
 #include <utility>
 
 namespace autocuts::unwrap {
