@@ -79,9 +79,9 @@ public:
     {
         while (since(begun) < seconds) {
             if (const MapPtr map = mKeeper.takeMap()) {
-                mMap = map;
                 const double now = since(begun);
-                check();
+                mMap = map;
+                mUnchecked.push_back(map);
                 if (what(map))
                     return now;
             } else if (mKeeper.takeRest()) {
@@ -93,21 +93,29 @@ public:
     }
 
     const MapPtr &map() const { return mMap; }
-    int maps() const { return mMaps; }
-    int invalid() const { return mInvalid; }
     const Snapshot &snapshot() const { return mSnapshot; }
 
-private:
-    void check()
+    //! Checks all maps that were taken. At the end, because it would take time from what is measured.
+    //! \returns how many are not valid
+    int countInvalid()
     {
-        ++mMaps;
-        const metrics::UvMetrics found = metrics::measureUv(*mMesh, mMap->uv, {});
-        if (found.flipped > 0 || found.overlapPairs > 0) {
+        mKeeper.pause();
+        metrics::UvMetricsOptions options;
+        options.gutter = false;
+        int invalid = 0;
+        for (const MapPtr &map : mUnchecked) {
+            const metrics::UvMetrics found = metrics::measureUv(*mMesh, map->uv, options);
+            if (found.flipped == 0 && found.overlapPairs == 0)
+                continue;
             std::fprintf(stderr, "invalid map: %lld flips, %lld overlaps\n",
                          static_cast<long long>(found.flipped), static_cast<long long>(found.overlapPairs));
-            ++mInvalid;
+            ++invalid;
         }
+        return invalid;
     }
+    qsizetype maps() const { return std::ssize(mUnchecked); }
+
+private:
 
     std::shared_ptr<const MeshData> mMesh;
     QThread mThread;
@@ -115,7 +123,7 @@ private:
     unwrap::LiveMapOptions mOptions;
     Snapshot mSnapshot;
     MapPtr mMap;
-    int mMaps = 0, mInvalid = 0;
+    std::vector<MapPtr> mUnchecked;
 };
 
 QJsonObject measured(const std::string &file, int threads, double seconds, bool withUnwrap)
@@ -227,7 +235,7 @@ QJsonObject measured(const std::string &file, int threads, double seconds, bool 
         report["edits"_L1] = edits;
     }
     report["maps"_L1] = live.maps();
-    report["invalid"_L1] = live.invalid();
+    report["invalid"_L1] = live.countInvalid();
     return report;
 }
 
