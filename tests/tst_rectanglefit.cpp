@@ -8,6 +8,7 @@
 
 #include <QTest>
 
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
@@ -65,8 +66,12 @@ private Q_SLOTS:
         QFETCH(double, width);
         QFETCH(bool, deformed);
         const Boxed boxed(side * Vec2(width, 1.3));
+        const FreePart part = *FreePart::of(boxed.snapshot);
         SeamedMap map = boxed.map;
-        fitToRectangles(*FreePart::of(boxed.snapshot), boxed.soup, map);
+        const std::atomic<bool> stop{true};
+        QCOMPARE(fitToRectangles(part, boxed.soup, map, &stop), width < 1);
+        QVERIFY(map.x == boxed.map.x);
+        QCOMPARE(fitToRectangles(part, boxed.soup, map), width < 1);
         QCOMPARE(map.x != boxed.map.x, deformed);
         if (!deformed)
             return;

@@ -135,7 +135,8 @@ bool fitsInto(const std::vector<double> &x, const std::vector<int> &soupCorners,
     return std::hypot(fit.c, fit.s) > 1 - rounding;
 }
 
-SeamedMap fittedToBoxes(const std::shared_ptr<const SeamGraph> &graph, const SeamedMap &map, int steps)
+std::optional<SeamedMap> fittedToBoxes(const std::shared_ptr<const SeamGraph> &graph, const SeamedMap &map,
+                                       int steps, const JobContext &job)
 {
     CutState state = CutState::from(graph, map, true);
     std::vector<std::vector<Vec2>> points(state.chartCount());
@@ -151,8 +152,8 @@ SeamedMap fittedToBoxes(const std::shared_ptr<const SeamGraph> &graph, const Sea
             placements[i] = fitToBox(points[i], boxes[i]->lower, boxes[i]->upper);
     }
     place(state, placements);
-    SeamTrial(state).relaxAnchored(steps, true);
-    return state.map();
+    SeamTrial(state).relaxAnchored(steps, true, job.quiet());
+    return job.stopped() ? std::nullopt : std::optional(state.map());
 }
 
 void reachPins(SeamTrial &trial, bool guarded, const JobContext &job)

@@ -4,6 +4,7 @@
 #include "solver/search/seamtrial.h"
 
 #include <memory>
+#include <optional>
 
 namespace autocuts::search {
 
@@ -30,6 +31,8 @@ bool fitsInto(const std::vector<double> &x, const std::vector<int> &soupCorners,
 //! The map after every chart with a box was put into it, scaled down as far as necessary, and relaxed there:
 //! it grows and is deformed. Charts may come to lie on others.
 //! \param steps Newton steps \pre all anchors are boxes, one for each chart at most
-SeamedMap fittedToBoxes(const std::shared_ptr<const SeamGraph> &graph, const SeamedMap &map, int steps);
+//! \returns nothing when stopped
+std::optional<SeamedMap> fittedToBoxes(const std::shared_ptr<const SeamGraph> &graph, const SeamedMap &map,
+                                       int steps, const JobContext &job = {});
 
 } // namespace autocuts::search

@@ -30,6 +30,7 @@ void BestLiveMap::reset()
 void BestLiveMap::forgetWaiting()
 {
     mWaiting.reset();
+    mUnfitted.reset();
     mNextGiven = {};
 }
 
@@ -51,24 +52,34 @@ void BestLiveMap::offer(const search::CutState &state)
     mWaiting = state;
 }
 
-void BestLiveMap::giveWaiting(bool atOnce)
+void BestLiveMap::giveWaiting(const JobContext &job, bool atOnce)
 {
     std::unique_lock lock(mMutex, std::defer_lock);
     if (atOnce)
         lock.lock();
     else if (!lock.try_lock())
         return; // another thread does it
-    if (!mWaiting || (!atOnce && Clock::now() < mNextGiven))
+    if ((!mWaiting && !mUnfitted) || (!atOnce && Clock::now() < mNextGiven))
         return;
     const Clock::time_point begun = Clock::now();
-    give(*std::exchange(mWaiting, std::nullopt));
+    search::CutState state = std::move(mWaiting ? *mWaiting : *mUnfitted);
+    mWaiting.reset();
+    mUnfitted.reset();
+    give(std::move(state), FitEffort::Full, job);
     const Clock::time_point done = Clock::now();
     mNextGiven = done + std::max<Clock::duration>(leastPause, std::chrono::duration_cast<Clock::duration>(
                                                                   (done - begun) / givingShare));
 }
 
+void BestLiveMap::giveQuickly(const JobContext &job)
+{
+    const std::lock_guard lock(mMutex);
+    if (mWaiting)
+        give(*std::exchange(mWaiting, std::nullopt), FitEffort::Quick, job);
+}
+
 //! Gives the map out, unless it is not better or overlaps itself after all.
-void BestLiveMap::give(search::CutState state)
+void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContext &job)
 {
     const FreePart &part = mProblem.part();
     const Snapshot &whole = mProblem.whole();
@@ -82,7 +93,11 @@ void BestLiveMap::give(search::CutState state)
     merit.misses = map.distortion(soup) > mOptions.maxDistortion;
     if (mBest && merit.misses && !mBestMerit.misses)
         return;
-    fitToRectangles(part, mProblem.soup(), map);
+    const bool deformed = fitToRectangles(part, mProblem.soup(), map, job, effort);
+    if (deformed && job.stopped()) {
+        mUnfitted = std::move(state);
+        return;
+    }
     if (definite::coversItself(soup, map))
         return;
     auto result = std::make_shared<LiveMapResult>();
@@ -103,6 +118,8 @@ void BestLiveMap::give(search::CutState state)
         result->seamLength = all.seamNorm;
         result->islands = all.charts;
     }
+    if (deformed && effort == FitEffort::Quick)
+        mUnfitted = state;
     mBest = std::move(state);
     mBestMerit = merit;
     mGiven = result;

@@ -5,6 +5,7 @@
 #include "solver/search/cutstate.h"
 #include "solver/unwrap/liveplacing.h"
 #include "solver/unwrap/liveproblem.h"
+#include "solver/unwrap/rectanglefit.h"
 #include "solver/unwrap/unmetsteering.h"
 
 #include <chrono>
@@ -68,7 +69,10 @@ public:
     //! Any thread may offer maps at any time.
     void offer(const search::CutState &state);
     //! Gives out the best map that waits. \param atOnce even if the last one was given out a moment ago
-    void giveWaiting(bool atOnce = false);
+    void giveWaiting(const JobContext &job, bool atOnce = false);
+    //! Gives out the best map that waits at once, fitted to rectangles by a few steps; giveWaiting() fits it
+    //! fully.
+    void giveQuickly(const JobContext &job);
 
 private:
     //! What decides between two maps; less is better.
@@ -82,7 +86,7 @@ private:
     };
 
     Merit meritOf(const search::CutState &state) const;
-    void give(search::CutState state);
+    void give(search::CutState state, FitEffort effort, const JobContext &job);
 
     const LiveProblem &mProblem;
     const Sink mSink;
@@ -95,7 +99,8 @@ private:
     std::optional<search::CutState> mBest;
     Merit mBestMerit;
     std::shared_ptr<const LiveMapResult> mGiven;
-    std::optional<search::CutState> mWaiting; //!< a better map that has not been given out yet
+    std::optional<search::CutState> mWaiting;  //!< a better map that has not been given out yet
+    std::optional<search::CutState> mUnfitted; //!< the map given out last, when it can be fitted better
     std::chrono::steady_clock::time_point mNextGiven;
 };
 

@@ -132,7 +132,7 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
         found = refinedSoup(input, *part, job);
     if (!found)
         return result;
-    fitToRectangles(*part, soup, found->map);
+    fitToRectangles(*part, soup, found->map, job);
     UvMatrix uv = own.uvScale * cornerUv(*soup, found->map);
     definite::openCuts(own, uv);
     result.uv = part->wholeUv(uv);

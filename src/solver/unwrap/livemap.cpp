@@ -78,7 +78,7 @@ bool LiveMap::work(const JobContext &job)
         case Stage::Done:
             break;
         }
-        mBest.giveWaiting(mStage == Stage::Done);
+        mBest.giveWaiting(job, mStage == Stage::Done);
     }
     return !job.stopped();
 }
@@ -99,12 +99,12 @@ bool LiveMap::startFromMap(const UvMatrix &uv, const JobContext &job)
     Snapshot before = mProblem.problem();
     before.uv = std::make_shared<const UvMatrix>(uv);
     if (const std::optional<search::CutState> state = steeredMapBefore(mProblem.graph(), before, job))
-        take(*state);
+        take(*state, job);
     return mBest.best().has_value();
 }
 
 //! Makes a map that was found elsewhere, and lies at its anchors, the one to improve.
-void LiveMap::take(const SeamedMap &map)
+void LiveMap::take(const SeamedMap &map, const JobContext &job)
 {
     if (!map.validate(*mProblem.soup()).empty())
         return;
@@ -113,14 +113,14 @@ void LiveMap::take(const SeamedMap &map)
         search::SeamTrial trial(state);
         search::reachPins(trial, true);
     }
-    take(state);
+    take(state, job);
 }
 
-void LiveMap::take(const search::CutState &state)
+void LiveMap::take(const search::CutState &state, const JobContext &job)
 {
     if (state.loopsAreInOrder() && !state.boundariesOverlap())
         mBest.offer(state);
-    mBest.giveWaiting(true);
+    mBest.giveWaiting(job, true);
 }
 
 //! A first map: the one of the document, or few cuts.
@@ -154,7 +154,7 @@ void LiveMap::findAnyMap(const JobContext &job)
     Ranking ranking(options, job);
     const FoundMap found = findMap(mProblem.problem(), options, ranking, job);
     if (!job.stopped())
-        take(found.best.map);
+        take(found.best.map, job);
 }
 
 //! Changes the map to obey the snapshot; begins anew where that is not possible.
@@ -194,7 +194,7 @@ void LiveMap::steerMap(const JobContext &job)
         // The snapshot has other costs: whatever obeys it is better than the old map.
         mBest.forgetBest();
         mBest.offer(*state);
-        mBest.giveWaiting(true);
+        mBest.giveQuickly(job);
     }
     if (!mBest.best())
         mStage = Stage::Explore;
@@ -218,7 +218,7 @@ std::optional<search::CutState> LiveMap::makeQuickMap(const JobContext &job)
         search::reachPins(trial, true);
     }
     mBest.offer(*state);
-    mBest.giveWaiting(true);
+    mBest.giveWaiting(job, true);
     return state;
 }
 
@@ -246,13 +246,13 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
             const std::optional<CarriedMap> carried = mapByCoarse(
                 mProblem.soup(), mProblem.part().withoutRectangles(), options, search, job.quiet());
             if (carried)
-                take(carried->map);
+                take(carried->map, job);
             carriedOver = true;
         } else {
             search::SeamTrial trial(*quick);
             while (!carriedOver && !job.stopped() && trial.relaxAll(quickSteps, true, job) > quickTolerance) {
                 mBest.offer(*quick);
-                mBest.giveWaiting();
+                mBest.giveWaiting(job);
             }
         }
     });
@@ -284,7 +284,7 @@ void LiveMap::explore(const JobContext &job)
         if (job.stopped())
             return;
         if (found)
-            take(found->map);
+            take(found->map, job);
     }
     if (!mBest.best()) // the search alone finds no map
         findAnyMap(job);
@@ -309,7 +309,7 @@ void LiveMap::improve(const JobContext &job)
     });
     if (job.stopped())
         return;
-    mBest.giveWaiting(true);
+    mBest.giveWaiting(job, true);
     const bool gained = mBest.misses() != missed || mBest.best()->cost < (1 - noteworthy) * before;
     mIdleRounds = gained ? 0 : mIdleRounds + 1;
     if (mIdleRounds >= idleRoundsToRest)
@@ -323,7 +323,7 @@ search::OptimizeOptions LiveMap::searchOptions(const JobContext &job)
     options.seed = mProblem.problem().settings.seed + mSeed++;
     options.job = job.quiet();
     options.improved = [this](const search::CutState &state) { mBest.offer(state); };
-    options.progress = [this](int) { mBest.giveWaiting(); };
+    options.progress = [this, quiet = job.quiet()](int) { mBest.giveWaiting(quiet); };
     return options;
 }
 

@@ -43,8 +43,8 @@ private:
     void explore(const JobContext &job);
     void improve(const JobContext &job);
     void findAnyMap(const JobContext &job);
-    void take(const SeamedMap &map);
-    void take(const search::CutState &state);
+    void take(const SeamedMap &map, const JobContext &job);
+    void take(const search::CutState &state, const JobContext &job);
     search::OptimizeOptions searchOptions(const JobContext &job);
 
     std::shared_ptr<const Snapshot> mSnapshot; //!< the newest one

@@ -47,7 +47,7 @@ public:
                              found.distortion <= mOptions.maxDistortion;
         const std::shared_ptr<const Soup> soup = Soup::build(mPart.snapshot().mesh);
         if (mOptions.pack)
-            fitToRectangles(mPart, soup, found.map);
+            fitToRectangles(mPart, soup, found.map, job);
         place(*soup, found.map, hurry, job, result);
         result.unmet = unmetSteering(mSnapshot, result.uv);
         return result;
