@@ -4,6 +4,7 @@
 #include "commands/replay.h"
 #include "commands/setseamstate.h"
 #include "model/io/meshfile.h"
+#include "model/io/savefile.h"
 #include "model/plain/uvlayout.h"
 #include "support/editsupport.h"
 #include "support/meshbuilders.h"
@@ -355,6 +356,7 @@ private Q_SLOTS:
         QCOMPARE(desk.failed.count(), 0);
         QVERIFY(desk.document().seams() == seams);
         QVERIFY(desk.workspace.isModified());
+        QCOMPARE(desk.document().undoStack().undoText(), QStringLiteral("Re-link to changed.obj"));
         // The journal begins with the re-linked state.
         desk.cutAnEdge(1);
         const Journal journal = desk.workspace.recorder().journal();
@@ -366,6 +368,64 @@ private Q_SLOTS:
         QVERIFY(desk.rests());
         QCOMPARE(desk.failed.count(), 1);
         QVERIFY(desk.document().seams() == seams);
+    }
+
+    void anExchangeIsOneEntry()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        const QString whole = folder.filePath(QStringLiteral("whole.obj"));
+        desk.files.exportMesh(whole);
+        QVERIFY(desk.rests());
+        for (const int edge : {0, 100, 1500})
+            desk.cutAnEdge(edge);
+        const DocumentState before = desk.document().state();
+        // The first 200 faces are gone, and one is new.
+        QByteArray text;
+        int faces = 0;
+        QFile from(whole);
+        QVERIFY(from.open(QIODevice::ReadOnly));
+        for (const QByteArray &line : from.readAll().split('\n')) {
+            if (!line.startsWith("f ") || ++faces > 200)
+                text += line + '\n';
+        }
+        const QString changed = folder.filePath(QStringLiteral("changed.obj"));
+        QVERIFY(saveAtomically(changed, text + "v 9 9 9\nv 9 9 8\nv 9 8 9\nf -1 -2 -3\n"));
+
+        QSignalSpy noticed(&desk.files, &FileController::noticed);
+        QSignalSpy replaced(&desk.workspace, &Workspace::documentReplaced);
+        desk.files.relink(changed);
+        QVERIFY(desk.rests());
+        QCOMPARE(desk.failed.count(), 0);
+        const DocumentState after = desk.document().state();
+        QCOMPARE(after.scene.mesh->faceCount(), before.scene.mesh->faceCount() - 199);
+        QCOMPARE(noticed.count(), 1);
+        const QString message = noticed.first().at(0).toString();
+        QVERIFY2(message.contains(u"200 of") && message.contains(u"1 faces are new"), qPrintable(message));
+        QVERIFY2(message.contains(u"cut, joined or painted edges are lost"), qPrintable(message));
+        QCOMPARE(noticed.first().at(1).value<Selection>().faces.size(), 1);
+        QCOMPARE(replaced.count(), 1);
+        QCOMPARE(desk.document().validate(), QString());
+
+        const auto journalIsTrue = [&] {
+            const auto replayed = replay(desk.workspace.recorder().journal());
+            return replayed && sameWork(replayed.value()->state(), desk.document().state());
+        };
+        QVERIFY(journalIsTrue());
+        desk.document().undoStack().undo();
+        QVERIFY(desk.document().state() == before);
+        QCOMPARE(replaced.count(), 2);
+        QVERIFY(journalIsTrue());
+        desk.document().undoStack().undo(); // a cut of the old model
+        QVERIFY(desk.document().state().seams != before.seams);
+        QVERIFY(journalIsTrue());
+        desk.document().undoStack().redo();
+        QVERIFY(desk.document().state() == before);
+        desk.document().undoStack().redo();
+        QVERIFY(desk.document().state() == after);
+        desk.cutAnEdge(1);
+        QVERIFY(journalIsTrue());
     }
 
     void anExchangeDoesNotLoseEdits()

@@ -260,7 +260,7 @@ void TestRelink::facesTakenAway()
     const RelinkReport &report = relinked.report;
     QCOMPARE(relinked.state.validate(), QString());
     QCOMPARE(report.faces, (Carried{15, 1}));
-    QCOMPARE(report.newFaces, 0);
+    QCOMPARE(report.newFaces.size(), 0);
     QCOMPARE(report.rectangleFaces, (Carried{3, 1}));
     QCOMPARE(report.markedFaces, (Carried{1, 1}));
     QCOMPARE(report.lostTags, QStringList{u"last"_s});
@@ -285,7 +285,7 @@ void TestRelink::facesAdded()
     const Relinked relinked = relinkDocument(state, sceneOf(polygons));
     QCOMPARE(relinked.state.validate(), QString());
     QCOMPARE(relinked.report.faces, (Carried{16, 0}));
-    QCOMPARE(relinked.report.newFaces, 1);
+    QCOMPARE(relinked.report.newFaces.size(), 1);
     QCOMPARE(relinked.report.lines(), QStringList{u"1 faces are new and have no UVs"_s});
     const UvMatrix &uv = relinked.state.scene.uvSets[0].uv;
     QVERIFY(!uv.bottomRows(3).array().isFinite().any());
@@ -299,7 +299,7 @@ void TestRelink::turnedFaceIsAnother()
     std::reverse(polygons.faces[5].begin(), polygons.faces[5].end());
     const Relinked relinked = relinkDocument(state, sceneOf(polygons));
     QCOMPARE(relinked.report.faces, (Carried{15, 1}));
-    QCOMPARE(relinked.report.newFaces, 1);
+    QCOMPARE(relinked.report.newFaces.size(), 1);
     QCOMPARE(relinked.state.validate(), QString());
 }
 
@@ -309,7 +309,7 @@ void TestRelink::duplicateFaces()
     const DocumentState state = test::layoutDocument(dirty)->state();
     const Relinked relinked = relinkDocument(state, sceneOf(renumbered(polygonsOf(*dirty), 6)));
     QCOMPARE(relinked.report.faces, (Carried{dirty->faceCount(), 0}));
-    QCOMPARE(relinked.report.newFaces, 0);
+    QCOMPARE(relinked.report.newFaces.size(), 0);
     QCOMPARE(relinked.state.validate(), QString());
 }
 
@@ -335,7 +335,7 @@ void TestRelink::emptyModel()
     QCOMPARE(relinked.report.faces, (Carried{0, 16}));
     const Relinked back = relinkDocument(relinked.state, state.scene);
     QCOMPARE(back.state.validate(), QString());
-    QCOMPARE(back.report.newFaces, 16);
+    QCOMPARE(back.report.newFaces.size(), 16);
 }
 
 void TestRelink::objBytesAreTheNewOnes()

@@ -54,6 +54,8 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
         return StackIslands::fromCbor(document, reader);
     case CommandId::EditMapSeams:
         return EditMapSeams::fromCbor(document, reader);
+    case CommandId::ReplaceModel: // never in a journal
+        break;
     }
     return damagedCommand();
 }

@@ -18,7 +18,8 @@ enum class CommandId {
     SetIslandTag = 12,
     Reset = 13,
     StackIslands = 14,
-    EditMapSeams = 15
+    EditMapSeams = 15,
+    ReplaceModel = 16
 };
 
 } // namespace autocuts

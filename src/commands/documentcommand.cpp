@@ -177,6 +177,11 @@ void DocumentCommand::renameUvSet(int index, const QString &name)
     mDocument.renameUvSet(index, name);
 }
 
+void DocumentCommand::exchangeState(DocumentState &other)
+{
+    mDocument.exchangeState(other);
+}
+
 void DocumentCommand::setActiveUvSet(int index)
 {
     mDocument.setActiveUvSet(index);

@@ -29,6 +29,8 @@ public:
     virtual CommandId commandId() const = 0;
     //! False when executing the command would not change the document.
     virtual bool hasAnyChanges() const = 0;
+    //! True when journals do not contain it but begin with the state after it.
+    virtual bool beginsJournal() const { return false; }
     void setGesture(quint64 gesture) { mGesture = gesture; }
     quint64 gesture() const { return mGesture; }
 
@@ -84,6 +86,7 @@ protected:
     void removeUvSet(int index);
     void renameUvSet(int index, const QString &name);
     void setActiveUvSet(int index);
+    void exchangeState(DocumentState &other);
 
 private:
     friend bool pushCommand(std::unique_ptr<DocumentCommand> command);

@@ -89,6 +89,9 @@ void JournalRecorder::startAnew()
 void JournalRecorder::forgetUndone(int index)
 {
     mMustStartAnew = mMustStartAnew || index < mFirst;
+    if (index > mFirst &&
+        static_cast<const DocumentCommand &>(*mDocument.undoStack().command(index - 1)).beginsJournal())
+        startAnew();
     if (static_cast<int>(mEncoded.size()) >= index)
         mEncoded.resize(static_cast<std::size_t>(std::max(index - 1, 0)));
 }

@@ -49,7 +49,7 @@ private:
 //! released. Commands that were undone are not in the journal.
 //!
 //! The size of the journal is limited. When it is exceeded, or when the user undoes a command that the
-//! journal does not contain, the journal starts again with the current state.
+//! journal does not contain, or when the model is replaced, the journal starts again with the current state.
 class JournalRecorder final : public QObject
 {
     Q_OBJECT

@@ -11,13 +11,30 @@ namespace autocuts {
 //! Base of all events. Switch over type and cast to the struct of that name.
 struct ChangeEvent
 {
-    enum class Type { Uv, UvSet, Seam, Pin, Rectangle, IslandFlag, Tag, SolveSettings, PackingSettings };
+    enum class Type {
+        Model,
+        Uv,
+        UvSet,
+        Seam,
+        Pin,
+        Rectangle,
+        IslandFlag,
+        Tag,
+        SolveSettings,
+        PackingSettings
+    };
 
     const Type type;
 
 protected:
     explicit ChangeEvent(Type t) : type(t) {}
     ~ChangeEvent() = default;
+};
+
+//! The model and everything that belongs to it were exchanged.
+struct ModelEvent final : ChangeEvent
+{
+    ModelEvent() : ChangeEvent(Type::Model) {}
 };
 
 //! The UVs of one UV set changed.

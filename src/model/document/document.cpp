@@ -43,6 +43,9 @@ Result<std::unique_ptr<Document>> Document::create(DocumentState state)
 void Document::announce(const ChangeEvent &event)
 {
     switch (event.type) {
+    case ChangeEvent::Type::Model:
+        mToken = {newRevision(), newRevision(), newRevision(), newRevision()};
+        break;
     case ChangeEvent::Type::UvSet:
         mToken.topology = newRevision();
         break;
@@ -178,6 +181,15 @@ void Document::setActiveUvSet(int index)
     mState.activeUvSet = index;
     mIslands.reset();
     announce(UvSetEvent(UvSetEvent::Change::Activated, index));
+}
+
+void Document::exchangeState(DocumentState &other)
+{
+    std::swap(mState, other);
+    std::swap(mState.viewState, other.viewState);
+    mIslands.reset();
+    mAdjacency.reset();
+    announce(ModelEvent());
 }
 
 } // namespace autocuts

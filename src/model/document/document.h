@@ -97,6 +97,8 @@ private:
     void removeUvSet(int index);
     void renameUvSet(int index, const QString &name);
     void setActiveUvSet(int index);
+    //! Exchanges everything but the view state with that of another model. \pre other is valid
+    void exchangeState(DocumentState &other);
     //! Renews the token and emits changed().
     void announce(const ChangeEvent &event);
 

@@ -59,6 +59,7 @@ std::vector<bool> givenSeams(const Scene &scene, const UvMatrix *uv, std::span<c
 bool changesGivenSeams(const ChangeEvent &event)
 {
     switch (event.type) {
+    case ChangeEvent::Type::Model:
     case ChangeEvent::Type::Uv:
     case ChangeEvent::Type::UvSet:
         return true;

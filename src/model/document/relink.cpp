@@ -22,9 +22,16 @@ public:
     {
         mTo.scene = std::move(scene);
         mReport.sameTopology = mMatch.sameTopology;
-        for (int face : mMatch.face)
+        std::vector<bool> known(static_cast<std::size_t>(mAfter.faceCount()), false);
+        for (int face : mMatch.face) {
             ++(face >= 0 ? mReport.faces.kept : mReport.faces.lost);
-        mReport.newFaces = mAfter.faceCount() - mReport.faces.kept;
+            if (face >= 0)
+                known[static_cast<std::size_t>(face)] = true;
+        }
+        for (int face = 0; face < mAfter.faceCount(); ++face) {
+            if (!known[static_cast<std::size_t>(face)])
+                mReport.newFaces << face;
+        }
     }
 
     Relinked run()
@@ -193,8 +200,8 @@ QStringList RelinkReport::lines() const
             lines << text.arg(carried.lost).arg(carried.kept + carried.lost);
     };
     add(faces, u"%1 of %2 faces are not in the new model: their UVs are lost"_s);
-    if (newFaces > 0)
-        lines << u"%1 faces are new and have no UVs"_s.arg(newFaces);
+    if (!newFaces.isEmpty())
+        lines << u"%1 faces are new and have no UVs"_s.arg(newFaces.size());
     add(seams, u"%1 of %2 cut, joined or painted edges are lost"_s);
     add(pins, u"%1 of %2 pins are lost"_s);
     add(rectangleFaces, u"%1 of %2 assignments of faces to rectangles are lost"_s);

@@ -21,9 +21,9 @@ struct RelinkReport
 {
     //! Both models have the same polygons in the same order. Positions may differ.
     bool sameTopology = false;
-    Carried faces;    //!< faces of the old model that were found in the new one, and that were not
-    int newFaces = 0; //!< faces of the new model that the old one does not have
-    Carried seams;    //!< edges that are cut, joined or painted
+    Carried faces;       //!< faces of the old model that were found in the new one, and that were not
+    QList<int> newFaces; //!< faces of the new model that the old one does not have
+    Carried seams;       //!< edges that are cut, joined or painted
     Carried pins, rectangleFaces, markedFaces;
     QStringList lostTags;
 

@@ -85,7 +85,8 @@ void SceneContent::documentChanged(const ChangeEvent &event)
     case ChangeEvent::Type::PackingSettings:
         mark(0);
         break;
-    case ChangeEvent::Type::Uv: // ShownMap reports the change when the map is shown
+    case ChangeEvent::Type::Model: // the workspace says that the document was replaced
+    case ChangeEvent::Type::Uv:    // ShownMap reports the change when the map is shown
     case ChangeEvent::Type::UvSet:
     case ChangeEvent::Type::IslandFlag:
     case ChangeEvent::Type::Tag:

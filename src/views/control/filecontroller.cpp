@@ -1,6 +1,7 @@
 #include "views/control/filecontroller.h"
 
 #include "commands/newmap.h"
+#include "commands/replacemodel.h"
 #include "model/document/makesnapshot.h"
 #include "model/io/meshdoctor.h"
 #include "model/io/meshfile.h"
@@ -241,19 +242,20 @@ void FileController::relink(const QString &meshPath)
                 return scene.error();
             return relinkDocument(state, std::move(scene).value());
         },
-        [this, token = document->token()](const Result<Relinked> &linked) { adoptRelinked(linked, token); });
+        [this, token = document->token()](Result<Relinked> linked) {
+            adoptRelinked(std::move(linked), token);
+        });
     if (!started)
         tellBusy(meshPath);
 }
 
 //! \param token token of the state that was re-linked
-void FileController::adoptRelinked(const Result<Relinked> &linked, const StateToken &token)
+void FileController::adoptRelinked(Result<Relinked> linked, const StateToken &token)
 {
     if (!linked) {
         Q_EMIT failed(linked.error());
         return;
     }
-    waitForSaves();
     // A running solve counts as an edit that is not in the document yet.
     if (!mWorkspace.isInState(token) || mSolver.isRunning() || mSolver.isPausing()) {
         Q_EMIT failed(
@@ -262,16 +264,22 @@ void FileController::adoptRelinked(const Result<Relinked> &linked, const StateTo
                   linked->state.scene.path, 0, tr("Re-link it again and wait until it is read")});
         return;
     }
-    Result<std::unique_ptr<Document>> changed = Document::create(linked->state);
-    if (!changed) {
-        Q_EMIT failed(changed.error());
+    if (const QString problem = linked->state.validate(); !problem.isEmpty()) {
+        Q_EMIT failed(Error{problem, linked->state.scene.path, 0, {}});
         return;
     }
-    mWorkspace.open(std::move(changed).value(), mWorkspace.sessionPath(), std::nullopt,
-                    linked->report.lines());
-    mWorkspace.setRecovered(true);
-    applyPreferences();
-    Q_EMIT opened();
+    const RelinkReport report = linked->report;
+    const QString name = QFileInfo(linked->state.scene.path).fileName();
+    pushCommand(std::make_unique<ReplaceModel>(*mWorkspace.document(), std::move(linked).value()));
+    const QStringList lines = report.lines();
+    if (lines.isEmpty()) {
+        Q_EMIT done(tr("Re-linked to %1: everything was kept").arg(name));
+        return;
+    }
+    Selection items;
+    items.mode = SelectionMode::Faces;
+    items.faces = report.newFaces;
+    Q_EMIT noticed(tr("Re-linked to %1: %2").arg(name, lines.join(QStringLiteral("; "))), items);
 }
 
 void FileController::exportMesh(const QString &path)

@@ -51,8 +51,8 @@ public:
     //! Opens a sample model.
     void openSample(const QString &name);
     void recover(const RecoverableSession &session);
-    //! Replaces the session's model by a version changed in another program. The steering is transferred;
-    //! history and journal start again. Refused when the session is edited while the model is read.
+    //! Replaces the session's model by a version changed in another program, as one undo entry. The steering
+    //! is transferred. Refused when the session is edited while the model is read.
     void relink(const QString &meshPath);
     //! Saves the current state of the session off the GUI thread. Emits done() or failed() afterwards.
     void save(const QString &path);
@@ -72,6 +72,8 @@ Q_SIGNALS:
     //! \param message translated, one line, for the status bar
     void done(const QString &message);
     void failed(const autocuts::Error &error);
+    //! What the user has to know of a result. \param items what it is about
+    void noticed(const QString &message, const autocuts::Selection &items);
     //! A file was opened. Workspace::notes() has the notes for the user.
     void opened();
 
@@ -82,7 +84,7 @@ private:
     void applyPreferences();
     void tellBusy(const QString &path);
     void tellWritten(const Result<Done> &written, const QString &path);
-    void adoptRelinked(const Result<Relinked> &linked, const StateToken &token);
+    void adoptRelinked(Result<Relinked> linked, const StateToken &token);
     void saveForRecovery(const QString &path, const Autosave::Saved &saved);
     SessionToSave sessionNow(const QString &sessionPath);
     void endAutosave();

@@ -43,7 +43,13 @@ void Workspace::close()
 
 void Workspace::attach()
 {
-    connect(mDocument.get(), &Document::changed, this, &Workspace::changed);
+    connect(mDocument.get(), &Document::changed, this, [this](const ChangeEvent &event) {
+        if (event.type == ChangeEvent::Type::Model) {
+            Q_EMIT documentReplaced();
+            Q_EMIT selectionChanged();
+        }
+        Q_EMIT changed(event);
+    });
     connect(mDocument.get(), &Document::selectionChanged, this, &Workspace::selectionChanged);
     const UndoStack &stack = mDocument->undoStack();
     connect(&stack, &QUndoStack::indexChanged, this, &Workspace::historyChanged);

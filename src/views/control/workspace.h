@@ -58,7 +58,7 @@ public:
     bool isInState(const StateToken &token) const;
 
 Q_SIGNALS:
-    //! Another document is open, or none: everything may differ.
+    //! Another document is open, or none, or the document has another model: everything may differ.
     void documentReplaced();
     void changed(const autocuts::ChangeEvent &event);
     void selectionChanged();

@@ -236,6 +236,7 @@ void MainWindow::connectMessages()
     connect(&mSolver, &SolverController::failed, mNotice, [this](const QString &message) {
         mNotice->showNotice(tr("The solver stopped: %1").arg(message));
     });
+    connect(&mFiles, &FileController::noticed, mNotice, &NoticeBar::showNotice);
     connect(&mFiles, &FileController::failed, this,
             [this](const Error &error) { mQuestions->showError(error); });
 }

@@ -1,0 +1,45 @@
+#include "commands/replacemodel.h"
+
+#include <QFileInfo>
+
+namespace autocuts {
+
+namespace {
+
+template <typename T>
+qint64 bytesOf(const std::vector<T> &values)
+{
+    return static_cast<qint64>(values.size() * sizeof(T));
+}
+
+//! Bytes of the arrays that grow with the mesh.
+qint64 bytesOf(const DocumentState &state)
+{
+    const MeshData &mesh = *state.scene.mesh;
+    qint64 bytes = mesh.positions.size() * qint64(sizeof(double)) + bytesOf(mesh.cornerVertex) +
+                   bytesOf(mesh.triangles) + bytesOf(mesh.triangleFace) + bytesOf(mesh.triangleArea) +
+                   bytesOf(mesh.edgePairs);
+    for (const UvSet &set : state.scene.uvSets)
+        bytes += set.uv.size() * qint64(sizeof(double));
+    return bytes + bytesOf(state.seams.states) + bytesOf(state.seams.weights) +
+           bytesOf(state.marks.faceFlags);
+}
+
+} // namespace
+
+ReplaceModel::ReplaceModel(Document &document, Relinked linked)
+    : DocumentCommand(document), mFileName(QFileInfo(linked.state.scene.path).fileName()),
+      mOther(std::make_unique<DocumentState>(std::move(linked.state)))
+{}
+
+QString ReplaceModel::label() const
+{
+    return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Re-link to %1")).arg(mFileName);
+}
+
+qint64 ReplaceModel::payloadBytes() const
+{
+    return mOther ? bytesOf(*mOther) : 0;
+}
+
+} // namespace autocuts
