@@ -184,6 +184,31 @@ private Q_SLOTS:
         QVERIFY(studio.document().state() == stacked);
     }
 
+    void stackedIslandsDoNotOverlap()
+    {
+        PartsStudio studio;
+        studio.trigger("uv.stackCopies");
+        QTRY_VERIFY(studio.map.figuresAreFresh());
+        QCOMPARE(studio.map.figures()->metrics.overlapPairs, std::int64_t(0));
+        QVERIFY(studio.map.figures()->metrics.stackedPairs > 0);
+        QVERIFY(studio.map.figures()->overlapping.empty());
+
+        // Separate finds nothing to do: it does not pack.
+        const DocumentState stacked = studio.document().state();
+        studio.trigger("uv.separate");
+        QVERIFY(studio.rests());
+        QVERIFY(studio.document().state() == stacked);
+
+        // Islands that lie on each other without being a stack overlap, and do so as soon as it is taken
+        // apart.
+        pushCommand(std::make_unique<SetIslandFlags>(studio.document(), SetIslandFlags::Edit::Unstack,
+                                                     std::vector{0, 1, 2}));
+        QVERIFY(!studio.map.figuresAreFresh());
+        QTRY_VERIFY(studio.map.figuresAreFresh());
+        QVERIFY(studio.map.figures()->metrics.overlapPairs > 0);
+        QVERIFY(!studio.map.figures()->overlapping.empty());
+    }
+
     void packingKeepsAStack()
     {
         PartsStudio studio;

@@ -1,5 +1,6 @@
 // UV figures: hand-computed maps, and the figures of the independent uvmetrics program on real files.
 #include "solver/metrics/uvmetrics.h"
+#include "solver/metrics/uvoverlaps.h"
 #include "support/meshbuilders.h"
 #include "support/objuv.h"
 
@@ -337,6 +338,49 @@ private Q_SLOTS:
             const double area = cross2(uv.row(corner[0]), uv.row(corner[1]), uv.row(corner[2]));
             QCOMPARE(bool(metrics.triangleFlipped[t]), area < 0);
         }
+    }
+
+    void stackedIslandsDoNotOverlap()
+    {
+        // Two copies of a square on each other, a third island beside them, and a fourth that covers the
+        // third.
+        const test::ObjUv obj = test::parseObjUv(
+            square + "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 0 0 2\nv 1 0 2\nv 1 1 2\nv 0 1 2\nv 0 0 3\n"
+                     "v 1 0 3\nv 1 1 3\nv 0 1 3\nvt 0 0\nvt .3 0\nvt .3 .3\nvt 0 .3\nvt .5 0\nvt .8 0\n"
+                     "vt .8 .3\nvt .5 .3\nf 1/1 2/2 3/3 4/4\nf 5/1 6/2 7/3 8/4\nf 9/5 10/6 11/7 12/8\n"
+                     "f 13/5 14/6 15/7 16/8\n");
+        UvMetricsOptions options;
+        options.faceFlags.resize(4);
+        options.faceFlags[0].stack = options.faceFlags[1].stack = 3;
+        const UvMetrics metrics = measureUv(*obj.mesh, obj.uv, options);
+        QCOMPARE(metrics.stackedPairs, std::int64_t(2));
+        QCOMPARE(metrics.overlapPairs, std::int64_t(2));
+        QCOMPARE(metrics.overlappingTriangles, std::int64_t(4));
+        QVERIFY(same(metrics.overlapAreaRatio, 0.25));
+        UvOverlapOptions overlaps;
+        overlaps.faceFlags = options.faceFlags;
+        const overlap::OverlapList list = findUvOverlaps(*obj.mesh, obj.uv, overlaps);
+        QCOMPARE(list.pairs.size(), std::size_t(2));
+        for (const int t : overlappingTriangles(list))
+            QVERIFY(obj.mesh->triangleFace[t] >= 2);
+        overlaps.maxPairs = 1;
+        QCOMPARE(findUvOverlaps(*obj.mesh, obj.uv, overlaps).pairs.size(), std::size_t(1));
+
+        // In two stacks they do.
+        options.faceFlags[1].stack = 4;
+        QCOMPARE(measureUv(*obj.mesh, obj.uv, options).overlapPairs, std::int64_t(4));
+
+        // Nothing but stacks: the gutter is that between the stacks.
+        options.faceFlags[0].stack = options.faceFlags[1].stack = 3;
+        options.faceFlags[2].stack = options.faceFlags[3].stack = 4;
+        const UvMetrics stacks = measureUv(*obj.mesh, obj.uv, options);
+        QCOMPARE(stacks.overlapPairs, std::int64_t(0));
+        QVERIFY(same(stacks.minGutter, 0.2));
+
+        // An island of a stack that covers itself overlaps.
+        const test::ObjUv fold = test::parseObjUv(square + squareUv + "f 1/1 2/2 3/3\nf 1/1 3/3 4/2\n");
+        options.faceFlags.assign(2, IslandFlags{0, 3, 0});
+        QCOMPARE(measureUv(*fold.mesh, fold.uv, options).overlapPairs, std::int64_t(1));
     }
 
     void partsCanBeLeftOut()

@@ -118,7 +118,7 @@ private:
         const Result<Scene> scene = mFiles.read(mOptions.input);
         if (!scene)
             return fail(scene.error());
-        MapReport report = reportOn(scene.value(), mOptions.unwrap.packing.textureSize);
+        MapReport report = reportOn(scene.value(), mFiles.islandFlags(), mOptions.unwrap.packing.textureSize);
         report.input = mOptions.input;
         if (mOptions.json) {
             report.status = QStringLiteral("done");
@@ -243,7 +243,7 @@ private:
         if (const Result<Done> written = mFiles.write(scene, mOptions); !written)
             return fail(written.error());
         const int textureSize = mOptions.unwrap.packing.textureSize;
-        MapReport report = reportOn(scene, textureSize);
+        MapReport report = reportOn(scene, mFiles.islandFlags(), textureSize);
         report.input = mOptions.input;
         report.output = mOptions.output;
         report.layout = mOptions.layout;
@@ -260,8 +260,9 @@ private:
             mErr << "autocuts-cli: warning: " << warning << Qt::endl;
         report.notes += warnings;
         if (!mOptions.layout.isEmpty()) {
-            const bool overlaps = report.overlapPairs.value_or(0) > 0;
-            if (const Result<Done> drawn = writeLayout(mOptions.layout, scene, textureSize, overlaps); !drawn)
+            if (const Result<Done> drawn =
+                    writeLayout(mOptions.layout, scene, mFiles.islandFlags(), textureSize);
+                !drawn)
                 return fail(drawn.error());
         }
         report.seconds = double(mClock.elapsed()) / 1000;

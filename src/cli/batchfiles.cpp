@@ -145,6 +145,11 @@ Result<Snapshot> BatchFiles::snapshot(const Scene &scene, const SolveSettings &s
     return snapshot;
 }
 
+std::vector<IslandFlags> BatchFiles::islandFlags() const
+{
+    return mDocument ? mDocument->marks().faceFlags : std::vector<IslandFlags>();
+}
+
 const LayoutRectangle *BatchFiles::rectangle(const QString &name) const
 {
     if (!mDocument)

@@ -33,6 +33,9 @@ public:
     //! scene
     Result<Snapshot> snapshot(const Scene &scene, const SolveSettings &settings) const;
 
+    //! Locks, stacks and groups of the session's islands, per face; empty without a session.
+    std::vector<IslandFlags> islandFlags() const;
+
     //! The session's rectangle of this name; null when there is none.
     const LayoutRectangle *rectangle(const QString &name) const;
 

@@ -3,8 +3,7 @@
 #include "model/io/meshdoctor.h"
 #include "model/io/savefile.h"
 #include "model/io/uvexport.h"
-#include "model/plain/uvlayout.h"
-#include "solver/overlap/overlapfinder.h"
+#include "solver/metrics/uvoverlaps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +28,7 @@ MapReport reportOf(const metrics::UvMetrics &m)
     if (m.overlapPairs >= 0) {
         r.overlapPairs = m.overlapPairs;
         r.overlappingTriangles = m.overlappingTriangles;
+        r.stackedPairs = m.stackedPairs;
     }
     r.overlapAreaRatio = m.overlapAreaRatio;
     r.packingEfficiency = m.packingUnit;
@@ -64,18 +64,6 @@ qint64 facesWithoutUvArea(const MeshData &mesh, const metrics::UvMetrics &m)
     return std::count(collapsed.begin(), collapsed.end(), true);
 }
 
-std::vector<int> overlappingTriangles(const MeshData &mesh, const UvMatrix &uv)
-{
-    std::vector<int> result;
-    for (const overlap::OverlapPair &pair : overlap::findOverlaps(soupUv(mesh, uv), {}).pairs) {
-        result.push_back(pair.first);
-        result.push_back(pair.second);
-    }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-}
-
 QString counted(qint64 count, const char *one, const char *many)
 {
     return QStringLiteral("%1 %2").arg(count).arg(QLatin1String(count == 1 ? one : many));
@@ -93,12 +81,13 @@ QString shortCount(const MapReport::Count &value)
 
 } // namespace
 
-MapReport reportOn(const Scene &scene, int textureSize)
+MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags, int textureSize)
 {
     MapReport report;
     if (scene.hasUv()) {
         metrics::UvMetricsOptions options;
         options.textureSize = textureSize;
+        options.faceFlags = faceFlags;
         const metrics::UvMetrics figures = measureUv(*scene.mesh, scene.uvSets.front().uv, options);
         report = reportOf(figures);
         report.facesWithoutUvArea = facesWithoutUvArea(*scene.mesh, figures);
@@ -169,6 +158,8 @@ QString reportTable(const MapReport &r)
     line("sym_dirichlet_max", shortNumber(r.symDirichletMax), QStringLiteral("of the worst triangle"));
     line("flipped", shortCount(r.flipped), QStringLiteral("triangles"));
     line("overlap_pairs", shortCount(r.overlapPairs), QStringLiteral("pairs of triangles"));
+    if (const qint64 stacked = r.stackedPairs.value_or(0); stacked > 0)
+        line("stacked_pairs", QString::number(stacked), QStringLiteral("of stacked islands, on purpose"));
     line("packing_efficiency", shortNumber(r.packingEfficiency),
          QStringLiteral("part of the unit square in use"));
     line("min_gutter_texels", shortNumber(r.minGutterTexels), texels);
@@ -177,14 +168,16 @@ QString reportTable(const MapReport &r)
     return table;
 }
 
-Result<Done> writeLayout(const QString &path, const Scene &scene, int textureSize, bool overlaps)
+Result<Done> writeLayout(const QString &path, const Scene &scene, const std::vector<IslandFlags> &faceFlags,
+                         int textureSize)
 {
     const MeshData &mesh = *scene.mesh;
     const UvMatrix &uv = scene.uvSets.front().uv;
     LayoutOptions options;
     options.size = std::clamp(textureSize, 256, 4096);
-    if (overlaps)
-        options.overlapping = overlappingTriangles(mesh, uv);
+    metrics::UvOverlapOptions overlaps;
+    overlaps.faceFlags = faceFlags;
+    options.overlapping = metrics::overlappingTriangles(metrics::findUvOverlaps(mesh, uv, overlaps));
     const bool svg = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
     const Result<QByteArray> bytes = svg ? layoutSvg(mesh, uv, options) : layoutPng(mesh, uv, options);
     if (!bytes)

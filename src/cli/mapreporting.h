@@ -4,6 +4,7 @@
 #include "model/document/result.h"
 #include "model/document/scene.h"
 #include "model/io/report.h"
+#include "model/plain/islandflags.h"
 #include "solver/metrics/uvmetrics.h"
 
 #include <QString>
@@ -12,8 +13,9 @@
 namespace autocuts {
 
 //! Measures the active UV set and describes the mesh. Without a UV set, the figures of the map stay unknown.
+//! \param faceFlags per face: which islands are stacked; empty: none
 //! \param textureSize texels along a side, for figures in texels
-MapReport reportOn(const Scene &scene, int textureSize);
+MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags, int textureSize);
 
 //! The problems of a map, one sentence each; empty when it can be used. \param report from reportOn()
 QStringList mapProblems(const MapReport &report);
@@ -24,7 +26,8 @@ QStringList mapWarnings(const MapReport &report);
 //! The most important figures, one per line: the key in the report, the value and its meaning.
 QString reportTable(const MapReport &report);
 
-//! Draws the active UV set. \param path .png or .svg \param overlaps hatch overlapping triangles
-Result<Done> writeLayout(const QString &path, const Scene &scene, int textureSize, bool overlaps);
+//! Draws the active UV set and hatches its overlaps. \param path .png or .svg \param faceFlags see reportOn()
+Result<Done> writeLayout(const QString &path, const Scene &scene, const std::vector<IslandFlags> &faceFlags,
+                         int textureSize);
 
 } // namespace autocuts

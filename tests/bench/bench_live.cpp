@@ -116,7 +116,6 @@ public:
     qsizetype maps() const { return std::ssize(mUnchecked); }
 
 private:
-
     std::shared_ptr<const MeshData> mMesh;
     QThread mThread;
     live::MapKeeper mKeeper;

@@ -135,6 +135,7 @@ void addFurtherKeys(ObjectWriter &writer, const MapReport &report)
     writer.add("seam_edges", report.seamEdges);
     writer.add("uv_degenerate", report.uvDegenerate);
     writer.add("overlapping_triangles", report.overlappingTriangles);
+    writer.add("stacked_pairs", report.stackedPairs);
     writer.add("sym_dirichlet_p99", report.symDirichletP99);
     writer.add("sym_dirichlet_infinite", report.symDirichletInfinite);
     writer.add("sym_dirichlet_scale", report.symDirichletScale);

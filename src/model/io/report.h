@@ -34,7 +34,7 @@ struct MapReport
     QString input, output, layout;
     Count textureSize;
     Count faces, seamEdges, symDirichletInfinite, uvDegenerate, mirroredCharts, nonDiskCharts;
-    Count facesWithoutUv, zeroAreaTriangles, overlappingTriangles;
+    Count facesWithoutUv, zeroAreaTriangles, overlappingTriangles, stackedPairs;
     Count facesWithoutUvArea; //!< faces with area on the model that have a triangle without area in the map
     double symDirichletP99 = unknown, symDirichletScale = unknown;
     double l2Stretch = unknown, angleDistortion = unknown, areaDistortion = unknown;

@@ -27,6 +27,17 @@ std::pair<std::vector<int>, int> pieceLabels(const std::vector<std::vector<int>>
 
 } // namespace
 
+std::vector<int> stackOfCharts(const ChartMap &charts, const std::vector<IslandFlags> &faceFlags)
+{
+    std::vector<int> stacks(charts.count, 0);
+    if (!faceFlags.empty()) {
+        const auto chartFaces = charts.faces();
+        for (int c = 0; c < charts.count; ++c)
+            stacks[c] = flagsOf(faceFlags, chartFaces[c]).stack;
+    }
+    return stacks;
+}
+
 RigidPieces rigidPieces(const ChartMap &charts, const std::vector<IslandFlags> &faceFlags,
                         const std::vector<bool> &movable)
 {

@@ -20,4 +20,7 @@ struct RigidPieces
 RigidPieces rigidPieces(const ChartMap &charts, const std::vector<IslandFlags> &faceFlags,
                         const std::vector<bool> &movable = {});
 
+//! The number of the stack of each chart; 0: none. \param faceFlags per face; empty: none is stacked
+std::vector<int> stackOfCharts(const ChartMap &charts, const std::vector<IslandFlags> &faceFlags);
+
 } // namespace autocuts

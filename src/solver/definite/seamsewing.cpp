@@ -225,7 +225,7 @@ private:
     bool covers(const UvMatrix &uv) const
     {
         overlap::OverlapOptions options;
-        options.minAreaRatio = 1e-9; // as UvMetrics::overlapPairs
+        options.minAreaRatio = overlap::visibleOverlap;
         const auto pairsOf = [&](const UvMatrix &map) {
             return overlap::findOverlapsAmong(soupUv(mMesh, map), mTriangles, options).pairs;
         };

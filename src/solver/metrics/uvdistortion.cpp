@@ -47,6 +47,21 @@ TriangleMap triangleMap(const MeshData &mesh, const UvMatrix &uv, const std::arr
     return map;
 }
 
+//! Sums over triangles, weighted by area.
+struct DistortionSums
+{
+    double forward = 0, backward = 0, area = 0;
+
+    void add(const TriangleMap &map, double area3d)
+    {
+        forward += area3d * map.frobenius;
+        backward += area3d * map.inverse;
+        area += area3d;
+    }
+    //! The mean symmetric Dirichlet energy at the scale that minimises it.
+    double least() const { return area > 0 ? 2 * std::sqrt(forward * backward) / area : missingFigure; }
+};
+
 //! Total areas of the triangles that have both UVs and area in 3D.
 struct Totals
 {
@@ -107,7 +122,9 @@ void measureDistortion(const MeshData &mesh, const UvMatrix &uv, const UvTriangl
 
     std::vector<TriangleMap> maps;
     std::vector<int> used;
-    double forward = 0, backward = 0, area = 0, uvArea = 0, aspect = 0, areaRatio = 0, infiniteArea = 0;
+    std::vector<DistortionSums> charts(triangles.charts.size());
+    DistortionSums all;
+    double uvArea = 0, aspect = 0, areaRatio = 0, infiniteArea = 0;
     for (int t = 0; t < count; ++t) {
         if (!triangles.hasUv(t) || triangles.zeroArea[t])
             continue;
@@ -125,21 +142,22 @@ void measureDistortion(const MeshData &mesh, const UvMatrix &uv, const UvTriangl
         }
         maps.push_back(map);
         used.push_back(t);
-        forward += area3d * map.frobenius;
-        backward += area3d * map.inverse;
-        area += area3d;
+        all.add(map, area3d);
+        charts[triangles.chart[t]].add(map, area3d);
         uvArea += absolute;
         aspect += area3d * map.aspect;
         areaRatio += area3d * std::max(ratio, 1 / ratio);
     }
     metrics.symDirichletInfiniteAreaRatio = totals.area3d > 0 ? infiniteArea / totals.area3d : 0;
-    if (!(area > 0))
+    for (const DistortionSums &chart : charts)
+        metrics.chartSymDirichlet.push_back(chart.least());
+    if (!(all.area > 0))
         return;
 
     // Scaled by s, the mean f s^2 + b / s^2 is least where s^2 = sqrt(b / f).
-    const double squaredScale = std::sqrt(backward / forward);
+    const double squaredScale = std::sqrt(all.backward / all.forward);
     metrics.symDirichletScale = std::sqrt(squaredScale);
-    metrics.symDirichlet = 2 * std::sqrt(forward * backward) / area;
+    metrics.symDirichlet = all.least();
     std::vector<double> values(maps.size());
     for (std::size_t i = 0; i < maps.size(); ++i) {
         values[i] = maps[i].frobenius * squaredScale + maps[i].inverse / squaredScale;
@@ -147,9 +165,9 @@ void measureDistortion(const MeshData &mesh, const UvMatrix &uv, const UvTriangl
     }
     metrics.symDirichletMax = *std::max_element(values.begin(), values.end());
     metrics.symDirichletP99 = nearestRank99(std::move(values));
-    metrics.l2Stretch = std::sqrt(backward / 2 / area) * std::sqrt(uvArea / area);
-    metrics.angleDistortion = aspect / area;
-    metrics.areaDistortion = areaRatio / area;
+    metrics.l2Stretch = std::sqrt(all.backward / 2 / all.area) * std::sqrt(uvArea / all.area);
+    metrics.angleDistortion = aspect / all.area;
+    metrics.areaDistortion = areaRatio / all.area;
 }
 
 } // namespace autocuts::metrics

@@ -52,6 +52,7 @@ struct UvMetrics
     std::int64_t overlapPairs = -1;          //!< pairs above 1e-9 of the UV area; -1: not measured
     std::int64_t overlapPairsSameChart = -1;
     std::int64_t overlappingTriangles = -1; //!< triangles in these pairs
+    std::int64_t stackedPairs = -1; //!< pairs of islands of one stack; not in the other figures of overlaps
 
     double uvArea = 0;
     Vec2 uvMin = Vec2::Constant(missingFigure), uvMax = Vec2::Constant(missingFigure);
@@ -63,6 +64,9 @@ struct UvMetrics
     double minGutterTexels = missingFigure; //!< the same at the texture size
     double borderGutter = missingFigure;    //!< from the bounding box to the border of the unit square
     double borderGutterTexels = missingFigure;
+
+    //! Per chart, numbered as by findCharts(): symDirichlet of the chart alone, at the scale that suits it.
+    std::vector<double> chartSymDirichlet;
 
     // Per triangle of the mesh, for heat-maps.
     std::vector<double>

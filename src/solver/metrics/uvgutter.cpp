@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace autocuts::metrics {
 
@@ -14,7 +15,7 @@ namespace {
 struct Segment
 {
     Vec2 from, to;
-    int chart;
+    int chart; //!< of a stack: one of its charts
 };
 
 double squaredDistance(const Vec2 &point, const Segment &segment)
@@ -83,9 +84,13 @@ void searchNearest(const overlap::BoxTree &tree, const std::vector<Segment> &seg
 
 } // namespace
 
-double smallestGutter(const UvMatrix &uv, const UvTopology &topology)
+double smallestGutter(const UvMatrix &uv, const UvTopology &topology, const std::vector<int> &stacks)
 {
     double best = std::numeric_limits<double>::infinity();
+    std::map<int, int> firstOfStack;
+    const auto pileOf = [&](int chart) {
+        return stacks[chart] == 0 ? chart : firstOfStack.try_emplace(stacks[chart], chart).first->second;
+    };
     if (topology.charts.count < 2)
         return best;
     std::vector<Segment> segments;
@@ -93,7 +98,7 @@ double smallestGutter(const UvMatrix &uv, const UvTopology &topology)
     for (const UvEdge &edge : topology.uvEdges) {
         if (!edge.open)
             continue;
-        segments.push_back({uv.row(edge.corner[0]), uv.row(edge.corner[1]), edge.chart});
+        segments.push_back({uv.row(edge.corner[0]), uv.row(edge.corner[1]), pileOf(edge.chart)});
         boxes.emplace_back(segments.back().from).extend(segments.back().to);
     }
     if (segments.empty())

@@ -6,8 +6,9 @@
 namespace autocuts::metrics {
 
 //! Smallest UV distance between open edges (seams and borders) of two different charts; 0 when they cross,
-//! infinite when there is only one chart.
+//! infinite when there is only one chart. Charts of one stack count as one.
 //! \param uv one row per corner
-double smallestGutter(const UvMatrix &uv, const UvTopology &topology);
+//! \param stacks number of the stack of each chart; 0: none
+double smallestGutter(const UvMatrix &uv, const UvTopology &topology, const std::vector<int> &stacks);
 
 } // namespace autocuts::metrics

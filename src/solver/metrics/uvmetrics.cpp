@@ -1,10 +1,11 @@
 #include "solver/metrics/uvmetrics.h"
 
 #include "model/plain/chart.h"
+#include "model/plain/rigidpieces.h"
 #include "solver/metrics/uvdistortion.h"
 #include "solver/metrics/uvgutter.h"
+#include "solver/metrics/uvoverlaps.h"
 #include "solver/metrics/uvtriangles.h"
-#include "solver/overlap/overlapfinder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,49 +80,19 @@ void measureCharts(const UvTriangles &triangles, UvMetrics &metrics)
 }
 
 void measureOverlaps(const UvMatrix &uv, const UvTopology &topology, const UvTriangles &triangles,
-                     const JobContext &job, UvMetrics &metrics)
+                     const UvMetricsOptions &options, UvMetrics &metrics)
 {
-    // The corners of one UV vertex may differ by the tolerance with which charts are found. Move them to one
-    // place, so that adjacent triangles only touch.
-    std::vector<int> source;
-    for (int t = 0; t < triangles.count(); ++t) {
-        if (!triangles.hasUv(t))
-            continue;
-        const auto &c = triangles.corners[t];
-        const double area = 0.5 * cross2(uv.row(topology.cornerRoot[c[0]]), uv.row(topology.cornerRoot[c[1]]),
-                                         uv.row(topology.cornerRoot[c[2]]));
-        if (std::abs(area) >= 1e-14 * triangles.totalUvArea && area != 0)
-            source.push_back(t);
-    }
-    UvMatrix snapped(3 * static_cast<Eigen::Index>(source.size()), 2);
-    for (std::size_t i = 0; i < source.size(); ++i) {
-        for (int k = 0; k < 3; ++k) {
-            const int corner = triangles.corners[source[i]][k];
-            snapped.row(3 * static_cast<Eigen::Index>(i) + k) = uv.row(topology.cornerRoot[corner]);
-        }
-    }
-    overlap::OverlapOptions options;
-    options.minAreaRatio = 0;
-    options.job = job;
-    const double threshold = 1e-9 * triangles.totalUvArea;
-    double sum = 0;
-    std::int64_t pairs = 0, sameChart = 0;
-    std::vector<bool> overlapping(source.size(), false);
-    const bool complete = overlap::visitOverlaps(snapped, options, [&](int a, int b, double area) {
-        sum += area;
-        if (area > threshold) {
-            ++pairs;
-            overlapping[a] = overlapping[b] = true;
-            sameChart += triangles.chart[source[a]] == triangles.chart[source[b]];
-        }
-        return true;
-    });
-    if (!complete)
+    UvOverlapOptions search;
+    search.faceFlags = options.faceFlags;
+    search.job = options.job;
+    const UvOverlapFigures found = measureUvOverlaps(uv, topology, triangles, search);
+    if (!found.complete)
         return;
-    metrics.overlapPairs = pairs;
-    metrics.overlapPairsSameChart = sameChart;
-    metrics.overlappingTriangles = std::count(overlapping.begin(), overlapping.end(), true);
-    metrics.overlapAreaRatio = triangles.totalUvArea > 0 ? sum / triangles.totalUvArea : 0;
+    metrics.overlapPairs = found.pairs;
+    metrics.overlapPairsSameChart = found.sameChartPairs;
+    metrics.stackedPairs = found.stackedPairs;
+    metrics.overlappingTriangles = found.triangles;
+    metrics.overlapAreaRatio = triangles.totalUvArea > 0 ? found.area / triangles.totalUvArea : 0;
 }
 
 void measurePacking(const UvTopology &topology, int textureSize, UvMetrics &metrics)
@@ -161,9 +132,9 @@ UvMetrics measureUv(const MeshData &mesh, const UvMatrix &uv, const UvMetricsOpt
     measureDistortion(mesh, uv, triangles, metrics);
     measurePacking(topology, options.textureSize, metrics);
     if (options.overlaps)
-        measureOverlaps(uv, topology, triangles, options.job, metrics);
+        measureOverlaps(uv, topology, triangles, options, metrics);
     if (options.gutter) {
-        const double gutter = smallestGutter(uv, topology);
+        const double gutter = smallestGutter(uv, topology, stackOfCharts(topology.charts, options.faceFlags));
         if (std::isfinite(gutter)) {
             metrics.minGutter = gutter;
             metrics.minGutterTexels = gutter * options.textureSize;

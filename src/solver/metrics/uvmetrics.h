@@ -1,6 +1,7 @@
 // Measures a UV map for tools and reports.
 #pragma once
 
+#include "model/plain/islandflags.h"
 #include "model/plain/meshdata.h"
 #include "solver/base/jobcontext.h"
 #include "solver/metrics/uvfigures.h"
@@ -13,7 +14,9 @@ struct UvMetricsOptions
     int textureSize = 2048; //!< texels along a side of the unit square, for figures in texels
     bool overlaps = true;   //!< false: the overlap figures stay missing
     bool gutter = true;     //!< false: the distances between charts stay missing
-    JobContext job;         //!< may stop the overlap test, whose figures are then missing
+    //! Per face. Islands of one stack neither overlap nor have gutters. Empty: none is stacked.
+    std::vector<IslandFlags> faceFlags{};
+    JobContext job; //!< may stop the overlap test, whose figures are then missing
 };
 
 //! Measures all figures of a map.

@@ -10,6 +10,10 @@
 
 namespace autocuts::overlap {
 
+//! Share of a map's UV area above which an overlap counts wherever people see it: smaller ones come from
+//! rounding.
+inline constexpr double visibleOverlap = 1e-9;
+
 //! What counts as an overlap, how many are reported, and the job.
 struct OverlapOptions
 {

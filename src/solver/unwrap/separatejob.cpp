@@ -1,7 +1,6 @@
 #include "solver/unwrap/separatejob.h"
 
-#include "model/plain/uvlayout.h"
-#include "solver/overlap/overlapfinder.h"
+#include "solver/metrics/uvoverlaps.h"
 #include "solver/overlap/uvseparation.h"
 #include "solver/unwrap/freepart.h"
 
@@ -12,11 +11,12 @@ namespace {
 //! Share of the progress that is for finding the cuts. A guess that only the progress depends on.
 constexpr double cuttingShare = 0.1;
 
-bool hasOverlaps(const MeshData &mesh, const UvMatrix &uv)
+bool hasOverlaps(const Snapshot &snapshot)
 {
-    overlap::OverlapOptions options;
+    metrics::UvOverlapOptions options;
+    options.faceFlags = snapshot.steering->faceFlags;
     options.maxPairs = 1;
-    return !overlap::findOverlaps(soupUv(mesh, uv), options).pairs.empty();
+    return !metrics::findUvOverlaps(*snapshot.mesh, *snapshot.uv, options).pairs.empty();
 }
 
 } // namespace
@@ -37,7 +37,7 @@ SeparateResult separateMap(const Snapshot &snapshot, const PackJob &pack, const 
     result.unresolvedPairs = separated.unresolvedPairs;
     if (!separated.complete)
         result.outcome = SeparateResult::Outcome::Stopped;
-    else if (separated.newSeams == 0 && !hasOverlaps(mesh, result.uv))
+    else if (separated.newSeams == 0 && !hasOverlaps(snapshot))
         result.outcome = SeparateResult::Outcome::NoOverlaps;
     else if (!packCharts(mesh, part->wholeCharts(separated.charts), pack, result.uv,
                          job.part(cuttingShare, 1, JobStage::Packing)))

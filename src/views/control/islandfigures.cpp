@@ -12,7 +12,7 @@ namespace {
 //! Sums over the triangles of one island.
 struct IslandSums
 {
-    double area3d = 0, areaUv = 0, distortionArea = 0, distortion = 0;
+    double area3d = 0, areaUv = 0;
 
     double density(int textureSize) const
     {
@@ -21,7 +21,7 @@ struct IslandSums
     }
 };
 
-std::vector<IslandSums> sumsOf(const Document &document, const std::vector<double> &triangleDistortion)
+std::vector<IslandSums> sumsOf(const Document &document)
 {
     const MeshData &mesh = document.mesh();
     const Islands &islands = document.islands();
@@ -34,20 +34,15 @@ std::vector<IslandSums> sumsOf(const Document &document, const std::vector<doubl
         IslandSums &sum = sums[island];
         sum.area3d += mesh.triangleArea[t];
         sum.areaUv += std::abs(cross2(uv(0), uv(1), uv(2))) / 2;
-        if (!triangleDistortion.empty() && std::isfinite(triangleDistortion[t])) {
-            sum.distortionArea += mesh.triangleArea[t];
-            sum.distortion += mesh.triangleArea[t] * triangleDistortion[t];
-        }
     }
     return sums;
 }
 
 } // namespace
 
-std::vector<IslandFigures> islandFigures(const Document &document,
-                                         const std::vector<double> &triangleDistortion)
+std::vector<IslandFigures> islandFigures(const Document &document, const std::vector<double> &distortion)
 {
-    const std::vector<IslandSums> sums = sumsOf(document, triangleDistortion);
+    const std::vector<IslandSums> sums = sumsOf(document);
     double area = 0;
     for (const IslandSums &sum : sums)
         area += sum.area3d;
@@ -57,8 +52,8 @@ std::vector<IslandFigures> islandFigures(const Document &document,
         figures[i].faces = static_cast<int>(faces.size());
         figures[i].areaShare = area > 0 ? sums[i].area3d / area : 0;
         figures[i].texelDensity = sums[i].density(document.packingSettings().textureSize);
-        figures[i].distortion = sums[i].distortionArea > 0 ? sums[i].distortion / sums[i].distortionArea
-                                                           : std::numeric_limits<double>::quiet_NaN();
+        figures[i].distortion =
+            i < distortion.size() ? distortion[i] : std::numeric_limits<double>::quiet_NaN();
         figures[i].flags = document.marks().flagsOf(faces);
         figures[i].tags = document.marks().tagsOf(faces);
     }
@@ -80,7 +75,7 @@ double meanTexelDensity(const Document &document, const std::vector<int> &island
 
 std::unique_ptr<SetUvs> setTexelDensity(Document &document, const std::vector<int> &islands, double density)
 {
-    const std::vector<IslandSums> sums = sumsOf(document, {});
+    const std::vector<IslandSums> sums = sumsOf(document);
     const int textureSize = document.packingSettings().textureSize;
     std::vector<int> scaled;
     for (int island : islands) {

@@ -15,15 +15,16 @@ struct IslandFigures
     int faces = 0;
     double areaShare = 0;    //!< share of the total 3D area of all islands, in [0, 1]
     double texelDensity = 0; //!< texels per unit of the model; NaN for islands without area
-    double distortion = 0;   //!< area-weighted mean of the symmetric Dirichlet energy; NaN when unknown
+    //! Mean symmetric Dirichlet energy at the scale that suits the island, so that it does not depend on the
+    //! others; NaN when unknown.
+    double distortion = 0;
     IslandFlags flags;
     std::vector<QString> tags;
 };
 
-//! The figures of all islands, in their order. \param triangleDistortion per triangle; empty when the
-//! distortion is not known
-std::vector<IslandFigures> islandFigures(const Document &document,
-                                         const std::vector<double> &triangleDistortion);
+//! The figures of all islands, in their order. \param distortion UvMetrics::chartSymDirichlet of the map;
+//! empty when it is not known
+std::vector<IslandFigures> islandFigures(const Document &document, const std::vector<double> &distortion);
 
 //! Mean texel density of the islands, weighted by area; NaN when they have no area.
 double meanTexelDensity(const Document &document, const std::vector<int> &islands);

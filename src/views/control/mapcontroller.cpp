@@ -2,8 +2,7 @@
 
 #include "commands/newmap.h"
 #include "model/document/makesnapshot.h"
-#include "model/plain/uvlayout.h"
-#include "solver/overlap/overlapfinder.h"
+#include "solver/metrics/uvoverlaps.h"
 #include "views/control/mapjobs.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
@@ -19,31 +18,29 @@ constexpr int measureDelay = 250;
 //! The search for overlapping pairs stops at this number. Chosen by hand.
 constexpr int maxListedOverlaps = 100'000;
 
-MapFigures measured(const MeshData &mesh, const UvMatrix &uv, int textureSize, JobControl &control)
+MapFigures measured(const MeshData &mesh, const UvMatrix &uv, const std::vector<IslandFlags> &faceFlags,
+                    int textureSize, JobControl &control)
 {
     MapFigures figures;
     figures.textureSize = textureSize;
     metrics::UvMetricsOptions options;
     options.textureSize = textureSize;
+    options.faceFlags = faceFlags;
     options.job = &control.stop();
     figures.metrics = metrics::measureUv(mesh, uv, options);
     if (figures.metrics.overlapPairs == 0)
         return figures;
-    overlap::OverlapOptions overlapOptions;
-    overlapOptions.job = &control.stop();
-    overlapOptions.minAreaRatio = 1e-9; // as UvMetrics::overlapPairs
+    metrics::UvOverlapOptions overlapOptions;
+    overlapOptions.faceFlags = faceFlags;
     overlapOptions.maxPairs = maxListedOverlaps;
-    overlap::OverlapList overlaps = overlap::findOverlaps(soupUv(mesh, uv), overlapOptions);
+    overlapOptions.job = &control.stop();
+    overlap::OverlapList overlaps = metrics::findUvOverlaps(mesh, uv, overlapOptions);
+    figures.overlapping = metrics::overlappingTriangles(overlaps);
     std::stable_sort(
         overlaps.pairs.begin(), overlaps.pairs.end(),
         [](const overlap::OverlapPair &a, const overlap::OverlapPair &b) { return a.area > b.area; });
-    for (const overlap::OverlapPair &pair : overlaps.pairs) {
+    for (const overlap::OverlapPair &pair : overlaps.pairs)
         figures.overlapPairs.push_back({pair.first, pair.second});
-        figures.overlapping.insert(figures.overlapping.end(), {pair.first, pair.second});
-    }
-    std::sort(figures.overlapping.begin(), figures.overlapping.end());
-    const auto last = std::unique(figures.overlapping.begin(), figures.overlapping.end());
-    figures.overlapping.erase(last, figures.overlapping.end());
     return figures;
 }
 
@@ -79,7 +76,11 @@ MapController::MapController(Workspace &workspace, SolverController &solver, QOb
         const bool textureSize =
             event.type == ChangeEvent::Type::PackingSettings &&
             (static_cast<const PackingSettingsEvent &>(event).properties & TextureSizeProperty);
-        if (textureSize || event.type == ChangeEvent::Type::Uv || event.type == ChangeEvent::Type::UvSet) {
+        const bool stacks = event.type == ChangeEvent::Type::IslandFlag &&
+                            (static_cast<const IslandFlagEvent &>(event).properties & IslandFlagEvent::Stack);
+        mStackChanges += stacks;
+        if (textureSize || stacks || event.type == ChangeEvent::Type::Uv ||
+            event.type == ChangeEvent::Type::UvSet) {
             mMeasureSoon.start();
             Q_EMIT figuresChanged();
             Q_EMIT pricesChanged();
@@ -89,7 +90,7 @@ MapController::MapController(Workspace &workspace, SolverController &solver, QOb
 
 bool MapController::figuresAreFresh() const
 {
-    return mFigures && mWorkspace.hasMapOf(mFigures->token) &&
+    return mFigures && mWorkspace.hasMapOf(mFigures->token) && mFigures->stackChanges == mStackChanges &&
            mFigures->textureSize == mWorkspace.document()->packingSettings().textureSize;
 }
 
@@ -249,12 +250,13 @@ void MapController::measure()
     const int textureSize = document->packingSettings().textureSize;
     mMeasuring.start(
         tr("Measuring"),
-        [mesh, uv = document->uv(), textureSize](JobControl &control) {
-            return measured(*mesh, uv, textureSize, control);
+        [mesh, uv = document->uv(), flags = document->marks().faceFlags, textureSize](JobControl &control) {
+            return measured(*mesh, uv, flags, textureSize, control);
         },
-        [this, token = document->token()](MapFigures figures) {
+        [this, token = document->token(), stackChanges = mStackChanges](MapFigures figures) {
             mFigures = std::move(figures);
             mFigures->token = token;
+            mFigures->stackChanges = stackChanges;
             Q_EMIT figuresChanged();
         });
 }

@@ -2,7 +2,7 @@
 
 #include "model/plain/uvlayout.h"
 #include "solver/live/worker.h"
-#include "solver/overlap/overlapfinder.h"
+#include "solver/metrics/uvoverlaps.h"
 #include "solver/packing/islandgeometry.h"
 #include "solver/packing/packmap.h"
 #include "solver/unwrap/finishjob.h"
@@ -121,13 +121,12 @@ QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, 
 
 void tellNewOverlaps(const MapInput &input, const JobControl &control, MapJobResult &result)
 {
-    overlap::OverlapOptions options;
+    metrics::UvOverlapOptions options;
+    options.faceFlags = input.marks.faceFlags;
     options.job = &control.stop();
-    options.minAreaRatio = 1e-9; // as UvMetrics::overlapPairs
     const auto pairsOf = [&](const UvMatrix &uv) {
         std::vector<std::pair<int, int>> pairs;
-        for (const overlap::OverlapPair &pair :
-             overlap::findOverlaps(soupUv(input.mesh(), uv), options).pairs)
+        for (const overlap::OverlapPair &pair : metrics::findUvOverlaps(input.mesh(), uv, options).pairs)
             pairs.emplace_back(pair.first, pair.second);
         return pairs;
     };

@@ -195,7 +195,7 @@ void IslandPanel::refresh()
     if (mFiguresStale) {
         static const std::vector<double> unknown;
         mTable->setFigures(islandFigures(
-            *document(), map.figuresAreFresh() ? map.figures()->metrics.triangleSymDirichlet : unknown));
+            *document(), map.figuresAreFresh() ? map.figures()->metrics.chartSymDirichlet : unknown));
         mFiguresStale = false;
     }
     selectRows(*document());

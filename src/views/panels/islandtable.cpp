@@ -129,7 +129,9 @@ QVariant IslandTable::headerData(int section, Qt::Orientation orientation, int r
         {tr("Area"), tr("Share of the model's surface")},
         {tr("px/unit"),
          tr("Texel density: texels per unit of the model at the texture size of the Packing panel")},
-        {tr("D"), tr("Mean distortion: symmetric Dirichlet energy, 4 where nothing is distorted")},
+        {tr("D"),
+         tr("Mean distortion of the island, whatever its size: symmetric Dirichlet energy, 4 where nothing "
+            "is distorted")},
         {tr("Stack"), tr("Islands of one stack lie on top of each other")},
         {tr("Group"), tr("Islands of one group move together")},
     };

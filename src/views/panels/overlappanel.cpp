@@ -80,10 +80,14 @@ QWidget *OverlapPanel::makeFigures()
         addFigure(grid, 1, 0, tr("Overlapping triangles"), tr("Triangles that overlap at least one other"));
     mArea = addFigure(grid, 2, 0, tr("Overlapping area"),
                       tr("Area of all overlaps, as a share of the map's area"));
+    mStacked = addFigure(grid, 3, 0, tr("Stacked pairs"),
+                         tr("Pairs of triangles of islands that are stacked: they overlap on purpose and are "
+                            "not counted above"));
     mFlipped =
-        addFigure(grid, 3, 0, tr("Flipped triangles"), tr("Triangles that lie face down in their island"));
+        addFigure(grid, 4, 0, tr("Flipped triangles"), tr("Triangles that lie face down in their island"));
     mPairs->setObjectName("pairs"_L1);
     mTriangles->setObjectName("triangles"_L1);
+    mStacked->setObjectName("stacked"_L1);
     mFlipped->setObjectName("flipped"_L1);
     grid->setColumnStretch(1, 1);
     return box;
@@ -126,8 +130,9 @@ void OverlapPanel::refresh()
     mPairs->setText(countText(metrics.overlapPairs));
     mTriangles->setText(hasMap ? countText(std::ssize(figures->overlapping)) : missingText());
     mArea->setText(percentText(metrics.overlapAreaRatio));
+    mStacked->setText(countText(metrics.stackedPairs));
     mFlipped->setText(hasMap ? countText(metrics.flipped) : missingText());
-    for (QLabel *label : {mPairs, mTriangles, mArea, mFlipped})
+    for (QLabel *label : {mPairs, mTriangles, mArea, mStacked, mFlipped})
         label->setEnabled(fresh);
     if (!hasMap)
         mState->setText(tr("No map yet: run the solver, or unwrap."));

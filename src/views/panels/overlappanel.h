@@ -37,7 +37,8 @@ private:
 
     OverlapModel *mList;
     QListView *mView;
-    QLabel *mState, *mPairs = nullptr, *mTriangles = nullptr, *mArea = nullptr, *mFlipped = nullptr;
+    QLabel *mState, *mPairs = nullptr, *mTriangles = nullptr, *mArea = nullptr, *mStacked = nullptr,
+                    *mFlipped = nullptr;
     QPushButton *mPrevious = nullptr, *mNext = nullptr, *mSelectFlipped = nullptr, *mSeparate = nullptr;
     bool mListStale = true;
 };
