@@ -7,6 +7,10 @@
 #include "solver/unwrap/mapbefore.h"
 #include "solver/unwrap/mapfinder.h"
 
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+
 namespace autocuts::unwrap {
 
 namespace {
@@ -19,8 +23,52 @@ constexpr int idleRoundsToRest = 6;     // rounds without a noteworthy gain afte
 constexpr int pulledSteps = 4;          // Newton steps on a map that is dragged
 constexpr int quickSteps = 4;           // Newton steps on the first map
 constexpr double quickTolerance = 1e-2; // energy gained below which the first map counts as relaxed
-//! Meshes of more triangles than this get a draft by way of a coarser mesh. Twice the size of that mesh.
+//! Meshes of more triangles than this get a draft by way of a coarser mesh. Twice the size of that mesh. Of
+//! large ones, that way gives the whole map.
 constexpr int sizeForCoarseDraft = 12'000;
+constexpr int restShare = 3; // rest after a map was carried over on the way, times what that took
+
+using Clock = std::chrono::steady_clock;
+
+//! Hands the newest map of a coarse mesh from the thread that searches to the one that carries maps over.
+class CoarseMaps
+{
+public:
+    void put(CarriedMap map, const CarryOver &carry)
+    {
+        const std::lock_guard lock(mMutex);
+        mNext = [map = std::move(map), carry](const JobContext &job) { return carry(map, job); };
+        mChanged.notify_all();
+    }
+    void end()
+    {
+        const std::lock_guard lock(mMutex);
+        mEnded = true;
+        mChanged.notify_all();
+    }
+    bool waitsOrEnds()
+    {
+        const std::lock_guard lock(mMutex);
+        return mNext || mEnded;
+    }
+    //! Nothing is handed out until then.
+    void restUntil(Clock::time_point time) { mRest = time; }
+    //! Waits for a map. \returns nothing at the end, or when the job is stopped
+    MakeCarriedMap next(const JobContext &job)
+    {
+        std::unique_lock lock(mMutex);
+        while (!mEnded && !job.stopped() && (!mNext || Clock::now() < mRest))
+            mChanged.wait_for(lock, std::chrono::milliseconds(10));
+        return mEnded || job.stopped() ? MakeCarriedMap() : std::exchange(mNext, nullptr);
+    }
+
+private:
+    std::mutex mMutex; //!< for what follows
+    std::condition_variable mChanged;
+    MakeCarriedMap mNext; //!< empty: none
+    bool mEnded = false;
+    Clock::time_point mRest; //!< used by one thread only
+};
 
 } // namespace
 
@@ -139,7 +187,8 @@ void LiveMap::findFirst(const JobContext &job)
         return;
     }
     std::optional<search::CutState> quick = makeQuickMap(job);
-    if (mProblem.problem().mesh->triangleCount() > sizeForCoarseDraft && !mProblem.isSymmetric())
+    if (mProblem.problem().mesh->triangleCount() > sizeForCoarseDraft && !mProblem.isForCoarse() &&
+        !mProblem.isSymmetric())
         carryFromCoarse(UnwrapQuality::Draft, std::move(quick), job);
     if (!job.stopped())
         mStage = Stage::Explore;
@@ -222,20 +271,25 @@ std::optional<search::CutState> LiveMap::makeQuickMap(const JobContext &job)
     return state;
 }
 
-//! The map of a coarser mesh, carried over. Meanwhile the quick map is relaxed.
+//! The map of a coarser mesh, carried over. Meanwhile the quick map is relaxed, and maps that are found on
+//! the way are carried over.
 void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutState> quick,
                               const JobContext &job)
 {
     UnwrapOptions options;
     options.maxDistortion = mOptions.maxDistortion;
     options.quality = quality;
-    std::atomic<bool> carriedOver = false;
-    parallelFor(quick ? 2 : 1, job.threads(), [&](int i) {
+    CoarseMaps onTheWay;
+    parallelFor(2, job.threads(), [&](int i) {
         if (i == 0) {
             CoarseSearch search;
             search.unwrap = [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions,
-                                const CarryOver &) {
+                                const CarryOver &carry) {
                 Ranking ranking(coarseOptions, job);
+                ranking.setWatcher([&](const Candidate &best) {
+                    if (best.distortion <= coarseOptions.maxDistortion)
+                        onTheWay.put({best.map, 0, 0, 0, best.anchorFaults}, carry);
+                });
                 FoundMap found = findMap(coarse, coarseOptions, ranking, job);
                 // After an edit nobody waits for this map any more.
                 if (job.stopped() || found.best.onlyPatches)
@@ -245,15 +299,23 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
             };
             const std::optional<CarriedMap> carried = mapByCoarse(
                 mProblem.soup(), mProblem.part().withoutRectangles(), options, search, job.quiet());
+            onTheWay.end();
             if (carried)
                 take(carried->map, job);
-            carriedOver = true;
-        } else {
+            return;
+        }
+        while (quick && !onTheWay.waitsOrEnds() && !job.stopped()) {
             search::SeamTrial trial(*quick);
-            while (!carriedOver && !job.stopped() && trial.relaxAll(quickSteps, true, job) > quickTolerance) {
-                mBest.offer(*quick);
-                mBest.giveWaiting(job);
-            }
+            if (!(trial.relaxAll(quickSteps, true, job) > quickTolerance))
+                break;
+            mBest.offer(*quick);
+            mBest.giveWaiting(job);
+        }
+        while (const auto make = onTheWay.next(job)) {
+            const Clock::time_point begun = Clock::now();
+            if (const std::optional<CarriedMap> carried = make(job.alone()))
+                take(carried->map, job);
+            onTheWay.restUntil(Clock::now() + restShare * (Clock::now() - begun));
         }
     });
 }
@@ -262,7 +324,7 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
 void LiveMap::explore(const JobContext &job)
 {
     if (mProblem.isForCoarse()) {
-        carryFromCoarse(UnwrapQuality::Standard, std::nullopt, job);
+        carryFromCoarse(UnwrapQuality::Standard, mBest.best(), job);
         if (job.stopped())
             return;
         if (mBest.best()) {
