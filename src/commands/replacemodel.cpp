@@ -27,9 +27,9 @@ qint64 bytesOf(const DocumentState &state)
 
 } // namespace
 
-ReplaceModel::ReplaceModel(Document &document, Relinked linked)
-    : DocumentCommand(document), mFileName(QFileInfo(linked.state.scene.path).fileName()),
-      mOther(std::make_unique<DocumentState>(std::move(linked.state)))
+ReplaceModel::ReplaceModel(Document &document, DocumentState state)
+    : DocumentCommand(document), mFileName(QFileInfo(state.scene.path).fileName()),
+      mOther(std::make_unique<DocumentState>(std::move(state)))
 {}
 
 QString ReplaceModel::label() const

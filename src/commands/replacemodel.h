@@ -2,7 +2,6 @@
 #pragma once
 
 #include "commands/documentcommand.h"
-#include "model/document/relink.h"
 
 #include <memory>
 
@@ -13,8 +12,8 @@ namespace autocuts {
 class ReplaceModel final : public DocumentCommand
 {
 public:
-    //! \param linked made by relinkDocument() from the document's present state; valid
-    ReplaceModel(Document &document, Relinked linked);
+    //! \param state made by relinkDocument() from the document's present state; valid
+    ReplaceModel(Document &document, DocumentState state);
 
     CommandId commandId() const override { return CommandId::ReplaceModel; }
     bool hasAnyChanges() const override { return true; }

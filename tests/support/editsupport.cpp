@@ -76,6 +76,8 @@ QString rangesText(const IndexRanges &ranges)
 QString eventText(const ChangeEvent &event)
 {
     switch (event.type) {
+    case ChangeEvent::Type::Model:
+        return u"model"_s;
     case ChangeEvent::Type::Uv: {
         const auto &e = static_cast<const UvEvent &>(event);
         return u"uv %1 set %2: %3"_s.arg(e.properties).arg(e.uvSet).arg(rangesText(e.corners)).trimmed();

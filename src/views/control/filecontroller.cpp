@@ -242,15 +242,13 @@ void FileController::relink(const QString &meshPath)
                 return scene.error();
             return relinkDocument(state, std::move(scene).value());
         },
-        [this, token = document->token()](Result<Relinked> linked) {
-            adoptRelinked(std::move(linked), token);
-        });
+        [this, token = document->token()](const Result<Relinked> &linked) { adoptRelinked(linked, token); });
     if (!started)
         tellBusy(meshPath);
 }
 
 //! \param token token of the state that was re-linked
-void FileController::adoptRelinked(Result<Relinked> linked, const StateToken &token)
+void FileController::adoptRelinked(const Result<Relinked> &linked, const StateToken &token)
 {
     if (!linked) {
         Q_EMIT failed(linked.error());
@@ -268,17 +266,16 @@ void FileController::adoptRelinked(Result<Relinked> linked, const StateToken &to
         Q_EMIT failed(Error{problem, linked->state.scene.path, 0, {}});
         return;
     }
-    const RelinkReport report = linked->report;
+    pushCommand(std::make_unique<ReplaceModel>(*mWorkspace.document(), linked->state));
     const QString name = QFileInfo(linked->state.scene.path).fileName();
-    pushCommand(std::make_unique<ReplaceModel>(*mWorkspace.document(), std::move(linked).value()));
-    const QStringList lines = report.lines();
+    const QStringList lines = linked->report.lines();
     if (lines.isEmpty()) {
         Q_EMIT done(tr("Re-linked to %1: everything was kept").arg(name));
         return;
     }
     Selection items;
     items.mode = SelectionMode::Faces;
-    items.faces = report.newFaces;
+    items.faces = linked->report.newFaces;
     Q_EMIT noticed(tr("Re-linked to %1: %2").arg(name, lines.join(QStringLiteral("; "))), items);
 }
 

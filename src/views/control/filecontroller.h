@@ -84,7 +84,7 @@ private:
     void applyPreferences();
     void tellBusy(const QString &path);
     void tellWritten(const Result<Done> &written, const QString &path);
-    void adoptRelinked(Result<Relinked> linked, const StateToken &token);
+    void adoptRelinked(const Result<Relinked> &linked, const StateToken &token);
     void saveForRecovery(const QString &path, const Autosave::Saved &saved);
     SessionToSave sessionNow(const QString &sessionPath);
     void endAutosave();
