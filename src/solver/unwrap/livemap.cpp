@@ -34,10 +34,13 @@ using Clock = std::chrono::steady_clock;
 class CoarseMaps
 {
 public:
-    void put(CarriedMap map, const CarryOver &carry)
+    //! \param atOnce the rest is over
+    void put(MakeCarriedMap make, bool atOnce)
     {
         const std::lock_guard lock(mMutex);
-        mNext = [map = std::move(map), carry](const JobContext &job) { return carry(map, job); };
+        mNext = std::move(make);
+        if (atOnce)
+            mRest = {};
         mChanged.notify_all();
     }
     void end()
@@ -52,7 +55,11 @@ public:
         return mNext || mEnded;
     }
     //! Nothing is handed out until then.
-    void restUntil(Clock::time_point time) { mRest = time; }
+    void restUntil(Clock::time_point time)
+    {
+        const std::lock_guard lock(mMutex);
+        mRest = time;
+    }
     //! Waits for a map. \returns nothing at the end, or when the job is stopped
     MakeCarriedMap next(const JobContext &job)
     {
@@ -67,7 +74,7 @@ private:
     std::condition_variable mChanged;
     MakeCarriedMap mNext; //!< empty: none
     bool mEnded = false;
-    Clock::time_point mRest; //!< used by one thread only
+    Clock::time_point mRest;
 };
 
 } // namespace
@@ -283,14 +290,26 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
     parallelFor(2, job.threads(), [&](int i) {
         if (i == 0) {
             CoarseSearch search;
+            // Relaxing takes one thread: the other one is free.
+            search.relaxing = [&](MakeCarriedMap make) { onTheWay.put(std::move(make), true); };
             search.unwrap = [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions,
                                 const CarryOver &carry) {
-                Ranking ranking(coarseOptions, job);
-                ranking.setWatcher([&](const Candidate &best) {
-                    if (best.distortion <= coarseOptions.maxDistortion)
-                        onTheWay.put({best.map, 0, 0, 0, best.anchorFaults}, carry);
-                });
-                FoundMap found = findMap(coarse, coarseOptions, ranking, job);
+                const auto find = [&](UnwrapQuality effort) {
+                    UnwrapOptions how = coarseOptions;
+                    how.quality = effort;
+                    Ranking ranking(how, job);
+                    ranking.setWatcher([&](const Candidate &best) {
+                        if (best.distortion <= how.maxDistortion)
+                            onTheWay.put([=, map = CarriedMap{best.map, 0, 0, 0, best.anchorFaults}](
+                                             const JobContext &own) { return carry(map, own); },
+                                         false);
+                    });
+                    return findMap(coarse, how, ranking, job);
+                };
+                // A draft of the coarse mesh takes a second and gives a map within the bound.
+                if (quality != UnwrapQuality::Draft)
+                    find(UnwrapQuality::Draft);
+                FoundMap found = find(quality);
                 // After an edit nobody waits for this map any more.
                 if (job.stopped() || found.best.onlyPatches)
                     return std::optional<CarriedMap>();
