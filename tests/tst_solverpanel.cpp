@@ -1,11 +1,15 @@
 // The panel of the solver: what its controls do to the document and how they follow it.
+#include "commands/setuvs.h"
 #include "model/samples/samples.h"
+#include "support/meshbuilders.h"
 #include "support/panelbench.h"
 #include "views/panels/convergencegraph.h"
 #include "views/panels/deltaspinbox.h"
+#include "views/panels/foldsection.h"
 #include "views/panels/graphaxis.h"
 #include "views/panels/sliderspin.h"
 #include "views/panels/solverpanel.h"
+#include "views/panels/stretchcontrol.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -14,6 +18,7 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSignalSpy>
+#include <QToolButton>
 
 #include <cmath>
 
@@ -222,7 +227,9 @@ private Q_SLOTS:
     void whereSeamsShouldRun()
     {
         SolverBench bench;
+        auto *const sharp = child<QCheckBox>(bench.panel, "sharp");
         auto *const creases = child<QComboBox>(bench.panel, "creases");
+        QVERIFY(sharp->isChecked());
         QCOMPARE(creases->currentData().toInt(), int(CreaseMode::Auto));
         creases->setFocus();
         QTest::keyClick(creases, Qt::Key_Down);
@@ -236,6 +243,15 @@ private Q_SLOTS:
         QTest::keyClick(symmetry, Qt::Key_Space);
         QVERIFY(bench.settings().symmetry);
         QCOMPARE(bench.stack().count(), 4);
+        QVERIFY(test::isUpToDate(bench.panel));
+        auto *const hidden = child<QCheckBox>(bench.panel, "hidden");
+        QVERIFY(hidden->isChecked());
+        hidden->setFocus();
+        QTest::keyClick(hidden, Qt::Key_Space);
+        QCOMPARE(bench.settings().visibility, 0.0);
+        sharp->setFocus();
+        QTest::keyClick(sharp, Qt::Key_Space);
+        QCOMPARE(bench.settings().creases, CreaseMode::Off);
         while (bench.stack().canUndo())
             bench.stack().undo();
         QVERIFY(bench.settings() == SolveSettings());
@@ -254,7 +270,7 @@ private Q_SLOTS:
         QVERIFY(!bench.lambda()->isEnabled());
         QVERIFY(!bench.delta()->isEnabled());
         auto *const bound = child<QDoubleSpinBox>(bench.panel, "bound");
-        typeInto(bound, QStringLiteral("4.25"));
+        typeInto(bound, QStringLiteral("D 4.25"));
         QCOMPARE(bench.settings().maxDistortion, 4.25);
         QCOMPARE(bench.stack().undoText(), QStringLiteral("Change distortion budget"));
         QCOMPARE(bound->minimum(), 4.0001);
@@ -266,6 +282,103 @@ private Q_SLOTS:
         bench.stack().undo();
         QVERIFY(test::isUpToDate(bench.panel));
         QCOMPARE(bound->value(), 4.1);
+    }
+
+    void stretchInWordsAndNumbers()
+    {
+        SolverBench bench;
+        auto *const percent = child<QLabel>(bench.panel, "meanStretch");
+        const auto word = [&](const char *name) { return child<QToolButton>(bench.panel, name); };
+        QVERIFY2(percent->text().contains(QLocale().toString(2.5, 'f', 1)), qPrintable(percent->text()));
+        QVERIFY(word("medium")->isChecked());
+        QTest::mouseClick(word("low"), Qt::LeftButton);
+        QCOMPARE(bench.settings().maxDistortion, 4.04);
+        QVERIFY(test::isUpToDate(bench.panel));
+        QVERIFY(word("low")->isChecked() && !word("medium")->isChecked());
+        QVERIFY2(percent->text().contains(QLocale().toString(1.0, 'f', 1)), qPrintable(percent->text()));
+        // A click on the word that holds changes nothing.
+        QTest::mouseClick(word("low"), Qt::LeftButton);
+        QVERIFY(test::isUpToDate(bench.panel));
+        QVERIFY(word("low")->isChecked());
+        QCOMPARE(bench.stack().count(), 1);
+        // A drag of the slider is one entry; to the right, the map may stretch more.
+        QSlider *const slider = child<StretchControl>(bench.panel, "stretch")->findChild<QSlider *>();
+        test::dragSlider(*slider, 30);
+        QVERIFY(bench.settings().maxDistortion > 4.05);
+        QCOMPARE(bench.stack().count(), 2);
+        for (const auto &[key, bound] : {std::pair(Qt::Key_Home, 4.0001), std::pair(Qt::Key_End, 100.0)}) {
+            slider->setFocus();
+            QTest::keyClick(slider, key);
+            QCOMPARE(bench.settings().maxDistortion, bound);
+        }
+        for (const double bound : {4.0001, 4.001, 4.008, 4.02, 4.1, 4.45, 5.0, 60.0, 100.0}) {
+            typeInto(child<QDoubleSpinBox>(bench.panel, "bound"), QString::number(bound, 'f', 4));
+            QCOMPARE(bench.settings().maxDistortion, bound);
+        }
+    }
+
+    void advancedOpensForManual()
+    {
+        test::PanelBench studio;
+        studio.workspace.open(std::make_unique<Document>(makeSample(QStringLiteral("bumpycube")).value()),
+                              {});
+        SolverPanel panel(studio.context);
+        QVERIFY(test::showPanel(panel));
+        auto *const advanced = child<FoldSection>(panel, "advanced");
+        QVERIFY(!advanced->isOpen());
+        QVERIFY(!child<SliderSpin>(panel, "lambda")->isVisible());
+        // The values in effect are the first ones of the user.
+        studio.solver.setLiveView(LiveView::Soup);
+        click(panel, "run");
+        QTRY_VERIFY_WITH_TIMEOUT(studio.solver.status().iteration > 3 && studio.solver.status().lambda > 0,
+                                 test::panelPatience);
+        click(panel, "manual");
+        QVERIFY(advanced->isOpen());
+        QVERIFY(child<SliderSpin>(panel, "lambda")->isVisible());
+        QVERIFY(studio.document().solveSettings().lambda > 0);
+        advanced->setOpen(false);
+        QVERIFY(test::isUpToDate(panel));
+        QVERIFY(!advanced->isOpen()); // a refresh leaves it as it is
+        click(panel, "run");
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.solver.isRunning() && !studio.solver.isPausing(),
+                                 test::panelPatience);
+    }
+
+    void theNextStepIsOffered()
+    {
+        SolverBench bench(false);
+        // Two squares that overlap, then apart.
+        const test::MeshPtr mesh = test::polygonMesh(
+            {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {6, 1, 0}, {5, 1, 0}},
+            {{0, 1, 2, 3}, {4, 5, 6, 7}});
+        UvMatrix uv(8, 2);
+        uv << .1, .1, .4, .1, .4, .4, .1, .4, .2, .1, .5, .1, .5, .4, .2, .4;
+        Scene scene;
+        scene.mesh = mesh;
+        scene.uvSets.push_back({QStringLiteral("map"), uv});
+        bench.workspace.open(std::make_unique<Document>(scene), {});
+        auto *const next = child<QPushButton>(bench.panel, "next");
+        auto *const outcome = child<QLabel>(bench.panel, "outcome");
+        const auto nextIs = [&](const char *id) {
+            return QTest::qWaitFor(
+                [&] { return next->isVisible() && next->text() == bench.actions.action(id)->iconText(); },
+                test::panelPatience);
+        };
+        QVERIFY2(nextIs("uv.separate"), qPrintable(outcome->text()));
+        uv.bottomRows(4).col(0).array() += 0.2001;
+        pushCommand(std::make_unique<SetUvs>(bench.document(), UvEdit::Move, uv));
+        QVERIFY2(nextIs("uv.pack"), qPrintable(outcome->text()));
+        uv.bottomRows(4).col(0).array() += 0.2;
+        pushCommand(std::make_unique<SetUvs>(bench.document(), UvEdit::Move, uv));
+        QVERIFY2(nextIs("file.exportMesh"), qPrintable(outcome->text()));
+        QVERIFY2(outcome->text().contains(u"islands: 2"), qPrintable(outcome->text()));
+        bench.actions.action("file.exportMesh")->setEnabled(true);
+        QSignalSpy triggered(bench.actions.action("file.exportMesh"), &QAction::triggered);
+        click(bench.panel, "next");
+        QCOMPARE(triggered.count(), 1);
+        bench.workspace.close();
+        QVERIFY(test::isUpToDate(bench.panel));
+        QVERIFY(!next->isVisible());
     }
 
     void runStepPauseAndRestart()

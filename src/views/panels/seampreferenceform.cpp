@@ -3,7 +3,6 @@
 #include "views/panels/controls.h"
 #include "views/panels/sliderspin.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
@@ -16,8 +15,7 @@ using namespace Qt::Literals::StringLiterals;
 SeamPreferenceForm::SeamPreferenceForm(QWidget *parent)
     : QWidget(parent), mCreases(new QComboBox),
       mCreaseStrength(makeShare("creaseStrength"_L1, &SolveSettings::creaseStrength)),
-      mVisibility(makeShare("visibility"_L1, &SolveSettings::visibility)),
-      mSymmetry(new QCheckBox(tr("Symmetric cuts")))
+      mVisibility(makeShare("visibility"_L1, &SolveSettings::visibility))
 {
     auto *form = makeForm(this);
     mCreases->setObjectName("creases"_L1);
@@ -37,14 +35,6 @@ SeamPreferenceForm::SeamPreferenceForm(QWidget *parent)
     addRow(form, tr("Hide seams"), mVisibility,
            tr("Seams rather where the model hides them: in folds, between parts, underneath. 0 is no matter "
               "where."));
-    mSymmetry->setObjectName("symmetry"_L1);
-    mSymmetry->setToolTip(
-        tr("Unwrap cuts a symmetric model symmetrically. Models whose edges do not mirror are cut "
-           "as usual."));
-    connect(mSymmetry, &QCheckBox::clicked, this, [this](bool on) {
-        Q_EMIT edited([on](SolveSettings &settings) { settings.symmetry = on; }, true);
-    });
-    form->addRow(mSymmetry);
 }
 
 SliderSpin *SeamPreferenceForm::makeShare(QLatin1StringView name, double SolveSettings::*field)
@@ -68,7 +58,6 @@ void SeamPreferenceForm::setSettings(const SolveSettings &settings)
     mCreaseStrength->setValue(settings.creaseStrength);
     mCreaseStrength->setEnabled(settings.creases != CreaseMode::Off);
     mVisibility->setValue(settings.visibility);
-    mSymmetry->setChecked(settings.symmetry);
 }
 
 } // namespace autocuts

@@ -7,14 +7,14 @@
 
 #include <functional>
 
-class QCheckBox;
 class QComboBox;
 
 namespace autocuts {
 
 class SliderSpin;
 
-//! Sets creases, visibility and symmetry of seams. Does not use the document; changes are emitted as signals.
+//! Sets how strongly seams run along creases and in hidden places. Does not use the document; changes are
+//! emitted as signals.
 class SeamPreferenceForm final : public QWidget
 {
     Q_OBJECT
@@ -34,7 +34,6 @@ private:
 
     QComboBox *mCreases;
     SliderSpin *mCreaseStrength, *mVisibility;
-    QCheckBox *mSymmetry;
 };
 
 } // namespace autocuts

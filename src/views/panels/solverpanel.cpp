@@ -1,25 +1,31 @@
 #include "views/panels/solverpanel.h"
 
+#include "views/actions/actionregistry.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
 #include "views/panels/convergencegraph.h"
 #include "views/panels/deltaspinbox.h"
+#include "views/panels/foldsection.h"
+#include "views/panels/mapoutcome.h"
 #include "views/panels/numbertext.h"
 #include "views/panels/seampreferenceform.h"
 #include "views/panels/sliderspin.h"
 #include "views/panels/solversettingsform.h"
+#include "views/panels/unwrapform.h"
 #include "views/ui/icons.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QSignalBlocker>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace autocuts {
 
@@ -29,6 +35,12 @@ namespace {
 
 constexpr int smallestDelta = -24, largestDelta = 2; //!< exponents of two
 
+QString liveText(const unwrap::LiveMapResult &map)
+{
+    return SolverPanel::tr("Live map: D %1, seams %2, islands: %3")
+        .arg(fixedText(map.distortion, 3), fixedText(map.seamLength, 2), countText(map.islands));
+}
+
 } // namespace
 
 SolverPanel::SolverPanel(const StudioContext &context, QWidget *parent)
@@ -37,20 +49,66 @@ SolverPanel::SolverPanel(const StudioContext &context, QWidget *parent)
     auto *layout = new QVBoxLayout(content());
     layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
     layout->setSpacing(rowSpacing + 2);
+    layout->addWidget(makeUnwrapForm());
+    layout->addWidget(makeOutcomeRow());
+    layout->addWidget(makeHeading(tr("Live")));
     layout->addWidget(makeRunButtons());
+    auto *modes = new QWidget;
+    addModeRows(makeForm(modes));
+    layout->addWidget(modes);
+    mAdvanced = new FoldSection(tr("Advanced"), makeAdvanced());
+    mAdvanced->setObjectName("advanced"_L1);
+    layout->addWidget(mAdvanced);
+    layout->addStretch();
+    connectSolver();
+}
+
+QWidget *SolverPanel::makeUnwrapForm()
+{
+    mUnwrap = new UnwrapForm;
+    explain(mUnwrap->button(), tr("Make a packed map automatically, within the stretch that is allowed"),
+            {"uv.unwrap"});
+    connect(mUnwrap, &UnwrapForm::edited, this,
+            [this](const std::function<void(SolveSettings &)> &edit, bool first) {
+                changeSolveSettings(edit, gestureFor(first));
+            });
+    connect(mUnwrap, &UnwrapForm::unwrapRequested, &context().map,
+            [this](unwrap::UnwrapQuality quality) { context().map.unwrap(quality); });
+    return mUnwrap;
+}
+
+QWidget *SolverPanel::makeOutcomeRow()
+{
+    mOutcome = makeRemark();
+    mOutcome->setObjectName("outcome"_L1);
+    mNext = makeButton({}, "next"_L1);
+    mNext->setToolTip(tr("What usually comes next"));
+    connect(mNext, &QPushButton::clicked, this, [this] { context().actions.action(mNextAction)->trigger(); });
+    auto *row = new QWidget;
+    auto *layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(rowSpacing);
+    layout->addWidget(mOutcome, 1);
+    layout->addWidget(mNext);
+    return row;
+}
+
+QWidget *SolverPanel::makeAdvanced()
+{
+    auto *box = new QWidget;
+    auto *layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(rowSpacing + 2);
     auto *controls = new QWidget;
-    auto *form = makeForm(controls);
-    addModeRows(form);
-    addSliderRows(form);
+    addSliderRows(makeForm(controls));
     layout->addWidget(controls);
     mGraph = new ConvergenceGraph;
     mGraph->setObjectName("graph"_L1);
+    mGraph->setMinimumHeight(140);
     mGraph->setMaximumHeight(260);
     layout->addWidget(mGraph, 1);
     layout->addWidget(makeReadOut());
-    layout->addWidget(makeHeading(tr("Final map")));
-    layout->addWidget(makeFinishRow());
-    layout->addWidget(makeHeading(tr("Automatic")));
+    layout->addWidget(makeHeading(tr("Seam preferences")));
     mPreference = new SeamPreferenceForm;
     mPreference->setObjectName("preference"_L1);
     connect(mPreference, &SeamPreferenceForm::edited, this,
@@ -59,13 +117,12 @@ SolverPanel::SolverPanel(const StudioContext &context, QWidget *parent)
             });
     layout->addWidget(mPreference);
     layout->addWidget(makeHeading(tr("Settings")));
-    auto *settings = new SolverSettingsForm;
-    settings->setObjectName("settings"_L1);
-    connect(settings, &SolverSettingsForm::edited, this,
+    mSettings = new SolverSettingsForm;
+    mSettings->setObjectName("settings"_L1);
+    connect(mSettings, &SolverSettingsForm::edited, this,
             [this](const std::function<void(SolveSettings &)> &edit) { changeSolveSettings(edit); });
-    layout->addWidget(settings);
-    layout->addStretch();
-    connectSolver();
+    layout->addWidget(mSettings);
+    return box;
 }
 
 QWidget *SolverPanel::makeRunButtons()
@@ -82,22 +139,27 @@ QWidget *SolverPanel::makeRunButtons()
     connect(mRun, &QPushButton::clicked, &solver, &SolverController::toggle);
     connect(mStep, &QPushButton::clicked, &solver, &SolverController::step);
     connect(mRestart, &QPushButton::clicked, &solver, &SolverController::restart);
-    return makeRow({mRun, mStep, mRestart});
+    mFinish = makeButton(tr("Finish"), "finish"_L1);
+    explain(
+        mFinish,
+        tr("Turn the map into a final one: definite seams, no overlaps, within the stretch that is allowed"),
+        {"uv.finish"});
+    connect(mFinish, &QPushButton::clicked, this, [this] { context().map.finish(); });
+    return makeRow({mRun, mStep, mRestart, mFinish});
 }
 
 void SolverPanel::addModeRows(QFormLayout *form)
 {
     mManual = new QRadioButton(tr("Manual"));
-    mBudget = new QRadioButton(tr("Distortion budget"));
+    mBudget = new QRadioButton(tr("Automatic"));
     mManual->setObjectName("manual"_L1);
     mBudget->setObjectName("budget"_L1);
     SolverController &solver = context().solver;
-    connect(mManual, &QRadioButton::clicked, this,
-            [&solver] { solver.setMode(homotopy::SolveMode::Manual); });
+    connect(mManual, &QRadioButton::clicked, this, &SolverPanel::takeOverByHand);
     connect(mBudget, &QRadioButton::clicked, this,
             [&solver] { solver.setMode(homotopy::SolveMode::Budget); });
-    QWidget *row = makeRow({mManual, mBudget}, RowWidths::AsNeeded);
-    row->setFocusProxy(mManual);
+    QWidget *row = makeRow({mBudget, mManual}, RowWidths::AsNeeded);
+    row->setFocusProxy(mBudget);
     addRow(form, tr("Mode"), row, tr("Who chooses lambda and delta"));
     mManual->setToolTip(tr("You choose lambda and delta"));
     mBudget->setToolTip(tr("The solver finds the shortest seams whose map stays within a distortion bound"));
@@ -119,20 +181,24 @@ void SolverPanel::addModeRows(QFormLayout *form)
     explain(mShowSoup, tr("The separate triangles that lambda and delta act on; Finish makes a map of them"),
             {"uv.soup"});
     explain(mGhost, tr("The other one shines through in the UV view"), {"uv.ghost"});
+}
 
-    mBound = new QDoubleSpinBox;
-    mBound->setObjectName("bound"_L1);
-    mBound->setDecimals(4);
-    mBound->setRange(4.0001, 100);
-    mBound->setSingleStep(0.01);
-    mBound->setKeyboardTracking(false);
-    connect(mBound, &QDoubleSpinBox::valueChanged, this, [this](double bound) {
-        changeSolveSettings([=](SolveSettings &s) { s.maxDistortion = bound; });
-    });
-    addRow(
-        form, tr("D at most"), mBound,
-        tr("Distortion budget: bound on the mean symmetric Dirichlet energy, 4 where nothing is distorted. "
-           "Also used by Finish and Unwrap."));
+//! From now on the user chooses lambda and delta, beginning with the values in effect.
+void SolverPanel::takeOverByHand()
+{
+    SolverController &solver = context().solver;
+    if (solver.mode() == homotopy::SolveMode::Manual)
+        return;
+    const live::SolveStatus status = solver.status();
+    solver.setMode(homotopy::SolveMode::Manual);
+    mWasManual = true;
+    mAdvanced->setOpen(true);
+    if (status.iteration > 0) {
+        changeSolveSettings([&status](SolveSettings &settings) {
+            settings.lambda = std::clamp(status.lambda, 0.0, 1.0);
+            settings.delta = std::clamp(status.delta, std::exp2(smallestDelta), std::exp2(largestDelta));
+        });
+    }
 }
 
 void SolverPanel::addSliderRows(QFormLayout *form)
@@ -222,31 +288,6 @@ QWidget *SolverPanel::makeReadOut()
     return box;
 }
 
-QWidget *SolverPanel::makeFinishRow()
-{
-    auto *box = new QWidget;
-    auto *form = makeForm(box);
-    mQuality = new QComboBox;
-    mQuality->setObjectName("quality"_L1);
-    mQuality->addItem(tr("Draft"), int(unwrap::UnwrapQuality::Draft));
-    mQuality->addItem(tr("Standard"), int(unwrap::UnwrapQuality::Standard));
-    mQuality->addItem(tr("Best"), int(unwrap::UnwrapQuality::Best));
-    mQuality->setCurrentIndex(1);
-    addRow(form, tr("Quality"), mQuality, tr("How much work Unwrap puts into short seams"));
-    mFinish = makeButton(tr("Finish"), "finish"_L1);
-    mUnwrap = makeButton(tr("Unwrap"), "unwrap"_L1);
-    explain(mFinish,
-            tr("Turn the map into a final one: definite seams, no overlaps, within the distortion budget"),
-            {"uv.finish"});
-    explain(mUnwrap, tr("Make a packed map automatically, within the distortion budget"), {"uv.unwrap"});
-    MapController &map = context().map;
-    connect(mFinish, &QPushButton::clicked, this, [&map] { map.finish(); });
-    connect(mUnwrap, &QPushButton::clicked, this,
-            [this, &map] { map.unwrap(unwrap::UnwrapQuality(mQuality->currentData().toInt())); });
-    form->addRow(makeRow({mFinish, mUnwrap}));
-    return box;
-}
-
 void SolverPanel::connectSolver()
 {
     connect(&context().workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
@@ -256,18 +297,19 @@ void SolverPanel::connectSolver()
     connect(&context().solver, &SolverController::stateChanged, this, [this] { refreshSoon(); });
     connect(&context().solver, &SolverController::statusChanged, this, [this] { refreshSoon(); });
     connect(&context().map.jobs(), &JobRunner::busyChanged, this, [this] { refreshSoon(); });
+    connect(&context().map, &MapController::figuresChanged, this, [this] { refreshSoon(); });
 }
 
 void SolverPanel::refresh()
 {
     const SolveSettings settings = document() ? document()->solveSettings() : SolveSettings();
     showEnergyBalance(settings);
-    const QSignalBlocker blocker(mBound);
-    mBound->setValue(settings.maxDistortion);
+    mUnwrap->setSettings(settings);
     mPreference->setSettings(settings);
-    content()->findChild<SolverSettingsForm *>()->setSettings(settings);
+    mSettings->setSettings(settings);
     showState();
     showStatus();
+    showOutcome(settings);
 }
 
 void SolverPanel::showEnergyBalance(const SolveSettings &settings)
@@ -291,8 +333,30 @@ void SolverPanel::showState()
     for (QWidget *widget : std::initializer_list<QWidget *>{mLambda, mDelta, mHalve, mDouble})
         widget->setEnabled(manual);
     const bool idle = !context().map.jobs().isBusy();
-    for (QWidget *widget : {mRun, mStep, mRestart, mFinish, mUnwrap})
+    for (QWidget *widget : {mRun, mStep, mRestart, mFinish, mUnwrap->button()})
         widget->setEnabled(idle);
+    if (manual && !std::exchange(mWasManual, true))
+        mAdvanced->setOpen(true);
+    mWasManual = manual;
+}
+
+void SolverPanel::showOutcome(const SolveSettings &settings)
+{
+    MapController &map = context().map;
+    MapOutcome outcome;
+    if (context().solver.isRunning() && context().solver.map())
+        outcome = {liveText(*context().solver.map()), "uv.run"};
+    else if (document() && map.figures() && map.figuresAreFresh() && !map.jobs().isBusy())
+        outcome = outcomeOf(*map.figures(), settings.maxDistortion);
+    mOutcome->setText(outcome.text);
+    mNextAction = outcome.nextAction;
+    mNext->setVisible(*mNextAction != '\0');
+    if (*mNextAction == '\0')
+        return;
+    const QAction *action = context().actions.action(mNextAction);
+    mNext->setText(action->iconText());
+    mNext->setIcon(action->icon());
+    mNext->setMinimumWidth(mNext->sizeHint().width());
 }
 
 void SolverPanel::showStatus()

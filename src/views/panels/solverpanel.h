@@ -1,4 +1,4 @@
-// The panel of the live solver.
+// The panel that makes maps: Unwrap, the live solve and their settings.
 #pragma once
 
 #include "views/panels/panel.h"
@@ -6,8 +6,6 @@
 #include <vector>
 
 class QCheckBox;
-class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QPushButton;
@@ -16,11 +14,14 @@ class QRadioButton;
 namespace autocuts {
 
 class ConvergenceGraph;
+class FoldSection;
 class SeamPreferenceForm;
 class SliderSpin;
+class SolverSettingsForm;
+class UnwrapForm;
 
-//! Runs the solver, sets lambda and delta or the distortion budget, shows the convergence, and finishes the
-//! map.
+//! Unwraps and runs the live solve. On top what most maps need; lambda, delta, the convergence and all other
+//! settings are folded away, unless the user chooses lambda and delta by hand.
 class SolverPanel final : public Panel
 {
     Q_OBJECT
@@ -32,30 +33,38 @@ protected:
     void refresh() override;
 
 private:
+    QWidget *makeUnwrapForm();
+    QWidget *makeOutcomeRow();
     QWidget *makeRunButtons();
+    QWidget *makeAdvanced();
     void addModeRows(QFormLayout *form);
     void addSliderRows(QFormLayout *form);
     QWidget *makeDeltaRow();
     QWidget *makeReadOut();
-    QWidget *makeFinishRow();
     void connectSolver();
+    void takeOverByHand();
     void scaleDelta(double factor);
     void showEnergyBalance(const SolveSettings &settings);
     void showState();
     void showStatus();
+    void showOutcome(const SolveSettings &settings);
 
     QPushButton *mRun = nullptr, *mStep = nullptr, *mRestart = nullptr;
     QRadioButton *mManual = nullptr, *mBudget = nullptr, *mShowMap = nullptr, *mShowSoup = nullptr;
     QCheckBox *mGhost = nullptr;
-    QDoubleSpinBox *mBound = nullptr;
     SliderSpin *mLambda = nullptr, *mDelta = nullptr;
     QPushButton *mHalve = nullptr, *mDouble = nullptr;
     ConvergenceGraph *mGraph = nullptr;
     SeamPreferenceForm *mPreference = nullptr;
     QLabel *mState = nullptr;
     std::vector<QLabel *> mFigures; //!< in the order in which they are shown
-    QComboBox *mQuality = nullptr;
-    QPushButton *mFinish = nullptr, *mUnwrap = nullptr;
+    UnwrapForm *mUnwrap = nullptr;
+    FoldSection *mAdvanced = nullptr;
+    SolverSettingsForm *mSettings = nullptr;
+    QPushButton *mFinish = nullptr, *mNext = nullptr;
+    QLabel *mOutcome = nullptr;
+    const char *mNextAction = "";
+    bool mWasManual = false;
 };
 
 } // namespace autocuts

@@ -69,6 +69,10 @@ QString styleSheetOf(const ThemeColors &colors)
                "QMainWindow::separator:hover { background: %5; }"
                "QToolBar { border: none; border-bottom: 1px solid %3; spacing: 2px; padding: 3px; }"
                "QStatusBar::item { border: none; }"
+               "QPushButton[primary=\"true\"] { background: %5; color: %8; border: none;"
+               " border-radius: 4px; padding: 9px; font-weight: bold; }"
+               "QPushButton[primary=\"true\"]:hover, QPushButton[primary=\"true\"]:focus { background: %9; }"
+               "QPushButton[primary=\"true\"]:disabled { background: %4; color: %7; }"
                "QSlider::groove:horizontal { background: %3; height: 4px; border-radius: 2px; }"
                "QSlider::sub-page:horizontal { background: %5; border-radius: 2px; }"
                "QSlider::sub-page:horizontal:disabled { background: %3; }"
@@ -77,7 +81,8 @@ QString styleSheetOf(const ThemeColors &colors)
                "QSlider::handle:horizontal:hover { background: %1; }"
                "QSlider::handle:horizontal:disabled { background: %7; }")
         .arg(name(colors.text), name(colors.toolTip), name(colors.line), name(colors.button),
-             name(colors.accent), name(colors.dimText), name(colors.disabledText));
+             name(colors.accent), name(colors.dimText), name(colors.disabledText), name(colors.accentText),
+             QColor(colors.accent).lighter(115).name());
 }
 
 //! The Fusion style with plainer text and buttons, and with the program's icons in messages.

@@ -1,0 +1,20 @@
+// What a map is like, in one line, and what to do next.
+#pragma once
+
+#include "views/control/mapcontroller.h"
+
+#include <QString>
+
+namespace autocuts {
+
+//! One line for the user, and the id of the action that comes next; empty without one.
+struct MapOutcome
+{
+    QString text;
+    const char *nextAction = "";
+};
+
+//! \param bound on the distortion D
+MapOutcome outcomeOf(const MapFigures &figures, double bound);
+
+} // namespace autocuts

@@ -1,0 +1,81 @@
+#include "views/panels/unwrapform.h"
+
+#include "views/panels/controls.h"
+#include "views/panels/stretchcontrol.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QPushButton>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! SolveSettings::visibility that the switch sets. Chosen by hand.
+constexpr double hiddenSeams = 0.5;
+
+} // namespace
+
+UnwrapForm::UnwrapForm(QWidget *parent)
+    : QWidget(parent), mUnwrap(makeButton(tr("Unwrap"), "unwrap"_L1)), mStretch(new StretchControl),
+      mQuality(new QComboBox)
+{
+    mUnwrap->setProperty("primary", true);
+    mUnwrap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    connect(mUnwrap, &QPushButton::clicked, this,
+            [this] { Q_EMIT unwrapRequested(unwrap::UnwrapQuality(mQuality->currentData().toInt())); });
+    auto *form = makeForm(this);
+    form->addRow(mUnwrap);
+    mStretch->setObjectName("stretch"_L1);
+    connect(mStretch, &StretchControl::edited, this, [this](double bound, bool first) {
+        Q_EMIT edited([bound](SolveSettings &settings) { settings.maxDistortion = bound; }, first);
+    });
+    addRow(form, tr("Stretch"), mStretch,
+           tr("How much the map may be stretched: little stretch needs long seams. D is the mean symmetric "
+              "Dirichlet energy, 4 where nothing is distorted. Also used by the live solve and Finish."));
+    mSymmetry =
+        addSwitch(tr("Same cuts on both sides"), "symmetry"_L1,
+                  tr("Cuts a symmetric model symmetrically. Models whose edges do not mirror are cut as "
+                     "usual."),
+                  [](SolveSettings &settings, bool on) { settings.symmetry = on; });
+    mHidden = addSwitch(tr("Seams where they are hard to see"), "hidden"_L1,
+                        tr("Seams rather in folds, between parts, underneath; Advanced sets how strongly"),
+                        [](SolveSettings &settings, bool on) { settings.visibility = on ? hiddenSeams : 0; });
+    mSharp = addSwitch(
+        tr("Seams along sharp edges"), "sharp"_L1,
+        tr("On models with clear creases, seams rather run along them; Advanced sets how strongly"),
+        [](SolveSettings &settings, bool on) { settings.creases = on ? CreaseMode::Auto : CreaseMode::Off; });
+    for (QCheckBox *box : {mSymmetry, mHidden, mSharp})
+        form->addRow(box);
+    mQuality->setObjectName("quality"_L1);
+    mQuality->addItem(tr("Draft"), int(unwrap::UnwrapQuality::Draft));
+    mQuality->addItem(tr("Standard"), int(unwrap::UnwrapQuality::Standard));
+    mQuality->addItem(tr("Best"), int(unwrap::UnwrapQuality::Best));
+    mQuality->setCurrentIndex(1);
+    addRow(form, tr("Quality"), mQuality, tr("How much work Unwrap puts into short seams"));
+}
+
+QCheckBox *UnwrapForm::addSwitch(const QString &text, QLatin1StringView name, const QString &tip,
+                                 std::function<void(SolveSettings &, bool)> set)
+{
+    auto *box = new QCheckBox(text);
+    box->setObjectName(name);
+    box->setToolTip(tip);
+    connect(box, &QCheckBox::clicked, this, [this, set = std::move(set)](bool on) {
+        Q_EMIT edited([set, on](SolveSettings &settings) { set(settings, on); }, true);
+    });
+    return box;
+}
+
+void UnwrapForm::setSettings(const SolveSettings &settings)
+{
+    mStretch->setValue(settings.maxDistortion);
+    mSymmetry->setChecked(settings.symmetry);
+    mHidden->setChecked(settings.visibility > 0);
+    mSharp->setChecked(settings.creases != CreaseMode::Off);
+}
+
+} // namespace autocuts

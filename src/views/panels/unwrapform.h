@@ -1,0 +1,47 @@
+// The form for the automatic map: what it may cost and where its seams should rather be.
+#pragma once
+
+#include "model/plain/solvesettings.h"
+#include "views/control/mapcontroller.h"
+
+#include <QWidget>
+
+#include <functional>
+
+class QCheckBox;
+class QComboBox;
+class QPushButton;
+
+namespace autocuts {
+
+class StretchControl;
+
+//! Shows a large button to unwrap and the few settings that most maps need. Does not use the document;
+//! changes are emitted as signals.
+class UnwrapForm final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit UnwrapForm(QWidget *parent = nullptr);
+
+    QPushButton *button() const { return mUnwrap; }
+    //! Shows settings without emitting signals.
+    void setSettings(const SolveSettings &settings);
+
+Q_SIGNALS:
+    //! \param edit applies the change to settings \param first false while a drag continues
+    void edited(const std::function<void(autocuts::SolveSettings &)> &edit, bool first);
+    void unwrapRequested(autocuts::unwrap::UnwrapQuality quality);
+
+private:
+    QCheckBox *addSwitch(const QString &text, QLatin1StringView name, const QString &tip,
+                         std::function<void(SolveSettings &, bool)> set);
+
+    QPushButton *mUnwrap;
+    StretchControl *mStretch;
+    QCheckBox *mSymmetry = nullptr, *mHidden = nullptr, *mSharp = nullptr;
+    QComboBox *mQuality;
+};
+
+} // namespace autocuts
