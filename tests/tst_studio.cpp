@@ -9,6 +9,7 @@
 #include "views/actions/studioactions.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
+#include "views/shell/statusbar.h"
 
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -77,6 +78,26 @@ private Q_SLOTS:
         QTest::keyClick(studio.window.focusWidget(), Qt::Key_Space);
         QVERIFY(studio.context.solver.isRunning());
         QCOMPARE(bound->value(), 4.2);
+    }
+
+    void messagesEndWithWhatTheyAreAbout()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        studio.press(Qt::Key_U);
+        QVERIFY(studio.jobsRest());
+        auto *const bar = studio.window.findChild<StatusBar *>();
+        QVERIFY(bar->shownText().contains(u"Unwrapped"));
+        studio.action("edit.undo")->trigger();
+        QVERIFY(!bar->shownText().contains(u"Unwrapped"));
+        studio.press(Qt::Key_U);
+        QVERIFY(studio.jobsRest());
+        QVERIFY(bar->shownText().contains(u"Unwrapped"));
+        studio.press(Qt::Key_Space);
+        QVERIFY(studio.context.solver.isRunning());
+        QVERIFY(!bar->shownText().contains(u"Unwrapped"));
+        studio.press(Qt::Key_Space);
+        QVERIFY(studio.solverRests());
     }
 
     void pointAndCommaAreDecimal_data()

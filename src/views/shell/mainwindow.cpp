@@ -154,7 +154,7 @@ void MainWindow::makePanels()
     QDockWidget *view = add("view", tr("View"), new ViewPanel(studio), Qt::LeftDockWidgetArea);
     QDockWidget *history = add("history", tr("History"), new HistoryPanel(studio), Qt::LeftDockWidgetArea);
     QDockWidget *doctor = add("doctor", tr("Mesh doctor"), new DoctorPanel(studio), Qt::LeftDockWidgetArea);
-    QDockWidget *solver = add("solver", tr("Solver"), new SolverPanel(studio), Qt::RightDockWidgetArea);
+    QDockWidget *solver = add("solver", tr("Unwrap"), new SolverPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *islands = add("islands", tr("Islands"), new IslandPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *seams = add("seams", tr("Seams"), new SeamPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *packing = add("packing", tr("Packing"), new PackPanel(studio), Qt::RightDockWidgetArea);
@@ -227,6 +227,13 @@ QToolBar *MainWindow::makeToolBar()
 void MainWindow::connectMessages()
 {
     const auto say = [this](const QString &message) { mStatusBar->showText(message); };
+    // What an earlier job did is not what the map is now.
+    const auto forget = [this] { mStatusBar->showText({}); };
+    connect(&mWorkspace, &Workspace::historyChanged, this, forget);
+    connect(&mSolver, &SolverController::stateChanged, this, [this, forget] {
+        if (mSolver.isRunning())
+            forget();
+    });
     connect(&mMap, &MapController::done, this, say);
     connect(&mStudioActions->islands(), &IslandActions::said, this, say);
     connect(&mFiles, &FileController::done, this, say);
