@@ -1,5 +1,6 @@
 // The Layout menu at work: after, after undo and after redo.
 #include "commands/setislandflags.h"
+#include "solver/metrics/uvmetrics.h"
 #include "support/pieces.h"
 #include "support/studioparts.h"
 #include "support/studiosession.h"
@@ -11,6 +12,7 @@
 
 #include <functional>
 #include <numbers>
+#include <numeric>
 
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
@@ -302,6 +304,72 @@ private Q_SLOTS:
         QVERIFY(document.state() == before);
         studio.trigger("edit.redo");
         QVERIFY(document.state() == after);
+    }
+
+    void quadsBecomeAGrid()
+    {
+        test::StudioParts studio;
+        studio.workspace.open(test::layoutDocument(test::grid(8)), {});
+        Document &document = studio.document();
+        // A wave, so that no row is straight.
+        UvMatrix uv(document.mesh().cornerCount(), 2);
+        for (int c = 0; c < uv.rows(); ++c) {
+            const Vec3 p = document.mesh().cornerPosition(c);
+            uv.row(c) << p.x() + 0.05 * std::sin(5 * p.y()), 0.6 * p.y() + 0.4 * p.x() * (1 - p.x());
+        }
+        pushCommand(std::make_unique<SetUvs>(document, UvEdit::Move, uv));
+        const auto isStraight = [&](int face) {
+            for (int k = 0; k < 4; ++k) {
+                const int first = document.mesh().faceStart[face];
+                const Vec2 edge = document.uv().row(first + (k + 1) % 4) - document.uv().row(first + k);
+                if (edge.cwiseAbs().minCoeff() > 1e-12 || edge.norm() < 1e-3)
+                    return false;
+            }
+            return true;
+        };
+        const auto select = [&](const QList<int> &faces) {
+            Selection selection;
+            selection.mode = SelectionMode::Faces;
+            selection.faces = faces;
+            document.setSelection(selection);
+        };
+        // A block in the middle: the faces around it follow.
+        const QList<int> block{18, 19, 20, 26, 27, 28};
+        select(block);
+        const DocumentState before = document.state();
+        studio.trigger("uv.grid");
+        QVERIFY(studio.rests());
+        QCOMPARE(document.undoStack().undoText(), u"Straighten 6 faces to a grid"_s);
+        QVERIFY(std::all_of(block.begin(), block.end(), isStraight));
+        QVERIFY(!isStraight(0));
+        QCOMPARE(document.islands().count(), 1);
+        metrics::UvMetrics figures = metrics::measureUv(document.mesh(), document.uv());
+        QCOMPARE(figures.flipped, 0);
+        QCOMPARE(figures.overlapPairs, std::int64_t(0));
+        const DocumentState after = document.state();
+        studio.trigger("edit.undo");
+        QVERIFY(document.state() == before);
+        studio.trigger("edit.redo");
+        QVERIFY(document.state() == after);
+
+        // The whole island.
+        QList<int> all(document.mesh().faceCount());
+        std::iota(all.begin(), all.end(), 0);
+        select(all);
+        studio.trigger("uv.grid");
+        QVERIFY(studio.rests());
+        QVERIFY(std::all_of(all.begin(), all.end(), isStraight));
+        figures = metrics::measureUv(document.mesh(), document.uv());
+        QVERIFY(figures.symDirichlet < 4 + 1e-9);
+
+        // Locked islands stay, and it is said.
+        pushCommand(std::make_unique<SetIslandFlags>(document, SetIslandFlags::Edit::Lock, std::vector{0}));
+        const int count = document.undoStack().count();
+        QSignalSpy failed(&studio.map, &MapController::failed);
+        studio.trigger("uv.grid");
+        QVERIFY(studio.rests());
+        QCOMPARE(document.undoStack().count(), count);
+        QCOMPARE(failed.count(), 1);
     }
 
     void selectionsAreRelaxed()

@@ -99,6 +99,9 @@ QString SetUvs::label() const
     case UvEdit::Relax:
         return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Relax %n face"),
                            QT_TRANSLATE_NOOP("Undo Commands", "Relax %n faces"), mCount);
+    case UvEdit::Grid:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Straighten %n face to a grid"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Straighten %n faces to a grid"), mCount);
     case UvEdit::Solve:
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Solve"));
     case UvEdit::Unwrap:
@@ -141,7 +144,7 @@ void SetUvs::writePayload(QCborMap &map) const
 
 Result<std::unique_ptr<DocumentCommand>> SetUvs::fromCbor(Document &document, CborReader &reader)
 {
-    const UvEdit edit = reader.enumerator("edit"_L1, UvEdit::Unwrap);
+    const UvEdit edit = reader.enumerator("edit"_L1, UvEdit::Grid);
     const int uvSet = static_cast<int>(reader.integer("uvSet"_L1, 0, std::numeric_limits<int>::max()));
     UvEditExtras extras;
     extras.count = static_cast<int>(reader.integer("count"_L1, 0, std::numeric_limits<int>::max()));

@@ -27,7 +27,8 @@ enum class UvEdit {
     Scatter,
     Straighten,
     Relax,
-    Unwrap
+    Unwrap,
+    Grid
 };
 
 //! Changes that an edit of UVs makes besides the UVs.

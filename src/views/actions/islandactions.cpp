@@ -153,6 +153,8 @@ void IslandActions::connectTurns()
     });
     connect(mContext.actions.action("uv.straighten"), &QAction::triggered, &mContext.map,
             &MapController::straightenSelection);
+    connect(mContext.actions.action("uv.grid"), &QAction::triggered, &mContext.map,
+            &MapController::gridSelection);
     connect(mContext.actions.action("uv.relax"), &QAction::triggered, &mContext.map,
             &MapController::relaxSelection);
 }

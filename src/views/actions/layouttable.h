@@ -88,6 +88,11 @@ inline constexpr std::array layoutTable{
         QT_TRANSLATE_NOOP(
             "Actions", "Make each chain of selected edges a straight line; the rest of its island follows"),
         NeedsIdleMap | NeedsSelectedEdges, false, "", true},
+    ActionInfo{"uv.grid", "UV/Layout", QT_TRANSLATE_NOOP("Actions", "Straighten to a &grid"), "grid", "Alt+G",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Make the selected quads a rectangle of straight rows and columns, each as "
+                                 "wide as on the model; the rest of their islands follows"),
+               NeedsIdleMap | NeedsSelectedFaces},
     ActionInfo{
         "uv.relax", "UV/Layout", QT_TRANSLATE_NOOP("Actions", "Rela&x selected faces"), "relax", "Shift+R",
         QT_TRANSLATE_NOOP("Actions", "Make the distortion of the selected faces small while all others stay"),

@@ -1,4 +1,5 @@
 #include "model/document/edgechains.h"
+#include "model/document/uvgrid.h"
 #include "model/plain/chart.h"
 #include "solver/homotopy/localsolve.h"
 #include "views/control/mapjobs.h"
@@ -6,6 +7,8 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace autocuts {
 
@@ -52,7 +55,9 @@ std::vector<int> freeIslands(const MeshData &mesh, const UvTopology &topology, c
     return result;
 }
 
-MapJobResult localResult(const homotopy::LocalSolution &solution, UvEdit edit, int count)
+//! \param stuck the text for targets that cannot be reached
+MapJobResult localResult(const homotopy::LocalSolution &solution, UvEdit edit, int count,
+                         const char *stuck = "")
 {
     MapJobResult result;
     result.edit = edit;
@@ -67,7 +72,7 @@ MapJobResult localResult(const homotopy::LocalSolution &solution, UvEdit edit, i
                              : translated("Nothing can move: select more faces, or remove pins and locks");
         break;
     case homotopy::LocalSolution::Outcome::Stuck:
-        result.problem = translated("The chain cannot be made straight without turning faces over");
+        result.problem = translated(stuck);
         break;
     case homotopy::LocalSolution::Outcome::Cancelled:
         result.problem = translated("Cancelled: the map stays as it was");
@@ -132,7 +137,11 @@ MapJobResult straightenJob(const MapInput &input, JobControl &control)
     const homotopy::LocalSolution solution = homotopy::solveLocally(
         mesh, input.uv, problem,
         {&control.stop(), 1, [&](const JobProgress &done) { control.setProgress(done.fraction); }});
-    MapJobResult result = localResult(solution, UvEdit::Straighten, static_cast<int>(found.chains.size()));
+    MapJobResult result =
+        localResult(solution, UvEdit::Straighten, static_cast<int>(found.chains.size()),
+                    QT_TRANSLATE_NOOP("autocuts::MapController",
+                                      "The chain cannot be made straight without turning faces "
+                                      "over"));
     if (result.problem.isEmpty())
         result.message = translated("Chains made straight: %1, distortion %2 before, %3 now")
                              .arg(found.chains.size())
@@ -140,6 +149,99 @@ MapJobResult straightenJob(const MapInput &input, JobControl &control)
                              .arg(solution.after, 0, 'f', 4);
     if (result.uv.rows() > 0)
         tellNewOverlaps(input, control, result);
+    return result;
+}
+
+MapJobResult gridJob(const MapInput &input, JobControl &control)
+{
+    const MeshData &mesh = input.mesh();
+    const UvTopology topology = findUvTopology(mesh, input.uv);
+    const std::vector<int> free = freeIslands(mesh, topology, input.marks, input.selectedFaces);
+    std::vector<int> faces;
+    for (const int face : input.selectedFaces) {
+        if (std::binary_search(free.begin(), free.end(), face))
+            faces.push_back(face);
+    }
+    UvGrids found = findUvGrids(mesh, topology, input.uv, faces);
+    homotopy::LocalProblem problem = localProblem(input.constraints, topology);
+    const std::set<int> held(problem.held.begin(), problem.held.end());
+    std::erase_if(found.grids, [&](const UvGrid &grid) {
+        const bool isHeld = std::any_of(grid.places.begin(), grid.places.end(),
+                                        [&](const auto &place) { return held.count(place.first) > 0; });
+        if (isHeld)
+            found.left.insert(found.left.end(), grid.faces.begin(), grid.faces.end());
+        return isHeld;
+    });
+    std::map<int, Vec2> places;
+    QList<int> gridFaces;
+    for (const UvGrid &grid : found.grids) {
+        places.insert(grid.places.begin(), grid.places.end());
+        gridFaces.append(QList<int>(grid.faces.begin(), grid.faces.end()));
+    }
+    MapJobResult result;
+    result.edit = UvEdit::Grid;
+    result.count = static_cast<int>(gridFaces.size());
+    if (gridFaces.isEmpty()) {
+        result.problem =
+            translated("The selected faces are no grid: that needs quads in rows and columns, four "
+                       "around every point inside, not closed around a tube and without pins");
+        return result;
+    }
+
+    UvMatrix uv = input.uv;
+    const auto placeAll = [&] {
+        for (int c = 0; c < mesh.cornerCount(); ++c) {
+            if (const auto place = places.find(topology.cornerRoot[c]); place != places.end())
+                uv.row(c) = place->second.transpose();
+        }
+    };
+    // Islands that are grids as a whole are placed; the rest of the others follows.
+    std::set<int> partly;
+    const std::vector<int> islands = freeIslands(mesh, topology, input.marks, gridFaces);
+    for (const int face : islands) {
+        for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c) {
+            if (places.count(topology.cornerRoot[c]) == 0)
+                partly.insert(topology.charts.faceChart[face]);
+        }
+    }
+    for (const int face : islands) {
+        if (partly.count(topology.charts.faceChart[face]) > 0)
+            problem.faces.push_back(face);
+    }
+    if (!problem.faces.empty()) {
+        std::set<int> points;
+        for (const int face : problem.faces) {
+            for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c)
+                points.insert(topology.cornerRoot[c]);
+        }
+        for (const auto &place : places) {
+            if (points.count(place.first) > 0)
+                problem.targets.push_back(place);
+        }
+        const homotopy::LocalSolution solution = homotopy::solveLocally(
+            mesh, uv, problem,
+            {&control.stop(), 1, [&](const JobProgress &done) { control.setProgress(done.fraction); }});
+        const MapJobResult local = localResult(
+            solution, UvEdit::Grid, *result.count,
+            QT_TRANSLATE_NOOP("autocuts::MapController", "The faces around the grid cannot follow it without "
+                                                         "turning over: cut it out first (rip, V)"));
+        if (!local.problem.isEmpty())
+            return local;
+        uv = solution.uv;
+    }
+    placeAll();
+    result.uv = std::move(uv);
+    result.message = translated("Faces in straight grids: %1").arg(gridFaces.size());
+    tellNewOverlaps(input, control, result);
+    if (!found.left.empty() && result.problem.isEmpty()) {
+        result.problemItems.mode = SelectionMode::Faces;
+        result.problemItems.faces = QList<int>(found.left.begin(), found.left.end());
+        result.problemItems.normalize(mesh);
+        result.problem =
+            translated("%1. Faces that stay, because they are no quads in rows and columns or are pinned: %2")
+                .arg(result.message)
+                .arg(found.left.size());
+    }
     return result;
 }
 

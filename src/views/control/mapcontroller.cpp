@@ -217,6 +217,11 @@ void MapController::straightenSelection()
     startJob(tr("Straightening"), straightenJob);
 }
 
+void MapController::gridSelection()
+{
+    startJob(tr("Straightening to a grid"), gridJob);
+}
+
 void MapController::priceSeams()
 {
     startJob(tr("Pricing seams"), priceJob);

@@ -80,6 +80,8 @@ public Q_SLOTS:
     void relaxSelection();
     //! Makes each chain of selected edges straight; the rest of its island follows.
     void straightenSelection();
+    //! Makes the selected quads a rectangle of straight rows and columns; the rest of their islands follows.
+    void gridSelection();
     //! Prices the seams of the map.
     void priceSeams();
     //! Cuts the map along edges at once and records the edges as cut. \param edges edges of MeshAdjacency

@@ -98,6 +98,8 @@ MapJobResult relaxJob(const MapInput &input, JobControl &control);
 MapJobResult priceJob(const MapInput &input, JobControl &control);
 //! Makes the chains of selected edges straight; the rest of their islands follows.
 MapJobResult straightenJob(const MapInput &input, JobControl &control);
+//! Makes the selected quads a rectangle of straight rows and columns; the rest of their islands follows.
+MapJobResult gridJob(const MapInput &input, JobControl &control);
 //! Cuts the map along edges. \param edges edges of MeshAdjacency
 MapJobResult ripJob(const MapInput &input, const QList<int> &edges, JobControl &control);
 //! Closes seams of the map. \param edges edges of MeshAdjacency; those that are no seams are left out

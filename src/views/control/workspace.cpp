@@ -8,9 +8,11 @@ Workspace::Workspace(QObject *parent) : QObject(parent) {}
 
 Workspace::~Workspace()
 {
-    // Receivers of the signal must not find a document that is being destroyed.
-    if (mDocument)
+    // Receivers of the signals must not find a document that is being destroyed.
+    if (mDocument) {
         mDocument->disconnect(this);
+        mDocument->undoStack().disconnect(this);
+    }
 }
 
 void Workspace::open(std::unique_ptr<Document> document, const QString &sessionPath,
