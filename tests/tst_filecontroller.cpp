@@ -378,9 +378,16 @@ private Q_SLOTS:
         const QString whole = folder.filePath(QStringLiteral("whole.obj"));
         desk.files.exportMesh(whole);
         QVERIFY(desk.rests());
-        // Each is an edge of a face that goes.
-        for (const int edge : {0, 100, 200})
-            desk.cutAnEdge(edge);
+        // An edge between faces that go.
+        const MeshData &mesh = desk.document().mesh();
+        int edge = 0;
+        for (const EdgePair &pair : mesh.edgePairs) {
+            if (!pair.diagonal && mesh.triangleFace[pair.triangle[0]] < 200 &&
+                mesh.triangleFace[pair.triangle[1]] < 200)
+                break;
+            edge += !pair.diagonal;
+        }
+        desk.cutAnEdge(edge);
         const DocumentState before = desk.document().state();
         // The first 200 faces are gone, and one is new.
         QByteArray text;

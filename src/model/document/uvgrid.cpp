@@ -177,7 +177,7 @@ private:
         double area3d = 0, areaUv = 0;
         for (const int face : faces) {
             for (int k = 0; k < 4; ++k) {
-                const auto edge = std::minmax(point(face, k), point(face, k + 1));
+                const std::pair<int, int> edge = std::minmax(point(face, k), point(face, k + 1));
                 const Cell a = cells.at(edge.first), b = cells.at(edge.second);
                 const int axis = a[0] == b[0] ? 1 : 0;
                 if (measured.insert(edge).second)
