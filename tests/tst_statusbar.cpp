@@ -193,6 +193,9 @@ private Q_SLOTS:
         bench.document().setSelection({SelectionMode::Faces, {0, 1, 2}, {}, {}});
         QTRY_VERIFY(!bench.bar.selectionText().isEmpty());
         QCOMPARE(bench.bar.width(), 1280);
+        // Those of the map, and those of the soup when the user drives it.
+        QTRY_COMPARE(bench.bar.figures().visibleCount(), 5);
+        bench.solver.setMode(SolveMode::Manual);
         QTRY_COMPARE(bench.bar.figures().visibleCount(), 10);
         auto *const text = child<ElidedLabel>(bench.bar, "statusText");
         auto *const selection = child<ElidedLabel>(bench.bar, "selectionText");

@@ -9,6 +9,7 @@
 #include "views/actions/studioactions.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
+#include "views/shell/startpage.h"
 #include "views/shell/statusbar.h"
 
 #include <QDockWidget>
@@ -19,6 +20,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPushButton>
 #include <QScreen>
 #include <QSignalSpy>
 
@@ -40,6 +42,45 @@ private Q_SLOTS:
         QVERIFY(!studio.action("file.save")->isEnabled());
         QVERIFY(!studio.action("uv.run")->isEnabled());
         QVERIFY(studio.action("file.open")->isEnabled());
+    }
+
+    void theFirstScreenOpensFiles()
+    {
+        StudioSession studio;
+        auto *const page = studio.window.findChild<StartPage *>();
+        auto *const recent = page->findChild<QListWidget *>(QStringLiteral("recentFiles"));
+        QVERIFY(page->isVisible());
+        QVERIFY(!recent->isVisible()); // there are none yet
+        // A sample by its button, saved; the list then has it with its folder and a picture.
+        auto *const sample = page->findChild<QPushButton *>(QStringLiteral("file.sample.bumpycube"));
+        QTest::mouseClick(sample, Qt::LeftButton);
+        QVERIFY(studio.jobsRest());
+        QVERIFY(studio.document());
+        QVERIFY(!page->isVisible());
+        const QString path = studio.folder.filePath(QStringLiteral("first.acproj"));
+        studio.context.files.save(path);
+        QTRY_VERIFY(!studio.context.files.isSaving());
+        studio.action("file.close")->trigger();
+        QTRY_VERIFY(page->isVisible());
+        QCOMPARE(page->size(), studio.window.centralWidget()->size());
+        QTRY_VERIFY(recent->isVisible());
+        QCOMPARE(recent->count(), 1);
+        QVERIFY(recent->item(0)->text().startsWith(u"first.acproj\n"));
+        QVERIFY(recent->item(0)->text().contains(QDir::toNativeSeparators(studio.folder.path())));
+        QVERIFY(!recent->item(0)->icon().isNull());
+        const QPoint middle = recent->visualItemRect(recent->item(0)).center();
+        QTest::mouseDClick(recent->viewport(), Qt::LeftButton, {}, middle);
+        QVERIFY(studio.jobsRest());
+        QVERIFY(studio.document());
+        QCOMPARE(studio.context.workspace.sessionPath(), path);
+        QVERIFY(!page->isVisible());
+        // Files that are gone are not offered.
+        studio.action("file.close")->trigger();
+        QVERIFY(QFile::remove(path));
+        studio.action("file.sample.torus")->trigger();
+        QVERIFY(studio.jobsRest());
+        studio.action("file.close")->trigger();
+        QTRY_VERIFY(page->isVisible() && !recent->isVisible());
     }
 
     void theWindowFitsASmallScreen()

@@ -4,6 +4,8 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include <algorithm>
+
 namespace autocuts {
 
 namespace {
@@ -34,6 +36,20 @@ void FigureStrip::setFigure(int number, const QString &text, bool alert)
     update();
 }
 
+void FigureStrip::setShownCount(int count)
+{
+    if (count == mShown)
+        return;
+    mShown = count;
+    updateGeometry();
+    update();
+}
+
+std::span<const FigureStrip::Figure> FigureStrip::shown() const
+{
+    return std::span(mFigures).first(std::min<std::size_t>(mFigures.size(), mShown));
+}
+
 int FigureStrip::widthOf(const Figure &figure) const
 {
     return fontMetrics().horizontalAdvance(figure.caption) + captionGap +
@@ -43,7 +59,7 @@ int FigureStrip::widthOf(const Figure &figure) const
 int FigureStrip::visibleCount() const
 {
     int used = leftMargin, count = 0;
-    for (const Figure &figure : mFigures) {
+    for (const Figure &figure : shown()) {
         used += widthOf(figure);
         if (used > width())
             break;
@@ -55,7 +71,7 @@ int FigureStrip::visibleCount() const
 QSize FigureStrip::sizeHint() const
 {
     int width = leftMargin;
-    for (const Figure &figure : mFigures)
+    for (const Figure &figure : shown())
         width += widthOf(figure);
     return {width, fontMetrics().height()};
 }

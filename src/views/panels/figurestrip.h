@@ -4,6 +4,8 @@
 #include <QString>
 #include <QWidget>
 
+#include <limits>
+#include <span>
 #include <vector>
 
 namespace autocuts {
@@ -21,9 +23,11 @@ public:
     int addFigure(const QString &caption, const QString &widest, const QString &tip);
     //! \param alert true: draw it in the colour of problems
     void setFigure(int number, const QString &text, bool alert = false);
+    //! Shows only so many figures, the first ones; all at first.
+    void setShownCount(int count);
     const QString &figure(int number) const { return mFigures[number].text; }
     bool isAlert(int number) const { return mFigures[number].alert; }
-    //! The number of figures that fit.
+    //! The number of shown figures that fit.
     int visibleCount() const;
 
     QSize sizeHint() const override;
@@ -40,11 +44,13 @@ private:
         bool alert = false;
     };
 
+    std::span<const Figure> shown() const;
     int widthOf(const Figure &figure) const;
     //! The index of the figure at a position; -1 for none.
     int figureAt(int x) const;
 
     std::vector<Figure> mFigures;
+    int mShown = std::numeric_limits<int>::max();
 };
 
 } // namespace autocuts

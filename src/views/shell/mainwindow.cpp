@@ -15,6 +15,7 @@
 #include "views/panels/solverpanel.h"
 #include "views/panels/viewpanel.h"
 #include "views/shell/contextmenu.h"
+#include "views/shell/startpage.h"
 #include "views/shell/statusbar.h"
 #include "views/tools/studiotools.h"
 #include "views/ui/decimalkeys.h"
@@ -68,6 +69,8 @@ MainWindow::MainWindow(Preferences &preferences, const QString &recoveryFolder,
     makePanels();
     makeMenus();
     connectMessages();
+    auto *start = new StartPage(context(), centralWidget());
+    connect(start, &StartPage::openRequested, &mStudioActions->file(), &FileActions::openFile);
     connect(&mWorkspace, &Workspace::documentReplaced, this, &MainWindow::showTitle);
     connect(&mWorkspace, &Workspace::historyChanged, this, &MainWindow::showTitle);
     connect(&mFiles, &FileController::opened, this, &MainWindow::showOpened);

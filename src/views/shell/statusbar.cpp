@@ -132,20 +132,20 @@ void StatusBar::addJob()
 void StatusBar::addFigures()
 {
     // In the order of enum Figure.
-    mFigures->addFigure(tr("it/s"), u"000.0"_s, tr("Newton steps of the solver per second"));
-    mFigures->addFigure(tr("E"), u"000.000"_s,
-                        tr("Energy E = (1 − λ) D + λ S, and that of pins and rectangles"));
     mFigures->addFigure(
         tr("D"), u"00.0000"_s,
         tr("Distortion D: area-weighted mean of the distortion energy, 4 where nothing is distorted"));
-    mFigures->addFigure(tr("S"), u"000.000"_s,
-                        tr("Separation S: smoothed length of the seams, on the mesh scaled to area π"));
-    mFigures->addFigure(tr("λ"), u"0.0000"_s, tr("Lambda in effect: balance of distortion and seams"));
-    mFigures->addFigure(tr("δ"), u"0.000000"_s, tr("Delta in effect: how sharply edges are cut or joined"));
     mFigures->addFigure(tr("seams"), u"000.000"_s, tr("Length of the seams, on the mesh scaled to area π"));
     mFigures->addFigure(tr("islands"), u"0000"_s, tr("Number of islands"));
     mFigures->addFigure(tr("flips"), u"000"_s, tr("Flipped triangles of the map"));
     mFigures->addFigure(tr("overlaps"), u"000,000"_s, tr("Pairs of triangles of the map that overlap"));
+    mFigures->addFigure(tr("λ"), u"0.0000"_s, tr("Lambda in effect: balance of distortion and seams"));
+    mFigures->addFigure(tr("δ"), u"0.000000"_s, tr("Delta in effect: how sharply edges are cut or joined"));
+    mFigures->addFigure(tr("E"), u"000.000"_s,
+                        tr("Energy E = (1 − λ) D + λ S, and that of pins and rectangles"));
+    mFigures->addFigure(tr("S"), u"000.000"_s,
+                        tr("Separation S: smoothed length of the seams, on the mesh scaled to area π"));
+    mFigures->addFigure(tr("it/s"), u"000.0"_s, tr("Newton steps of the solver per second"));
 }
 
 void StatusBar::connectAll()
@@ -248,6 +248,9 @@ void StatusBar::refresh()
         mSelection->setVisible(!mSelection->text().isEmpty());
     }
     mFigures->setVisible(document != nullptr);
+    // Lambda, delta and the energies belong to the soup.
+    const bool soup = mContext.shownMap.isSoup() || mContext.solver.mode() == homotopy::SolveMode::Manual;
+    mFigures->setShownCount(soup ? FigureCount : Lambda);
     if (document && (mContext.solver.isRunning() || mContext.solver.isPausing()))
         showLiveFigures();
     else
@@ -275,7 +278,7 @@ void StatusBar::showMapFigures()
 {
     const MapFigures *figures = mContext.map.figuresAreFresh() ? mContext.map.figures() : nullptr;
     const Document *document = mContext.workspace.document();
-    for (int number = Steps; number <= Overlaps; ++number)
+    for (int number = 0; number < FigureCount; ++number)
         mFigures->setFigure(number, missingText());
     if (document) {
         mFigures->setFigure(Lambda, fixedText(document->solveSettings().lambda, 4));

@@ -24,16 +24,17 @@ class StatusBar final : public QStatusBar
 public:
     //! The figures in the order of figures(); the last ones are hidden first when there is no room.
     enum Figure {
-        Steps,
-        Energy,
         Distortion,
-        Separation,
-        Lambda,
-        Delta,
         SeamLength,
         Islands,
         Flips,
-        Overlaps
+        Overlaps,
+        Lambda,
+        Delta,
+        Energy,
+        Separation,
+        Steps,
+        FigureCount
     };
 
     explicit StatusBar(const StudioContext &context, QWidget *parent = nullptr);
