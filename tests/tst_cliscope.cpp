@@ -175,6 +175,22 @@ private Q_SLOTS:
         QVERIFY2(again.out.contains(u"note: given seams: %1\n"_s.arg(count)), qPrintable(again.out));
     }
 
+    //! Two triangles back to back need a seam that is not given. The largest bound is no exception.
+    void onlyGivenSeamsWithTheLargestBound()
+    {
+        QFile obj(file("backs.obj"));
+        QVERIFY(obj.open(QIODevice::WriteOnly));
+        obj.write("v -.54 .05 .69\nv -.68 .02 -1.21\nv .11 .07 -1.39\nv 1.07 .91 -1.67\nv 1.3 -.37 -.27\n"
+                  "v -.91 -.11 -.67\nf 3 1 5\nf 4 3 1\nf 2 4 6\nf 4 3 2\nf 4 2 3\n");
+        obj.close();
+        for (const char *bound : {"4.1", "1000000"}) {
+            const test::CliRun made = test::runInProcess(
+                {u"unwrap"_s, obj.fileName(), u"-o"_s, file("flat.obj"), u"--quality=draft"_s,
+                 u"--seams=only"_s, u"--max-distortion"_s, QString::fromLatin1(bound)});
+            QVERIFY2(made.out.contains(u"no problems found"), qPrintable(made.out));
+        }
+    }
+
     void sourcesWithoutAModeAreNoticed()
     {
         const test::CliRun made = run("unwrap", "out.obj", {u"--seams-from=sharp"_s});

@@ -40,8 +40,9 @@ search::OptimizeEffort fullEffort(UnwrapQuality quality)
 
 //! Least share of the distortion in the energy, for lambda near 1. Chosen by hand.
 constexpr double smallestShare = 1e-9;
-//! Where only the given seams may be seams there is no bound on the distortion.
-constexpr double noBound = 1e6;
+//! Where only the given seams may be seams there is no bound on the distortion. Above all that users can ask
+//! for.
+constexpr double noBound = 1e9;
 constexpr double dearSeam = 100; // factor on the cost of a seam that is not given; chosen by hand
 constexpr int relaxSteps = 200;  // Newton steps for a map whose seams stay; chosen by hand
 //! A map whose distortion is further above the bound takes long to carry to a finer mesh; none of those is
