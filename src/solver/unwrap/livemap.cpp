@@ -3,13 +3,10 @@
 #include "solver/base/parallel.h"
 #include "solver/search/anchoring.h"
 #include "solver/search/resteering.h"
+#include "solver/unwrap/coarsemaps.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/mapbefore.h"
 #include "solver/unwrap/mapfinder.h"
-
-#include <chrono>
-#include <condition_variable>
-#include <mutex>
 
 namespace autocuts::unwrap {
 
@@ -28,54 +25,37 @@ constexpr double quickTolerance = 1e-2; // energy gained below which the first m
 constexpr int sizeForCoarseDraft = 12'000;
 constexpr int restShare = 3; // rest after a map was carried over on the way, times what that took
 
-using Clock = std::chrono::steady_clock;
-
-//! Hands the newest map of a coarse mesh from the thread that searches to the one that carries maps over.
-class CoarseMaps
+//! Searches a coarse mesh, and hands over the maps within the bound that are found on the way.
+CoarseSearch searchInto(CoarseMaps &onTheWay, UnwrapQuality quality, const JobContext &job)
 {
-public:
-    //! \param atOnce the rest is over
-    void put(MakeCarriedMap make, bool atOnce)
-    {
-        const std::lock_guard lock(mMutex);
-        mNext = std::move(make);
-        if (atOnce)
-            mRest = {};
-        mChanged.notify_all();
-    }
-    void end()
-    {
-        const std::lock_guard lock(mMutex);
-        mEnded = true;
-        mChanged.notify_all();
-    }
-    bool waitsOrEnds()
-    {
-        const std::lock_guard lock(mMutex);
-        return mNext || mEnded;
-    }
-    //! Nothing is handed out until then.
-    void restUntil(Clock::time_point time)
-    {
-        const std::lock_guard lock(mMutex);
-        mRest = time;
-    }
-    //! Waits for a map. \returns nothing at the end, or when the job is stopped
-    MakeCarriedMap next(const JobContext &job)
-    {
-        std::unique_lock lock(mMutex);
-        while (!mEnded && !job.stopped() && (!mNext || Clock::now() < mRest))
-            mChanged.wait_for(lock, std::chrono::milliseconds(10));
-        return mEnded || job.stopped() ? MakeCarriedMap() : std::exchange(mNext, nullptr);
-    }
-
-private:
-    std::mutex mMutex; //!< for what follows
-    std::condition_variable mChanged;
-    MakeCarriedMap mNext; //!< empty: none
-    bool mEnded = false;
-    Clock::time_point mRest;
-};
+    CoarseSearch search;
+    // Relaxing takes one thread: the other one is free.
+    search.relaxing = [&onTheWay](MakeCarriedMap make) { onTheWay.put(std::move(make), true); };
+    search.unwrap = [&onTheWay, quality, &job](const Snapshot &coarse, const UnwrapOptions &options,
+                                               const CarryOver &carry) -> std::optional<CarriedMap> {
+        const auto find = [&](UnwrapQuality effort) {
+            UnwrapOptions how = options;
+            how.quality = effort;
+            Ranking ranking(how, job);
+            ranking.setWatcher([&](const Candidate &best) {
+                if (best.distortion > how.maxDistortion)
+                    return;
+                const CarriedMap map{best.map, 0, 0, 0, best.anchorFaults};
+                onTheWay.put([map, carry](const JobContext &own) { return carry(map, own); }, false);
+            });
+            return findMap(coarse, how, ranking, job);
+        };
+        // A draft of the coarse mesh takes a second and gives a map within the bound.
+        if (quality != UnwrapQuality::Draft)
+            find(UnwrapQuality::Draft);
+        FoundMap found = find(quality);
+        // After an edit nobody waits for this map any more.
+        if (job.stopped() || found.best.onlyPatches)
+            return std::nullopt;
+        return CarriedMap{std::move(found.best.map), found.iterations, 0, 0, found.best.anchorFaults};
+    };
+    return search;
+}
 
 } // namespace
 
@@ -289,35 +269,10 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
     CoarseMaps onTheWay;
     parallelFor(2, job.threads(), [&](int i) {
         if (i == 0) {
-            CoarseSearch search;
-            // Relaxing takes one thread: the other one is free.
-            search.relaxing = [&](MakeCarriedMap make) { onTheWay.put(std::move(make), true); };
-            search.unwrap = [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions,
-                                const CarryOver &carry) {
-                const auto find = [&](UnwrapQuality effort) {
-                    UnwrapOptions how = coarseOptions;
-                    how.quality = effort;
-                    Ranking ranking(how, job);
-                    ranking.setWatcher([&](const Candidate &best) {
-                        if (best.distortion <= how.maxDistortion)
-                            onTheWay.put([=, map = CarriedMap{best.map, 0, 0, 0, best.anchorFaults}](
-                                             const JobContext &own) { return carry(map, own); },
-                                         false);
-                    });
-                    return findMap(coarse, how, ranking, job);
-                };
-                // A draft of the coarse mesh takes a second and gives a map within the bound.
-                if (quality != UnwrapQuality::Draft)
-                    find(UnwrapQuality::Draft);
-                FoundMap found = find(quality);
-                // After an edit nobody waits for this map any more.
-                if (job.stopped() || found.best.onlyPatches)
-                    return std::optional<CarriedMap>();
-                return std::optional(
-                    CarriedMap{std::move(found.best.map), found.iterations, 0, 0, found.best.anchorFaults});
-            };
-            const std::optional<CarriedMap> carried = mapByCoarse(
-                mProblem.soup(), mProblem.part().withoutRectangles(), options, search, job.quiet());
+            const CoarseMaps::Finder finder(onTheWay);
+            const std::optional<CarriedMap> carried =
+                mapByCoarse(mProblem.soup(), mProblem.part().withoutRectangles(), options,
+                            searchInto(onTheWay, quality, job), job.quiet());
             onTheWay.end();
             if (carried)
                 take(carried->map, job);
@@ -330,11 +285,12 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
             mBest.offer(*quick);
             mBest.giveWaiting(job);
         }
-        while (const auto make = onTheWay.next(job)) {
-            const Clock::time_point begun = Clock::now();
-            if (const std::optional<CarriedMap> carried = make(job.alone()))
+        while (const MakeCarriedMap make = onTheWay.next()) {
+            const CoarseMaps::Clock::time_point begun = CoarseMaps::Clock::now();
+            if (const std::optional<CarriedMap> carried = make(onTheWay.carrying()))
                 take(carried->map, job);
-            onTheWay.restUntil(Clock::now() + restShare * (Clock::now() - begun));
+            const CoarseMaps::Clock::time_point now = CoarseMaps::Clock::now();
+            onTheWay.restUntil(now + restShare * (now - begun));
         }
     });
 }
