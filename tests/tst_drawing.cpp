@@ -100,6 +100,14 @@ private Q_SLOTS:
         const QColor upper = pixelAt(mStudio->mesh, Canvases::middle(mStudio->mesh, 2 * 12));
         QVERIFY(lower.blue() > lower.red() + 40);
         QVERIFY(upper.red() > upper.blue() + 40);
+        // Island colours are seen through it.
+        options.coloring = Coloring::Islands;
+        mStudio->view.setOptions(options);
+        const QColor tinted = pixelAt(mStudio->mesh, Canvases::middle(mStudio->mesh, 0));
+        QVERIFY(std::abs(tinted.red() - lower.red()) + std::abs(tinted.green() - lower.green()) +
+                    std::abs(tinted.blue() - lower.blue()) >
+                40);
+        QVERIFY(tinted.blue() > tinted.red());
         options.texturePath = mStudio->folder.filePath(QStringLiteral("gone.png"));
         mStudio->view.setOptions(options);
         QTRY_VERIFY(inMap(0.3, 0.7).red() < 120);

@@ -1,4 +1,5 @@
 // What the graphics card is given: positions, UVs, colours and lines, heat-maps and their colours.
+#include "model/document/islandcolor.h"
 #include "model/plain/flippedtriangles.h"
 #include "model/plain/uvlayout.h"
 #include "solver/metrics/uvmetrics.h"

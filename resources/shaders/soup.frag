@@ -13,6 +13,7 @@ uniform usamplerBuffer islandTexels; // per triangle: number of its island, lowe
 uniform sampler2D picture;
 uniform bool asMap, smoothShading;
 uniform mat4 projectionMatrix;
+uniform float tint; // share of the face colour over a picture
 uniform float pixelRatio, checkerSize, fillOpacity, lineOpacity;
 uniform int pattern; // 0 none, 1 checker, 2 picture
 uniform ivec2 hoverTriangles, hoverSides;
@@ -40,7 +41,7 @@ vec3 surface(vec3 face, uint marks)
     if (pattern == 0 || asMap || (marks & withoutUvMark) != 0u)
         return face;
     if (pattern == 2)
-        return texture(picture, texturePlace).rgb;
+        return mix(texture(picture, texturePlace).rgb, face, tint);
     return face * mix(1.12, 0.48, checker(texturePlace));
 }
 

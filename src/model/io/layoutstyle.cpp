@@ -1,5 +1,7 @@
 #include "model/io/layoutstyle.h"
 
+#include "model/document/islandcolor.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -44,13 +46,7 @@ QColor LayoutStyle::islandColor(int chart) const
 {
     if (mIslandColor)
         return *mIslandColor;
-    // Hues are spaced by the golden ratio around the colour circle. Reds are left out: they mark seams.
-    const double turn = std::fmod(0.30 + chart * 0.6180339887498949, 1.0);
-    const double hue = 0.08 + 0.82 * turn;
-    const double step = 0.03 * (chart % 3);
-    QColor color = mBackground == LayoutBackground::Light
-                       ? QColor::fromHslF(static_cast<float>(hue), 0.50F, static_cast<float>(0.76 + step))
-                       : QColor::fromHslF(static_cast<float>(hue), 0.34F, static_cast<float>(0.58 + step));
+    QColor color(autocuts::islandColor(chart));
     // Without a background, the fill is translucent so that whatever lies below the picture stays visible.
     if (mBackground == LayoutBackground::Transparent)
         color.setAlpha(120);

@@ -18,7 +18,7 @@ struct LayoutStyle
     //! Chooses line widths so that the edges of a dense mesh do not hide the islands.
     LayoutStyle(const LayoutPaths &paths, const LayoutOptions &options);
 
-    //! Islands with consecutive numbers get clearly different hues.
+    //! The colour that the island has in the studio, or the one that was asked for.
     QColor islandColor(int chart) const;
 
 private:

@@ -139,6 +139,7 @@ void MeshView::drawScene(GlResources &gl)
     drawing.pattern = options.pattern;
     drawing.checkerSize = options.checkerSize;
     drawing.texture = gl.texture.id();
+    drawing.tint = options.coloring == Coloring::Plain ? 0 : 0.5;
     const HoverParts hover = hoverParts();
     drawing.hoverTriangles = hover.triangles;
     drawing.hoverSides = hover.sides;

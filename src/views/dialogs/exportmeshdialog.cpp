@@ -25,7 +25,7 @@ QString formatName(const QString &suffix)
     if (suffix == QLatin1String("glb"))
         return ExportMeshDialog::tr("glTF binary") + dotted;
     if (suffix == QLatin1String("gltf"))
-        return ExportMeshDialog::tr("glTF with separate data") + dotted;
+        return ExportMeshDialog::tr("glTF with embedded data") + dotted;
     if (suffix == QLatin1String("dae"))
         return ExportMeshDialog::tr("Collada") + dotted;
     if (suffix == QLatin1String("fbx"))

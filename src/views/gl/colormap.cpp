@@ -61,15 +61,6 @@ QGradientStops heatStops(HeatMap map, bool colorBlind)
     return result;
 }
 
-QRgb islandColor(int number)
-{
-    constexpr double goldenRatio = 0.6180339887498949;
-    const double hue = std::fmod(0.58 + number * goldenRatio, 1.0);
-    // Hues become similar again after 8, 13, ... numbers; the lightness has another period, so those differ.
-    const double lightness = 0.56 + 0.07 * (number % 3 - 1);
-    return QColor::fromHslF(static_cast<float>(hue), 0.52f, static_cast<float>(lightness)).rgb();
-}
-
 QRgb paintColor(double weight, QRgb neutral)
 {
     constexpr QRgb keepTogether = 0xffe03131, attractCuts = 0xff2b6cf0;

@@ -1,4 +1,4 @@
-// Colours for values: heat-maps, islands, painted weights.
+// Colours for values: heat-maps and painted weights.
 #pragma once
 
 #include <QColor>
@@ -17,10 +17,6 @@ QRgb heatColor(HeatMap map, bool colorBlind, double value);
 QRgb heatColorOfNothing();
 //! Gradient stops of the whole range, for a legend, from 0 to 1.
 QGradientStops heatStops(HeatMap map, bool colorBlind);
-
-//! The colour of an island. Hues are spaced by the golden angle, so that consecutive numbers get different
-//! colours; a number always gets the same one.
-QRgb islandColor(int number);
 
 //! The colour of a painted weight: red above 1 ("Keep together"), blue below 1 ("Attract cuts").
 //! \param neutral colour of unpainted faces

@@ -1,5 +1,6 @@
 #include "views/gl/soupbuffers.h"
 
+#include "model/document/islandcolor.h"
 #include "model/plain/unionfind.h"
 #include "views/gl/colormap.h"
 

@@ -99,6 +99,7 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
     const bool textured = drawing.pattern == Pattern::Texture && drawing.texture != 0;
     p.setUniformValue("pattern", textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0);
     p.setUniformValue("checkerSize", static_cast<float>(drawing.checkerSize));
+    p.setUniformValue("tint", static_cast<float>(drawing.tint));
     p.setUniformValue("fillOpacity", static_cast<float>(drawing.fillOpacity));
     p.setUniformValue("lineOpacity", static_cast<float>(drawing.lineOpacity));
     // QOpenGLShaderProgram has no functions for these types.

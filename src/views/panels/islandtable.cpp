@@ -1,6 +1,6 @@
 #include "views/panels/islandtable.h"
 
-#include "views/gl/colormap.h"
+#include "model/document/islandcolor.h"
 #include "views/panels/numbertext.h"
 #include "views/ui/icons.h"
 

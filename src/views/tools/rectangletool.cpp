@@ -1,5 +1,6 @@
 #include "views/tools/rectangletool.h"
 
+#include "model/document/islandcolor.h"
 #include "model/document/selectiontools.h"
 #include "views/canvas/mapcamera.h"
 #include "views/canvas/scenecontent.h"
@@ -7,7 +8,6 @@
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
-#include "views/gl/colormap.h"
 #include "views/selecting/selecting.h"
 #include "views/tools/rectanglebar.h"
 #include "views/tools/snapping.h"
