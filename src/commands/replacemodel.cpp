@@ -9,7 +9,7 @@ namespace {
 template <typename T>
 qint64 bytesOf(const std::vector<T> &values)
 {
-    return static_cast<qint64>(values.size() * sizeof(T));
+    return static_cast<qint64>(values.size()) * qint64(sizeof(T));
 }
 
 //! Bytes of the arrays that grow with the mesh.
