@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -78,6 +79,47 @@ MapJobResult localResult(const homotopy::LocalSolution &solution, UvEdit edit, i
         result.problem = translated("Cancelled: the map stays as it was");
         break;
     }
+    return result;
+}
+
+using Places = std::map<int, Vec2>; //!< of points
+
+//! The grids among the selected faces that are not locked; those with a held point are left.
+UvGrids freeGrids(const MapInput &input, const UvTopology &topology, const std::vector<int> &held)
+{
+    const MeshData &mesh = input.mesh();
+    const std::vector<int> free = freeIslands(mesh, topology, input.marks, input.selectedFaces);
+    std::vector<int> faces;
+    for (const int face : input.selectedFaces) {
+        if (std::binary_search(free.begin(), free.end(), face))
+            faces.push_back(face);
+    }
+    UvGrids found = findUvGrids(mesh, topology, input.uv, faces);
+    const std::set<int> heldPoints(held.begin(), held.end());
+    std::erase_if(found.grids, [&](const UvGrid &grid) {
+        const bool isHeld = std::any_of(grid.places.begin(), grid.places.end(),
+                                        [&](const auto &place) { return heldPoints.count(place.first) > 0; });
+        if (isHeld)
+            found.left.insert(found.left.end(), grid.faces.begin(), grid.faces.end());
+        return isHeld;
+    });
+    return found;
+}
+
+//! All of these faces whose island has a point without a place.
+std::vector<int> partlyPlaced(const MeshData &mesh, const UvTopology &topology, const std::vector<int> &faces,
+                              const Places &places)
+{
+    std::set<int> charts;
+    for (const int face : faces) {
+        for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c) {
+            if (places.count(topology.cornerRoot[c]) == 0)
+                charts.insert(topology.charts.faceChart[face]);
+        }
+    }
+    std::vector<int> result;
+    std::copy_if(faces.begin(), faces.end(), std::back_inserter(result),
+                 [&](int face) { return charts.count(topology.charts.faceChart[face]) > 0; });
     return result;
 }
 
@@ -156,58 +198,27 @@ MapJobResult gridJob(const MapInput &input, JobControl &control)
 {
     const MeshData &mesh = input.mesh();
     const UvTopology topology = findUvTopology(mesh, input.uv);
-    const std::vector<int> free = freeIslands(mesh, topology, input.marks, input.selectedFaces);
-    std::vector<int> faces;
-    for (const int face : input.selectedFaces) {
-        if (std::binary_search(free.begin(), free.end(), face))
-            faces.push_back(face);
-    }
-    UvGrids found = findUvGrids(mesh, topology, input.uv, faces);
     homotopy::LocalProblem problem = localProblem(input.constraints, topology);
-    const std::set<int> held(problem.held.begin(), problem.held.end());
-    std::erase_if(found.grids, [&](const UvGrid &grid) {
-        const bool isHeld = std::any_of(grid.places.begin(), grid.places.end(),
-                                        [&](const auto &place) { return held.count(place.first) > 0; });
-        if (isHeld)
-            found.left.insert(found.left.end(), grid.faces.begin(), grid.faces.end());
-        return isHeld;
-    });
-    std::map<int, Vec2> places;
+    const UvGrids found = freeGrids(input, topology, problem.held);
+    Places places;
     QList<int> gridFaces;
     for (const UvGrid &grid : found.grids) {
         places.insert(grid.places.begin(), grid.places.end());
         gridFaces.append(QList<int>(grid.faces.begin(), grid.faces.end()));
     }
     MapJobResult result;
-    result.edit = UvEdit::Grid;
-    result.count = static_cast<int>(gridFaces.size());
     if (gridFaces.isEmpty()) {
         result.problem =
             translated("The selected faces are no grid: that needs quads in rows and columns, four "
                        "around every point inside, not closed around a tube and without pins");
         return result;
     }
-
-    UvMatrix uv = input.uv;
-    const auto placeAll = [&] {
-        for (int c = 0; c < mesh.cornerCount(); ++c) {
-            if (const auto place = places.find(topology.cornerRoot[c]); place != places.end())
-                uv.row(c) = place->second.transpose();
-        }
-    };
-    // Islands that are grids as a whole are placed; the rest of the others follows.
-    std::set<int> partly;
-    const std::vector<int> islands = freeIslands(mesh, topology, input.marks, gridFaces);
-    for (const int face : islands) {
-        for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c) {
-            if (places.count(topology.cornerRoot[c]) == 0)
-                partly.insert(topology.charts.faceChart[face]);
-        }
-    }
-    for (const int face : islands) {
-        if (partly.count(topology.charts.faceChart[face]) > 0)
-            problem.faces.push_back(face);
-    }
+    const int count = static_cast<int>(gridFaces.size());
+    result.edit = UvEdit::Grid;
+    result.count = count;
+    result.uv = input.uv;
+    // Islands that are grids as a whole are only placed; the rest of the others follows.
+    problem.faces = partlyPlaced(mesh, topology, freeIslands(mesh, topology, input.marks, gridFaces), places);
     if (!problem.faces.empty()) {
         std::set<int> points;
         for (const int face : problem.faces) {
@@ -219,19 +230,21 @@ MapJobResult gridJob(const MapInput &input, JobControl &control)
                 problem.targets.push_back(place);
         }
         const homotopy::LocalSolution solution = homotopy::solveLocally(
-            mesh, uv, problem,
+            mesh, input.uv, problem,
             {&control.stop(), 1, [&](const JobProgress &done) { control.setProgress(done.fraction); }});
-        const MapJobResult local = localResult(
-            solution, UvEdit::Grid, *result.count,
+        MapJobResult local = localResult(
+            solution, UvEdit::Grid, count,
             QT_TRANSLATE_NOOP("autocuts::MapController", "The faces around the grid cannot follow it without "
                                                          "turning over: cut it out first (rip, V)"));
         if (!local.problem.isEmpty())
             return local;
-        uv = solution.uv;
+        result.uv = std::move(local.uv);
     }
-    placeAll();
-    result.uv = std::move(uv);
-    result.message = translated("Faces in straight grids: %1").arg(gridFaces.size());
+    for (int c = 0; c < mesh.cornerCount(); ++c) {
+        if (const auto place = places.find(topology.cornerRoot[c]); place != places.end())
+            result.uv.row(c) = place->second.transpose();
+    }
+    result.message = translated("Faces in straight grids: %1").arg(count);
     tellNewOverlaps(input, control, result);
     if (!found.left.empty() && result.problem.isEmpty()) {
         result.problemItems.mode = SelectionMode::Faces;
