@@ -3,6 +3,7 @@
 #include "commands/editpins.h"
 #include "commands/replay.h"
 #include "commands/setseamstate.h"
+#include "commands/setuvs.h"
 #include "model/io/meshfile.h"
 #include "model/io/savefile.h"
 #include "model/plain/uvlayout.h"
@@ -388,6 +389,11 @@ private Q_SLOTS:
             edge += !pair.diagonal;
         }
         desk.cutAnEdge(edge);
+        // An entry about every corner of the old model, the newest one when the model is exchanged.
+        UvMatrix uv(mesh.cornerCount(), 2);
+        for (int c = 0; c < uv.rows(); ++c)
+            uv.row(c) << 1e-4 * c, 0.5 + 1e-5 * ((7919 * c) % 1000);
+        pushCommand(std::make_unique<SetUvs>(desk.document(), UvEdit::Move, uv));
         const DocumentState before = desk.document().state();
         // The first 200 faces are gone, and one is new.
         QByteArray text;
@@ -425,9 +431,12 @@ private Q_SLOTS:
         QVERIFY(desk.document().state() == before);
         QCOMPARE(replaced.count(), 2);
         QVERIFY(journalIsTrue());
-        desk.document().undoStack().undo(); // a cut of the old model
+        desk.document().undoStack().undo(); // the edits of the old model
+        desk.document().undoStack().undo();
         QVERIFY(desk.document().state().seams != before.seams);
+        QVERIFY(!desk.document().uv().allFinite());
         QVERIFY(journalIsTrue());
+        desk.document().undoStack().redo();
         desk.document().undoStack().redo();
         QVERIFY(desk.document().state() == before);
         desk.document().undoStack().redo();

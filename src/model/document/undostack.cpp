@@ -36,7 +36,12 @@ UndoEntry *UndoStack::entry(int index) const
 void UndoStack::push(std::unique_ptr<UndoEntry> entry_)
 {
     UndoEntry *pushed = entry_.release();
-    const UndoEntry *below = index() > 0 ? entry(index() - 1) : nullptr;
+    UndoEntry *const below = index() > 0 ? entry(index() - 1) : nullptr;
+    // Another kind of entry does not merge. What is below is compacted before, because the new entry may
+    // replace the model that the contents are about.
+    const bool mayMerge = below && below->id() == pushed->id();
+    if (below && !mayMerge)
+        compact(*below);
     QUndoStack::push(pushed);
     const int top = index() - 1;
     if (top < 0)
@@ -44,13 +49,19 @@ void UndoStack::push(std::unique_ptr<UndoEntry> entry_)
     const bool added = entry(top) != below;
     if (added) {
         entry(top)->mTotal = mTotal;
-        if (top > 0 && !entry(top - 1)->isReleased()) {
-            entry(top - 1)->compact();
-            entry(top - 1)->account();
-        }
+        if (top > 0 && mayMerge)
+            compact(*entry(top - 1));
     }
     entry(top)->account();
     keepLimit();
+}
+
+void UndoStack::compact(UndoEntry &entry)
+{
+    if (entry.isReleased())
+        return;
+    entry.compact();
+    entry.account();
 }
 
 bool UndoStack::canUndoFurther() const

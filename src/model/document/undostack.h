@@ -86,6 +86,7 @@ Q_SIGNALS:
 
 private:
     UndoEntry *entry(int index) const;
+    static void compact(UndoEntry &entry);
     void keepLimit();
 
     std::shared_ptr<qint64> mTotal = std::make_shared<qint64>(0);
