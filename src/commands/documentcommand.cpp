@@ -177,9 +177,9 @@ void DocumentCommand::renameUvSet(int index, const QString &name)
     mDocument.renameUvSet(index, name);
 }
 
-void DocumentCommand::exchangeState(DocumentState &other)
+void DocumentCommand::exchangeModel(OtherModel &other)
 {
-    mDocument.exchangeState(other);
+    mDocument.exchangeModel(other);
 }
 
 void DocumentCommand::setActiveUvSet(int index)

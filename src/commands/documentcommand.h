@@ -86,7 +86,8 @@ protected:
     void removeUvSet(int index);
     void renameUvSet(int index, const QString &name);
     void setActiveUvSet(int index);
-    void exchangeState(DocumentState &other);
+    using OtherModel = Document::OtherModel;
+    void exchangeModel(OtherModel &other);
 
 private:
     friend bool pushCommand(std::unique_ptr<DocumentCommand> command);

@@ -29,7 +29,7 @@ qint64 bytesOf(const DocumentState &state)
 
 ReplaceModel::ReplaceModel(Document &document, DocumentState state)
     : DocumentCommand(document), mFileName(QFileInfo(state.scene.path).fileName()),
-      mOther(std::make_unique<DocumentState>(std::move(state)))
+      mOther(std::make_unique<OtherModel>(OtherModel{std::move(state), nullptr}))
 {}
 
 QString ReplaceModel::label() const
@@ -39,7 +39,7 @@ QString ReplaceModel::label() const
 
 qint64 ReplaceModel::payloadBytes() const
 {
-    return mOther ? bytesOf(*mOther) : 0;
+    return mOther ? bytesOf(mOther->state) : 0;
 }
 
 } // namespace autocuts

@@ -20,8 +20,8 @@ public:
     bool beginsJournal() const override { return true; }
 
 protected:
-    void apply() override { exchangeState(*mOther); }
-    void revert() override { exchangeState(*mOther); }
+    void apply() override { exchangeModel(*mOther); }
+    void revert() override { exchangeModel(*mOther); }
     void writePayload(QCborMap &) const override {}
     QString label() const override;
     qint64 payloadBytes() const override;
@@ -29,7 +29,7 @@ protected:
 
 private:
     QString mFileName;
-    std::unique_ptr<DocumentState> mOther; //!< the state that the document does not have now
+    std::unique_ptr<OtherModel> mOther; //!< the one that the document does not have now
 };
 
 } // namespace autocuts

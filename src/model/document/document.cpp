@@ -183,12 +183,12 @@ void Document::setActiveUvSet(int index)
     announce(UvSetEvent(UvSetEvent::Change::Activated, index));
 }
 
-void Document::exchangeState(DocumentState &other)
+void Document::exchangeModel(OtherModel &other)
 {
-    std::swap(mState, other);
-    std::swap(mState.viewState, other.viewState);
+    std::swap(mState, other.state);
+    std::swap(mState.viewState, other.state.viewState);
+    std::swap(mAdjacency, other.adjacency);
     mIslands.reset();
-    mAdjacency.reset();
     announce(ModelEvent());
 }
 

@@ -97,8 +97,15 @@ private:
     void removeUvSet(int index);
     void renameUvSet(int index, const QString &name);
     void setActiveUvSet(int index);
-    //! Exchanges everything but the view state with that of another model. \pre other is valid
-    void exchangeState(DocumentState &other);
+    //! Another model with everything that belongs to it.
+    struct OtherModel
+    {
+        DocumentState state; //!< valid
+        //! Of its mesh; may be null. The contents of commands refer to it.
+        std::unique_ptr<const MeshAdjacency> adjacency;
+    };
+    //! Exchanges everything but the view state.
+    void exchangeModel(OtherModel &other);
     //! Renews the token and emits changed().
     void announce(const ChangeEvent &event);
 
