@@ -44,7 +44,7 @@ QString liveText(const unwrap::LiveMapResult &map)
 } // namespace
 
 SolverPanel::SolverPanel(const StudioContext &context, QWidget *parent)
-    : Panel(context, tr("Open a model to unfold it with the solver."), parent)
+    : Panel(context, tr("Open a model to unwrap it."), parent)
 {
     auto *layout = new QVBoxLayout(content());
     layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
