@@ -260,9 +260,10 @@ private:
             mErr << "autocuts-cli: warning: " << warning << Qt::endl;
         report.notes += warnings;
         if (!mOptions.layout.isEmpty()) {
-            if (const Result<Done> drawn =
-                    writeLayout(mOptions.layout, scene, mFiles.islandFlags(), textureSize);
-                !drawn)
+            const std::vector<int> hatched = report.overlapPairs.value_or(0) > 0
+                                                 ? overlappingTriangles(scene, mFiles.islandFlags())
+                                                 : std::vector<int>();
+            if (const Result<Done> drawn = writeLayout(mOptions.layout, scene, textureSize, hatched); !drawn)
                 return fail(drawn.error());
         }
         report.seconds = double(mClock.elapsed()) / 1000;

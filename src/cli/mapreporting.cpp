@@ -168,16 +168,22 @@ QString reportTable(const MapReport &r)
     return table;
 }
 
-Result<Done> writeLayout(const QString &path, const Scene &scene, const std::vector<IslandFlags> &faceFlags,
-                         int textureSize)
+std::vector<int> overlappingTriangles(const Scene &scene, const std::vector<IslandFlags> &faceFlags)
+{
+    metrics::UvOverlapOptions options;
+    options.faceFlags = faceFlags;
+    return metrics::overlappingTriangles(
+        metrics::findUvOverlaps(*scene.mesh, scene.uvSets.front().uv, options));
+}
+
+Result<Done> writeLayout(const QString &path, const Scene &scene, int textureSize,
+                         const std::vector<int> &hatched)
 {
     const MeshData &mesh = *scene.mesh;
     const UvMatrix &uv = scene.uvSets.front().uv;
     LayoutOptions options;
     options.size = std::clamp(textureSize, 256, 4096);
-    metrics::UvOverlapOptions overlaps;
-    overlaps.faceFlags = faceFlags;
-    options.overlapping = metrics::overlappingTriangles(metrics::findUvOverlaps(mesh, uv, overlaps));
+    options.overlapping = hatched;
     const bool svg = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
     const Result<QByteArray> bytes = svg ? layoutSvg(mesh, uv, options) : layoutPng(mesh, uv, options);
     if (!bytes)

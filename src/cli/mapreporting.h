@@ -26,8 +26,11 @@ QStringList mapWarnings(const MapReport &report);
 //! The most important figures, one per line: the key in the report, the value and its meaning.
 QString reportTable(const MapReport &report);
 
-//! Draws the active UV set and hatches its overlaps. \param path .png or .svg \param faceFlags see reportOn()
-Result<Done> writeLayout(const QString &path, const Scene &scene, const std::vector<IslandFlags> &faceFlags,
-                         int textureSize);
+//! The triangles that overlap in the active UV set, ascending. \param faceFlags see reportOn()
+std::vector<int> overlappingTriangles(const Scene &scene, const std::vector<IslandFlags> &faceFlags);
+
+//! Draws the active UV set. \param path .png or .svg \param hatched triangles, ascending
+Result<Done> writeLayout(const QString &path, const Scene &scene, int textureSize,
+                         const std::vector<int> &hatched);
 
 } // namespace autocuts

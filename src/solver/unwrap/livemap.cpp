@@ -273,7 +273,7 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
             const std::optional<CarriedMap> carried =
                 mapByCoarse(mProblem.soup(), mProblem.part().withoutRectangles(), options,
                             searchInto(onTheWay, quality, job), job.quiet());
-            onTheWay.end();
+            onTheWay.end(); // the carrier has nothing to do any more, while the map is taken
             if (carried)
                 take(carried->map, job);
             return;

@@ -56,6 +56,14 @@ std::vector<int> freeIslands(const MeshData &mesh, const UvTopology &topology, c
     return result;
 }
 
+homotopy::LocalSolution solved(const MapInput &input, const homotopy::LocalProblem &problem,
+                               JobControl &control)
+{
+    return homotopy::solveLocally(
+        input.mesh(), input.uv, problem,
+        {&control.stop(), 1, [&](const JobProgress &done) { control.setProgress(done.fraction); }});
+}
+
 //! \param stuck the text for targets that cannot be reached
 MapJobResult localResult(const homotopy::LocalSolution &solution, UvEdit edit, int count,
                          const char *stuck = "")
@@ -143,9 +151,7 @@ MapJobResult relaxJob(const MapInput &input, JobControl &control)
         for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c)
             problem.held.push_back(topology.cornerRoot[c]);
     }
-    const homotopy::LocalSolution solution = homotopy::solveLocally(
-        mesh, input.uv, problem,
-        {&control.stop(), 1, [&](const JobProgress &done) { control.setProgress(done.fraction); }});
+    const homotopy::LocalSolution solution = solved(input, problem, control);
     MapJobResult result = localResult(solution, UvEdit::Relax, static_cast<int>(problem.faces.size()));
     if (result.problem.isEmpty())
         result.message = translated("Relaxed: distortion %1 before, %2 now")
@@ -176,14 +182,11 @@ MapJobResult straightenJob(const MapInput &input, JobControl &control)
                                     "a locked island cannot be straightened");
         return result;
     }
-    const homotopy::LocalSolution solution = homotopy::solveLocally(
-        mesh, input.uv, problem,
-        {&control.stop(), 1, [&](const JobProgress &done) { control.setProgress(done.fraction); }});
+    const homotopy::LocalSolution solution = solved(input, problem, control);
     MapJobResult result =
         localResult(solution, UvEdit::Straighten, static_cast<int>(found.chains.size()),
                     QT_TRANSLATE_NOOP("autocuts::MapController",
-                                      "The chain cannot be made straight without turning faces "
-                                      "over"));
+                                      "The chain cannot be made straight without turning faces over"));
     if (result.problem.isEmpty())
         result.message = translated("Chains made straight: %1, distortion %2 before, %3 now")
                              .arg(found.chains.size())
@@ -229,9 +232,7 @@ MapJobResult gridJob(const MapInput &input, JobControl &control)
             if (points.count(place.first) > 0)
                 problem.targets.push_back(place);
         }
-        const homotopy::LocalSolution solution = homotopy::solveLocally(
-            mesh, input.uv, problem,
-            {&control.stop(), 1, [&](const JobProgress &done) { control.setProgress(done.fraction); }});
+        const homotopy::LocalSolution solution = solved(input, problem, control);
         MapJobResult local = localResult(
             solution, UvEdit::Grid, count,
             QT_TRANSLATE_NOOP("autocuts::MapController", "The faces around the grid cannot follow it without "

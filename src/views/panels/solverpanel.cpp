@@ -68,10 +68,7 @@ QWidget *SolverPanel::makeUnwrapForm()
     mUnwrap = new UnwrapForm;
     explain(mUnwrap->button(), tr("Make a packed map automatically, within the stretch that is allowed"),
             {"uv.unwrap"});
-    connect(mUnwrap, &UnwrapForm::edited, this,
-            [this](const std::function<void(SolveSettings &)> &edit, bool first) {
-                changeSolveSettings(edit, gestureFor(first));
-            });
+    connect(mUnwrap, &UnwrapForm::edited, this, &SolverPanel::applyEdit);
     connect(mUnwrap, &UnwrapForm::unwrapRequested, &context().map,
             [this](unwrap::UnwrapQuality quality) { context().map.unwrap(quality); });
     return mUnwrap;
@@ -111,10 +108,7 @@ QWidget *SolverPanel::makeAdvanced()
     layout->addWidget(makeHeading(tr("Seam preferences")));
     mPreference = new SeamPreferenceForm;
     mPreference->setObjectName("preference"_L1);
-    connect(mPreference, &SeamPreferenceForm::edited, this,
-            [this](const std::function<void(SolveSettings &)> &edit, bool first) {
-                changeSolveSettings(edit, gestureFor(first));
-            });
+    connect(mPreference, &SeamPreferenceForm::edited, this, &SolverPanel::applyEdit);
     layout->addWidget(mPreference);
     layout->addWidget(makeHeading(tr("Settings")));
     mSettings = new SolverSettingsForm;
@@ -248,6 +242,11 @@ QWidget *SolverPanel::makeDeltaRow()
     layout->addWidget(mDouble);
     row->setFocusProxy(mDelta);
     return row;
+}
+
+void SolverPanel::applyEdit(const std::function<void(SolveSettings &)> &edit, bool first)
+{
+    changeSolveSettings(edit, gestureFor(first));
 }
 
 void SolverPanel::scaleDelta(double factor)

@@ -3,6 +3,7 @@
 
 #include "views/panels/panel.h"
 
+#include <functional>
 #include <vector>
 
 class QCheckBox;
@@ -43,6 +44,7 @@ private:
     QWidget *makeReadOut();
     void connectSolver();
     void takeOverByHand();
+    void applyEdit(const std::function<void(SolveSettings &)> &edit, bool first);
     void scaleDelta(double factor);
     void showEnergyBalance(const SolveSettings &settings);
     void showState();
