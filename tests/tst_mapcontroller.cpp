@@ -2,9 +2,14 @@
 #include "commands/editpins.h"
 #include "commands/editrectangles.h"
 #include "commands/setislandflags.h"
+#include "commands/setseamstate.h"
 #include "commands/setuvs.h"
 #include "model/document/makesnapshot.h"
+#include "model/plain/uvlayout.h"
+#include "model/plain/uvseams.h"
 #include "model/samples/samples.h"
+#include "solver/packing/packmap.h"
+#include "solver/unwrap/unwrap.h"
 #include "support/patience.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/mapjobs.h"
@@ -15,6 +20,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <array>
 #include <cstring>
 
 using namespace autocuts;
@@ -28,7 +34,7 @@ struct Studio
     Workspace workspace;
     ShownMap shown{workspace};
     SolverController solver{workspace, shown};
-    MapController map{workspace, solver};
+    MapController map{workspace, solver, shown};
     QSignalSpy done{&map, &MapController::done}, failed{&map, &MapController::failed};
 
     explicit Studio(const char *sample = "bumpycube")
@@ -45,6 +51,11 @@ struct Studio
     bool measures()
     {
         return QTest::qWaitFor([&] { return map.figuresAreFresh(); }, test::patience);
+    }
+    void cut(int edgePair)
+    {
+        pushCommand(std::make_unique<SetSeamState>(document(), SetSeamState::Edit::Cut,
+                                                   IndexRanges::fromSorted(std::array{2 * edgePair, 2 * edgePair + 1})));
     }
     //! A quick map: every face of the box on its own, side by side and on top of each other as they come.
     void layOut(bool overlapping)
@@ -66,6 +77,16 @@ struct Studio
         pushCommand(std::make_unique<SetUvs>(document(), UvEdit::Move, uv));
     }
 };
+
+//! An edge pair that is no seam of the map that is shown, and no diagonal.
+int joinedInside(const Studio &studio)
+{
+    const std::vector<EdgePair> &pairs = studio.workspace.document()->mesh().edgePairs;
+    int edge = 0;
+    while (pairs[edge].diagonal || studio.shown.isSeam(edge))
+        ++edge;
+    return edge;
+}
 
 } // namespace
 
@@ -312,6 +333,70 @@ private Q_SLOTS:
                 moved += document.uv().row(c) != before.row(c);
         }
         QVERIFY(moved > 0);
+    }
+
+    //! The best map is seen while it is looked for; the document does not change before the end.
+    void unwrappingShowsItsBestMap()
+    {
+        Studio studio;
+        const std::size_t corners = studio.document().mesh().soupCornerCount();
+        studio.map.unwrap(UnwrapQuality::Standard);
+        QVERIFY(QTest::qWaitFor([&] { return studio.map.isPreviewing(); }, test::patience));
+        QVERIFY(studio.map.jobs().isBusy());
+        QVERIFY(studio.shown.isLive() && !studio.shown.isSoup());
+        QCOMPARE(std::size_t(studio.shown.uv().rows()), corners);
+        QVERIFY(studio.shown.uv().allFinite());
+        QVERIFY(!hasUvs(studio.document()));
+        QCOMPARE(studio.stack().count(), 0);
+        QVERIFY(studio.ends());
+        QVERIFY(!studio.map.isPreviewing() && !studio.shown.isLive());
+        QCOMPARE(studio.stack().count(), 1);
+        QVERIFY(studio.shown.uv() == soupUv(studio.document().mesh(), studio.document().uv()));
+    }
+
+    //! Seeing maps on the way does not change the result.
+    void aWatchedUnwrapGivesTheSameMap()
+    {
+        Studio studio;
+        const Snapshot snapshot = makeSnapshot(studio.document());
+        unwrap::UnwrapOptions options;
+        options.packing = packing::tileOptions(studio.document().packingSettings());
+        options.packing.keepScale = false;
+        const UvMatrix alone = unwrap::unwrapMesh(snapshot, options).uv;
+        studio.map.unwrap(UnwrapQuality::Standard);
+        QVERIFY(studio.ends());
+        QVERIFY(studio.document().uv() == alone);
+    }
+
+    //! The job begins again with the edit, also when that comes shortly before its end.
+    void unwrappingTakesUpEdits()
+    {
+        Studio studio;
+        studio.map.unwrap(UnwrapQuality::Standard);
+        QVERIFY(QTest::qWaitFor([&] { return studio.map.isPreviewing(); }, test::patience));
+        const int edge = joinedInside(studio);
+        studio.cut(edge);
+        QVERIFY(studio.map.isPreviewing());
+        const auto isCut = [&] {
+            const std::vector<bool> open = openCornerPairs(studio.document().mesh(), studio.document().uv());
+            return open[2 * edge] || open[2 * edge + 1];
+        };
+        QVERIFY(QTest::qWaitFor([&] { return isCut() && !studio.map.jobs().isBusy(); }, test::patience));
+        QVERIFY(!studio.map.isPreviewing());
+    }
+
+    //! What is edited after Cancel does not begin the job again.
+    void aCancelledJobStaysCancelled()
+    {
+        Studio studio;
+        studio.map.unwrap(UnwrapQuality::Best);
+        QVERIFY(QTest::qWaitFor([&] { return studio.map.isPreviewing(); }, test::patience));
+        studio.cut(joinedInside(studio));
+        studio.map.cancel();
+        QVERIFY(studio.ends());
+        QVERIFY(!studio.map.isPreviewing());
+        QTest::qWait(600);
+        QVERIFY(!studio.map.jobs().isBusy());
     }
 
     void anEditMeanwhileWins()

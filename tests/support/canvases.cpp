@@ -10,7 +10,7 @@ namespace autocuts::test {
 
 Canvases::Canvases()
     : preferences(folder.filePath(QStringLiteral("preferences.ini"))), shown(workspace),
-      solver(workspace, shown), map(workspace, solver),
+      solver(workspace, shown), map(workspace, solver, shown),
       files(workspace, solver, preferences, folder.filePath(QStringLiteral("recovery"))),
       actions(preferences), context{workspace, shown, view, preferences, solver, map, files, actions},
       tools(context), mesh(context, tools), uv(context, tools)

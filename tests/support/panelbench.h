@@ -33,7 +33,7 @@ struct PanelBench
     ShownMap shownMap{workspace};
     ViewState view;
     SolverController solver{workspace, shownMap};
-    MapController map{workspace, solver};
+    MapController map{workspace, solver, shownMap};
     FileController files{workspace, solver, preferences, folder.path()};
     ActionRegistry actions{preferences};
     StudioContext context{workspace, shownMap, view, preferences, solver, map, files, actions};

@@ -27,7 +27,7 @@ struct StudioParts
     ShownMap shownMap{workspace};
     ViewState view;
     SolverController solver{workspace, shownMap};
-    MapController map{workspace, solver};
+    MapController map{workspace, solver, shownMap};
     FileController files{workspace, solver, preferences, path("recovery")};
     StudioContext context{workspace, shownMap, view, preferences, solver, map, files, registry};
     Answers answers;

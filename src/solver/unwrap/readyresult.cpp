@@ -13,8 +13,9 @@ constexpr double rounding = 1e-9;
 
 } // namespace
 
-ReadyResult::ReadyResult(const Ranking &ranking, Place place, MakeMap first)
-    : mRanking(ranking), mPlace(std::move(place)), mThread([this, first = std::move(first)] { run(first); })
+ReadyResult::ReadyResult(const Ranking &ranking, Place place, MakeMap first, Watch watch)
+    : mRanking(ranking), mPlace(std::move(place)), mWatch(std::move(watch)),
+      mThread([this, first = std::move(first)] { run(first); })
 {}
 
 ReadyResult::~ReadyResult()
@@ -106,6 +107,8 @@ void ReadyResult::makeResult(const MakeMap &make)
     UnwrapResult result = mPlace(std::move(*candidate), job);
     if (mEnds)
         return;
+    if (mWatch && !result.onlyPatches)
+        mWatch(result);
     const std::scoped_lock lock(mMutex);
     mMeasures = std::move(measures);
     mResult = std::move(result);

@@ -1,4 +1,4 @@
-// The result that an unwrap of a large mesh returns at once when it is stopped.
+// The result that an unwrap returns at once when it is stopped, and shows while it runs.
 #pragma once
 
 #include "solver/unwrap/candidates.h"
@@ -23,9 +23,11 @@ public:
     using MakeMap = std::function<std::optional<Candidate>(const JobContext &)>;
     //! Places the islands of a map.
     using Place = std::function<UnwrapResult(Candidate, const JobContext &)>;
+    //! Sees every better result that is more than patches.
+    using Watch = std::function<void(const UnwrapResult &)>;
 
     //! \param first makes a map at once, and always one
-    ReadyResult(const Ranking &ranking, Place place, MakeMap first);
+    ReadyResult(const Ranking &ranking, Place place, MakeMap first, Watch watch = {});
     //! Waits until the thread has left what it does.
     ~ReadyResult();
 
@@ -43,6 +45,7 @@ private:
 
     const Ranking &mRanking;
     const Place mPlace;
+    const Watch mWatch;
     std::atomic<bool> mEnds = false;
     std::mutex mMutex; //!< for what follows
     std::condition_variable mChanged;

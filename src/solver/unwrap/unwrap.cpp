@@ -107,13 +107,20 @@ UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options, 
     Ranking ranking(options, job);
     const ResultMaker maker(snapshot, *part, options);
     std::optional<ReadyResult> ready;
-    if (suitsCoarseToFine(problem)) {
+    const bool isLarge = suitsCoarseToFine(problem);
+    if (isLarge || options.better) {
         ready.emplace(
             ranking,
             [&maker](Candidate map, const JobContext &own) {
                 return maker.resultOf(std::move(map), PackHurry::Always, own);
             },
-            [&problem](const JobContext &) { return patchesOf(problem); });
+            [&problem](const JobContext &) { return patchesOf(problem); }, options.better);
+    }
+    // The maps of a large mesh come by way of the coarse one.
+    if (ready && !isLarge) {
+        ranking.setWatcher([&ready](const Candidate &best) {
+            ready->prepare([best](const JobContext &) { return best; });
+        });
     }
     FoundMap found = findMap(problem, options, ranking, job, ready ? &*ready : nullptr);
     // To place the islands takes long, too.

@@ -6,9 +6,12 @@
 #include "solver/unwrap/unmetsteering.h"
 #include "solver/unwrap/unwrapquality.h"
 
+#include <functional>
 #include <optional>
 
 namespace autocuts::unwrap {
+
+struct UnwrapResult;
 
 struct UnwrapOptions
 {
@@ -18,6 +21,9 @@ struct UnwrapOptions
     bool allowOverlaps = false;
     bool pack = true; //!< false: the islands are not packed, and the map is scaled into the unit square
     packing::PackOptions packing;
+    //! Receives ever better maps, packed with little effort, while the search goes on. Called from a thread of
+    //! its own; what it does has no effect on the result. May be empty.
+    std::function<void(const UnwrapResult &)> better;
 };
 
 struct UnwrapResult

@@ -58,6 +58,8 @@ public:
     virtual void move(const ToolEvent &event) = 0;
     virtual void release(const ToolEvent &event) = 0;
     virtual void doubleClick(const ToolEvent &event) { press(event); }
+    //! True when a gesture changes the map that is shown. The best map of a running job must be let alone.
+    virtual bool movesMap() const { return false; }
     //! Called when the mouse leaves the view.
     virtual void leave() {}
     //! \returns true when the tool used the key. Escape ends a gesture.

@@ -59,7 +59,7 @@ void Canvas::mousePressEvent(QMouseEvent *event)
         mMenuPress = event->position();
         return;
     }
-    if (!mContent.mesh() || !mTools.tool())
+    if (!mTools.mayBegin() || !mContent.mesh())
         return;
     mToolPressed = true;
     mTools.tool()->press(toolEvent(*event, true));
@@ -113,6 +113,8 @@ void Canvas::mouseDoubleClickEvent(QMouseEvent *event)
         mousePressEvent(event);
         return;
     }
+    if (!mTools.mayBegin())
+        return;
     mToolPressed = true;
     mTools.tool()->doubleClick(toolEvent(*event, true));
 }

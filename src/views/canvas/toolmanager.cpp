@@ -2,13 +2,14 @@
 
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
+#include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 
 #include <algorithm>
 
 namespace autocuts {
 
-ToolManager::ToolManager(const StudioContext &context, QObject *parent) : QObject(parent)
+ToolManager::ToolManager(const StudioContext &context, QObject *parent) : QObject(parent), mMap(context.map)
 {
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
         if (mActive)
@@ -50,8 +51,13 @@ void ToolManager::setTool(const QString &id)
 void ToolManager::choose(const QString &id)
 {
     setTool(id);
-    if (mMouseCanvas && mActive && mActive->id() == id && mMouseCanvas->content().mesh())
+    if (mMouseCanvas && mayBegin() && mActive->id() == id && mMouseCanvas->content().mesh())
         mActive->chosen(*mMouseCanvas, mMouse);
+}
+
+bool ToolManager::mayBegin() const
+{
+    return mActive && !(mActive->movesMap() && mMap.isPreviewing());
 }
 
 void ToolManager::setMouse(ToolCanvas *canvas, const QPointF &position)

@@ -29,6 +29,8 @@ public:
     //! Stores the mouse position. \param canvas null when the mouse is over no canvas
     void setMouse(ToolCanvas *canvas, const QPointF &position);
     AbstractTool *tool() const { return mActive; }
+    //! False when the active tool may not begin a gesture at the moment.
+    bool mayBegin() const;
 
 Q_SIGNALS:
     void toolChanged();
@@ -38,6 +40,7 @@ Q_SIGNALS:
     void overlayChanged();
 
 private:
+    const MapController &mMap;
     std::vector<std::unique_ptr<AbstractTool>> mTools;
     AbstractTool *mActive = nullptr;
     QPointer<ToolCanvas> mMouseCanvas; //!< the canvas under the mouse

@@ -168,7 +168,7 @@ void UvView::drawOverlay(QPainter &painter)
     if (document && content().uvBox().isEmpty()) {
         const JobRunner &jobs = studio().map.jobs();
         if (jobs.isBusy())
-            drawMessage(painter, rect(), colors, jobs.title(), {tr("The map appears here at the end")});
+            drawMessage(painter, rect(), colors, jobs.title(), {tr("The map appears here as soon as there is one")});
         else
             drawMessage(painter, rect(), colors, tr("No UVs yet"),
                         {tr("Press U to unwrap, or Space to solve live")});

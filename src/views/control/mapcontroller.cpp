@@ -7,7 +7,10 @@
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 
+#include <QScopedValueRollback>
+
 #include <algorithm>
+#include <utility>
 
 namespace autocuts {
 
@@ -15,6 +18,8 @@ namespace {
 
 //! Milliseconds without an edit after which the map is measured. Chosen by hand.
 constexpr int measureDelay = 250;
+//! Milliseconds without an edit after which a job begins again. Chosen by hand.
+constexpr int editDelay = 300;
 //! The search for overlapping pairs stops at this number. Chosen by hand.
 constexpr int maxListedOverlaps = 100'000;
 
@@ -44,26 +49,36 @@ MapFigures measured(const MeshData &mesh, const UvMatrix &uv, const std::vector<
     return figures;
 }
 
-//! The input of a job that may change only the selected faces.
-MapInput limited(MapInput input, JobReach reach)
+//! The input of a job that may change only these faces.
+MapInput limited(MapInput input, JobReach reach, const QList<int> &faces)
 {
     if (reach == JobReach::All)
         return input;
-    input.snapshot.scope = scopeOf(input.mesh(), input.selectedFaces, reach == JobReach::SelectionAttached);
+    input.snapshot.scope = scopeOf(input.mesh(), faces, reach == JobReach::SelectionAttached);
     return input;
 }
 
 } // namespace
 
-MapController::MapController(Workspace &workspace, SolverController &solver, QObject *parent)
-    : QObject(parent), mWorkspace(workspace), mSolver(solver)
+MapController::MapController(Workspace &workspace, SolverController &solver, ShownMap &shownMap,
+                             QObject *parent)
+    : QObject(parent), mWorkspace(workspace), mSolver(solver), mPreview(workspace, shownMap)
 {
+    mAgainSoon.setSingleShot(true);
+    mAgainSoon.setInterval(editDelay);
+    connect(&mAgainSoon, &QTimer::timeout, this, &MapController::takeUpEdits);
+    connect(&mJobs, &JobRunner::busyChanged, this, [this] {
+        // Its map stays in the views until the first one of the new beginning.
+        if (!mJobs.isBusy() && !mBeginsAgain)
+            mPreview.end();
+    });
     for (JobRunner *jobs : {&mJobs, &mMeasuring})
         connect(jobs, &JobRunner::failed, this, [this](const QString &message) { Q_EMIT failed(message); });
     mMeasureSoon.setSingleShot(true);
     mMeasureSoon.setInterval(measureDelay);
     connect(&mMeasureSoon, &QTimer::timeout, this, &MapController::measure);
     connect(&workspace, &Workspace::documentReplaced, this, [this] {
+        mAgain = nullptr;
         mJobs.abandon();
         mMeasuring.abandon();
         mFigures.reset();
@@ -79,6 +94,8 @@ MapController::MapController(Workspace &workspace, SolverController &solver, QOb
         const bool stacks = event.type == ChangeEvent::Type::IslandFlag &&
                             (static_cast<const IslandFlagEvent &>(event).properties & IslandFlagEvent::Stack);
         mStackChanges += stacks;
+        if (mAgain && mJobs.isBusy())
+            mAgainSoon.start();
         if (textureSize || stacks || event.type == ChangeEvent::Type::Uv ||
             event.type == ChangeEvent::Type::UvSet) {
             mMeasureSoon.start();
@@ -119,10 +136,12 @@ void MapController::startJob(const QString &title,
 {
     if (!mWorkspace.document() || mJobs.isBusy())
         return;
+    mAgain = nullptr;
     mSolver.whenPaused([this, title, work = std::move(work)] {
         if (!mWorkspace.document() || mJobs.isBusy())
             return;
         const auto given = std::make_shared<const MapInput>(input());
+        mGiven = given->snapshot.token;
         mJobs.start(
             title,
             [given, work](JobControl &control) {
@@ -168,15 +187,45 @@ void MapController::applyResult(const MapJobResult &result)
 
 void MapController::unwrap(unwrap::UnwrapQuality quality, JobReach reach)
 {
-    startJob(tr("Unwrapping"), [=](const MapInput &input, JobControl &control) {
-        return unwrapJob(limited(input, reach), quality, control);
-    });
+    if (mWorkspace.document() && !mJobs.isBusy())
+        beginUnwrap(quality, reach, mWorkspace.document()->selection().faces);
+}
+
+//! \param faces what it may change, unless that is everything
+void MapController::beginUnwrap(unwrap::UnwrapQuality quality, JobReach reach, const QList<int> &faces)
+{
+    startJob(tr("Unwrapping"),
+             [=, better = mPreview.begin()](const MapInput &input, JobControl &control) {
+                 return unwrapJob(limited(input, reach, faces), quality, better, control);
+             });
+    mAgain = [this, quality, reach, faces] { beginUnwrap(quality, reach, faces); };
+}
+
+//! Begins the job again with the document as it is now, also when it has just ended.
+void MapController::takeUpEdits()
+{
+    const Document *document = mWorkspace.document();
+    if (!mAgain || !document)
+        return;
+    const StateToken now = document->token();
+    if (now.topology != mGiven.topology || (mJobs.isBusy() && now.uv != mGiven.uv) ||
+        (now.steering == mGiven.steering && now.layout == mGiven.layout))
+        return;
+    const QScopedValueRollback again(mBeginsAgain, true);
+    mJobs.abandon();
+    std::exchange(mAgain, nullptr)();
+}
+
+void MapController::cancel()
+{
+    mAgain = nullptr;
+    mJobs.cancel();
 }
 
 void MapController::finish(JobReach reach)
 {
     startJob(tr("Finishing"), [=](const MapInput &input, JobControl &control) {
-        return finishJob(limited(input, reach), control);
+        return finishJob(limited(input, reach, input.selectedFaces), control);
     });
 }
 

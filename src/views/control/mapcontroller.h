@@ -7,6 +7,7 @@
 #include "solver/metrics/uvmetrics.h"
 #include "solver/unwrap/seamprices.h"
 #include "solver/unwrap/unwrapquality.h"
+#include "views/control/jobpreview.h"
 #include "views/control/jobrunner.h"
 
 #include <Eigen/Geometry>
@@ -19,6 +20,7 @@
 
 namespace autocuts {
 
+class ShownMap;
 class SolverController;
 class Workspace;
 struct MapInput;
@@ -41,17 +43,21 @@ enum class PackScope { All, Selection };
 //! Which faces a job may change. The selection stays continuous with the rest of its islands, or is cut free.
 enum class JobReach { All, SelectionAttached, SelectionFree };
 
-//! Starts jobs on copies of the document and pushes each result as one command. When the map was edited
-//! meanwhile, the result is discarded and the user is told. A running live solve is paused first.
+//! Starts jobs on copies of the document and pushes each result as one command. A running live solve is paused
+//! first. When the map was edited meanwhile, the result is discarded and the user is told. Unwrapping shows its
+//! best map, and begins again when the steering or the layout settings are edited meanwhile.
 class MapController final : public QObject
 {
     Q_OBJECT
 
 public:
-    MapController(Workspace &workspace, SolverController &solver, QObject *parent = nullptr);
+    MapController(Workspace &workspace, SolverController &solver, ShownMap &shownMap,
+                  QObject *parent = nullptr);
 
-    //! The running job, for progress and cancelling.
+    //! The running job, for its progress.
     JobRunner &jobs() { return mJobs; }
+    //! True while the views show the best map of the running job instead of the document's.
+    bool isPreviewing() const { return mPreview.isShown(); }
 
     //! The figures of the newest measured map; null before the first measurement.
     const MapFigures *figures() const { return mFigures ? &*mFigures : nullptr; }
@@ -88,7 +94,7 @@ public Q_SLOTS:
     void rip(const QList<int> &edges);
     //! Closes those of the edges that are seams of the map. \param edges edges of MeshAdjacency
     void stitch(const QList<int> &edges);
-    void cancel() { mJobs.cancel(); }
+    void cancel();
 
 Q_SIGNALS:
     //! figures() changed, or whether they are fresh.
@@ -104,6 +110,8 @@ Q_SIGNALS:
 private:
     MapInput input() const;
     void startJob(const QString &title, std::function<MapJobResult(const MapInput &, JobControl &)> work);
+    void beginUnwrap(unwrap::UnwrapQuality quality, JobReach reach, const QList<int> &faces);
+    void takeUpEdits();
     void applyResult(const MapJobResult &result);
     bool pushMap(const MapJobResult &result);
     void startPacking(const PackTarget &target);
@@ -112,6 +120,11 @@ private:
     Workspace &mWorkspace;
     SolverController &mSolver;
     JobRunner mJobs;
+    JobPreview mPreview;
+    StateToken mGiven;            //!< token of the state that the job was given
+    std::function<void()> mAgain; //!< begins the job again; null: it does not take up edits
+    QTimer mAgainSoon;            //!< one new beginning for all edits of a gesture
+    bool mBeginsAgain = false;
     JobRunner mMeasuring;
     QTimer mMeasureSoon;
     std::optional<MapFigures> mFigures;

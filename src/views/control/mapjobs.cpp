@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 namespace autocuts {
 
@@ -28,23 +29,28 @@ QString translated(const char *text)
 }
 
 //! The text about the current stage; empty when it is the same as the job's title.
-QString stageText(const JobProgress &progress)
+//! \param bound on the distortion
+QString stageText(const JobProgress &progress, double bound)
 {
     if (progress.stage == JobStage::SolvingToTheEnd)
         return translated("solving to the end");
-    if (progress.seamLength > 0)
-        return translated("best so far: seams %1, distortion %2")
-            .arg(progress.seamLength, 0, 'f', 2)
-            .arg(progress.distortion, 0, 'f', 3);
-    return {};
+    if (progress.stage == JobStage::Packing)
+        return translated("packing");
+    if (!(progress.seamLength > 0))
+        return {};
+    const QString seams = QString::number(progress.seamLength, 'f', 2);
+    const QString distortion = QString::number(progress.distortion, 'f', 3);
+    return progress.distortion > bound
+               ? translated("adding cuts until the stretch is allowed, D %1 so far").arg(distortion)
+               : translated("shortening seams, %1 so far, D %2").arg(seams, distortion);
 }
 
-JobContext contextOf(JobControl &control)
+JobContext contextOf(JobControl &control, double bound = std::numeric_limits<double>::infinity())
 {
     return {&control.stop(), QThread::idealThreadCount(),
-            [&control, shown = QString()](const JobProgress &progress) mutable {
+            [&control, bound, shown = QString()](const JobProgress &progress) mutable {
                 control.setProgress(progress.fraction);
-                if (const QString text = stageText(progress); text != shown)
+                if (const QString text = stageText(progress, bound); text != shown)
                     control.setStage(shown = text);
             }};
 }
@@ -148,14 +154,17 @@ void tellNewOverlaps(const MapInput &input, const JobControl &control, MapJobRes
             .arg(result.problemItems.faces.size());
 }
 
-MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, JobControl &control)
+MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
+                       std::function<void(const unwrap::UnwrapResult &)> better, JobControl &control)
 {
     unwrap::UnwrapOptions options;
     options.quality = quality;
+    options.better = std::move(better);
     options.maxDistortion = input.snapshot.settings.maxDistortion;
     options.packing = packing::tileOptions(input.packing);
     options.packing.keepScale = false;
-    const unwrap::UnwrapResult made = unwrap::unwrapMesh(input.snapshot, options, contextOf(control));
+    const unwrap::UnwrapResult made =
+        unwrap::unwrapMesh(input.snapshot, options, contextOf(control, options.maxDistortion));
     MapJobResult result;
     result.edit = UvEdit::Unwrap;
     if (made.nothingFree) {
@@ -195,7 +204,7 @@ MapJobResult finishJob(const MapInput &input, JobControl &control)
     }
     finish.maxDistortion = input.snapshot.settings.maxDistortion;
     finish.packing = packing::tileOptions(input.packing);
-    const unwrap::FinishResult made = unwrap::finishMap(finish, contextOf(control));
+    const unwrap::FinishResult made = unwrap::finishMap(finish, contextOf(control, finish.maxDistortion));
     MapJobResult result;
     result.edit = UvEdit::Finish;
     if (made.nothingFree) {

@@ -14,10 +14,15 @@
 
 #include <Eigen/Geometry>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
 namespace autocuts {
+
+namespace unwrap {
+struct UnwrapResult;
+}
 
 namespace live {
 struct SolveResult;
@@ -85,7 +90,9 @@ QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, 
 //! Says which faces of the new map overlap that did not before. \pre the result has a map
 void tellNewOverlaps(const MapInput &input, const JobControl &control, MapJobResult &result);
 
-MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality, JobControl &control);
+//! \param better receives ever better maps while the job runs, on another thread; may be empty
+MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
+                       std::function<void(const unwrap::UnwrapResult &)> better, JobControl &control);
 //! Finishes the map. Without a live solve it keeps the seams of the map; a solve that was paused early is
 //! first continued to its end.
 MapJobResult finishJob(const MapInput &input, JobControl &control);

@@ -343,7 +343,9 @@ void SolverPanel::showOutcome(const SolveSettings &settings)
 {
     MapController &map = context().map;
     MapOutcome outcome;
-    if (context().solver.isRunning() && context().solver.map())
+    if (map.isPreviewing())
+        outcome = {map.jobs().stage(), ""};
+    else if (context().solver.isRunning() && context().solver.map())
         outcome = {liveText(*context().solver.map()), "uv.run"};
     else if (document() && map.figures() && map.figuresAreFresh() && !map.jobs().isBusy())
         outcome = outcomeOf(*map.figures(), settings.maxDistortion);

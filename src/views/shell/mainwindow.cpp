@@ -54,7 +54,8 @@ QString draggedFile(const QMimeData &data)
 MainWindow::MainWindow(Preferences &preferences, const QString &recoveryFolder,
                        std::unique_ptr<Questions> questions)
     : mPreferences(preferences), mQuestions(questions ? std::move(questions) : std::make_unique<Questions>()),
-      mShownMap(mWorkspace), mActions(preferences), mSolver(mWorkspace, mShownMap), mMap(mWorkspace, mSolver),
+      mShownMap(mWorkspace), mActions(preferences), mSolver(mWorkspace, mShownMap),
+      mMap(mWorkspace, mSolver, mShownMap),
       mFiles(mWorkspace, mSolver, preferences, recoveryFolder), mTools(context())
 {
     mQuestions->setWindow(this);

@@ -122,7 +122,10 @@ void StatusBar::addJob()
     mCancel->setAutoRaise(true);
     mCancel->setFocusPolicy(Qt::TabFocus);
     connect(mCancel, &QToolButton::clicked, this, [this] {
-        if (JobRunner *job = runningJob())
+        JobRunner *job = runningJob();
+        if (job == &mContext.map.jobs())
+            mContext.map.cancel();
+        else if (job)
             job->cancel();
     });
     addPermanentWidget(mProgress);

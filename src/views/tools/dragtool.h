@@ -26,6 +26,7 @@ public:
     double radius() const { return mRadius; }
 
     QString hint() const override;
+    bool movesMap() const override { return true; }
     QCursor cursor() const override { return Qt::OpenHandCursor; }
     void press(const ToolEvent &event) override;
     void move(const ToolEvent &event) override;

@@ -25,6 +25,7 @@ public:
     IslandTool(const StudioContext &context, const QString &id, UvEdit edit, QObject *parent = nullptr);
 
     QString hint() const override;
+    bool movesMap() const override { return true; }
     void deactivate() override;
     void chosen(ToolCanvas &canvas, const QPointF &position) override;
     void press(const ToolEvent &event) override;

@@ -1,0 +1,94 @@
+#include "views/control/jobpreview.h"
+
+#include "model/plain/uvlayout.h"
+#include "views/control/shownmap.h"
+#include "views/control/workspace.h"
+
+#include <QMetaObject>
+
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace autocuts {
+
+//! The newest map of one job, on its way to the GUI thread.
+class JobPreview::Box final
+{
+public:
+    explicit Box(JobPreview &preview) : mPreview(&preview) {}
+
+    //! Called on the job's thread.
+    void put(const unwrap::UnwrapResult &map)
+    {
+        const std::scoped_lock lock(mMutex);
+        if (!mPreview)
+            return;
+        // One call is enough for all maps that come before it.
+        if (!mMap)
+            QMetaObject::invokeMethod(mPreview, &JobPreview::show, Qt::QueuedConnection);
+        mMap = {map.uv, map.cut};
+    }
+    //! Nothing when it was taken already.
+    std::optional<std::pair<UvMatrix, CutFlags>> take()
+    {
+        const std::scoped_lock lock(mMutex);
+        return std::exchange(mMap, {});
+    }
+    //! Later maps are dropped.
+    void close()
+    {
+        const std::scoped_lock lock(mMutex);
+        mPreview = nullptr;
+    }
+
+private:
+    std::mutex mMutex;
+    JobPreview *mPreview;
+    std::optional<std::pair<UvMatrix, CutFlags>> mMap;
+};
+
+JobPreview::JobPreview(Workspace &workspace, ShownMap &shownMap, QObject *parent)
+    : QObject(parent), mWorkspace(workspace), mShownMap(shownMap)
+{
+    connect(&workspace, &Workspace::documentReplaced, this, &JobPreview::end);
+}
+
+JobPreview::~JobPreview()
+{
+    if (mBox)
+        mBox->close();
+}
+
+std::function<void(const unwrap::UnwrapResult &)> JobPreview::begin()
+{
+    if (mBox)
+        mBox->close();
+    mBox = std::make_shared<Box>(*this);
+    return [box = mBox](const unwrap::UnwrapResult &map) { box->put(map); };
+}
+
+void JobPreview::end()
+{
+    if (!mBox)
+        return;
+    mBox->close();
+    mBox.reset();
+    if (std::exchange(mShown, false))
+        mShownMap.showDocument();
+}
+
+void JobPreview::show()
+{
+    const auto map = mBox ? mBox->take() : std::nullopt;
+    const Document *document = mWorkspace.document();
+    if (!map || !document || map->first.rows() != document->mesh().cornerCount())
+        return;
+    std::vector<float> apart(document->mesh().cornerPairCount());
+    for (std::size_t p = 0; p < apart.size(); ++p)
+        apart[p] = map->second[p / 2] ? 1.f : 0.f;
+    mShown = true;
+    mShownMap.showMap(soupUv(document->mesh(), map->first), std::move(apart));
+}
+
+} // namespace autocuts
