@@ -54,8 +54,9 @@ struct Studio
     }
     void cut(int edgePair)
     {
-        pushCommand(std::make_unique<SetSeamState>(document(), SetSeamState::Edit::Cut,
-                                                   IndexRanges::fromSorted(std::array{2 * edgePair, 2 * edgePair + 1})));
+        pushCommand(std::make_unique<SetSeamState>(
+            document(), SetSeamState::Edit::Cut,
+            IndexRanges::fromSorted(std::array{2 * edgePair, 2 * edgePair + 1})));
     }
     //! A quick map: every face of the box on its own, side by side and on top of each other as they come.
     void layOut(bool overlapping)

@@ -207,10 +207,33 @@ Eigen::Affine2d mirroredPiece(const IslandPiece &piece, int axis)
     return about(piece.box.center(), Vec2(axis == 0 ? -1 : 1, axis == 0 ? 1 : -1).asDiagonal());
 }
 
+Eigen::Affine2d turnedAbout(const Vec2 &point, double angle)
+{
+    return angle == 0 ? Eigen::Affine2d(Eigen::Affine2d::Identity()) : about(point, rotation(angle));
+}
+
+Eigen::Affine2d scaledAbout(const Vec2 &point, const Vec2 &factor)
+{
+    return about(point, factor.asDiagonal());
+}
+
 Eigen::Affine2d turnedPiece(const IslandPiece &piece, double angle)
 {
-    return angle == 0 ? Eigen::Affine2d(Eigen::Affine2d::Identity())
-                      : about(piece.box.center(), rotation(angle));
+    return turnedAbout(piece.box.center(), angle);
+}
+
+Eigen::Affine2d fittedIntoTile(std::span<const IslandPiece> pieces, double border)
+{
+    Eigen::AlignedBox2d box;
+    for (const IslandPiece &piece : pieces)
+        box.extend(piece.box);
+    const double side = box.isEmpty() ? 0 : box.sizes().maxCoeff();
+    if (!(side > 0))
+        return Eigen::Affine2d::Identity();
+    const Vec2 tile = box.center().array().floor();
+    Eigen::Affine2d result = scaledAbout(box.center(), Vec2::Constant((1 - 2 * border) / side));
+    result.pretranslate(tile + Vec2::Constant(0.5) - box.center());
+    return result;
 }
 
 double turnToSmallestBox(std::span<const Vec2> points)

@@ -39,9 +39,16 @@ std::vector<Eigen::Affine2d> distributedPieces(std::span<const IslandPiece> piec
 //! Mirrors a piece about the centre of its box. \param axis 0: swaps left and right, 1: swaps top and bottom
 Eigen::Affine2d mirroredPiece(const IslandPiece &piece, int axis);
 
-//! Turns a piece about the centre of its box. \param angle radians, counter-clockwise; multiples of a quarter
-//! turn are exact
+//! Turns about a point. \param angle radians, counter-clockwise; multiples of a quarter turn are exact
+Eigen::Affine2d turnedAbout(const Vec2 &point, double angle);
+//! Scales about a point. \param factor along each axis, above 0
+Eigen::Affine2d scaledAbout(const Vec2 &point, const Vec2 &factor);
+//! Turns a piece about the centre of its box. \param angle as above
 Eigen::Affine2d turnedPiece(const IslandPiece &piece, double angle);
+
+//! Moves and scales all pieces together so that they are as large as the tile allows that contains the centre
+//! of their box. \param border left free along the sides of the tile, texture space, below 0.5
+Eigen::Affine2d fittedIntoTile(std::span<const IslandPiece> pieces, double border);
 
 //! The smallest turn, at most 45 degrees either way, that aligns the smallest box around the points with the
 //! axes. Points that are not finite are ignored. \returns radians; 0 when the points have no extent

@@ -118,9 +118,8 @@ UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options, 
     }
     // The maps of a large mesh come by way of the coarse one.
     if (ready && !isLarge) {
-        ranking.setWatcher([&ready](const Candidate &best) {
-            ready->prepare([best](const JobContext &) { return best; });
-        });
+        ranking.setWatcher(
+            [&ready](const Candidate &best) { ready->prepare([best](const JobContext &) { return best; }); });
     }
     FoundMap found = findMap(problem, options, ranking, job, ready ? &*ready : nullptr);
     // To place the islands takes long, too.

@@ -21,8 +21,8 @@ struct UnwrapOptions
     bool allowOverlaps = false;
     bool pack = true; //!< false: the islands are not packed, and the map is scaled into the unit square
     packing::PackOptions packing;
-    //! Receives ever better maps, packed with little effort, while the search goes on. Called from a thread of
-    //! its own; what it does has no effect on the result. May be empty.
+    //! Receives ever better maps, packed with little effort, while the search goes on. Called from a thread
+    //! of its own; what it does has no effect on the result. May be empty.
     std::function<void(const UnwrapResult &)> better;
 };
 

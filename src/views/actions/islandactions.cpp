@@ -9,7 +9,9 @@
 #include "views/control/workspace.h"
 #include "views/dialogs/densitydialog.h"
 #include "views/dialogs/scatterdialog.h"
+#include "views/selecting/movableislands.h"
 #include "views/selecting/selecting.h"
+#include "views/state/viewstate.h"
 #include "views/ui/questions.h"
 
 #include <QAction>
@@ -141,6 +143,23 @@ void IslandActions::connectTurns()
                      return each(pieces, [axis](const IslandPiece &p) { return mirroredPiece(p, axis); });
                  });
     }
+    for (const bool left : {true, false}) {
+        onPieces(left ? "uv.turnLeft" : "uv.turnRight", UvEdit::Rotate,
+                 [this, left](const Document &document, const Pieces &pieces) {
+                     const MovableIslands movable = movableIslands(document, mContext.view.tools());
+                     return each(pieces, [&](const IslandPiece &piece) {
+                         return turnedAbout(movable.pivotOf(piece.islands.front()),
+                                            (left ? 0.5 : -0.5) * std::numbers::pi);
+                     });
+                 });
+    }
+    onPieces("uv.fitTile", UvEdit::Scale, [](const Document &document, Pieces pieces) {
+        // Locked pieces stay where they are.
+        const PackingSettings settings = document.packingSettings();
+        const std::size_t count = pieces.size();
+        std::erase_if(pieces, [](const IslandPiece &piece) { return piece.locked; });
+        return Transforms(count, fittedIntoTile(pieces, 0.5 * settings.margin / settings.textureSize));
+    });
     onPieces("uv.orientBox", UvEdit::Orient, [](const Document &document, const Pieces &pieces) {
         return each(pieces, [&](const IslandPiece &piece) {
             return turnedPiece(piece, turnToSmallestBox(pointsOf(document, piece)));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "views/canvas/picking.h"
+#include "views/canvas/tooloption.h"
 #include "views/control/studiocontext.h"
 
 #include <QCursor>
@@ -9,6 +10,8 @@
 #include <QPointF>
 #include <QString>
 #include <Qt>
+
+#include <vector>
 
 class QKeyEvent;
 class QPainter;
@@ -48,6 +51,8 @@ public:
     const QString &id() const { return mId; }
     //! What the mouse does at the moment: one translated line for the status bar.
     virtual QString hint() const = 0;
+    //! Its settings. Their number and kinds never change.
+    virtual std::vector<ToolOption> options() { return {}; }
     virtual QCursor cursor() const { return Qt::ArrowCursor; }
 
     virtual void activate() {}

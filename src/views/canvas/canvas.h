@@ -85,6 +85,7 @@ private:
     void releaseGl();
     void upload();
     void updateCursor();
+    void placeCursor(const QPointF &pixel);
     void endLostGestures(Qt::MouseButtons held);
     ToolEvent toolEvent(const QMouseEvent &event, bool withPick);
 

@@ -1,6 +1,7 @@
 // Event handlers of Canvas: navigation is tried first, then the tool.
 #include "views/canvas/canvas.h"
 
+#include "views/canvas/mapcamera.h"
 #include "views/canvas/toolmanager.h"
 #include "views/control/workspace.h"
 
@@ -96,13 +97,24 @@ void Canvas::mouseReleaseEvent(QMouseEvent *event)
         const bool isClick =
             (event->position() - *mMenuPress).manhattanLength() < QApplication::startDragDistance();
         mMenuPress.reset();
-        if (isClick)
+        if (isClick && event->modifiers() == Qt::ShiftModifier && mapCamera())
+            placeCursor(event->position());
+        else if (isClick)
             Q_EMIT menuRequested(event->position());
         return;
     }
     mToolPressed = event->buttons() != Qt::NoButton && mToolPressed;
     if (mContent.mesh() && mTools.tool())
         mTools.tool()->release(toolEvent(*event, true));
+}
+
+//! Puts the 2D cursor at a pixel and makes it the pivot.
+void Canvas::placeCursor(const QPointF &pixel)
+{
+    ToolSettings tools = studio().view.tools();
+    tools.cursor = mapCamera()->toUv(pixel);
+    tools.pivot = Pivot::Cursor;
+    studio().view.setTools(tools);
 }
 
 void Canvas::mouseDoubleClickEvent(QMouseEvent *event)

@@ -106,6 +106,18 @@ void drawRulers(QPainter &painter, const QRect &view, const ViewColors &colors, 
     painter.setFont(before);
 }
 
+void drawCursor(QPainter &painter, const ViewColors &colors, const QPointF &place)
+{
+    constexpr double radius = 7, arm = 12; // logical pixels
+    painter.setBrush(Qt::NoBrush);
+    for (const auto &[color, width] : {std::pair(colors.panel, 3.0), std::pair(colors.text, 1.2)}) {
+        painter.setPen(QPen(color, width));
+        painter.drawEllipse(place, radius, radius);
+        for (const QPointF &way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+            painter.drawLine(place + 0.4 * radius * way, place + arm * way);
+    }
+}
+
 void drawRectangles(QPainter &painter, const std::vector<LayoutRectangle> &rectangles,
                     const MapCamera &camera)
 {

@@ -22,4 +22,7 @@ void drawRulers(QPainter &painter, const QRect &view, const ViewColors &colors, 
 void drawRectangles(QPainter &painter, const std::vector<LayoutRectangle> &rectangles,
                     const MapCamera &camera);
 
+//! Draws the 2D cursor, a ring with a cross.
+void drawCursor(QPainter &painter, const ViewColors &colors, const QPointF &place);
+
 } // namespace autocuts

@@ -24,6 +24,7 @@ UvView::UvView(const StudioContext &context, ToolManager &tools, QWidget *parent
     : Canvas(Kind::Map, context, tools, parent)
 {
     setObjectName(u"uvView"_s);
+    connect(&context.view, &ViewState::toolsChanged, this, qOverload<>(&UvView::update));
     connect(&context.map.jobs(), &JobRunner::busyChanged, this, qOverload<>(&UvView::update));
 }
 
@@ -168,7 +169,8 @@ void UvView::drawOverlay(QPainter &painter)
     if (document && content().uvBox().isEmpty()) {
         const JobRunner &jobs = studio().map.jobs();
         if (jobs.isBusy())
-            drawMessage(painter, rect(), colors, jobs.title(), {tr("The map appears here as soon as there is one")});
+            drawMessage(painter, rect(), colors, jobs.title(),
+                        {tr("The map appears here as soon as there is one")});
         else
             drawMessage(painter, rect(), colors, tr("No UVs yet"),
                         {tr("Press U to unwrap, or Space to solve live")});
@@ -177,6 +179,8 @@ void UvView::drawOverlay(QPainter &painter)
         document ? document->packingSettings().textureSize : studio().preferences.values().textureSize;
     if (options.rulers)
         drawRulers(painter, rect(), colors, mCamera, textureSize);
+    if (document && studio().view.tools().pivot == Pivot::Cursor)
+        drawCursor(painter, colors, mCamera.toScreen(studio().view.tools().cursor));
     if (document) {
         drawLegend(painter, rect(), colors, options, studio().preferences.values().colorBlindHeatMap);
         drawHoverCorner(painter, *this);

@@ -194,10 +194,9 @@ void MapController::unwrap(unwrap::UnwrapQuality quality, JobReach reach)
 //! \param faces what it may change, unless that is everything
 void MapController::beginUnwrap(unwrap::UnwrapQuality quality, JobReach reach, const QList<int> &faces)
 {
-    startJob(tr("Unwrapping"),
-             [=, better = mPreview.begin()](const MapInput &input, JobControl &control) {
-                 return unwrapJob(limited(input, reach, faces), quality, better, control);
-             });
+    startJob(tr("Unwrapping"), [=, better = mPreview.begin()](const MapInput &input, JobControl &control) {
+        return unwrapJob(limited(input, reach, faces), quality, better, control);
+    });
     mAgain = [this, quality, reach, faces] { beginUnwrap(quality, reach, faces); };
 }
 

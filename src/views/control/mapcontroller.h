@@ -43,9 +43,9 @@ enum class PackScope { All, Selection };
 //! Which faces a job may change. The selection stays continuous with the rest of its islands, or is cut free.
 enum class JobReach { All, SelectionAttached, SelectionFree };
 
-//! Starts jobs on copies of the document and pushes each result as one command. A running live solve is paused
-//! first. When the map was edited meanwhile, the result is discarded and the user is told. Unwrapping shows its
-//! best map, and begins again when the steering or the layout settings are edited meanwhile.
+//! Starts jobs on copies of the document and pushes each result as one command. A running live solve is
+//! paused first. When the map was edited meanwhile, the result is discarded and the user is told. Unwrapping
+//! shows its best map, and begins again when the steering or the layout settings are edited meanwhile.
 class MapController final : public QObject
 {
     Q_OBJECT

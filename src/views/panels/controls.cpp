@@ -1,5 +1,7 @@
 #include "views/panels/controls.h"
 
+#include "views/panels/scrublabel.h"
+
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
@@ -38,7 +40,8 @@ QFormLayout *makeForm(QWidget *owner)
 
 QLabel *addRow(QFormLayout *form, const QString &label, QWidget *field, const QString &tip)
 {
-    auto *caption = new QLabel(label);
+    QAbstractSpinBox *number = spinBoxOf(field);
+    auto *caption = number ? new ScrubLabel(label, number) : new QLabel(label);
     caption->setBuddy(field);
     caption->setToolTip(tip);
     caption->setMinimumWidth(caption->fontMetrics().horizontalAdvance(QStringLiteral("Distortion__")));

@@ -20,7 +20,8 @@ inline constexpr int panelMargin = 8;
 
 //! Makes a form layout on `owner` with narrow rows and without margins.
 QFormLayout *makeForm(QWidget *owner);
-//! Adds a row. The label is the field's buddy, and both have the tooltip.
+//! Adds a row. The label is the field's buddy, and both have the tooltip. Dragging the label of a number
+//! field sideways changes the number.
 QLabel *addRow(QFormLayout *form, const QString &label, QWidget *field, const QString &tip);
 //! Makes a push button that can be as narrow as its text. \param name object name
 QPushButton *makeButton(const QString &text, QLatin1StringView name);

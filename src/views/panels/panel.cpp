@@ -4,12 +4,15 @@
 #include "views/actions/actionregistry.h"
 #include "views/control/workspace.h"
 #include "views/panels/inputguard.h"
+#include "views/panels/scrublabel.h"
 
 #include <QAbstractButton>
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace autocuts {
 
@@ -122,6 +125,9 @@ void Panel::refreshNow()
 
 void Panel::pushSettings(const SolveSettings &solve, const PackingSettings &packing, quint64 gesture)
 {
+    // One undo entry for all steps of dragging a number.
+    if (ScrubLabel::gesture() != 0 && gesture == 0)
+        gesture = gestureFor(std::exchange(mScrub, ScrubLabel::gesture()) != ScrubLabel::gesture());
     auto command = std::make_unique<ChangeSettings>(*document(), solve, packing);
     command->setGesture(gesture);
     pushCommand(std::move(command));

@@ -78,7 +78,7 @@ private:
     QScrollArea *mScrollArea;
     QWidget *mContent;
     QTimer mRefreshTimer;
-    quint64 mGesture = 0;
+    quint64 mGesture = 0, mScrub = 0;
     bool mStale = true;
 };
 

@@ -8,6 +8,7 @@
 #include "views/panels/doctorpanel.h"
 #include "views/panels/historypanel.h"
 #include "views/panels/islandpanel.h"
+#include "views/panels/layoutpanel.h"
 #include "views/panels/noticebar.h"
 #include "views/panels/overlappanel.h"
 #include "views/panels/packpanel.h"
@@ -17,6 +18,7 @@
 #include "views/shell/contextmenu.h"
 #include "views/shell/startpage.h"
 #include "views/shell/statusbar.h"
+#include "views/shell/tooloptionbar.h"
 #include "views/tools/studiotools.h"
 #include "views/ui/decimalkeys.h"
 #include "views/ui/icons.h"
@@ -55,8 +57,8 @@ MainWindow::MainWindow(Preferences &preferences, const QString &recoveryFolder,
                        std::unique_ptr<Questions> questions)
     : mPreferences(preferences), mQuestions(questions ? std::move(questions) : std::make_unique<Questions>()),
       mShownMap(mWorkspace), mActions(preferences), mSolver(mWorkspace, mShownMap),
-      mMap(mWorkspace, mSolver, mShownMap),
-      mFiles(mWorkspace, mSolver, preferences, recoveryFolder), mTools(context())
+      mMap(mWorkspace, mSolver, mShownMap), mFiles(mWorkspace, mSolver, preferences, recoveryFolder),
+      mTools(context())
 {
     mQuestions->setWindow(this);
     new DecimalKeys(this);
@@ -160,6 +162,7 @@ void MainWindow::makePanels()
     QDockWidget *doctor = add("doctor", tr("Mesh doctor"), new DoctorPanel(studio), Qt::LeftDockWidgetArea);
     QDockWidget *solver = add("solver", tr("Unwrap"), new SolverPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *islands = add("islands", tr("Islands"), new IslandPanel(studio), Qt::RightDockWidgetArea);
+    QDockWidget *arranging = add("layout", tr("Layout"), new LayoutPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *seams = add("seams", tr("Seams"), new SeamPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *packing = add("packing", tr("Packing"), new PackPanel(studio), Qt::RightDockWidgetArea);
     auto *overlapPanel = new OverlapPanel(studio);
@@ -168,7 +171,8 @@ void MainWindow::makePanels()
 
     tabifyDockWidget(history, doctor);
     history->raise();
-    tabifyDockWidget(islands, seams);
+    tabifyDockWidget(islands, arranging);
+    tabifyDockWidget(arranging, seams);
     tabifyDockWidget(seams, packing);
     tabifyDockWidget(packing, overlaps);
     islands->raise();
@@ -195,6 +199,11 @@ void MainWindow::makeMenus()
     bar->setMovable(false);
     fillToolBar(mActions, *bar);
     panels->insertAction(before, bar->toggleViewAction());
+    auto *options = new ToolOptionBar(context(), mTools);
+    options->setObjectName(QStringLiteral("toolOptionsBar"));
+    options->setMovable(false);
+    addToolBar(options);
+    panels->insertAction(before, options->toggleViewAction());
     panels->insertAction(before, makeToolBar()->toggleViewAction());
     // Added to the window so that all shortcuts work wherever the focus is, also when the menu bar is hidden.
     addActions(QList<QAction *>(mActions.actions().begin(), mActions.actions().end()));

@@ -76,6 +76,14 @@ void ViewState::setOptions(const ViewOptions &options)
     Q_EMIT optionsChanged();
 }
 
+void ViewState::setTools(const ToolSettings &settings)
+{
+    if (settings == mTools)
+        return;
+    mTools = settings;
+    Q_EMIT toolsChanged();
+}
+
 void ViewState::setHover(const Hover &hover)
 {
     if (hover == mHover)

@@ -2,6 +2,8 @@
 // undoable.
 #pragma once
 
+#include "views/state/toolsettings.h"
+
 #include <QCborMap>
 #include <QObject>
 #include <QString>
@@ -54,7 +56,8 @@ struct Hover
     bool operator==(const Hover &) const = default;
 };
 
-//! View options and hovered elements, shared by the views, the panels and the actions.
+//! View options, tool settings and hovered elements, shared by the views, the tools, the panels and the
+//! actions.
 class ViewState final : public QObject
 {
     Q_OBJECT
@@ -64,15 +67,19 @@ public:
 
     const ViewOptions &options() const { return mOptions; }
     void setOptions(const ViewOptions &options);
+    const ToolSettings &tools() const { return mTools; }
+    void setTools(const ToolSettings &settings);
     const Hover &hover() const { return mHover; }
     void setHover(const Hover &hover);
 
 Q_SIGNALS:
     void optionsChanged();
+    void toolsChanged();
     void hoverChanged();
 
 private:
     ViewOptions mOptions;
+    ToolSettings mTools;
     Hover mHover;
 };
 

@@ -305,14 +305,26 @@ bool DragTool::wheel(const QWheelEvent &event, ToolCanvas &)
     // Some platforms report horizontal scrolling while Shift is held.
     const QPoint angle = event.angleDelta();
     const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
-    mRadius = std::clamp(mRadius * std::pow(1.15, notches), minRadius, maxRadius);
+    setRadius(mRadius * std::pow(1.15, notches));
+    return true;
+}
+
+void DragTool::setRadius(double radius)
+{
+    mRadius = std::clamp(radius, minRadius, maxRadius);
     if (mState == State::Drag) {
         updateReach();
         findGaps();
         apply();
     }
     Q_EMIT overlayChanged();
-    return true;
+}
+
+std::vector<ToolOption> DragTool::options()
+{
+    return {ToolOption::number(tr("Circle"), tr("Radius of what follows the drag; Shift+wheel"), mRadius,
+                               minRadius, maxRadius, tr(" px"),
+                               [this](double radius) { setRadius(radius); })};
 }
 
 void DragTool::reset()

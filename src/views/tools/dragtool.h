@@ -26,6 +26,7 @@ public:
     double radius() const { return mRadius; }
 
     QString hint() const override;
+    std::vector<ToolOption> options() override;
     bool movesMap() const override { return true; }
     QCursor cursor() const override { return Qt::OpenHandCursor; }
     void press(const ToolEvent &event) override;
@@ -47,6 +48,7 @@ private:
         double width = 0;                      //!< at the beginning of the drag, in pixels
     };
 
+    void setRadius(double radius);
     bool reachesAround() const;
     void begin();
     void updateReach();

@@ -91,7 +91,7 @@ double IslandDrag::angle() const
 {
     if (const auto value = typedNumber())
         return std::remainder(*value, 360);
-    const Vec2 from = start - pivot(), to = current - pivot();
+    const Vec2 from = start - pivot, to = current - pivot;
     if (to.norm() < 1e-12 || start == current)
         return 0;
     const double before = from.norm() < nearPivot * pixel ? 0 : std::atan2(from.y(), from.x());
@@ -109,7 +109,7 @@ double IslandDrag::factor() const
     if (const auto number = typedNumber()) {
         value = *number;
     } else {
-        Vec2 reach = start - pivot();
+        Vec2 reach = start - pivot;
         if (reach.norm() < nearPivot * pixel)
             reach = Vec2(scaleLength * pixel, 0);
         value = 1 + (current - start).dot(reach) / reach.squaredNorm();
@@ -122,7 +122,7 @@ double IslandDrag::factor() const
     return std::clamp(value, smallestFactor, 1 / smallestFactor);
 }
 
-Eigen::Affine2d IslandDrag::transform() const
+Eigen::Affine2d IslandDrag::transform(const Vec2 &about) const
 {
     Eigen::Affine2d result = Eigen::Affine2d::Identity();
     if (edit == UvEdit::Move) {
@@ -145,7 +145,7 @@ Eigen::Affine2d IslandDrag::transform() const
             return result;
         result.linear() = Vec2(axis == DragAxis::Y ? 1 : value, axis == DragAxis::X ? 1 : value).asDiagonal();
     }
-    result.translation() = pivot() - result.linear() * pivot();
+    result.translation() = about - result.linear() * about;
     return result;
 }
 

@@ -19,7 +19,8 @@ struct IslandDrag
     UvEdit edit = UvEdit::Move; //!< Move, Rotate or Scale
     Vec2 start = Vec2::Zero();  //!< of the mouse
     Vec2 current = Vec2::Zero();
-    Eigen::AlignedBox2d box; //!< of the islands at the start; its centre is the pivot
+    Eigen::AlignedBox2d box;   //!< of the islands at the start
+    Vec2 pivot = Vec2::Zero(); //!< of the handles; the mouse turns and scales about it
     DragAxis axis = DragAxis::Both;
     QString typed; //!< a number that replaces the mouse: texels, degrees or a factor
     SnapTo snap = SnapTo::Nothing;
@@ -30,8 +31,9 @@ struct IslandDrag
 
     //! Handles digits, point, minus, backspace, X and Y. \returns false for other keys
     bool takeKey(const QKeyEvent &event);
-    Vec2 pivot() const { return box.center(); }
-    Eigen::Affine2d transform() const;
+    //! \param about point that turning and scaling leave in place
+    Eigen::Affine2d transform(const Vec2 &about) const;
+    Eigen::Affine2d transform() const { return transform(pivot); }
     //! The value of transform() with its unit, translated.
     QString text() const;
 

@@ -8,6 +8,8 @@
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/selecting/selecting.h"
+#include "views/state/viewstate.h"
+#include "views/tools/layoutchoices.h"
 #include "views/tools/pickedelements.h"
 
 #include <QKeyEvent>
@@ -46,6 +48,7 @@ IslandTool::IslandTool(const StudioContext &context, const QString &id, UvEdit e
         },
         Qt::QueuedConnection);
     connect(&context.workspace, &Workspace::selectionChanged, this, &AbstractTool::overlayChanged);
+    connect(&context.view, &ViewState::toolsChanged, this, &AbstractTool::overlayChanged);
 }
 
 QString IslandTool::hint() const
@@ -64,6 +67,13 @@ QString IslandTool::hint() const
         return tr("Move islands: drag an island or an arrow, Shift snaps to other islands, Ctrl to the grid, "
                   "Ctrl+Shift to texels, Ctrl+Alt to tiles");
     }
+}
+
+std::vector<ToolOption> IslandTool::options()
+{
+    if (mEdit == UvEdit::Move)
+        return {snapChoice(context().view)};
+    return {pivotChoice(context().view), snapChoice(context().view)};
 }
 
 void IslandTool::deactivate()
@@ -151,7 +161,7 @@ void IslandTool::move(const ToolEvent &event)
         return;
     const MapCamera &camera = *mView->mapCamera();
     mDrag.current = camera.toUv(event.position);
-    mDrag.snap = snapOf(event.modifiers);
+    mDrag.snap = snapOf(event.modifiers, context().view.tools().snap);
     mDrag.snapStep = snapStep(mDrag.snap, camera, mDrag.textureSize);
     snapToIslands();
     if (mState == State::Active)
@@ -165,12 +175,7 @@ void IslandTool::snapToIslands()
     if (mState != State::Active || mEdit != UvEdit::Move || mDrag.snap != SnapTo::Islands)
         return;
     if (!mSnap) {
-        const Document &document = *context().workspace.document();
-        std::vector<int> moving = selectedIslands();
-        std::erase_if(moving, [&](int island) {
-            return document.marks().flagsOf(document.islands().faces(island)).locked != 0;
-        });
-        mSnap = std::make_unique<IslandSnap>(document, moving, mDrag.box);
+        mSnap = std::make_unique<IslandSnap>(*context().workspace.document(), mMoved.islands, mDrag.box);
     }
     mSnapped = mSnap->snapped(mDrag.mouseMove(), pickRadius * mDrag.pixel);
     mDrag.islandShift = mSnapped.move - mDrag.mouseMove();
@@ -227,7 +232,9 @@ void IslandTool::start()
         return;
     }
     mAllLocked = false;
-    mDrag.box = movableBox();
+    mMoved = movable();
+    mDrag.box = mMoved.box;
+    mDrag.pivot = mMoved.pivot;
     mTransform = std::move(transform);
     mState = State::Active;
     apply();
@@ -237,7 +244,7 @@ void IslandTool::start()
 
 void IslandTool::apply()
 {
-    pushCommand(mTransform->command(mDrag.transform()));
+    pushCommand(mTransform->command([this](int island) { return mDrag.transform(mMoved.pivotOf(island)); }));
     Q_EMIT overlayChanged();
     Q_EMIT hintChanged();
 }
@@ -297,15 +304,17 @@ std::vector<int> IslandTool::selectedIslands() const
     return document.islands().islandsOf(facesOf(document, document.selection()));
 }
 
-Eigen::AlignedBox2d IslandTool::movableBox() const
+MovableIslands IslandTool::movable() const
 {
-    const Document &document = *context().workspace.document();
-    Eigen::AlignedBox2d box;
-    for (int island : selectedIslands()) {
-        if (document.marks().flagsOf(document.islands().faces(island)).locked == 0)
-            box.extend(document.islands().box(island));
-    }
-    return box;
+    return movableIslands(*context().workspace.document(), context().view.tools());
+}
+
+std::optional<Vec2> IslandTool::gizmoPlace() const
+{
+    const MovableIslands moved = movable();
+    if (moved.isEmpty())
+        return std::nullopt;
+    return mEdit == UvEdit::Move ? Vec2(moved.box.center()) : moved.pivot;
 }
 
 std::optional<DragAxis> IslandTool::partAt(const ToolEvent &event) const
@@ -313,10 +322,10 @@ std::optional<DragAxis> IslandTool::partAt(const ToolEvent &event) const
     const auto *view = asMap(&event.canvas);
     if (!view || context().shownMap.isLive())
         return std::nullopt;
-    const Eigen::AlignedBox2d box = movableBox();
-    if (box.isEmpty())
+    const std::optional<Vec2> place = gizmoPlace();
+    if (!place)
         return std::nullopt;
-    return gizmoPartAt(mEdit, view->mapCamera()->toScreen(box.center()), event.position);
+    return gizmoPartAt(mEdit, view->mapCamera()->toScreen(*place), event.position);
 }
 
 void IslandTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
@@ -327,11 +336,14 @@ void IslandTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
     const bool active = mState == State::Active;
     if (active && view != mView)
         return;
-    const Eigen::AlignedBox2d box = active ? mDrag.box : movableBox();
-    if (box.isEmpty())
+    // What is moved takes the handles along.
+    const std::optional<Vec2> place = !active ? gizmoPlace()
+                                      : mEdit == UvEdit::Move
+                                          ? Vec2(mDrag.transform() * Vec2(mDrag.box.center()))
+                                          : mDrag.pivot;
+    if (!place)
         return;
-    const Vec2 pivot = active ? Vec2(mDrag.transform() * mDrag.pivot()) : Vec2(box.center());
-    const QPointF centre = view->mapCamera()->toScreen(pivot);
+    const QPointF centre = view->mapCamera()->toScreen(*place);
     if (active) {
         drawSnapped(painter, *view);
         drawGuide(painter, *view, centre);

@@ -3,6 +3,7 @@
 
 #include "commands/islandtransform.h"
 #include "views/canvas/abstracttool.h"
+#include "views/selecting/movableislands.h"
 #include "views/tools/islandgizmo.h"
 #include "views/tools/islandsnap.h"
 
@@ -25,6 +26,7 @@ public:
     IslandTool(const StudioContext &context, const QString &id, UvEdit edit, QObject *parent = nullptr);
 
     QString hint() const override;
+    std::vector<ToolOption> options() override;
     bool movesMap() const override { return true; }
     void deactivate() override;
     void chosen(ToolCanvas &canvas, const QPointF &position) override;
@@ -49,9 +51,10 @@ private:
     void finish();
     void select(const ToolEvent &event, bool pressed);
     bool isSelected(int face) const;
-    //! Bounding box of the selected islands that are not locked; empty when there are none.
-    Eigen::AlignedBox2d movableBox() const;
+    MovableIslands movable() const;
     std::vector<int> selectedIslands() const;
+    //! Where the handles are; nothing when no selected island can be moved.
+    std::optional<Vec2> gizmoPlace() const;
     std::optional<DragAxis> partAt(const ToolEvent &event) const;
     //! Snaps the move to other islands while Shift is held.
     void snapToIslands();
@@ -63,6 +66,7 @@ private:
     QPointer<ToolCanvas> mView; //!< the view in which the gesture began
     QPointF mStart;             //!< of the press
     IslandDrag mDrag;
+    MovableIslands mMoved;             //!< set while Active
     std::unique_ptr<IslandSnap> mSnap; //!< made when it is first needed
     IslandSnapResult mSnapped;
     std::unique_ptr<IslandTransform> mTransform; //!< set while Active

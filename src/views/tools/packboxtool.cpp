@@ -42,7 +42,7 @@ Eigen::Vector2d PackBoxTool::placeOf(const ToolEvent &event) const
 {
     const MapCamera &camera = *mView->mapCamera();
     const int textureSize = context().workspace.document()->packingSettings().textureSize;
-    const double step = snapStep(snapOf(event.modifiers), camera, textureSize);
+    const double step = snapStep(snapOf(event.modifiers, context().view.tools().snap), camera, textureSize);
     return snappedPoint(camera.toUv(event.position), step);
 }
 

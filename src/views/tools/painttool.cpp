@@ -229,14 +229,59 @@ bool PaintTool::keyPress(const QKeyEvent &event, ToolCanvas &canvas)
     if (!wantsKey(event))
         return AbstractTool::keyPress(event, canvas);
     if (event.key() == Qt::Key_X)
-        mSymmetric = !mSymmetric;
+        setSymmetric(!mSymmetric);
     else
-        mPaint = static_cast<Paint>(event.key() - Qt::Key_1);
+        setPaint(static_cast<Paint>(event.key() - Qt::Key_1));
+    return true;
+}
+
+void PaintTool::setPaint(Paint paint)
+{
+    mPaint = paint;
     if (mGesture == 0)
         mShown = mPaint;
+    tellSettings();
+}
+
+void PaintTool::setSymmetric(bool symmetric)
+{
+    mSymmetric = symmetric;
+    tellSettings();
+}
+
+void PaintTool::setBrush(double radius, double strength, double hardness)
+{
+    mBrush.radius = std::clamp(radius, Brush::minRadius, Brush::maxRadius);
+    mBrush.strength = std::clamp(strength, 0.05, 1.0);
+    mBrush.hardness = std::clamp(hardness, 0.0, 1.0);
+    tellSettings();
+}
+
+void PaintTool::tellSettings()
+{
     Q_EMIT hintChanged();
     Q_EMIT overlayChanged();
-    return true;
+}
+
+std::vector<ToolOption> PaintTool::options()
+{
+    const auto percent = [](double share) { return std::round(100 * share); };
+    return {
+        ToolOption::choice(tr("Paint"), tr("What the brush does; keys 1 to 3, Shift erases, Ctrl reverses"),
+                           int(mPaint),
+                           {nameOf(Paint::KeepTogether), nameOf(Paint::AttractCuts), nameOf(Paint::Erase)},
+                           [this](double index) { setPaint(static_cast<Paint>(static_cast<int>(index))); }),
+        ToolOption::number(tr("Size"), tr("Radius of the brush; Shift+wheel"), mBrush.radius,
+                           Brush::minRadius, Brush::maxRadius, tr(" px"),
+                           [this](double value) { setBrush(value, mBrush.strength, mBrush.hardness); }),
+        ToolOption::number(tr("Strength"), tr("Paint of one stroke; Ctrl+wheel"), percent(mBrush.strength), 5,
+                           100, tr(" %"),
+                           [this](double value) { setBrush(mBrush.radius, value / 100, mBrush.hardness); }),
+        ToolOption::number(tr("Hardness"), tr("Share of the brush with full strength; Alt+wheel"),
+                           percent(mBrush.hardness), 0, 100, tr(" %"),
+                           [this](double value) { setBrush(mBrush.radius, mBrush.strength, value / 100); }),
+        ToolOption::toggle(tr("Symmetric"), tr("Paint the mirror image, in the plane x = 0, too; X"),
+                           mSymmetric, [this](double on) { setSymmetric(on != 0); })};
 }
 
 bool PaintTool::wheel(const QWheelEvent &event, ToolCanvas &)
@@ -245,16 +290,13 @@ bool PaintTool::wheel(const QWheelEvent &event, ToolCanvas &)
     const QPoint angle = event.angleDelta();
     const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
     if (event.modifiers() == Qt::ShiftModifier)
-        mBrush.radius =
-            std::clamp(mBrush.radius * std::pow(1.15, notches), Brush::minRadius, Brush::maxRadius);
+        setBrush(mBrush.radius * std::pow(1.15, notches), mBrush.strength, mBrush.hardness);
     else if (event.modifiers() == Qt::ControlModifier)
-        mBrush.strength = std::clamp(mBrush.strength + 0.05 * notches, 0.05, 1.0);
+        setBrush(mBrush.radius, mBrush.strength + 0.05 * notches, mBrush.hardness);
     else if (event.modifiers() == Qt::AltModifier)
-        mBrush.hardness = std::clamp(mBrush.hardness + 0.05 * notches, 0.0, 1.0);
+        setBrush(mBrush.radius, mBrush.strength, mBrush.hardness + 0.05 * notches);
     else
         return false;
-    Q_EMIT hintChanged();
-    Q_EMIT overlayChanged();
     return true;
 }
 

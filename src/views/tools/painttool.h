@@ -33,6 +33,7 @@ public:
     bool isSymmetric() const { return mSymmetric; }
 
     QString hint() const override;
+    std::vector<ToolOption> options() override;
     QCursor cursor() const override { return Qt::CrossCursor; }
     void activate() override;
     void deactivate() override;
@@ -51,6 +52,10 @@ public:
 private:
     //! The effect for these modifiers: Shift erases, Ctrl reverses the effect.
     Paint paintFor(Qt::KeyboardModifiers modifiers) const;
+    void setBrush(double radius, double strength, double hardness);
+    void setPaint(Paint paint);
+    void setSymmetric(bool symmetric);
+    void tellSettings();
     void showBrush(const ToolEvent &event);
     void strokeTo(const ToolEvent &event);
     //! Adds the paint of some brush dabs.

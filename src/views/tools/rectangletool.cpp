@@ -188,7 +188,8 @@ void RectangleTool::dragTo(const ToolEvent &event)
 {
     Document &document = *context().workspace.document();
     const MapCamera &camera = *mView->mapCamera();
-    const double step = snapStep(snapOf(event.modifiers), camera, document.packingSettings().textureSize);
+    const double step = snapStep(snapOf(event.modifiers, context().view.tools().snap), camera,
+                                 document.packingSettings().textureSize);
     LayoutRectangle start = mBefore;
     if (mIntent == Intent::Draw && step > 0)
         start.lower = snappedPoint(start.lower, step);

@@ -153,6 +153,17 @@ void SelectTool::paint(const ToolEvent &event)
     document.setSelection(combined(mBefore, mStroke, combineOf(event.modifiers, Combine::Add)));
 }
 
+std::vector<ToolOption> SelectTool::options()
+{
+    if (mShape != SelectShape::Brush)
+        return {};
+    return {ToolOption::number(tr("Size"), tr("Radius of the brush; Shift+wheel"), mRadius, smallestRadius,
+                               largestRadius, tr(" px"), [this](double radius) {
+                                   mRadius = radius;
+                                   Q_EMIT overlayChanged();
+                               })};
+}
+
 bool SelectTool::wheel(const QWheelEvent &event, ToolCanvas &)
 {
     if (mShape != SelectShape::Brush || !event.modifiers().testFlag(Qt::ShiftModifier))

@@ -28,6 +28,7 @@ public:
     SelectTool(const StudioContext &context, const QString &id, SelectShape shape, QObject *parent = nullptr);
 
     QString hint() const override;
+    std::vector<ToolOption> options() override;
     void press(const ToolEvent &event) override;
     void move(const ToolEvent &event) override;
     void release(const ToolEvent &event) override;

@@ -6,8 +6,10 @@
 
 namespace autocuts {
 
-SnapTo snapOf(Qt::KeyboardModifiers modifiers)
+SnapTo snapOf(Qt::KeyboardModifiers modifiers, SnapTo otherwise)
 {
+    if (modifiers == Qt::NoModifier)
+        return otherwise;
     if (!modifiers.testFlag(Qt::ControlModifier))
         return modifiers == Qt::ShiftModifier ? SnapTo::Islands : SnapTo::Nothing;
     if (modifiers.testFlag(Qt::AltModifier))

@@ -2,18 +2,16 @@
 #pragma once
 
 #include "views/canvas/mapcamera.h"
+#include "views/state/toolsettings.h"
 
 #include <Eigen/Geometry>
 #include <Qt>
 
 namespace autocuts {
 
-//! The lines to snap to: those of the visible grid, of every texel, or of every tile of the texture; or other
-//! islands.
-enum class SnapTo { Nothing, Grid, Texels, Tiles, Islands };
-
-//! Ctrl: the grid; Ctrl+Shift: texels; Ctrl+Alt: tiles. Shift alone: islands.
-SnapTo snapOf(Qt::KeyboardModifiers modifiers);
+//! What the keys ask for. Ctrl: the visible grid; Ctrl+Shift: texels; Ctrl+Alt: tiles; Shift alone: islands;
+//! Alt alone: nothing. \param otherwise without keys
+SnapTo snapOf(Qt::KeyboardModifiers modifiers, SnapTo otherwise);
 //! Distance between the lines in texture space; 0 when there are no lines. \param textureSize texels per tile
 double snapStep(SnapTo snap, const MapCamera &camera, int textureSize);
 //! The nearest crossing of two lines. \param step from snapStep()

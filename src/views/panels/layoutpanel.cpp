@@ -1,0 +1,297 @@
+#include "views/panels/layoutpanel.h"
+
+#include "model/document/document.h"
+#include "views/actions/actionregistry.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/shownmap.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/panels/controls.h"
+#include "views/panels/scrublabel.h"
+#include "views/state/viewstate.h"
+#include "views/tools/layoutchoices.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QScopedValueRollback>
+#include <QToolButton>
+
+#include <cmath>
+#include <numbers>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! Milliseconds within which the next step of a field belongs to the same gesture. Chosen by hand.
+constexpr int gestureTime = 500;
+constexpr double largest = 1e5;   // of a coordinate or a size, in units of the fields
+constexpr double smallest = 1e-5; // of a size
+constexpr int iconSize = 20;      // logical pixels
+constexpr int actionsPerRow = 10;
+
+} // namespace
+
+LayoutPanel::LayoutPanel(const StudioContext &context, QWidget *parent)
+    : Panel(context, tr("Open a model to arrange the islands of its map."), parent)
+{
+    mGesture.setSingleShot(true);
+    mGesture.setInterval(gestureTime);
+    connect(&mGesture, &QTimer::timeout, this, [this] { refreshSoon(); });
+    auto *layout = new QVBoxLayout(content());
+    layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
+    layout->setSpacing(rowSpacing + 2);
+    layout->addWidget(makeHeading(tr("Selected islands")));
+    layout->addWidget(makeNumbers());
+    layout->addWidget(makeActions());
+    layout->addWidget(makePivotRows());
+    layout->addStretch();
+    connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
+        mTransform.reset();
+        refreshSoon();
+    });
+    connect(&context.workspace, &Workspace::selectionChanged, this, [this] {
+        mGesture.stop();
+        refreshSoon();
+    });
+    connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
+        if (event.type == ChangeEvent::Type::Uv || event.type == ChangeEvent::Type::UvSet ||
+            event.type == ChangeEvent::Type::IslandFlag || event.type == ChangeEvent::Type::PackingSettings)
+            refreshSoon(mGesture.isActive() ? gestureTime : 0);
+    });
+    connect(&context.shownMap, &ShownMap::changed, this, [this] { refreshSoon(gestureTime); });
+    connect(&context.map.jobs(), &JobRunner::busyChanged, this, [this] { refreshSoon(); });
+    connect(&context.view, &ViewState::toolsChanged, this, [this] { refreshSoon(); });
+}
+
+QDoubleSpinBox *LayoutPanel::makeNumber(QLatin1StringView name, void (LayoutPanel::*changed)(double))
+{
+    auto *number = new QDoubleSpinBox;
+    number->setObjectName(name);
+    number->setKeyboardTracking(false);
+    number->setRange(-largest, largest);
+    connect(number, &QDoubleSpinBox::valueChanged, this, [this, changed](double value) {
+        if (!mShowing)
+            (this->*changed)(value);
+    });
+    return number;
+}
+
+QWidget *LayoutPanel::makeNumbers()
+{
+    mPosition[0] = makeNumber("positionU"_L1, &LayoutPanel::moveToU);
+    mPosition[1] = makeNumber("positionV"_L1, &LayoutPanel::moveToV);
+    mSize[0] = makeNumber("width"_L1, &LayoutPanel::scaleToWidth);
+    mSize[1] = makeNumber("height"_L1, &LayoutPanel::scaleToHeight);
+    mTurn = makeNumber("turn"_L1, &LayoutPanel::turnBy);
+    mTurn->setRange(-360, 360);
+    mTurn->setDecimals(2);
+    mTurn->setSuffix(u"\u00b0"_s);
+    mUnit = new QComboBox;
+    mUnit->setObjectName("unit"_L1);
+    mUnit->addItems({tr("UV units"), tr("Texels")});
+    connect(mUnit, &QComboBox::activated, this, [this] { refreshSoon(); });
+    mProportions = new QCheckBox(tr("Keep proportions"));
+    mProportions->setObjectName("proportions"_L1);
+    mProportions->setChecked(true);
+
+    auto *box = new QWidget;
+    auto *grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(rowSpacing);
+    const auto add = [grid](int row, int column, const QString &name, QWidget *field, const QString &tip) {
+        QAbstractSpinBox *number = spinBoxOf(field);
+        auto *caption = number ? new ScrubLabel(name, number) : new QLabel(name);
+        caption->setBuddy(field);
+        caption->setToolTip(tip);
+        field->setToolTip(tip);
+        field->setAccessibleName(name);
+        field->setMinimumWidth(0);
+        grid->addWidget(caption, row, column);
+        grid->addWidget(field, row, column + 1);
+    };
+    const QString position = tr("Of the lower left corner when that is the pivot, else of the centre");
+    const QString size = tr("Of the box around the selected islands");
+    add(0, 0, tr("U"), mPosition[0], position);
+    add(0, 2, tr("V"), mPosition[1], position);
+    add(1, 0, tr("Width"), mSize[0], size);
+    add(1, 2, tr("Height"), mSize[1], size);
+    add(2, 0, tr("Turn by"), mTurn, tr("Degrees, counter-clockwise, about the pivot"));
+    add(2, 2, tr("In"), mUnit, tr("Texels are those of the texture size of the Packing panel"));
+    grid->addWidget(mProportions, 3, 1, 1, 3);
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(3, 1);
+    return box;
+}
+
+QWidget *LayoutPanel::makePivotRows()
+{
+    const auto makeChoice = [this](const ToolOption &option, QLatin1StringView name) {
+        auto *box = new QComboBox;
+        box->setObjectName(name);
+        box->addItems(option.choices);
+        connect(box, &QComboBox::activated, this, option.set);
+        return box;
+    };
+    const ToolOption pivot = pivotChoice(context().view), snap = snapChoice(context().view);
+    mPivot = makeChoice(pivot, "pivot"_L1);
+    mSnap = makeChoice(snap, "snap"_L1);
+    for (const int axis : {0, 1}) {
+        mCursor[axis] = new QDoubleSpinBox;
+        mCursor[axis]->setObjectName(axis == 0 ? "cursorU"_L1 : "cursorV"_L1);
+        mCursor[axis]->setKeyboardTracking(false);
+        mCursor[axis]->setRange(-largest, largest);
+        connect(mCursor[axis], &QDoubleSpinBox::valueChanged, this, [this, axis](double value) {
+            if (mShowing)
+                return;
+            ToolSettings tools = this->context().view.tools();
+            tools.cursor[axis] = value / unit();
+            this->context().view.setTools(tools);
+        });
+    }
+    auto *box = new QWidget;
+    auto *form = makeForm(box);
+    addRow(form, pivot.name, mPivot, pivot.tip);
+    mCursorRow = makeRow({mCursor[0], mCursor[1]});
+    mCursorRow->setFocusProxy(mCursor[0]);
+    addRow(form, tr("Cursor"), mCursorRow, tr("The 2D cursor; Shift+right click in the UV view places it"));
+    addRow(form, snap.name, mSnap, snap.tip);
+    return box;
+}
+
+void LayoutPanel::addActions(QGridLayout *grid, int row, std::initializer_list<const char *> ids)
+{
+    int column = 0;
+    for (const char *id : ids) {
+        auto *button = new QToolButton;
+        button->setDefaultAction(context().actions.action(id));
+        button->setIconSize({iconSize, iconSize});
+        button->setAutoRaise(true);
+        button->setObjectName(QLatin1String(id));
+        grid->addWidget(button, row, column++);
+    }
+}
+
+QWidget *LayoutPanel::makeActions()
+{
+    auto *box = new QWidget;
+    auto *grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(2);
+    addActions(grid, 0,
+               {"uv.alignLeft", "uv.alignCentreU", "uv.alignRight", "uv.alignTop", "uv.alignCentreV",
+                "uv.alignBottom", "uv.distributeU", "uv.distributeV", "uv.distributeGapsU",
+                "uv.distributeGapsV"});
+    addActions(grid, 1,
+               {"uv.turnLeft", "uv.turnRight", "uv.mirrorU", "uv.mirrorV", "uv.orientBox", "uv.orientEdges",
+                "uv.straighten", "uv.grid", "uv.relax", "uv.fitTile"});
+    addActions(grid, 2,
+               {"uv.stackCopies", "uv.unstackCopies", "uv.densitySet", "uv.scatter", "uv.packSelection"});
+    grid->setColumnStretch(actionsPerRow, 1);
+    return box;
+}
+
+double LayoutPanel::unit() const
+{
+    return mUnit->currentIndex() == 1 && document() ? document()->packingSettings().textureSize : 1;
+}
+
+Vec2 LayoutPanel::reference(const MovableIslands &islands) const
+{
+    return context().view.tools().pivot == Pivot::Corner ? Vec2(islands.box.min())
+                                                         : Vec2(islands.box.center());
+}
+
+bool LayoutPanel::begin(UvEdit edit)
+{
+    const bool goesOn = mTransform && mGesture.isActive() && edit == mEdit && ScrubLabel::gesture() == mScrub;
+    mGesture.start();
+    if (goesOn)
+        return true;
+    mScrub = ScrubLabel::gesture();
+    mEdit = edit;
+    mTransform.reset();
+    if (!document() || context().shownMap.isLive() || context().map.jobs().isBusy())
+        return false;
+    mStart = movableIslands(*document(), context().view.tools());
+    if (mStart.isEmpty())
+        return false;
+    mTransform.emplace(*document(), edit, mStart.islands);
+    mMove.setZero();
+    mFactor.setOnes();
+    return true;
+}
+
+void LayoutPanel::edit(const std::function<Eigen::Affine2d(int island)> &transformOf)
+{
+    if (mTransform)
+        pushCommand(mTransform->command(transformOf));
+    refreshSoon(gestureTime); // what cannot be moved keeps its numbers
+}
+
+void LayoutPanel::moveTo(int axis, double value)
+{
+    if (begin(UvEdit::Move))
+        mMove[axis] = value / unit() - reference(mStart)[axis];
+    edit([this](int) { return Eigen::Affine2d(Eigen::Translation2d(mMove)); });
+}
+
+void LayoutPanel::scaleTo(int axis, double value)
+{
+    if (begin(UvEdit::Scale)) {
+        mFactor[axis] = value / unit() / std::max(mStart.box.sizes()[axis], smallest);
+        if (mProportions->isChecked())
+            mFactor[1 - axis] = mFactor[axis];
+    }
+    edit([this](int island) { return scaledAbout(mStart.pivotOf(island), mFactor); });
+}
+
+void LayoutPanel::turnBy(double degrees)
+{
+    begin(UvEdit::Rotate);
+    edit([&](int island) { return turnedAbout(mStart.pivotOf(island), degrees * std::numbers::pi / 180); });
+}
+
+void LayoutPanel::refresh()
+{
+    const QScopedValueRollback showing(mShowing, true);
+    const ToolSettings &tools = context().view.tools();
+    mPivot->setCurrentIndex(int(tools.pivot));
+    mSnap->setCurrentIndex(int(tools.snap));
+    const bool texels = mUnit->currentIndex() == 1;
+    for (QDoubleSpinBox *field : {mPosition[0], mPosition[1], mSize[0], mSize[1], mCursor[0], mCursor[1]}) {
+        field->setDecimals(texels ? 2 : 5);
+        field->setSingleStep(texels ? 1 : 0.01);
+    }
+    for (const int axis : {0, 1}) {
+        mSize[axis]->setMinimum(texels ? 0.01 : smallest);
+        mCursor[axis]->setValue(tools.cursor[axis] * unit());
+        mCursor[axis]->setEnabled(tools.pivot == Pivot::Cursor);
+    }
+    showNumbers();
+}
+
+void LayoutPanel::showNumbers()
+{
+    MovableIslands islands;
+    if (document() && !context().shownMap.isLive() && !context().map.jobs().isBusy())
+        islands = movableIslands(*document(), context().view.tools());
+    for (QWidget *field :
+         std::initializer_list<QWidget *>{mPosition[0], mPosition[1], mSize[0], mSize[1], mTurn})
+        field->setEnabled(!islands.isEmpty());
+    if (!mGesture.isActive())
+        mTurn->setValue(0);
+    if (islands.isEmpty())
+        return;
+    for (const int axis : {0, 1}) {
+        mPosition[axis]->setValue(reference(islands)[axis] * unit());
+        mSize[axis]->setValue(islands.box.sizes()[axis] * unit());
+    }
+}
+
+} // namespace autocuts
