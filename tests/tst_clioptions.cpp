@@ -192,7 +192,7 @@ private Q_SLOTS:
         const QStringList common{u"-o"_s,        u"--texture-size"_s, u"--margin"_s, u"--rotation"_s,
                                  u"--tile"_s,    u"--pack-time"_s,    u"--layout"_s, u"--report"_s,
                                  u"--threads"_s, u"--time-limit"_s,   u"--seed"_s,   u"--only"_s,
-                                 u"--border"_s};
+                                 u"--border"_s,  u"--tile-border"_s};
         QTest::newRow("unwrap")
             << u"unwrap"_s
             << common +
@@ -200,7 +200,7 @@ private Q_SLOTS:
                          "--quality --creases --crease-strength --visibility "
                          "--symmetry --allow-overlaps --no-pack"_s);
         QTest::newRow("pack") << u"pack"_s << common + words(u"--into --keep-scale"_s);
-        QTest::newRow("separate") << u"separate"_s << common;
+        QTest::newRow("separate") << u"separate"_s << common + words(u"--separate-by"_s);
         QTest::newRow("finish") << u"finish"_s << common + words(u"--max-distortion --seams --seams-from"_s);
         QTest::newRow("check") << u"check"_s << words(u"--texture-size --json"_s);
         for (const QString &name : {u"convert"_s, u"replay"_s, u"sample"_s})
@@ -242,10 +242,11 @@ private Q_SLOTS:
             QCOMPARE(given.unwrap.packing.rotation, standard.unwrap.packing.rotation);
             QCOMPARE(given.unwrap.packing.effort, standard.unwrap.packing.effort);
             QCOMPARE(given.unwrap.packing.udimTile, standard.unwrap.packing.udimTile);
+            QCOMPARE(given.separation, standard.separation);
             QCOMPARE(given.borderAttached, standard.borderAttached);
             ++checked;
         }
-        QCOMPARE(checked, 18);
+        QCOMPARE(checked, 19);
     }
 
     void helpSaysAllInItsWidth()

@@ -51,6 +51,19 @@ private Q_SLOTS:
             QVERIFY(Eigen::AlignedBox2d(Vec2(0.5, 0.5), Vec2(0.75, 1)).contains(packed->islands().box(part)));
     }
 
+    void theBorderIsKept()
+    {
+        constexpr double border = 400.0 / 2048;
+        const auto packed = pack({u"--tile-border=400"_s});
+        QVERIFY2(packed, qPrintable(mRun.err));
+        const Eigen::AlignedBox2d inside(Vec2::Constant(border - 1e-9), Vec2::Constant(1 - border + 1e-9));
+        // The others have a rectangle.
+        QVERIFY(inside.contains(packed->islands().box(1)) && inside.contains(packed->islands().box(2)));
+        const auto usual = pack({});
+        QVERIFY2(usual, qPrintable(mRun.err));
+        QVERIFY(!inside.contains(usual->islands().box(1)) || !inside.contains(usual->islands().box(2)));
+    }
+
     void namesGiveARectangleWithItsIslands()
     {
         const auto packed = pack({u"--into=two hands"_s});

@@ -262,15 +262,22 @@ private Q_SLOTS:
         QCOMPARE(metrics.overlapPairs, 0);
     }
 
+    void overlapsAreFoundAndTakenApart_data()
+    {
+        QTest::addColumn<bool>("greedily");
+        QTest::newRow("along short seams") << false;
+        QTest::newRow("greedily") << true;
+    }
     void overlapsAreFoundAndTakenApart()
     {
+        QFETCH(bool, greedily);
         Studio studio("machine");
         studio.layOut(true);
         QVERIFY(studio.measures());
         QVERIFY(studio.map.figures()->metrics.overlapPairs > 0);
         QVERIFY(!studio.map.figures()->overlapping.empty());
         QVERIFY(!studio.map.figures()->overlapPairs.empty());
-        studio.map.separateOverlaps();
+        greedily ? studio.map.separateGreedily() : studio.map.separateOverlaps();
         QVERIFY(studio.ends());
         QCOMPARE(studio.failed.count(), 0);
         QVERIFY(studio.measures());

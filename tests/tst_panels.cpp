@@ -351,7 +351,15 @@ private Q_SLOTS:
         QCOMPARE(settings().rotation, PackRotation::None);
         click(bench.panel, "keepScale");
         QVERIFY(settings().keepScale);
-        QCOMPARE(bench.stack().count(), 6);
+        auto *const border = child<QSpinBox>(bench.panel, "border");
+        border->setFocus();
+        QTest::keyClick(border, Qt::Key_Up);
+        QCOMPARE(settings().border, 0.0);
+        auto *const effort = child<QDoubleSpinBox>(bench.panel, "effort");
+        effort->setFocus();
+        QTest::keyClick(effort, Qt::Key_Up);
+        QCOMPARE(settings().effort, 1.0);
+        QCOMPARE(bench.stack().count(), 8);
         while (bench.stack().canUndo())
             bench.stack().undo();
         QVERIFY(bench.followed());

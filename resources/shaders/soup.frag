@@ -15,6 +15,7 @@ uniform bool asMap, smoothShading;
 uniform mat4 projectionMatrix;
 uniform float tint; // share of the face colour over a picture
 uniform float pixelRatio, checkerSize, fillOpacity, lineOpacity;
+uniform bool onPicture; // in the map, a picture lies behind
 uniform int pattern; // 0 none, 1 checker, 2 picture
 uniform ivec2 hoverTriangles, hoverSides;
 uniform uint hoverIsland;
@@ -101,6 +102,12 @@ vec4 over(vec4 below, vec4 line, float halfWidth, float inside)
     return total <= 0.0 ? below : vec4((line.rgb * alpha + below.rgb * below.a * (1.0 - alpha)) / total, total);
 }
 
+// Behind islands on a picture any colour may lie: a dark rim makes lines visible on all of them.
+vec4 withRim(vec4 below, vec4 line, float halfWidth, float inside)
+{
+    return onPicture ? over(below, vec4(0, 0, 0, 0.55 * line.a), halfWidth + pixelRatio, inside) : below;
+}
+
 void main()
 {
     uvec4 face = texelFetch(faceTexels, gl_PrimitiveID);
@@ -123,6 +130,7 @@ void main()
                 line.a *= smoothstep(1.5 * pixelRatio, 9.0 * pixelRatio, heights[opposite]);
             if (texel.r == wireStyle && asMap && dot(result.rgb, vec3(0.3, 0.6, 0.1)) * result.a > 0.45)
                 line.rgb = vec3(0.1); // a pale line would not be seen on a bright face
+            result = withRim(result, line, sideHalfWidths[texel.r], inside);
             result = over(result, line, sideHalfWidths[texel.r], inside);
         }
         if (texel.a != 0u) {
@@ -132,6 +140,7 @@ void main()
             line.a *= mix(float(texel.g), float(texel.b), along) / 255.0;
             // In the map both sides of a seam are apart: each shows the whole line.
             float width = sideHalfWidths[texel.a] * (asMap && (texel.a == seamStyle || texel.a == givenStyle) ? 1.4 : 1.0);
+            result = withRim(result, line, width, inside);
             result = over(result, line, width, inside);
         }
         if (side == hoverSides.x || side == hoverSides.y)

@@ -114,6 +114,8 @@ void BatchFiles::mergeSettings(CliOptions &options)
     merge("--texture-size", packing.textureSize, settings.textureSize);
     merge("--margin", packing.margin, settings.margin);
     merge("--rotation", packing.rotation, settings.rotation);
+    merge("--tile-border", packing.border, settings.border);
+    merge("--pack-time", packing.effort, settings.effort);
     merge("--tile", packing.udimTile, settings.udimTile);
     if (!options.hasRectangle())
         options.packIntoTile();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/solvesettings.h"
+#include "solver/overlap/overlapseparation.h"
 #include "solver/unwrap/unwrap.h"
 
 #include <QString>
@@ -49,6 +50,7 @@ struct CliOptions
     SolveSettings settings;
     unwrap::UnwrapOptions unwrap; //!< its packing target is that of --tile or --into
     Only only;
+    overlap::SeparationMethod separation = overlap::SeparationMethod::MinCut;
     bool borderAttached = true; //!< JobScope::attached
     int threads = 1;            //!< does not influence the result
     QString intoRectangle;      //!< pack: name of a rectangle of the session

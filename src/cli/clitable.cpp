@@ -254,6 +254,11 @@ std::vector<CliOption> packingOptions()
                 u"texels along each side of the unit square; all texel figures refer to it"_s),
         number(Group::Packing, u"--margin"_s, u"X"_s, fieldOf(&PackingSettings::margin), 0, 4096,
                u"texels between islands, and half of it to the border"_s),
+        defaultingTo(
+            number(
+                Group::Packing, u"--tile-border"_s, u"X"_s, fieldOf(&PackingSettings::border), 0, 4096,
+                u"texels between the islands and the border of the tile; half the margin when not given"_s),
+            {}),
         choice(Group::Packing, u"--rotation"_s, fieldOf(&PackingSettings::rotation),
                {{u"free"_s, PackRotation::Free},
                 {u"90"_s, PackRotation::Quarter},
@@ -263,10 +268,21 @@ std::vector<CliOption> packingOptions()
                 PackingSettings::lastTile,
                 u"UDIM tile to pack into: 1001 is the unit square, there are ten tiles in a row"_s),
         number(
-            Group::Packing, u"--pack-time"_s, u"SECONDS"_s, fieldOf(&packing::PackOptions::effort), 0, 3600,
+            Group::Packing, u"--pack-time"_s, u"SECONDS"_s, fieldOf(&PackingSettings::effort), 0,
+            PackingSettings::maxEffort,
             u"effort that goes into packing, in CPU seconds of a usual machine; it is counted in steps, so "
             "that the result does not depend on the clock"_s),
     };
+}
+
+CliOption separatingOption()
+{
+    return choice(
+        Group::Separating, u"--separate-by"_s, fieldOf(&CliOptions::separation),
+        {{u"short-seams"_s, overlap::SeparationMethod::MinCut},
+         {u"growing"_s, overlap::SeparationMethod::Greedy}},
+        u"cut between overlapping layers along the shortest seam, or into regions that grow breadth "
+        "first for as long as they do not cover themselves"_s);
 }
 
 std::vector<CliOption> placingOptions()
@@ -316,7 +332,8 @@ const std::vector<CliCommand> &cliCommands()
          Bound | Seaming | Solving | Texture | Packing | Scope | Making, u"make a UV map"_s},
         {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed, Texture | Packing | Placing | Scope | Making,
          u"arrange the islands of an existing map anew"_s},
-        {Command::Separate, u"separate"_s, u"IN"_s, Output::Needed, Texture | Packing | Scope | Making,
+        {Command::Separate, u"separate"_s, u"IN"_s, Output::Needed,
+         Texture | Packing | Separating | Scope | Making,
          u"cut islands that overlap themselves, then pack"_s},
         {Command::Finish, u"finish"_s, u"IN"_s, Output::Needed,
          Bound | Seaming | Texture | Packing | Scope | Making,
@@ -353,6 +370,7 @@ const std::vector<CliOption> &cliOptions()
         for (const auto &some : {boundOptions(), seamingOptions(), solvingOptions(), packingOptions(),
                                  scopeOptions(), makingOptions(), placingOptions()})
             all.insert(all.end(), some.begin(), some.end());
+        all.push_back(separatingOption());
         all.push_back(flag(Group::Measuring, u"--json"_s, fieldOf(&CliOptions::json), true,
                            u"print the figures as JSON"_s));
         all.push_back(flag(Group::Everything, u"--quiet"_s, fieldOf(&CliOptions::quiet), true,

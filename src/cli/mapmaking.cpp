@@ -96,7 +96,8 @@ Result<MadeMap> MapMaking::separate(Scene &scene) const
     if (snapshot->scope &&
         !holdsWholeChart(*snapshot->scope, findCharts(*scene.mesh, scene.uvSets.front().uv)))
         return noWholeChart();
-    const unwrap::SeparateResult made = unwrap::separateMap(snapshot.value(), pack.value(), mJob);
+    const unwrap::SeparateResult made =
+        unwrap::separateMap(snapshot.value(), pack.value(), mJob, mOptions.separation);
     MadeMap outcome;
     switch (made.outcome) {
     case Separation::Done:

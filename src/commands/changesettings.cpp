@@ -64,6 +64,10 @@ const char *packingText(int properties)
         return QT_TRANSLATE_NOOP("Undo Commands", "Change rotation of islands");
     case KeepScaleProperty:
         return QT_TRANSLATE_NOOP("Undo Commands", "Change keep scale");
+    case BorderProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change border of the tile");
+    case EffortProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change packing effort");
     default:
         return nullptr;
     }

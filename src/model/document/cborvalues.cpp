@@ -281,7 +281,9 @@ QCborMap toCbor(const PackingSettings &settings)
             {"margin"_L1, static_cast<int>(settings.margin)},
             {"udimTile"_L1, settings.udimTile},
             {"rotation"_L1, static_cast<int>(settings.rotation)},
-            {"keepScale"_L1, settings.keepScale}};
+            {"keepScale"_L1, settings.keepScale},
+            {"border"_L1, settings.border},
+            {"effort"_L1, settings.effort}};
 }
 
 PackingSettings readPackingSettings(CborReader &reader)
@@ -298,6 +300,10 @@ PackingSettings readPackingSettings(CborReader &reader)
         settings.rotation = reader.enumerator("rotation"_L1, PackRotation::Free);
     if (reader.contains("keepScale"_L1))
         settings.keepScale = reader.boolean("keepScale"_L1);
+    if (reader.contains("border"_L1))
+        settings.border = reader.number("border"_L1, -1, PackingSettings::maxTextureSize);
+    if (reader.contains("effort"_L1))
+        settings.effort = reader.number("effort"_L1, 0, PackingSettings::maxEffort);
     if (!settings.isValid())
         reader.fail();
     return settings;

@@ -35,7 +35,8 @@ int differences(const PackingSettings &a, const PackingSettings &b)
     return (a.textureSize != b.textureSize ? TextureSizeProperty : 0) |
            (a.margin != b.margin ? MarginProperty : 0) | (a.udimTile != b.udimTile ? UdimTileProperty : 0) |
            (a.rotation != b.rotation ? RotationProperty : 0) |
-           (a.keepScale != b.keepScale ? KeepScaleProperty : 0);
+           (a.keepScale != b.keepScale ? KeepScaleProperty : 0) |
+           (a.border != b.border ? BorderProperty : 0) | (a.effort != b.effort ? EffortProperty : 0);
 }
 
 bool isValid(const SolveSettings &settings)

@@ -32,7 +32,9 @@ enum PackingProperty {
     MarginProperty = 1 << 1,
     UdimTileProperty = 1 << 2,
     RotationProperty = 1 << 3,
-    KeepScaleProperty = 1 << 4
+    KeepScaleProperty = 1 << 4,
+    BorderProperty = 1 << 5,
+    EffortProperty = 1 << 6
 };
 
 //! The mask of SolveProperty values in which a and b differ.

@@ -7,9 +7,10 @@
 namespace autocuts::overlap {
 
 SeparationResult separateSteered(const Snapshot &snapshot, const UvMatrix &soupUv,
-                                 const std::vector<bool> &cut, const JobContext &job)
+                                 const std::vector<bool> &cut, const JobContext &job, SeparationMethod method)
 {
     SeparationOptions options;
+    options.method = method;
     options.job = job;
     if (!snapshot.steering->pairWeight.empty()) {
         options.pairWeight.resize(cut.size());
@@ -22,7 +23,8 @@ SeparationResult separateSteered(const Snapshot &snapshot, const UvMatrix &soupU
     return separateOverlaps(*snapshot.mesh, soupUv, cut, joined, options);
 }
 
-Separated separateUv(const Snapshot &snapshot, const UvMatrix &uv, const JobContext &job)
+Separated separateUv(const Snapshot &snapshot, const UvMatrix &uv, const JobContext &job,
+                     SeparationMethod method)
 {
     const MeshData &mesh = *snapshot.mesh;
     const ChartMap before = findCharts(mesh, uv);
@@ -32,7 +34,7 @@ Separated separateUv(const Snapshot &snapshot, const UvMatrix &uv, const JobCont
     CutFlags cut(mesh.edgePairs.size(), false);
     for (std::size_t e = 0; e < cut.size(); ++e)
         cut[e] = open[2 * e] || open[2 * e + 1];
-    const SeparationResult result = separateSteered(snapshot, soup, cut, job);
+    const SeparationResult result = separateSteered(snapshot, soup, cut, job, method);
 
     Separated separated;
     separated.complete = result.complete;

@@ -22,10 +22,12 @@ struct [[nodiscard]] Separated
 //! \param soupUv,cut see separateOverlaps()
 //! \throws std::invalid_argument when a size does not fit the mesh
 SeparationResult separateSteered(const Snapshot &snapshot, const UvMatrix &soupUv,
-                                 const std::vector<bool> &cut, const JobContext &job = {});
+                                 const std::vector<bool> &cut, const JobContext &job = {},
+                                 SeparationMethod method = SeparationMethod::MinCut);
 
 //! The same for the UVs of a document or file, whose seams are where the two sides differ.
 //! \param uv one row per corner; a non-finite row means that the corner has no UV
-Separated separateUv(const Snapshot &snapshot, const UvMatrix &uv, const JobContext &job = {});
+Separated separateUv(const Snapshot &snapshot, const UvMatrix &uv, const JobContext &job = {},
+                     SeparationMethod method = SeparationMethod::MinCut);
 
 } // namespace autocuts::overlap

@@ -14,12 +14,8 @@ namespace autocuts::packing {
 struct PackOptions : PackingSettings
 {
     Vec2 lower = Vec2::Zero(), upper = Vec2::Ones(); //!< the bin, UV units
-    double border = -1; //!< least distance to the border of the bin, texels; negative: half the margin
-    //! CPU seconds that the search may take, as counted work and not by a clock. Mean efficiency on four
-    //! island sets at 4 texels of 1024: .657 at 0.5 s, .665 at 1 s, .678 at 10 s, .694 at 60 s.
-    double effort = 0.5;
-    unsigned seed = 1; //!< of all random numbers
-    int starts = 0;    //!< number of independent searches that share the effort; 0: depends on the effort
+    unsigned seed = 1;                               //!< of all random numbers
+    int starts = 0; //!< number of independent searches that share the effort; 0: depends on the effort
 };
 
 //! Where an island goes: p' = scale * R(angle) * p + translation, in UV units. Never mirrored.

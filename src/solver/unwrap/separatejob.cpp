@@ -21,7 +21,8 @@ bool hasOverlaps(const Snapshot &snapshot)
 
 } // namespace
 
-SeparateResult separateMap(const Snapshot &snapshot, const PackJob &pack, const JobContext &job)
+SeparateResult separateMap(const Snapshot &snapshot, const PackJob &pack, const JobContext &job,
+                           overlap::SeparationMethod method)
 {
     const MeshData &mesh = *snapshot.mesh;
     SeparateResult result;
@@ -32,7 +33,7 @@ SeparateResult separateMap(const Snapshot &snapshot, const PackJob &pack, const 
         return result;
     }
     const overlap::Separated separated =
-        overlap::separateUv(part->snapshot(), *part->snapshot().uv, job.quiet());
+        overlap::separateUv(part->snapshot(), *part->snapshot().uv, job.quiet(), method);
     result.newSeams = separated.newSeams;
     result.unresolvedPairs = separated.unresolvedPairs;
     if (!separated.complete)

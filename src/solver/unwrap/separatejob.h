@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/snapshot.h"
+#include "solver/overlap/overlapseparation.h"
 #include "solver/unwrap/packjob.h"
 
 namespace autocuts::unwrap {
@@ -22,9 +23,10 @@ struct SeparateResult
 };
 
 //! Cuts charts that overlap themselves, preferably where painted weights are low and never along joined
-//! edges, and packs the charts.
+//! edges, and packs the charts. With SeparationMethod::Greedy the weights do not count.
 //! \param snapshot with the map; rows that are not finite: the corner has no UV
-[[nodiscard]] SeparateResult separateMap(const Snapshot &snapshot, const PackJob &pack,
-                                         const JobContext &job = {});
+[[nodiscard]] SeparateResult
+separateMap(const Snapshot &snapshot, const PackJob &pack, const JobContext &job = {},
+            overlap::SeparationMethod method = overlap::SeparationMethod::MinCut);
 
 } // namespace autocuts::unwrap

@@ -189,6 +189,11 @@ constexpr std::array uvTable{
                NeedsIdleMap | NeedsSelection},
     ActionInfo{"uv.separate", "UV", QT_TRANSLATE_NOOP("Actions", "Separate o&verlaps"), "separate", "O",
                QT_TRANSLATE_NOOP("Actions", "Cut islands that cover themselves, and pack"), NeedsIdleMap},
+    ActionInfo{
+        "uv.separateGreedy", "UV", QT_TRANSLATE_NOOP("Actions", "Separate overlaps greedily"), "separate", "",
+        QT_TRANSLATE_NOOP("Actions", "Cut islands that cover themselves into regions that grow breadth "
+                                     "first, and pack: more cuts, found at once"),
+        NeedsIdleMap},
     ActionInfo{"uv.density", "UV", QT_TRANSLATE_NOOP("Actions", "E&qualise texel density"), "density",
                "Shift+E", QT_TRANSLATE_NOOP("Actions", "Give every island the same texel density"),
                NeedsIdleMap},
@@ -341,6 +346,10 @@ constexpr std::array viewTable{
                QT_TRANSLATE_NOOP("Actions", "Show the grid and the texture tiles"), 0, true},
     ActionInfo{"view.rulers", "View", QT_TRANSLATE_NOOP("Actions", "Rulers"), "", "",
                QT_TRANSLATE_NOOP("Actions", "Show rulers in texels in the UV view"), 0, true},
+    ActionInfo{"view.islandMarks", "View", QT_TRANSLATE_NOOP("Actions", "Island marks"), "lock", "",
+               QT_TRANSLATE_NOOP("Actions", "Show locks, groups and stacks in the UV view"), 0, true},
+    ActionInfo{"view.islandNumbers", "View", QT_TRANSLATE_NOOP("Actions", "Island numbers"), "", "Shift+N",
+               QT_TRANSLATE_NOOP("Actions", "Show the numbers of the islands in the UV view"), 0, true},
     ActionInfo{"view.livePacking", "View", QT_TRANSLATE_NOOP("Actions", "Pack live"), "pack", "",
                QT_TRANSLATE_NOOP("Actions",
                                  "While the solver runs, show its islands beside each other; the map "

@@ -108,6 +108,7 @@ void UvActions::connectJobs()
     onTriggered("uv.pack", [&map] { map.pack(PackScope::All); });
     onTriggered("uv.packSelection", [&map] { map.pack(PackScope::Selection); });
     onTriggered("uv.separate", [&map] { map.separateOverlaps(); });
+    onTriggered("uv.separateGreedy", [&map] { map.separateGreedily(); });
     onTriggered("uv.density", [&map] { map.equalizeDensity(); });
     const auto selectedEdges = [this](auto edges) {
         const Document &document = *mContext.workspace.document();

@@ -29,6 +29,8 @@ constexpr Toggle toggles[] = {{"view.smoothShading", &ViewOptions::smoothShading
                               {"view.fillIslands", &ViewOptions::fillIslands},
                               {"view.grid", &ViewOptions::grid},
                               {"view.rulers", &ViewOptions::rulers},
+                              {"view.islandMarks", &ViewOptions::islandMarks},
+                              {"view.islandNumbers", &ViewOptions::islandNumbers},
                               {"view.orthographic", &ViewOptions::orthographic}};
 
 constexpr Choice<Coloring> colorings[] = {{"view.coloring.plain", Coloring::Plain},

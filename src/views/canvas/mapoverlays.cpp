@@ -1,18 +1,44 @@
 #include "views/canvas/mapoverlays.h"
 
-#include "model/plain/packingsettings.h"
+#include "model/document/document.h"
 #include "views/canvas/mapgrid.h"
+#include "views/ui/icons.h"
 
+#include <QCoreApplication>
 #include <QPainter>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace autocuts {
 
 namespace {
 
 constexpr int rulerSize = 18;
+
+struct MapOverlays
+{
+    Q_DECLARE_TR_FUNCTIONS(MapOverlays)
+};
+
+//! The middle of the face that is nearest to the middle of an island's box. \returns texture space
+Vec2 placeOn(const Document &document, int island)
+{
+    const MeshData &mesh = document.mesh();
+    const Vec2 wanted = document.islands().box(island).center();
+    Vec2 best = wanted;
+    double distance = std::numeric_limits<double>::infinity();
+    for (const int face : document.islands().faces(island)) {
+        const int first = mesh.faceStart[face], count = mesh.faceStart[face + 1] - first;
+        const Vec2 middle = document.uv().middleRows(first, count).colwise().mean().transpose();
+        if ((middle - wanted).squaredNorm() < distance) {
+            distance = (middle - wanted).squaredNorm();
+            best = middle;
+        }
+    }
+    return best;
+}
 
 //! A mark on a ruler.
 struct Mark
@@ -104,6 +130,42 @@ void drawRulers(QPainter &painter, const QRect &view, const ViewColors &colors, 
     painter.fillRect(QRect(view.left(), view.top(), rulerSize, rulerSize), colors.mapBackground);
     painter.restore();
     painter.setFont(before);
+}
+
+void drawIslandMarks(QPainter &painter, const QRect &view, const ViewColors &colors, const Document &document,
+                     const MapCamera &camera, bool marks, bool numbers)
+{
+    constexpr double smallest = 14; // logical pixels of the longer side of an island
+    const Islands &islands = document.islands();
+    const QFontMetricsF metrics = painter.fontMetrics();
+    for (int island = 0; island < islands.count(); ++island) {
+        if (islands.box(island).sizes().maxCoeff() * camera.scale() < smallest)
+            continue;
+        QStringList parts;
+        if (numbers)
+            parts << QString::number(island + 1);
+        const IslandFlags flags = marks ? document.marks().flagsOf(islands.faces(island)) : IslandFlags();
+        if (flags.group != 0)
+            parts << MapOverlays::tr("G%1").arg(flags.group);
+        if (flags.stack != 0)
+            parts << MapOverlays::tr("S%1").arg(flags.stack);
+        const QString text = parts.join(QLatin1Char(' '));
+        const double lock = flags.locked != 0 ? metrics.height() : 0;
+        const QPointF middle =
+            text.isEmpty() && lock == 0 ? QPointF(-1, -1) : camera.toScreen(placeOn(document, island));
+        if (!QRectF(view).contains(middle))
+            continue;
+        QRectF label(0, 0, metrics.horizontalAdvance(text) + lock + 8, metrics.height() + 2);
+        label.moveCenter(middle);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(colors.panel);
+        painter.drawRoundedRect(label, 3, 3);
+        if (lock > 0)
+            icon(QStringLiteral("lock"))
+                .paint(&painter, QRectF(label.left() + 3, label.top() + 1, lock, lock).toAlignedRect());
+        painter.setPen(colors.text);
+        painter.drawText(label.adjusted(lock, 0, 0, 0), Qt::AlignCenter, text);
+    }
 }
 
 void drawCursor(QPainter &painter, const ViewColors &colors, const QPointF &place)

@@ -130,6 +130,7 @@ void UvView::drawScene(GlResources &gl)
     drawing.pixelRatio = devicePixelRatioF();
     const bool plain = options.coloring == Coloring::Plain;
     const bool textured = options.pattern != Pattern::None;
+    drawing.onPicture = textured;
     drawing.fillOpacity = !options.fillIslands ? 0 : plain ? 0.4 : textured ? 0.6 : 0.85;
     const HoverParts hover = hoverParts();
     drawing.hoverTriangles = hover.triangles;
@@ -179,6 +180,9 @@ void UvView::drawOverlay(QPainter &painter)
         document ? document->packingSettings().textureSize : studio().preferences.values().textureSize;
     if (options.rulers)
         drawRulers(painter, rect(), colors, mCamera, textureSize);
+    if (document && (options.islandMarks || options.islandNumbers) && !studio().shownMap.isLive())
+        drawIslandMarks(painter, rect(), colors, *document, mCamera, options.islandMarks,
+                        options.islandNumbers);
     if (document && studio().view.tools().pivot == Pivot::Cursor)
         drawCursor(painter, colors, mCamera.toScreen(studio().view.tools().cursor));
     if (document) {

@@ -3,6 +3,7 @@
 #include "commands/newmap.h"
 #include "model/document/makesnapshot.h"
 #include "solver/metrics/uvoverlaps.h"
+#include "solver/overlap/overlapseparation.h"
 #include "views/control/mapjobs.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
@@ -247,7 +248,16 @@ void MapController::startPacking(const PackTarget &target)
 
 void MapController::separateOverlaps()
 {
-    startJob(tr("Separating overlaps"), separateJob);
+    startJob(tr("Separating overlaps"), [](const MapInput &input, JobControl &control) {
+        return separateJob(input, overlap::SeparationMethod::MinCut, control);
+    });
+}
+
+void MapController::separateGreedily()
+{
+    startJob(tr("Separating overlaps"), [](const MapInput &input, JobControl &control) {
+        return separateJob(input, overlap::SeparationMethod::Greedy, control);
+    });
 }
 
 void MapController::equalizeDensity()

@@ -78,8 +78,11 @@ public Q_SLOTS:
     //! \param box texture space
     //! \param faces empty: the selected faces
     void packInto(const Eigen::AlignedBox2d &box, const QList<int> &faces = {});
-    //! Separates overlaps by cutting islands, and packs.
+    //! Separates overlaps by cutting islands along short seams, and packs.
     void separateOverlaps();
+    //! The same by the greedy way of the paper: islands that grow breadth first for as long as they do not
+    //! cover themselves (figure 11, right).
+    void separateGreedily();
     //! Gives every island the same texel density. \pre no job is running
     void equalizeDensity();
     //! Minimises the distortion of the selected faces while all others stay. Pins and locks are respected.

@@ -267,11 +267,11 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
     return result;
 }
 
-MapJobResult separateJob(const MapInput &input, JobControl &control)
+MapJobResult separateJob(const MapInput &input, overlap::SeparationMethod method, JobControl &control)
 {
     using Outcome = unwrap::SeparateResult::Outcome;
     const unwrap::PackJob pack = unwrap::steeredPackJob(input.snapshot, packing::tileOptions(input.packing));
-    const unwrap::SeparateResult made = unwrap::separateMap(input.snapshot, pack, contextOf(control));
+    const unwrap::SeparateResult made = unwrap::separateMap(input.snapshot, pack, contextOf(control), method);
     MapJobResult result;
     result.edit = UvEdit::Separate;
     switch (made.outcome) {

@@ -20,6 +20,9 @@
 
 namespace autocuts {
 
+namespace overlap {
+enum class SeparationMethod;
+}
 namespace unwrap {
 struct UnwrapResult;
 }
@@ -97,7 +100,7 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
 //! first continued to its end.
 MapJobResult finishJob(const MapInput &input, JobControl &control);
 MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl &control);
-MapJobResult separateJob(const MapInput &input, JobControl &control);
+MapJobResult separateJob(const MapInput &input, overlap::SeparationMethod method, JobControl &control);
 MapJobResult equalizeJob(const MapInput &input, JobControl &control);
 //! Minimises the distortion of the selected faces while all others stay.
 MapJobResult relaxJob(const MapInput &input, JobControl &control);

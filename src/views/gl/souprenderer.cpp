@@ -102,6 +102,7 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
     p.setUniformValue("tint", static_cast<float>(drawing.tint));
     p.setUniformValue("fillOpacity", static_cast<float>(drawing.fillOpacity));
     p.setUniformValue("lineOpacity", static_cast<float>(drawing.lineOpacity));
+    p.setUniformValue("onPicture", drawing.onPicture);
     // QOpenGLShaderProgram has no functions for these types.
     mGl.glUniform1ui(p.uniformLocation("hoverIsland"), drawing.hoverIsland);
     mGl.glUniform2i(p.uniformLocation("hoverTriangles"), drawing.hoverTriangles[0],

@@ -28,6 +28,7 @@ struct SoupDrawing
     double tint = 0;                         //!< 3D view: share of the faces' colours over the texture
     double fillOpacity = 1;                  //!< UV view: opacity of the faces
     double lineOpacity = 1;                  //!< opacity of all lines along sides
+    bool onPicture = false;                  //!< in the map: a picture lies behind the islands
     std::array<int, 2> hoverTriangles{0, 0}; //!< range of triangles under the mouse: first and end
     unsigned hoverIsland = 0;                //!< number of the island under the mouse; 0 for none
     std::array<int, 2> hoverSides{-1, -1};   //!< the sides of the edge under the mouse

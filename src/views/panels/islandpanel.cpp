@@ -203,8 +203,9 @@ void IslandPanel::refresh()
     mSummary->show();
     const bool solves = context().solver.isRunning() || context().solver.isPausing();
     mSummary->setText(mTable->rowCount() == 0
-                          ? (solves ? tr("Pause the solver to list its islands.")
-                                    : tr("No UVs yet: run the solver, or unwrap."))
+                          ? (solves                ? tr("Pause the solver to list its islands.")
+                             : map.jobs().isBusy() ? tr("The islands are listed when the map is ready.")
+                                                   : tr("No UVs yet: run the solver, or unwrap."))
                           : tr("Islands: %1, selected: %2")
                                 .arg(countText(mTable->rowCount()), countText(qint64(selected))));
     for (QPushButton *button : mSelectionButtons)

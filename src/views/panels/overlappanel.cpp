@@ -110,12 +110,16 @@ QWidget *OverlapPanel::makeButtons()
     connect(context().actions.action("select.nextOverlap"), &QAction::triggered, this, [this] { step(1); });
     connect(mSelectFlipped, &QPushButton::clicked, this, &OverlapPanel::selectFlipped);
     connect(mSeparate, &QPushButton::clicked, &context().map, &MapController::separateOverlaps);
+    mGreedy = makeButton(tr("Greedily"), "separateGreedy"_L1);
+    explain(mGreedy, tr("The same by regions that grow breadth first: more cuts, found at once"),
+            {"uv.separateGreedy"});
+    connect(mGreedy, &QPushButton::clicked, &context().map, &MapController::separateGreedily);
     auto *box = new QWidget;
     auto *layout = new QVBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(rowSpacing);
     layout->addWidget(makeRow({mPrevious, mNext}));
-    layout->addWidget(makeRow({mSelectFlipped, mSeparate}));
+    layout->addWidget(makeRow({mSelectFlipped, mSeparate, mGreedy}));
     return box;
 }
 
@@ -151,7 +155,8 @@ void OverlapPanel::refresh()
     mPrevious->setEnabled(hasRows);
     mNext->setEnabled(hasRows);
     mSelectFlipped->setEnabled(fresh && metrics.flipped > 0);
-    mSeparate->setEnabled(hasMap && !context().map.jobs().isBusy());
+    for (QPushButton *button : {mSeparate, mGreedy})
+        button->setEnabled(hasMap && !context().map.jobs().isBusy());
 }
 
 void OverlapPanel::step(int offset)

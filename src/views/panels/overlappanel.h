@@ -39,7 +39,8 @@ private:
     QListView *mView;
     QLabel *mState, *mPairs = nullptr, *mTriangles = nullptr, *mArea = nullptr, *mStacked = nullptr,
                     *mFlipped = nullptr;
-    QPushButton *mPrevious = nullptr, *mNext = nullptr, *mSelectFlipped = nullptr, *mSeparate = nullptr;
+    QPushButton *mPrevious = nullptr, *mNext = nullptr, *mSelectFlipped = nullptr, *mSeparate = nullptr,
+                *mGreedy = nullptr;
     bool mListStale = true;
 };
 

@@ -8,6 +8,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QIntValidator>
@@ -109,6 +110,30 @@ void PackPanel::addPlacingRows(QFormLayout *form)
     addRow(form, tr("UDIM tile"), row,
            tr("Tile that is packed into: 1001 is the unit square, ten tiles in a row"));
 
+    mBorder = new QSpinBox;
+    mBorder->setObjectName("border"_L1);
+    mBorder->setRange(-1, 1024);
+    mBorder->setSpecialValueText(tr("Half the margin"));
+    mBorder->setSuffix(tr(" px"));
+    mBorder->setKeyboardTracking(false);
+    connect(mBorder, &QSpinBox::valueChanged, this, [this](int border) {
+        changePackingSettings([border](PackingSettings &s) { s.border = border; });
+    });
+    addRow(form, tr("Border"), mBorder, tr("Least distance to the border of the tile in texels"));
+
+    mEffort = new QDoubleSpinBox;
+    mEffort->setObjectName("effort"_L1);
+    mEffort->setRange(0, PackingSettings::maxEffort);
+    mEffort->setDecimals(1);
+    mEffort->setSingleStep(0.5);
+    mEffort->setSuffix(tr(" s"));
+    mEffort->setKeyboardTracking(false);
+    connect(mEffort, &QDoubleSpinBox::valueChanged, this, [this](double effort) {
+        changePackingSettings([effort](PackingSettings &s) { s.effort = effort; });
+    });
+    addRow(form, tr("Effort"), mEffort,
+           tr("How long to search for a better arrangement, in seconds of one processor core"));
+
     mKeepScale = new QCheckBox(tr("Keep the size of the islands"));
     mKeepScale->setObjectName("keepScale"_L1);
     mKeepScale->setToolTip(tr("Off: all islands get the same texel density, as large as there is room"));
@@ -138,8 +163,8 @@ QWidget *PackPanel::makeFigures()
     mEfficiency = addFigure(grid, 0, 0, tr("Efficiency"), tr("Share of the texture that islands cover"));
     mGutter =
         addFigure(grid, 1, 0, tr("Smallest gutter"), tr("Smallest distance between two islands, in texels"));
-    mBorder = addFigure(grid, 2, 0, tr("To the border"),
-                        tr("Distance to the border of the unit square, in texels"));
+    mToBorder = addFigure(grid, 2, 0, tr("To the border"),
+                          tr("Distance to the border of the unit square, in texels"));
     mInside = addFigure(grid, 3, 0, tr("In the unit square"), tr("Whether all UVs are between 0 and 1"));
     mEfficiency->setObjectName("efficiency"_L1);
     mGutter->setObjectName("gutter"_L1);
@@ -175,7 +200,8 @@ void PackPanel::refresh()
 void PackPanel::showSettings(const PackingSettings &settings)
 {
     const QSignalBlocker blockers[] = {QSignalBlocker(mTextureSize), QSignalBlocker(mMargin),
-                                       QSignalBlocker(mRotation), QSignalBlocker(mTile)};
+                                       QSignalBlocker(mRotation),    QSignalBlocker(mTile),
+                                       QSignalBlocker(mBorder),      QSignalBlocker(mEffort)};
     // Text that is being typed is not overwritten.
     if (!mTextureSize->lineEdit()->hasFocus() || !mTextureSize->lineEdit()->isModified())
         mTextureSize->setEditText(QString::number(settings.textureSize));
@@ -184,6 +210,9 @@ void PackPanel::showSettings(const PackingSettings &settings)
     mMarginUv->setText(tr("= %1 UV").arg(significantText(settings.margin / settings.textureSize, 3)));
     mRotation->setCurrentIndex(mRotation->findData(int(settings.rotation)));
     mKeepScale->setChecked(settings.keepScale);
+    mBorder->setMaximum(std::min(settings.textureSize / 2 - 1, 1024));
+    mBorder->setValue(settings.border < 0 ? -1 : static_cast<int>(settings.border));
+    mEffort->setValue(settings.effort);
     mTile->setValue(settings.udimTile);
     const int tile = settings.udimTile - PackingSettings::firstTile;
     mTilePlace->setText(tr("U %1, V %2").arg(tile % tilesPerRow).arg(tile / tilesPerRow));
@@ -201,9 +230,9 @@ void PackPanel::showFigures()
     };
     mEfficiency->setText(percentText(metrics.packingUnit));
     mGutter->setText(texels(metrics.minGutterTexels));
-    mBorder->setText(texels(metrics.borderGutterTexels));
+    mToBorder->setText(texels(metrics.borderGutterTexels));
     mInside->setText(!hasMap ? missingText() : metrics.inUnitSquare ? tr("yes") : tr("no"));
-    for (QLabel *label : {mEfficiency, mGutter, mBorder, mInside})
+    for (QLabel *label : {mEfficiency, mGutter, mToBorder, mInside})
         label->setEnabled(map.figuresAreFresh());
 }
 

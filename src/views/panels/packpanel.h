@@ -5,6 +5,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QPushButton;
@@ -38,10 +39,11 @@ private:
     QLabel *mMarginUv = nullptr;
     QComboBox *mRotation = nullptr;
     QCheckBox *mKeepScale = nullptr;
-    QSpinBox *mTile = nullptr;
+    QSpinBox *mTile = nullptr, *mBorder = nullptr;
+    QDoubleSpinBox *mEffort = nullptr;
     QLabel *mTilePlace = nullptr;
     QPushButton *mPack = nullptr, *mPackSelection = nullptr;
-    QLabel *mEfficiency = nullptr, *mGutter = nullptr, *mBorder = nullptr, *mInside = nullptr;
+    QLabel *mEfficiency = nullptr, *mGutter = nullptr, *mToBorder = nullptr, *mInside = nullptr;
 };
 
 } // namespace autocuts

@@ -21,6 +21,8 @@ void visitFlags(Options &options, Visit visit)
     visit("fillIslands"_L1, options.fillIslands);
     visit("grid"_L1, options.grid);
     visit("rulers"_L1, options.rulers);
+    visit("islandMarks"_L1, options.islandMarks);
+    visit("islandNumbers"_L1, options.islandNumbers);
     visit("orthographic"_L1, options.orthographic);
 }
 

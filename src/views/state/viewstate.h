@@ -27,14 +27,16 @@ struct ViewOptions
     bool wireframe = true;    //!< polygon edges; diagonals are never drawn
     //! Seams of the map; while a solve runs, the separation energy as a red hue (paper, figure 4).
     bool seams = true;
-    bool steering = true;      //!< cut and joined edges, rectangles and pins
-    bool selection = true;     //!< mark selected elements
-    bool problems = true;      //!< mark flipped triangles, and hatch overlaps
-    bool fillIslands = true;   //!< UV view
-    bool grid = true;          //!< UV view: grid, unit square and tiles; 3D view: ground
-    bool rulers = true;        //!< UV view, in texels
-    bool orthographic = false; //!< 3D view
-    double stretchClamp = 1;   //!< signed stretch: the log2 of the area ratio that gets the full colour
+    bool steering = true;       //!< cut and joined edges, rectangles and pins
+    bool selection = true;      //!< mark selected elements
+    bool problems = true;       //!< mark flipped triangles, and hatch overlaps
+    bool fillIslands = true;    //!< UV view
+    bool grid = true;           //!< UV view: grid, unit square and tiles; 3D view: ground
+    bool rulers = true;         //!< UV view, in texels
+    bool islandMarks = true;    //!< UV view: locks, groups and stacks
+    bool islandNumbers = false; //!< UV view
+    bool orthographic = false;  //!< 3D view
+    double stretchClamp = 1;    //!< signed stretch: the log2 of the area ratio that gets the full colour
     //! Magnitude: the symmetric Dirichlet energy that gets the full colour; above 4.
     double magnitudeClamp = 8;
     double checkerSize = 16; //!< squares along each side of the unit square
