@@ -332,8 +332,16 @@ private Q_SLOTS:
         QVERIFY(document().uv() == mStudio->solver.map()->uv);
     }
 
-    void escapeLetsGoOfTheRunningSolve()
+    //! Also what was torn on the way is closed again.
+    void aDragOfTheRunningSolveIsTakenBack_data()
     {
+        QTest::addColumn<bool>("byKey");
+        QTest::newRow("by Escape") << true;
+        QTest::newRow("by returning to where it began") << false;
+    }
+    void aDragOfTheRunningSolveIsTakenBack()
+    {
+        QFETCH(bool, byKey);
         openOneIsland();
         setRadius(0.3);
         runAt(0.05, 0.004);
@@ -346,9 +354,15 @@ private Q_SLOTS:
         pressAndPull(start, end);
         QTRY_VERIFY_WITH_TIMEOUT((mStudio->shown.uv().row(soup) - from - Row(0, 0.55)).norm() < 0.02,
                                  test::patience);
-        QTest::keyClick(&view(), Qt::Key_Escape);
+        if (byKey) {
+            QTest::keyClick(&view(), Qt::Key_Escape);
+        } else {
+            Canvases::moveMouse(view(), start + QPoint(3, 2), Qt::LeftButton);
+            QTest::mouseRelease(&view(), Qt::LeftButton, {}, start + QPoint(3, 2));
+        }
         QTRY_VERIFY_WITH_TIMEOUT((mStudio->shown.uv().row(soup) - from).norm() < 0.02, test::patience);
-        QTest::mouseRelease(&view(), Qt::LeftButton, {}, end);
+        if (byKey)
+            QTest::mouseRelease(&view(), Qt::LeftButton, {}, end);
         QVERIFY(mStudio->solver.isRunning());
         QCOMPARE(document().undoStack().count(), entries);
     }

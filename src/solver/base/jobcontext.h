@@ -8,7 +8,7 @@
 namespace autocuts {
 
 //! Stage of a job, as it is shown to the user.
-enum class JobStage { Working, SolvingToTheEnd, Packing };
+enum class JobStage { Working, SolvingToTheEnd, Refining, Packing };
 
 //! Progress of a job.
 struct JobProgress

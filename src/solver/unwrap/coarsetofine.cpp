@@ -282,6 +282,7 @@ bool relax(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, co
     };
     show();
     definite::relaxMap(soup, snapshot, relaxed.map, fineSteps, job, [&](int steps) {
+        job.report(double(steps) / fineSteps);
         if (steps % stepsBetween == 0)
             show();
     });

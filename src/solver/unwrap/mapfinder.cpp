@@ -250,6 +250,10 @@ private:
     int mIterations = 0;
 };
 
+//! Share of the progress that is for the search on the coarse mesh. A guess that only the progress depends
+//! on.
+constexpr double coarseShare = 0.55;
+
 //! A carried map as a candidate.
 Candidate candidateOf(CarriedMap carried, const Soup &soup, const Snapshot &snapshot)
 {
@@ -279,22 +283,24 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
     CoarseSearch search;
     if (ready)
         search.relaxing = prepare;
+    const JobContext searching = job.part(0, coarseShare);
     search.unwrap = [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions, const CarryOver &carry) {
         const double worst = coarseOptions.maxDistortion + worthCarrying;
-        Ranking coarseRanking(coarseOptions, job);
+        Ranking coarseRanking(coarseOptions, searching);
         coarseRanking.setWatcher([&](const Candidate &best) {
             if (!ready || best.distortion > worst)
                 return;
             const CarriedMap map{best.map, 0, best.lambda, best.delta, best.anchorFaults};
             prepare([=](const JobContext &own) { return carry(map, own); });
         });
-        FoundMap found = findMap(coarse, coarseOptions, coarseRanking, job);
+        FoundMap found = findMap(coarse, coarseOptions, coarseRanking, searching);
         if (found.best.onlyPatches || job.stopped())
             return std::optional<CarriedMap>();
         return std::optional(CarriedMap{std::move(found.best.map), found.iterations, found.best.lambda,
                                         found.best.delta, found.best.anchorFaults});
     };
-    std::optional<CarriedMap> carried = mapByCoarse(soup, snapshot, options, search, job);
+    const JobContext refining = job.part(coarseShare, Ranking::optimizingShare, JobStage::Refining);
+    std::optional<CarriedMap> carried = mapByCoarse(soup, snapshot, options, search, refining);
     if (!carried)
         return std::nullopt;
     FoundMap found;

@@ -34,6 +34,8 @@ QString stageText(const JobProgress &progress, double bound)
 {
     if (progress.stage == JobStage::SolvingToTheEnd)
         return translated("solving to the end");
+    if (progress.stage == JobStage::Refining)
+        return translated("fitting the map to the fine mesh");
     if (progress.stage == JobStage::Packing)
         return translated("packing");
     if (!(progress.seamLength > 0))
@@ -48,8 +50,9 @@ QString stageText(const JobProgress &progress, double bound)
 JobContext contextOf(JobControl &control, double bound = std::numeric_limits<double>::infinity())
 {
     return {&control.stop(), QThread::idealThreadCount(),
-            [&control, bound, shown = QString()](const JobProgress &progress) mutable {
-                control.setProgress(progress.fraction);
+            [&control, bound, shown = QString(), furthest = 0.0](const JobProgress &progress) mutable {
+                furthest = std::max(furthest, progress.fraction);
+                control.setProgress(furthest);
                 if (const QString text = stageText(progress, bound); text != shown)
                     control.setStage(shown = text);
             }};

@@ -167,7 +167,15 @@ void MainWindow::makePanels()
     QDockWidget *packing = add("packing", tr("Packing"), new PackPanel(studio), Qt::RightDockWidgetArea);
     auto *overlapPanel = new OverlapPanel(studio);
     QDockWidget *overlaps = add("overlaps", tr("Overlaps"), overlapPanel, Qt::RightDockWidgetArea);
-    connect(overlapPanel, &OverlapPanel::frameSelectionRequested, mUvView, &UvView::frameSelection);
+    connect(overlapPanel, &OverlapPanel::frameSelectionRequested, this, [this] {
+        mUvView->frameSelection();
+        mNearOverlap = true;
+    });
+    // A new map may have nothing where the view looked at an overlap.
+    connect(&mMap, &MapController::done, this, [this] {
+        if (std::exchange(mNearOverlap, false))
+            mUvView->frameAll();
+    });
 
     tabifyDockWidget(history, doctor);
     history->raise();

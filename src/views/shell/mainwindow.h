@@ -85,6 +85,7 @@ private:
     UvView *mUvView = nullptr;
     StatusBar *mStatusBar = nullptr;
     QList<QDockWidget *> mDocks;
+    bool mNearOverlap = false; //!< the UV view was moved to an overlap
     std::unique_ptr<MenuBuilder> mMenus;
     QByteArray mDefaultState; //!< initial arrangement of the panels
 };

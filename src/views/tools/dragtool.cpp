@@ -25,6 +25,8 @@ constexpr double minRadius = 10, maxRadius = 2000;
 //! Pixels: a dragged corner snaps to its partner within this distance, or within half of the gap when that is
 //! less. Chosen by hand.
 constexpr double snapDistance = 12;
+//! Pixels: a drag of a live map that ends this close to its beginning counts as taken back. Chosen by hand.
+constexpr double backDistance = 8;
 //! Number of solver results in which joined gaps have to close; then the pulls are removed anyway. Chosen by
 //! hand; its effect has not been measured.
 constexpr int shuttingResults = 60;
@@ -268,6 +270,10 @@ void DragTool::release(const ToolEvent &event)
     mMouse = event.position;
     if (mState == State::Pressed) {
         select(event);
+    } else if (mLive && mClosed.empty() &&
+               std::hypot((mMouse - mStart).x(), (mMouse - mStart).y()) < backDistance) {
+        cancel(); // the map returns, too: nothing was meant to tear
+        return;
     } else {
         apply();
         if (mLive) {
