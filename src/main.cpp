@@ -11,8 +11,14 @@
 
 int main(int argc, char *argv[])
 {
-    QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("autocuts"));
+    const QString preferencesFile =
+        QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + QStringLiteral("/autocuts.ini");
+    // Qt reads the scale once, before the application is made.
+    const int percent = autocuts::Preferences::interfacePercent(preferencesFile);
+    if (percent != 100 && !qEnvironmentVariableIsSet("QT_SCALE_FACTOR"))
+        qputenv("QT_SCALE_FACTOR", QByteArray::number(percent / 100.0));
+    QApplication application(argc, argv);
     QApplication::setApplicationDisplayName(QStringLiteral("Autocuts"));
     QApplication::setApplicationVersion(QStringLiteral(AUTOCUTS_VERSION));
 
@@ -34,8 +40,7 @@ int main(int argc, char *argv[])
                                  QStringLiteral("[file]"));
     parser.process(application);
 
-    autocuts::Preferences preferences(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) +
-                                      QStringLiteral("/autocuts.ini"));
+    autocuts::Preferences preferences(preferencesFile);
     const auto applyTheme = [&] { autocuts::applyTheme(application, preferences.values().theme); };
     applyTheme();
     QObject::connect(&preferences, &autocuts::Preferences::changed, &application, applyTheme);

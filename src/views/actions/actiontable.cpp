@@ -346,6 +346,8 @@ constexpr std::array viewTable{
                QT_TRANSLATE_NOOP("Actions", "Show the grid and the texture tiles"), 0, true},
     ActionInfo{"view.rulers", "View", QT_TRANSLATE_NOOP("Actions", "Rulers"), "", "",
                QT_TRANSLATE_NOOP("Actions", "Show rulers in texels in the UV view"), 0, true},
+    ActionInfo{"view.followMap", "View", QT_TRANSLATE_NOOP("Actions", "Follow the live map"), "frame-all", "",
+               QT_TRANSLATE_NOOP("Actions", "Show the whole live map in the UV view as it changes"), 0, true},
     ActionInfo{"view.islandMarks", "View", QT_TRANSLATE_NOOP("Actions", "Island marks"), "lock", "",
                QT_TRANSLATE_NOOP("Actions", "Show locks, groups and stacks in the UV view"), 0, true},
     ActionInfo{"view.islandNumbers", "View", QT_TRANSLATE_NOOP("Actions", "Island numbers"), "", "Shift+N",

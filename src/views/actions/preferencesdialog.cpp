@@ -141,6 +141,8 @@ QWidget *PreferencesDialog::appearancePage()
     mTheme = new QComboBox;
     mTheme->addItem(tr("Dark"), int(Theme::Dark));
     mTheme->addItem(tr("Light"), int(Theme::Light));
+    mInterface =
+        spinBox(PreferenceLimits::minInterfacePercent, PreferenceLimits::maxInterfacePercent, tr(" %"), 25);
     mColorBlind = new QCheckBox(tr("Heat-maps in colours that &all can tell apart"));
     mSeam = new ColorButton(tr("Colour of seams"));
     mSelection = new ColorButton(tr("Colour of the selection"));
@@ -150,6 +152,8 @@ QWidget *PreferencesDialog::appearancePage()
     auto *layout = new QVBoxLayout(page);
     QFormLayout *form = addGroup(layout, tr("Window"));
     form->addRow(tr("&Theme:"), mTheme);
+    form->addRow(tr("S&ize:"), mInterface);
+    form->addRow(hint(tr("Of texts and controls; takes effect at the next start.")));
     form = addGroup(layout, tr("Colours of the views"));
     form->addRow(tr("&Seams:"), mSeam);
     form->addRow(tr("S&election:"), mSelection);
@@ -165,7 +169,7 @@ void PreferencesDialog::connectAll()
     const auto changed = [this] { store(); };
     for (QComboBox *box : {mNavigation, mTheme})
         connect(box, &QComboBox::currentIndexChanged, this, changed);
-    for (QSpinBox *box : {mTextureSize, mMargin, mAutosave, mUndoMemory})
+    for (QSpinBox *box : {mInterface, mTextureSize, mMargin, mAutosave, mUndoMemory})
         connect(box, &QSpinBox::valueChanged, this, changed);
     connect(mMaxDistortion, &QDoubleSpinBox::valueChanged, this, changed);
     for (QCheckBox *box : {mSolveOnOpen, mColorBlind})
@@ -190,6 +194,7 @@ void PreferencesDialog::showValues(const PreferenceValues &values)
     mSolveOnOpen->setChecked(values.solveOnOpen);
     mAutosave->setValue(values.autosaveMinutes);
     mUndoMemory->setValue(values.undoMemoryMb);
+    mInterface->setValue(values.interfacePercent);
     mColorBlind->setChecked(values.colorBlindHeatMap);
     mSeam->setColor(values.seamColor);
     mSelection->setColor(values.selectionColor);
@@ -210,6 +215,7 @@ PreferenceValues PreferencesDialog::shown() const
     values.autosaveMinutes = mAutosave->value();
     values.undoMemoryMb = mUndoMemory->value();
     values.colorBlindHeatMap = mColorBlind->isChecked();
+    values.interfacePercent = mInterface->value();
     values.seamColor = mSeam->color();
     values.selectionColor = mSelection->color();
     values.forcedCutColor = mForcedCut->color();

@@ -50,7 +50,7 @@ private:
     QListWidget *mPages;
     QStackedWidget *mStack;
     QComboBox *mNavigation, *mTheme;
-    QSpinBox *mTextureSize, *mMargin, *mAutosave, *mUndoMemory;
+    QSpinBox *mInterface, *mTextureSize, *mMargin, *mAutosave, *mUndoMemory;
     QDoubleSpinBox *mMaxDistortion;
     QCheckBox *mSolveOnOpen, *mColorBlind;
     ColorButton *mSeam, *mSelection, *mForcedCut, *mJoined;

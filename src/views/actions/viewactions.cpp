@@ -29,6 +29,7 @@ constexpr Toggle toggles[] = {{"view.smoothShading", &ViewOptions::smoothShading
                               {"view.fillIslands", &ViewOptions::fillIslands},
                               {"view.grid", &ViewOptions::grid},
                               {"view.rulers", &ViewOptions::rulers},
+                              {"view.followMap", &ViewOptions::followMap},
                               {"view.islandMarks", &ViewOptions::islandMarks},
                               {"view.islandNumbers", &ViewOptions::islandNumbers},
                               {"view.orthographic", &ViewOptions::orthographic}};

@@ -24,6 +24,10 @@ UvView::UvView(const StudioContext &context, ToolManager &tools, QWidget *parent
     : Canvas(Kind::Map, context, tools, parent)
 {
     setObjectName(u"uvView"_s);
+    connect(&context.shownMap, &ShownMap::changed, this, [this] {
+        if (studio().view.options().followMap && studio().shownMap.isLive())
+            frameAll();
+    });
     connect(&context.view, &ViewState::toolsChanged, this, qOverload<>(&UvView::update));
     connect(&context.map.jobs(), &JobRunner::busyChanged, this, qOverload<>(&UvView::update));
 }

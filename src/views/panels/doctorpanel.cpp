@@ -8,13 +8,33 @@
 
 #include <QGridLayout>
 #include <QLabel>
-#include <QPushButton>
+
+#include <utility>
 
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
 
 namespace {
+
+//! The rows of the counts and of the figures whose numbers can be clicked.
+constexpr std::pair<std::size_t, Finding> countedFindings[] = {{3, Finding::BoundaryEdges},
+                                                               {4, Finding::NonManifoldEdges},
+                                                               {5, Finding::WindingEdges},
+                                                               {6, Finding::TrianglesWithoutArea},
+                                                               {9, Finding::PolygonsThatMeetThemselves}};
+constexpr std::pair<std::size_t, Finding> mapFindings[] = {{2, Finding::MostStretched},
+                                                           {7, Finding::FacesWithoutUv},
+                                                           {8, Finding::CollapsedTriangles},
+                                                           {9, Finding::MirroredIslands}};
+
+//! The text of a label as a link, unless it counts nothing.
+QString linked(const QString &text)
+{
+    return text == countText(0) || text == missingText()
+               ? text
+               : QStringLiteral("<a href=\"#\">%1</a>").arg(text.toHtmlEscaped());
+}
 
 QGridLayout *makeGrid(QWidget *owner)
 {
@@ -28,8 +48,7 @@ QGridLayout *makeGrid(QWidget *owner)
 } // namespace
 
 DoctorPanel::DoctorPanel(const StudioContext &context, QWidget *parent)
-    : Panel(context, tr("Open a model to have it examined."), parent), mNotes(new QLabel),
-      mSelect(new QPushButton(tr("Select polygons that meet themselves")))
+    : Panel(context, tr("Open a model to have it examined."), parent), mNotes(new QLabel)
 {
     auto *layout = new QVBoxLayout(content());
     layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
@@ -41,9 +60,6 @@ DoctorPanel::DoctorPanel(const StudioContext &context, QWidget *parent)
     mNotes->setAccessibleName(tr("Findings"));
     layout->addWidget(makeHeading(tr("Findings")));
     layout->addWidget(mNotes);
-    mSelect->setObjectName("selectSelfContacts"_L1);
-    connect(mSelect, &QPushButton::clicked, this, &DoctorPanel::selectSelfContacts);
-    layout->addWidget(mSelect);
     layout->addWidget(makeHeading(tr("Model")));
     layout->addWidget(makeCounts());
     layout->addWidget(makeHeading(tr("Map")));
@@ -74,6 +90,8 @@ QWidget *DoctorPanel::makeCounts()
         tr("Polygons with a vertex twice, such as a, b, c, b: cut off from the faces around there"));
     add(tr("Surface area"), tr("In the units of the model"));
     add(tr("Diagonal"), tr("Diagonal of the bounding box, in the units of the model"));
+    for (const auto &[row, finding] : countedFindings)
+        linkTo(*mCounts[row], finding);
     return box;
 }
 
@@ -96,6 +114,8 @@ QWidget *DoctorPanel::makeFigures()
     add(tr("Faces without UVs"), tr("Faces that are not in the map"));
     add(tr("Collapsed triangles"), tr("Triangles without area in the map"));
     add(tr("Mirrored islands"), tr("Islands that lie face down"));
+    for (const auto &[row, finding] : mapFindings)
+        linkTo(*mFigures[row], finding);
     return box;
 }
 
@@ -106,7 +126,6 @@ void DoctorPanel::refresh()
         showCounts(document()->mesh().report);
     } else {
         mNotes->clear();
-        mSelect->hide();
         for (QLabel *label : mCounts)
             label->setText(missingText());
     }
@@ -123,16 +142,24 @@ void DoctorPanel::showNotes(const Document &document)
     }
     for (QString &note : notes)
         note.prepend(u"• "_s);
-    mSelect->setVisible(!document.mesh().report.selfContactFaces.empty());
     mNotes->setText(notes.isEmpty() ? tr("✓ All fine: nothing unusual was found.") : notes.join(u'\n'));
 }
 
-void DoctorPanel::selectSelfContacts()
+void DoctorPanel::selectElements(Finding finding)
 {
-    Selection selection;
-    for (const int face : document()->mesh().report.selfContactFaces)
-        selection.faces << face;
+    Selection selection = elementsOf(*document(), finding);
+    if (selection.isEmpty())
+        return;
     document()->setSelection(std::move(selection));
+    Q_EMIT frameSelectionRequested();
+}
+
+void DoctorPanel::linkTo(QLabel &label, Finding finding)
+{
+    label.setObjectName(u"finding%1"_s.arg(int(finding)));
+    label.setTextFormat(Qt::RichText);
+    label.setTextInteractionFlags(Qt::TextBrowserInteraction);
+    connect(&label, &QLabel::linkActivated, this, [this, finding] { selectElements(finding); });
 }
 
 void DoctorPanel::showCounts(const MeshReport &report)
@@ -153,6 +180,8 @@ void DoctorPanel::showCounts(const MeshReport &report)
                              significantText(report.boxDiagonal, 5)};
     for (std::size_t i = 0; i < mCounts.size(); ++i)
         mCounts[i]->setText(texts[i]);
+    for (const auto &[row, finding] : countedFindings)
+        mCounts[row]->setText(linked(texts[row]));
 }
 
 void DoctorPanel::showFigures()
@@ -172,6 +201,8 @@ void DoctorPanel::showFigures()
         mFigures[i]->setText(texts[i]);
         mFigures[i]->setEnabled(map.figuresAreFresh());
     }
+    for (const auto &[row, finding] : mapFindings)
+        mFigures[row]->setText(linked(texts[row]));
 }
 
 } // namespace autocuts

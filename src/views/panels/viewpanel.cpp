@@ -158,6 +158,8 @@ QWidget *ViewPanel::makeToggles()
         {tr("Grid"), &ViewOptions::grid, "view.grid",
          tr("Grid and tiles of the UV view, ground of the 3D view")},
         {tr("Rulers"), &ViewOptions::rulers, "view.rulers", tr("In the UV view, in texels")},
+        {tr("Follow the live map"), &ViewOptions::followMap, "view.followMap",
+         tr("The UV view shows the whole live map as it changes")},
         {tr("Island marks"), &ViewOptions::islandMarks, "view.islandMarks",
          tr("Locks, groups and stacks in the UV view")},
         {tr("Island numbers"), &ViewOptions::islandNumbers, "view.islandNumbers",

@@ -159,7 +159,10 @@ void MainWindow::makePanels()
     };
     QDockWidget *view = add("view", tr("View"), new ViewPanel(studio), Qt::LeftDockWidgetArea);
     QDockWidget *history = add("history", tr("History"), new HistoryPanel(studio), Qt::LeftDockWidgetArea);
-    QDockWidget *doctor = add("doctor", tr("Mesh doctor"), new DoctorPanel(studio), Qt::LeftDockWidgetArea);
+    auto *doctorPanel = new DoctorPanel(studio);
+    QDockWidget *doctor = add("doctor", tr("Mesh doctor"), doctorPanel, Qt::LeftDockWidgetArea);
+    connect(doctorPanel, &DoctorPanel::frameSelectionRequested, mActions.action("view.frameSelected"),
+            &QAction::trigger);
     QDockWidget *solver = add("solver", tr("Unwrap"), new SolverPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *islands = add("islands", tr("Islands"), new IslandPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *arranging = add("layout", tr("Layout"), new LayoutPanel(studio), Qt::RightDockWidgetArea);

@@ -23,6 +23,7 @@ void visitFlags(Options &options, Visit visit)
     visit("rulers"_L1, options.rulers);
     visit("islandMarks"_L1, options.islandMarks);
     visit("islandNumbers"_L1, options.islandNumbers);
+    visit("followMap"_L1, options.followMap);
     visit("orthographic"_L1, options.orthographic);
 }
 

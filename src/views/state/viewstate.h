@@ -35,6 +35,7 @@ struct ViewOptions
     bool rulers = true;         //!< UV view, in texels
     bool islandMarks = true;    //!< UV view: locks, groups and stacks
     bool islandNumbers = false; //!< UV view
+    bool followMap = false;     //!< the UV view frames a live map as it changes
     bool orthographic = false;  //!< 3D view
     double stretchClamp = 1;    //!< signed stretch: the log2 of the area ratio that gets the full colour
     //! Magnitude: the symmetric Dirichlet energy that gets the full colour; above 4.

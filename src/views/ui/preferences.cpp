@@ -17,6 +17,7 @@ namespace {
 const QString navigationKey = QStringLiteral("values/navigation");
 const QString themeKey = QStringLiteral("values/theme");
 const QString colorBlindKey = QStringLiteral("values/colorBlindHeatMap");
+const QString interfaceKey = QStringLiteral("values/interfacePercent");
 const QString seamColorKey = QStringLiteral("values/seamColor");
 const QString selectionColorKey = QStringLiteral("values/selectionColor");
 const QString forcedCutColorKey = QStringLiteral("values/forcedCutColor");
@@ -54,6 +55,12 @@ double readDouble(const QSettings &settings, const QString &key, double fallback
     return ok && value >= lowest && value <= highest ? value : fallback;
 }
 
+int readInterfacePercent(const QSettings &settings)
+{
+    return readInt(settings, interfaceKey, PreferenceValues().interfacePercent,
+                   PreferenceLimits::minInterfacePercent, PreferenceLimits::maxInterfacePercent);
+}
+
 //! Values are checked, because users or other versions may have written the file.
 PreferenceValues readValues(const QSettings &settings)
 {
@@ -64,6 +71,7 @@ PreferenceValues readValues(const QSettings &settings)
     if (settings.value(themeKey).toString() == QStringLiteral("light"))
         v.theme = Theme::Light;
     v.colorBlindHeatMap = settings.value(colorBlindKey, v.colorBlindHeatMap).toBool();
+    v.interfacePercent = readInterfacePercent(settings);
     v.seamColor = readColor(settings, seamColorKey, v.seamColor);
     v.selectionColor = readColor(settings, selectionColorKey, v.selectionColor);
     v.forcedCutColor = readColor(settings, forcedCutColorKey, v.forcedCutColor);
@@ -86,6 +94,7 @@ void writeValues(QSettings &settings, const PreferenceValues &v)
                                                                             : QStringLiteral("blender"));
     settings.setValue(themeKey, v.theme == Theme::Light ? QStringLiteral("light") : QStringLiteral("dark"));
     settings.setValue(colorBlindKey, v.colorBlindHeatMap);
+    settings.setValue(interfaceKey, v.interfacePercent);
     settings.setValue(seamColorKey, v.seamColor.name());
     settings.setValue(selectionColorKey, v.selectionColor.name());
     settings.setValue(forcedCutColorKey, v.forcedCutColor.name());
@@ -99,6 +108,11 @@ void writeValues(QSettings &settings, const PreferenceValues &v)
 }
 
 } // namespace
+
+int Preferences::interfacePercent(const QString &file)
+{
+    return readInterfacePercent(QSettings(file, QSettings::IniFormat));
+}
 
 Preferences::Preferences(const QString &file, QObject *parent)
     : QObject(parent), mSettings(file, QSettings::IniFormat)

@@ -19,6 +19,7 @@ struct PreferenceValues
 {
     NavigationPreset navigation = NavigationPreset::Blender;
     Theme theme = Theme::Dark;
+    int interfacePercent = 100;     //!< size of the interface; takes effect at the next start
     bool colorBlindHeatMap = false; //!< use colours in heat-maps that colour-blind people can distinguish
     QColor seamColor = QColor(0xDB2512);
     QColor selectionColor = QColor(0xFF9A1F);
@@ -37,6 +38,7 @@ struct PreferenceValues
 //! Limits of the numbers above.
 struct PreferenceLimits
 {
+    static constexpr int minInterfacePercent = 75, maxInterfacePercent = 300;
     static constexpr int minTextureSize = 16;
     static constexpr int maxMargin = 1024;
     static constexpr double minDistortion = 4.001, maxDistortion = 100;
@@ -55,6 +57,9 @@ public:
 
     //! \param file INI file, created when it does not exist
     explicit Preferences(const QString &file, QObject *parent = nullptr);
+
+    //! PreferenceValues::interfacePercent as in a file; may be called before there is an application.
+    static int interfacePercent(const QString &file);
 
     const PreferenceValues &values() const { return mValues; }
     void setValues(const PreferenceValues &values);
