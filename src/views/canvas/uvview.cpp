@@ -108,7 +108,7 @@ void UvView::drawPaper(GlResources &gl)
     paper.pattern = options.pattern;
     paper.checkerSize = options.checkerSize;
     paper.texture = gl.texture.id();
-    paper.patternStrength = options.fillIslands && content().mesh() ? 0.45 : 1;
+    paper.patternStrength = options.fillIslands && content().mesh() ? 0.3 : 1;
     paper.lineWidth = devicePixelRatioF();
     const Vec2 used = studio().shownMap.isLive() ? Vec2(Vec2::Ones()) : usedTiles(content().uvBox());
     paper.usedTiles = {static_cast<float>(used.x()), static_cast<float>(used.y())};

@@ -5,7 +5,10 @@
 #include "views/control/shownmap.h"
 #include "views/control/studiocontext.h"
 
+#include <QWheelEvent>
+
 #include <algorithm>
+#include <cmath>
 #include <unordered_set>
 
 namespace autocuts {
@@ -98,6 +101,22 @@ double Brush::effectAt(double distance) const
         return 0;
     const double t = (radius - distance) / (radius - full);
     return strength * t * t * (3 - 2 * t);
+}
+
+bool Brush::takeWheel(const QWheelEvent &event)
+{
+    // Some platforms report horizontal scrolling while Alt is held.
+    const QPoint angle = event.angleDelta();
+    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
+    if (event.modifiers() == Qt::ShiftModifier)
+        radius = std::clamp(radius * std::pow(1.15, notches), minRadius, maxRadius);
+    else if (event.modifiers() == Qt::ControlModifier)
+        strength = std::clamp(strength + 0.05 * notches, 0.05, 1.0);
+    else if (event.modifiers() == Qt::AltModifier)
+        hardness = std::clamp(hardness + 0.05 * notches, 0.0, 1.0);
+    else
+        return false;
+    return true;
 }
 
 std::vector<BrushTouch> edgesUnderBrush(const ToolCanvas &canvas, const QPointF &middle,

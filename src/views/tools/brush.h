@@ -7,6 +7,8 @@
 
 #include <vector>
 
+class QWheelEvent;
+
 namespace autocuts {
 
 class ToolCanvas;
@@ -22,6 +24,9 @@ struct Brush
 
     //! Share of the strength, in [0, 1], at a distance from the centre; decreases smoothly to 0 at the rim.
     double effectAt(double distance) const;
+    //! Changes the size by Shift and wheel, the strength by Ctrl, the hardness by Alt. \returns false for
+    //! other events
+    bool takeWheel(const QWheelEvent &event);
 };
 
 //! An edge pair under the brush.

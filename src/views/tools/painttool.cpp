@@ -241,17 +241,7 @@ bool PaintTool::keyPress(const QKeyEvent &event, ToolCanvas &canvas)
 
 bool PaintTool::wheel(const QWheelEvent &event, ToolCanvas &)
 {
-    // Some platforms report horizontal scrolling while Alt is held.
-    const QPoint angle = event.angleDelta();
-    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
-    if (event.modifiers() == Qt::ShiftModifier)
-        mBrush.radius =
-            std::clamp(mBrush.radius * std::pow(1.15, notches), Brush::minRadius, Brush::maxRadius);
-    else if (event.modifiers() == Qt::ControlModifier)
-        mBrush.strength = std::clamp(mBrush.strength + 0.05 * notches, 0.05, 1.0);
-    else if (event.modifiers() == Qt::AltModifier)
-        mBrush.hardness = std::clamp(mBrush.hardness + 0.05 * notches, 0.0, 1.0);
-    else
+    if (!mBrush.takeWheel(event))
         return false;
     Q_EMIT hintChanged();
     Q_EMIT overlayChanged();
@@ -263,20 +253,7 @@ void PaintTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
     if (&canvas != mCanvas)
         return;
     const ViewColors &colors = canvas.content().colors();
-    const QColor color = colorOf(mShown, colors);
-    QColor fill = color;
-    fill.setAlphaF(static_cast<float>(0.25 * mBrush.strength));
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(colors.dark ? Qt::black : Qt::white, 3.5)); // visible on any background
-    painter.drawEllipse(mMouse, mBrush.radius, mBrush.radius);
-    painter.setBrush(fill);
-    painter.setPen(QPen(color, 1.8));
-    painter.drawEllipse(mMouse, mBrush.radius, mBrush.radius);
-    if (mBrush.hardness > 0) {
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(color, 1, Qt::DotLine));
-        painter.drawEllipse(mMouse, mBrush.hardness * mBrush.radius, mBrush.hardness * mBrush.radius);
-    }
+    drawBrush(painter, canvas, mMouse, mBrush, colorOf(mShown, colors), 0.25 * mBrush.strength);
     drawNote(painter, canvas,
              tr("%1, %2 %%3")
                  .arg(nameOf(mShown))
