@@ -1,6 +1,7 @@
 // Shaping the map with the brushes, in both views.
 #include "commands/editpins.h"
 #include "commands/setislandflags.h"
+#include "commands/setuvs.h"
 #include "solver/metrics/uvmetrics.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
@@ -144,6 +145,21 @@ private Q_SLOTS:
         QTest::mouseRelease(&view, Qt::LeftButton, {}, at(view, 0.3, 0.4));
         QVERIFY(document().state() == before);
         QVERIFY(!document().undoStack().canRedo());
+    }
+
+    void otherChangesOfTheMapEndTheStroke()
+    {
+        mStudio->tools.setTool(u"relaxBrush"_s);
+        Canvas &view = mStudio->uv;
+        QTest::mousePress(&view, Qt::LeftButton, {}, at(view, 0.5, 0.5));
+        QVERIFY(tool().isBusy());
+        UvMatrix moved = document().uv();
+        moved.array() += 0.1;
+        pushCommand(std::make_unique<SetUvs>(document(), UvEdit::Move, moved)); // as a job does
+        QVERIFY(!tool().isBusy());
+        Canvases::moveMouse(view, at(view, 0.6, 0.5), Qt::LeftButton);
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, at(view, 0.6, 0.5));
+        QCOMPARE(document().uv(), moved);
     }
 
     void locksAndPinsHold()

@@ -72,7 +72,8 @@ MovingTriangles::Cells MovingTriangles::cellsOf(const TrianglePlace &place) cons
 {
     const Eigen::AlignedBox2d box = boxOf(place);
     const auto at = [&](double position, double origin, int count) {
-        return static_cast<int>(std::clamp((position - origin) / mCell, 0.0, count - 1.0));
+        const double cell = (position - origin) / mCell;
+        return cell > 0 ? static_cast<int>(std::min(cell, count - 1.0)) : 0; // 0 also when it is not a number
     };
     return {at(box.min().x(), mOrigin.x(), mColumns), at(box.max().x(), mOrigin.x(), mColumns),
             at(box.min().y(), mOrigin.y(), mRows), at(box.max().y(), mOrigin.y(), mRows)};

@@ -42,10 +42,10 @@ ShapeTool::ShapeTool(const StudioContext &context, const QString &id, ShapeBrush
 {
     if (kind == ShapeBrush::Grab)
         mBrush.strength = 1; // what is in the middle follows the mouse
-    // A stroke is valid for one document and its active UV set only.
+    // A stroke is valid for one document and its active UV set, and while nothing else changes the map.
     connect(&context.workspace, &Workspace::documentReplaced, this, &ShapeTool::finish);
     connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
-        if (event.type == ChangeEvent::Type::UvSet)
+        if (event.type == ChangeEvent::Type::UvSet || (event.type == ChangeEvent::Type::Uv && !mPushing))
             finish();
     });
     connect(&context.solver, &SolverController::stateChanged, this, [this] {
@@ -175,7 +175,9 @@ bool ShapeTool::dab(const MapSpot &spot)
 
 void ShapeTool::push()
 {
+    mPushing = true;
     pushCommand(mWork->command());
+    mPushing = false;
 }
 
 void ShapeTool::release(const ToolEvent &event)
@@ -214,7 +216,7 @@ void ShapeTool::cancel()
 
 bool ShapeTool::wheel(const QWheelEvent &event, ToolCanvas &)
 {
-    if (mState != State::Idle || !mBrush.takeWheel(event))
+    if (!mBrush.takeWheel(event))
         return false;
     Q_EMIT hintChanged();
     Q_EMIT overlayChanged();

@@ -69,7 +69,8 @@ private:
     State mState = State::Idle;
     ShapeBrush mStroke = ShapeBrush::Relax;
     bool mApart = false;
-    int mNumber = 0; //!< of strokes so far
+    bool mPushing = false; //!< the change of the map comes from this tool
+    int mNumber = 0;       //!< of strokes so far
     QPointF mStart;
     MapSpot mGrabbed;
     std::unique_ptr<BrushStroke> mWork; //!< set while Active
