@@ -207,16 +207,18 @@ private Q_SLOTS:
         studio.trigger("view.wireframe");
         QVERIFY(!options.wireframe && !studio.action("view.wireframe")->isChecked());
         QList<Coloring> colorings;
-        for (int i = 0; i < 3; ++i) {
+        for (int i = 0; i < 4; ++i) {
             studio.trigger("view.heatMap");
             colorings << options.coloring;
         }
-        QCOMPARE(colorings,
-                 QList<Coloring>({Coloring::SignedStretch, Coloring::StretchMagnitude, Coloring::Plain}));
+        QCOMPARE(colorings, QList<Coloring>({Coloring::SignedStretch, Coloring::StretchMagnitude,
+                                             Coloring::Density, Coloring::Plain}));
         studio.trigger("view.coloring.paint");
         QCOMPARE(options.coloring, Coloring::PaintWeights);
         studio.trigger("view.texture");
         QCOMPARE(options.pattern, Pattern::Checker);
+        studio.trigger("view.texture");
+        QCOMPARE(options.pattern, Pattern::Lettered);
         studio.trigger("view.texture");
         QCOMPARE(options.pattern, Pattern::None);
         ViewOptions changed = options;

@@ -4,6 +4,7 @@
 #include "commands/setseamstate.h"
 #include "support/canvases.h"
 #include "support/editsupport.h"
+#include "views/gl/letteredpattern.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -72,6 +73,24 @@ private Q_SLOTS:
         }
     }
 
+    void letteredCellsAreAllDifferent()
+    {
+        QCOMPARE(letteredCellName(0, 0), QStringLiteral("A1"));
+        QCOMPARE(letteredCellName(7, 7), QStringLiteral("H8"));
+        const QImage picture = letteredPattern(8);
+        const int side = picture.width() / 8;
+        std::vector<QImage> cells;
+        for (int i = 0; i < 64; ++i) {
+            const QImage cell = picture.copy(i % 8 * side, i / 8 * side, side, side);
+            QVERIFY(cell != cell.mirrored(true, false) && cell != cell.mirrored(false, true));
+            for (const QImage &other : cells)
+                QVERIFY(cell != other);
+            cells.push_back(cell);
+        }
+        for (int count : {-5, 1, 2, 26, 1000})
+            QVERIFY(!letteredPattern(count).isNull());
+    }
+
     void texturesLieOnTheModelAndBehindTheMap()
     {
         QImage picture(2, 2, QImage::Format_RGB32);
@@ -100,6 +119,11 @@ private Q_SLOTS:
         const QColor upper = pixelAt(mStudio->mesh, Canvases::middle(mStudio->mesh, 2 * 12));
         QVERIFY(lower.blue() > lower.red() + 40);
         QVERIFY(upper.red() > upper.blue() + 40);
+        // Filled islands show it as clearly, and stand out from what is behind them.
+        options.fillIslands = true;
+        mStudio->view.setOptions(options);
+        QVERIFY(inMap(0.3, 0.7).red() > 170 && inMap(0.3, 0.7).blue() < 90);
+        QVERIFY(inMap(0.7, 0.7).green() < 200);
         // Island colours are seen through it.
         options.coloring = Coloring::Islands;
         mStudio->view.setOptions(options);

@@ -7,6 +7,7 @@
 #include "support/meshbuilders.h"
 #include "views/gl/colormap.h"
 #include "views/gl/soupbuffers.h"
+#include "views/gl/texeldensity.h"
 #include "views/ui/preferences.h"
 
 #include <QTest>
@@ -45,7 +46,7 @@ struct Scenery
     std::vector<FaceTexel> faces() const
     {
         return faceTexels({mesh, uv, options, colors, false, QColor(10, 20, 30), stretch, islands,
-                           seams.weights, selectedFaces, overlapping, flipped});
+                           seams.weights, selectedFaces, overlapping, flipped, density, rightDensity});
     }
     std::vector<SideTexel> sides() const
     {
@@ -60,7 +61,8 @@ struct Scenery
     ViewOptions options;
     ViewColors colors = ViewColors::of(PreferenceValues(), false);
     TriangleStretch stretch;
-    std::vector<float> separation;
+    std::vector<float> separation, density;
+    double rightDensity = 1;
     std::vector<int> islands, selectedFaces, selectedEdges, overlapping;
     std::vector<bool> flipped, givenSeams;
 };
@@ -397,6 +399,7 @@ private Q_SLOTS:
         QTest::addColumn<double>("low");
         QTest::newRow("signed") << HeatMap::SignedStretch << false << -1.0;
         QTest::newRow("signed, colour-blind") << HeatMap::SignedStretch << true << -1.0;
+        QTest::newRow("density") << HeatMap::Density << false << -1.0;
         QTest::newRow("magnitude") << HeatMap::Magnitude << false << 0.0;
         QTest::newRow("magnitude, colour-blind") << HeatMap::Magnitude << true << 0.0;
     }
@@ -422,6 +425,30 @@ private Q_SLOTS:
         QCOMPARE(stops.first().second.rgb(), heatColor(map, colorBlind, low));
         QCOMPARE(stops.last().second.rgb(), heatColor(map, colorBlind, 1));
         QCOMPARE(stops.last().first, 1.0);
+    }
+
+    void densitiesAreInTexels()
+    {
+        const MeshPtr mesh = test::grid(2);
+        UvMatrix uv = soupUv(*mesh, test::splitLayout(*mesh)); // as large as the model
+        uv.middleRows(0, 6) *= 0.5;                            // face 0
+        uv(6, 0) = std::numeric_limits<double>::quiet_NaN();
+        const std::vector<float> densities = texelDensities(*mesh, uv, 1000);
+        QCOMPARE(densities[0], 500.0f);
+        QVERIFY(std::isnan(densities[2]));
+        QCOMPARE(densities[3], 1000.0f);
+        QCOMPARE(medianDensity(*mesh, densities), 1000.0);
+        QVERIFY(std::isnan(medianDensity(*mesh, std::vector<float>(8, std::nanf("")))));
+        Scenery scenery(mesh, test::splitLayout(*mesh));
+        scenery.options.coloring = Coloring::Density;
+        scenery.options.densityClamp = 2;
+        scenery.density = densities;
+        scenery.rightDensity = 1000;
+        const std::vector<FaceTexel> faces = scenery.faces();
+        const auto colorOf = [&](int t) { return qRgb(faces[t].red, faces[t].green, faces[t].blue); };
+        QCOMPARE(colorOf(0), heatColor(HeatMap::Density, false, -0.5));
+        QCOMPARE(colorOf(2), heatColorOfNothing());
+        QCOMPARE(colorOf(3), heatColor(HeatMap::Density, false, 0));
     }
 
     void heatMapsRunFromBlueToRed()

@@ -15,6 +15,7 @@ uniform float minorDivisions;
 uniform bool grid;
 uniform int pattern;       // 0 none, 1 checker, 2 picture
 uniform float checkerSize, lineWidth;
+uniform float patternStrength; // below 1 where islands show the pattern, so that they stand out
 uniform sampler2D picture;
 
 float lineAt(vec2 offset)
@@ -50,7 +51,7 @@ void main()
     vec2 inTiles = (gl_FragCoord.xy - tileOrigin) / tilePixels;
     vec2 uv = inTiles + originTile;
     bool inside = all(greaterThanEqual(uv, vec2(0))) && all(lessThan(uv, usedTiles));
-    vec3 textured = patterned(insideColor.rgb, inTiles);
+    vec3 textured = mix(insideColor.rgb, patterned(insideColor.rgb, inTiles), patternStrength);
     vec3 result = inside ? textured : outsideColor.rgb;
     if (grid) {
         vec2 fromLine = gl_FragCoord.xy - gridOrigin;

@@ -39,7 +39,7 @@ float checker(vec2 place)
 
 vec3 surface(vec3 face, uint marks)
 {
-    if (pattern == 0 || asMap || (marks & withoutUvMark) != 0u)
+    if (pattern == 0 || (marks & withoutUvMark) != 0u)
         return face;
     if (pattern == 2)
         return mix(texture(picture, texturePlace).rgb, face, tint);
@@ -112,7 +112,7 @@ void main()
 {
     uvec4 face = texelFetch(faceTexels, gl_PrimitiveID);
     vec3 base = surface(vec3(face.rgb) / 255.0, face.a);
-    vec4 result = asMap ? vec4(base, fillOpacity) : vec4(lit(base), 1);
+    vec4 result = asMap ? vec4(base, fillOpacity) : vec4(lit(base), fillOpacity);
     result = marked(result, face.a);
 
     // Height of the triangle over each side, and distance to it, in pixels. Side k is opposite corner k + 2.
@@ -148,5 +148,5 @@ void main()
     }
     if (result.a <= 0.0)
         discard;
-    color = asMap ? vec4(result.rgb * result.a, result.a) : result; // premultiplied
+    color = vec4(result.rgb * result.a, result.a); // premultiplied
 }

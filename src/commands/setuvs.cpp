@@ -110,6 +110,12 @@ QString SetUvs::label() const
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Finish map"));
     case UvEdit::Separate:
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Separate overlaps"));
+    case UvEdit::BrushRelax:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Relax with a brush"));
+    case UvEdit::BrushPinch:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Pinch"));
+    case UvEdit::BrushGrab:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Grab"));
     case UvEdit::Clear:
         break;
     }
@@ -144,7 +150,7 @@ void SetUvs::writePayload(QCborMap &map) const
 
 Result<std::unique_ptr<DocumentCommand>> SetUvs::fromCbor(Document &document, CborReader &reader)
 {
-    const UvEdit edit = reader.enumerator("edit"_L1, UvEdit::Grid);
+    const UvEdit edit = reader.enumerator("edit"_L1, UvEdit::BrushGrab);
     const int uvSet = static_cast<int>(reader.integer("uvSet"_L1, 0, std::numeric_limits<int>::max()));
     UvEditExtras extras;
     extras.count = static_cast<int>(reader.integer("count"_L1, 0, std::numeric_limits<int>::max()));

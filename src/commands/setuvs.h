@@ -28,7 +28,10 @@ enum class UvEdit {
     Straighten,
     Relax,
     Unwrap,
-    Grid
+    Grid,
+    BrushRelax,
+    BrushPinch,
+    BrushGrab
 };
 
 //! Changes that an edit of UVs makes besides the UVs.

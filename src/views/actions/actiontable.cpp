@@ -1,6 +1,7 @@
 // The table of all actions, in the order of the menus.
 #include "views/actions/actiontable.h"
 
+#include "views/actions/kindtable.h"
 #include "views/actions/layouttable.h"
 
 #include <QtGlobal>
@@ -269,6 +270,16 @@ constexpr std::array toolTable{
     ActionInfo{"tool.drag", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "&Drag"), "tool-drag", "D",
                QT_TRANSLATE_NOOP("Actions", "Pull at the map: deform it, tear it, attach it"), NeedsDocument,
                true, "tool", true},
+    ActionInfo{"tool.relaxBrush", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "Rela&x brush"), "brush-relax",
+               "Alt+R", QT_TRANSLATE_NOOP("Actions", "Lower the distortion of the map under a brush"),
+               NeedsDocument, true, "tool"},
+    ActionInfo{"tool.pinchBrush", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "Pinc&h brush"), "brush-pinch",
+               "Alt+P", QT_TRANSLATE_NOOP("Actions", "Draw the map together, or apart, under a brush"),
+               NeedsDocument, true, "tool"},
+    ActionInfo{"tool.grabBrush", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "&Grab brush"), "brush-grab",
+               "Alt+D",
+               QT_TRANSLATE_NOOP("Actions", "Move the part of an island under a brush; nothing overlaps"),
+               NeedsDocument, true, "tool"},
     ActionInfo{"tool.pin", "UV/Tools", QT_TRANSLATE_NOOP("Actions", "&Pin"), "pin", "N",
                QT_TRANSLATE_NOOP("Actions", "Pin and unpin by clicks and boxes, drag pins"), NeedsDocument,
                true, "tool"},
@@ -311,6 +322,10 @@ constexpr std::array viewTable{
     ActionInfo{"view.coloring.paint", "View/Coloring", QT_TRANSLATE_NOOP("Actions", "Paint &weights"),
                "tool-paint", "", QT_TRANSLATE_NOOP("Actions", "Where seams are welcome and where not"), 0,
                true, "coloring"},
+    ActionInfo{"view.coloring.density", "View/Coloring", QT_TRANSLATE_NOOP("Actions", "Texel &density"),
+               "density", "",
+               QT_TRANSLATE_NOOP("Actions", "Where the map has fewer or more texels per unit than it should"),
+               0, true, "coloring"},
     ActionInfo{"view.heatMap", "View", QT_TRANSLATE_NOOP("Actions", "Next &heat-map"), "heat-map", "H",
                QT_TRANSLATE_NOOP("Actions", "Change between plain faces and the heat-maps")},
     ActionInfo{"view.pattern.none", "View/Pattern", QT_TRANSLATE_NOOP("Actions", "&None"), "", "",
@@ -318,11 +333,19 @@ constexpr std::array viewTable{
     ActionInfo{"view.pattern.checker", "View/Pattern", QT_TRANSLATE_NOOP("Actions", "&Checkerboard"),
                "checker", "", QT_TRANSLATE_NOOP("Actions", "A checkerboard on the model and behind the map"),
                0, true, "pattern"},
+    ActionInfo{"view.pattern.lettered", "View/Pattern", QT_TRANSLATE_NOOP("Actions", "&Lettered cells"),
+               "lettered", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Cells with names, arrows and hues of their own, which show what is "
+                                 "mirrored, turned or stacked"),
+               0, true, "pattern"},
     ActionInfo{"view.pattern.texture", "View/Pattern", QT_TRANSLATE_NOOP("Actions", "&Texture"), "texture",
                "", QT_TRANSLATE_NOOP("Actions", "The texture on the model and behind the map"), 0, true,
                "pattern"},
     ActionInfo{"view.texture", "View", QT_TRANSLATE_NOOP("Actions", "Next pa&ttern"), "checker", "T",
-               QT_TRANSLATE_NOOP("Actions", "Change between no pattern, the checkerboard and the texture")},
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Change between no pattern, the checkerboard, the lettered cells and "
+                                 "the texture")},
     ActionInfo{"view.loadTexture", "View", QT_TRANSLATE_NOOP("Actions", "&Load texture..."), "texture",
                "Ctrl+T", QT_TRANSLATE_NOOP("Actions", "Choose the picture to show on the model")},
     ActionInfo{"view.preview", "View", QT_TRANSLATE_NOOP("Actions", "Texture preview..."), "preview",
@@ -333,6 +356,11 @@ constexpr std::array viewTable{
                true},
     ActionInfo{"view.wireframe", "View", QT_TRANSLATE_NOOP("Actions", "&Wireframe"), "wireframe", "Shift+Z",
                QT_TRANSLATE_NOOP("Actions", "Show the edges of the polygons"), 0, true},
+    ActionInfo{"view.xray", "View", QT_TRANSLATE_NOOP("Actions", "&X-ray"), "xray", "Alt+Z",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "See and select through the model: clicks, boxes and lassos in the 3D view "
+                                 "reach what is hidden, and a second click goes deeper"),
+               0, true},
     ActionInfo{"view.seams", "View", QT_TRANSLATE_NOOP("Actions", "S&eams"), "seams", "",
                QT_TRANSLATE_NOOP("Actions", "Show the seams, or while solving where they begin to open"), 0,
                true},
@@ -388,8 +416,8 @@ constexpr auto joined(const std::array<ActionInfo, Sizes> &...tables)
     return result;
 }
 
-constexpr auto wholeTable =
-    joined(fileTable, editTable, selectTable, uvTable, layoutTable, toolTable, viewTable, helpTable);
+constexpr auto wholeTable = joined(fileTable, editTable, selectTable, kindTable, uvTable, layoutTable,
+                                   toolTable, viewTable, helpTable);
 
 } // namespace
 

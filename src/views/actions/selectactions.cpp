@@ -2,9 +2,15 @@
 
 #include "model/document/selectiontools.h"
 #include "views/actions/choice.h"
+#include "views/control/islandfigures.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
+#include "views/dialogs/numberdialog.h"
+#include "views/selecting/edgekinds.h"
+#include "views/selecting/islandkinds.h"
 #include "views/selecting/selecting.h"
+#include "views/selecting/similarfaces.h"
+#include "views/ui/questions.h"
 
 #include <algorithm>
 
@@ -16,6 +22,19 @@ constexpr Choice<SelectionMode> modes[] = {{"select.vertices", SelectionMode::Ve
                                            {"select.edges", SelectionMode::Edges},
                                            {"select.faces", SelectionMode::Faces},
                                            {"select.islands", SelectionMode::Islands}};
+
+constexpr Choice<FaceLikeness> likenesses[] = {{"select.similarArea", FaceLikeness::Area},
+                                               {"select.similarNormal", FaceLikeness::Normal},
+                                               {"select.similarMaterial", FaceLikeness::Material},
+                                               {"select.similarCorners", FaceLikeness::Corners}};
+
+Selection selectionOfEdges(const QList<int> &edges)
+{
+    Selection result;
+    result.mode = SelectionMode::Edges;
+    result.edges = edges;
+    return result;
+}
 
 QList<int> facesOfTriangles(const MeshData &mesh, const std::vector<int> &triangles)
 {
@@ -38,8 +57,20 @@ void SelectActions::connectChange(const char *id, Change change)
     });
 }
 
-SelectActions::SelectActions(const StudioContext &context, QObject *parent)
-    : QObject(parent), mContext(context)
+SelectActions::SelectActions(const StudioContext &context, Questions &questions, QObject *parent)
+    : QObject(parent), mContext(context), mQuestions(questions)
+{
+    connectWays();
+    connectEdgeKinds();
+    connectIslandKinds();
+    for (const auto &[id, mode] : modes)
+        connectMode(id, mode);
+    connect(&context.workspace, &Workspace::selectionChanged, this, &SelectActions::showMode);
+    connect(&context.workspace, &Workspace::documentReplaced, this, &SelectActions::showMode);
+    showMode();
+}
+
+void SelectActions::connectWays()
 {
     using S = const Selection &;
     using D = const Document &;
@@ -63,11 +94,67 @@ SelectActions::SelectActions(const StudioContext &context, QObject *parent)
             return s;
         return selectionOf(d, facesOfTriangles(d.mesh(), figures->overlapping), s.mode);
     });
-    for (const auto &[id, mode] : modes)
-        connectMode(id, mode);
-    connect(&context.workspace, &Workspace::selectionChanged, this, &SelectActions::showMode);
-    connect(&context.workspace, &Workspace::documentReplaced, this, &SelectActions::showMode);
-    showMode();
+    for (const auto &[id, value] : likenesses)
+        connectChange(id, [likeness = value](D d, S s) {
+            return selectionOf(d, similarFaces(d, facesOf(d, s), likeness), s.mode);
+        });
+}
+
+void SelectActions::connectEdgeKinds()
+{
+    using S = const Selection &;
+    using D = const Document &;
+    connectChange("select.border", [](D d, S) { return selectionOfEdges(borderEdges(d)); });
+    connectChange("select.seams", [](D d, S) { return selectionOfEdges(seamEdges(d)); });
+    connectChange("select.outline", [](D d, S s) { return selectionOfEdges(outlineEdges(d, s.faces)); });
+    connectChange("select.sharp", [this](D d, S s) {
+        const auto angle =
+            ask({tr("Sharp edges"), tr("Select the edges that are bent by more than this angle."),
+                 tr("&Angle:"), tr("\u00b0"), tr("&Select"), mSharpAngle, 0, 180, 1});
+        if (!angle)
+            return s;
+        mSharpAngle = *angle;
+        return selectionOfEdges(sharpEdges(d, *angle));
+    });
+}
+
+void SelectActions::connectIslandKinds()
+{
+    using S = const Selection &;
+    using D = const Document &;
+    connectChange("select.stretched", [](D d, S s) {
+        return selectionOf(d, facesOfStretchedIslands(d, d.solveSettings().maxDistortion), s.mode);
+    });
+    connectChange("select.small", [this](D d, S s) {
+        const auto texels =
+            ask({tr("Small islands"),
+                 tr("Select the islands that are shorter than this, at %1 texels per tile.")
+                     .arg(d.packingSettings().textureSize),
+                 tr("&Shorter than:"), tr(" px"), tr("S&elect"), mSmallIsland, 1, 100'000, 0});
+        if (!texels)
+            return s;
+        mSmallIsland = *texels;
+        return selectionOf(d, facesOfSmallIslands(d, *texels), s.mode);
+    });
+    connectChange("select.offDensity", [this](D d, S s) {
+        const auto percent =
+            ask({tr("Islands off the density"),
+                 tr("Select the islands with a texel density off the median, %1 px/unit, by more than this.")
+                     .arg(medianTexelDensity(islandFigures(d, {})), 0, 'g', 4),
+                 tr("&Off by more than:"), tr(" %"), tr("&Select"), mDensityTolerance, 0, 1000, 1});
+        if (!percent)
+            return s;
+        mDensityTolerance = *percent;
+        return selectionOf(d, facesOffDensity(d, *percent / 100), s.mode);
+    });
+}
+
+std::optional<double> SelectActions::ask(const NumberQuestion &question)
+{
+    NumberDialog dialog(question, mQuestions.window());
+    if (mQuestions.run(dialog) != QDialog::Accepted)
+        return std::nullopt;
+    return dialog.number();
 }
 
 void SelectActions::connectMode(const char *id, SelectionMode mode)

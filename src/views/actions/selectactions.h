@@ -7,7 +7,12 @@
 
 #include <QObject>
 
+#include <optional>
+
 namespace autocuts {
+
+class Questions;
+struct NumberQuestion;
 
 //! Connects the actions of the Select menu to the document's selection.
 class SelectActions final : public QObject
@@ -15,16 +20,25 @@ class SelectActions final : public QObject
     Q_OBJECT
 
 public:
-    explicit SelectActions(const StudioContext &context, QObject *parent = nullptr);
+    //! \param questions asks over the window; must outlive this object
+    SelectActions(const StudioContext &context, Questions &questions, QObject *parent = nullptr);
 
 private:
     //! Calls change(document, selection) on a copy of the selection and sets the result.
     template <typename Change>
     void connectChange(const char *id, Change change);
     void connectMode(const char *id, SelectionMode mode);
+    void connectWays();
+    void connectEdgeKinds();
+    void connectIslandKinds();
+    //! \returns nothing when the user cancelled
+    std::optional<double> ask(const NumberQuestion &question);
     void showMode();
 
     StudioContext mContext;
+    Questions &mQuestions;
+    // The numbers that were used last: degrees, texels and percent. The first ones were chosen by hand.
+    double mSharpAngle = 30, mSmallIsland = 16, mDensityTolerance = 20;
 };
 
 } // namespace autocuts

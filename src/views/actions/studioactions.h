@@ -18,7 +18,7 @@ class StudioActions final
 public:
     //! \param questions asks over the window; must outlive this object
     StudioActions(const StudioContext &context, Questions &questions, const QString &recoveryFolder)
-        : mFile(context, questions), mEdit(context, questions), mSelect(context), mUv(context),
+        : mFile(context, questions), mEdit(context, questions), mSelect(context, questions), mUv(context),
           mIslands(context, questions), mView(context, questions), mHelp(context, questions, recoveryFolder),
           mStates(context)
     {}

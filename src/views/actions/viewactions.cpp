@@ -32,15 +32,18 @@ constexpr Toggle toggles[] = {{"view.smoothShading", &ViewOptions::smoothShading
                               {"view.followMap", &ViewOptions::followMap},
                               {"view.islandMarks", &ViewOptions::islandMarks},
                               {"view.islandNumbers", &ViewOptions::islandNumbers},
-                              {"view.orthographic", &ViewOptions::orthographic}};
+                              {"view.orthographic", &ViewOptions::orthographic},
+                              {"view.xray", &ViewOptions::xray}};
 
 constexpr Choice<Coloring> colorings[] = {{"view.coloring.plain", Coloring::Plain},
                                           {"view.coloring.islands", Coloring::Islands},
                                           {"view.coloring.signedStretch", Coloring::SignedStretch},
                                           {"view.coloring.magnitude", Coloring::StretchMagnitude},
-                                          {"view.coloring.paint", Coloring::PaintWeights}};
+                                          {"view.coloring.paint", Coloring::PaintWeights},
+                                          {"view.coloring.density", Coloring::Density}};
 constexpr Choice<Pattern> patterns[] = {{"view.pattern.none", Pattern::None},
                                         {"view.pattern.checker", Pattern::Checker},
+                                        {"view.pattern.lettered", Pattern::Lettered},
                                         {"view.pattern.texture", Pattern::Texture}};
 constexpr Choice<ViewLayout> layouts[] = {{"view.both", ViewLayout::Both},
                                           {"view.maximize3d", ViewLayout::Only3d},
@@ -82,8 +85,10 @@ void ViewActions::connectChoices()
         connectChange(id, [field](ViewOptions &options) { options.*field = !(options.*field); });
     for (const auto &[id, value] : colorings)
         connectChange(id, [value](ViewOptions &options) { options.coloring = value; });
-    connectChange("view.pattern.none", [](ViewOptions &options) { options.pattern = Pattern::None; });
-    connectChange("view.pattern.checker", [](ViewOptions &options) { options.pattern = Pattern::Checker; });
+    for (const auto &[id, value] : patterns) {
+        if (value != Pattern::Texture) // may have to be asked for
+            connectChange(id, [pattern = value](ViewOptions &options) { options.pattern = pattern; });
+    }
     const auto onTriggered = [this](const char *id, auto function) {
         connect(mContext.actions.action(id), &QAction::triggered, this, function);
     };
@@ -161,6 +166,8 @@ void ViewActions::nextHeatMap()
     if (options.coloring == Coloring::SignedStretch)
         options.coloring = Coloring::StretchMagnitude;
     else if (options.coloring == Coloring::StretchMagnitude)
+        options.coloring = Coloring::Density;
+    else if (options.coloring == Coloring::Density)
         options.coloring = Coloring::Plain;
     else
         options.coloring = Coloring::SignedStretch;
@@ -173,7 +180,9 @@ void ViewActions::nextPattern()
     ViewOptions options = mContext.view.options();
     if (options.pattern == Pattern::None)
         options.pattern = Pattern::Checker;
-    else if (options.pattern == Pattern::Checker && !options.texturePath.isEmpty())
+    else if (options.pattern == Pattern::Checker)
+        options.pattern = Pattern::Lettered;
+    else if (options.pattern == Pattern::Lettered && !options.texturePath.isEmpty())
         options.pattern = Pattern::Texture;
     else
         options.pattern = Pattern::None;

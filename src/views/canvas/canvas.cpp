@@ -4,6 +4,7 @@
 #include "views/canvas/overlays.h"
 #include "views/canvas/toolmanager.h"
 #include "views/control/workspace.h"
+#include "views/gl/letteredpattern.h"
 
 #include <QMouseEvent>
 #include <QOpenGLContext>
@@ -11,6 +12,7 @@
 #include <QOpenGLVersionFunctionsFactory>
 #include <QPainter>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace autocuts {
@@ -54,9 +56,8 @@ Canvas::Canvas(Kind kind, const StudioContext &context, ToolManager &tools, QWid
         studio().view.setHover({});
         documentReplaced();
     });
-    const auto readTexture = [this] { mTexture.setPath(studio().view.options().texturePath); };
-    connect(&context.view, &ViewState::optionsChanged, this, readTexture);
-    readTexture();
+    connect(&context.view, &ViewState::optionsChanged, this, &Canvas::choosePicture);
+    choosePicture();
 }
 
 Canvas::~Canvas()
@@ -97,6 +98,16 @@ void Canvas::resizeGL(int, int)
     viewResized();
 }
 
+void Canvas::choosePicture()
+{
+    const ViewOptions &options = studio().view.options();
+    mTexture.setPath(options.texturePath);
+    const int cells =
+        options.pattern == Pattern::Lettered ? static_cast<int>(std::lround(options.letteredCells)) : 0;
+    mTextureStale |= cells != mLetteredCells;
+    mLetteredCells = cells;
+}
+
 void Canvas::upload()
 {
     const int parts = mContent.refresh();
@@ -115,7 +126,7 @@ void Canvas::upload()
     if (parts & SceneContent::Points)
         mGl->points.setPoints(mContent.points());
     if (std::exchange(mTextureStale, false))
-        mGl->texture.setImage(mTexture.image());
+        mGl->texture.setImage(mLetteredCells > 0 ? letteredPattern(mLetteredCells) : mTexture.image());
 }
 
 void Canvas::paintGL()

@@ -84,6 +84,7 @@ protected:
 private:
     void releaseGl();
     void upload();
+    void choosePicture();
     void updateCursor();
     void placeCursor(const QPointF &pixel);
     void endLostGestures(Qt::MouseButtons held);
@@ -93,6 +94,7 @@ private:
     SceneContent mContent;
     TextureFile mTexture;
     bool mTextureStale = true;
+    int mLetteredCells = 0;           //!< of the picture to be drawn; 0: that of the texture file
     std::unique_ptr<GlResources> mGl; //!< null before the first paint, and when OpenGL is not available
     QString mGlError;                 //!< why OpenGL is not available
     QMetaObject::Connection mContextGone;

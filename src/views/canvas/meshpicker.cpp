@@ -75,11 +75,11 @@ MeshPicker::Projection MeshPicker::projectNear(const OrbitCamera &camera, const 
     return seen;
 }
 
-MeshPicker::Hit MeshPicker::cast(const OrbitCamera &camera, const Projection &seen,
-                                 const QPointF &pixel) const
+std::vector<MeshPicker::Hit> MeshPicker::hits(const OrbitCamera &camera, const Projection &seen,
+                                              const QPointF &pixel) const
 {
     const ViewRay ray = camera.ray(pixel);
-    Hit hit{-1, std::numeric_limits<double>::infinity()};
+    std::vector<Hit> found;
     for (int t : seen.near) {
         const std::array<int, 3> &v = mVertices[t];
         // Moeller and Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection".
@@ -94,10 +94,32 @@ MeshPicker::Hit MeshPicker::cast(const OrbitCamera &camera, const Projection &se
         const Vec3 q = s.cross(e1);
         const double w = ray.direction.dot(q) / determinant;
         const double distance = e2.dot(q) / determinant;
-        if (u >= 0 && w >= 0 && u + w <= 1 && distance > 0 && distance < hit.distance)
-            hit = {t, distance};
+        if (u >= 0 && w >= 0 && u + w <= 1 && distance > 0)
+            found.push_back({t, distance});
     }
-    return hit;
+    return found;
+}
+
+MeshPicker::Hit MeshPicker::cast(const OrbitCamera &camera, const Projection &seen,
+                                 const QPointF &pixel) const
+{
+    Hit nearest{-1, std::numeric_limits<double>::infinity()};
+    for (const Hit &hit : hits(camera, seen, pixel)) {
+        if (hit.distance < nearest.distance)
+            nearest = hit;
+    }
+    return nearest;
+}
+
+std::vector<int> MeshPicker::trianglesAt(const OrbitCamera &camera, const QPointF &pixel) const
+{
+    std::vector<Hit> found = hits(camera, projectNear(camera, pixel), pixel);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Hit &a, const Hit &b) { return a.distance < b.distance; });
+    std::vector<int> triangles;
+    for (const Hit &hit : found)
+        triangles.push_back(hit.triangle);
+    return triangles;
 }
 
 bool MeshPicker::isVisible(const OrbitCamera &camera, const Projection &seen,
@@ -112,7 +134,7 @@ bool MeshPicker::isVisible(const OrbitCamera &camera, const Projection &seen,
 }
 
 int MeshPicker::firstVisible(const OrbitCamera &camera, const Projection &seen,
-                             std::vector<Candidate> candidates, int preferredTriangle) const
+                             std::vector<Candidate> candidates, int preferredTriangle, bool through) const
 {
     const auto key = [preferredTriangle](const Candidate &c) {
         // Both sides of an edge are equally far away; rounding must not decide between them.
@@ -123,7 +145,7 @@ int MeshPicker::firstVisible(const OrbitCamera &camera, const Projection &seen,
     std::partial_sort(candidates.begin(), end, candidates.end(),
                       [&key](const Candidate &a, const Candidate &b) { return key(a) < key(b); });
     const auto found = std::find_if(candidates.begin(), end, [&](const Candidate &candidate) {
-        return isVisible(camera, seen, candidate);
+        return through || isVisible(camera, seen, candidate);
     });
     return found == end ? -1 : found->soup;
 }
@@ -154,16 +176,16 @@ void MeshPicker::collect(const OrbitCamera &camera, const Projection &seen, cons
     }
 }
 
-PickResult MeshPicker::pick(const OrbitCamera &camera, const QPointF &pixel) const
+PickResult MeshPicker::pick(const OrbitCamera &camera, const QPointF &pixel, bool through) const
 {
     const Projection seen = projectNear(camera, pixel);
     PickResult result;
     result.triangle = cast(camera, seen, pixel).triangle;
     std::vector<Candidate> sides, corners;
     collect(camera, seen, pixel, sides, corners);
-    result.side = firstVisible(camera, seen, std::move(sides), result.triangle);
+    result.side = firstVisible(camera, seen, std::move(sides), result.triangle, through);
     result.edge = result.side < 0 ? -1 : mTopology.sideEdge[result.side];
-    result.soupCorner = firstVisible(camera, seen, std::move(corners), result.triangle);
+    result.soupCorner = firstVisible(camera, seen, std::move(corners), result.triangle, through);
     result.corner = result.soupCorner < 0 ? -1 : mMesh->cornerOfSoup(result.soupCorner);
     return result;
 }
@@ -182,12 +204,12 @@ Vec3 MeshPicker::faceCentre(int face) const
     return sum / area;
 }
 
-BoxPick MeshPicker::pickBox(const OrbitCamera &camera, const PickRegion &region) const
+BoxPick MeshPicker::pickBox(const OrbitCamera &camera, const PickRegion &region, bool through) const
 {
     const OrbitProjector projector(camera);
     DepthMap depths(region.box);
     const Projection seen = project(camera);
-    for (int t = 0; t < mMesh->triangleCount(); ++t) {
+    for (int t = 0; t < mMesh->triangleCount() && !through; ++t) {
         const std::array<int, 3> v{vertex(3 * t), vertex(3 * t + 1), vertex(3 * t + 2)};
         if (seen.before[v[0]] && seen.before[v[1]] && seen.before[v[2]])
             depths.add({seen.points[v[0]], seen.points[v[1]], seen.points[v[2]]}, !camera.isOrthographic());
@@ -195,7 +217,7 @@ BoxPick MeshPicker::pickBox(const OrbitCamera &camera, const PickRegion &region)
     const auto inside = [&](const Vec3 &point) {
         ScreenPoint place;
         return projector.project(point, place) && region.contains({place.x, place.y}) &&
-               depths.isVisible(place);
+               (through || depths.isVisible(place));
     };
     BoxPick result;
     std::vector<bool> vertexInside(mMesh->vertexCount());

@@ -17,8 +17,12 @@ class MeshPicker final
 public:
     MeshPicker(std::shared_ptr<const MeshData> mesh, const MeshFrame &frame, const SoupTopology &topology);
 
-    PickResult pick(const OrbitCamera &camera, const QPointF &pixel) const;
-    BoxPick pickBox(const OrbitCamera &camera, const PickRegion &region) const;
+    //! \param through edges and vertices that the model hides are picked, too
+    PickResult pick(const OrbitCamera &camera, const QPointF &pixel, bool through = false) const;
+    //! \param through elements that the model hides are included
+    BoxPick pickBox(const OrbitCamera &camera, const PickRegion &region, bool through = false) const;
+    //! All triangles at a point, the front-most first.
+    std::vector<int> trianglesAt(const OrbitCamera &camera, const QPointF &pixel) const;
 
 private:
     struct Projection;
@@ -37,10 +41,11 @@ private:
 
     Projection project(const OrbitCamera &camera) const;
     Projection projectNear(const OrbitCamera &camera, const QPointF &pixel) const;
+    std::vector<Hit> hits(const OrbitCamera &camera, const Projection &seen, const QPointF &pixel) const;
     Hit cast(const OrbitCamera &camera, const Projection &seen, const QPointF &pixel) const;
     bool isVisible(const OrbitCamera &camera, const Projection &seen, const Candidate &candidate) const;
     int firstVisible(const OrbitCamera &camera, const Projection &seen, std::vector<Candidate> candidates,
-                     int preferredTriangle) const;
+                     int preferredTriangle, bool through) const;
     void collect(const OrbitCamera &camera, const Projection &seen, const QPointF &pixel,
                  std::vector<Candidate> &sides, std::vector<Candidate> &corners) const;
     Vec3 faceCentre(int face) const;

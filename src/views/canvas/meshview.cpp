@@ -56,12 +56,19 @@ const MeshPicker &MeshView::picker() const
 
 PickResult MeshView::pick(const QPointF &pixel) const
 {
-    return content().mesh() ? picker().pick(mCamera, pixel) : PickResult();
+    return content().mesh() ? picker().pick(mCamera, pixel, isXray()) : PickResult();
 }
 
 BoxPick MeshView::pickBox(const PickRegion &region) const
 {
-    return content().mesh() ? picker().pickBox(mCamera, region) : BoxPick();
+    return content().mesh() ? picker().pickBox(mCamera, region, isXray()) : BoxPick();
+}
+
+std::vector<int> MeshView::trianglesAt(const QPointF &pixel) const
+{
+    if (!isXray() || !content().mesh())
+        return ToolCanvas::trianglesAt(pixel);
+    return picker().trianglesAt(mCamera, pixel);
 }
 
 std::optional<QPointF> MeshView::screenOf(int soupCorner) const
@@ -144,15 +151,30 @@ void MeshView::drawScene(GlResources &gl)
     drawing.hoverTriangles = hover.triangles;
     drawing.hoverSides = hover.sides;
     drawing.hoverIsland = hover.island;
-    gl.gl.glEnable(GL_DEPTH_TEST);
-    gl.gl.glDepthFunc(GL_LEQUAL);
-    gl.soup.draw(drawing, content().colors());
+    drawModel(gl, drawing);
     PointDrawing points;
     points.clipMatrix = drawing.projection * drawing.view;
     points.size = 8 * devicePixelRatioF();
+    gl.points.draw(points);
+}
+
+//! In X-ray, first everything faintly, then what is in front a little stronger.
+void MeshView::drawModel(GlResources &gl, SoupDrawing drawing)
+{
     gl.gl.glEnable(GL_BLEND);
     gl.gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    gl.points.draw(points);
+    if (isXray()) {
+        drawing.fillOpacity = 0.18;
+        drawing.lineOpacity = 0.5;
+        gl.soup.draw(drawing, content().colors());
+        drawing.fillOpacity = 0.4;
+        drawing.lineOpacity = 1;
+    }
+    gl.gl.glEnable(GL_DEPTH_TEST);
+    gl.gl.glDepthFunc(GL_LEQUAL);
+    gl.soup.draw(drawing, content().colors());
+    if (isXray())
+        gl.gl.glDisable(GL_DEPTH_TEST); // for the points
 }
 
 void MeshView::drawOverlay(QPainter &painter)
@@ -164,8 +186,10 @@ void MeshView::drawOverlay(QPainter &painter)
         return;
     }
     drawGizmo(painter, rect(), colors, mCamera);
+    if (isXray())
+        drawBadge(painter, rect(), colors, tr("X-ray"));
     drawLegend(painter, rect(), colors, studio().view.options(),
-               studio().preferences.values().colorBlindHeatMap);
+               studio().preferences.values().colorBlindHeatMap, content().rightDensity());
     drawHoverCorner(painter, *this);
 }
 

@@ -7,6 +7,8 @@
 
 namespace autocuts {
 
+struct SoupDrawing;
+
 //! Shows the model.
 class MeshView final : public Canvas
 {
@@ -21,6 +23,7 @@ public:
 
     PickResult pick(const QPointF &pixel) const override;
     BoxPick pickBox(const PickRegion &region) const override;
+    std::vector<int> trianglesAt(const QPointF &pixel) const override;
     std::optional<QPointF> screenOf(int soupCorner) const override;
     void frameAll() override;
     void frameSelection() override;
@@ -38,6 +41,8 @@ protected:
 
 private:
     const MeshPicker &picker() const;
+    bool isXray() const { return studio().view.options().xray; }
+    void drawModel(GlResources &gl, SoupDrawing drawing);
     void frameCorners(const std::vector<int> &soupCorners);
 
     OrbitCamera mCamera;

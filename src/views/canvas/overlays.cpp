@@ -46,6 +46,17 @@ Legend magnitudeLegend(const ViewOptions &options, bool colorBlind)
             u"\u2265 %1"_s.arg(options.magnitudeClamp, 0, 'g', 3), heatStops(HeatMap::Magnitude, colorBlind)};
 }
 
+Legend densityLegend(const ViewOptions &options, bool colorBlind, double right)
+{
+    const double factor = std::exp2(options.densityClamp);
+    const auto text = [](double density) {
+        return std::isfinite(density) ? QString::number(density, 'g', 4) : u"-"_s;
+    };
+    const QString middle = options.densityTarget > 0 ? Overlays::tr("target %1") : Overlays::tr("median %1");
+    return {Overlays::tr("Texels per unit"), u"\u2264 "_s + text(right / factor), middle.arg(text(right)),
+            u"\u2265 "_s + text(right * factor), heatStops(HeatMap::Density, colorBlind)};
+}
+
 Legend paintLegend(const ViewColors &colors)
 {
     Legend legend{
@@ -93,16 +104,30 @@ void drawMessage(QPainter &painter, const QRect &view, const ViewColors &colors,
     }
 }
 
+void drawBadge(QPainter &painter, const QRect &view, const ViewColors &colors, const QString &text)
+{
+    const QFontMetrics metrics = painter.fontMetrics();
+    const QRectF box(view.left() + 12, view.top() + 12, metrics.horizontalAdvance(text) + 20,
+                     metrics.height() + 8);
+    drawPanel(painter, box, colors);
+    painter.setPen(QPen(colors.hover, 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(box, 5, 5);
+    painter.setPen(colors.text);
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
 void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const ViewOptions &options,
-                bool colorBlind)
+                bool colorBlind, double rightDensity)
 {
     const int width = std::min(230, view.width() - 40);
     if (options.coloring == Coloring::Plain || options.coloring == Coloring::Islands || width < 120)
         return;
-    const Legend legend = options.coloring == Coloring::SignedStretch ? stretchLegend(options, colorBlind)
-                          : options.coloring == Coloring::StretchMagnitude
-                              ? magnitudeLegend(options, colorBlind)
-                              : paintLegend(colors);
+    const Legend legend =
+        options.coloring == Coloring::SignedStretch      ? stretchLegend(options, colorBlind)
+        : options.coloring == Coloring::StretchMagnitude ? magnitudeLegend(options, colorBlind)
+        : options.coloring == Coloring::Density          ? densityLegend(options, colorBlind, rightDensity)
+                                                         : paintLegend(colors);
     const int lineHeight = painter.fontMetrics().height();
     const QRectF panel(view.right() - width - 12, view.bottom() - 2 * lineHeight - 38, width,
                        2 * lineHeight + 26);

@@ -17,9 +17,12 @@ class OrbitCamera;
 //! Draws a title and lines at the centre of an empty view.
 void drawMessage(QPainter &painter, const QRect &view, const ViewColors &colors, const QString &title,
                  const QStringList &lines);
+//! Draws a word in the upper left corner: a way of working that one has to know of.
+void drawBadge(QPainter &painter, const QRect &view, const ViewColors &colors, const QString &text);
 //! Draws the legend of the face colours; nothing when the colours show no number.
+//! \param rightDensity as SceneContent::rightDensity()
 void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const ViewOptions &options,
-                bool colorBlind);
+                bool colorBlind, double rightDensity);
 //! Draws the axes as the camera sees them, in the upper right corner.
 void drawGizmo(QPainter &painter, const QRect &view, const ViewColors &colors, const OrbitCamera &camera);
 //! Draws a ring around the vertex under the mouse, in the mode for selecting vertices.

@@ -6,6 +6,7 @@
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
+#include "views/gl/texeldensity.h"
 #include "views/ui/preferences.h"
 
 #include <cmath>
@@ -82,8 +83,10 @@ void SceneContent::documentChanged(const ChangeEvent &event)
         mark(Points);
         break;
     case ChangeEvent::Type::Rectangle:
-    case ChangeEvent::Type::PackingSettings:
         mark(0);
+        break;
+    case ChangeEvent::Type::PackingSettings: // texels may have another size
+        mark(mOptions.coloring == Coloring::Density ? Faces : 0);
         break;
     case ChangeEvent::Type::Model: // the workspace says that the document was replaced
     case ChangeEvent::Type::Uv:    // ShownMap reports the change when the map is shown
@@ -113,7 +116,8 @@ void SceneContent::optionsChanged()
     const ViewOptions before = std::exchange(mOptions, mContext.view.options());
     int parts = 0;
     if (before.coloring != mOptions.coloring || before.problems != mOptions.problems ||
-        before.stretchClamp != mOptions.stretchClamp || before.magnitudeClamp != mOptions.magnitudeClamp)
+        before.stretchClamp != mOptions.stretchClamp || before.magnitudeClamp != mOptions.magnitudeClamp ||
+        before.densityClamp != mOptions.densityClamp || before.densityTarget != mOptions.densityTarget)
         parts |= Faces;
     if (before.wireframe != mOptions.wireframe || before.seams != mOptions.seams)
         parts |= Sides;
@@ -211,6 +215,7 @@ void SceneContent::rebuildFaces()
             own.meter.emplace(*own.mesh);
         stretch = own.meter->measure(uv());
     }
+    const std::vector<float> density = measureDensity();
     // The solver never flips a triangle, and islands of a live map are only computed when their colours are
     // shown.
     const bool live = mContext.shownMap.isLive();
@@ -230,7 +235,20 @@ void SceneContent::rebuildFaces()
         overlapping = mContext.map.figures()->overlapping;
     mFaces = faceTexels({*own.mesh, uv(), mOptions, mColors, mContext.preferences.values().colorBlindHeatMap,
                          mAsMap ? mColors.mapFill : mColors.model, stretch, islands, document.seams().weights,
-                         shownSelection().faces, overlapping, flipped});
+                         shownSelection().faces, overlapping, flipped, density, mRightDensity});
+}
+
+//! Empty when densities are not shown.
+std::vector<float> SceneContent::measureDensity()
+{
+    mRightDensity = std::numeric_limits<double>::quiet_NaN();
+    if (mOptions.coloring != Coloring::Density)
+        return {};
+    const MeshData &own = *meshParts().mesh;
+    std::vector<float> density =
+        texelDensities(own, uv(), mContext.workspace.document()->packingSettings().textureSize);
+    mRightDensity = mOptions.densityTarget > 0 ? mOptions.densityTarget : medianDensity(own, density);
+    return density;
 }
 
 //! Empty when the selection is not to be shown.

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <QObject>
 
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -54,6 +55,8 @@ public:
     const std::vector<SideTexel> &sides() const { return mSides; }
     const std::vector<PointVertex> &points() const { return mPoints; }
     const ViewColors &colors() const { return mColors; }
+    //! The texels per unit that get the colour in the middle; NaN when they are not shown or not known.
+    double rightDensity() const { return mRightDensity; }
 
 Q_SIGNALS:
     //! Emitted when the view has to be painted again.
@@ -70,6 +73,7 @@ private:
     void preferencesChanged();
     const MeshParts &meshParts() const;
     void rebuildFaces();
+    std::vector<float> measureDensity();
     void rebuildPoints();
     const Selection &shownSelection() const;
 
@@ -81,6 +85,7 @@ private:
     ViewOptions mOptions; //!< for which the arrays were last marked
     Selection mSelection; //!< for which the arrays were last marked
     Eigen::AlignedBox2d mUvBox;
+    double mRightDensity = std::numeric_limits<double>::quiet_NaN();
     std::vector<SoupVertex> mVertices;
     std::vector<float> mUvs, mGhostUvs;
     std::vector<FaceTexel> mFaces;

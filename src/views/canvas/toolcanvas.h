@@ -31,6 +31,13 @@ public:
     //! The elements at a pixel, including changes that have not been painted yet.
     virtual PickResult pick(const QPointF &pixel) const = 0;
     virtual BoxPick pickBox(const PickRegion &region) const = 0;
+    //! The triangles that a click can reach at a pixel, the front-most first: more than one while one sees
+    //! through the model.
+    virtual std::vector<int> trianglesAt(const QPointF &pixel) const
+    {
+        const int triangle = pick(pixel).triangle;
+        return triangle < 0 ? std::vector<int>() : std::vector<int>{triangle};
+    }
     //! The position at which a soup corner is drawn; nothing when it is not drawn.
     virtual std::optional<QPointF> screenOf(int soupCorner) const = 0;
 

@@ -113,6 +113,7 @@ void UvView::drawPaper(GlResources &gl)
     paper.pattern = options.pattern;
     paper.checkerSize = options.checkerSize;
     paper.texture = gl.texture.id();
+    paper.patternStrength = options.fillIslands && content().mesh() ? 0.3 : 1;
     paper.lineWidth = devicePixelRatioF();
     const Vec2 used = studio().shownMap.isLive() ? Vec2(Vec2::Ones()) : usedTiles(content().uvBox());
     paper.usedTiles = {static_cast<float>(used.x()), static_cast<float>(used.y())};
@@ -135,7 +136,12 @@ void UvView::drawScene(GlResources &gl)
     const bool plain = options.coloring == Coloring::Plain;
     const bool textured = options.pattern != Pattern::None;
     drawing.onPicture = textured;
-    drawing.fillOpacity = !options.fillIslands ? 0 : plain ? 0.4 : textured ? 0.6 : 0.85;
+    drawing.fillOpacity = !options.fillIslands ? 0 : plain && !textured ? 0.4 : 0.85;
+    // Filled islands do not hide the pattern, but show it.
+    drawing.pattern = options.pattern;
+    drawing.checkerSize = options.checkerSize;
+    drawing.texture = gl.texture.id();
+    drawing.tint = plain ? 0 : 0.5;
     const HoverParts hover = hoverParts();
     drawing.hoverTriangles = hover.triangles;
     drawing.hoverSides = hover.sides;
@@ -190,7 +196,8 @@ void UvView::drawOverlay(QPainter &painter)
     if (document && studio().view.tools().pivot == Pivot::Cursor)
         drawCursor(painter, colors, mCamera.toScreen(studio().view.tools().cursor));
     if (document) {
-        drawLegend(painter, rect(), colors, options, studio().preferences.values().colorBlindHeatMap);
+        drawLegend(painter, rect(), colors, options, studio().preferences.values().colorBlindHeatMap,
+                   content().rightDensity());
         drawHoverCorner(painter, *this);
     }
 }

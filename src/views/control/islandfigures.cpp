@@ -1,7 +1,9 @@
 #include "views/control/islandfigures.h"
 
 #include "commands/islandtransform.h"
+#include "solver/metrics/uvmetrics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -58,6 +60,33 @@ std::vector<IslandFigures> islandFigures(const Document &document, const std::ve
         figures[i].tags = document.marks().tagsOf(faces);
     }
     return figures;
+}
+
+std::vector<double> islandDistortions(const Document &document)
+{
+    metrics::UvMetricsOptions options;
+    options.overlaps = options.gutter = false;
+    return metrics::measureUv(document.mesh(), document.uv(), options).chartSymDirichlet;
+}
+
+double medianTexelDensity(const std::vector<IslandFigures> &figures)
+{
+    std::vector<std::pair<double, double>> densities; // and their areas
+    double area = 0;
+    for (const IslandFigures &island : figures) {
+        if (!std::isfinite(island.texelDensity))
+            continue;
+        densities.emplace_back(island.texelDensity, island.areaShare);
+        area += island.areaShare;
+    }
+    std::sort(densities.begin(), densities.end());
+    double below = 0;
+    for (const auto &[density, share] : densities) {
+        below += share;
+        if (below >= area / 2)
+            return density;
+    }
+    return std::numeric_limits<double>::quiet_NaN();
 }
 
 double meanTexelDensity(const Document &document, const std::vector<int> &islands)

@@ -26,6 +26,12 @@ struct IslandFigures
 //! empty when it is not known
 std::vector<IslandFigures> islandFigures(const Document &document, const std::vector<double> &distortion);
 
+//! Mean symmetric Dirichlet energy of every island at the scale that suits it; NaN when unknown.
+std::vector<double> islandDistortions(const Document &document);
+
+//! The texel density that islands with half of the area have at most; NaN when they have no area.
+double medianTexelDensity(const std::vector<IslandFigures> &figures);
+
 //! Mean texel density of the islands, weighted by area; NaN when they have no area.
 double meanTexelDensity(const Document &document, const std::vector<int> &islands);
 

@@ -35,7 +35,7 @@ void Backdrop::draw(const RoomDrawing &drawing, const ViewColors &colors)
 
 void Backdrop::draw(const PaperDrawing &drawing, const ViewColors &colors)
 {
-    const bool textured = drawing.pattern == Pattern::Texture && drawing.texture != 0;
+    const bool textured = isPicture(drawing.pattern) && drawing.texture != 0;
     QOpenGLShaderProgram &p = *mPaper;
     p.bind();
     p.setUniformValue("outsideColor", colors.mapBackground);
@@ -55,6 +55,7 @@ void Backdrop::draw(const PaperDrawing &drawing, const ViewColors &colors)
     p.setUniformValue("grid", drawing.grid);
     p.setUniformValue("pattern", textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0);
     p.setUniformValue("checkerSize", static_cast<float>(drawing.checkerSize));
+    p.setUniformValue("patternStrength", static_cast<float>(drawing.patternStrength));
     p.setUniformValue("lineWidth", static_cast<float>(drawing.lineWidth));
     p.setUniformValue("picture", 0);
     mGl.glActiveTexture(GL_TEXTURE0);

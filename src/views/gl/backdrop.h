@@ -36,6 +36,7 @@ struct PaperDrawing
     Pattern pattern = Pattern::None;
     double checkerSize = 16;
     unsigned texture = 0;
+    double patternStrength = 1; //!< 0: the pattern is not seen
     double lineWidth = 1;
 };
 

@@ -20,8 +20,14 @@ constexpr QRgb magnitudeStops[] = {0xff2443c4, 0xff2f8fe0, 0xff4cc4b8, 0xff9fd66
 constexpr QRgb magnitudeBlindStops[] = {0xff42145c, 0xff45347f, 0xff365c8c, 0xff247e8c,
                                         0xff28a080, 0xff78c552, 0xfffae433};
 
+// Brown and teal differ for all common kinds of colour blindness, and nothing else has these colours.
+constexpr QRgb densityStops[] = {0xff6b3d0a, 0xffb07a2e, 0xffe3cb98, 0xfff5f5f2,
+                                 0xffa5d8cf, 0xff3d9e93, 0xff05554d};
+
 std::span<const QRgb> stopsOf(HeatMap map, bool colorBlind)
 {
+    if (map == HeatMap::Density)
+        return densityStops;
     if (map == HeatMap::SignedStretch)
         return colorBlind ? std::span<const QRgb>(signedBlindStops) : std::span<const QRgb>(signedStops);
     return colorBlind ? std::span<const QRgb>(magnitudeBlindStops) : std::span<const QRgb>(magnitudeStops);
@@ -40,7 +46,7 @@ QRgb heatColor(HeatMap map, bool colorBlind, double value)
     if (std::isnan(value))
         return heatColorOfNothing();
     const std::span<const QRgb> stops = stopsOf(map, colorBlind);
-    const double share = std::clamp(map == HeatMap::SignedStretch ? 0.5 * (value + 1) : value, 0.0, 1.0);
+    const double share = std::clamp(map == HeatMap::Magnitude ? value : 0.5 * (value + 1), 0.0, 1.0);
     const double place = share * static_cast<double>(stops.size() - 1);
     const std::size_t below = std::min(static_cast<std::size_t>(place), stops.size() - 2);
     return mixColors(stops[below], stops[below + 1], place - static_cast<double>(below));

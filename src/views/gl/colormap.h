@@ -7,11 +7,11 @@
 namespace autocuts {
 
 //! The figure that a heat-map shows.
-enum class HeatMap { SignedStretch, Magnitude };
+enum class HeatMap { SignedStretch, Magnitude, Density };
 
 //! The colour of a value. SignedStretch: from -1 blue over 0 white to 1 red, or for colour-blind people from
-//! purple to orange. Magnitude: from 0 blue to 1 red, or from dark violet to yellow. Values outside the range
-//! are clamped.
+//! purple to orange. Magnitude: from 0 blue to 1 red, or from dark violet to yellow. Density: from -1 brown
+//! over 0 white to 1 teal, for everybody. Values outside the range are clamped.
 QRgb heatColor(HeatMap map, bool colorBlind, double value);
 //! The colour of triangles without a figure.
 QRgb heatColorOfNothing();

@@ -1,4 +1,4 @@
-// The user's texture image in graphics memory.
+// The picture of a pattern in graphics memory.
 #pragma once
 
 #include <QImage>

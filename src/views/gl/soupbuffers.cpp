@@ -163,6 +163,11 @@ std::vector<QRgb> triangleColors(const FaceInput &input)
                                   (input.stretch.dirichlet[t] - 4) /
                                       std::max(input.options.magnitudeClamp - 4, 1e-6));
             break;
+        case Coloring::Density:
+            colors[t] = heatColor(HeatMap::Density, input.colorBlind,
+                                  std::log2(input.density[t] / input.rightDensity) /
+                                      std::max(input.options.densityClamp, 1e-6));
+            break;
         default:
             break;
         }

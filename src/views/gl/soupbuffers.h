@@ -79,6 +79,8 @@ struct FaceInput
     std::span<const int> selectedFaces;
     std::span<const int> overlapping; //!< triangle indices
     const std::vector<bool> &flipped;
+    std::span<const float> density = {}; //!< per triangle; may be empty when the colouring does not use it
+    double rightDensity = 1;             //!< that gets the colour in the middle
 };
 std::vector<FaceTexel> faceTexels(const FaceInput &input);
 

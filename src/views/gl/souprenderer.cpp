@@ -96,7 +96,7 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
     p.setUniformValue("mapOffset", drawing.mapOffset);
     p.setUniformValue("pixelRatio", static_cast<float>(drawing.pixelRatio));
     p.setUniformValue("smoothShading", drawing.smooth);
-    const bool textured = drawing.pattern == Pattern::Texture && drawing.texture != 0;
+    const bool textured = isPicture(drawing.pattern) && drawing.texture != 0;
     p.setUniformValue("pattern", textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0);
     p.setUniformValue("checkerSize", static_cast<float>(drawing.checkerSize));
     p.setUniformValue("tint", static_cast<float>(drawing.tint));

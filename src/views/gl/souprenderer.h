@@ -22,11 +22,11 @@ struct SoupDrawing
     QVector2D mapScale, mapOffset; //!< UV view: clip space = uv * mapScale + mapOffset
     double pixelRatio = 1;
     bool smooth = false;
-    Pattern pattern = Pattern::None; //!< 3D view: pattern on the faces
+    Pattern pattern = Pattern::None; //!< pattern on the faces
     double checkerSize = 16;
-    unsigned texture = 0;                    //!< id of the 2D texture for Pattern::Texture; 0: none
-    double tint = 0;                         //!< 3D view: share of the faces' colours over the texture
-    double fillOpacity = 1;                  //!< UV view: opacity of the faces
+    unsigned texture = 0;                    //!< id of the 2D texture for a picture; 0: none
+    double tint = 0;                         //!< share of the faces' colours over the texture
+    double fillOpacity = 1;                  //!< opacity of the faces
     double lineOpacity = 1;                  //!< opacity of all lines along sides
     bool onPicture = false;                  //!< in the map: a picture lies behind the islands
     std::array<int, 2> hoverTriangles{0, 0}; //!< range of triangles under the mouse: first and end

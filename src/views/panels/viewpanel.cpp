@@ -2,6 +2,7 @@
 
 #include "views/actions/actionregistry.h"
 #include "views/gl/colormap.h"
+#include "views/gl/letteredpattern.h"
 #include "views/panels/controls.h"
 #include "views/panels/elidedlabel.h"
 #include "views/panels/heatlegend.h"
@@ -59,6 +60,7 @@ void ViewPanel::addColoringRows()
     mColoring->addItem(tr("Signed stretch"), int(Coloring::SignedStretch));
     mColoring->addItem(tr("Magnitude of stretch"), int(Coloring::StretchMagnitude));
     mColoring->addItem(tr("Painted weights"), int(Coloring::PaintWeights));
+    mColoring->addItem(tr("Texel density"), int(Coloring::Density));
     connect(mColoring, &QComboBox::activated, this, [this] {
         const auto coloring = Coloring(mColoring->currentData().toInt());
         change([coloring](ViewOptions &options) { options.coloring = coloring; });
@@ -69,6 +71,7 @@ void ViewPanel::addColoringRows()
     explain(label, tip, {"view.heatMap"});
 
     addClampRows();
+    addDensityRows();
     mLegend = new HeatLegend;
     mLegend->setObjectName("legend"_L1);
     mForm->addRow(mLegend);
@@ -100,12 +103,48 @@ void ViewPanel::addClampRows()
            tr("Symmetric Dirichlet energy that gets the full colour; 4 is without distortion"));
 }
 
+void ViewPanel::addDensityRows()
+{
+    mDensityTarget = makeCountBox("densityTarget"_L1, 0, 1e9, &ViewOptions::densityTarget);
+    mDensityTarget->setDecimals(2);
+    mDensityTarget->setSpecialValueText(tr("median of the map"));
+    mDensityTarget->setSuffix(tr(" px/unit"));
+    addRow(mForm, tr("Right density"), mDensityTarget,
+           tr("Texels per unit of the model that get the colour in the middle; 0: the median of the map"));
+    auto *factor = new QDoubleSpinBox;
+    factor->setDecimals(2);
+    factor->setSingleStep(0.1);
+    mDensityClamp = new SliderSpin(SliderScale::fineNearMinimum(0.05, 4), factor);
+    mDensityClamp->setObjectName("densityClamp"_L1);
+    connect(mDensityClamp, &SliderSpin::edited, this, [this](double value) {
+        change([value](ViewOptions &options) { options.densityClamp = value; });
+    });
+    addRow(mForm, tr("Full colour at"), mDensityClamp,
+           tr("log2 of the factor that gets the full colour: at 1 that is half or double the right density"));
+}
+
+QDoubleSpinBox *ViewPanel::makeCountBox(QLatin1StringView name, double low, double high,
+                                        double ViewOptions::*field)
+{
+    auto *box = new QDoubleSpinBox;
+    box->setObjectName(name);
+    box->setRange(low, high);
+    box->setDecimals(0);
+    box->setKeyboardTracking(false);
+    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this, field](double value) {
+        change([value, field](ViewOptions &options) { options.*field = value; });
+    });
+    return box;
+}
+
 void ViewPanel::addPatternRows()
 {
     mPattern = new QComboBox;
     mPattern->setObjectName("pattern"_L1);
     mPattern->addItem(tr("None"), int(Pattern::None));
     mPattern->addItem(tr("Checkerboard"), int(Pattern::Checker));
+    mPattern->addItem(tr("Lettered cells"), int(Pattern::Lettered));
     mPattern->addItem(tr("Texture"), int(Pattern::Texture));
     connect(mPattern, &QComboBox::activated, this, &ViewPanel::choosePattern);
     const QString tip = tr("What lies on the model, and behind the map");
@@ -113,15 +152,11 @@ void ViewPanel::addPatternRows()
     explain(mPattern, tip, {"view.texture"});
     explain(label, tip, {"view.texture"});
 
-    mCheckerSize = new QDoubleSpinBox;
-    mCheckerSize->setObjectName("checkerSize"_L1);
-    mCheckerSize->setRange(1, 1024);
-    mCheckerSize->setDecimals(0);
-    mCheckerSize->setKeyboardTracking(false);
-    mCheckerSize->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    connect(mCheckerSize, &QDoubleSpinBox::valueChanged, this,
-            [this](double value) { change([value](ViewOptions &options) { options.checkerSize = value; }); });
+    mCheckerSize = makeCountBox("checkerSize"_L1, 1, 1024, &ViewOptions::checkerSize);
     addRow(mForm, tr("Squares"), mCheckerSize, tr("Squares along one side of the unit square"));
+    mLetteredCells =
+        makeCountBox("letteredCells"_L1, leastLetteredCells, mostLetteredCells, &ViewOptions::letteredCells);
+    addRow(mForm, tr("Cells"), mLetteredCells, tr("Lettered cells along one side of the unit square"));
 
     QPushButton *load = makeButton(tr("Load…"), "loadTexture"_L1);
     explain(load, tr("Choose the picture to show on the model"), {"view.loadTexture"});
@@ -169,6 +204,7 @@ QWidget *ViewPanel::makeToggles()
          tr("While solving, show the islands beside each other")},
         {tr("Orthographic"), &ViewOptions::orthographic, "view.orthographic",
          tr("3D view without perspective")},
+        {tr("X-ray"), &ViewOptions::xray, "view.xray", tr("See and select through the model")},
     };
     auto *box = new QWidget;
     auto *grid = new QGridLayout(box);
@@ -208,15 +244,23 @@ void ViewPanel::refresh()
     mPattern->setCurrentIndex(mPattern->findData(int(options.pattern)));
     mStretchClamp->setValue(options.stretchClamp);
     mMagnitudeClamp->setValue(options.magnitudeClamp);
-    const QSignalBlocker blocker(mCheckerSize);
-    mCheckerSize->setValue(options.checkerSize);
+    mDensityClamp->setValue(options.densityClamp);
+    for (const auto &[box, value] :
+         {std::pair(mCheckerSize, options.checkerSize), std::pair(mLetteredCells, options.letteredCells),
+          std::pair(mDensityTarget, options.densityTarget)}) {
+        const QSignalBlocker blocker(box);
+        box->setValue(value);
+    }
     mTextureName->setText(options.texturePath.isEmpty() ? tr("none")
                                                         : QFileInfo(options.texturePath).fileName());
     for (const auto &[toggle, field] : mToggles)
         toggle->setChecked(options.*field);
     mForm->setRowVisible(mStretchClamp, options.coloring == Coloring::SignedStretch);
     mForm->setRowVisible(mMagnitudeClamp, options.coloring == Coloring::StretchMagnitude);
+    mForm->setRowVisible(mDensityTarget, options.coloring == Coloring::Density);
+    mForm->setRowVisible(mDensityClamp, options.coloring == Coloring::Density);
     mForm->setRowVisible(mCheckerSize, options.pattern == Pattern::Checker);
+    mForm->setRowVisible(mLetteredCells, options.pattern == Pattern::Lettered);
     mForm->setRowVisible(mTextureRow, options.pattern == Pattern::Texture);
     showLegend(options);
 }
@@ -224,12 +268,17 @@ void ViewPanel::refresh()
 void ViewPanel::showLegend(const ViewOptions &options)
 {
     const bool isSigned = options.coloring == Coloring::SignedStretch;
-    mForm->setRowVisible(mLegend, isSigned || options.coloring == Coloring::StretchMagnitude);
+    const bool isDensity = options.coloring == Coloring::Density;
+    mForm->setRowVisible(mLegend, isSigned || isDensity || options.coloring == Coloring::StretchMagnitude);
     const bool colorBlind = context().preferences.values().colorBlindHeatMap;
     if (isSigned) {
         const QString factor = significantText(std::exp2(options.stretchClamp), 3);
         mLegend->setLegend(heatStops(HeatMap::SignedStretch, colorBlind),
                            {tr("%1× too small").arg(factor), tr("right"), tr("%1× too large").arg(factor)});
+    } else if (isDensity) {
+        const QString factor = significantText(std::exp2(options.densityClamp), 3);
+        mLegend->setLegend(heatStops(HeatMap::Density, colorBlind),
+                           {tr("%1× too coarse").arg(factor), tr("right"), tr("%1× too fine").arg(factor)});
     } else {
         const double middle = (4 + options.magnitudeClamp) / 2;
         mLegend->setLegend(

@@ -34,6 +34,8 @@ protected:
 private:
     void addColoringRows();
     void addClampRows();
+    void addDensityRows();
+    QDoubleSpinBox *makeCountBox(QLatin1StringView name, double low, double high, double ViewOptions::*field);
     void addPatternRows();
     QWidget *makeToggles();
     template <class Edit>
@@ -43,9 +45,9 @@ private:
 
     QFormLayout *mForm = nullptr;
     QComboBox *mColoring = nullptr, *mPattern = nullptr;
-    SliderSpin *mStretchClamp = nullptr, *mMagnitudeClamp = nullptr;
+    SliderSpin *mStretchClamp = nullptr, *mMagnitudeClamp = nullptr, *mDensityClamp = nullptr;
     HeatLegend *mLegend = nullptr;
-    QDoubleSpinBox *mCheckerSize = nullptr;
+    QDoubleSpinBox *mDensityTarget = nullptr, *mCheckerSize = nullptr, *mLetteredCells = nullptr;
     QWidget *mTextureRow = nullptr;
     ElidedLabel *mTextureName = nullptr;
     std::vector<std::pair<QCheckBox *, bool ViewOptions::*>> mToggles;

@@ -25,6 +25,7 @@ void visitFlags(Options &options, Visit visit)
     visit("islandNumbers"_L1, options.islandNumbers);
     visit("followMap"_L1, options.followMap);
     visit("orthographic"_L1, options.orthographic);
+    visit("xray"_L1, options.xray);
 }
 
 template <typename Options, typename Visit>
@@ -33,6 +34,9 @@ void visitNumbers(Options &options, Visit visit)
     visit("stretchClamp"_L1, options.stretchClamp, 0.01, 20.0);
     visit("magnitudeClamp"_L1, options.magnitudeClamp, 4.001, 1e6);
     visit("checkerSize"_L1, options.checkerSize, 1.0, 4096.0);
+    visit("letteredCells"_L1, options.letteredCells, 2.0, 26.0);
+    visit("densityTarget"_L1, options.densityTarget, 0.0, 1e9);
+    visit("densityClamp"_L1, options.densityClamp, 0.01, 20.0);
 }
 
 template <typename Enum>
@@ -59,8 +63,8 @@ QCborMap ViewOptions::toCbor() const
 ViewOptions ViewOptions::fromCbor(const QCborMap &map)
 {
     ViewOptions options;
-    readEnum(map[u"coloring"_s], Coloring::PaintWeights, options.coloring);
-    readEnum(map[u"pattern"_s], Pattern::Texture, options.pattern);
+    readEnum(map[u"coloring"_s], Coloring::Density, options.coloring);
+    readEnum(map[u"pattern"_s], Pattern::Lettered, options.pattern);
     visitFlags(options, [&map](QLatin1StringView key, bool &value) { value = map[key].toBool(value); });
     visitNumbers(options, [&map](QLatin1StringView key, double &value, double low, double high) {
         const double number = map[key].toDouble(value);

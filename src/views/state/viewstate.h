@@ -13,9 +13,14 @@
 namespace autocuts {
 
 //! What the colours of the faces show, in both views.
-enum class Coloring { Plain, Islands, SignedStretch, StretchMagnitude, PaintWeights };
+enum class Coloring { Plain, Islands, SignedStretch, StretchMagnitude, PaintWeights, Density };
 //! The pattern on the model, by its UVs, and behind the map.
-enum class Pattern { None, Checker, Texture };
+enum class Pattern { None, Checker, Texture, Lettered };
+//! True for patterns that are drawn from a picture.
+constexpr bool isPicture(Pattern pattern)
+{
+    return pattern == Pattern::Texture || pattern == Pattern::Lettered;
+}
 
 //! The options of both views.
 struct ViewOptions
@@ -37,10 +42,15 @@ struct ViewOptions
     bool islandNumbers = false; //!< UV view
     bool followMap = false;     //!< the UV view frames a live map as it changes
     bool orthographic = false;  //!< 3D view
+    bool xray = false;          //!< 3D view: see and select through the model
     double stretchClamp = 1;    //!< signed stretch: the log2 of the area ratio that gets the full colour
     //! Magnitude: the symmetric Dirichlet energy that gets the full colour; above 4.
     double magnitudeClamp = 8;
-    double checkerSize = 16; //!< squares along each side of the unit square
+    double checkerSize = 16;  //!< squares along each side of the unit square
+    double letteredCells = 8; //!< cells of Pattern::Lettered along each side of the unit square
+    //! Density: the texels per unit of the model that are right; 0: the median of the map.
+    double densityTarget = 0;
+    double densityClamp = 1; //!< density: the log2 of the factor that gets the full colour
     QString texturePath;     //!< image file; empty for none
 
     bool operator==(const ViewOptions &) const = default;

@@ -5,12 +5,21 @@
 #include "views/control/shownmap.h"
 #include "views/control/studiocontext.h"
 
+#include <QCoreApplication>
+#include <QWheelEvent>
+
 #include <algorithm>
+#include <cmath>
 #include <unordered_set>
 
 namespace autocuts {
 
 namespace {
+
+struct BrushTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(Brush)
+};
 
 //! Collects the sides of faces under a brush.
 class Footprint
@@ -98,6 +107,44 @@ double Brush::effectAt(double distance) const
         return 0;
     const double t = (radius - distance) / (radius - full);
     return strength * t * t * (3 - 2 * t);
+}
+
+bool Brush::takeWheel(const QWheelEvent &event)
+{
+    // Some platforms report horizontal scrolling while Alt is held.
+    const QPoint angle = event.angleDelta();
+    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
+    if (event.modifiers() == Qt::ShiftModifier)
+        radius = std::clamp(radius * std::pow(1.15, notches), minRadius, maxRadius);
+    else if (event.modifiers() == Qt::ControlModifier)
+        strength = std::clamp(strength + 0.05 * notches, 0.05, 1.0);
+    else if (event.modifiers() == Qt::AltModifier)
+        hardness = std::clamp(hardness + 0.05 * notches, 0.0, 1.0);
+    else
+        return false;
+    return true;
+}
+
+std::vector<ToolOption> brushOptions(const Brush &brush, const std::function<void(const Brush &)> &set)
+{
+    const auto percent = [](double share) { return std::round(100 * share); };
+    const auto field = [&](double Brush::*member, double unit) {
+        return [=](double value) {
+            Brush changed = brush;
+            changed.*member = value / unit;
+            set(changed);
+        };
+    };
+    return {ToolOption::number(BrushTexts::tr("Size"), BrushTexts::tr("Radius of the brush; Shift+wheel"),
+                               brush.radius, Brush::minRadius, Brush::maxRadius, BrushTexts::tr(" px"),
+                               field(&Brush::radius, 1)),
+            ToolOption::number(BrushTexts::tr("Strength"), BrushTexts::tr("Effect in the middle; Ctrl+wheel"),
+                               percent(brush.strength), 5, 100, BrushTexts::tr(" %"),
+                               field(&Brush::strength, 100)),
+            ToolOption::number(BrushTexts::tr("Hardness"),
+                               BrushTexts::tr("Share of the brush with full strength; Alt+wheel"),
+                               percent(brush.hardness), 0, 100, BrushTexts::tr(" %"),
+                               field(&Brush::hardness, 100))};
 }
 
 std::vector<BrushTouch> edgesUnderBrush(const ToolCanvas &canvas, const QPointF &middle,

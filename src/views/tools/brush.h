@@ -2,10 +2,14 @@
 #pragma once
 
 #include "views/canvas/picking.h"
+#include "views/canvas/tooloption.h"
 
 #include <QPointF>
 
+#include <functional>
 #include <vector>
+
+class QWheelEvent;
 
 namespace autocuts {
 
@@ -22,7 +26,13 @@ struct Brush
 
     //! Share of the strength, in [0, 1], at a distance from the centre; decreases smoothly to 0 at the rim.
     double effectAt(double distance) const;
+    //! Changes the size by Shift and wheel, the strength by Ctrl, the hardness by Alt. \returns false for
+    //! other events
+    bool takeWheel(const QWheelEvent &event);
 };
+
+//! Size, strength and hardness for the bar of tool options. \param set receives the changed brush
+std::vector<ToolOption> brushOptions(const Brush &brush, const std::function<void(const Brush &)> &set);
 
 //! An edge pair under the brush.
 struct BrushTouch

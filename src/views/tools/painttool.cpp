@@ -249,14 +249,6 @@ void PaintTool::setSymmetric(bool symmetric)
     tellSettings();
 }
 
-void PaintTool::setBrush(double radius, double strength, double hardness)
-{
-    mBrush.radius = std::clamp(radius, Brush::minRadius, Brush::maxRadius);
-    mBrush.strength = std::clamp(strength, 0.05, 1.0);
-    mBrush.hardness = std::clamp(hardness, 0.0, 1.0);
-    tellSettings();
-}
-
 void PaintTool::tellSettings()
 {
     Q_EMIT hintChanged();
@@ -265,38 +257,26 @@ void PaintTool::tellSettings()
 
 std::vector<ToolOption> PaintTool::options()
 {
-    const auto percent = [](double share) { return std::round(100 * share); };
-    return {
-        ToolOption::choice(tr("Paint"), tr("What the brush does; keys 1 to 3, Shift erases, Ctrl reverses"),
-                           int(mPaint),
-                           {nameOf(Paint::KeepTogether), nameOf(Paint::AttractCuts), nameOf(Paint::Erase)},
-                           [this](double index) { setPaint(static_cast<Paint>(static_cast<int>(index))); }),
-        ToolOption::number(tr("Size"), tr("Radius of the brush; Shift+wheel"), mBrush.radius,
-                           Brush::minRadius, Brush::maxRadius, tr(" px"),
-                           [this](double value) { setBrush(value, mBrush.strength, mBrush.hardness); }),
-        ToolOption::number(tr("Strength"), tr("Paint of one stroke; Ctrl+wheel"), percent(mBrush.strength), 5,
-                           100, tr(" %"),
-                           [this](double value) { setBrush(mBrush.radius, value / 100, mBrush.hardness); }),
-        ToolOption::number(tr("Hardness"), tr("Share of the brush with full strength; Alt+wheel"),
-                           percent(mBrush.hardness), 0, 100, tr(" %"),
-                           [this](double value) { setBrush(mBrush.radius, mBrush.strength, value / 100); }),
-        ToolOption::toggle(tr("Symmetric"), tr("Paint the mirror image, in the plane x = 0, too; X"),
-                           mSymmetric, [this](double on) { setSymmetric(on != 0); })};
+    std::vector<ToolOption> options{ToolOption::choice(
+        tr("Paint"), tr("What the brush does; keys 1 to 3, Shift erases, Ctrl reverses"), int(mPaint),
+        {nameOf(Paint::KeepTogether), nameOf(Paint::AttractCuts), nameOf(Paint::Erase)},
+        [this](double index) { setPaint(static_cast<Paint>(static_cast<int>(index))); })};
+    const std::vector<ToolOption> brush = brushOptions(mBrush, [this](const Brush &changed) {
+        mBrush = changed;
+        tellSettings();
+    });
+    options.insert(options.end(), brush.begin(), brush.end());
+    options.push_back(ToolOption::toggle(tr("Symmetric"),
+                                         tr("Paint the mirror image, in the plane x = 0, too; X"), mSymmetric,
+                                         [this](double on) { setSymmetric(on != 0); }));
+    return options;
 }
 
 bool PaintTool::wheel(const QWheelEvent &event, ToolCanvas &)
 {
-    // Some platforms report horizontal scrolling while Alt is held.
-    const QPoint angle = event.angleDelta();
-    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
-    if (event.modifiers() == Qt::ShiftModifier)
-        setBrush(mBrush.radius * std::pow(1.15, notches), mBrush.strength, mBrush.hardness);
-    else if (event.modifiers() == Qt::ControlModifier)
-        setBrush(mBrush.radius, mBrush.strength + 0.05 * notches, mBrush.hardness);
-    else if (event.modifiers() == Qt::AltModifier)
-        setBrush(mBrush.radius, mBrush.strength, mBrush.hardness + 0.05 * notches);
-    else
+    if (!mBrush.takeWheel(event))
         return false;
+    tellSettings();
     return true;
 }
 
@@ -305,20 +285,7 @@ void PaintTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
     if (&canvas != mCanvas)
         return;
     const ViewColors &colors = canvas.content().colors();
-    const QColor color = colorOf(mShown, colors);
-    QColor fill = color;
-    fill.setAlphaF(static_cast<float>(0.25 * mBrush.strength));
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(colors.dark ? Qt::black : Qt::white, 3.5)); // visible on any background
-    painter.drawEllipse(mMouse, mBrush.radius, mBrush.radius);
-    painter.setBrush(fill);
-    painter.setPen(QPen(color, 1.8));
-    painter.drawEllipse(mMouse, mBrush.radius, mBrush.radius);
-    if (mBrush.hardness > 0) {
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(color, 1, Qt::DotLine));
-        painter.drawEllipse(mMouse, mBrush.hardness * mBrush.radius, mBrush.hardness * mBrush.radius);
-    }
+    drawBrush(painter, canvas, mMouse, mBrush, colorOf(mShown, colors), 0.25 * mBrush.strength);
     drawNote(painter, canvas,
              tr("%1, %2 %%3")
                  .arg(nameOf(mShown))

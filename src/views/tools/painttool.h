@@ -52,7 +52,6 @@ public:
 private:
     //! The effect for these modifiers: Shift erases, Ctrl reverses the effect.
     Paint paintFor(Qt::KeyboardModifiers modifiers) const;
-    void setBrush(double radius, double strength, double hardness);
     void setPaint(Paint paint);
     void setSymmetric(bool symmetric);
     void tellSettings();

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace autocuts {
 
@@ -28,6 +29,7 @@ SelectTool::SelectTool(const StudioContext &context, const QString &id, SelectSh
 {
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
         mAnchorEdge = mAnchorCorner = -1;
+        mLastClick.reset();
         mState = State::Idle; // a stroke must not be undone in another document
     });
     connect(&context.workspace, &Workspace::selectionChanged, this, &AbstractTool::hintChanged);
@@ -185,7 +187,9 @@ void SelectTool::click(const ToolEvent &event)
 {
     Document &document = *context().workspace.document();
     const Selection &current = document.selection();
-    Selection picked = pickedElements(document, event.canvas, event.pick);
+    PickResult pick = event.pick;
+    pick.triangle = clickedTriangle(event);
+    Selection picked = pickedElements(document, event.canvas, pick);
     Combine combine = combineOf(event.modifiers, Combine::Toggle);
     const bool path = combine == Combine::Subtract &&
                       (current.mode == SelectionMode::Edges || current.mode == SelectionMode::Vertices);
@@ -200,6 +204,25 @@ void SelectTool::click(const ToolEvent &event)
     mAnchorEdge = event.pick.edge;
     mAnchorCorner = event.pick.corner;
     document.setSelection(combined(current, picked, combine));
+}
+
+int SelectTool::clickedTriangle(const ToolEvent &event)
+{
+    const Document &document = *context().workspace.document();
+    const SelectionMode mode = document.selection().mode;
+    if (mode == SelectionMode::Vertices || mode == SelectionMode::Edges)
+        return event.pick.triangle;
+    std::vector<int> layers; // of which each shows another element
+    std::set<int> seen;
+    for (int triangle : event.canvas.trianglesAt(event.position)) {
+        const int face = document.mesh().triangleFace[triangle];
+        if (seen.insert(mode == SelectionMode::Islands ? document.islands().islandOfFace(face) : face).second)
+            layers.push_back(triangle);
+    }
+    const QPointF way = event.position - mLastClick.value_or(QPointF(-1e6, -1e6));
+    mLayer = std::hypot(way.x(), way.y()) < dragDistance ? mLayer + 1 : 0;
+    mLastClick = event.position;
+    return layers.empty() ? event.pick.triangle : layers[mLayer % layers.size()];
 }
 
 Selection SelectTool::pathTo(const PickResult &pick) const

@@ -49,6 +49,8 @@ private:
     PickRegion region() const;
     //! Adds the elements under the brush to the stroke.
     void paint(const ToolEvent &event);
+    //! The triangle that a click means: where one sees through the model, clicks in one place go deeper.
+    int clickedTriangle(const ToolEvent &event);
     //! The path from the last click to a pick; empty lists when there is none.
     Selection pathTo(const PickResult &pick) const;
 
@@ -61,6 +63,8 @@ private:
     std::optional<QPointF> mBrush; //!< position of the mouse over mCanvas
     //! The selection before the stroke, and the elements that the stroke has touched.
     Selection mBefore, mStroke;
+    std::optional<QPointF> mLastClick;
+    std::size_t mLayer = 0;                   //!< of the elements under the last click, from the front
     int mAnchorEdge = -1, mAnchorCorner = -1; //!< of the last click; used only while they are selected
 };
 

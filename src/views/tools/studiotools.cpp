@@ -10,6 +10,7 @@
 #include "views/tools/regiontool.h"
 #include "views/tools/seamtool.h"
 #include "views/tools/selecttool.h"
+#include "views/tools/shapetool.h"
 
 namespace autocuts {
 
@@ -26,6 +27,9 @@ void addStudioTools(ToolManager &tools, const StudioContext &context)
     tools.add(std::make_unique<IslandTool>(context, QStringLiteral("rotate"), UvEdit::Rotate));
     tools.add(std::make_unique<IslandTool>(context, QStringLiteral("scale"), UvEdit::Scale));
     tools.add(std::make_unique<DragTool>(context));
+    tools.add(std::make_unique<ShapeTool>(context, QStringLiteral("relaxBrush"), ShapeBrush::Relax));
+    tools.add(std::make_unique<ShapeTool>(context, QStringLiteral("pinchBrush"), ShapeBrush::Pinch));
+    tools.add(std::make_unique<ShapeTool>(context, QStringLiteral("grabBrush"), ShapeBrush::Grab));
     tools.add(std::make_unique<PinTool>(context));
     tools.add(std::make_unique<RectangleTool>(context));
     tools.add(std::make_unique<PackBoxTool>(context));

@@ -2,6 +2,7 @@
 
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
+#include "views/tools/brush.h"
 
 #include <QPainter>
 
@@ -43,6 +44,24 @@ void drawEdges(QPainter &painter, const ToolCanvas &canvas, std::span<const int>
             if (canvas.kind() == ToolCanvas::Kind::Model)
                 break; // both sides are in the same position
         }
+    }
+}
+
+void drawBrush(QPainter &painter, const ToolCanvas &canvas, const QPointF &centre, const Brush &brush,
+               const QColor &color, double opacity)
+{
+    QColor fill = color;
+    fill.setAlphaF(static_cast<float>(opacity));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(canvas.content().colors().dark ? Qt::black : Qt::white, 3.5)); // on any background
+    painter.drawEllipse(centre, brush.radius, brush.radius);
+    painter.setBrush(fill);
+    painter.setPen(QPen(color, 1.8));
+    painter.drawEllipse(centre, brush.radius, brush.radius);
+    if (brush.hardness > 0) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(color, 1, Qt::DotLine));
+        painter.drawEllipse(centre, brush.hardness * brush.radius, brush.hardness * brush.radius);
     }
 }
 

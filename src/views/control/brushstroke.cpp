@@ -1,0 +1,37 @@
+#include "views/control/brushstroke.h"
+
+namespace autocuts {
+
+namespace {
+
+std::vector<bool> heldCorners(const Document &document)
+{
+    const MeshData &mesh = document.mesh();
+    std::vector<bool> held(mesh.cornerCount(), false);
+    for (const UvPin &pin : document.constraints().pins)
+        held[pin.corner] = true;
+    const Islands &islands = document.islands();
+    for (int island = 0; island < islands.count(); ++island) {
+        if (document.marks().flagsOf(islands.faces(island)).locked == 0)
+            continue;
+        for (int corner : islands.corners(mesh, {island}))
+            held[corner] = true;
+    }
+    return held;
+}
+
+} // namespace
+
+BrushStroke::BrushStroke(Document &document, UvEdit edit)
+    : mDocument(document), mEdit(edit), mGesture(document.undoStack().newGesture()),
+      mBrush(document.state().scene.mesh, document.uv(), heldCorners(document), document.marks().faceFlags)
+{}
+
+std::unique_ptr<SetUvs> BrushStroke::command() const
+{
+    auto command = std::make_unique<SetUvs>(mDocument, mEdit, mBrush.uv());
+    command->setGesture(mGesture);
+    return command;
+}
+
+} // namespace autocuts
