@@ -57,6 +57,24 @@ void SelectActions::connectChange(const char *id, Change change)
     });
 }
 
+template <typename Ask, typename Change>
+void SelectActions::connectAsked(const char *id, double &number, Ask question, Change change)
+{
+    connect(mContext.actions.action(id), &QAction::triggered, this, [this, &number, question, change] {
+        if (!mContext.workspace.document())
+            return;
+        NumberQuestion asked = question(*mContext.workspace.document());
+        asked.value = number;
+        NumberDialog dialog(asked, mQuestions.window());
+        if (mQuestions.run(dialog) != QDialog::Accepted)
+            return;
+        number = dialog.number();
+        // Another document may have been opened meanwhile.
+        if (Document *document = mContext.workspace.document())
+            document->setSelection(change(*document, document->selection(), number));
+    });
+}
+
 SelectActions::SelectActions(const StudioContext &context, Questions &questions, QObject *parent)
     : QObject(parent), mContext(context), mQuestions(questions)
 {
@@ -107,15 +125,20 @@ void SelectActions::connectEdgeKinds()
     connectChange("select.border", [](D d, S) { return selectionOfEdges(borderEdges(d)); });
     connectChange("select.seams", [](D d, S) { return selectionOfEdges(seamEdges(d)); });
     connectChange("select.outline", [](D d, S s) { return selectionOfEdges(outlineEdges(d, s.faces)); });
-    connectChange("select.sharp", [this](D d, S s) {
-        const auto angle =
-            ask({tr("Sharp edges"), tr("Select the edges that are bent by more than this angle."),
-                 tr("&Angle:"), tr("\u00b0"), tr("&Select"), mSharpAngle, 0, 180, 1});
-        if (!angle)
-            return s;
-        mSharpAngle = *angle;
-        return selectionOfEdges(sharpEdges(d, *angle));
-    });
+    connectAsked(
+        "select.sharp", mSharpAngle,
+        [](D) {
+            return NumberQuestion{tr("Sharp edges"),
+                                  tr("Select the edges that are bent by more than this angle."),
+                                  tr("&Angle:"),
+                                  tr("\u00b0"),
+                                  tr("&Select"),
+                                  0,
+                                  0,
+                                  180,
+                                  1};
+        },
+        [](D d, S, double angle) { return selectionOfEdges(sharpEdges(d, angle)); });
 }
 
 void SelectActions::connectIslandKinds()
@@ -125,36 +148,37 @@ void SelectActions::connectIslandKinds()
     connectChange("select.stretched", [](D d, S s) {
         return selectionOf(d, facesOfStretchedIslands(d, d.solveSettings().maxDistortion), s.mode);
     });
-    connectChange("select.small", [this](D d, S s) {
-        const auto texels =
-            ask({tr("Small islands"),
-                 tr("Select the islands that are shorter than this, at %1 texels per tile.")
-                     .arg(d.packingSettings().textureSize),
-                 tr("&Shorter than:"), tr(" px"), tr("S&elect"), mSmallIsland, 1, 100'000, 0});
-        if (!texels)
-            return s;
-        mSmallIsland = *texels;
-        return selectionOf(d, facesOfSmallIslands(d, *texels), s.mode);
-    });
-    connectChange("select.offDensity", [this](D d, S s) {
-        const auto percent =
-            ask({tr("Islands off the density"),
-                 tr("Select the islands with a texel density off the median, %1 px/unit, by more than this.")
-                     .arg(medianTexelDensity(islandFigures(d, {})), 0, 'g', 4),
-                 tr("&Off by more than:"), tr(" %"), tr("&Select"), mDensityTolerance, 0, 1000, 1});
-        if (!percent)
-            return s;
-        mDensityTolerance = *percent;
-        return selectionOf(d, facesOffDensity(d, *percent / 100), s.mode);
-    });
-}
-
-std::optional<double> SelectActions::ask(const NumberQuestion &question)
-{
-    NumberDialog dialog(question, mQuestions.window());
-    if (mQuestions.run(dialog) != QDialog::Accepted)
-        return std::nullopt;
-    return dialog.number();
+    connectAsked(
+        "select.small", mSmallIsland,
+        [](D d) {
+            return NumberQuestion{tr("Small islands"),
+                                  tr("Select the islands that are shorter than this, at %1 texels per tile.")
+                                      .arg(d.packingSettings().textureSize),
+                                  tr("&Shorter than:"),
+                                  tr(" px"),
+                                  tr("S&elect"),
+                                  0,
+                                  1,
+                                  100'000,
+                                  0};
+        },
+        [](D d, S s, double texels) { return selectionOf(d, facesOfSmallIslands(d, texels), s.mode); });
+    connectAsked(
+        "select.offDensity", mDensityTolerance,
+        [](D d) {
+            return NumberQuestion{
+                tr("Islands off the density"),
+                tr("Select the islands with a texel density off the median, %1 px/unit, by more than this.")
+                    .arg(medianTexelDensity(islandFigures(d, {})), 0, 'g', 4),
+                tr("&Off by more than:"),
+                tr(" %"),
+                tr("&Select"),
+                0,
+                0,
+                1000,
+                1};
+        },
+        [](D d, S s, double percent) { return selectionOf(d, facesOffDensity(d, percent / 100), s.mode); });
 }
 
 void SelectActions::connectMode(const char *id, SelectionMode mode)

@@ -7,12 +7,9 @@
 
 #include <QObject>
 
-#include <optional>
-
 namespace autocuts {
 
 class Questions;
-struct NumberQuestion;
 
 //! Connects the actions of the Select menu to the document's selection.
 class SelectActions final : public QObject
@@ -27,12 +24,14 @@ private:
     //! Calls change(document, selection) on a copy of the selection and sets the result.
     template <typename Change>
     void connectChange(const char *id, Change change);
+    //! The same with a number that the user is asked for. \param question what is asked, by the document
+    //! \param number the one that was used last
+    template <typename Ask, typename Change>
+    void connectAsked(const char *id, double &number, Ask question, Change change);
     void connectMode(const char *id, SelectionMode mode);
     void connectWays();
     void connectEdgeKinds();
     void connectIslandKinds();
-    //! \returns nothing when the user cancelled
-    std::optional<double> ask(const NumberQuestion &question);
     void showMode();
 
     StudioContext mContext;
