@@ -58,6 +58,8 @@ private Q_SLOTS:
         QCOMPARE(o.settings.creaseStrength, 0.8);
         QCOMPARE(o.settings.visibility, 0.0);
         QVERIFY(!o.settings.symmetry);
+        QCOMPARE(o.settings.align, SolveSettings().align);
+        QVERIFY(!o.settings.mirrorMaps && o.settings.worldUp == WorldUp::Off);
         QCOMPARE(o.settings.seams, SeamMode::Free);
         QVERIFY((o.settings.givenSeams == GivenSeamOptions{.cuts = true, .map = true}));
         QVERIFY(o.only.isEmpty() && o.borderAttached);
@@ -78,7 +80,9 @@ private Q_SLOTS:
         const CliOptions o = parsed(
             "unwrap --max-distortion 4.25 --init tutte --weights count --energy amips --allow-overlaps "
             "--no-pack --texture-size 1024 --margin 2.5 --rotation 90 --pack-time 3 --solver exact --quality "
-            "best --creases on --crease-strength 0.5 --visibility 0.25 --symmetry --seams keep --seams-from "
+            "best --creases on --crease-strength 0.5 --visibility 0.25 --symmetry --align auto --mirror "
+            "--world-up "
+            "z --seams keep --seams-from "
             "sharp:45,hard "
             "--only islands:3,5 --only objects:arm --only objects:leg --border free --layout l.svg --report "
             "r.json --threads 3 --time-limit 12.5 --seed 7 --quiet -o out.obj "
@@ -100,6 +104,9 @@ private Q_SLOTS:
         QCOMPARE(o.settings.creaseStrength, 0.5);
         QCOMPARE(o.settings.visibility, 0.25);
         QVERIFY(o.settings.symmetry);
+        QCOMPARE(o.settings.align, CreaseMode::Auto);
+        QVERIFY(o.settings.mirrorMaps);
+        QCOMPARE(o.settings.worldUp, WorldUp::Z);
         QCOMPARE(o.settings.seams, SeamMode::Keep);
         QVERIFY((o.settings.givenSeams == GivenSeamOptions{.cuts = false,
                                                            .map = false,
@@ -198,7 +205,7 @@ private Q_SLOTS:
             << common +
                    words(u"--max-distortion --seams --seams-from --lambda --init --weights --energy --solver "
                          "--quality --creases --crease-strength --visibility "
-                         "--symmetry --allow-overlaps --no-pack"_s);
+                         "--symmetry --align --mirror --world-up --allow-overlaps --no-pack"_s);
         QTest::newRow("pack") << u"pack"_s << common + words(u"--into --keep-scale"_s);
         QTest::newRow("separate") << u"separate"_s << common + words(u"--separate-by"_s);
         QTest::newRow("finish") << u"finish"_s << common + words(u"--max-distortion --seams --seams-from"_s);

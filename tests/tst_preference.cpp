@@ -301,10 +301,14 @@ private Q_SLOTS:
         settings.visibility = 0.5;
         settings.symmetry = true;
         settings.maxDistortion = 4.3;
+        settings.align = CreaseMode::On;
+        settings.mirrorMaps = true;
+        settings.worldUp = WorldUp::Z;
         CborReader reader(toCbor(settings));
         QVERIFY(readSolveSettings(reader) == settings);
         QVERIFY(!reader.failed());
-        for (const char *name : {"creaseStrength", "visibility", "maxDistortion"}) {
+        for (const char *name :
+             {"creaseStrength", "visibility", "maxDistortion", "align", "mirrorMaps", "worldUp"}) {
             QCborMap map = toCbor(settings);
             map[QLatin1StringView(name)] = 1.5;
             CborReader bad(map);

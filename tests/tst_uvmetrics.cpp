@@ -153,10 +153,17 @@ std::vector<Case> cases()
                      {FIGURE(l2Stretch), std::sqrt(1.25)},
                      {FIGURE(angleDistortion), 2},
                      {FIGURE(areaDistortion), 1}}});
+    list.push_back({"turned a little more, and a little less, than one degree; a diagonal is no border",
+                    square + "vt 0 0\nvt 1 0.0176\nvt 1 1\nvt 0.0173 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n",
+                    {},
+                    {{FIGURE(axisAlignedShare),
+                      (0.9827 + 0.9824 + std::hypot(0.0173, 1)) /
+                          (0.9827 + 0.9824 + std::hypot(0.0173, 1) + std::hypot(1, 0.0176))}}});
     list.push_back({"sheared",
                     square + "vt 0 0\nvt 1 0\nvt 2 1\nvt 1 1\nf 1/1 2/2 3/3 4/4\n",
                     {},
                     {{FIGURE(symDirichlet), 6},
+                     {FIGURE(axisAlignedShare), 2 / (2 + 2 * std::sqrt(2.0))},
                      {FIGURE(angleDistortion), (3 + std::sqrt(5.0)) / 2},
                      {FIGURE(l2Stretch), std::sqrt(1.5)}}});
     list.push_back({"collapsed triangle",

@@ -104,6 +104,9 @@ void BatchFiles::mergeSettings(CliOptions &options)
     merge("--crease-strength", options.settings.creaseStrength, solve.creaseStrength);
     merge("--visibility", options.settings.visibility, solve.visibility);
     merge("--symmetry", options.settings.symmetry, solve.symmetry);
+    merge("--align", options.settings.align, solve.align);
+    merge("--mirror", options.settings.mirrorMaps, solve.mirrorMaps);
+    merge("--world-up", options.settings.worldUp, solve.worldUp);
     merge("--seams", options.settings.seams, solve.seams);
     merge("--seams-from", options.settings.givenSeams, solve.givenSeams);
     options.settings.lambda = solve.lambda;

@@ -240,6 +240,19 @@ std::vector<CliOption> solvingOptions()
                u"how much seams prefer hidden places, 0 (not at all) to 1"_s),
         flag(group, u"--symmetry"_s, fieldOf(&SolveSettings::symmetry), true,
              u"make symmetric cuts on symmetric meshes"_s),
+        choice(
+            group, u"--align"_s, fieldOf(&SolveSettings::align),
+            {{u"off"_s, CreaseMode::Off}, {u"auto"_s, CreaseMode::Auto}, {u"on"_s, CreaseMode::On}},
+            u"turn islands to the axes, and make straight in the map what is straight on the model, as far "
+            "as the bound allows; auto does so on meshes that have creases"_s),
+        flag(group, u"--mirror"_s, fieldOf(&SolveSettings::mirrorMaps), true,
+             u"make the maps of symmetric islands symmetric, and those of islands on both sides of a "
+             u"symmetric "
+             "mesh mirror images of each other; --symmetry makes cuts that allow it"_s),
+        choice(group, u"--world-up"_s, fieldOf(&SolveSettings::worldUp),
+               {{u"-"_s, WorldUp::Off}, {u"y"_s, WorldUp::Y}, {u"z"_s, WorldUp::Z}},
+               u"turn islands so that this direction of the model is up in the map; they are packed as they "
+               "stand"_s),
         flag(group, u"--allow-overlaps"_s, fieldOf(&unwrap::UnwrapOptions::allowOverlaps), true,
              u"do not cut islands that overlap themselves"_s),
         flag(group, u"--no-pack"_s, fieldOf(&unwrap::UnwrapOptions::pack), false,

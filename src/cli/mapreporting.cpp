@@ -47,6 +47,7 @@ MapReport reportOf(const metrics::UvMetrics &m)
     r.angleDistortion = m.angleDistortion;
     r.areaDistortion = m.areaDistortion;
     r.texelDensitySpread = m.texelDensitySpread;
+    r.axisAlignedShare = m.axisAlignedShare;
     r.packingBox = m.packingBox;
     r.minGutter = m.minGutter;
     r.borderGutterTexels = m.borderGutterTexels;

@@ -43,6 +43,12 @@ const char *solveText(int properties)
         return QT_TRANSLATE_NOOP("Undo Commands", "Change sources of given seams");
     case SharpAngleProperty:
         return QT_TRANSLATE_NOOP("Undo Commands", "Change angle of sharp edges");
+    case AlignProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change alignment to the axes");
+    case MirrorMapsProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change mirrored maps");
+    case WorldUpProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change what is up in the map");
     case MaxDistortionProperty:
         return QT_TRANSLATE_NOOP("Undo Commands", "Change distortion budget");
     default:

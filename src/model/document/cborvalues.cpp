@@ -233,6 +233,9 @@ QCborMap toCbor(const SolveSettings &settings)
             {"creaseStrength"_L1, settings.creaseStrength},
             {"visibility"_L1, settings.visibility},
             {"symmetry"_L1, settings.symmetry},
+            {"align"_L1, static_cast<int>(settings.align)},
+            {"mirrorMaps"_L1, settings.mirrorMaps},
+            {"worldUp"_L1, static_cast<int>(settings.worldUp)},
             {"seams"_L1, static_cast<int>(settings.seams)},
             {"givenSeams"_L1, toCbor(settings.givenSeams)}};
 }
@@ -263,6 +266,9 @@ SolveSettings readSolveSettings(CborReader &reader)
          [&] { return reader.number("creaseStrength"_L1, 0, 1); });
     read("visibility"_L1, settings.visibility, [&] { return reader.number("visibility"_L1, 0, 1); });
     read("symmetry"_L1, settings.symmetry, [&] { return reader.boolean("symmetry"_L1); });
+    read("align"_L1, settings.align, [&] { return reader.enumerator("align"_L1, CreaseMode::On); });
+    read("mirrorMaps"_L1, settings.mirrorMaps, [&] { return reader.boolean("mirrorMaps"_L1); });
+    read("worldUp"_L1, settings.worldUp, [&] { return reader.enumerator("worldUp"_L1, WorldUp::Z); });
     read("seams"_L1, settings.seams, [&] { return reader.enumerator("seams"_L1, SeamMode::Only); });
     if (reader.contains("givenSeams"_L1)) {
         CborReader given(reader.map("givenSeams"_L1));

@@ -38,7 +38,8 @@ struct MapReport
     Count facesWithoutUvArea; //!< faces with area on the model that have a triangle without area in the map
     double symDirichletP99 = unknown, symDirichletScale = unknown;
     double l2Stretch = unknown, angleDistortion = unknown, areaDistortion = unknown;
-    double texelDensitySpread = unknown, packingBox = unknown, minGutter = unknown;
+    double texelDensitySpread = unknown, axisAlignedShare = unknown, packingBox = unknown,
+           minGutter = unknown;
     double borderGutterTexels = unknown;
     std::optional<bool> inUnitSquare;
 

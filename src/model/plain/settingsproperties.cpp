@@ -27,7 +27,10 @@ int differences(const SolveSettings &a, const SolveSettings &b)
            (a.symmetry != b.symmetry ? SymmetryProperty : 0) | (a.seams != b.seams ? SeamModeProperty : 0) |
            (sameSources(a.givenSeams, b.givenSeams) ? 0 : SeamSourcesProperty) |
            (a.givenSeams.sharpAngle != b.givenSeams.sharpAngle ? SharpAngleProperty : 0) |
-           (a.maxDistortion != b.maxDistortion ? MaxDistortionProperty : 0);
+           (a.maxDistortion != b.maxDistortion ? MaxDistortionProperty : 0) |
+           (a.align != b.align ? AlignProperty : 0) |
+           (a.mirrorMaps != b.mirrorMaps ? MirrorMapsProperty : 0) |
+           (a.worldUp != b.worldUp ? WorldUpProperty : 0);
 }
 
 int differences(const PackingSettings &a, const PackingSettings &b)
@@ -49,7 +52,8 @@ bool isValid(const SolveSettings &settings)
            inRange(settings.weighting, SeamWeighting::Count) &&
            inRange(settings.start, StartMode::ExistingUv) && inRange(settings.solver, SolverKind::Exact) &&
            inRange(settings.creases, CreaseMode::On) && inRange(settings.creaseStrength, 1.0) &&
-           inRange(settings.visibility, 1.0) && inRange(settings.seams, SeamMode::Only) &&
+           inRange(settings.visibility, 1.0) && inRange(settings.align, CreaseMode::On) &&
+           inRange(settings.worldUp, WorldUp::Z) && inRange(settings.seams, SeamMode::Only) &&
            inRange(settings.givenSeams.sharpAngle, 180.0);
 }
 

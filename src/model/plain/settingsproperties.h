@@ -23,7 +23,10 @@ enum SolveProperty {
     SeamModeProperty = 1 << 12,
     SeamSourcesProperty = 1 << 13, //!< all of SolveSettings::givenSeams but the angle
     SharpAngleProperty = 1 << 14,
-    MaxDistortionProperty = 1 << 15
+    MaxDistortionProperty = 1 << 15,
+    AlignProperty = 1 << 16,
+    MirrorMapsProperty = 1 << 17,
+    WorldUpProperty = 1 << 18
 };
 
 //! The fields of PackingSettings.

@@ -46,6 +46,8 @@ struct Steering
     std::vector<UvRectangle> rectangles;
     //! Per edge pair: the seams given by the user, for SeamMode::Keep and SeamMode::Only; empty: none.
     std::vector<bool> givenSeams;
+    //! Edge loops that the user wants on one line of the map: edge pairs, one after the other along the loop.
+    std::vector<std::vector<int>> straightLoops;
     std::vector<IslandFlags> faceFlags; //!< per face: locks, stacks and groups; empty: none
 };
 

@@ -8,6 +8,8 @@ enum class StartMode { Rigid, Tutte, Random, ExistingUv };
 enum class SeamWeighting { Length, Count };
 enum class SolverKind { Fast, Exact };
 enum class CreaseMode { Off, Auto, On };
+//! The direction of the model that is up in the map; Off: any.
+enum class WorldUp { Off, Y, Z };
 //! Whose seams. Free: the search's. Keep: the given ones stay, and the search adds what the bound needs.
 //! Only: exactly the given ones.
 enum class SeamMode { Free, Keep, Only };
@@ -45,8 +47,13 @@ struct SolveSettings
     CreaseMode creases = CreaseMode::Auto;
     //! Share of its cost that a seam saves on a sharp edge, in [0, 1]; the default was chosen by hand.
     double creaseStrength = 0.8;
-    double visibility = 0;            //!< how strongly hidden places are preferred for seams, in [0, 1]
-    bool symmetry = false;            //!< symmetric seams on symmetric meshes; automatic mode only
+    double visibility = 0; //!< how strongly hidden places are preferred for seams, in [0, 1]
+    bool symmetry = false; //!< symmetric seams on symmetric meshes; automatic mode only
+    //! Islands run along the axes, and what is straight on the model is straight in the map. Auto: on meshes
+    //! that have creases.
+    CreaseMode align = CreaseMode::Off;
+    bool mirrorMaps = false;          //!< symmetric islands get symmetric maps, mirrored ones mirrored maps
+    WorldUp worldUp = WorldUp::Off;   //!< islands are turned so that this direction of the model is up
     SeamMode seams = SeamMode::Free;  //!< the given seams are Steering::givenSeams
     GivenSeamOptions givenSeams = {}; //!< where they come from; no matter for SeamMode::Free
 

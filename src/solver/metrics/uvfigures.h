@@ -33,6 +33,9 @@ struct UvMetrics
     double seamNorm = missingFigure; //!< seamLength / sqrt(area3d / pi)
     double boundaryLength = 0;
     double nonManifoldSeamLength = 0;
+    //! Share of the length in UV of the charts' borders, seams from both sides, whose direction is within 1
+    //! degree of horizontal or vertical.
+    double axisAlignedShare = missingFigure;
 
     int flipped = 0;      //!< triangles whose sign differs from that of their chart
     int uvDegenerate = 0; //!< |UV area| < 1e-14 of the total; not counted as flips

@@ -57,6 +57,22 @@ void measureEdges(const MeshData &mesh, const UvTopology &topology, UvMetrics &m
         metrics.seamNorm = metrics.seamLength / std::sqrt(metrics.area3d / std::numbers::pi);
 }
 
+void measureAlignment(const UvMatrix &uv, const UvTopology &topology, UvMetrics &metrics)
+{
+    const double slope = std::tan(std::numbers::pi / 180);
+    double all = 0, aligned = 0;
+    for (const UvEdge &edge : topology.uvEdges) {
+        if (!edge.open)
+            continue;
+        const Vec2 along = (uv.row(edge.corner[1]) - uv.row(edge.corner[0])).cwiseAbs();
+        all += along.norm();
+        if (along.minCoeff() <= slope * along.maxCoeff())
+            aligned += along.norm();
+    }
+    if (all > 0)
+        metrics.axisAlignedShare = aligned / all;
+}
+
 void measureCharts(const UvTriangles &triangles, UvMetrics &metrics)
 {
     metrics.charts = static_cast<int>(triangles.charts.size());
@@ -128,6 +144,7 @@ UvMetrics measureUv(const MeshData &mesh, const UvMatrix &uv, const UvMetricsOpt
     UvMetrics metrics;
     countElements(mesh, topology, triangles, metrics);
     measureEdges(mesh, topology, metrics);
+    measureAlignment(uv, topology, metrics);
     measureCharts(triangles, metrics);
     measureDistortion(mesh, uv, triangles, metrics);
     measurePacking(topology, options.textureSize, metrics);

@@ -165,24 +165,12 @@ double Patch::flipFreeStep(double limit) const
     };
     for (std::size_t i = 0; i < mTriangles.size(); ++i) {
         const int p = mPoint[3 * i], q = mPoint[3 * i + 1], r = mPoint[3 * i + 2];
-        const double u1 = mPosition[2 * q] - mPosition[2 * p],
-                     v1 = mPosition[2 * q + 1] - mPosition[2 * p + 1];
-        const double u2 = mPosition[2 * r] - mPosition[2 * p],
-                     v2 = mPosition[2 * r + 1] - mPosition[2 * p + 1];
-        const double du1 = move(q, 0) - move(p, 0), dv1 = move(q, 1) - move(p, 1);
-        const double du2 = move(r, 0) - move(p, 0), dv2 = move(r, 1) - move(p, 1);
-        // Twice the signed area after a step of length s is a s^2 + b s + c, with c > 0.
-        const double a = du1 * dv2 - dv1 * du2;
-        const double b = u1 * dv2 - v1 * du2 + du1 * v2 - dv1 * u2;
-        const double c = u1 * v2 - v1 * u2;
-        if (c + std::min(0.0, b) * step + std::min(0.0, a) * step * step > 0)
-            continue;
-        const double discriminant = b * b - 4 * a * c;
-        if (discriminant < 0)
-            continue;
-        const double denominator = -b + std::sqrt(discriminant);
-        if (denominator > 0)
-            step = std::min(step, 2 * c / denominator);
+        step = flipFreeTriangleStep(
+            {mPosition[2 * q] - mPosition[2 * p], mPosition[2 * q + 1] - mPosition[2 * p + 1],
+             mPosition[2 * r] - mPosition[2 * p], mPosition[2 * r + 1] - mPosition[2 * p + 1]},
+            {move(q, 0) - move(p, 0), move(q, 1) - move(p, 1), move(r, 0) - move(p, 0),
+             move(r, 1) - move(p, 1)},
+            step);
     }
     return step;
 }

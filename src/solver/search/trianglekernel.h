@@ -26,6 +26,27 @@ inline double triangleEnergy(const double *p, const Soup::Basis &b)
     return squares + squares / (det * det);
 }
 
+//! Smallest step at which a triangle loses its area; `limit` when it does not before that.
+//! \param edges u and v of its second and third corner, seen from the first \param moves how these change
+//! \pre the triangle is not flipped
+inline double flipFreeTriangleStep(const std::array<double, 4> &edges, const std::array<double, 4> &moves,
+                                   double limit)
+{
+    const auto [u1, v1, u2, v2] = edges;
+    const auto [du1, dv1, du2, dv2] = moves;
+    // Twice the signed area after a step of length s is a s^2 + b s + c, with c > 0.
+    const double a = du1 * dv2 - dv1 * du2;
+    const double b = u1 * dv2 - v1 * du2 + du1 * v2 - dv1 * u2;
+    const double c = u1 * v2 - v1 * u2;
+    if (c + std::min(0.0, b) * limit + std::min(0.0, a) * limit * limit > 0)
+        return limit;
+    const double discriminant = b * b - 4 * a * c;
+    if (discriminant < 0)
+        return limit;
+    const double denominator = -b + std::sqrt(discriminant);
+    return denominator > 0 ? std::min(limit, 2 * c / denominator) : limit;
+}
+
 //! The singular values of the Jacobian of a triangle and the modes of its change.
 struct TriangleModes
 {

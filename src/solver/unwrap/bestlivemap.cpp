@@ -78,8 +78,16 @@ void BestLiveMap::giveQuickly(const JobContext &job)
         give(*std::exchange(mWaiting, std::nullopt), FitEffort::Quick, job);
 }
 
+void BestLiveMap::giveStraight(const JobContext &job)
+{
+    const std::lock_guard lock(mMutex);
+    if (mBest && mProblem.plan().deforms() && !job.stopped())
+        give(*mBest, FitEffort::Full, job, straight::StraightEffort::Full);
+}
+
 //! Gives the map out, unless it is not better or overlaps itself after all.
-void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContext &job)
+void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContext &job,
+                       straight::StraightEffort straightness)
 {
     const FreePart &part = mProblem.part();
     const Snapshot &whole = mProblem.whole();
@@ -92,6 +100,10 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     Merit merit = meritOf(state);
     merit.misses = map.distortion(soup) > mOptions.maxDistortion;
     if (mBest && merit.misses && !mBestMerit.misses)
+        return;
+    straight::straighten(mProblem.soup(), mProblem.problem(), mProblem.plan(), mOptions.maxDistortion, map,
+                         job.quiet(), straightness);
+    if (job.stopped() && straightness == straight::StraightEffort::Full)
         return;
     const bool deformed = fitToRectangles(part, mProblem.soup(), map, job, effort);
     if (deformed && job.stopped()) {
@@ -107,7 +119,8 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     result->seamLength = map.seamLength(soup);
     result->islands = state.chartCount();
     result->cut = part.wholeCut(map.cut);
-    result->uv = mPlacing.place(whole, part, soup, map, mOptions.packing, mPacksAfresh);
+    result->uv = mPlacing.place(whole, part, soup, map, mOptions.packing, mPacksAfresh,
+                                mProblem.plan().rotation(PackRotation::Free));
     result->hasRoom = mPlacing.hadRoom();
     result->unmet = unmetSteering(whole, result->uv);
     if (!part.isWhole()) {

@@ -3,6 +3,7 @@
 
 #include "solver/packing/packing.h"
 #include "solver/search/cutstate.h"
+#include "solver/straight/straightening.h"
 #include "solver/unwrap/liveplacing.h"
 #include "solver/unwrap/liveproblem.h"
 #include "solver/unwrap/rectanglefit.h"
@@ -70,6 +71,9 @@ public:
     void offer(const search::CutState &state);
     //! Gives out the best map that waits. \param atOnce even if the last one was given out a moment ago
     void giveWaiting(const JobContext &job, bool atOnce = false);
+    //! Gives the best map out once more with all that the settings ask for made straight; until then islands
+    //! are only turned.
+    void giveStraight(const JobContext &job);
     //! Gives out the best map that waits at once, fitted to rectangles by a few steps; giveWaiting() fits it
     //! fully.
     void giveQuickly(const JobContext &job);
@@ -86,7 +90,8 @@ private:
     };
 
     Merit meritOf(const search::CutState &state) const;
-    void give(search::CutState state, FitEffort effort, const JobContext &job);
+    void give(search::CutState state, FitEffort effort, const JobContext &job,
+              straight::StraightEffort straightness = straight::StraightEffort::Turn);
 
     const LiveProblem &mProblem;
     const Sink mSink;

@@ -120,6 +120,15 @@ void FreePart::addSteering(const Snapshot &whole)
         if (!box.soupCorners.empty())
             steering->rectangles.push_back(std::move(box));
     }
+    std::vector<int> edgeInPart(whole.mesh->edgePairs.size(), -1);
+    for (std::size_t e = 0; e < mPart.edgePair.size(); ++e)
+        edgeInPart[mPart.edgePair[e]] = static_cast<int>(e);
+    for (std::vector<int> loop : from.straightLoops) {
+        for (int &edge : loop)
+            edge = edgeInPart[edge];
+        std::erase(loop, -1);
+        steering->straightLoops.push_back(std::move(loop));
+    }
     mSnapshot.steering = std::move(steering);
     if (whole.startUv)
         mSnapshot.startUv = std::make_shared<const UvMatrix>(mUnit * partRows(*whole.startUv));

@@ -114,6 +114,8 @@ bool LiveMap::work(const JobContext &job)
             break;
         }
         mBest.giveWaiting(job, mStage == Stage::Done);
+        if (mStage == Stage::Done && !mPulled)
+            mBest.giveStraight(job);
     }
     return !job.stopped();
 }
@@ -185,7 +187,7 @@ void LiveMap::findFirst(const JobContext &job)
 void LiveMap::findAnyMap(const JobContext &job)
 {
     UnwrapOptions options;
-    options.maxDistortion = mOptions.maxDistortion;
+    options.maxDistortion = mProblem.plan().searchBound(mOptions.maxDistortion);
     options.quality = UnwrapQuality::Draft;
     Ranking ranking(options, job);
     const FoundMap found = findMap(mProblem.problem(), options, ranking, job);
@@ -264,7 +266,7 @@ void LiveMap::carryFromCoarse(UnwrapQuality quality, std::optional<search::CutSt
                               const JobContext &job)
 {
     UnwrapOptions options;
-    options.maxDistortion = mOptions.maxDistortion;
+    options.maxDistortion = mProblem.plan().searchBound(mOptions.maxDistortion);
     options.quality = quality;
     CoarseMaps onTheWay;
     parallelFor(2, job.threads(), [&](int i) {
@@ -356,7 +358,7 @@ void LiveMap::improve(const JobContext &job)
 search::OptimizeOptions LiveMap::searchOptions(const JobContext &job)
 {
     search::OptimizeOptions options;
-    options.maxDistortion = mOptions.maxDistortion;
+    options.maxDistortion = mProblem.plan().searchBound(mOptions.maxDistortion);
     options.seed = mProblem.problem().settings.seed + mSeed++;
     options.job = job.quiet();
     options.improved = [this](const search::CutState &state) { mBest.offer(state); };

@@ -25,6 +25,18 @@ double areaOf(const MeshData &mesh, const UvMatrix &uv)
     return area;
 }
 
+//! The motion with an angle that is allowed.
+RigidMotion limited(RigidMotion motion, PackRotation turns)
+{
+    if (turns == PackRotation::Free)
+        return motion;
+    const bool upright = turns == PackRotation::None || std::abs(motion.c) >= std::abs(motion.s);
+    motion.c = turns == PackRotation::None ? 1 : upright ? std::copysign(1.0, motion.c) : 0;
+    motion.s = upright ? 0 : std::copysign(1.0, motion.s);
+    motion.shift = motion.fixedCentre - motion.turned(motion.movingCentre);
+    return motion;
+}
+
 } // namespace
 
 void LivePlacing::beginWith(const FreePart &part)
@@ -44,7 +56,7 @@ void LivePlacing::returnTo(const FreePart &part, const UvMatrix &uv)
 
 //! Moves every chart that is not held onto the place of the old chart that it has most in common with.
 UvMatrix LivePlacing::atOldPlaces(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &held,
-                                  const UvMatrix &uv) const
+                                  const UvMatrix &uv, PackRotation turns) const
 {
     const std::vector<std::vector<int>> faces = charts.faces();
     UvMatrix placed = uv;
@@ -69,7 +81,7 @@ UvMatrix LivePlacing::atOldPlaces(const MeshData &mesh, const ChartMap &charts, 
                              [](const auto &a, const auto &b) { return a.second.first < b.second.first; });
         RigidMotion motion;
         if (most != byOldChart.end() && !most->second.second.empty())
-            motion = fitRigid(most->second.second);
+            motion = limited(fitRigid(most->second.second), turns);
         else
             motion.shift = Vec2::Constant(nowhere);
         for (const int face : faces[chart]) {
@@ -81,7 +93,8 @@ UvMatrix LivePlacing::atOldPlaces(const MeshData &mesh, const ChartMap &charts, 
 }
 
 UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, const Soup &soup,
-                            const SeamedMap &map, const packing::PackOptions &options, bool afresh)
+                            const SeamedMap &map, const packing::PackOptions &options, bool afresh,
+                            PackRotation turns)
 {
     const Snapshot own = part.withoutRectangles();
     // True when some islands are where they belong, so that the scale is given.
@@ -98,6 +111,7 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
     PackJob pack = steeredPackJob(snapshot, options);
     pack.options.effort = std::min(pack.options.effort, packing::hurriedEffort);
     pack.options.keepScale = false;
+    pack.options.rotation = std::min(pack.options.rotation, turns);
     pack.keepScaleIfPossible = stays || mBefore;
     pack.hurry = PackHurry::WhenStopped;
     const ChartMap whole = part.wholeCharts(charts);
@@ -108,7 +122,7 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
         mHadRoom = packCharts(*snapshot.mesh, whole, pack, uv);
     } else {
         const double scale = stays ? own.uvScale : mBefore->scale;
-        uv = part.wholeUv(atOldPlaces(mesh, charts, heldCharts(own, state), scale * shape));
+        uv = part.wholeUv(atOldPlaces(mesh, charts, heldCharts(own, state), scale * shape, turns));
         const std::vector<bool> misplaced = misplacedFaces(*snapshot.mesh, whole, pack, uv);
         if (std::find(misplaced.begin(), misplaced.end(), true) != misplaced.end()) {
             PackJob around = pack;

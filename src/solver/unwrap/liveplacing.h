@@ -21,9 +21,10 @@ public:
     void returnTo(const FreePart &part, const UvMatrix &uv);
     //! \param map of the part, solver units
     //! \param afresh pack all charts as large as they fit, unless the steering gives the scale
+    //! \param turns how charts may be turned to where they were
     //! \returns the whole map, one row per corner in texture space; see hadRoom()
     UvMatrix place(const Snapshot &snapshot, const FreePart &part, const Soup &soup, const SeamedMap &map,
-                   const packing::PackOptions &options, bool afresh);
+                   const packing::PackOptions &options, bool afresh, PackRotation turns = PackRotation::Free);
 
     //! False when there was no room for all charts of the last map, so that some may overlap.
     bool hadRoom() const { return mHadRoom; }
@@ -38,7 +39,7 @@ private:
     };
     void beginWith(const FreePart &part);
     UvMatrix atOldPlaces(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &held,
-                         const UvMatrix &uv) const;
+                         const UvMatrix &uv, PackRotation turns) const;
 
     std::optional<Before> mBefore;
     bool mHadRoom = true;

@@ -14,6 +14,7 @@ bool LiveProblem::update(std::shared_ptr<const Snapshot> snapshot, int threads)
         throw std::runtime_error("nothing may change: all islands are locked, stacked or grouped");
     const bool same = mPart && part->sameFaces(*mPart);
     mPart = std::move(part);
+    mPlan = straight::StraightPlan::of(mPart->snapshot());
     mProblem = mPreference.applied(mPart->withoutRectangles(), threads);
     if (!same) {
         mSoup = Soup::build(mProblem.mesh);

@@ -3,6 +3,7 @@
 
 #include "solver/preference/seampreference.h"
 #include "solver/search/seamgraph.h"
+#include "solver/straight/straightening.h"
 #include "solver/unwrap/freepart.h"
 
 #include <memory>
@@ -27,6 +28,8 @@ public:
     const Snapshot &problem() const { return mProblem; }
     const std::shared_ptr<const Soup> &soup() const { return mSoup; }
     const std::shared_ptr<const search::SeamGraph> &graph() const { return mGraph; }
+    //! What is to be straight.
+    const straight::StraightPlan &plan() const { return mPlan; }
     //! Symmetric seams are asked for, and the part is symmetric.
     bool isSymmetric() const { return mProblem.settings.symmetry && mSymmetry; }
     //! The part is so large that a coarser mesh is searched in its place.
@@ -38,6 +41,7 @@ private:
     std::optional<preference::MeshSymmetry> mSymmetry;
     std::optional<FreePart> mPart;
     Snapshot mProblem;
+    straight::StraightPlan mPlan;
     std::shared_ptr<const Soup> mSoup;
     std::shared_ptr<const search::SeamGraph> mGraph;
 };

@@ -2,6 +2,7 @@
 
 #include "model/plain/uvlayout.h"
 #include "solver/definite/seamopening.h"
+#include "solver/straight/straightening.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/freepart.h"
 #include "solver/unwrap/mapfinder.h"
@@ -30,13 +31,17 @@ void fitUnitSquare(UvMatrix &uv)
 class ResultMaker
 {
 public:
-    ResultMaker(const Snapshot &snapshot, const FreePart &part, const UnwrapOptions &options)
-        : mSnapshot(snapshot), mPart(part), mOptions(options)
+    ResultMaker(const Snapshot &snapshot, const FreePart &part, const straight::StraightPlan &plan,
+                const UnwrapOptions &options)
+        : mSnapshot(snapshot), mPart(part), mPlan(plan), mOptions(options)
     {}
 
     UnwrapResult resultOf(Candidate found, PackHurry hurry, const JobContext &job) const
     {
         UnwrapResult result;
+        const std::shared_ptr<const Soup> soup = Soup::build(mPart.snapshot().mesh);
+        if (hurry != PackHurry::Always)
+            straighten(soup, found, job);
         result.cut = mPart.wholeCut(found.map.cut);
         result.distortion = found.distortion;
         result.seamLength = found.seamLength;
@@ -45,7 +50,6 @@ public:
         result.delta = found.delta;
         result.withinBound = mOptions.lambda || mSnapshot.settings.seams == SeamMode::Only ||
                              found.distortion <= mOptions.maxDistortion;
-        const std::shared_ptr<const Soup> soup = Soup::build(mPart.snapshot().mesh);
         if (mOptions.pack)
             fitToRectangles(mPart, soup, found.map, job);
         place(*soup, found.map, hurry, job, result);
@@ -54,6 +58,17 @@ public:
     }
 
 private:
+    //! Makes straight what the settings ask for.
+    void straighten(const std::shared_ptr<const Soup> &soup, Candidate &found, const JobContext &job) const
+    {
+        if (mPlan.isEmpty() || found.onlyPatches)
+            return;
+        // With a given lambda the search decides how much distortion there is.
+        const double bound = mOptions.lambda ? found.distortion : mOptions.maxDistortion;
+        straight::straighten(soup, mPart.snapshot(), mPlan, bound, found.map, job.quiet());
+        found.measure(*soup, mPart.snapshot());
+    }
+
     //! Places the islands. Sets result.uv and result.packed.
     void place(const Soup &soup, const SeamedMap &map, PackHurry hurry, const JobContext &job,
                UnwrapResult &result) const
@@ -67,6 +82,7 @@ private:
         if (mOptions.pack) {
             const ChartMap charts = mPart.wholeCharts(chartsOf(*own.mesh, CutMesh(*own.mesh, map.cut)));
             packing::PackOptions settings = mOptions.packing;
+            settings.rotation = mPlan.rotation(settings.rotation);
             if (mOptions.quality == UnwrapQuality::Draft)
                 settings.effort = std::min(settings.effort, packing::hurriedEffort);
             PackJob pack = steeredPackJob(mSnapshot, settings);
@@ -80,6 +96,7 @@ private:
 
     const Snapshot &mSnapshot;
     const FreePart &mPart;
+    const straight::StraightPlan &mPlan;
     const UnwrapOptions &mOptions;
 };
 
@@ -104,8 +121,11 @@ UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options, 
         return result;
     }
     const Snapshot &problem = part->withoutRectangles();
-    Ranking ranking(options, job);
-    const ResultMaker maker(snapshot, *part, options);
+    const straight::StraightPlan plan = straight::StraightPlan::of(part->snapshot());
+    UnwrapOptions searched = options;
+    searched.maxDistortion = plan.searchBound(options.maxDistortion);
+    Ranking ranking(searched, job);
+    const ResultMaker maker(snapshot, *part, plan, options);
     std::optional<ReadyResult> ready;
     const bool isLarge = suitsCoarseToFine(problem);
     if (isLarge || options.better) {
@@ -121,7 +141,7 @@ UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options, 
         ranking.setWatcher(
             [&ready](const Candidate &best) { ready->prepare([best](const JobContext &) { return best; }); });
     }
-    FoundMap found = findMap(problem, options, ranking, job, ready ? &*ready : nullptr);
+    FoundMap found = findMap(problem, searched, ranking, job, ready ? &*ready : nullptr);
     // To place the islands takes long, too.
     if (found.onlyReady || (ready && job.stopped() && ready->isAsGoodAs(found.best))) {
         result = ready->take();

@@ -1,0 +1,46 @@
+// Makes straight in a map what is straight on the model.
+#pragma once
+
+#include "model/plain/packingsettings.h"
+#include "model/plain/snapshot.h"
+#include "solver/base/jobcontext.h"
+#include "solver/base/seamedmap.h"
+
+#include <memory>
+
+namespace autocuts::straight {
+
+//! What the settings ask of a map, decided for its mesh.
+struct StraightPlan
+{
+    bool align = false;        //!< see SolveSettings::align
+    bool mirror = false;       //!< see SolveSettings::mirrorMaps
+    WorldUp up = WorldUp::Off; //!< see SolveSettings::worldUp
+    bool loops = false;        //!< the user has chosen edge loops
+
+    static StraightPlan of(const Snapshot &snapshot);
+    //! True when it changes shapes of islands.
+    bool deforms() const { return align || mirror || loops; }
+    bool isEmpty() const { return !deforms() && up == WorldUp::Off; }
+    //! The bound for the search of seams: a part of the bound is kept for straightening.
+    double searchBound(double maxDistortion) const;
+    //! The rotations that keep islands as they were turned.
+    PackRotation rotation(PackRotation wanted) const;
+};
+
+//! How much is done: islands are only turned, or all that the plan says.
+enum class StraightEffort { Turn, Full };
+
+//! Does to a map what a plan asks for. Align: turns the islands to the axes and straightens their borders
+//! there, as far as the bound on the distortion allows; of what is too dear, the longest for its price.
+//! Mirror: gives symmetric islands a symmetric map about an axis, within the same bound, and islands that are
+//! mirror images the mirrored map of the better one. Up: turns islands, by right angles where they are
+//! aligned. The seams stay as they are, no triangle flips and no island comes to overlap itself. Points of a
+//! straightened border have one coordinate exactly in common. Islands with pins stay as they are. When the
+//! job is stopped, the map stays as it is. The result does not depend on the number of threads. \param
+//! maxDistortion bound on the mean symmetric Dirichlet energy of the map at one texel density
+void straighten(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const StraightPlan &plan,
+                double maxDistortion, SeamedMap &map, const JobContext &job = {},
+                StraightEffort effort = StraightEffort::Full);
+
+} // namespace autocuts::straight
