@@ -252,6 +252,16 @@ private Q_SLOTS:
         sharp->setFocus();
         QTest::keyClick(sharp, Qt::Key_Space);
         QCOMPARE(bench.settings().creases, CreaseMode::Off);
+        for (const char *name : {"align", "mirror"}) {
+            child<QCheckBox>(bench.panel, name)->setFocus();
+            QTest::keyClick(child<QCheckBox>(bench.panel, name), Qt::Key_Space);
+        }
+        QCOMPARE(bench.settings().align, CreaseMode::Auto);
+        QVERIFY(bench.settings().mirrorMaps);
+        auto *const up = child<QComboBox>(bench.panel, "worldUp");
+        up->setFocus();
+        QTest::keyClick(up, Qt::Key_End);
+        QCOMPARE(bench.settings().worldUp, WorldUp::Z);
         while (bench.stack().canUndo())
             bench.stack().undo();
         QVERIFY(bench.settings() == SolveSettings());

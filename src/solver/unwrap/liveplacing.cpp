@@ -111,7 +111,6 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
     PackJob pack = steeredPackJob(snapshot, options);
     pack.options.effort = std::min(pack.options.effort, packing::hurriedEffort);
     pack.options.keepScale = false;
-    pack.options.rotation = std::min(pack.options.rotation, turns);
     pack.keepScaleIfPossible = stays || mBefore;
     pack.hurry = PackHurry::WhenStopped;
     const ChartMap whole = part.wholeCharts(charts);

@@ -5,6 +5,7 @@
 #include "model/plain/uvlayout.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/packing/packmap.h"
+#include "solver/straight/straightening.h"
 
 #include <algorithm>
 #include <numeric>
@@ -280,6 +281,8 @@ PackJob steeredPackJob(const Snapshot &snapshot, const packing::PackOptions &opt
 {
     const MeshData &mesh = *snapshot.mesh;
     PackJob pack{.options = options, .faceFlags = snapshot.steering->faceFlags};
+    // What was turned to the axes, or upright, is not turned away from there.
+    pack.options.rotation = straight::StraightPlan::of(snapshot).rotation(options.rotation);
     if (snapshot.keepTiles && snapshot.uv)
         pack.tiles = udimTiles(mesh, *snapshot.uv);
     pack.stays.assign(mesh.faceCount(), false);

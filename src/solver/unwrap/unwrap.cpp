@@ -82,7 +82,6 @@ private:
         if (mOptions.pack) {
             const ChartMap charts = mPart.wholeCharts(chartsOf(*own.mesh, CutMesh(*own.mesh, map.cut)));
             packing::PackOptions settings = mOptions.packing;
-            settings.rotation = mPlan.rotation(settings.rotation);
             if (mOptions.quality == UnwrapQuality::Draft)
                 settings.effort = std::min(settings.effort, packing::hurriedEffort);
             PackJob pack = steeredPackJob(mSnapshot, settings);

@@ -21,7 +21,7 @@ constexpr double hiddenSeams = 0.5;
 
 UnwrapForm::UnwrapForm(QWidget *parent)
     : QWidget(parent), mUnwrap(makeButton(tr("Unwrap"), "unwrap"_L1)), mStretch(new StretchControl),
-      mQuality(new QComboBox)
+      mUp(new QComboBox), mQuality(new QComboBox)
 {
     mUnwrap->setProperty("primary", true);
     mUnwrap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -48,8 +48,27 @@ UnwrapForm::UnwrapForm(QWidget *parent)
         tr("Seams along sharp edges"), "sharp"_L1,
         tr("On models with clear creases, seams rather run along them; Advanced sets how strongly"),
         [](SolveSettings &settings, bool on) { settings.creases = on ? CreaseMode::Auto : CreaseMode::Off; });
-    for (QCheckBox *box : {mSymmetry, mHidden, mSharp})
+    mAlign = addSwitch(
+        tr("Straight and along the axes"), "align"_L1,
+        tr("On models with clear creases, islands run along the axes, and what is straight on the model is "
+           "straight in the map, as far as the stretch allows; seams become a little longer"),
+        [](SolveSettings &settings, bool on) { settings.align = on ? CreaseMode::Auto : CreaseMode::Off; });
+    mMirror = addSwitch(tr("Mirrored maps of mirrored parts"), "mirror"_L1,
+                        tr("Symmetric islands get symmetric maps, those of a left and a right part mirror "
+                           "images of each other; goes with the same cuts on both sides"),
+                        [](SolveSettings &settings, bool on) { settings.mirrorMaps = on; });
+    for (QCheckBox *box : {mSymmetry, mHidden, mSharp, mAlign, mMirror})
         form->addRow(box);
+    mUp->setObjectName("worldUp"_L1);
+    mUp->addItem(tr("Any direction"), int(WorldUp::Off));
+    mUp->addItem(tr("Y of the model"), int(WorldUp::Y));
+    mUp->addItem(tr("Z of the model"), int(WorldUp::Z));
+    connect(mUp, &QComboBox::activated, this, [this] {
+        const auto up = WorldUp(mUp->currentData().toInt());
+        Q_EMIT edited([up](SolveSettings &settings) { settings.worldUp = up; }, true);
+    });
+    addRow(form, tr("Up in the map"), mUp,
+           tr("Turns islands so that this direction is up; they are packed as they stand"));
     mQuality->setObjectName("quality"_L1);
     mQuality->addItem(tr("Draft"), int(unwrap::UnwrapQuality::Draft));
     mQuality->addItem(tr("Standard"), int(unwrap::UnwrapQuality::Standard));
@@ -76,6 +95,9 @@ void UnwrapForm::setSettings(const SolveSettings &settings)
     mSymmetry->setChecked(settings.symmetry);
     mHidden->setChecked(settings.visibility > 0);
     mSharp->setChecked(settings.creases != CreaseMode::Off);
+    mAlign->setChecked(settings.align != CreaseMode::Off);
+    mMirror->setChecked(settings.mirrorMaps);
+    mUp->setCurrentIndex(mUp->findData(int(settings.worldUp)));
 }
 
 } // namespace autocuts

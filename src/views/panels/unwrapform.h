@@ -40,8 +40,9 @@ private:
 
     QPushButton *mUnwrap;
     StretchControl *mStretch;
-    QCheckBox *mSymmetry = nullptr, *mHidden = nullptr, *mSharp = nullptr;
-    QComboBox *mQuality;
+    QCheckBox *mSymmetry = nullptr, *mHidden = nullptr, *mSharp = nullptr, *mAlign = nullptr,
+              *mMirror = nullptr;
+    QComboBox *mUp, *mQuality;
 };
 
 } // namespace autocuts
