@@ -1,11 +1,16 @@
 #include "model/io/meshfile.h"
 
+#include "model/io/assimpmatch.h"
 #include "model/io/assimpreader.h"
 #include "model/io/assimpwriter.h"
+#include "model/io/gltf/gltfreader.h"
+#include "model/io/gltf/gltfwriter.h"
 #include "model/io/objreader.h"
 #include "model/io/objwriter.h"
+#include "model/io/savefile.h"
 
 #include <QFileInfo>
+#include <QTemporaryDir>
 
 #include <new>
 
@@ -33,6 +38,24 @@ Error outOfMemory(const QString &path)
             QStringLiteral("Close other programs or split the model into several files")};
 }
 
+//! The scene as Assimp reads it from the same file, so that formats that Assimp writes get what else is in
+//! it. The scene as it is when Assimp reads other polygons.
+Scene forAssimp(const Scene &scene)
+{
+    const GltfSource *source = gltfSourceOf(scene);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("model.glb"));
+    try {
+        if (!source || !saveAtomically(path, sourceAsGlb(*source)))
+            return scene;
+    } catch (const GltfError &) {
+        return scene;
+    }
+    Result<Scene> read = readWithAssimp(path, nullptr);
+    std::optional<Scene> matched = read ? withUvsOf(scene, std::move(read).value()) : std::nullopt;
+    return matched ? std::move(*matched) : scene;
+}
+
 } // namespace
 
 QStringList readableFormats()
@@ -51,7 +74,9 @@ Result<Scene> readMesh(const QString &path, const std::atomic<bool> *stop)
     if (!readableFormats().contains(suffix))
         return unknownFormat(path, readableFormats(), QStringLiteral("read"));
     try {
-        return suffix == QLatin1String("obj") ? readObj(path, stop) : readWithAssimp(path, stop);
+        if (suffix == QLatin1String("obj"))
+            return readObj(path, stop);
+        return isGltfFormat(suffix) ? readGltf(path, stop) : readWithAssimp(path, stop);
     } catch (const std::bad_alloc &) {
         return outOfMemory(path);
     }
@@ -74,7 +99,11 @@ Result<Done> writeMesh(const Scene &scene, const QString &path)
         return format;
     const QString suffix = suffixOf(path);
     try {
-        return suffix == QLatin1String("obj") ? writeObj(scene, path) : writeWithAssimp(scene, path);
+        if (suffix == QLatin1String("obj"))
+            return writeObj(scene, path);
+        if (isGltfFormat(suffix) && gltfSourceOf(scene))
+            return writeGltf(scene, path);
+        return writeWithAssimp(gltfSourceOf(scene) ? forAssimp(scene) : scene, path);
     } catch (const std::bad_alloc &) {
         return outOfMemory(path);
     }
