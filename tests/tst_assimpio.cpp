@@ -228,8 +228,11 @@ void TestAssimpIo::roundTripOfFilesReadByAssimp_data()
     QTest::addColumn<QString>("from");
     QTest::addColumn<QString>("to");
     for (const char *from : {"dae", "fbx", "ply"}) {
-        for (const char *to : {"dae", "glb", "fbx", "ply", "obj"})
-            QTest::addRow("%s to %s", from, to) << QString::fromLatin1(from) << QString::fromLatin1(to);
+        for (const char *to : {"dae", "glb", "fbx", "ply", "obj"}) {
+            // Collada files that stay Collada do not go through Assimp.
+            if (qstrcmp(from, "dae") != 0 || qstrcmp(to, "dae") != 0)
+                QTest::addRow("%s to %s", from, to) << QString::fromLatin1(from) << QString::fromLatin1(to);
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 #include "model/io/exportlosses.h"
 
 #include "model/io/assimpscene.h"
+#include "model/io/collada/colladasource.h"
 #include "model/io/gltf/gltfwriter.h"
 #include "model/io/objsource.h"
 
@@ -56,6 +57,8 @@ QStringList exportLosses(const Scene &scene, const QString &format)
     const GltfSource *gltf = gltfSourceOf(scene);
     if (gltf && isGltfFormat(format))
         return gltfLosses(*gltf, scene);
+    if (const ColladaSource *collada = colladaSourceOf(scene); collada && format == QLatin1String("dae"))
+        return colladaLosses(*collada, scene);
     if (gltf)
         losses << contentLosses(gltf->contents, format);
     if (assimp)

@@ -3,6 +3,7 @@
 #include "model/io/assimpmatch.h"
 #include "model/io/assimpreader.h"
 #include "model/io/assimpwriter.h"
+#include "model/io/collada/colladasource.h"
 #include "model/io/gltf/gltfreader.h"
 #include "model/io/gltf/gltfwriter.h"
 #include "model/io/objreader.h"
@@ -76,7 +77,12 @@ Result<Scene> readMesh(const QString &path, const std::atomic<bool> *stop)
     try {
         if (suffix == QLatin1String("obj"))
             return readObj(path, stop);
-        return isGltfFormat(suffix) ? readGltf(path, stop) : readWithAssimp(path, stop);
+        if (isGltfFormat(suffix))
+            return readGltf(path, stop);
+        Result<Scene> scene = readWithAssimp(path, stop);
+        if (scene && suffix == QLatin1String("dae"))
+            keepCollada(scene.value());
+        return scene;
     } catch (const std::bad_alloc &) {
         return outOfMemory(path);
     }
@@ -103,6 +109,8 @@ Result<Done> writeMesh(const Scene &scene, const QString &path)
             return writeObj(scene, path);
         if (isGltfFormat(suffix) && gltfSourceOf(scene))
             return writeGltf(scene, path);
+        if (suffix == QLatin1String("dae") && colladaSourceOf(scene))
+            return writeCollada(scene, path);
         return writeWithAssimp(gltfSourceOf(scene) ? forAssimp(scene) : scene, path);
     } catch (const std::bad_alloc &) {
         return outOfMemory(path);
