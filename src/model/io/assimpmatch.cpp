@@ -38,7 +38,6 @@ int rotationBetween(const MeshData &a, int faceA, const MeshData &b, int faceB, 
     return best;
 }
 
-//! True when all corners but two, or more, are in places of others.
 bool hasNoArea(const MeshData &mesh, int face)
 {
     for (const int t : mesh.trianglesOf(face)) {

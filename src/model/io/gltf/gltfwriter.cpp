@@ -24,7 +24,7 @@ std::string uriOfName(const QString &name)
     return QUrl::toPercentEncoding(name, "/!$&'()*+,;=:@").toStdString();
 }
 
-//! True for the name of a file in or below the folder of the glTF file.
+//! True for a relative name, so not for URIs of the network.
 bool isFileName(const QString &name)
 {
     return !name.isEmpty() && QUrl(name).scheme().size() <= 1 && !QDir::isAbsolutePath(name);
@@ -93,10 +93,12 @@ void GltfOutput::placeOuterBuffer(std::size_t number)
     const QByteArray &content = mDocument.buffers[number];
     const QString old = nameOfUri(textOf(buffer, "uri"));
     const QDir folder = QFileInfo(mTo).dir();
-    if (mSameFolder && !isChanged(number)) {
-        if (!folder.exists(old)) // it is in the session only
-            mBufferFiles.emplace_back(folder.filePath(old),
-                                      mFile.outer.at(QByteArray::fromStdString(textOf(buffer, "uri"))));
+    // A session has the bytes, though the file may be gone; it names no place outside the folder to write to.
+    const bool isThere = folder.exists(old);
+    if (mSameFolder && !isChanged(number) && isFileName(old) &&
+        (isThere || !old.contains(QLatin1Char('/')))) {
+        if (!isThere)
+            mBufferFiles.emplace_back(folder.filePath(old), content);
         return;
     }
     buffer.erase("uri");
