@@ -227,9 +227,12 @@ void TestAssimpIo::roundTripOfFilesReadByAssimp_data()
 {
     QTest::addColumn<QString>("from");
     QTest::addColumn<QString>("to");
-    for (const char *from : {"dae", "glb", "fbx", "ply"}) {
-        for (const char *to : {"dae", "glb", "fbx", "ply", "obj"})
-            QTest::addRow("%s to %s", from, to) << QString::fromLatin1(from) << QString::fromLatin1(to);
+    for (const char *from : {"dae", "fbx", "ply"}) {
+        for (const char *to : {"dae", "glb", "fbx", "ply", "obj"}) {
+            // Collada files that stay Collada do not go through Assimp.
+            if (qstrcmp(from, "dae") != 0 || qstrcmp(to, "dae") != 0)
+                QTest::addRow("%s to %s", from, to) << QString::fromLatin1(from) << QString::fromLatin1(to);
+        }
     }
 }
 
@@ -273,18 +276,18 @@ void TestAssimpIo::instancesAndMirroredNodes()
     QCOMPARE(scene->uvSets.at(0).uv(1, 1), 0.75);
     QCOMPARE(scene->uvSets.at(0).uv(1, 0), 1.0);
 
-    // Each copy gets its own UVs, and the file keeps the transforms.
+    // Each copy gets its own UVs in formats that Assimp writes, and the file keeps the transforms.
     scene->uvSets[0].uv = seamyUv(mesh, 0.125);
-    QVERIFY(exportLosses(scene.value(), QStringLiteral("glb"))
+    QVERIFY(exportLosses(scene.value(), QStringLiteral("dae"))
                 .join(QLatin1Char(' '))
                 .contains(QLatin1String("share")));
-    for (const char *format : {"glb", "dae", "fbx", "ply", "obj"}) {
+    for (const char *format : {"dae", "fbx", "ply", "obj"}) {
         const Scene again =
             writtenAndRead(scene.value(), folder.filePath(QStringLiteral("b.") + QLatin1String(format)));
         QVERIFY2(difference(scene.value(), again, false) <= 1e-6f, format);
         QCOMPARE(again.objectNames.size(), std::size_t(strcmp(format, "ply") == 0 ? 1 : 3));
     }
-    const Scene again = writtenAndRead(scene.value(), folder.filePath(QStringLiteral("c.glb")));
+    const Scene again = writtenAndRead(scene.value(), folder.filePath(QStringLiteral("c.dae")));
     const auto *source = dynamic_cast<const AssimpSource *>(again.source.get());
     QVERIFY(source);
     const aiNode *large = source->scene->mRootNode->FindNode("large");
@@ -295,7 +298,7 @@ void TestAssimpIo::instancesAndMirroredNodes()
 void TestAssimpIo::objNormalsSurvive()
 {
     QTemporaryDir folder;
-    const Scene again = writtenAndRead(madeScene(), folder.filePath(QStringLiteral("a.glb")));
+    const Scene again = writtenAndRead(madeScene(), folder.filePath(QStringLiteral("a.dae")));
     const auto *source = dynamic_cast<const AssimpSource *>(again.source.get());
     QVERIFY(source);
     for (unsigned m = 0; m < source->scene->mNumMeshes; ++m) {

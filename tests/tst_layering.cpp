@@ -87,11 +87,13 @@ const Layer *layerOf(const std::string &folder)
     return found == layers.end() ? nullptr : &*found;
 }
 
-//! Place of a folder in the order of its layer; -1 when the table does not name it.
+//! Place of a folder in the order of its layer; -1 when the table does not name it. A folder inside one of
+//! the table belongs to it.
 int rank(const Layer &layer, const std::string &folder)
 {
     const std::string name = folder == layer.name ? "" : folder.substr(layer.name.size() + 1);
-    const auto found = std::find(layer.folders.begin(), layer.folders.end(), name);
+    const auto found = std::find_if(layer.folders.begin(), layer.folders.end(),
+                                    [&](const std::string &known) { return isInside(name, known); });
     return found == layer.folders.end() ? -1 : static_cast<int>(found - layer.folders.begin());
 }
 

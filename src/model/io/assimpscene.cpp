@@ -116,35 +116,49 @@ ExportOptions exportOptions(const QString &format)
     return options;
 }
 
-QStringList assimpLosses(const AssimpSource &source, const QString &format)
+QStringList contentLosses(const ModelContents &contents, const QString &format)
 {
-    const aiScene &from = *source.scene;
     const ExportOptions options = exportOptions(format);
     const bool bareMesh = format == QLatin1String("obj") || format == QLatin1String("ply");
     QStringList losses;
-    if (hasMorphTargets(from))
+    if (contents.morphTargets)
         losses << QStringLiteral("shape keys (morph targets) are lost");
     if (bareMesh) {
-        if (from.mNumAnimations > 0 || hasBones(from))
+        if (contents.animations || contents.bones)
             losses << QStringLiteral("bones and animations are lost");
-        if (from.mRootNode->mNumChildren > 0)
+        if (contents.hierarchy)
             losses << QStringLiteral("the node hierarchy is lost; positions are written in world space");
-        if (from.mNumLights > 0 || from.mNumCameras > 0)
+        if (contents.lightsOrCameras)
             losses << QStringLiteral("lights and cameras are lost");
         return losses;
     }
-    if (isInstanced(source))
+    if (contents.instances)
         losses << QStringLiteral(
             "meshes that several nodes share become one copy per node, with its own UVs");
-    if (from.mNumAnimations > 0)
+    if (contents.animations)
         losses << (options.animations
                        ? QStringLiteral("animations are left out where the format cannot hold them")
                        : QStringLiteral("animations are lost"));
-    if (from.mNumTextures > 0 && !options.embeddedTextures)
+    if (contents.embeddedTextures && !options.embeddedTextures)
         losses << QStringLiteral("embedded textures are lost");
-    if (format == QLatin1String("fbx") && hasSplitNodes(source))
+    if (format == QLatin1String("fbx") && contents.splitNodes)
         losses << QStringLiteral("an object of several materials becomes one object for each of them");
     return losses;
+}
+
+QStringList assimpLosses(const AssimpSource &source, const QString &format)
+{
+    const aiScene &from = *source.scene;
+    ModelContents contents;
+    contents.animations = from.mNumAnimations > 0;
+    contents.bones = hasBones(from);
+    contents.morphTargets = hasMorphTargets(from);
+    contents.hierarchy = from.mRootNode->mNumChildren > 0;
+    contents.lightsOrCameras = from.mNumLights > 0 || from.mNumCameras > 0;
+    contents.embeddedTextures = from.mNumTextures > 0;
+    contents.instances = isInstanced(source);
+    contents.splitNodes = hasSplitNodes(source);
+    return contentLosses(contents, format);
 }
 
 ExportScene::ExportScene(const Scene &scene, const ExportOptions &options)

@@ -22,7 +22,19 @@ struct ExportOptions
 //! The options for a format. \param format lower-case suffix
 ExportOptions exportOptions(const QString &format);
 
-//! Lists the data of the source that an export loses, one line each.
+//! What a model holds besides polygons and materials.
+struct ModelContents
+{
+    bool animations = false, bones = false, morphTargets = false, hierarchy = false;
+    bool lightsOrCameras = false, embeddedTextures = false;
+    bool instances = false;  //!< several nodes have the same mesh
+    bool splitNodes = false; //!< nodes have several meshes, one for each material
+};
+
+//! Lists the data that an export by Assimp loses, one line each.
+QStringList contentLosses(const ModelContents &contents, const QString &format);
+
+//! contentLosses() of the source.
 QStringList assimpLosses(const AssimpSource &source, const QString &format);
 
 //! A scene for Assimp's exporters. Nodes and materials belong to the Scene it was made from, which must

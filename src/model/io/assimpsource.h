@@ -4,6 +4,7 @@
 #include "model/document/scene.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 struct aiScene;
@@ -25,12 +26,22 @@ struct AssimpPiece
 };
 
 //! The scene as Assimp read it. Saving writes its nodes, materials, normals, bones and animations back.
-struct AssimpSource final : SceneSource
+struct AssimpSource : SceneSource
 {
     std::shared_ptr<const aiScene> scene;
     std::vector<AssimpPiece>
         //! In the order of the nodes and of the meshes in a node, so that faces and vertices are ascending.
         pieces;
 };
+
+//! The corner of the soup that is the n-th of the corners of a piece in Assimp's scene, counted without
+//! points and lines.
+int pieceCorner(const MeshData &mesh, const AssimpPiece &piece, int n);
+
+//! The positions of these corners in the coordinates of Assimp's mesh.
+std::vector<Vec3> pieceCorners(const AssimpSource &source, const AssimpPiece &piece);
+
+//! The name of the mesh of a piece.
+std::string pieceName(const AssimpSource &source, const AssimpPiece &piece);
 
 } // namespace autocuts

@@ -1,6 +1,8 @@
 #include "model/io/exportlosses.h"
 
 #include "model/io/assimpscene.h"
+#include "model/io/collada/colladasource.h"
+#include "model/io/gltf/gltfwriter.h"
 #include "model/io/objsource.h"
 
 namespace autocuts {
@@ -52,6 +54,13 @@ QStringList exportLosses(const Scene &scene, const QString &format)
                           .arg(scene.uvSets.front().name);
         return losses;
     }
+    const GltfSource *gltf = gltfSourceOf(scene);
+    if (gltf && isGltfFormat(format))
+        return gltfLosses(*gltf, scene);
+    if (const ColladaSource *collada = colladaSourceOf(scene); collada && format == QLatin1String("dae"))
+        return colladaLosses(*collada, scene);
+    if (gltf)
+        losses << contentLosses(gltf->contents, format);
     if (assimp)
         losses << assimpLosses(*assimp, format);
     if (isObj) {
@@ -63,7 +72,7 @@ QStringList exportLosses(const Scene &scene, const QString &format)
             "comments, groups, smoothing groups and material libraries of the OBJ file are lost");
     if (isPly)
         addPlyLosses(losses, scene);
-    if (format.startsWith(QLatin1String("gl")) && scene.mesh->report.polygons > 0)
+    if (isGltfFormat(format) && scene.mesh->report.polygons > 0)
         losses << QStringLiteral("glTF holds triangles only: polygons are split");
     if (format == QLatin1String("fbx"))
         losses << QStringLiteral("the file is ASCII FBX, which Blender does not read: use glb or dae for it");

@@ -1,11 +1,17 @@
 #include "model/io/meshfile.h"
 
+#include "model/io/assimpmatch.h"
 #include "model/io/assimpreader.h"
 #include "model/io/assimpwriter.h"
+#include "model/io/collada/colladasource.h"
+#include "model/io/gltf/gltfreader.h"
+#include "model/io/gltf/gltfwriter.h"
 #include "model/io/objreader.h"
 #include "model/io/objwriter.h"
+#include "model/io/savefile.h"
 
 #include <QFileInfo>
+#include <QTemporaryDir>
 
 #include <new>
 
@@ -33,6 +39,24 @@ Error outOfMemory(const QString &path)
             QStringLiteral("Close other programs or split the model into several files")};
 }
 
+//! The scene as Assimp reads it from the same file, so that formats that Assimp writes get what else is in
+//! it. The scene as it is when Assimp reads other polygons.
+Scene forAssimp(const Scene &scene)
+{
+    const GltfSource *source = gltfSourceOf(scene);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("model.glb"));
+    try {
+        if (!source || !saveAtomically(path, sourceAsGlb(*source)))
+            return scene;
+    } catch (const GltfError &) {
+        return scene;
+    }
+    Result<Scene> read = readWithAssimp(path, nullptr);
+    std::optional<Scene> matched = read ? withUvsOf(scene, std::move(read).value()) : std::nullopt;
+    return matched ? std::move(*matched) : scene;
+}
+
 } // namespace
 
 QStringList readableFormats()
@@ -51,7 +75,14 @@ Result<Scene> readMesh(const QString &path, const std::atomic<bool> *stop)
     if (!readableFormats().contains(suffix))
         return unknownFormat(path, readableFormats(), QStringLiteral("read"));
     try {
-        return suffix == QLatin1String("obj") ? readObj(path, stop) : readWithAssimp(path, stop);
+        if (suffix == QLatin1String("obj"))
+            return readObj(path, stop);
+        if (isGltfFormat(suffix))
+            return readGltf(path, stop);
+        Result<Scene> scene = readWithAssimp(path, stop);
+        if (scene && suffix == QLatin1String("dae"))
+            keepCollada(scene.value());
+        return scene;
     } catch (const std::bad_alloc &) {
         return outOfMemory(path);
     }
@@ -74,7 +105,13 @@ Result<Done> writeMesh(const Scene &scene, const QString &path)
         return format;
     const QString suffix = suffixOf(path);
     try {
-        return suffix == QLatin1String("obj") ? writeObj(scene, path) : writeWithAssimp(scene, path);
+        if (suffix == QLatin1String("obj"))
+            return writeObj(scene, path);
+        if (isGltfFormat(suffix) && gltfSourceOf(scene))
+            return writeGltf(scene, path);
+        if (suffix == QLatin1String("dae") && colladaSourceOf(scene))
+            return writeCollada(scene, path);
+        return writeWithAssimp(gltfSourceOf(scene) ? forAssimp(scene) : scene, path);
     } catch (const std::bad_alloc &) {
         return outOfMemory(path);
     }

@@ -30,15 +30,15 @@ bool isCompressed(const QByteArray &name)
 
 bool isModel(const QByteArray &name)
 {
-    return name == "obj" || name == "polygons";
+    return name == "obj" || name == "gltf" || name == "polygons";
 }
 
 //! True for the names of the blocks that are read.
 bool isKnown(const QByteArray &name)
 {
-    static const std::set<QByteArray> names{"scene",        "obj",     "polygons",  "uvSets",     "seams",
-                                            "constraints",  "marks",   "settings",  "selection",  "view",
-                                            "journalStart", "journal", "thumbnail", "sessionPath"};
+    static const std::set<QByteArray> names{"scene", "obj",          "gltf",    "polygons",  "uvSets",
+                                            "seams", "constraints",  "marks",   "settings",  "selection",
+                                            "view",  "journalStart", "journal", "thumbnail", "sessionPath"};
     return names.contains(name) || isUvPart(name);
 }
 
@@ -205,12 +205,13 @@ QByteArray ProjectWriter::bytes(const DocumentState &state, const ProjectExtras 
         parts["journal"] = journalCommands(*extras.journal);
     }
     std::vector<PackedBlock> blocks;
+    if (mMesh != state.scene.mesh)
+        mModel.clear();
+    mMesh = state.scene.mesh;
     for (const auto &[name, content] : parts) {
-        if (isModel(name) && (mMesh != state.scene.mesh || mModel.name != name)) {
-            mModel = packBlock(name, content);
-            mMesh = state.scene.mesh;
-        }
-        blocks.push_back(isModel(name) ? mModel : packBlock(name, content, !isCompressed(name)));
+        if (isModel(name) && !mModel.contains(name))
+            mModel[name] = packBlock(name, content);
+        blocks.push_back(isModel(name) ? mModel[name] : packBlock(name, content, !isCompressed(name)));
     }
     std::stable_sort(blocks.begin(), blocks.end(),
                      [](const PackedBlock &a, const PackedBlock &b) { return rank(a.name) < rank(b.name); });

@@ -45,8 +45,8 @@ public:
     QByteArray bytes(const DocumentState &state, const ProjectExtras &extras);
 
 private:
-    std::shared_ptr<const MeshData> mMesh; //!< the mesh that mModel was made from
-    PackedBlock mModel;
+    std::shared_ptr<const MeshData> mMesh;    //!< the mesh that mModel was made from
+    std::map<QByteArray, PackedBlock> mModel; //!< its blocks by name
 };
 
 //! Saves a session and keeps two backups: PATH.1, the file before, and PATH.2, the one before that. A

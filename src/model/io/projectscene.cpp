@@ -2,6 +2,7 @@
 
 #include "model/document/bitmap.h"
 #include "model/document/cborvalues.h"
+#include "model/io/gltf/gltfreader.h"
 #include "model/io/objreader.h"
 #include "model/io/objsource.h"
 #include "model/io/packedarrays.h"
@@ -148,6 +149,14 @@ QCborMap polygonsMap(const Scene &scene)
     return map;
 }
 
+QCborMap gltfMap(const GltfFile &file)
+{
+    QCborMap outer;
+    for (const auto &[uri, bytes] : file.outer)
+        outer[QString::fromUtf8(uri)] = bytes;
+    return {{"main"_L1, file.main}, {"outer"_L1, outer}};
+}
+
 Error damagedModel(const QString &path)
 {
     return {u"the model in the session is damaged"_s, path, 0,
@@ -195,6 +204,45 @@ Result<Scene> readPolygons(const QByteArray &part, const QString &path)
     return scene;
 }
 
+Result<Scene> readGltfPart(const QByteArray &part, const QString &path)
+{
+    const QCborMap map = parsedMap(part).value_or(QCborMap());
+    GltfFile file{map.value("main"_L1).toByteArray(), {}};
+    for (const auto &entry : map.value("outer"_L1).toMap())
+        file.outer[entry.first.toString().toUtf8()] = entry.second.toByteArray();
+    return parseGltf(std::move(file), path);
+}
+
+//! Gives the polygons the glTF file that they came from; false when the file is damaged.
+bool addGltf(Scene &scene, const QByteArray &part, const QString &path)
+{
+    const Result<Scene> whole = readGltfPart(part, path);
+    const MeshData &mesh = *scene.mesh;
+    if (!whole || whole->mesh->faceStart != mesh.faceStart ||
+        whole->mesh->cornerVertex != mesh.cornerVertex || whole->mesh->faceObject != mesh.faceObject ||
+        whole->mesh->positions.rows() != mesh.positions.rows() || whole->mesh->positions != mesh.positions)
+        return false;
+    scene.source = whole->source;
+    return true;
+}
+
+//! Reads the mesh, its hard edges and its source. A glTF file is stored with its polygons as well: so a
+//! damaged block, or older programs, lose less.
+Result<Scene> readModel(const PartMap &parts, const QString &path, QStringList &lost)
+{
+    const auto obj = parts.find("obj");
+    const auto gltf = parts.find("gltf");
+    const auto polygons = parts.find("polygons");
+    if (obj != parts.end())
+        return parseObj(obj->second, path);
+    if (polygons == parts.end())
+        return gltf == parts.end() ? damagedModel(path) : readGltfPart(gltf->second, path);
+    Result<Scene> scene = readPolygons(polygons->second, path);
+    if (scene && gltf != parts.end() && !addGltf(scene.value(), gltf->second, path))
+        lost << u"the glTF file"_s;
+    return scene;
+}
+
 //! Replaces damaged names; false when the object numbers are damaged as well.
 bool makeUpNames(Scene &scene, const QString &path)
 {
@@ -219,18 +267,15 @@ PartMap scenePartsOf(const Scene &scene)
         parts["obj"] = obj->bytes;
     else
         parts["polygons"] = polygonsMap(scene).toCborValue().toCbor();
+    if (const GltfSource *gltf = gltfSourceOf(scene))
+        parts["gltf"] = gltfMap(gltf->file).toCborValue().toCbor();
     return parts;
 }
 
 Result<Scene> readSceneParts(const PartMap &parts, const QString &path, QStringList &lost)
 {
-    const auto obj = parts.find("obj");
-    const auto polygons = parts.find("polygons");
-    if (obj == parts.end() && polygons == parts.end())
-        return damagedModel(path);
     try {
-        Result<Scene> scene =
-            obj != parts.end() ? parseObj(obj->second, path) : readPolygons(polygons->second, path);
+        Result<Scene> scene = readModel(parts, path, lost);
         if (!scene)
             return damagedModel(path);
         scene->uvSets.clear();
@@ -257,7 +302,7 @@ QString modelPathIn(const QByteArray &sceneBlock)
 
 QStringList sessionLosses(const Scene &scene)
 {
-    if (objSourceOf(scene) || !scene.source)
+    if (objSourceOf(scene) || gltfSourceOf(scene) || !scene.source)
         return {};
     return {
         u"the session holds the polygons, objects, materials' names and UV sets of the %1 file, but not its "

@@ -1,0 +1,180 @@
+#include "model/io/collada/colladasource.h"
+
+#include "model/io/assimpscene.h"
+#include "model/io/collada/colladamesh.h"
+#include "model/io/savefile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace autocuts {
+
+namespace {
+
+constexpr qint64 maxFileSize = qint64(1) << 30;
+//! Assimp reads numbers in single precision, and not to the last digit.
+constexpr double tolerance = 1e-5;
+
+std::string_view textOf(const QByteArray &bytes)
+{
+    return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
+}
+
+//! The corners of the faces of three corners and more.
+std::vector<int> cornersOfFaces(const ColladaPrimitive &primitive)
+{
+    std::vector<int> corners;
+    int corner = 0;
+    for (const int size : primitive.faceSizes) {
+        for (int k = 0; k < size && size >= 3; ++k)
+            corners.push_back(corner + k);
+        corner += size;
+    }
+    return corners;
+}
+
+//! Finds the primitives of the pieces.
+class PlaceFinder
+{
+public:
+    PlaceFinder(const ColladaFile &file, const Scene &scene, const AssimpSource &source)
+        : mFile(file), mScene(scene), mSource(source)
+    {}
+
+    //! Empty when one is not found.
+    std::vector<ColladaPlace> run();
+
+private:
+    bool fits(const AssimpPiece &piece, const ColladaGeometry &geometry, std::size_t primitive) const;
+    bool hasUvs(const AssimpPiece &piece, const ColladaGeometry &geometry, std::size_t primitive,
+                const std::vector<int> &corners) const;
+
+    const ColladaFile &mFile;
+    const Scene &mScene;
+    const AssimpSource &mSource;
+};
+
+//! Compares the UVs of the scene with those of the text.
+bool PlaceFinder::hasUvs(const AssimpPiece &piece, const ColladaGeometry &geometry, std::size_t number,
+                         const std::vector<int> &corners) const
+{
+    const ColladaPrimitive &primitive = geometry.primitives[number];
+    const std::vector<int> sets = geometry.setsOf(number);
+    for (std::size_t s = 0; s < mScene.uvSets.size(); ++s) {
+        const ColladaInput *input = s < sets.size() ? primitive.texcoord(sets[s]) : nullptr;
+        for (std::size_t c = 0; c < corners.size(); ++c) {
+            const auto row = mScene.uvSets[s].uv.row(pieceCorner(*mScene.mesh, piece, static_cast<int>(c)));
+            if (!input) {
+                if (row.allFinite() && !row.isZero(0))
+                    return false;
+                continue;
+            }
+            const ColladaNumbers &numbers = mFile.sources.at(input->source);
+            const int index =
+                primitive.indices[static_cast<std::size_t>(corners[c] * primitive.stride + input->offset)];
+            const double *uv = numbers.values.data() + static_cast<std::ptrdiff_t>(index) * numbers.stride;
+            // Numbers that are not finite are not compared.
+            for (int k = 0; k < 2; ++k) {
+                if (std::abs(row[k] - uv[k]) > tolerance * std::max(1.0, std::abs(uv[k])))
+                    return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool PlaceFinder::fits(const AssimpPiece &piece, const ColladaGeometry &geometry, std::size_t number) const
+{
+    const ColladaPrimitive &primitive = geometry.primitives[number];
+    const std::vector<int> corners = cornersOfFaces(primitive);
+    const std::vector<Vec3> wanted = positionsOf(mFile, geometry, primitive);
+    const std::vector<Vec3> found = pieceCorners(mSource, piece);
+    if (wanted.empty() || found.size() != corners.size())
+        return false;
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        const Vec3 &position = wanted[static_cast<std::size_t>(corners[c])];
+        if (!((position - found[c]).norm() <= tolerance * std::max(1.0, position.norm())))
+            return false;
+    }
+    return hasUvs(piece, geometry, number, corners);
+}
+
+std::vector<ColladaPlace> PlaceFinder::run()
+{
+    std::vector<ColladaPlace> places;
+    for (std::size_t p = 0; p < mSource.pieces.size(); ++p) {
+        const AssimpPiece &piece = mSource.pieces[p];
+        const std::string name = pieceName(mSource, piece);
+        const auto geometry =
+            std::find_if(mFile.geometries.begin(), mFile.geometries.end(),
+                         [&](const ColladaGeometry &g) { return g.id == name || g.name == name; });
+        if (geometry == mFile.geometries.end())
+            return {};
+        const auto number = static_cast<std::size_t>(geometry - mFile.geometries.begin());
+        // Pieces of one node follow the order of the primitives.
+        const bool goesOn =
+            p > 0 && mSource.pieces[p - 1].node == piece.node && places.back().geometry == number;
+        std::size_t primitive = goesOn ? places.back().primitive + 1 : 0;
+        while (primitive < geometry->primitives.size() && !fits(piece, *geometry, primitive))
+            ++primitive;
+        if (primitive == geometry->primitives.size())
+            return {};
+        places.push_back({number, primitive});
+    }
+    return places;
+}
+
+} // namespace
+
+const ColladaSource *colladaSourceOf(const Scene &scene)
+{
+    const auto *source = dynamic_cast<const ColladaSource *>(scene.source.get());
+    const bool fits = source && source->pieces.back().firstFace + source->pieces.back().faceCount ==
+                                    scene.mesh->faceCount();
+    return fits ? source : nullptr;
+}
+
+void keepCollada(Scene &scene)
+{
+    const auto *assimp = dynamic_cast<const AssimpSource *>(scene.source.get());
+    Result<QByteArray> bytes = loadFile(scene.path, maxFileSize);
+    // Text in UTF-16 contains zeros.
+    if (!assimp || assimp->pieces.empty() || !bytes || bytes->contains('\0'))
+        return;
+    const std::optional<ColladaFile> file = readCollada(textOf(bytes.value()));
+    if (!file)
+        return;
+    std::vector<ColladaPlace> places = PlaceFinder(*file, scene, *assimp).run();
+    if (places.empty())
+        return;
+    auto source = std::make_shared<ColladaSource>();
+    source->scene = assimp->scene;
+    source->pieces = assimp->pieces;
+    source->bytes = std::move(bytes).value();
+    source->places = std::move(places);
+    source->uvSets = scene.uvSets;
+    scene.source = std::move(source);
+}
+
+QStringList colladaLosses(const ColladaSource &source, const Scene &scene)
+{
+    QStringList losses;
+    std::set<std::pair<std::size_t, std::size_t>> seen;
+    const auto isNew = [&seen](const ColladaPlace &place) {
+        return seen.insert({place.geometry, place.primitive}).second;
+    };
+    if (!std::all_of(source.places.begin(), source.places.end(), isNew))
+        losses << QStringLiteral("meshes that several nodes share get the UVs of the first node");
+    if (scene.uvSets.size() < source.uvSets.size())
+        losses << QStringLiteral(
+            "UV sets that were removed stay in the file: its materials name UV sets by their numbers");
+    return losses;
+}
+
+Result<Done> writeCollada(const Scene &scene, const QString &path)
+{
+    return saveAtomically(path, rewriteCollada(*colladaSourceOf(scene), scene));
+}
+
+} // namespace autocuts

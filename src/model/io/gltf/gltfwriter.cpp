@@ -1,0 +1,211 @@
+#include "model/io/gltf/gltfwriter.h"
+
+#include "model/io/gltf/gltfrewriter.h"
+#include "model/io/savefile.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QUrl>
+
+#include <algorithm>
+#include <set>
+
+namespace autocuts {
+
+namespace {
+
+QString nameOfUri(const std::string &uri)
+{
+    return QUrl::fromPercentEncoding(QByteArray::fromStdString(uri));
+}
+
+std::string uriOfName(const QString &name)
+{
+    return QUrl::toPercentEncoding(name, "/!$&'()*+,;=:@").toStdString();
+}
+
+//! True for a relative name, so not for URIs of the network.
+bool isFileName(const QString &name)
+{
+    return !name.isEmpty() && QUrl(name).scheme().size() <= 1 && !QDir::isAbsolutePath(name);
+}
+
+//! Makes the file that is written, and the files of its buffers.
+class GltfOutput
+{
+public:
+    GltfOutput(const GltfSource &source, const QString &from, const QString &to)
+        : mSource(source), mFile(source.file), mFrom(from), mTo(to),
+          mSameFolder(QFileInfo(from).absolutePath() == QFileInfo(to).absolutePath())
+    {}
+
+    Result<Done> save(const Scene &scene);
+
+private:
+    void placeBuffersInGlb();
+    void placeBuffersBeside();
+    void placeOuterBuffer(std::size_t buffer);
+    bool isChanged(std::size_t buffer) const
+    {
+        return buffer >= mBefore.buffers.size() || mBefore.buffers[buffer] != mDocument.buffers[buffer];
+    }
+    void moveImages();
+    QString freeBufferName() const;
+
+    const GltfSource &mSource;
+    GltfFile mFile;
+    QString mFrom, mTo;
+    bool mSameFolder;
+    GltfDocument mBefore, mDocument;
+    bool mEdited = false; //!< the JSON is no more that of the source
+    std::vector<std::pair<QString, QByteArray>> mBufferFiles;
+};
+
+void GltfOutput::placeBuffersInGlb()
+{
+    for (std::size_t b = 0; b < mDocument.buffers.size(); ++b) {
+        Json &buffer = mDocument.json["buffers"][b];
+        const std::string uri = textOf(buffer, "uri");
+        const bool becomesChunk = b == 0 && !mFile.isBinary();
+        if (uri.empty() || (isDataUri(uri) && !becomesChunk && !isChanged(b)))
+            continue;
+        buffer.erase("uri");
+        mEdited = true;
+    }
+}
+
+//! A name beside the output that no buffer has.
+QString GltfOutput::freeBufferName() const
+{
+    std::set<QString> taken;
+    for (const Json &buffer : member(mDocument.json, "buffers"))
+        taken.insert(nameOfUri(textOf(buffer, "uri")));
+    const QString base = QFileInfo(mTo).completeBaseName();
+    QString name = base + QStringLiteral(".bin");
+    for (int i = 1; taken.contains(name); ++i)
+        name = QStringLiteral("%1-%2.bin").arg(base).arg(i);
+    return name;
+}
+
+void GltfOutput::placeOuterBuffer(std::size_t number)
+{
+    Json &buffer = mDocument.json["buffers"][number];
+    const QByteArray &content = mDocument.buffers[number];
+    const QString old = nameOfUri(textOf(buffer, "uri"));
+    const QDir folder = QFileInfo(mTo).dir();
+    // A session has the bytes, though the file may be gone; it names no place outside the folder to write to.
+    const bool isThere = folder.exists(old);
+    if (mSameFolder && !isChanged(number) && isFileName(old) &&
+        (isThere || !old.contains(QLatin1Char('/')))) {
+        if (!isThere)
+            mBufferFiles.emplace_back(folder.filePath(old), content);
+        return;
+    }
+    buffer.erase("uri");
+    const QString name = freeBufferName();
+    mEdited |= name != old;
+    buffer["uri"] = uriOfName(name);
+    mBufferFiles.emplace_back(folder.filePath(name), content);
+}
+
+void GltfOutput::placeBuffersBeside()
+{
+    for (std::size_t b = 0; b < mDocument.buffers.size(); ++b) {
+        Json &buffer = mDocument.json["buffers"][b];
+        const QByteArray &content = mDocument.buffers[b];
+        const std::string uri = textOf(buffer, "uri");
+        if (!uri.empty() && !isDataUri(uri)) {
+            placeOuterBuffer(b);
+        } else if (!content.isEmpty() && (uri.empty() || isChanged(b))) {
+            buffer["uri"] = dataUri(content);
+            mEdited = true;
+        }
+    }
+}
+
+//! Lets relative URIs lead to the same files from the folder of the output.
+void GltfOutput::moveImages()
+{
+    if (mSameFolder || !mDocument.json.contains("images"))
+        return;
+    const QDir from = QFileInfo(mFrom).absoluteDir();
+    const QDir to = QFileInfo(mTo).absoluteDir();
+    for (Json &image : mDocument.json["images"]) {
+        const QString name = nameOfUri(textOf(image, "uri"));
+        if (isDataUri(textOf(image, "uri")) || !isFileName(name))
+            continue;
+        image["uri"] = uriOfName(to.relativeFilePath(from.absoluteFilePath(name)));
+        mEdited = true;
+    }
+}
+
+Result<Done> GltfOutput::save(const Scene &scene)
+{
+    std::optional<GltfDocument> changed = rewriteGltf(mSource, scene);
+    mEdited = changed.has_value();
+    mBefore = openGltf(mFile);
+    mDocument = changed ? std::move(*changed) : mBefore;
+    const bool binary = QFileInfo(mTo).suffix().toLower() == QLatin1String("glb");
+    moveImages();
+    if (binary)
+        placeBuffersInGlb();
+    else
+        placeBuffersBeside();
+    for (const auto &[path, bytes] : mBufferFiles) {
+        if (Result<Done> done = saveAtomically(path, bytes); !done)
+            return done;
+    }
+    if (!mEdited && binary == mFile.isBinary())
+        return saveAtomically(mTo, mFile.main);
+    return saveAtomically(mTo, binary
+                                   ? glbBytes(std::move(mDocument))
+                                   : jsonText(mDocument.json, mFile.isBinary() ? QByteArray() : mFile.main));
+}
+
+} // namespace
+
+Result<Done> writeGltf(const Scene &scene, const QString &path)
+{
+    try {
+        return GltfOutput(*gltfSourceOf(scene), scene.path, path).save(scene);
+    } catch (const std::bad_alloc &) {
+        throw;
+    } catch (const std::exception &e) {
+        return Error{
+            QStringLiteral("the model cannot be written as glTF: %1").arg(QString::fromUtf8(e.what())), path,
+            0, QStringLiteral("Save it in another format, for example as OBJ")};
+    }
+}
+
+QByteArray sourceAsGlb(const GltfSource &source)
+{
+    GltfFile file = source.file;
+    if (file.isBinary())
+        return file.main;
+    GltfDocument document = openGltf(file);
+    for (std::size_t b = 0; b < document.buffers.size(); ++b)
+        document.json["buffers"][b].erase("uri");
+    return glbBytes(std::move(document));
+}
+
+QStringList gltfLosses(const GltfSource &source, const Scene &scene)
+{
+    QStringList losses;
+    if (source.contents.instances)
+        losses << QStringLiteral("meshes that several nodes share get the UVs of the first node");
+    if (source.contents.tangents)
+        losses << QStringLiteral("tangents of changed UVs are left out: programs compute them from the UVs");
+    if (source.contents.compressed)
+        losses << QStringLiteral("changed meshes are written without compression");
+    const std::map<int, const UvMatrix *> written = texcoordsToWrite(source, scene);
+    if (written.size() < scene.uvSets.size())
+        losses << QStringLiteral("UV sets after the eighth are lost");
+    if (std::any_of(source.texcoords.begin(), source.texcoords.end(),
+                    [&](int set) { return !written.contains(set); }))
+        losses << QStringLiteral(
+            "UV sets that were removed stay in the file: its materials name UV sets by their numbers");
+    losses << QStringLiteral("changed UVs are rounded to single precision");
+    return losses;
+}
+
+} // namespace autocuts
