@@ -86,7 +86,12 @@ void FbxEditor::insertAfter(int sibling, FbxNewNode node)
 {
     const FbxNode &n = mTree.nodes[static_cast<std::size_t>(sibling)];
     const QByteArray indent = indentOf(n.begin);
-    insertAt(n.end, std::move(node), mStyle.lineEnd + indent, indent, {});
+    // Spaces at the end of a line stay there.
+    qint64 end = n.end;
+    while (!mStyle.binary && end < mTree.bytes.size() && isSpace(mTree.bytes[end]))
+        ++end;
+    const bool endsLine = end < mTree.bytes.size() && (mTree.bytes[end] == '\r' || mTree.bytes[end] == '\n');
+    insertAt(!mStyle.binary && endsLine ? end : n.end, std::move(node), mStyle.lineEnd + indent, indent, {});
 }
 
 void FbxEditor::append(int parent, FbxNewNode node)
