@@ -239,10 +239,12 @@ void TestAssimpIo::roundTripOfFilesReadByAssimp()
     QFETCH(QString, to);
     QTemporaryDir folder;
     Scene scene = writtenAndRead(madeScene(), folder.filePath(QStringLiteral("a.") + from));
-    QVERIFY(dynamic_cast<const AssimpSource *>(scene.source.get()));
+    QCOMPARE(dynamic_cast<const AssimpSource *>(scene.source.get()) != nullptr, from != QLatin1String("fbx"));
     // New UVs, and the old active set as the second one.
     scene.uvSets.insert(scene.uvSets.begin(), {QStringLiteral("new"), seamyUv(*scene.mesh, 0.25)});
-    const Scene again = writtenAndRead(scene, folder.filePath(QStringLiteral("b.") + to));
+    Scene again = writtenAndRead(scene, folder.filePath(QStringLiteral("b.") + to));
+    if (from == to && from == QLatin1String("fbx")) // sets that are there stay in front of new ones
+        std::rotate(again.uvSets.begin(), again.uvSets.end() - 1, again.uvSets.end());
     QVERIFY(difference(scene, again, false) <= tolerance(to));
     const bool oneSet = to == QLatin1String("ply") || to == QLatin1String("obj");
     QCOMPARE(again.uvSets.size(), oneSet ? std::size_t(1) : scene.uvSets.size());

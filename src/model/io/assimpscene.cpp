@@ -85,14 +85,6 @@ bool isInstanced(const AssimpSource &source)
     return std::adjacent_find(meshes.begin(), meshes.end()) != meshes.end();
 }
 
-//! True when at least one node has several meshes.
-bool hasSplitNodes(const AssimpSource &source)
-{
-    return std::adjacent_find(source.pieces.begin(), source.pieces.end(),
-                              [](const AssimpPiece &a, const AssimpPiece &b) { return a.node == b.node; }) !=
-           source.pieces.end();
-}
-
 //! Puts a new root without transform above the root.
 void wrapRoot(aiScene &scene)
 {
@@ -116,35 +108,18 @@ ExportOptions exportOptions(const QString &format)
     return options;
 }
 
-QStringList assimpLosses(const AssimpSource &source, const QString &format)
+SourceContents contentsOf(const AssimpSource &source)
 {
     const aiScene &from = *source.scene;
-    const ExportOptions options = exportOptions(format);
-    const bool bareMesh = format == QLatin1String("obj") || format == QLatin1String("ply");
-    QStringList losses;
-    if (hasMorphTargets(from))
-        losses << QStringLiteral("shape keys (morph targets) are lost");
-    if (bareMesh) {
-        if (from.mNumAnimations > 0 || hasBones(from))
-            losses << QStringLiteral("bones and animations are lost");
-        if (from.mRootNode->mNumChildren > 0)
-            losses << QStringLiteral("the node hierarchy is lost; positions are written in world space");
-        if (from.mNumLights > 0 || from.mNumCameras > 0)
-            losses << QStringLiteral("lights and cameras are lost");
-        return losses;
-    }
-    if (isInstanced(source))
-        losses << QStringLiteral(
-            "meshes that several nodes share become one copy per node, with its own UVs");
-    if (from.mNumAnimations > 0)
-        losses << (options.animations
-                       ? QStringLiteral("animations are left out where the format cannot hold them")
-                       : QStringLiteral("animations are lost"));
-    if (from.mNumTextures > 0 && !options.embeddedTextures)
-        losses << QStringLiteral("embedded textures are lost");
-    if (format == QLatin1String("fbx") && hasSplitNodes(source))
-        losses << QStringLiteral("an object of several materials becomes one object for each of them");
-    return losses;
+    SourceContents contents;
+    contents.bones = hasBones(from);
+    contents.shapeKeys = hasMorphTargets(from);
+    contents.animations = from.mNumAnimations > 0;
+    contents.lightsOrCameras = from.mNumLights > 0 || from.mNumCameras > 0;
+    contents.embeddedTextures = from.mNumTextures > 0;
+    contents.hierarchy = from.mRootNode->mNumChildren > 0;
+    contents.instances = isInstanced(source);
+    return contents;
 }
 
 ExportScene::ExportScene(const Scene &scene, const ExportOptions &options)

@@ -1,9 +1,10 @@
-// Makes scenes for Assimp's exporters and lists what they lose.
+// Makes scenes for Assimp's exporters and says what scenes of its importers hold.
 #pragma once
 
 #include "model/io/assimpsource.h"
+#include "model/io/sourcecontents.h"
 
-#include <QStringList>
+#include <QString>
 
 struct aiScene;
 
@@ -22,8 +23,7 @@ struct ExportOptions
 //! The options for a format. \param format lower-case suffix
 ExportOptions exportOptions(const QString &format);
 
-//! Lists the data of the source that an export loses, one line each.
-QStringList assimpLosses(const AssimpSource &source, const QString &format);
+SourceContents contentsOf(const AssimpSource &source);
 
 //! A scene for Assimp's exporters. Nodes and materials belong to the Scene it was made from, which must
 //! outlive it. It owns its meshes, one per AssimpPiece; vertices are split where their corners differ in UV

@@ -13,9 +13,6 @@ namespace {
 constexpr std::string_view magic("Kaydara FBX Binary  \0", 21);
 constexpr qint64 headerSize = 27;
 
-//! The file may have at most this many nodes. Chosen by hand: far more than models have.
-constexpr std::size_t maxNodes = 8'000'000;
-
 //! The numbers at the head of a node.
 struct NodeHead
 {
@@ -116,8 +113,8 @@ bool BinaryParser::open(const NodeHead &head)
         head.valueBytes > end - static_cast<std::uint64_t>(nameEnd))
         return fail(u"a node reaches beyond its place"_s);
     const std::optional<int> added = addFbxNode(mTree, mOpen);
-    if (!added || mTree.nodes.size() > maxNodes)
-        return fail(u"the file has more than %1 nodes"_s.arg(maxNodes));
+    if (!added)
+        return fail(u"the file has too many nodes"_s);
     FbxNode &n = node(*added);
     n.begin = begin;
     n.nameBegin = static_cast<int>(mHeadSize);
@@ -176,74 +173,6 @@ bool readFbxHeader(FbxTree &tree)
     tree.version = static_cast<int>(std::min<std::uint32_t>(version, 1'000'000));
     tree.wide = tree.version >= 7500;
     return true;
-}
-
-qint64 fbxValueSize(const FbxTree &tree, qint64 position, qint64 end)
-{
-    const qint64 room = end - position;
-    if (room < 1)
-        return -1;
-    const char *data = tree.bytes.constData() + position;
-    const auto number = [&](qint64 at) {
-        return static_cast<qint64>(fbxNumber<std::uint32_t>(data + at, tree.bigEndian));
-    };
-    qint64 size = -1;
-    qint64 element = 1;
-    switch (*data) {
-    case 'B':
-    case 'C':
-    case 'Z':
-        size = 2;
-        break;
-    case 'Y':
-        size = 3;
-        break;
-    case 'I':
-    case 'F':
-        size = 5;
-        break;
-    case 'L':
-    case 'D':
-        size = 9;
-        break;
-    case 'S':
-    case 'R':
-        size = room >= 5 ? 5 + number(1) : -1;
-        break;
-    case 'd':
-    case 'l':
-        element = 8;
-        [[fallthrough]];
-    case 'f':
-    case 'i':
-        element = element == 8 ? 8 : 4;
-        [[fallthrough]];
-    case 'b':
-    case 'c':
-        if (room < 13 || number(5) > 1)
-            return -1;
-        size = 13 + (number(5) == 1 ? number(9) : number(1) * element);
-        break;
-    default:
-        return -1;
-    }
-    return size <= room ? size : -1;
-}
-
-std::optional<int> addFbxNode(FbxTree &tree, int parent)
-{
-    if (tree.nodes.size() >= maxNodes)
-        return {};
-    const int added = static_cast<int>(tree.nodes.size());
-    FbxNode &node = tree.nodes.emplace_back();
-    node.parent = parent;
-    FbxNode &above = tree.nodes[static_cast<std::size_t>(parent)];
-    if (above.lastChild >= 0)
-        tree.nodes[static_cast<std::size_t>(above.lastChild)].next = added;
-    else
-        above.firstChild = added;
-    above.lastChild = added;
-    return added;
 }
 
 std::optional<Error> parseBinaryFbx(FbxTree &tree, const QString &path, const std::atomic<bool> *stop)

@@ -4,6 +4,8 @@
 #include "model/io/fbxtree.h"
 #include "model/plain/types.h"
 
+#include <QString>
+
 namespace autocuts {
 
 //! The polygons of a geometry. A *file corner* is an entry of PolygonVertexIndex.

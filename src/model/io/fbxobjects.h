@@ -4,6 +4,8 @@
 #include "model/io/fbxtree.h"
 #include "model/io/sourcecontents.h"
 
+#include <QString>
+
 #include <Eigen/Geometry>
 
 namespace autocuts {

@@ -2,6 +2,7 @@
 
 #include "model/io/fbxgeometry.h"
 #include "model/io/fbxobjects.h"
+#include "model/io/fbxparsing.h"
 #include "model/io/fbxshading.h"
 #include "model/io/fbxsource.h"
 #include "model/io/fbxuvsets.h"

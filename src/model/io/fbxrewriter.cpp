@@ -2,6 +2,7 @@
 
 #include "model/io/fbxeditor.h"
 #include "model/io/fbxgeometry.h"
+#include "model/io/fbxparsing.h"
 #include "model/io/fbxshading.h"
 #include "model/io/fbxuvelements.h"
 #include "model/io/objrewriter.h"

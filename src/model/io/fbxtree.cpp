@@ -2,7 +2,6 @@
 
 #include "model/io/deflate.h"
 #include "model/io/fbxbytes.h"
-#include "model/io/fbxparsing.h"
 
 #include <algorithm>
 #include <charconv>
@@ -12,17 +11,11 @@
 
 namespace autocuts {
 
-using namespace Qt::Literals::StringLiterals;
-
 namespace {
 
 //! What the arrays of a file may take together, and what each byte of the file adds. Chosen by hand.
 constexpr qint64 roomBase = qint64(512) << 20;
 constexpr qint64 roomPerByte = 64;
-
-// Versions, as in the header of the file.
-constexpr int oldestVersion = 6100;
-constexpr int newestVersion = 7999;
 
 bool isBlank(char c)
 {
@@ -339,55 +332,56 @@ QByteArray unescapedFbx(std::string_view text)
     return result;
 }
 
-namespace {
-
-//! The version that a text file states; 0 when it states none.
-int textVersion(const FbxTree &tree)
+qint64 fbxValueSize(const FbxTree &tree, qint64 position, qint64 end)
 {
-    constexpr std::string_view path[] = {"FBXHeaderExtension", "FBXVersion"};
-    const std::int64_t version = tree.integer(tree.find(path)).value_or(0);
-    return version > 0 && version < 1'000'000 ? static_cast<int>(version) : 0;
-}
-
-std::optional<Error> versionProblem(int version, const QString &path)
-{
-    const QString number = u"%1.%2"_s.arg(version / 1000).arg(version / 100 % 10);
-    if (version < oldestVersion)
-        return Error{version > 0 ? u"FBX files of version %1 are too old, 6.1 is the oldest"_s.arg(number)
-                                 : u"the file does not say its FBX version"_s,
-                     path, 0, u"Export the model again as FBX 2011 or later, or as OBJ"_s};
-    if (version > newestVersion)
-        return Error{u"FBX files of version %1 are newer than what can be read"_s.arg(number), path, 0,
-                     u"Export the model again as FBX 2020, or as OBJ"_s};
-    return {};
-}
-
-} // namespace
-
-Result<FbxTree> parseFbxTree(QByteArray bytes, const QString &path, const std::atomic<bool> *stop)
-{
-    if (bytes.isEmpty())
-        return Error{u"the file is empty"_s, path, 0, u"Export the model again"_s};
-    FbxTree tree;
-    tree.bytes = std::move(bytes);
-    tree.fillRoom();
-    tree.nodes.emplace_back();
-    tree.binary = hasFbxMagic(tree.bytes);
-    if (tree.binary) {
-        if (!readFbxHeader(tree))
-            return Error{u"the file ends in its header"_s, path, 0, u"Copy or export it again"_s};
-        if (const std::optional<Error> problem = versionProblem(tree.version, path))
-            return *problem;
+    const qint64 room = end - position;
+    if (room < 1)
+        return -1;
+    const char *data = tree.bytes.constData() + position;
+    const auto number = [&](qint64 at) {
+        return static_cast<qint64>(fbxNumber<std::uint32_t>(data + at, tree.bigEndian));
+    };
+    qint64 size = -1;
+    qint64 element = 1;
+    switch (*data) {
+    case 'B':
+    case 'C':
+    case 'Z':
+        size = 2;
+        break;
+    case 'Y':
+        size = 3;
+        break;
+    case 'I':
+    case 'F':
+        size = 5;
+        break;
+    case 'L':
+    case 'D':
+        size = 9;
+        break;
+    case 'S':
+    case 'R':
+        size = room >= 5 ? 5 + number(1) : -1;
+        break;
+    case 'd':
+    case 'l':
+        element = 8;
+        [[fallthrough]];
+    case 'f':
+    case 'i':
+        element = element == 8 ? 8 : 4;
+        [[fallthrough]];
+    case 'b':
+    case 'c':
+        if (room < 13 || number(5) > 1)
+            return -1;
+        size = 13 + (number(5) == 1 ? number(9) : number(1) * element);
+        break;
+    default:
+        return -1;
     }
-    if (const std::optional<Error> error =
-            tree.binary ? parseBinaryFbx(tree, path, stop) : parseTextFbx(tree, path, stop))
-        return *error;
-    if (!tree.binary) {
-        tree.version = textVersion(tree);
-        if (const std::optional<Error> problem = versionProblem(tree.version, path))
-            return *problem;
-    }
-    return tree;
+    return size <= room ? size : -1;
 }
 
 } // namespace autocuts

@@ -1,11 +1,8 @@
 // The nodes of an FBX file, binary or text, as ranges of its bytes.
 #pragma once
 
-#include "model/document/result.h"
-
 #include <QByteArray>
 
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -96,13 +93,8 @@ private:
     mutable qint64 mRoom = 0;
 };
 
-//! Nodes may be nested this deep. Files have about ten levels.
-inline constexpr int maxFbxDepth = 64;
-
-//! Reads the nodes of a binary or text file of version 6.1 to 7.7. All lengths are checked against the file.
-//! Errors name the file, and the line of a text file. \param stop ends the reading with an Error when it
-//! becomes true; null: never
-Result<FbxTree> parseFbxTree(QByteArray bytes, const QString &path, const std::atomic<bool> *stop = nullptr);
+//! Bytes of the value of a binary file at a position; -1 when it is damaged or reaches beyond `end`.
+qint64 fbxValueSize(const FbxTree &tree, qint64 position, qint64 end);
 
 //! A string of a text file without its escapes.
 QByteArray unescapedFbx(std::string_view text);

@@ -3,6 +3,8 @@
 
 #include "model/io/fbxeditor.h"
 
+#include <QString>
+
 #include <map>
 
 namespace autocuts {

@@ -2,8 +2,12 @@
 
 #include "model/io/assimpreader.h"
 #include "model/io/assimpwriter.h"
+#include "model/io/fbxreader.h"
+#include "model/io/fbxrewriter.h"
+#include "model/io/fbxtwin.h"
 #include "model/io/objreader.h"
 #include "model/io/objwriter.h"
+#include "model/io/savefile.h"
 
 #include <QFileInfo>
 
@@ -33,6 +37,18 @@ Error outOfMemory(const QString &path)
             QStringLiteral("Close other programs or split the model into several files")};
 }
 
+Result<Done> writeAs(const Scene &scene, const QString &path)
+{
+    const QString suffix = suffixOf(path);
+    if (suffix == QLatin1String("obj"))
+        return writeObj(scene, path);
+    const FbxSource *fbx = fbxSourceOf(scene);
+    if (fbx && suffix == QLatin1String("fbx"))
+        return saveAtomically(path, rewriteFbx(*fbx, scene));
+    const std::optional<Scene> twin = fbx ? assimpTwin(scene, *fbx) : std::nullopt;
+    return writeWithAssimp(twin ? *twin : scene, path);
+}
+
 } // namespace
 
 QStringList readableFormats()
@@ -51,7 +67,9 @@ Result<Scene> readMesh(const QString &path, const std::atomic<bool> *stop)
     if (!readableFormats().contains(suffix))
         return unknownFormat(path, readableFormats(), QStringLiteral("read"));
     try {
-        return suffix == QLatin1String("obj") ? readObj(path, stop) : readWithAssimp(path, stop);
+        if (suffix == QLatin1String("obj"))
+            return readObj(path, stop);
+        return suffix == QLatin1String("fbx") ? readFbx(path, stop) : readWithAssimp(path, stop);
     } catch (const std::bad_alloc &) {
         return outOfMemory(path);
     }
@@ -72,9 +90,8 @@ Result<Done> writeMesh(const Scene &scene, const QString &path)
 {
     if (Result<Done> format = checkWriteFormat(path); !format)
         return format;
-    const QString suffix = suffixOf(path);
     try {
-        return suffix == QLatin1String("obj") ? writeObj(scene, path) : writeWithAssimp(scene, path);
+        return writeAs(scene, path);
     } catch (const std::bad_alloc &) {
         return outOfMemory(path);
     }

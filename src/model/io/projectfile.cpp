@@ -30,15 +30,15 @@ bool isCompressed(const QByteArray &name)
 
 bool isModel(const QByteArray &name)
 {
-    return name == "obj" || name == "polygons";
+    return name == "obj" || name == "fbx" || name == "polygons";
 }
 
 //! True for the names of the blocks that are read.
 bool isKnown(const QByteArray &name)
 {
-    static const std::set<QByteArray> names{"scene",        "obj",     "polygons",  "uvSets",     "seams",
-                                            "constraints",  "marks",   "settings",  "selection",  "view",
-                                            "journalStart", "journal", "thumbnail", "sessionPath"};
+    static const std::set<QByteArray> names{"scene", "obj",          "fbx",     "polygons",  "uvSets",
+                                            "seams", "constraints",  "marks",   "settings",  "selection",
+                                            "view",  "journalStart", "journal", "thumbnail", "sessionPath"};
     return names.contains(name) || isUvPart(name);
 }
 

@@ -2,6 +2,8 @@
 
 #include "model/document/bitmap.h"
 #include "model/document/cborvalues.h"
+#include "model/io/fbxreader.h"
+#include "model/io/fbxsource.h"
 #include "model/io/objreader.h"
 #include "model/io/objsource.h"
 #include "model/io/packedarrays.h"
@@ -217,6 +219,8 @@ PartMap scenePartsOf(const Scene &scene)
     parts["scene"] = sceneMap(scene).toCborValue().toCbor();
     if (const ObjSource *obj = objSourceOf(scene))
         parts["obj"] = obj->bytes;
+    else if (const FbxSource *fbx = fbxSourceOf(scene))
+        parts["fbx"] = fbx->bytes;
     else
         parts["polygons"] = polygonsMap(scene).toCborValue().toCbor();
     return parts;
@@ -225,12 +229,14 @@ PartMap scenePartsOf(const Scene &scene)
 Result<Scene> readSceneParts(const PartMap &parts, const QString &path, QStringList &lost)
 {
     const auto obj = parts.find("obj");
+    const auto fbx = parts.find("fbx");
     const auto polygons = parts.find("polygons");
-    if (obj == parts.end() && polygons == parts.end())
+    if (obj == parts.end() && fbx == parts.end() && polygons == parts.end())
         return damagedModel(path);
     try {
-        Result<Scene> scene =
-            obj != parts.end() ? parseObj(obj->second, path) : readPolygons(polygons->second, path);
+        Result<Scene> scene = obj != parts.end()   ? parseObj(obj->second, path)
+                              : fbx != parts.end() ? parseFbx(fbx->second, path)
+                                                   : readPolygons(polygons->second, path);
         if (!scene)
             return damagedModel(path);
         scene->uvSets.clear();
@@ -257,7 +263,7 @@ QString modelPathIn(const QByteArray &sceneBlock)
 
 QStringList sessionLosses(const Scene &scene)
 {
-    if (objSourceOf(scene) || !scene.source)
+    if (objSourceOf(scene) || fbxSourceOf(scene) || !scene.source)
         return {};
     return {
         u"the session holds the polygons, objects, materials' names and UV sets of the %1 file, but not its "
