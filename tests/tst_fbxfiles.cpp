@@ -5,6 +5,7 @@
 #include "model/io/fbxreader.h"
 #include "model/io/fbxrewriter.h"
 #include "model/io/meshfile.h"
+#include "model/io/objreader.h"
 #include "model/io/projectfile.h"
 #include "model/io/projectscene.h"
 #include "model/io/savefile.h"
@@ -15,6 +16,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <limits>
 #include <random>
 
 using namespace autocuts;
@@ -105,6 +107,7 @@ private Q_SLOTS:
     void readAndWritten();
     void session();
     void otherFormats();
+    void newFiles();
     void oldVersionsAreWrittenPlain();
     void mutatedFilesNeverCrash_data();
     void mutatedFilesNeverCrash();
@@ -175,6 +178,41 @@ void TestFbxFiles::otherFormats()
     const Result<Scene> glb = readMesh(folder.filePath(u"a.glb"_s));
     QCOMPARE(glb->uvSets.size(), std::size_t(2));
     QVERIFY(std::ranges::find(glb->objectNames, u"copy"_s) != glb->objectNames.end());
+}
+
+void TestFbxFiles::newFiles()
+{
+    const Result<Scene> obj =
+        parseObj("o one\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 1\nvn 0 0 1\nvn 1 0 0\n"
+                 "usemtl red\nf 1//1 2//1 3//1 4//1\nusemtl blue\nf 2//2 5//2 3//2\no two\n"
+                 "v 0 0 5\nv 1 0 5\nv 0 1 5\nf 6//1 7//1 8//1\n",
+                 u"a.obj"_s);
+    Scene scene = obj.value();
+    scene.uvSets = {{u"first"_s, otherUv(*scene.mesh)}, {u"second"_s, otherUv(*scene.mesh)}};
+    scene.uvSets[0].uv.row(1).fill(std::numeric_limits<double>::quiet_NaN());
+    scene.uvSets[1].uv.bottomRows(3).fill(std::numeric_limits<double>::quiet_NaN());
+    QTemporaryDir folder;
+    QVERIFY(writeMesh(scene, folder.filePath(u"a.fbx"_s)).ok());
+    const Result<Scene> again = readMesh(folder.filePath(u"a.fbx"_s));
+    QVERIFY(again.ok());
+    QVERIFY(fbxSourceOf(again.value())->bytes.startsWith("Kaydara"));
+    QCOMPARE(fbxSourceOf(again.value())->version, 7400);
+    QCOMPARE(again->mesh->faceStart, scene.mesh->faceStart);
+    QCOMPARE(again->mesh->area, scene.mesh->area);
+    QCOMPARE(again->objectNames, scene.objectNames);
+    QCOMPARE(again->materialNames, scene.materialNames);
+    QCOMPARE(again->faceMaterial, scene.faceMaterial);
+    QCOMPARE(again->hardEdges, scene.hardEdges);
+    QCOMPARE(std::ranges::count(again->hardEdges, true), 1);
+    QCOMPARE(again->uvSets.size(), std::size_t(2));
+    for (std::size_t s = 0; s < 2; ++s) {
+        QCOMPARE(again->uvSets[s].name, scene.uvSets[s].name);
+        for (Eigen::Index c = 0; c < scene.uvSets[s].uv.rows(); ++c) {
+            const bool has = scene.uvSets[s].uv.row(c).allFinite();
+            QCOMPARE(again->uvSets[s].uv.row(c).allFinite(), has);
+            QVERIFY(!has || again->uvSets[s].uv.row(c) == scene.uvSets[s].uv.row(c));
+        }
+    }
 }
 
 void TestFbxFiles::oldVersionsAreWrittenPlain()

@@ -108,6 +108,11 @@ ExportOptions exportOptions(const QString &format)
     return options;
 }
 
+bool isFromAssimp(const Scene &scene)
+{
+    return dynamic_cast<const AssimpSource *>(scene.source.get()) != nullptr;
+}
+
 SourceContents contentsOf(const AssimpSource &source)
 {
     const aiScene &from = *source.scene;

@@ -23,6 +23,9 @@ struct ExportOptions
 //! The options for a format. \param format lower-case suffix
 ExportOptions exportOptions(const QString &format);
 
+//! True when Assimp has read the scene. Such scenes are written by Assimp, with all that it has read.
+bool isFromAssimp(const Scene &scene);
+
 SourceContents contentsOf(const AssimpSource &source);
 
 //! A scene for Assimp's exporters. Nodes and materials belong to the Scene it was made from, which must

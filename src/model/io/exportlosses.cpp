@@ -119,10 +119,11 @@ QStringList exportLosses(const Scene &scene, const QString &format)
     QStringList losses;
     const bool isObj = format == QLatin1String("obj");
     const bool isPly = format == QLatin1String("ply");
+    const bool isFbx = format == QLatin1String("fbx");
     const auto *assimp = dynamic_cast<const AssimpSource *>(scene.source.get());
     const auto *obj = dynamic_cast<const ObjSource *>(scene.source.get());
     const FbxSource *fbx = fbxSourceOf(scene);
-    if (fbx && format == QLatin1String("fbx"))
+    if (fbx && isFbx)
         return unequalInstances(*fbx, scene);
     if (isObj && obj) {
         if (scene.uvSets.size() > 1)
@@ -141,19 +142,23 @@ QStringList exportLosses(const Scene &scene, const QString &format)
     if (obj)
         losses << QStringLiteral(
             "comments, groups, smoothing groups and material libraries of the OBJ file are lost");
+    if (isFbx && !assimp) {
+        if (!scene.materialNames.empty())
+            losses << QStringLiteral("of the materials only the names are written");
+        return losses;
+    }
     if (isPly)
         addPlyLosses(losses, scene);
     if (format.startsWith(QLatin1String("gl")) && scene.mesh->report.polygons > 0)
         losses << QStringLiteral("glTF holds triangles only: polygons are split");
-    if (format == QLatin1String("fbx"))
+    if (isFbx)
         losses << QStringLiteral("the file is ASCII FBX, which Blender does not read: use glb or dae for it");
     if (scene.uvSets.size() > maxAssimpUvSets)
         losses << QStringLiteral("UV sets after the eighth are lost");
     if (hasPartialUv(scene))
         losses << QStringLiteral("corners without UV get the UV 0 0");
-    losses << (format == QLatin1String("fbx")
-                   ? QStringLiteral("positions and UVs are rounded to six decimals")
-                   : QStringLiteral("positions and UVs are rounded to single precision"));
+    losses << (isFbx ? QStringLiteral("positions and UVs are rounded to six decimals")
+                     : QStringLiteral("positions and UVs are rounded to single precision"));
     return losses;
 }
 

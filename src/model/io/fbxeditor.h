@@ -7,9 +7,15 @@
 
 namespace autocuts {
 
+//! Bytes that are no text.
+struct FbxRaw
+{
+    QByteArray bytes;
+};
+
 //! A value of a new node. An array is one value from version 7.0 on, and a list of values before.
-using FbxNewValue =
-    std::variant<std::int32_t, std::int64_t, double, QByteArray, std::vector<int>, std::vector<double>>;
+using FbxNewValue = std::variant<std::int32_t, std::int64_t, double, QByteArray, std::vector<int>,
+                                 std::vector<double>, FbxRaw>;
 
 //! A node to be written.
 struct FbxNewNode

@@ -50,13 +50,8 @@ public:
         appendBinary(mBytes, value, mStyle);
         ++mCount;
     }
-    void operator()(const QByteArray &text)
-    {
-        mBytes.append('S');
-        appendBinary(mBytes, static_cast<std::uint32_t>(text.size()), mStyle);
-        mBytes.append(text);
-        ++mCount;
-    }
+    void operator()(const QByteArray &text) { append('S', text); }
+    void operator()(const FbxRaw &raw) { append('R', raw.bytes); }
     template <typename Number>
     void operator()(const std::vector<Number> &array)
     {
@@ -84,6 +79,14 @@ public:
     qint64 count() const { return mCount; }
 
 private:
+    void append(char type, const QByteArray &bytes)
+    {
+        mBytes.append(type);
+        appendBinary(mBytes, static_cast<std::uint32_t>(bytes.size()), mStyle);
+        mBytes.append(bytes);
+        ++mCount;
+    }
+
     const FbxStyle &mStyle;
     QByteArray mBytes;
     qint64 mCount = 0;
@@ -135,6 +138,7 @@ public:
         escaped.replace('"', "&quot;");
         mBytes.append(mBytes.isEmpty() ? " \"" : ", \"").append(escaped).append('"');
     }
+    void operator()(const FbxRaw &raw) { (*this)(raw.bytes.toBase64()); }
     template <typename Number>
     void operator()(const std::vector<Number> &array)
     {

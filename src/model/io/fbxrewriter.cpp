@@ -5,7 +5,6 @@
 #include "model/io/fbxparsing.h"
 #include "model/io/fbxshading.h"
 #include "model/io/fbxuvelements.h"
-#include "model/io/objrewriter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,19 +128,7 @@ FbxUvData GeometryRewriter::dataOf(const UvMatrix &uv) const
     std::vector<int> point = mGeometry.cornerPoint;
     std::replace_if(
         point.begin(), point.end(), [points](int p) { return p < 0 || p >= points; }, points);
-    const std::vector<int> shared = sharedUvCorners(point, points + 1, uv);
-    FbxUvData data;
-    data.index.assign(shared.size(), -1);
-    for (std::size_t c = 0; c < shared.size(); ++c) {
-        const int first = shared[c];
-        if (first == static_cast<int>(c)) {
-            data.index[c] = static_cast<int>(data.uv.size() / 2);
-            data.uv.insert(data.uv.end(), {uv(first, 0), uv(first, 1)});
-        } else if (first >= 0) {
-            data.index[c] = data.index[static_cast<std::size_t>(first)];
-        }
-    }
-    return data;
+    return fbxUvData(point, points + 1, uv);
 }
 
 void GeometryRewriter::rewrite(const FbxUvElement &element, int set)

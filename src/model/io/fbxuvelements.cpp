@@ -20,8 +20,18 @@ FbxNewNode leaf(std::string_view name, FbxNewValue value)
     return {bytesOf(name), {std::move(value)}, {}, false};
 }
 
-//! A whole LayerElementUV.
-FbxNewNode newElement(int index, const QString &name, FbxUvData data)
+//! The entry of a layer that names a LayerElementUV.
+FbxNewNode layerEntry(int index)
+{
+    return {"LayerElement",
+            {},
+            {leaf("Type", bytesOf(elementName)), leaf("TypedIndex", std::int32_t(index))},
+            true};
+}
+
+} // namespace
+
+FbxNewNode newUvElement(int index, const QString &name, FbxUvData data)
 {
     FbxNewNode node{bytesOf(elementName), {std::int32_t(index)}, {}, true};
     node.children.push_back(leaf("Version", std::int32_t(101)));
@@ -33,21 +43,10 @@ FbxNewNode newElement(int index, const QString &name, FbxUvData data)
     return node;
 }
 
-//! The entry of a layer that names a LayerElementUV.
-FbxNewNode layerEntry(int index)
-{
-    return {"LayerElement",
-            {},
-            {leaf("Type", bytesOf(elementName)), leaf("TypedIndex", std::int32_t(index))},
-            true};
-}
-
-FbxNewNode newLayer(int layer, int index)
+FbxNewNode newUvLayer(int layer, int index)
 {
     return {"Layer", {std::int32_t(layer)}, {leaf("Version", std::int32_t(100)), layerEntry(index)}, true};
 }
-
-} // namespace
 
 FbxUvElements::FbxUvElements(const FbxTree &tree, int geometry, FbxEditor &editor)
     : mTree(tree), mGeometry(geometry), mEditor(editor)
@@ -67,8 +66,8 @@ void FbxUvElements::change(int element, Change change)
 {
     if (mTree.nodes[static_cast<std::size_t>(element)].listEnd < 0) {
         if (change.data)
-            mEditor.replace(element, newElement(static_cast<int>(mTree.integer(element).value_or(0)),
-                                                change.name.value_or(QString()), std::move(*change.data)));
+            mEditor.replace(element, newUvElement(static_cast<int>(mTree.integer(element).value_or(0)),
+                                                  change.name.value_or(QString()), std::move(*change.data)));
         return;
     }
     if (change.name)
@@ -164,15 +163,15 @@ void FbxUvElements::insert(std::size_t first)
     int index = static_cast<int>(nextIndex(elementName));
     int layerIndex = static_cast<int>(nextIndex("Layer"));
     for (std::size_t a = first; a < mAdded.size(); ++a, ++index) {
-        mEditor.insertAfter(after, newElement(index, *mAdded[a].name, std::move(*mAdded[a].data)));
+        mEditor.insertAfter(after, newUvElement(index, *mAdded[a].name, std::move(*mAdded[a].data)));
         while (layer < layers.size() && mTree.nodes[static_cast<std::size_t>(layers[layer])].listEnd < 0)
             ++layer;
         if (layer < layers.size())
             mEditor.append(layers[layer++], layerEntry(index));
         else if (!layers.empty())
-            mEditor.insertAfter(layers.back(), newLayer(layerIndex++, index));
+            mEditor.insertAfter(layers.back(), newUvLayer(layerIndex++, index));
         else
-            mEditor.append(mGeometry, newLayer(layerIndex++, index));
+            mEditor.append(mGeometry, newUvLayer(layerIndex++, index));
     }
 }
 

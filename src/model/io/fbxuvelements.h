@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/io/fbxeditor.h"
+#include "model/io/fbxuvdata.h"
 
 #include <QString>
 
@@ -9,12 +10,10 @@
 
 namespace autocuts {
 
-//! UVs and which of them each file corner has.
-struct FbxUvData
-{
-    std::vector<double> uv; //!< u and v of each UV
-    std::vector<int> index; //!< -1: none
-};
+//! A whole LayerElementUV.
+FbxNewNode newUvElement(int index, const QString &name, FbxUvData data);
+//! A layer that names a LayerElementUV.
+FbxNewNode newUvLayer(int layer, int index);
 
 //! The LayerElementUV nodes of a geometry and the entries of its Layer nodes that name them. Collects the
 //! changes; finish() gives them to the editor.

@@ -1,10 +1,12 @@
 #include "model/io/meshfile.h"
 
 #include "model/io/assimpreader.h"
+#include "model/io/assimpscene.h"
 #include "model/io/assimpwriter.h"
 #include "model/io/fbxreader.h"
 #include "model/io/fbxrewriter.h"
 #include "model/io/fbxtwin.h"
+#include "model/io/fbxwriter.h"
 #include "model/io/objreader.h"
 #include "model/io/objwriter.h"
 #include "model/io/savefile.h"
@@ -45,6 +47,8 @@ Result<Done> writeAs(const Scene &scene, const QString &path)
     const FbxSource *fbx = fbxSourceOf(scene);
     if (fbx && suffix == QLatin1String("fbx"))
         return saveAtomically(path, rewriteFbx(*fbx, scene));
+    if (suffix == QLatin1String("fbx") && !isFromAssimp(scene))
+        return saveAtomically(path, fbxBytes(scene));
     const std::optional<Scene> twin = fbx ? assimpTwin(scene, *fbx) : std::nullopt;
     return writeWithAssimp(twin ? *twin : scene, path);
 }
