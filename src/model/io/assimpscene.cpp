@@ -85,6 +85,13 @@ bool isInstanced(const AssimpSource &source)
     return std::adjacent_find(meshes.begin(), meshes.end()) != meshes.end();
 }
 
+//! True when at least one node has several meshes.
+bool hasSplitNodes(const AssimpSource &source)
+{
+    const auto sameNode = [](const AssimpPiece &a, const AssimpPiece &b) { return a.node == b.node; };
+    return std::ranges::adjacent_find(source.pieces, sameNode) != source.pieces.end();
+}
+
 //! Puts a new root without transform above the root.
 void wrapRoot(aiScene &scene)
 {
@@ -124,6 +131,7 @@ SourceContents contentsOf(const AssimpSource &source)
     contents.embeddedTextures = from.mNumTextures > 0;
     contents.hierarchy = from.mRootNode->mNumChildren > 0;
     contents.instances = isInstanced(source);
+    contents.splitObjects = hasSplitNodes(source);
     return contents;
 }
 

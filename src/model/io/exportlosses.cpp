@@ -65,6 +65,8 @@ QStringList contentLosses(const SourceContents &contents, const QString &format)
                        : QStringLiteral("animations are lost"));
     if (contents.embeddedTextures && !options.embeddedTextures)
         losses << QStringLiteral("embedded textures are lost");
+    if (contents.splitObjects && format == QLatin1String("fbx"))
+        losses << QStringLiteral("an object of several materials becomes one object for each of them");
     return losses;
 }
 

@@ -40,9 +40,9 @@ private:
     bool addModel(const FbxModel &model, const Eigen::Affine3d &transform);
     bool addInstance(std::size_t use, const FbxModel &model, const Eigen::Affine3d &transform);
     bool addPoints(const FbxGeometry &geometry, const FbxModel &model, const Eigen::Affine3d &transform);
-    void addFaces(const FbxGeometry &geometry, const FbxModel &model, int firstVertex, bool mirrored);
+    void addFaces(std::size_t use, const FbxModel &model, int firstVertex, bool mirrored);
     std::optional<std::size_t> useOf(int node);
-    std::vector<int> polygonMaterials(const FbxGeometry &geometry, const FbxModel &model) const;
+    std::vector<int> materialSlots(const FbxGeometry &geometry) const;
     void joinSets();
     bool readUvs();
     void addNotes();
@@ -65,6 +65,7 @@ private:
     std::shared_ptr<FbxSource> mSource;
     FbxObjects mObjects;
     FbxGeometries mGeometries;
+    std::vector<std::vector<int>> mSlots; //!< material slots by geometry and polygon
     std::map<int, std::size_t> mUseOfNode;
     std::optional<Error> mError;
     Scene mScene;
@@ -83,6 +84,7 @@ std::optional<std::size_t> SceneBuilder::useOf(int node)
         return {};
     mUseOfNode.emplace(node, mGeometries.size());
     mSource->uses.push_back({node, static_cast<int>(geometry->faces.size()), {}, {}});
+    mSlots.push_back(materialSlots(*geometry));
     mGeometries.push_back(std::move(*geometry));
     return mGeometries.size() - 1;
 }
@@ -100,28 +102,25 @@ bool SceneBuilder::addPoints(const FbxGeometry &geometry, const FbxModel &model,
     return true;
 }
 
-//! The index into the scene's materials of each polygon, -1 for none.
-std::vector<int> SceneBuilder::polygonMaterials(const FbxGeometry &geometry, const FbxModel &model) const
+//! The material slot of each polygon.
+std::vector<int> SceneBuilder::materialSlots(const FbxGeometry &geometry) const
 {
-    const auto materialOf = [&](int slot) {
-        return slot >= 0 && slot < std::ssize(model.materials) ? model.materials[slot] : -1;
-    };
-    std::vector<int> result(static_cast<std::size_t>(geometry.polygonCount()), materialOf(0));
+    std::vector<int> result(static_cast<std::size_t>(geometry.polygonCount()), 0);
     const int element = mTree.child(geometry.node, "LayerElementMaterial");
     const auto slots = mTree.integers(mTree.child(element, "Materials"));
     if (!slots || slots->empty())
         return result;
     if (mTree.text(mTree.child(element, "MappingInformationType")) == "AllSame")
-        std::fill(result.begin(), result.end(), materialOf(slots->front()));
+        std::fill(result.begin(), result.end(), slots->front());
     else if (slots->size() >= result.size())
-        std::transform(slots->begin(), slots->begin() + std::ssize(result), result.begin(), materialOf);
+        std::copy_n(slots->begin(), result.size(), result.begin());
     return result;
 }
 
-void SceneBuilder::addFaces(const FbxGeometry &geometry, const FbxModel &model, int firstVertex,
-                            bool mirrored)
+void SceneBuilder::addFaces(std::size_t use, const FbxModel &model, int firstVertex, bool mirrored)
 {
-    const std::vector<int> materials = polygonMaterials(geometry, model);
+    const FbxGeometry &geometry = mGeometries[use];
+    const std::vector<int> &slots = mSlots[use];
     for (const int face : geometry.faces) {
         const auto begin = geometry.cornerPoint.begin() + geometry.polygonStart[face];
         const auto end = geometry.cornerPoint.begin() + geometry.polygonStart[face + 1];
@@ -132,7 +131,9 @@ void SceneBuilder::addFaces(const FbxGeometry &geometry, const FbxModel &model, 
             std::reverse(mCornerVertex.begin() + first, mCornerVertex.end());
         mFaceStart.push_back(static_cast<int>(mCornerVertex.size()));
         mFaceObject.push_back(static_cast<int>(mScene.objectNames.size()));
-        mScene.faceMaterial.push_back(materials[face]);
+        const int slot = slots[face];
+        mScene.faceMaterial.push_back(slot >= 0 && slot < std::ssize(model.materials) ? model.materials[slot]
+                                                                                      : -1);
     }
 }
 
@@ -150,7 +151,7 @@ bool SceneBuilder::addInstance(std::size_t use, const FbxModel &model, const Eig
     mSource->uses[use].instances.push_back({static_cast<int>(mFaceObject.size()), mirrored});
     if (!addPoints(geometry, model, transform))
         return false;
-    addFaces(geometry, model, firstVertex, mirrored);
+    addFaces(use, model, firstVertex, mirrored);
     return true;
 }
 

@@ -4,8 +4,7 @@
 #include "model/plain/polygonsides.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <optional>
 
 namespace autocuts {
 
@@ -27,6 +26,7 @@ private:
     void readSmoothing(const FbxGeometry &geometry, const FbxUse &use);
     void readEdgeSmoothing(int element, const FbxGeometry &geometry, const FbxUse &use);
     void readGroups(int element, const FbxGeometry &geometry, const FbxUse &use);
+    void compareGroups();
     void setHard(int soupCorner);
 
     const FbxTree &mTree;
@@ -34,7 +34,8 @@ private:
     const FbxSource &mSource;
     const FbxGeometries &mGeometries;
     FileShading mShading;
-    std::vector<int> mPairBySide; //!< made when it is needed
+    std::vector<int> mPairBySide;            //!< made when it is needed
+    std::vector<std::optional<int>> mGroups; //!< per face; empty when there are none
     std::vector<bool> mHard;
 };
 
@@ -90,27 +91,28 @@ void ShadingReader::readEdgeSmoothing(int element, const FbxGeometry &geometry, 
     }
 }
 
-//! Each polygon has a bit for each of its smoothing groups: an edge is hard between polygons without a common
-//! one.
+//! Each polygon has a bit for each of its smoothing groups.
 void ShadingReader::readGroups(int element, const FbxGeometry &geometry, const FbxUse &use)
 {
     const auto groups = mTree.integers(mTree.child(element, "Smoothing"));
     if (!groups || std::ssize(*groups) < geometry.polygonCount())
         return;
+    mGroups.resize(static_cast<std::size_t>(mMesh.faceCount()));
     for (const FbxUse::Instance &instance : use.instances) {
-        const int first = instance.firstFace;
-        const int end = first + static_cast<int>(geometry.faces.size());
-        const auto groupsAt = [&](int triangle) {
-            const int face = mMesh.triangleFace[triangle];
-            return face >= first && face < end ? (*groups)[geometry.faces[face - first]] : 0;
-        };
-        for (std::size_t e = 0; e < mMesh.edgePairs.size(); ++e) {
-            const EdgePair &pair = mMesh.edgePairs[e];
-            const int face = mMesh.triangleFace[pair.triangle[0]];
-            if (!pair.diagonal && face >= first && face < end &&
-                (groupsAt(pair.triangle[0]) & groupsAt(pair.triangle[1])) == 0)
-                mHard[e] = true;
-        }
+        for (std::size_t i = 0; i < geometry.faces.size(); ++i)
+            mGroups[instance.firstFace + i] = (*groups)[geometry.faces[i]];
+    }
+}
+
+//! An edge between polygons without a common smoothing group is hard.
+void ShadingReader::compareGroups()
+{
+    for (std::size_t e = 0; !mGroups.empty() && e < mMesh.edgePairs.size(); ++e) {
+        const EdgePair &pair = mMesh.edgePairs[e];
+        const std::optional<int> a = mGroups[mMesh.triangleFace[pair.triangle[0]]];
+        const std::optional<int> b = mGroups[mMesh.triangleFace[pair.triangle[1]]];
+        if (!pair.diagonal && a && b && (*a & *b) == 0)
+            mHard[e] = true;
     }
 }
 
@@ -131,6 +133,7 @@ std::vector<bool> ShadingReader::read()
         if (!readNormals(mGeometries[u], mSource.uses[u]))
             readSmoothing(mGeometries[u], mSource.uses[u]);
     }
+    compareGroups();
     const std::vector<bool> byNormals = hardEdges(mMesh, mShading);
     for (std::size_t e = 0; e < byNormals.size(); ++e)
         mHard[e] = mHard[e] || byNormals[e];

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace autocuts {
@@ -17,24 +18,23 @@ class Properties
 public:
     Properties(const FbxTree &tree, int object) : mTree(tree)
     {
-        mList = tree.child(object, "Properties70");
-        if (mList < 0)
-            mList = tree.child(object, "Properties60");
+        int list = tree.child(object, "Properties70");
+        if (list < 0)
+            list = tree.child(object, "Properties60");
+        for (int p = list < 0 ? -1 : node(list).firstChild; p >= 0; p = node(p).next)
+            mNodes.try_emplace(tree.text(p), p);
     }
 
     //! The numbers of the property of this name; empty when there is none.
     std::vector<double> numbers(std::string_view name) const
     {
         std::vector<double> result;
-        for (int p = mList < 0 ? -1 : node(mList).firstChild; p >= 0; p = node(p).next) {
-            const std::vector<FbxValue> values = mTree.values(p, 8);
-            if (values.empty() || values[0].text != name)
-                continue;
-            for (const FbxValue &value : values) {
-                if (value.kind == FbxValue::Kind::Integer || value.kind == FbxValue::Kind::Number)
-                    result.push_back(value.number);
-            }
-            break;
+        const auto found = mNodes.find(name);
+        if (found == mNodes.end())
+            return result;
+        for (const FbxValue &value : mTree.values(found->second, 8)) {
+            if (value.kind == FbxValue::Kind::Integer || value.kind == FbxValue::Kind::Number)
+                result.push_back(value.number);
         }
         return result;
     }
@@ -54,7 +54,7 @@ private:
     const FbxNode &node(int index) const { return mTree.nodes[static_cast<std::size_t>(index)]; }
 
     const FbxTree &mTree;
-    int mList;
+    std::map<std::string_view, int> mNodes; //!< the first one of each name
 };
 
 //! A rotation by Euler angles in degrees. \param order as in the property RotationOrder: 0 is x first, z last

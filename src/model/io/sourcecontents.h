@@ -8,7 +8,8 @@ struct SourceContents
 {
     bool bones = false, shapeKeys = false, animations = false, lightsOrCameras = false,
          embeddedTextures = false, hierarchy = false;
-    bool instances = false; //!< several objects share a mesh
+    bool instances = false;    //!< several objects share a mesh
+    bool splitObjects = false; //!< objects are one mesh for each of their materials
 };
 
 } // namespace autocuts
