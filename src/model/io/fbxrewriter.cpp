@@ -7,8 +7,9 @@
 #include "model/io/fbxuvelements.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 
 namespace autocuts {
 
@@ -24,7 +25,10 @@ bool sameRows(const UvMatrix &a, Eigen::Index rowA, const UvMatrix &b, Eigen::In
 {
     if (hasUv(a, rowA) != hasUv(b, rowB))
         return false;
-    return !hasUv(a, rowA) || std::memcmp(a.data() + 2 * rowA, b.data() + 2 * rowB, 2 * sizeof(double)) == 0;
+    const auto sameBits = [&](Eigen::Index column) {
+        return std::bit_cast<std::uint64_t>(a(rowA, column)) == std::bit_cast<std::uint64_t>(b(rowB, column));
+    };
+    return !hasUv(a, rowA) || (sameBits(0) && sameBits(1));
 }
 
 bool sameUv(const UvMatrix &a, const UvMatrix &b)
