@@ -320,7 +320,7 @@ private Q_SLOTS:
         QTest::newRow("glb") << QStringLiteral("polygons are split");
         QTest::newRow("ply") << QStringLiteral("single precision");
         QTest::newRow("dae") << QStringLiteral("groups, smoothing groups");
-        QTest::newRow("fbx") << QStringLiteral("ASCII FBX");
+        QTest::newRow("fbx") << QStringLiteral("material libraries");
     }
     void otherFormatsSayWhatIsLost()
     {

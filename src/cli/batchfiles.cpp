@@ -195,8 +195,11 @@ Result<Done> BatchFiles::writeSession(const Scene &scene, const CliOptions &opti
 
 QStringList BatchFiles::losses(const Scene &scene, const QString &path)
 {
-    return isProjectPath(path) ? sessionLosses(scene)
-                               : exportLosses(scene, QFileInfo(path).suffix().toLower());
+    if (isProjectPath(path))
+        return sessionLosses(scene);
+    const QString format = QFileInfo(path).suffix().toLower();
+    prepareExport(scene, format);
+    return exportLosses(scene, format);
 }
 
 } // namespace autocuts

@@ -11,9 +11,6 @@ namespace autocuts {
 
 namespace {
 
-//! Positions closer than this share of the largest coordinate are equal: text files often have six digits.
-constexpr double relativeTolerance = 2e-6;
-
 using Cell = std::array<double, 3>;
 
 double largestCoordinate(const MeshData &mesh)
@@ -98,7 +95,8 @@ FaceKey faceKey(const MeshData &mesh, int face, VertexOf &&vertexOf)
     return key;
 }
 
-void matchByPosition(const MeshData &before, const MeshData &after, FaceMatch &match)
+void matchByPosition(const MeshData &before, const MeshData &after, double relativeTolerance,
+                     FaceMatch &match)
 {
     const double tolerance =
         relativeTolerance * std::max(largestCoordinate(before), largestCoordinate(after));
@@ -135,7 +133,7 @@ void matchByPosition(const MeshData &before, const MeshData &after, FaceMatch &m
 
 } // namespace
 
-FaceMatch matchFaces(const MeshData &before, const MeshData &after)
+FaceMatch matchFaces(const MeshData &before, const MeshData &after, double tolerance)
 {
     FaceMatch match;
     match.face.assign(static_cast<std::size_t>(before.faceCount()), -1);
@@ -146,7 +144,7 @@ FaceMatch matchFaces(const MeshData &before, const MeshData &after)
         std::iota(match.face.begin(), match.face.end(), 0);
         std::iota(match.corner.begin(), match.corner.end(), 0);
     } else {
-        matchByPosition(before, after, match);
+        matchByPosition(before, after, tolerance, match);
     }
     return match;
 }

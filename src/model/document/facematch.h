@@ -15,7 +15,10 @@ struct FaceMatch
     std::vector<int> face, corner;
 };
 
-//! Finds the counterparts by the rule of relinkDocument().
-FaceMatch matchFaces(const MeshData &before, const MeshData &after);
+//! Positions closer than this share of the largest coordinate are equal: text files often have six digits.
+inline constexpr double equalPositions = 2e-6;
+
+//! Finds the counterparts by the rule of relinkDocument(). \param tolerance as equalPositions
+FaceMatch matchFaces(const MeshData &before, const MeshData &after, double tolerance = equalPositions);
 
 } // namespace autocuts

@@ -1,4 +1,4 @@
-// Reads ply, stl, off, gltf, glb, fbx, dae, 3ds and blend files through Assimp.
+// Reads ply, stl, off, gltf, glb, dae, 3ds and blend files through Assimp, and for conversions fbx.
 #pragma once
 
 #include "model/document/result.h"

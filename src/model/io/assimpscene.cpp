@@ -88,9 +88,8 @@ bool isInstanced(const AssimpSource &source)
 //! True when at least one node has several meshes.
 bool hasSplitNodes(const AssimpSource &source)
 {
-    return std::adjacent_find(source.pieces.begin(), source.pieces.end(),
-                              [](const AssimpPiece &a, const AssimpPiece &b) { return a.node == b.node; }) !=
-           source.pieces.end();
+    const auto sameNode = [](const AssimpPiece &a, const AssimpPiece &b) { return a.node == b.node; };
+    return std::ranges::adjacent_find(source.pieces, sameNode) != source.pieces.end();
 }
 
 //! Puts a new root without transform above the root.
@@ -116,49 +115,24 @@ ExportOptions exportOptions(const QString &format)
     return options;
 }
 
-QStringList contentLosses(const ModelContents &contents, const QString &format)
+bool isFromAssimp(const Scene &scene)
 {
-    const ExportOptions options = exportOptions(format);
-    const bool bareMesh = format == QLatin1String("obj") || format == QLatin1String("ply");
-    QStringList losses;
-    if (contents.morphTargets)
-        losses << QStringLiteral("shape keys (morph targets) are lost");
-    if (bareMesh) {
-        if (contents.animations || contents.bones)
-            losses << QStringLiteral("bones and animations are lost");
-        if (contents.hierarchy)
-            losses << QStringLiteral("the node hierarchy is lost; positions are written in world space");
-        if (contents.lightsOrCameras)
-            losses << QStringLiteral("lights and cameras are lost");
-        return losses;
-    }
-    if (contents.instances)
-        losses << QStringLiteral(
-            "meshes that several nodes share become one copy per node, with its own UVs");
-    if (contents.animations)
-        losses << (options.animations
-                       ? QStringLiteral("animations are left out where the format cannot hold them")
-                       : QStringLiteral("animations are lost"));
-    if (contents.embeddedTextures && !options.embeddedTextures)
-        losses << QStringLiteral("embedded textures are lost");
-    if (format == QLatin1String("fbx") && contents.splitNodes)
-        losses << QStringLiteral("an object of several materials becomes one object for each of them");
-    return losses;
+    return dynamic_cast<const AssimpSource *>(scene.source.get()) != nullptr;
 }
 
-QStringList assimpLosses(const AssimpSource &source, const QString &format)
+SourceContents contentsOf(const AssimpSource &source)
 {
     const aiScene &from = *source.scene;
-    ModelContents contents;
-    contents.animations = from.mNumAnimations > 0;
+    SourceContents contents;
     contents.bones = hasBones(from);
-    contents.morphTargets = hasMorphTargets(from);
-    contents.hierarchy = from.mRootNode->mNumChildren > 0;
+    contents.shapeKeys = hasMorphTargets(from);
+    contents.animations = from.mNumAnimations > 0;
     contents.lightsOrCameras = from.mNumLights > 0 || from.mNumCameras > 0;
     contents.embeddedTextures = from.mNumTextures > 0;
+    contents.hierarchy = from.mRootNode->mNumChildren > 0;
     contents.instances = isInstanced(source);
-    contents.splitNodes = hasSplitNodes(source);
-    return contentLosses(contents, format);
+    contents.splitObjects = hasSplitNodes(source);
+    return contents;
 }
 
 ExportScene::ExportScene(const Scene &scene, const ExportOptions &options)

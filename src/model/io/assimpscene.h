@@ -1,9 +1,10 @@
-// Makes scenes for Assimp's exporters and lists what they lose.
+// Makes scenes for Assimp's exporters and says what scenes of its importers hold.
 #pragma once
 
 #include "model/io/assimpsource.h"
+#include "model/io/sourcecontents.h"
 
-#include <QStringList>
+#include <QString>
 
 struct aiScene;
 
@@ -22,20 +23,10 @@ struct ExportOptions
 //! The options for a format. \param format lower-case suffix
 ExportOptions exportOptions(const QString &format);
 
-//! What a model holds besides polygons and materials.
-struct ModelContents
-{
-    bool animations = false, bones = false, morphTargets = false, hierarchy = false;
-    bool lightsOrCameras = false, embeddedTextures = false;
-    bool instances = false;  //!< several nodes have the same mesh
-    bool splitNodes = false; //!< nodes have several meshes, one for each material
-};
+//! True when Assimp has read the scene. Such scenes are written by Assimp, with all that it has read.
+bool isFromAssimp(const Scene &scene);
 
-//! Lists the data that an export by Assimp loses, one line each.
-QStringList contentLosses(const ModelContents &contents, const QString &format);
-
-//! contentLosses() of the source.
-QStringList assimpLosses(const AssimpSource &source, const QString &format);
+SourceContents contentsOf(const AssimpSource &source);
 
 //! A scene for Assimp's exporters. Nodes and materials belong to the Scene it was made from, which must
 //! outlive it. It owns its meshes, one per AssimpPiece; vertices are split where their corners differ in UV

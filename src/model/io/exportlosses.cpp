@@ -2,6 +2,8 @@
 
 #include "model/io/assimpscene.h"
 #include "model/io/collada/colladasource.h"
+#include "model/io/fbxrewriter.h"
+#include "model/io/fbxtwin.h"
 #include "model/io/gltf/gltfwriter.h"
 #include "model/io/objsource.h"
 
@@ -39,15 +41,94 @@ void addPlyLosses(QStringList &losses, const Scene &scene)
             << QStringLiteral("PLY holds one UV set: only \"%1\" is written").arg(scene.uvSets.front().name);
 }
 
+//! What the format loses of the data besides the geometry.
+QStringList contentLosses(const SourceContents &contents, const QString &format)
+{
+    const ExportOptions options = exportOptions(format);
+    const bool bareMesh = format == QLatin1String("obj") || format == QLatin1String("ply");
+    QStringList losses;
+    if (contents.shapeKeys)
+        losses << QStringLiteral("shape keys (morph targets) are lost");
+    if (bareMesh) {
+        if (contents.animations || contents.bones)
+            losses << QStringLiteral("bones and animations are lost");
+        if (contents.hierarchy)
+            losses << QStringLiteral("the node hierarchy is lost; positions are written in world space");
+        if (contents.lightsOrCameras)
+            losses << QStringLiteral("lights and cameras are lost");
+        return losses;
+    }
+    if (contents.instances)
+        losses << QStringLiteral(
+            "meshes that several nodes share become one copy per node, with its own UVs");
+    if (contents.animations)
+        losses << (options.animations
+                       ? QStringLiteral("animations are left out where the format cannot hold them")
+                       : QStringLiteral("animations are lost"));
+    if (contents.embeddedTextures && !options.embeddedTextures)
+        losses << QStringLiteral("embedded textures are lost");
+    if (contents.splitObjects && format == QLatin1String("fbx"))
+        losses << QStringLiteral("an object of several materials becomes one object for each of them");
+    return losses;
+}
+
+//! What is lost of an FBX file that Assimp does not read, or reads with other polygons.
+QStringList plainFbxLosses(const FbxSource &source)
+{
+    const SourceContents &contents = source.contents;
+    QStringList losses;
+    if (contents.bones || contents.animations)
+        losses << QStringLiteral("bones and animations are lost: only FBX can hold those of this file");
+    if (contents.shapeKeys)
+        losses << QStringLiteral("shape keys (morph targets) are lost");
+    if (contents.hierarchy || contents.lightsOrCameras)
+        losses << QStringLiteral("the node hierarchy, lights and cameras are lost; positions are written in "
+                                 "world space");
+    losses << QStringLiteral("of the materials only the names are written")
+           << QStringLiteral("normals and vertex colours are lost");
+    return losses;
+}
+
+bool readsWithAssimp(const FbxSource &source)
+{
+    return source.twin != FbxTwin::None && source.version >= 7100;
+}
+
+QStringList fbxLosses(const FbxSource &source, const QString &format)
+{
+    const bool plain = format != QLatin1String("obj") && !readsWithAssimp(source);
+    return plain ? plainFbxLosses(source) : contentLosses(source.contents, format);
+}
+
+QStringList unequalInstances(const FbxSource &source, const Scene &scene)
+{
+    if (!hasUnequalInstances(source, scene))
+        return {};
+    return {QStringLiteral("objects that share a mesh have one map in the file: that of the first one whose "
+                           "UVs were changed is written")};
+}
+
 } // namespace
+
+void prepareExport(const Scene &scene, const QString &format)
+{
+    const auto *fbx = fbxSourceOf(scene);
+    const bool needsAssimp = format != QLatin1String("fbx") && format != QLatin1String("obj");
+    if (fbx && needsAssimp && fbx->twin == FbxTwin::Unknown)
+        assimpTwin(scene, *fbx);
+}
 
 QStringList exportLosses(const Scene &scene, const QString &format)
 {
     QStringList losses;
     const bool isObj = format == QLatin1String("obj");
     const bool isPly = format == QLatin1String("ply");
+    const bool isFbx = format == QLatin1String("fbx");
     const auto *assimp = dynamic_cast<const AssimpSource *>(scene.source.get());
     const auto *obj = dynamic_cast<const ObjSource *>(scene.source.get());
+    const FbxSource *fbx = fbxSourceOf(scene);
+    if (fbx && isFbx)
+        return unequalInstances(*fbx, scene);
     if (isObj && obj) {
         if (scene.uvSets.size() > 1)
             losses << QStringLiteral("OBJ holds one UV set: only \"%1\" is written")
@@ -62,7 +143,9 @@ QStringList exportLosses(const Scene &scene, const QString &format)
     if (gltf)
         losses << contentLosses(gltf->contents, format);
     if (assimp)
-        losses << assimpLosses(*assimp, format);
+        losses << contentLosses(contentsOf(*assimp), format);
+    if (fbx)
+        losses << fbxLosses(*fbx, format);
     if (isObj) {
         addObjLosses(losses, scene);
         return losses;
@@ -70,19 +153,23 @@ QStringList exportLosses(const Scene &scene, const QString &format)
     if (obj)
         losses << QStringLiteral(
             "comments, groups, smoothing groups and material libraries of the OBJ file are lost");
+    if (isFbx && !assimp && !gltf) {
+        if (!scene.materialNames.empty())
+            losses << QStringLiteral("of the materials only the names are written");
+        return losses;
+    }
     if (isPly)
         addPlyLosses(losses, scene);
     if (isGltfFormat(format) && scene.mesh->report.polygons > 0)
         losses << QStringLiteral("glTF holds triangles only: polygons are split");
-    if (format == QLatin1String("fbx"))
+    if (isFbx)
         losses << QStringLiteral("the file is ASCII FBX, which Blender does not read: use glb or dae for it");
     if (scene.uvSets.size() > maxAssimpUvSets)
         losses << QStringLiteral("UV sets after the eighth are lost");
     if (hasPartialUv(scene))
         losses << QStringLiteral("corners without UV get the UV 0 0");
-    losses << (format == QLatin1String("fbx")
-                   ? QStringLiteral("positions and UVs are rounded to six decimals")
-                   : QStringLiteral("positions and UVs are rounded to single precision"));
+    losses << (isFbx ? QStringLiteral("positions and UVs are rounded to six decimals")
+                     : QStringLiteral("positions and UVs are rounded to single precision"));
     return losses;
 }
 

@@ -11,4 +11,9 @@ namespace autocuts {
 //! \param format lower-case suffix of the file to write
 QStringList exportLosses(const Scene &scene, const QString &format);
 
+//! Finds out what exportLosses() cannot say at once: whether Assimp reads the polygons of an FBX file, so
+//! that a file of another format gets its skeleton and animations. Until then exportLosses() takes that for
+//! granted. Waits for the program that reads the file; not for the GUI thread.
+void prepareExport(const Scene &scene, const QString &format);
+
 } // namespace autocuts

@@ -2,8 +2,13 @@
 
 #include "model/io/assimpmatch.h"
 #include "model/io/assimpreader.h"
+#include "model/io/assimpscene.h"
 #include "model/io/assimpwriter.h"
 #include "model/io/collada/colladasource.h"
+#include "model/io/fbxreader.h"
+#include "model/io/fbxrewriter.h"
+#include "model/io/fbxtwin.h"
+#include "model/io/fbxwriter.h"
 #include "model/io/gltf/gltfreader.h"
 #include "model/io/gltf/gltfwriter.h"
 #include "model/io/objreader.h"
@@ -57,6 +62,26 @@ Scene forAssimp(const Scene &scene)
     return matched ? std::move(*matched) : scene;
 }
 
+Result<Done> writeAs(const Scene &scene, const QString &path)
+{
+    const QString suffix = suffixOf(path);
+    if (suffix == QLatin1String("obj"))
+        return writeObj(scene, path);
+    const FbxSource *fbx = fbxSourceOf(scene);
+    if (fbx && suffix == QLatin1String("fbx"))
+        return saveAtomically(path, rewriteFbx(*fbx, scene));
+    if (suffix == QLatin1String("fbx") && !isFromAssimp(scene) && !gltfSourceOf(scene))
+        return saveAtomically(path, fbxBytes(scene));
+    if (isGltfFormat(suffix) && gltfSourceOf(scene))
+        return writeGltf(scene, path);
+    if (suffix == QLatin1String("dae") && colladaSourceOf(scene))
+        return writeCollada(scene, path);
+    if (gltfSourceOf(scene))
+        return writeWithAssimp(forAssimp(scene), path);
+    const std::optional<Scene> twin = fbx ? assimpTwin(scene, *fbx) : std::nullopt;
+    return writeWithAssimp(twin ? *twin : scene, path);
+}
+
 } // namespace
 
 QStringList readableFormats()
@@ -77,6 +102,8 @@ Result<Scene> readMesh(const QString &path, const std::atomic<bool> *stop)
     try {
         if (suffix == QLatin1String("obj"))
             return readObj(path, stop);
+        if (suffix == QLatin1String("fbx"))
+            return readFbx(path, stop);
         if (isGltfFormat(suffix))
             return readGltf(path, stop);
         Result<Scene> scene = readWithAssimp(path, stop);
@@ -103,15 +130,8 @@ Result<Done> writeMesh(const Scene &scene, const QString &path)
 {
     if (Result<Done> format = checkWriteFormat(path); !format)
         return format;
-    const QString suffix = suffixOf(path);
     try {
-        if (suffix == QLatin1String("obj"))
-            return writeObj(scene, path);
-        if (isGltfFormat(suffix) && gltfSourceOf(scene))
-            return writeGltf(scene, path);
-        if (suffix == QLatin1String("dae") && colladaSourceOf(scene))
-            return writeCollada(scene, path);
-        return writeWithAssimp(gltfSourceOf(scene) ? forAssimp(scene) : scene, path);
+        return writeAs(scene, path);
     } catch (const std::bad_alloc &) {
         return outOfMemory(path);
     }

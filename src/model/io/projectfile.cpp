@@ -30,13 +30,13 @@ bool isCompressed(const QByteArray &name)
 
 bool isModel(const QByteArray &name)
 {
-    return name == "obj" || name == "gltf" || name == "polygons";
+    return name == "obj" || name == "fbx" || name == "gltf" || name == "polygons";
 }
 
 //! True for the names of the blocks that are read.
 bool isKnown(const QByteArray &name)
 {
-    static const std::set<QByteArray> names{"scene", "obj",          "gltf",    "polygons",  "uvSets",
+    static const std::set<QByteArray> names{"scene", "obj",          "fbx",     "gltf",      "polygons",  "uvSets",
                                             "seams", "constraints",  "marks",   "settings",  "selection",
                                             "view",  "journalStart", "journal", "thumbnail", "sessionPath"};
     return names.contains(name) || isUvPart(name);

@@ -2,6 +2,8 @@
 
 #include "model/document/bitmap.h"
 #include "model/document/cborvalues.h"
+#include "model/io/fbxreader.h"
+#include "model/io/fbxsource.h"
 #include "model/io/gltf/gltfreader.h"
 #include "model/io/objreader.h"
 #include "model/io/objsource.h"
@@ -231,10 +233,13 @@ bool addGltf(Scene &scene, const QByteArray &part, const QString &path)
 Result<Scene> readModel(const PartMap &parts, const QString &path, QStringList &lost)
 {
     const auto obj = parts.find("obj");
+    const auto fbx = parts.find("fbx");
     const auto gltf = parts.find("gltf");
     const auto polygons = parts.find("polygons");
     if (obj != parts.end())
         return parseObj(obj->second, path);
+    if (fbx != parts.end())
+        return parseFbx(fbx->second, path);
     if (polygons == parts.end())
         return gltf == parts.end() ? damagedModel(path) : readGltfPart(gltf->second, path);
     Result<Scene> scene = readPolygons(polygons->second, path);
@@ -265,6 +270,8 @@ PartMap scenePartsOf(const Scene &scene)
     parts["scene"] = sceneMap(scene).toCborValue().toCbor();
     if (const ObjSource *obj = objSourceOf(scene))
         parts["obj"] = obj->bytes;
+    else if (const FbxSource *fbx = fbxSourceOf(scene))
+        parts["fbx"] = fbx->bytes;
     else
         parts["polygons"] = polygonsMap(scene).toCborValue().toCbor();
     if (const GltfSource *gltf = gltfSourceOf(scene))
@@ -302,7 +309,7 @@ QString modelPathIn(const QByteArray &sceneBlock)
 
 QStringList sessionLosses(const Scene &scene)
 {
-    if (objSourceOf(scene) || gltfSourceOf(scene) || !scene.source)
+    if (objSourceOf(scene) || fbxSourceOf(scene) || gltfSourceOf(scene) || !scene.source)
         return {};
     return {
         u"the session holds the polygons, objects, materials' names and UV sets of the %1 file, but not its "

@@ -6,8 +6,8 @@
 
 namespace autocuts {
 
-//! The blocks "scene" and, for a model from an OBJ file, "obj" with the bytes of that file, or else
-//! "polygons"; for a model from a glTF file also "gltf", with its bytes and those of its buffers.
+//! The blocks "scene" and, for a model from an OBJ or FBX file, "obj" or "fbx" with the bytes of that file, or
+//! else "polygons"; for a model from a glTF file also "gltf", with its bytes and those of its buffers.
 PartMap scenePartsOf(const Scene &scene);
 
 //! Reads the scene without its UV sets. Error when the model is damaged; when only its names are, `lost` says
@@ -18,7 +18,7 @@ Result<Scene> readSceneParts(const PartMap &parts, const QString &path, QStringL
 //! The path of the model's file in the block "scene"; empty when there is none or the block is damaged.
 QString modelPathIn(const QByteArray &sceneBlock);
 
-//! Data of the model's file that a session does not hold, one line each; empty for OBJ and glTF.
+//! Data of the model's file that a session does not hold, one line each; empty for OBJ, FBX and glTF.
 QStringList sessionLosses(const Scene &scene);
 
 } // namespace autocuts

@@ -29,7 +29,7 @@ QString formatName(const QString &suffix)
     if (suffix == QLatin1String("dae"))
         return ExportMeshDialog::tr("Collada") + dotted;
     if (suffix == QLatin1String("fbx"))
-        return ExportMeshDialog::tr("FBX, ASCII") + dotted;
+        return ExportMeshDialog::tr("FBX") + dotted;
     if (suffix == QLatin1String("ply"))
         return ExportMeshDialog::tr("Stanford PLY") + dotted;
     return suffix.toUpper() + dotted;

@@ -251,9 +251,9 @@ GltfContents contentsOf(const Json &root)
     for (const Json &image : member(root, "images"))
         contents.embeddedTextures |= !member(image, "bufferView").is_null();
     for (const Json &mesh : member(root, "meshes")) {
-        contents.splitNodes |= member(mesh, "primitives").size() > 1;
+        contents.splitObjects |= member(mesh, "primitives").size() > 1;
         for (const Json &primitive : member(mesh, "primitives")) {
-            contents.morphTargets |= hasElements(primitive, "targets");
+            contents.shapeKeys |= hasElements(primitive, "targets");
             contents.tangents |= member(primitive, "attributes").contains("TANGENT");
         }
     }

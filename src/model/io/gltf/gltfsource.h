@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/document/scene.h"
-#include "model/io/assimpscene.h"
 #include "model/io/gltf/gltffile.h"
+#include "model/io/sourcecontents.h"
 
 #include <vector>
 
@@ -20,7 +20,7 @@ struct GltfPiece
 };
 
 //! What a file holds, for the messages about losses.
-struct GltfContents : ModelContents
+struct GltfContents : SourceContents
 {
     bool tangents = false;   //!< vertices have tangents
     bool compressed = false; //!< by KHR_draco_mesh_compression or EXT_meshopt_compression

@@ -1,0 +1,147 @@
+#include "model/io/fbxobjects.h"
+
+#include <map>
+
+namespace autocuts {
+
+namespace {
+
+//! The display name of an object, of "Class::name" in text and "name\0\1Class" in binary files.
+QString objectName(const FbxTree &tree, std::string_view text)
+{
+    if (const std::size_t end = text.find(std::string_view("\0\1", 2)); end != std::string_view::npos)
+        text = text.substr(0, end);
+    else if (const std::size_t colons = text.find("::"); colons != std::string_view::npos)
+        text = text.substr(colons + 2);
+    return tree.binary ? QString::fromUtf8(text.data(), std::ssize(text))
+                       : QString::fromUtf8(unescapedFbx(text));
+}
+
+//! What connections call an object: its number, or in version 6 its name.
+QByteArray keyOf(const FbxValue &value)
+{
+    return value.kind == FbxValue::Kind::Text ? QByteArray(value.text.data(), std::ssize(value.text))
+                                              : QByteArray::number(static_cast<qlonglong>(value.integer));
+}
+
+class ObjectReader
+{
+public:
+    explicit ObjectReader(const FbxTree &tree) : mTree(tree) {}
+
+    FbxObjects read();
+
+private:
+    enum class Class { Model, Geometry, Material };
+    struct Entry
+    {
+        Class kind;
+        int index; //!< of a model or a material; the node of a geometry
+    };
+
+    void readObject(int node);
+    void connect(const FbxValue &child, const FbxValue &parent);
+    void readContents(std::string_view name, std::string_view kind, int node);
+
+    const FbxTree &mTree;
+    FbxObjects mObjects;
+    std::map<QByteArray, Entry> mEntries; //!< the first object of each key
+};
+
+void ObjectReader::readContents(std::string_view name, std::string_view kind, int node)
+{
+    SourceContents &contents = mObjects.contents;
+    contents.bones = contents.bones || kind == "Skin" || kind == "Cluster";
+    contents.shapeKeys =
+        contents.shapeKeys || kind == "BlendShape" || kind == "Shape" || mTree.child(node, "Shape") >= 0;
+    contents.animations = contents.animations || name == "AnimationCurve";
+    contents.lightsOrCameras = contents.lightsOrCameras || kind == "Light" || kind == "Camera";
+    contents.embeddedTextures =
+        contents.embeddedTextures || (name == "Video" && mTree.child(node, "Content") >= 0);
+}
+
+void ObjectReader::readObject(int node)
+{
+    const std::string_view name = mTree.name(node);
+    const std::vector<FbxValue> values = mTree.values(node, 3);
+    if (values.empty())
+        return;
+    readContents(name, values.back().kind == FbxValue::Kind::Text ? values.back().text : "", node);
+    const bool numbered = values[0].kind != FbxValue::Kind::Text;
+    const std::string_view called = numbered ? (values.size() > 1 ? values[1].text : "") : values[0].text;
+    const QByteArray key = keyOf(values[0]);
+    const bool hasPolygons = mTree.child(node, "PolygonVertexIndex") >= 0;
+    if (name == "Model") {
+        mEntries.try_emplace(key, Entry{Class::Model, static_cast<int>(mObjects.models.size())});
+        FbxModel &model = mObjects.models.emplace_back();
+        model.node = node;
+        model.name = objectName(mTree, called);
+        if (hasPolygons)
+            model.geometries.push_back(node);
+    } else if (name == "Geometry" && hasPolygons) {
+        mEntries.try_emplace(key, Entry{Class::Geometry, node});
+    } else if (name == "Material") {
+        mEntries.try_emplace(key, Entry{Class::Material, static_cast<int>(mObjects.materialNames.size())});
+        mObjects.materialNames.push_back(objectName(mTree, called));
+    }
+}
+
+void ObjectReader::connect(const FbxValue &child, const FbxValue &parent)
+{
+    const auto from = mEntries.find(keyOf(child));
+    if (from == mEntries.end())
+        return;
+    const Entry entry = from->second;
+    const QByteArray parentKey = keyOf(parent);
+    const auto to = mEntries.find(parentKey);
+    const bool toModel = to != mEntries.end() && to->second.kind == Class::Model;
+    if (entry.kind == Class::Model) {
+        FbxModel &model = mObjects.models[static_cast<std::size_t>(entry.index)];
+        const bool toRoot = to == mEntries.end() && (parentKey == "0" || parentKey == "Model::Scene" ||
+                                                     parentKey.startsWith("Scene\0"));
+        if (model.connected || (!toModel && !toRoot))
+            return;
+        model.connected = true;
+        model.parent = toModel ? to->second.index : -1;
+        mObjects.contents.hierarchy = mObjects.contents.hierarchy || toModel;
+        return;
+    }
+    if (!toModel)
+        return;
+    FbxModel &model = mObjects.models[static_cast<std::size_t>(to->second.index)];
+    (entry.kind == Class::Geometry ? model.geometries : model.materials).push_back(entry.index);
+}
+
+FbxObjects ObjectReader::read()
+{
+    const FbxTree &tree = mTree;
+    const auto childrenOf = [&](int parent) {
+        std::vector<int> children;
+        for (int c = parent < 0 ? -1 : tree.nodes[static_cast<std::size_t>(parent)].firstChild; c >= 0;
+             c = tree.nodes[static_cast<std::size_t>(c)].next)
+            children.push_back(c);
+        return children;
+    };
+    for (const int object : childrenOf(tree.child(0, "Objects")))
+        readObject(object);
+    for (const int connection : childrenOf(tree.child(0, "Connections"))) {
+        const std::vector<FbxValue> values = tree.values(connection, 3);
+        if (values.size() == 3 && values[0].kind == FbxValue::Kind::Text && values[0].text == "OO")
+            connect(values[1], values[2]);
+    }
+    for (const int take : childrenOf(tree.child(0, "Takes")))
+        mObjects.contents.animations = mObjects.contents.animations || tree.child(take, "Model") >= 0;
+    // Names of version 6 may be those of several objects, of which connections say nothing.
+    for (FbxModel &model : mObjects.models)
+        model.connected = model.connected || tree.version < 7000;
+    return std::move(mObjects);
+}
+
+} // namespace
+
+FbxObjects readFbxObjects(const FbxTree &tree)
+{
+    return ObjectReader(tree).read();
+}
+
+} // namespace autocuts

@@ -1,0 +1,38 @@
+// The objects of an FBX file and how they are connected.
+#pragma once
+
+#include "model/io/fbxtree.h"
+#include "model/io/sourcecontents.h"
+
+#include <QString>
+
+#include <Eigen/Geometry>
+
+namespace autocuts {
+
+//! A model: a place in the hierarchy, with geometry or without.
+struct FbxModel
+{
+    int node = 0;
+    QString name;
+    int parent = -1;             //!< index of a model; -1 at the top
+    bool connected = false;      //!< the file puts it into the scene
+    std::vector<int> geometries; //!< nodes; of version 6 the node of the model itself
+    std::vector<int> materials;  //!< indices into FbxObjects::materialNames, in the order of the slots
+};
+
+struct FbxObjects
+{
+    std::vector<FbxModel> models; //!< in the order of the file
+    std::vector<QString> materialNames;
+    SourceContents contents;
+};
+
+FbxObjects readFbxObjects(const FbxTree &tree);
+
+//! For each model the transform from its geometry to the scene, in centimetres with y up, as Assimp does it:
+//! by the translations, rotations, scalings, pivots and offsets of the models and by the units and axes of
+//! the file. A child inherits the whole transform of its parent, whatever its InheritType says.
+std::vector<Eigen::Affine3d> fbxTransforms(const FbxTree &tree, const FbxObjects &objects);
+
+} // namespace autocuts

@@ -1,0 +1,138 @@
+// Where the models of an FBX file stand.
+#include "model/io/fbxobjects.h"
+
+#include "model/plain/types.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace autocuts {
+
+namespace {
+
+//! The properties of an object: the children "P" of "Properties70", or "Property" of "Properties60".
+class Properties
+{
+public:
+    Properties(const FbxTree &tree, int object) : mTree(tree)
+    {
+        int list = tree.child(object, "Properties70");
+        if (list < 0)
+            list = tree.child(object, "Properties60");
+        for (int p = list < 0 ? -1 : node(list).firstChild; p >= 0; p = node(p).next)
+            mNodes.try_emplace(tree.text(p), p);
+    }
+
+    //! The numbers of the property of this name; empty when there is none.
+    std::vector<double> numbers(std::string_view name) const
+    {
+        std::vector<double> result;
+        const auto found = mNodes.find(name);
+        if (found == mNodes.end())
+            return result;
+        for (const FbxValue &value : mTree.values(found->second, 8)) {
+            if (value.kind == FbxValue::Kind::Integer || value.kind == FbxValue::Kind::Number)
+                result.push_back(value.number);
+        }
+        return result;
+    }
+    Vec3 vector(std::string_view name, const Vec3 &otherwise) const
+    {
+        const std::vector<double> values = numbers(name);
+        const Vec3 vector = values.size() < 3 ? otherwise : Vec3(values[0], values[1], values[2]);
+        return vector.allFinite() ? vector : otherwise;
+    }
+    int integer(std::string_view name, int otherwise) const
+    {
+        const std::vector<double> values = numbers(name);
+        return values.empty() || !(std::abs(values[0]) < 1e9) ? otherwise : static_cast<int>(values[0]);
+    }
+
+private:
+    const FbxNode &node(int index) const { return mTree.nodes[static_cast<std::size_t>(index)]; }
+
+    const FbxTree &mTree;
+    std::map<std::string_view, int> mNodes; //!< the first one of each name
+};
+
+//! A rotation by Euler angles in degrees. \param order as in the property RotationOrder: 0 is x first, z last
+Eigen::Matrix3d rotation(const Vec3 &degrees, int order = 0)
+{
+    // The axes from the first rotation to the last; the spheric order, 6, is read as x, y, z.
+    static constexpr std::array<std::array<int, 3>, 6> orders{
+        {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {1, 0, 2}, {2, 0, 1}, {2, 1, 0}}};
+    const auto &axes = orders[order >= 0 && order < 6 ? static_cast<std::size_t>(order) : 0];
+    Eigen::Matrix3d result = Eigen::Matrix3d::Identity();
+    for (const int axis : axes)
+        result = Eigen::AngleAxisd(degrees[axis] * std::numbers::pi / 180, Vec3::Unit(axis)) * result;
+    return result;
+}
+
+//! The transform of a model in its parent (FBX SDK, "Computing transformation matrices"). While
+//! RotationActive is not set, the rotation has the order x, y, z and nothing before and behind it.
+Eigen::Affine3d localTransform(const Properties &p)
+{
+    const Vec3 zero = Vec3::Zero();
+    const Vec3 rotationPivot = p.vector("RotationPivot", zero);
+    const Vec3 scalingPivot = p.vector("ScalingPivot", zero);
+    Eigen::Affine3d result = Eigen::Affine3d::Identity();
+    result.translate(p.vector("Lcl Translation", zero) + p.vector("RotationOffset", zero) + rotationPivot);
+    const bool active = p.integer("RotationActive", 0) != 0;
+    const bool around = active && p.integer("RotationSpaceForLimitOnly", 0) == 0;
+    result.rotate(rotation(around ? p.vector("PreRotation", zero) : zero));
+    result.rotate(rotation(p.vector("Lcl Rotation", zero), active ? p.integer("RotationOrder", 0) : 0));
+    result.rotate(rotation(around ? p.vector("PostRotation", zero) : zero).transpose());
+    result.translate(p.vector("ScalingOffset", zero) + scalingPivot - rotationPivot);
+    result.scale(p.vector("Lcl Scaling", Vec3::Ones()));
+    result.translate(-scalingPivot);
+    return result;
+}
+
+//! The transform of the geometry of a model, which its children do not inherit.
+Eigen::Affine3d geometricTransform(const Properties &p)
+{
+    Eigen::Affine3d result = Eigen::Affine3d::Identity();
+    result.translate(p.vector("GeometricTranslation", Vec3::Zero()));
+    result.rotate(rotation(p.vector("GeometricRotation", Vec3::Zero())));
+    result.scale(p.vector("GeometricScaling", Vec3::Ones()));
+    return result;
+}
+
+} // namespace
+
+std::vector<Eigen::Affine3d> fbxTransforms(const FbxTree &tree, const FbxObjects &objects)
+{
+    const std::size_t count = objects.models.size();
+    std::vector<Eigen::Affine3d> world(count), result(count);
+    enum class State : std::uint8_t { New, Open, Done };
+    std::vector<State> states(count, State::New);
+    std::vector<std::size_t> open;
+    for (std::size_t m = 0; m < count; ++m) {
+        // From the model up to the first one that is known, and back down. A circle ends at the root.
+        std::size_t at = m;
+        while (states[at] == State::New) {
+            states[at] = State::Open;
+            open.push_back(at);
+            const int parent = objects.models[at].parent;
+            if (parent < 0)
+                break;
+            at = static_cast<std::size_t>(parent);
+        }
+        for (; !open.empty(); open.pop_back()) {
+            const std::size_t now = open.back();
+            const int parent = objects.models[now].parent;
+            const bool below = parent >= 0 && states[static_cast<std::size_t>(parent)] == State::Done;
+            const Properties p(tree, objects.models[now].node);
+            world[now] = localTransform(p);
+            if (below)
+                world[now] = world[static_cast<std::size_t>(parent)] * world[now];
+            result[now] = world[now] * geometricTransform(p);
+            states[now] = State::Done;
+        }
+    }
+    return result;
+}
+
+} // namespace autocuts

@@ -1,0 +1,15 @@
+// What a model file holds besides polygons, objects, materials and UVs.
+#pragma once
+
+namespace autocuts {
+
+//! Said in advance when a format loses it.
+struct SourceContents
+{
+    bool bones = false, shapeKeys = false, animations = false, lightsOrCameras = false,
+         embeddedTextures = false, hierarchy = false;
+    bool instances = false;    //!< several objects share a mesh
+    bool splitObjects = false; //!< objects are one mesh for each of their materials
+};
+
+} // namespace autocuts
