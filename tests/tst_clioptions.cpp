@@ -252,7 +252,7 @@ private Q_SLOTS:
             QCOMPARE(given.borderAttached, standard.borderAttached);
             ++checked;
         }
-        QCOMPARE(checked, 18);
+        QCOMPARE(checked, 20);
     }
 
     void helpSaysAllInItsWidth()
