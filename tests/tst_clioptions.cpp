@@ -253,7 +253,7 @@ private Q_SLOTS:
             QCOMPARE(given.borderAttached, standard.borderAttached);
             ++checked;
         }
-        QCOMPARE(checked, 19);
+        QCOMPARE(checked, 21);
     }
 
     void helpSaysAllInItsWidth()

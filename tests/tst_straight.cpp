@@ -8,6 +8,7 @@
 #include "solver/straight/linenewton.h"
 #include "solver/straight/straightening.h"
 #include "solver/straight/turning.h"
+#include "solver/unwrap/livemap.h"
 #include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 
@@ -174,6 +175,7 @@ private Q_SLOTS:
     void samplesAreValidAndTheSameOnAnyThreads();
     void offAndAutoOnRoundSurfacesChangeNothing();
     void lockedIslandsKeepTheirBits();
+    void aLiveMapAtRestIsStraight();
 };
 
 void TestStraight::linesHoldAndTheRestIsAMinimum()
@@ -508,6 +510,21 @@ void TestStraight::lockedIslandsKeepTheirBits()
         QVERIFY(result.uv.row(c) == uv.row(c));
     const Vec2 other = (result.uv.row(5) - result.uv.row(4)).cwiseAbs().transpose();
     QVERIFY(other.minCoeff() < 1e-9);
+}
+
+void TestStraight::aLiveMapAtRestIsStraight()
+{
+    const auto snapshot = std::make_shared<Snapshot>();
+    snapshot->mesh = test::quadCube();
+    snapshot->settings.align = CreaseMode::On;
+    std::shared_ptr<const unwrap::LiveMapResult> last;
+    unwrap::LiveMap live([&](std::shared_ptr<const unwrap::LiveMapResult> map) { last = std::move(map); });
+    live.begin(snapshot, {});
+    QVERIFY(live.work({}) && last && last->withinBound);
+    const metrics::UvMetrics figures = metrics::measureUv(*snapshot->mesh, last->uv);
+    QVERIFY(figures.axisAlignedShare > 1 - 1e-9);
+    QCOMPARE(figures.flipped, 0);
+    QCOMPARE(figures.overlapPairs, std::int64_t(0));
 }
 
 QTEST_APPLESS_MAIN(TestStraight)

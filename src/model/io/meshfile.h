@@ -24,8 +24,8 @@ Result<Scene> readMesh(const QString &path, const std::atomic<bool> *stop = null
 Result<Done> checkWriteFormat(const QString &path);
 
 //! Writes the scene with its active (first) UV set in the format given by the suffix. Writing a scene from an
-//! OBJ, FBX or glTF file in its own format changes nothing but UVs; for other formats see exportLosses(). On an
-//! Error an existing file is unchanged.
+//! OBJ, FBX or glTF file in its own format changes nothing but UVs; for other formats see exportLosses(). On
+//! an Error an existing file is unchanged.
 Result<Done> writeMesh(const Scene &scene, const QString &path);
 
 } // namespace autocuts

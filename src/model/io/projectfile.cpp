@@ -36,9 +36,9 @@ bool isModel(const QByteArray &name)
 //! True for the names of the blocks that are read.
 bool isKnown(const QByteArray &name)
 {
-    static const std::set<QByteArray> names{"scene", "obj",          "fbx",     "gltf",      "polygons",  "uvSets",
-                                            "seams", "constraints",  "marks",   "settings",  "selection",
-                                            "view",  "journalStart", "journal", "thumbnail", "sessionPath"};
+    static const std::set<QByteArray> names{
+        "scene", "obj",      "fbx",       "gltf", "polygons",     "uvSets",  "seams",     "constraints",
+        "marks", "settings", "selection", "view", "journalStart", "journal", "thumbnail", "sessionPath"};
     return names.contains(name) || isUvPart(name);
 }
 

@@ -6,8 +6,8 @@
 
 namespace autocuts {
 
-//! The blocks "scene" and, for a model from an OBJ or FBX file, "obj" or "fbx" with the bytes of that file, or
-//! else "polygons"; for a model from a glTF file also "gltf", with its bytes and those of its buffers.
+//! The blocks "scene" and, for a model from an OBJ or FBX file, "obj" or "fbx" with the bytes of that file,
+//! or else "polygons"; for a model from a glTF file also "gltf", with its bytes and those of its buffers.
 PartMap scenePartsOf(const Scene &scene);
 
 //! Reads the scene without its UV sets. Error when the model is damaged; when only its names are, `lost` says

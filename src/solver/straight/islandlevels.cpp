@@ -9,7 +9,7 @@ namespace autocuts::straight {
 namespace {
 
 // Chosen by hand.
-constexpr int newtonSteps = 20;
+constexpr int newtonSteps = 10;
 constexpr double nearAxis = 0.5;     //!< sine of the angle to an axis below which a chain is to run along it
 constexpr double diagonalGain = 0.1; //!< what a straight chain counts that runs along no axis
 constexpr double chosenGain = 1000;  //!< factor on what a chain counts that the user has chosen

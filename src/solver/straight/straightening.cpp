@@ -22,6 +22,8 @@ constexpr double leastEnergy = 4; //!< of a mean triangle
 //! the machine sample: seams are 1.00 to 1.06 times as long with .85, up to 1.23 times with .7, where no more
 //! becomes straight.
 constexpr double searchShare = 0.85;
+//! Most distortion for straightening, however large the bound is. Chosen by hand.
+constexpr double mostSpent = 0.15;
 constexpr double smallerBudget = 0.9; //!< factor when the whole map is above the bound
 constexpr int mostTries = 20;
 
@@ -85,10 +87,10 @@ public:
     SeamedMap run(double maxDistortion, const JobContext &job)
     {
         const double before = mMap.distortion(*mSoup);
-        findLevels(maxDistortion - leastEnergy, job);
+        findLevels(std::clamp(maxDistortion - leastEnergy, 0.0, mostSpent), job);
         if (job.stopped())
             return mMap;
-        double budget = std::max(0.0, maxDistortion - freeEnergy());
+        double budget = std::clamp(maxDistortion - freeEnergy(), 0.0, mostSpent);
         for (int attempt = 0; attempt < mostTries; ++attempt, budget *= smallerBudget) {
             SeamedMap straight = mapFor(budget);
             if (straight.distortion(*mSoup) <= std::max(maxDistortion, before) &&
@@ -111,7 +113,8 @@ private:
         mOriginal.assign(mIslands.size(), -1);
         for (int i = 0; i < static_cast<int>(mIslands.size()); ++i) {
             const int other = mMirrors[i].island;
-            if (other > i && !isHeld(i) && !isHeld(other) && chosen[i].empty() && chosen[other].empty())
+            if (other > i && mMirrors[other].island == i && !isHeld(i) && !isHeld(other) &&
+                chosen[i].empty() && chosen[other].empty())
                 pairUp(i, other);
         }
         parallelFor(static_cast<int>(mIslands.size()), job.threads(), [&](int i) {
@@ -270,7 +273,8 @@ StraightPlan StraightPlan::of(const Snapshot &snapshot)
 
 double StraightPlan::searchBound(double maxDistortion) const
 {
-    return !deforms() ? maxDistortion : leastEnergy + searchShare * (maxDistortion - leastEnergy);
+    const double kept = std::min((1 - searchShare) * (maxDistortion - leastEnergy), mostSpent);
+    return deforms() ? maxDistortion - kept : maxDistortion;
 }
 
 PackRotation StraightPlan::rotation(PackRotation wanted) const
