@@ -8,6 +8,7 @@
 #include <QUrl>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 namespace autocuts {
@@ -93,13 +94,16 @@ void GltfOutput::placeOuterBuffer(std::size_t number)
     const QByteArray &content = mDocument.buffers[number];
     const QString old = nameOfUri(textOf(buffer, "uri"));
     const QDir folder = QFileInfo(mTo).dir();
-    // A session has the bytes, though the file may be gone; it names no place outside the folder to write to.
-    const bool isThere = folder.exists(old);
-    if (mSameFolder && !isChanged(number) && isFileName(old) &&
-        (isThere || !old.contains(QLatin1Char('/')))) {
-        if (!isThere)
-            mBufferFiles.emplace_back(folder.filePath(old), content);
-        return;
+    if (mSameFolder && !isChanged(number) && isFileName(old)) {
+        const QString path = folder.filePath(old);
+        const Result<QByteArray> there = loadFile(path, std::numeric_limits<qint64>::max());
+        if (there && there->startsWith(content))
+            return;
+        // A session has the bytes of a file that is gone. It names no place outside the folder to write to.
+        if (!QFileInfo::exists(path) && !old.contains(QLatin1Char('/'))) {
+            mBufferFiles.emplace_back(path, content);
+            return;
+        }
     }
     buffer.erase("uri");
     const QString name = freeBufferName();
