@@ -358,7 +358,7 @@ const std::vector<CliCommand> &cliCommands()
          u"IN"_s,
          Output::Needed,
          {},
-         u"write another file format; OBJ to OBJ changes nothing"_s},
+         u"write another file format; OBJ to OBJ, FBX to FBX and glTF to glTF change nothing"_s},
         {Command::Replay,
          u"replay"_s,
          u"SESSION"_s,
