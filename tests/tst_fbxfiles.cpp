@@ -109,6 +109,7 @@ private Q_SLOTS:
     void otherFormats();
     void newFiles();
     void oldVersionsAreWrittenPlain();
+    void damagedFilesAreNotWritten();
     void mutatedFilesNeverCrash_data();
     void mutatedFilesNeverCrash();
     void realFilesStayTheSame();
@@ -224,6 +225,66 @@ void TestFbxFiles::oldVersionsAreWrittenPlain()
     const Result<Scene> again = readMesh(folder.filePath(u"a.glb"_s));
     QVERIFY(again.ok());
     QCOMPARE(again->mesh->area, scene.mesh->area);
+}
+
+//! A comma before a brace can be read, but what follows it is not where it seems.
+void TestFbxFiles::damagedFilesAreNotWritten()
+{
+    const QByteArray bytes = R"(; FBX 7500 project file
+FBXHeaderExtension: {
+	FBXVersion: 7500
+}
+Objects: {
+	Geometry: 2000,"Geometry::","Mesh" {
+		Vertices: *12 {
+			a: 0,0,0,1,0,0,1,1,0,0,1,0
+		}
+		PolygonVertexIndex: *4 {
+			a: 0,1,2,-4
+		}
+		LayerElementUV: 0 {
+			Name: "UVMap"
+			Type: "ByPolygonVertex"
+,		}
+		LayerElementUV: 0 {
+			Name: "UVMap"
+			MappingInformationType: "ByPolygonVertex"
+			ReferenceInformationType: "IndexToDirect"
+			UV: *8 {
+				a: 0,0,1,0,1,1,0,1
+			}
+			UVIndex: *4 {
+				a: 0,1,2,3
+			}
+		}
+		Layer: 0 {
+			LayerElement: {
+				Type: "LayerElementUV"
+				TypedIndex: 0
+			}
+		}
+	}
+	Model: 1000,"Model::quads","Mesh" {
+	}
+}
+Connections: {
+	C: "OO",2000,1000
+	C: "OO",1000,0
+}
+)";
+    Result<Scene> scene = parseFbx(bytes, u"damaged.fbx"_s);
+    QVERIFY(scene.ok());
+    QTemporaryDir folder;
+    const QString out = folder.filePath(u"out.fbx"_s);
+    QVERIFY(writeMesh(scene.value(), out).ok()); // nothing has changed
+    UvMatrix uv(4, 2);
+    uv << 0, 0, 0.5, 0, 0.5, 0.5, 0, 0.5;
+    scene->uvSets = {{u"UVMap"_s, uv}};
+    const Result<Done> written = writeMesh(scene.value(), out);
+    QVERIFY(!written.ok());
+    QVERIFY(written.error().message.contains(u"damaged"_s));
+    QFile before(out);
+    QVERIFY(before.open(QIODevice::ReadOnly) && before.readAll() == bytes);
 }
 
 void TestFbxFiles::mutatedFilesNeverCrash_data()
