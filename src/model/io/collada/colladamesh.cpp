@@ -285,7 +285,7 @@ std::vector<Vec3> positionsOf(const ColladaFile &file, const ColladaGeometry &ge
     std::vector<Vec3> positions;
     const auto stride = static_cast<std::size_t>(numbers->second.stride);
     for (int c = 0; c < primitive.cornerCount(); ++c) {
-        const int row = primitive.indices[static_cast<std::size_t>(c * primitive.stride + vertex->offset)];
+        const int row = primitive.indices[static_cast<std::size_t>(c) * primitive.stride + vertex->offset];
         if (row >= numbers->second.rows())
             return {};
         const double *p = numbers->second.values.data() + stride * static_cast<std::size_t>(row);

@@ -1,9 +1,9 @@
 #include "model/io/collada/colladamesh.h"
 #include "model/io/collada/colladasource.h"
+#include "model/plain/uvlayout.h"
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <set>
@@ -83,7 +83,7 @@ void CornerEdits::appendTo(std::vector<TextEdit> &edits) const
         const auto corner = static_cast<std::size_t>(c);
         for (const auto &[column, indices] : mReplaced) {
             const std::string_view word =
-                mPrimitive.words[static_cast<std::size_t>(c * mPrimitive.stride + column)];
+                mPrimitive.words[static_cast<std::size_t>(c) * mPrimitive.stride + column];
             edits.push_back({word.data(), word.data() + word.size(), std::to_string(indices[corner])});
         }
         const std::string_view last =
@@ -175,9 +175,7 @@ std::optional<NewUvs> ColladaRewriter::newUvs(std::size_t geometry, std::size_t 
             const int corner = size < 3 ? -1 : pieceCorner(*mScene.mesh, soup, number++);
             result.sceneCorner.push_back(corner);
             if (corner >= 0 && set->uv.row(corner).allFinite())
-                isChanged |=
-                    !old || std::memcmp(set->uv.data() + 2 * std::ptrdiff_t(corner),
-                                        old->data() + 2 * std::ptrdiff_t(corner), 2 * sizeof(double)) != 0;
+                isChanged |= !old || !sameBits(set->uv.row(corner), old->row(corner));
         }
     }
     return isChanged ? std::optional(result) : std::nullopt;
@@ -193,7 +191,7 @@ std::vector<int> ColladaRewriter::rowNumbers(const ColladaPrimitive &primitive, 
         Row row(columns, 0.0);
         if (old) {
             const int index =
-                primitive.indices[static_cast<std::size_t>(c * primitive.stride + input->offset)];
+                primitive.indices[static_cast<std::size_t>(c) * primitive.stride + input->offset];
             const double *values = old->values.data() + static_cast<std::ptrdiff_t>(index) * old->stride;
             std::copy_n(values, std::min(columns, static_cast<std::size_t>(old->stride)), row.begin());
         }

@@ -266,7 +266,7 @@ GltfElements GltfRewriter::gathered(const GltfElements &old, const Group &group)
     GltfElements result = old;
     result.count = group.map.oldVertex.size();
     result.bytes.clear();
-    result.bytes.reserve(static_cast<qsizetype>(result.count * result.size));
+    result.bytes.reserve(static_cast<qsizetype>(result.count) * static_cast<qsizetype>(result.size));
     for (const std::uint32_t vertex : group.map.oldVertex)
         result.bytes.append(old.at(vertex), static_cast<qsizetype>(old.size));
     return result;
