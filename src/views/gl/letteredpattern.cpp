@@ -98,7 +98,7 @@ QImage letteredPattern(int cells)
     QImage image(side, side, QImage::Format_RGBA8888);
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
-    const double cell = side / cells;
+    const double cell = static_cast<double>(side) / cells;
     for (int row = 0; row < cells; ++row) {
         for (int column = 0; column < cells; ++column)
             drawCell(painter, QRectF(column * cell, (cells - 1 - row) * cell, cell, cell),

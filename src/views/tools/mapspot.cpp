@@ -68,7 +68,7 @@ std::optional<MapSpot> mapSpotUnder(const ToolCanvas &canvas, const QPointF &cen
             PickResult beside;
             beside.triangle =
                 canvas.pick(centre + share * radius * QPointF(std::cos(angle), std::sin(angle))).triangle;
-            if (const auto spot = mapSpotAt(canvas, centre, beside))
+            if (auto spot = mapSpotAt(canvas, centre, beside))
                 return spot;
         }
     }

@@ -41,7 +41,7 @@ QByteArray takeChunk(const QByteArray &file, qsizetype &at)
     at += chunkHeaderSize;
     if (size > file.size() - at)
         throw GltfError("the file is cut off");
-    const QByteArray content = QByteArray::fromRawData(file.constData() + at, size);
+    QByteArray content = QByteArray::fromRawData(file.constData() + at, size);
     at = std::min<qsizetype>(at + (size + 3) / 4 * 4, file.size());
     return content;
 }
