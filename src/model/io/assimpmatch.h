@@ -4,13 +4,17 @@
 
 #include "model/document/scene.h"
 
+#include <QByteArray>
+#include <QString>
+
 #include <optional>
 
 namespace autocuts {
 
-//! The scene that Assimp read from the same file, with the UV sets of `scene`. Faces have to follow each
-//! other in the same order; their corners may start elsewhere, and faces without area may be missing in
-//! `scene`. Nothing when they do not correspond. \param assimp a scene of readWithAssimp()
-std::optional<Scene> withUvsOf(const Scene &scene, Scene assimp);
+//! The scene as Assimp reads a file of these bytes, with the UV sets of `scene`. Faces are matched by their
+//! places. Nothing when Assimp does not read the file, or a face of `scene` is not among those of the other;
+//! that may have more, such as faces without area. Waits for the program that reads it; not for the GUI
+//! thread. \param suffix of the format of the bytes
+std::optional<Scene> asAssimpReads(const Scene &scene, const QByteArray &bytes, const QString &suffix);
 
 } // namespace autocuts

@@ -17,7 +17,6 @@
 #include "model/io/savefile.h"
 
 #include <QFileInfo>
-#include <QTemporaryDir>
 
 #include <new>
 
@@ -49,18 +48,12 @@ Error outOfMemory(const QString &path)
 //! it. The scene as it is when Assimp reads other polygons.
 Scene forAssimp(const Scene &scene)
 {
-    const GltfSource *source = gltfSourceOf(scene);
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("model.glb"));
     try {
-        if (!source || !saveAtomically(path, sourceAsGlb(*source)))
-            return scene;
+        const QByteArray bytes = sourceAsGlb(*gltfSourceOf(scene));
+        return asAssimpReads(scene, bytes, QStringLiteral("glb")).value_or(scene);
     } catch (const GltfError &) {
         return scene;
     }
-    Result<Scene> read = readWithAssimp(path, nullptr);
-    std::optional<Scene> matched = read ? withUvsOf(scene, std::move(read).value()) : std::nullopt;
-    return matched ? std::move(*matched) : scene;
 }
 
 //! Of a damaged file that could still be read, the bytes around the UVs may not be what they seem.
