@@ -202,6 +202,7 @@ private Q_SLOTS:
     void onlyUvsChange();
     void textStaysInPlace();
     void newSet();
+    void tooManySets();
     void mirroredAndInstanced();
     void otherTextIsLeftToAssimp_data();
     void otherTextIsLeftToAssimp();
@@ -273,6 +274,18 @@ void TestCollada::newSet()
     QCOMPARE(again.uvSets.size(), std::size_t(2));
     QVERIFY((again.uvSets[0].uv - scene.uvSets[1].uv).isZero(0));
     QVERIFY((again.uvSets[1].uv - scene.uvSets[0].uv).cwiseAbs().maxCoeff() < 1e-6);
+}
+
+//! More sets than Assimp reads would make the file unreadable for it.
+void TestCollada::tooManySets()
+{
+    Scene scene = sceneOf(file(polylist()));
+    for (int s = 1; s < 10; ++s)
+        scene.uvSets.push_back({u"set %1"_s.arg(s), newUv(*scene.mesh)});
+    QVERIFY(exportLosses(scene, u"dae"_s).join(u' ').contains("after the eighth"_L1));
+    const Scene again = sceneOf(rewriteCollada(*colladaSourceOf(scene), scene));
+    QCOMPARE(again.uvSets.size(), std::size_t(8));
+    QVERIFY((again.uvSets[7].uv - scene.uvSets[7].uv).cwiseAbs().maxCoeff() < 1e-6);
 }
 
 void TestCollada::mirroredAndInstanced()

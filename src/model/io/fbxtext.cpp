@@ -124,7 +124,10 @@ bool TextParser::readValues(int added)
             first = false;
             continue;
         }
-        if (c == '}' || !wantsValue || (first && c != '"' && isKey(mPosition)))
+        const bool ends = c == '}' || (first && c != '"' && isKey(mPosition));
+        if (ends && !first && wantsValue)
+            return fail(u"a comma has no value behind it"_s);
+        if (ends || !wantsValue)
             break;
         if (c == '"') {
             if (!readString())

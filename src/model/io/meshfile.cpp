@@ -5,7 +5,6 @@
 #include "model/io/assimpscene.h"
 #include "model/io/assimpwriter.h"
 #include "model/io/collada/colladasource.h"
-#include "model/io/fbxparsing.h"
 #include "model/io/fbxreader.h"
 #include "model/io/fbxrewriter.h"
 #include "model/io/fbxtwin.h"
@@ -56,16 +55,6 @@ Scene forAssimp(const Scene &scene)
     }
 }
 
-//! Of a damaged file that could still be read, the bytes around the UVs may not be what they seem.
-Result<Done> writeFbx(const Scene &scene, const FbxSource &source, const QString &path)
-{
-    const QByteArray bytes = rewriteFbx(source, scene);
-    if (bytes != source.bytes && !parseFbxTree(bytes, path))
-        return Error{QStringLiteral("the FBX file is damaged: its UVs cannot be replaced"), path, 0,
-                     QStringLiteral("Save the model in another format, for example as OBJ")};
-    return saveAtomically(path, bytes);
-}
-
 Result<Done> writeAs(const Scene &scene, const QString &path)
 {
     const QString suffix = suffixOf(path);
@@ -73,7 +62,7 @@ Result<Done> writeAs(const Scene &scene, const QString &path)
         return writeObj(scene, path);
     const FbxSource *fbx = fbxSourceOf(scene);
     if (fbx && suffix == QLatin1String("fbx"))
-        return writeFbx(scene, *fbx, path);
+        return saveAtomically(path, rewriteFbx(*fbx, scene));
     if (suffix == QLatin1String("fbx") && !isFromAssimp(scene) && !gltfSourceOf(scene))
         return saveAtomically(path, fbxBytes(scene));
     if (isGltfFormat(suffix) && gltfSourceOf(scene))

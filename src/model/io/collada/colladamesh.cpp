@@ -1,5 +1,7 @@
 #include "model/io/collada/colladamesh.h"
 
+#include "model/io/assimpsource.h"
+
 #include <algorithm>
 #include <charconv>
 #include <limits>
@@ -9,7 +11,7 @@ namespace autocuts {
 
 namespace {
 
-constexpr int maxOffset = 100, maxAssimpSets = 8;
+constexpr int maxOffset = 100;
 
 template <typename T>
 bool parsed(std::string_view word, T &value)
@@ -48,7 +50,7 @@ bool readInput(const XmlElement &element, ColladaInput &input)
     input.semantic = element.attribute("semantic");
     input.source = element.attribute("source");
     if (!input.source.starts_with('#') || !numberOf(element, "offset", 0, input.offset) ||
-        !numberOf(element, "set", 0, input.set) || input.offset > maxOffset)
+        !numberOf(element, "set", 0, input.set) || input.offset > maxOffset || input.set >= maxAssimpUvSets)
         return false;
     input.source.remove_prefix(1);
     return true;
@@ -228,7 +230,7 @@ std::vector<int> ColladaGeometry::setsOf(std::size_t primitive) const
     std::set<int> sets;
     for (std::size_t p = primitive; p < primitives.size(); ++p) {
         for (const ColladaInput &input : primitives[p].inputs) {
-            if (input.semantic == "TEXCOORD" && input.set < maxAssimpSets)
+            if (input.semantic == "TEXCOORD")
                 sets.insert(input.set);
         }
     }

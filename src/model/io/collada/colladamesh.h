@@ -66,7 +66,7 @@ struct ColladaFile
 };
 
 //! Nothing when the file contains something whose UVs cannot be replaced: strips, fans, polygons with holes,
-//! wrong indices, numbers that are no numbers, ids that are there twice.
+//! wrong indices, numbers that are no numbers, ids that are there twice, sets that Assimp does not read.
 std::optional<ColladaFile> readCollada(std::string_view text);
 
 //! The positions of the corners of a primitive, in its own coordinates; empty when it has none.

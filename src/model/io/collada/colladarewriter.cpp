@@ -109,7 +109,7 @@ private:
     std::vector<const UvSet *> setsInOrder() const;
     void rewriteGeometry(std::size_t geometry);
     //! What the primitive gets in a set; nothing when that is what it has.
-    std::optional<NewUvs> newUvs(std::size_t geometry, std::size_t primitive, int channel) const;
+    std::optional<NewUvs> newUvs(std::size_t geometry, std::size_t primitive, std::size_t channel) const;
     void rewriteSet(std::size_t geometry, int set, const std::map<std::size_t, NewUvs> &changed);
     std::vector<int> rowNumbers(const ColladaPrimitive &primitive, const ColladaInput *input,
                                 const NewUvs *uvs, std::size_t columns, RowTable &table) const;
@@ -119,7 +119,6 @@ private:
     void setInput(const ColladaPrimitive &primitive, const ColladaInput *input, int set,
                   const std::string &id, std::optional<int> offset);
     void setAttribute(const XmlElement &element, std::string_view name, const std::string &value);
-    int firstFreeSet() const;
 
     const ColladaSource &mSource;
     const Scene &mScene;
@@ -153,9 +152,10 @@ std::vector<const UvSet *> ColladaRewriter::setsInOrder() const
     return sets;
 }
 
-std::optional<NewUvs> ColladaRewriter::newUvs(std::size_t geometry, std::size_t primitive, int channel) const
+std::optional<NewUvs> ColladaRewriter::newUvs(std::size_t geometry, std::size_t primitive,
+                                              std::size_t channel) const
 {
-    const UvSet *set = mSets[static_cast<std::size_t>(channel)];
+    const UvSet *set = mSets[channel];
     const auto piece =
         std::find_if(mSource.places.begin(), mSource.places.end(), [&](const ColladaPlace &place) {
             return place.geometry == geometry && place.primitive == primitive;
@@ -164,9 +164,7 @@ std::optional<NewUvs> ColladaRewriter::newUvs(std::size_t geometry, std::size_t 
         return {};
     const ColladaPrimitive &from = mFile.geometries[geometry].primitives[primitive];
     const AssimpPiece &soup = mSource.pieces[static_cast<std::size_t>(piece - mSource.places.begin())];
-    const UvMatrix *old = channel < static_cast<int>(mSource.uvSets.size())
-                              ? &mSource.uvSets[static_cast<std::size_t>(channel)].uv
-                              : nullptr;
+    const UvMatrix *old = channel < mSource.uvSets.size() ? &mSource.uvSets[channel].uv : nullptr;
     NewUvs result{&set->uv, {}};
     bool isChanged = false;
     int number = 0;
@@ -325,15 +323,23 @@ void ColladaRewriter::rewriteSet(std::size_t number, int set, const std::map<std
     }
 }
 
-//! A set number that no primitive of the file has.
-int ColladaRewriter::firstFreeSet() const
+//! The set numbers below maxAssimpUvSets that no primitive has: first those behind the others, then those
+//! between them.
+std::vector<int> freeSets(const ColladaGeometry &geometry)
 {
-    int free = 0;
-    for (const ColladaGeometry &geometry : mFile.geometries) {
-        for (const ColladaPrimitive &primitive : geometry.primitives) {
-            for (const ColladaInput &input : primitive.inputs)
-                free = std::max(free, input.semantic == "TEXCOORD" ? input.set + 1 : 0);
+    std::set<int> used;
+    for (const ColladaPrimitive &primitive : geometry.primitives) {
+        for (const ColladaInput &input : primitive.inputs) {
+            if (input.semantic == "TEXCOORD")
+                used.insert(input.set);
         }
+    }
+    const int behind = used.empty() ? 0 : *used.rbegin() + 1;
+    std::vector<int> free;
+    for (int n = 0; n < maxAssimpUvSets; ++n) {
+        const int set = (behind + n) % maxAssimpUvSets;
+        if (!used.contains(set))
+            free.push_back(set);
     }
     return free;
 }
@@ -341,15 +347,13 @@ int ColladaRewriter::firstFreeSet() const
 void ColladaRewriter::rewriteGeometry(std::size_t number)
 {
     const ColladaGeometry &geometry = mFile.geometries[number];
-    const int free = firstFreeSet();
+    const std::vector<int> free = freeSets(geometry);
     std::map<int, std::map<std::size_t, NewUvs>> bySet;
     for (std::size_t p = 0; p < geometry.primitives.size(); ++p) {
         const std::vector<int> sets = geometry.setsOf(p);
-        const int known = static_cast<int>(sets.size());
-        for (int channel = 0; channel < static_cast<int>(mSets.size()); ++channel) {
-            // Sets that the geometry does not have yet follow all others.
-            const int set =
-                channel < known ? sets[static_cast<std::size_t>(channel)] : free + channel - known;
+        const std::size_t count = std::min(mSets.size(), sets.size() + free.size());
+        for (std::size_t channel = 0; channel < count; ++channel) {
+            const int set = channel < sets.size() ? sets[channel] : free[channel - sets.size()];
             if (std::optional<NewUvs> uvs = newUvs(number, p, channel))
                 bySet[set][p] = std::move(*uvs);
         }

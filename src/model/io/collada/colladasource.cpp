@@ -169,6 +169,8 @@ QStringList colladaLosses(const ColladaSource &source, const Scene &scene)
     if (scene.uvSets.size() < source.uvSets.size())
         losses << QStringLiteral(
             "UV sets that were removed stay in the file: its materials name UV sets by their numbers");
+    if (scene.uvSets.size() > maxAssimpUvSets)
+        losses << QStringLiteral("UV sets after the eighth are lost");
     return losses;
 }
 
