@@ -1,11 +1,13 @@
 // The cameras of both views, the presets of navigation and the steps of the grid; all without OpenGL.
 #include "solver/base/random.h"
+#include "views/canvas/axisgizmo.h"
 #include "views/canvas/mapcamera.h"
 #include "views/canvas/mapgrid.h"
 #include "views/canvas/navigation.h"
 #include "views/canvas/orbitcamera.h"
 
 #include <Eigen/Geometry>
+#include <QRect>
 #include <QTest>
 
 #include <cmath>
@@ -218,6 +220,45 @@ private Q_SLOTS:
         QFETCH(Qt::KeyboardModifiers, modifiers);
         QFETCH(Navigation, expected);
         QCOMPARE(navigationOf(preset, button, modifiers), expected);
+    }
+
+    void sidesOfTheModel_data()
+    {
+        QTest::addColumn<ViewSide>("side");
+        for (const ViewSide side : {ViewSide::Right, ViewSide::Left, ViewSide::Top, ViewSide::Bottom,
+                                    ViewSide::Front, ViewSide::Back})
+            QTest::addRow("%d", static_cast<int>(side)) << side;
+    }
+
+    void sidesOfTheModel()
+    {
+        QFETCH(ViewSide, side);
+        OrbitCamera camera;
+        camera.lookFrom(side);
+        QVERIFY((camera.forward() + directionOf(side)).norm() < 1e-9);
+        QVERIFY((directionOf(side) + directionOf(opposite(side))).norm() < 1e-15);
+        // From above and below, the front is at the bottom or top of the picture.
+        if (side == ViewSide::Top || side == ViewSide::Bottom)
+            QVERIFY((camera.right() - Vec3::UnitX()).norm() < 1e-9);
+        else
+            QVERIFY((camera.up() - Vec3::UnitY()).norm() < 1e-9);
+    }
+
+    void axisGizmo()
+    {
+        const QRect view(0, 0, 400, 300);
+        OrbitCamera camera;
+        for (const AxisEnd &end : axisEnds(view, camera)) {
+            const std::optional<AxisEnd> hit = axisEndAt(view, camera, end.centre);
+            QVERIFY(hit);
+            QCOMPARE(hit->side, end.side);
+            QCOMPARE(hit->clicked(), end.side);
+        }
+        QVERIFY(!axisEndAt(view, camera, {200, 150}));
+        camera.lookFrom(ViewSide::Front);
+        const QPointF middle = axisEnds(view, camera).back().centre;
+        QCOMPARE(axisEndAt(view, camera, middle)->side, ViewSide::Front);
+        QCOMPARE(axisEndAt(view, camera, middle)->clicked(), ViewSide::Back);
     }
 
     void presetsHaveKeys()

@@ -4,8 +4,8 @@
 #include "support/editsupport.h"
 #include "support/panelbench.h"
 #include "views/panels/layoutpanel.h"
-#include "views/panels/scrublabel.h"
 #include "views/state/viewstate.h"
+#include "views/ui/scrublabel.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -257,7 +257,9 @@ private Q_SLOTS:
         Canvases::moveMouse(mStudio->uv, {250, 250});
         const QImage with = mStudio->uv.picture();
         const int radius = qRound(tool().brush().radius);
-        QVERIFY(with.pixelColor(250 + radius, 250).red() > before.pixelColor(250 + radius, 250).red() + 30);
+        const QColor rim = with.pixelColor(250 + radius, 250), under = before.pixelColor(250 + radius, 250);
+        QVERIFY(rim.red() < under.red() - 30);
+        QVERIFY(rim.green() > rim.red() + 30); // as joined edges
         QEvent leave(QEvent::Leave);
         QCoreApplication::sendEvent(&mStudio->uv, &leave);
         QCOMPARE(mStudio->uv.picture(), before);

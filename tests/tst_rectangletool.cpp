@@ -5,6 +5,7 @@
 #include "views/tools/rectangletool.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QMenu>
@@ -187,6 +188,46 @@ private Q_SLOTS:
         document().undoStack().undo();
         QCOMPARE(rectangles().front().name, u"box"_s);
         QCOMPARE(name->text(), u"box"_s);
+    }
+
+    void numbersMoveAndResize()
+    {
+        add({0.6, 0.2}, {1.4, 0.8});
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, pixel({1, 0.45}));
+        const auto type = [&](const char *name, const QString &text) {
+            auto *field = child<QDoubleSpinBox>(name);
+            field->setFocus();
+            field->selectAll();
+            QTest::keyClicks(field, text);
+            QTest::keyClick(field, Qt::Key_Return);
+        };
+        type("rectangleU", u"0.25"_s);
+        QVERIFY((rectangles().front().lower - Vec2(0.25, 0.2)).norm() < 1e-12);
+        QVERIFY((rectangles().front().upper - Vec2(1.05, 0.8)).norm() < 1e-12);
+        QCOMPARE(document().undoStack().undoText(), u"Move rectangle"_s);
+        type("rectangleHeight", u"0.5"_s);
+        QVERIFY((rectangles().front().upper - Vec2(1.05, 0.7)).norm() < 1e-12);
+        QVERIFY((rectangles().front().lower - Vec2(0.25, 0.2)).norm() < 1e-12);
+        QCOMPARE(document().undoStack().undoText(), u"Resize rectangle"_s);
+
+        auto *unit = child<QComboBox>("rectangleUnit");
+        unit->setCurrentIndex(1);
+        Q_EMIT unit->activated(1);
+        QCOMPARE(child<QDoubleSpinBox>("rectangleU")->value(), 512.0);
+        type("rectangleWidth", u"1024"_s);
+        QVERIFY((rectangles().front().upper - Vec2(0.75, 0.7)).norm() < 1e-12);
+        QCOMPARE(document().undoStack().count(), 4);
+        // Steps with the arrow keys in one field are one entry.
+        for (int i = 0; i < 3; ++i)
+            QTest::keyClick(child<QDoubleSpinBox>("rectangleV"), Qt::Key_Up);
+        QVERIFY(std::abs(rectangles().front().lower.y() - 0.2 - 3.0 / 2048) < 1e-12);
+        QCOMPARE(document().undoStack().count(), 5);
+        type("rectangleWidth", u"0"_s); // the smallest
+        QVERIFY(rectangles().front().upper.x() > rectangles().front().lower.x());
+        for (int i = 0; i < 5; ++i)
+            document().undoStack().undo();
+        QCOMPARE(rectangles().front().lower, Vec2(0.6, 0.2));
+        QCOMPARE(child<QDoubleSpinBox>("rectangleU")->value(), 1228.8);
     }
 
     void barChangesTheRectangle()

@@ -451,14 +451,16 @@ private Q_SLOTS:
         QCOMPARE(colorOf(3), heatColor(HeatMap::Density, false, 0));
     }
 
-    void heatMapsRunFromBlueToRed()
+    void heatMapsRunThroughWhiteAndFromBlueToRed()
     {
-        const QRgb small = heatColor(HeatMap::SignedStretch, false, -1),
-                   none = heatColor(HeatMap::SignedStretch, false, 0),
-                   large = heatColor(HeatMap::SignedStretch, false, 1);
-        QVERIFY(qBlue(small) > qRed(small) + 80);
-        QVERIFY(qRed(large) > qBlue(large) + 80);
-        QVERIFY(qRed(none) > 235 && qGreen(none) > 235 && qBlue(none) > 235);
+        for (const HeatMap map : {HeatMap::SignedStretch, HeatMap::Density}) {
+            const QRgb none = heatColor(map, false, 0);
+            QVERIFY(qRed(none) > 235 && qGreen(none) > 235 && qBlue(none) > 235);
+            QVERIFY(qRed(heatColor(map, false, -1)) > qBlue(heatColor(map, false, -1)) + 80);
+            QVERIFY(qBlue(heatColor(map, false, 1)) > qRed(heatColor(map, false, 1)) + 60);
+        }
+        QVERIFY(qBlue(heatColor(HeatMap::Magnitude, false, 0)) > 150);
+        QVERIFY(qRed(heatColor(HeatMap::Magnitude, false, 1)) > 150);
         // For colour-blind eyes lightness alone tells the values of the magnitude apart.
         int before = -1;
         for (double value = 0; value <= 1.0001; value += 0.05) {

@@ -7,6 +7,7 @@
 #include "support/patience.h"
 #include "support/studiosession.h"
 #include "views/actions/studioactions.h"
+#include "views/canvas/axisgizmo.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
 #include "views/shell/startpage.h"
@@ -122,6 +123,39 @@ private Q_SLOTS:
         QTest::keyClick(studio.window.focusWidget(), Qt::Key_Space);
         QVERIFY(studio.context.solver.isRunning());
         QCOMPARE(bound->value(), 4.2);
+    }
+
+    void theModelIsSeenFromItsSides()
+    {
+        StudioSession studio;
+        studio.action("file.sample.torus")->trigger();
+        QVERIFY(studio.jobsRest());
+        auto *const view = studio.window.findChild<MeshView *>();
+        const auto isSeenFrom = [view](ViewSide side) {
+            return (view->camera().forward() + directionOf(side)).norm() < 1e-9;
+        };
+        view->setFocus();
+        QTest::keyClick(view, Qt::Key_1, Qt::KeypadModifier);
+        QVERIFY(isSeenFrom(ViewSide::Front));
+        QTest::keyClick(view, Qt::Key_7, Qt::KeypadModifier | Qt::ControlModifier);
+        QVERIFY(isSeenFrom(ViewSide::Bottom));
+        QTest::keyClick(view, Qt::Key_5, Qt::KeypadModifier);
+        QVERIFY(studio.context.view.options().orthographic);
+        view->setCamera(OrbitCamera());
+        const auto endOf = [view](ViewSide side) {
+            for (const AxisEnd &end : axisEnds(view->rect(), view->camera())) {
+                if (end.side == side)
+                    return end.centre.toPoint();
+            }
+            return QPoint();
+        };
+        QTest::mouseClick(view, Qt::LeftButton, {}, endOf(ViewSide::Left));
+        QVERIFY(isSeenFrom(ViewSide::Left));
+        // The end that points at the viewer looks from behind; a second click at once does so, too.
+        QTest::mouseDClick(view, Qt::LeftButton, {}, endOf(ViewSide::Left));
+        QVERIFY(isSeenFrom(ViewSide::Right));
+        QVERIFY(studio.document()->selection().isEmpty());
+        QCOMPARE(studio.document()->undoStack().count(), 0);
     }
 
     void messagesEndWithWhatTheyAreAbout()

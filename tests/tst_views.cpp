@@ -274,10 +274,6 @@ private Q_SLOTS:
         QTest::keyClick(&mesh, Qt::Key_Home);
         QCOMPARE(mesh.camera().target(), start.target());
         QCOMPARE(mesh.camera().distance(), start.distance());
-        QTest::keyClick(&mesh, Qt::Key_1, Qt::KeypadModifier);
-        QCOMPARE(mesh.camera().yaw(), 0.0);
-        QTest::keyClick(&mesh, Qt::Key_5, Qt::KeypadModifier);
-        QVERIFY(mStudio->view.options().orthographic);
 
         PreferenceValues values = mStudio->preferences.values();
         values.navigation = NavigationPreset::Maya;

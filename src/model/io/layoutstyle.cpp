@@ -33,8 +33,8 @@ LayoutStyle::LayoutStyle(const LayoutPaths &paths, const LayoutOptions &options)
     edge = QColor(0x14, 0x1A, 0x22, static_cast<int>(std::lround(150 * density)));
     if (options.edgeColor)
         edge = *options.edgeColor;
-    overlap = QColor(0xFF, 0x10, 0x3C);
-    overlapTint = QColor(0xFF, 0x10, 0x3C, 70);
+    overlap = QColor(0xFF, 0x2F, 0xB3);
+    overlapTint = QColor(0xFF, 0x2F, 0xB3, 70);
     edgeWidth = std::max(0.6, 0.75 * unit * std::sqrt(density));
     seamWidth = std::max(1.2, 1.7 * unit);
     frameWidth = std::max(1.0, std::round(unit));

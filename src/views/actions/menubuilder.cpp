@@ -41,6 +41,7 @@ constexpr std::array menuTitles{
     MenuTitle{"View", QT_TRANSLATE_NOOP("Menus", "&View")},
     MenuTitle{"View/Coloring", QT_TRANSLATE_NOOP("Menus", "&Colouring")},
     MenuTitle{"View/Pattern", QT_TRANSLATE_NOOP("Menus", "Patter&n")},
+    MenuTitle{"View/From", QT_TRANSLATE_NOOP("Menus", "Look from")},
     MenuTitle{"View/Panels", QT_TRANSLATE_NOOP("Menus", "Panels")},
     MenuTitle{"Help", QT_TRANSLATE_NOOP("Menus", "&Help")},
 };

@@ -49,6 +49,11 @@ constexpr Choice<ViewLayout> layouts[] = {{"view.both", ViewLayout::Both},
                                           {"view.maximize3d", ViewLayout::Only3d},
                                           {"view.maximizeUv", ViewLayout::OnlyUv}};
 
+constexpr Choice<ViewSide> sides[] = {
+    {"view.from.front", ViewSide::Front}, {"view.from.back", ViewSide::Back},
+    {"view.from.right", ViewSide::Right}, {"view.from.left", ViewSide::Left},
+    {"view.from.top", ViewSide::Top},     {"view.from.bottom", ViewSide::Bottom}};
+
 QStringList imageFilters()
 {
     QStringList globs;
@@ -111,6 +116,9 @@ void ViewActions::connectWindow()
     connect(actions.action("view.frameAll"), &QAction::triggered, this, &ViewActions::frameAll);
     connect(actions.action("view.frameSelected"), &QAction::triggered, this, &ViewActions::frameSelected);
     connect(actions.action("view.resetPanels"), &QAction::triggered, this, &ViewActions::resetPanels);
+    for (const auto &[id, value] : sides)
+        connect(actions.action(id), &QAction::triggered, this,
+                [this, side = value] { Q_EMIT lookFrom(side); });
     for (const auto &[id, value] : layouts)
         connect(actions.action(id), &QAction::triggered, this, [this, layout = value] { setLayout(layout); });
     actions.action("view.both")->setChecked(true);

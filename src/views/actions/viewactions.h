@@ -1,6 +1,7 @@
 // The View menu.
 #pragma once
 
+#include "views/canvas/orbitcamera.h"
 #include "views/control/studiocontext.h"
 #include "views/state/viewstate.h"
 
@@ -31,6 +32,7 @@ public:
 Q_SIGNALS:
     void frameAll();
     void frameSelected();
+    void lookFrom(autocuts::ViewSide side);
     void layoutChosen(autocuts::ViewLayout layout);
     void resetPanels();
 

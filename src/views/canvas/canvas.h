@@ -53,7 +53,9 @@ protected:
     //! \param pixels distance that the mouse moved
     virtual void navigate(Navigation navigation, const QPointF &pixels, const QPointF &start) = 0;
     virtual void zoomAt(double factor, const QPointF &pixel) = 0;
-    virtual void turnTo(NavigationKey) {}
+    //! The mouse is over something that is drawn over the view and takes clicks. \param pressed the left
+    //! button went down there
+    virtual bool overlayTakes(const QPointF & /*pixel*/, bool /*pressed*/) { return false; }
     virtual void viewResized() = 0;
     virtual void documentReplaced() = 0;
 

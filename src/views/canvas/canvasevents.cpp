@@ -60,7 +60,9 @@ void Canvas::mousePressEvent(QMouseEvent *event)
         mMenuPress = event->position();
         return;
     }
-    if (!mTools.mayBegin() || !mContent.mesh())
+    if (!mContent.mesh() ||
+        (event->button() == Qt::LeftButton && !toolIsBusy && overlayTakes(mLastMouse, true)) ||
+        !mTools.mayBegin())
         return;
     mToolPressed = true;
     mTools.tool()->press(toolEvent(*event, true));
@@ -79,6 +81,11 @@ void Canvas::mouseMoveEvent(QMouseEvent *event)
     }
     if (!mContent.mesh() || !mTools.tool())
         return;
+    if (event->buttons() == Qt::NoButton && !mTools.tool()->isBusy() && overlayTakes(mLastMouse, false)) {
+        studio().view.setHover({});
+        mTools.tool()->leave();
+        return;
+    }
     const ToolEvent toTool = toolEvent(*event, mTools.tool()->wantsPicks());
     studio().view.setHover(toTool.pick.hover());
     mTools.tool()->move(toTool);
@@ -121,6 +128,7 @@ void Canvas::mouseDoubleClickEvent(QMouseEvent *event)
 {
     const NavigationPreset preset = studio().preferences.values().navigation;
     if (event->button() == Qt::RightButton || !mContent.mesh() || !mTools.tool() ||
+        overlayTakes(event->position(), false) ||
         navigationOf(preset, event->button(), event->modifiers()) != Navigation::None) {
         mousePressEvent(event);
         return;
@@ -166,12 +174,6 @@ void Canvas::keyPressEvent(QKeyEvent *event)
         frameAll();
     else if (key == NavigationKey::FrameSelection)
         frameSelection();
-    else if (key == NavigationKey::ToggleOrthographic) {
-        ViewOptions options = studio().view.options();
-        options.orthographic = !options.orthographic;
-        studio().view.setOptions(options);
-    } else if (key != NavigationKey::None)
-        turnTo(key);
     else if (!mContent.mesh() || !mTools.tool() || !mTools.tool()->keyPress(*event, *this))
         QOpenGLWidget::keyPressEvent(event);
 }

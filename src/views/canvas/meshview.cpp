@@ -1,5 +1,6 @@
 #include "views/canvas/meshview.h"
 
+#include "views/canvas/axisgizmo.h"
 #include "views/canvas/glresources.h"
 #include "views/canvas/overlays.h"
 #include "views/control/shownmap.h"
@@ -9,7 +10,6 @@
 #include <QPainter>
 
 #include <cmath>
-#include <numbers>
 
 namespace autocuts {
 
@@ -185,7 +185,7 @@ void MeshView::drawOverlay(QPainter &painter)
                     {tr("Press Ctrl+O, drop a file here,"), tr("or choose File > Open sample")});
         return;
     }
-    drawGizmo(painter, rect(), colors, mCamera);
+    drawAxisGizmo(painter, rect(), colors, mCamera, mHoveredAxis);
     if (isXray())
         drawBadge(painter, rect(), colors, tr("X-ray"));
     drawLegend(painter, rect(), colors, studio().view.options(),
@@ -215,15 +215,23 @@ void MeshView::zoomAt(double factor, const QPointF &)
     mCamera.zoom(factor);
 }
 
-void MeshView::turnTo(NavigationKey key)
+void MeshView::lookFrom(ViewSide side)
 {
-    if (key == NavigationKey::Front)
-        mCamera.setDirection(0, 0);
-    else if (key == NavigationKey::Side)
-        mCamera.setDirection(0.5 * std::numbers::pi, 0);
-    else if (key == NavigationKey::Top)
-        mCamera.setDirection(0, 0.5 * std::numbers::pi);
+    mCamera.lookFrom(side);
     update();
+}
+
+bool MeshView::overlayTakes(const QPointF &pixel, bool pressed)
+{
+    const std::optional<AxisEnd> end = axisEndAt(rect(), mCamera, pixel);
+    if (end && pressed)
+        lookFrom(end->clicked());
+    const std::optional<ViewSide> hovered = end ? std::optional(end->side) : std::nullopt;
+    if (mHoveredAxis != hovered) {
+        mHoveredAxis = hovered;
+        update();
+    }
+    return end.has_value();
 }
 
 void MeshView::viewResized()

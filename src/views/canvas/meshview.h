@@ -20,6 +20,8 @@ public:
 
     const OrbitCamera &camera() const { return mCamera; }
     void setCamera(const OrbitCamera &camera);
+    //! Shows the model straight from a side.
+    void lookFrom(ViewSide side);
 
     PickResult pick(const QPointF &pixel) const override;
     BoxPick pickBox(const PickRegion &region) const override;
@@ -35,7 +37,7 @@ protected:
     void drawOverlay(QPainter &painter) override;
     void navigate(Navigation navigation, const QPointF &pixels, const QPointF &start) override;
     void zoomAt(double factor, const QPointF &pixel) override;
-    void turnTo(NavigationKey key) override;
+    bool overlayTakes(const QPointF &pixel, bool pressed) override;
     void viewResized() override;
     void documentReplaced() override;
 
@@ -46,6 +48,7 @@ private:
     void frameCorners(const std::vector<int> &soupCorners);
 
     OrbitCamera mCamera;
+    std::optional<ViewSide> mHoveredAxis;              //!< the end of the axis gizmo under the mouse
     mutable std::unique_ptr<const MeshPicker> mPicker; //!< for mPickerMesh
     mutable const MeshData *mPickerMesh = nullptr;
 };

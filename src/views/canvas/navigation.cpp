@@ -49,14 +49,6 @@ NavigationKey navigationKeyOf(NavigationPreset preset, int key, Qt::KeyboardModi
     case Qt::Key_Comma: // the period key of the numeric pad on many European keyboards
     case Qt::Key_Delete:
         return NavigationKey::FrameSelection;
-    case Qt::Key_1:
-        return NavigationKey::Front;
-    case Qt::Key_3:
-        return NavigationKey::Side;
-    case Qt::Key_7:
-        return NavigationKey::Top;
-    case Qt::Key_5:
-        return NavigationKey::ToggleOrthographic;
     default:
         return NavigationKey::None;
     }

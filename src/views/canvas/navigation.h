@@ -14,10 +14,10 @@ enum class Navigation { None, Orbit, Pan, Zoom };
 Navigation navigationOf(NavigationPreset preset, Qt::MouseButton button, Qt::KeyboardModifiers modifiers);
 
 //! What a key does to the camera.
-enum class NavigationKey { None, FrameAll, FrameSelection, Front, Side, Top, ToggleOrthographic };
+enum class NavigationKey { None, FrameAll, FrameSelection };
 
-//! Blender: Home frames everything, the period key of the numeric pad the selection; 1, 3, 7 and 5 there set
-//! the direction and the projection. Maya: A frames everything, F the selection.
+//! Blender: Home frames everything, the period key of the numeric pad the selection. Maya: A frames
+//! everything, F the selection.
 NavigationKey navigationKeyOf(NavigationPreset preset, int key, Qt::KeyboardModifiers modifiers);
 
 //! Zoom factor of a drag. \param pixels up or to the right zooms in

@@ -15,6 +15,17 @@ constexpr double radiansPerPixel = 0.008;
 
 } // namespace
 
+ViewSide opposite(ViewSide side)
+{
+    return static_cast<ViewSide>(static_cast<int>(side) ^ 1);
+}
+
+Vec3 directionOf(ViewSide side)
+{
+    const int number = static_cast<int>(side);
+    return (number % 2 == 0 ? 1.0 : -1.0) * Vec3::Unit(number / 2);
+}
+
 OrbitCamera::OrbitCamera() : mYaw(0.6), mPitch(0.35), mDistance(0.92 / std::sin(0.5 * fieldOfView)) {}
 
 void OrbitCamera::setViewSize(const QSizeF &size)
@@ -26,6 +37,13 @@ void OrbitCamera::setDirection(double yaw, double pitch)
 {
     mYaw = std::remainder(yaw, 2 * std::numbers::pi);
     mPitch = std::clamp(pitch, -0.5 * std::numbers::pi, 0.5 * std::numbers::pi);
+}
+
+void OrbitCamera::lookFrom(ViewSide side)
+{
+    const Vec3 direction = directionOf(side);
+    const double yaw = direction.y() == 0 ? std::atan2(direction.x(), direction.z()) : 0;
+    setDirection(yaw, std::asin(direction.y()));
 }
 
 void OrbitCamera::setDistance(double distance)

@@ -23,6 +23,13 @@ struct ScreenPoint
     double depth = 0;
 };
 
+//! A side of the model from which the camera can look straight: right is at +x, top at +y, front at +z.
+enum class ViewSide { Right, Left, Top, Bottom, Front, Back };
+
+ViewSide opposite(ViewSide side);
+//! From the model to the eye, length 1.
+Vec3 directionOf(ViewSide side);
+
 //! A turntable camera: y points up, and the camera looks at a target. All positions are in the mesh frame,
 //! see MeshFrame; angles are in radians, screen coordinates in logical pixels from the upper left.
 class OrbitCamera final
@@ -44,6 +51,7 @@ public:
     void setDirection(double yaw, double pitch);
     double distance() const { return mDistance; }
     void setDistance(double distance);
+    void lookFrom(ViewSide side);
     bool isOrthographic() const { return mOrthographic; }
     void setOrthographic(bool on) { mOrthographic = on; }
 

@@ -1,6 +1,5 @@
 #include "views/canvas/overlays.h"
 
-#include "views/canvas/orbitcamera.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
 #include "views/control/shownmap.h"
@@ -146,45 +145,6 @@ void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, 
     painter.drawText(numbers, Qt::AlignLeft, legend.low);
     painter.drawText(numbers, Qt::AlignHCenter, legend.middle);
     painter.drawText(numbers, Qt::AlignRight, legend.high);
-}
-
-void drawGizmo(QPainter &painter, const QRect &view, const ViewColors &colors, const OrbitCamera &camera)
-{
-    constexpr double length = 26;
-    const QPointF centre(view.right() - 44, view.top() + 44);
-    struct Axis
-    {
-        int index;
-        double depth;
-        QPointF end;
-    };
-    std::array<Axis, 3> axes;
-    for (int i = 0; i < 3; ++i) {
-        const Vec3 direction = Vec3::Unit(i);
-        axes[i] = {i, direction.dot(camera.forward()),
-                   centre + length * QPointF(direction.dot(camera.right()), -direction.dot(camera.up()))};
-    }
-    // The farthest axis is drawn first.
-    std::sort(axes.begin(), axes.end(), [](const Axis &a, const Axis &b) { return a.depth > b.depth; });
-    QFont font = painter.font();
-    const QFont before = font;
-    font.setPointSizeF(font.pointSizeF() * 0.85);
-    font.setBold(true);
-    painter.setFont(font);
-    for (const Axis &axis : axes) {
-        QColor color = colors.axes[axis.index];
-        if (axis.depth > 0.2)
-            color.setAlphaF(0.55f);
-        painter.setPen(QPen(color, 2.2, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(centre, axis.end);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(color);
-        painter.drawEllipse(axis.end, 7.5, 7.5);
-        painter.setPen(QColor(0x16, 0x18, 0x1a));
-        painter.drawText(QRectF(axis.end - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter,
-                         QString(QLatin1Char("XYZ"[axis.index])));
-    }
-    painter.setFont(before);
 }
 
 void drawHoverCorner(QPainter &painter, const ToolCanvas &canvas)

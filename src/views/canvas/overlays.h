@@ -12,7 +12,6 @@ class QPainter;
 namespace autocuts {
 
 class ToolCanvas;
-class OrbitCamera;
 
 //! Draws a title and lines at the centre of an empty view.
 void drawMessage(QPainter &painter, const QRect &view, const ViewColors &colors, const QString &title,
@@ -23,8 +22,6 @@ void drawBadge(QPainter &painter, const QRect &view, const ViewColors &colors, c
 //! \param rightDensity as SceneContent::rightDensity()
 void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const ViewOptions &options,
                 bool colorBlind, double rightDensity);
-//! Draws the axes as the camera sees them, in the upper right corner.
-void drawGizmo(QPainter &painter, const QRect &view, const ViewColors &colors, const OrbitCamera &camera);
 //! Draws a ring around the vertex under the mouse, in the mode for selecting vertices.
 void drawHoverCorner(QPainter &painter, const ToolCanvas &canvas);
 

@@ -9,27 +9,19 @@ namespace autocuts {
 namespace {
 
 // The colours are evenly spaced.
-constexpr QRgb signedStops[] = {0xff1f3fbf, 0xff5b86e8, 0xffb9cdf5, 0xfff6f6f6,
-                                0xfff6b9ad, 0xffe4604d, 0xffb3161b};
-// Purple and orange differ for all common kinds of colour blindness; lightness decreases from the middle.
-constexpr QRgb signedBlindStops[] = {0xff46237a, 0xff8067b0, 0xffc3b8dc, 0xfff7f4ee,
-                                     0xfff7c78a, 0xffdd8420, 0xff8f4a05};
+// Brown and teal differ for all common kinds of colour blindness, and no line or mark has these colours.
+constexpr QRgb signedStops[] = {0xff6b3d0a, 0xffb07a2e, 0xffe3cb98, 0xfff5f5f2,
+                                0xffa5d8cf, 0xff3d9e93, 0xff05554d};
 constexpr QRgb magnitudeStops[] = {0xff2443c4, 0xff2f8fe0, 0xff4cc4b8, 0xff9fd66a,
                                    0xfff2d14b, 0xfff08a35, 0xffc41f1f};
 // Lightness increases monotonically.
 constexpr QRgb magnitudeBlindStops[] = {0xff42145c, 0xff45347f, 0xff365c8c, 0xff247e8c,
                                         0xff28a080, 0xff78c552, 0xfffae433};
 
-// Brown and teal differ for all common kinds of colour blindness, and nothing else has these colours.
-constexpr QRgb densityStops[] = {0xff6b3d0a, 0xffb07a2e, 0xffe3cb98, 0xfff5f5f2,
-                                 0xffa5d8cf, 0xff3d9e93, 0xff05554d};
-
 std::span<const QRgb> stopsOf(HeatMap map, bool colorBlind)
 {
-    if (map == HeatMap::Density)
-        return densityStops;
-    if (map == HeatMap::SignedStretch)
-        return colorBlind ? std::span<const QRgb>(signedBlindStops) : std::span<const QRgb>(signedStops);
+    if (map != HeatMap::Magnitude)
+        return signedStops;
     return colorBlind ? std::span<const QRgb>(magnitudeBlindStops) : std::span<const QRgb>(magnitudeStops);
 }
 
@@ -69,7 +61,7 @@ QGradientStops heatStops(HeatMap map, bool colorBlind)
 
 QRgb paintColor(double weight, QRgb neutral)
 {
-    constexpr QRgb keepTogether = 0xffe03131, attractCuts = 0xff2b6cf0;
+    constexpr QRgb keepTogether = 0xff37b24d, attractCuts = 0xff2f7bff;
     if (weight > 1) // the full colour is reached at a factor of 100
         return mixColors(neutral, keepTogether, std::min(1.0, 0.25 + 0.375 * std::log10(weight)));
     if (weight < 1)

@@ -9,16 +9,17 @@ namespace autocuts {
 //! The figure that a heat-map shows.
 enum class HeatMap { SignedStretch, Magnitude, Density };
 
-//! The colour of a value. SignedStretch: from -1 blue over 0 white to 1 red, or for colour-blind people from
-//! purple to orange. Magnitude: from 0 blue to 1 red, or from dark violet to yellow. Density: from -1 brown
-//! over 0 white to 1 teal, for everybody. Values outside the range are clamped.
+//! The colour of a value. SignedStretch and Density: from -1 brown (too small in the map) over 0 white to 1
+//! teal (too large). Magnitude: from 0 blue to 1 red, or for colour-blind people from dark violet to yellow.
+//! Values outside the range are clamped.
 QRgb heatColor(HeatMap map, bool colorBlind, double value);
 //! The colour of triangles without a figure.
 QRgb heatColorOfNothing();
 //! Gradient stops of the whole range, for a legend, from 0 to 1.
 QGradientStops heatStops(HeatMap map, bool colorBlind);
 
-//! The colour of a painted weight: red above 1 ("Keep together"), blue below 1 ("Attract cuts").
+//! The colour of a painted weight: green above 1 ("Keep together"), as joined edges,
+//! blue below 1 ("Attract cuts"), as edges that are cut.
 //! \param neutral colour of unpainted faces
 QRgb paintColor(double weight, QRgb neutral);
 

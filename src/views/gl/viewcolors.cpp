@@ -39,7 +39,7 @@ ViewColors ViewColors::of(const PreferenceValues &preferences, bool map)
         colors.sides[static_cast<int>(SideStyle::Wire)] = QColor(200, 210, 222, 90);
     colors.selection = preferences.selectionColor;
     colors.flipped = QColor(0xb01fd6);
-    colors.overlap = QColor(0xff2a1a);
+    colors.overlap = QColor(0xff2fb3);
     colors.hardPin = QColor(0x2fbf4f);
     colors.softPin = QColor(0x8fdc9f);
     colors.axes = {QColor(0xe2504a), QColor(0x6fb53c), QColor(0x3f87e0)};

@@ -1,6 +1,6 @@
 #include "views/panels/controls.h"
 
-#include "views/panels/scrublabel.h"
+#include "views/ui/scrublabel.h"
 
 #include <QFormLayout>
 #include <QGridLayout>

@@ -7,9 +7,9 @@
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
-#include "views/panels/scrublabel.h"
 #include "views/state/viewstate.h"
 #include "views/tools/layoutchoices.h"
+#include "views/ui/scrublabel.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -3,8 +3,8 @@
 #include "commands/changesettings.h"
 #include "views/actions/actionregistry.h"
 #include "views/control/workspace.h"
-#include "views/panels/inputguard.h"
-#include "views/panels/scrublabel.h"
+#include "views/ui/inputguard.h"
+#include "views/ui/scrublabel.h"
 
 #include <QAbstractButton>
 #include <QLabel>

@@ -133,6 +133,7 @@ void MainWindow::makeViews()
         (mUvView->*frame)();
     };
     connect(&view, &ViewActions::frameAll, this, [=] { frameBoth(&Canvas::frameAll); });
+    connect(&view, &ViewActions::lookFrom, mMeshView, &MeshView::lookFrom);
     connect(&view, &ViewActions::frameSelected, this, [=] { frameBoth(&Canvas::frameSelection); });
 }
 

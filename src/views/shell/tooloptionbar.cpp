@@ -2,9 +2,9 @@
 
 #include "views/actions/actionregistry.h"
 #include "views/canvas/toolmanager.h"
-#include "views/panels/inputguard.h"
-#include "views/panels/scrublabel.h"
 #include "views/state/viewstate.h"
+#include "views/ui/inputguard.h"
+#include "views/ui/scrublabel.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -4,6 +4,7 @@
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
 #include "views/control/workspace.h"
+#include "views/gl/colormap.h"
 #include "views/tools/tooldrawing.h"
 
 #include <QKeyEvent>
@@ -46,8 +47,8 @@ QString nameOf(Paint paint)
 
 QColor colorOf(Paint paint, const ViewColors &colors)
 {
-    return paint == Paint::KeepTogether  ? QColor(230, 60, 50)
-           : paint == Paint::AttractCuts ? QColor(60, 120, 240)
+    return paint == Paint::KeepTogether  ? QColor(paintColor(strongest, colors.model.rgb()))
+           : paint == Paint::AttractCuts ? QColor(paintColor(0, colors.model.rgb()))
                                          : colors.text;
 }
 

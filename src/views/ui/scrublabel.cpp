@@ -1,4 +1,4 @@
-#include "views/panels/scrublabel.h"
+#include "views/ui/scrublabel.h"
 
 #include <QDoubleSpinBox>
 #include <QMouseEvent>

@@ -1,4 +1,4 @@
-// Handles wheel, keys and focus of the controls in a panel.
+// Handles wheel, keys and focus of the controls in a panel or bar.
 #pragma once
 
 #include <QObject>

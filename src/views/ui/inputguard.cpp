@@ -1,4 +1,4 @@
-#include "views/panels/inputguard.h"
+#include "views/ui/inputguard.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
