@@ -188,7 +188,7 @@ private Q_SLOTS:
             if (makesMap(options))
                 making << command.name;
         }
-        QCOMPARE(making, (QStringList{u"unwrap"_s, u"pack"_s, u"separate"_s, u"finish"_s}));
+        QCOMPARE(making, (QStringList{u"unwrap"_s, u"pack"_s, u"separate"_s, u"lightmap"_s, u"finish"_s}));
         QVERIFY(!makesMap({}));
     }
 
@@ -199,7 +199,10 @@ private Q_SLOTS:
         const QStringList common{u"-o"_s,        u"--texture-size"_s, u"--margin"_s, u"--rotation"_s,
                                  u"--tile"_s,    u"--pack-time"_s,    u"--layout"_s, u"--report"_s,
                                  u"--threads"_s, u"--time-limit"_s,   u"--seed"_s,   u"--only"_s,
-                                 u"--border"_s,  u"--tile-border"_s};
+                                 u"--border"_s,  u"--tile-border"_s,  u"--uv-set"_s, u"--new-uv-set"_s};
+        QStringList lightmap = common;
+        lightmap.removeOne(u"--only"_s);
+        lightmap.removeOne(u"--border"_s);
         QTest::newRow("unwrap")
             << u"unwrap"_s
             << common +
@@ -208,9 +211,11 @@ private Q_SLOTS:
                          "--symmetry --align --mirror --world-up --allow-overlaps --no-pack"_s);
         QTest::newRow("pack") << u"pack"_s << common + words(u"--into --keep-scale"_s);
         QTest::newRow("separate") << u"separate"_s << common + words(u"--separate-by"_s);
+        QTest::newRow("lightmap") << u"lightmap"_s << lightmap;
         QTest::newRow("finish") << u"finish"_s << common + words(u"--max-distortion --seams --seams-from"_s);
-        QTest::newRow("check") << u"check"_s << words(u"--texture-size --json"_s);
-        for (const QString &name : {u"convert"_s, u"replay"_s, u"sample"_s})
+        QTest::newRow("check") << u"check"_s << words(u"--texture-size --json --uv-set"_s);
+        QTest::newRow("convert") << u"convert"_s << QStringList{u"-o"_s, u"--uv-set"_s};
+        for (const QString &name : {u"replay"_s, u"sample"_s})
             QTest::newRow(qPrintable(name)) << name << QStringList{u"-o"_s};
     }
     void commandsTakeTheContractsOptions()

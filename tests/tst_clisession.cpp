@@ -59,6 +59,7 @@ private Q_SLOTS:
     void separateKeepsJoinedEdges();
     void aMissedBoundIsSaid();
     void checkReadsTheActiveSet();
+    void uvSetsOfASession();
     void replayReproduces();
     void replaySeesADifference();
     void replayWithoutJournal();
@@ -263,6 +264,38 @@ void TestCliSession::checkReadsTheActiveSet()
     QCOMPARE(run({u"pack"_s, file(u"b.acproj"_s), u"-o"_s, file(u"c.acproj"_s)}).code, 1);
     QCOMPARE(run({u"convert"_s, file(u"b.acproj"_s), u"-o"_s, file(u"b.obj"_s)}).code, 0);
     QVERIFY(!readMesh(file(u"b.obj"_s)).value().hasUv());
+}
+
+void TestCliSession::uvSetsOfASession()
+{
+    DocumentState state = test::layoutDocument(test::grid(4))->state();
+    const std::vector<UvSet> sets = state.scene.uvSets;
+    QCOMPARE(sets.size(), std::size_t(2)); // the second one is empty
+    QVERIFY(saveProject(state, {}, file(u"a.acproj"_s)).ok());
+    const test::CliRun wrong = run({u"check"_s, file(u"a.acproj"_s), u"--uv-set"_s, u"nothing"_s});
+    QCOMPARE(wrong.code, 1);
+    QVERIFY2(wrong.err.contains(sets[1].name), qPrintable(wrong.err));
+    QVERIFY(run({u"check"_s, file(u"a.acproj"_s), u"--uv-set"_s, u"2"_s, u"--json"_s})
+                .out.contains(u"\"uv_set\": \"%1\""_s.arg(sets[1].name)));
+
+    // A set of its own begins as a copy of the chosen one, and the others stay.
+    const test::CliRun made =
+        run({u"lightmap"_s, file(u"a.acproj"_s), u"--uv-set"_s, sets[0].name, u"--new-uv-set"_s, u"Light"_s,
+             u"--margin"_s, u"40"_s, u"-o"_s, file(u"b.acproj"_s)});
+    QVERIFY2(made.code == 0, qPrintable(made.err));
+    const Result<LoadedProject> again = loadProject(file(u"b.acproj"_s));
+    QVERIFY(again.ok());
+    QCOMPARE(again->state.scene.uvSets.size(), std::size_t(3));
+    QCOMPARE(again->state.activeUvSet, 2);
+    QCOMPARE(again->state.scene.uvSets[2].name, u"Light"_s);
+    QCOMPARE(again->state.scene.uvSets[0].uv, sets[0].uv);
+    QVERIFY(again->state.scene.uvSets[2].uv.allFinite());
+    QVERIFY(again->state.scene.uvSets[2].uv != sets[0].uv);
+    QCOMPARE(run({u"replay"_s, file(u"b.acproj"_s)}).code, 0);
+    const test::CliRun twice =
+        run({u"pack"_s, file(u"b.acproj"_s), u"--new-uv-set"_s, u"Light"_s, u"-o"_s, file(u"c.acproj"_s)});
+    QCOMPARE(twice.code, 1);
+    QVERIFY2(twice.err.contains(u"in use"_s), qPrintable(twice.err));
 }
 
 void TestCliSession::replayReproduces()

@@ -77,6 +77,8 @@ public:
             return runMapping(&MapMaking::pack);
         case Command::Finish:
             return runMapping(&MapMaking::finish);
+        case Command::Lightmap:
+            return runMapping(&MapMaking::lightmap);
         case Command::Separate:
             return runMapping(&MapMaking::separate);
         }
@@ -105,7 +107,7 @@ private:
     {
         if (const Result<Done> writable = checkTargets(); !writable)
             return fail(writable.error());
-        const Result<Scene> scene = mFiles.read(mOptions.input);
+        const Result<Scene> scene = mFiles.read(mOptions);
         if (!scene)
             return fail(scene.error());
         sayLosses(scene.value());
@@ -115,7 +117,7 @@ private:
 
     int runCheck()
     {
-        const Result<Scene> scene = mFiles.read(mOptions.input);
+        const Result<Scene> scene = mFiles.read(mOptions);
         if (!scene)
             return fail(scene.error());
         MapReport report = reportOn(scene.value(), mFiles.islandFlags(), mOptions.unwrap.packing.textureSize);
@@ -202,7 +204,7 @@ private:
         if (const Result<Done> writable = checkTargets(); !writable)
             return fail(writable.error());
         const StopTimer timer(mOptions.timeLimit, mStop);
-        Result<Scene> scene = mFiles.read(mOptions.input, &mStop.stop);
+        Result<Scene> scene = mFiles.read(mOptions, &mStop.stop);
         if (!scene)
             return failReading(scene.error());
         mFiles.mergeSettings(mOptions);

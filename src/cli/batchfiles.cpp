@@ -1,6 +1,7 @@
 #include "cli/batchfiles.h"
 
 #include "commands/changesettings.h"
+#include "commands/edituvsets.h"
 #include "commands/newmap.h"
 #include "model/document/givenseams.h"
 #include "model/document/makesnapshot.h"
@@ -21,14 +22,6 @@ namespace autocuts {
 namespace {
 
 constexpr int thumbnailSize = 256;
-
-Scene activeFirst(const DocumentState &state)
-{
-    Scene scene = state.scene;
-    const auto active = scene.uvSets.begin() + state.activeUvSet;
-    std::rotate(scene.uvSets.begin(), active, active + 1);
-    return scene;
-}
 
 UvEdit editOf(CliOptions::Command command)
 {
@@ -54,25 +47,96 @@ PackingSettings packingSettingsOf(const CliOptions &options, const PackingSettin
     return result;
 }
 
+//! By its name, or else by its number from 1.
+std::optional<int> findUvSet(const std::vector<UvSet> &sets, const QString &word)
+{
+    const auto named =
+        std::find_if(sets.begin(), sets.end(), [&](const UvSet &set) { return set.name == word; });
+    if (named != sets.end())
+        return static_cast<int>(named - sets.begin());
+    bool isNumber = false;
+    const int number = word.toInt(&isNumber);
+    return isNumber && number >= 1 && number <= static_cast<int>(sets.size()) ? std::optional(number - 1)
+                                                                              : std::nullopt;
+}
+
+QString setsInWords(const std::vector<UvSet> &sets)
+{
+    QStringList names;
+    for (const UvSet &set : sets)
+        names << QStringLiteral("\"%1\"").arg(set.name);
+    return names.isEmpty() ? QStringLiteral("The file has no UV sets: use --new-uv-set")
+                           : QStringLiteral("The file has %1").arg(names.join(QStringLiteral(", ")));
+}
+
 } // namespace
 
-Result<Scene> BatchFiles::read(const QString &path, const std::atomic<bool> *stop)
+Result<Scene> BatchFiles::read(const CliOptions &options, const std::atomic<bool> *stop)
+{
+    if (const Result<Done> found = readFile(options.input, stop); !found)
+        return found.error();
+    if (const Result<Done> chosen = chooseUvSet(options); !chosen)
+        return chosen.error();
+    Scene scene = activeFirst();
+    scene.notes.insert(scene.notes.end(), mNotes.begin(), mNotes.end());
+    return scene;
+}
+
+Result<Done> BatchFiles::readFile(const QString &path, const std::atomic<bool> *stop)
 {
     if (!isProjectPath(path)) {
         // OBJ files and sessions are read to their end, which is soon, so that even then there is a map.
         const bool isObj = path.endsWith(QLatin1String(".obj"), Qt::CaseInsensitive);
         Result<Scene> scene = readMesh(path, isObj ? nullptr : stop);
-        if (scene)
-            mOriginal = scene.value();
-        return scene;
+        if (!scene)
+            return scene.error();
+        mOriginal = std::move(scene).value();
+        return Done();
     }
     Result<LoadedProject> project = loadProject(path);
     if (!project)
         return project.error();
+    mNotes = project->notes;
     mDocument = std::make_unique<Document>(std::move(project->state));
     mRecorder = std::make_unique<JournalRecorder>(*mDocument, std::move(project->extras.journal));
-    Scene scene = activeFirst(mDocument->state());
-    scene.notes.insert(scene.notes.end(), project->notes.begin(), project->notes.end());
+    return Done();
+}
+
+Result<Done> BatchFiles::chooseUvSet(const CliOptions &options)
+{
+    const Scene &scene = mDocument ? mDocument->state().scene : mOriginal;
+    if (!options.uvSet.isEmpty()) {
+        const std::optional<int> index = findUvSet(scene.uvSets, options.uvSet);
+        if (!index)
+            return Error{QStringLiteral("there is no UV set \"%1\"").arg(options.uvSet), options.input, 0,
+                         setsInWords(scene.uvSets)};
+        mActiveSet = *index;
+        if (mDocument)
+            pushCommand(std::make_unique<ChooseUvSet>(*mDocument, *index));
+    }
+    const QString &name = options.newUvSet;
+    if (name.isEmpty())
+        return Done();
+    if (uniqueUvSetName(scene.uvSets, name) != name)
+        return Error{QStringLiteral("a new UV set cannot be called \"%1\"").arg(name), options.input, 0,
+                     QStringLiteral("The name is in use or too long: choose another one, or use --uv-set")};
+    if (mDocument) {
+        pushCommand(std::make_unique<AddUvSet>(*mDocument, name, mDocument->activeUvSet()));
+        return Done();
+    }
+    std::vector<UvSet> &sets = mOriginal.uvSets;
+    UvSet added{name, sets.empty() ? emptyLayout(*mOriginal.mesh) : sets[mActiveSet].uv};
+    mActiveSet = static_cast<int>(sets.size());
+    sets.push_back(std::move(added));
+    return Done();
+}
+
+Scene BatchFiles::activeFirst() const
+{
+    Scene scene = mDocument ? mDocument->state().scene : mOriginal;
+    const int active = mDocument ? mDocument->activeUvSet() : mActiveSet;
+    if (!scene.uvSets.empty())
+        std::rotate(scene.uvSets.begin(), scene.uvSets.begin() + active, scene.uvSets.begin() + active + 1);
     return scene;
 }
 
@@ -81,7 +145,7 @@ Scene BatchFiles::take(std::unique_ptr<Document> document, Journal journal)
     mRecorder.reset();
     mDocument = std::move(document);
     mRecorder = std::make_unique<JournalRecorder>(*mDocument, std::move(journal));
-    return activeFirst(mDocument->state());
+    return activeFirst();
 }
 
 void BatchFiles::mergeSettings(CliOptions &options)
@@ -174,6 +238,8 @@ Result<Done> BatchFiles::writeSession(const Scene &scene, const CliOptions &opti
 {
     if (!mDocument) {
         DocumentState state = DocumentState::initial(mOriginal.mesh ? mOriginal : scene);
+        if (mOriginal.mesh)
+            state.activeUvSet = mActiveSet;
         state.solveSettings = options.settings;
         state.packingSettings = packingSettingsOf(options, state.packingSettings);
         Result<std::unique_ptr<Document>> document = Document::create(std::move(state));

@@ -18,10 +18,10 @@ namespace autocuts {
 class BatchFiles
 {
 public:
-    //! Reads a mesh file, or the model of a session with its active UV set first. The notes include what the
-    //! user should know about the session.
+    //! Reads a mesh file, or the model of a session; the UV set of the options is the first one, that is the
+    //! active one. The notes include what the user should know about the session.
     //! \param stop as in readMesh()
-    Result<Scene> read(const QString &path, const std::atomic<bool> *stop = nullptr);
+    Result<Scene> read(const CliOptions &options, const std::atomic<bool> *stop = nullptr);
     //! Takes a document instead of reading a file. \param journal leads to the document's current state
     Scene take(std::unique_ptr<Document> document, Journal journal);
 
@@ -47,9 +47,14 @@ public:
     static QStringList losses(const Scene &scene, const QString &path);
 
 private:
+    Result<Done> readFile(const QString &path, const std::atomic<bool> *stop);
+    Result<Done> chooseUvSet(const CliOptions &options);
+    Scene activeFirst() const;
     Result<Done> writeSession(const Scene &scene, const CliOptions &options);
 
-    Scene mOriginal;                     //!< the scene of a mesh file as it was read
+    Scene mOriginal;                     //!< the scene of a mesh file as it was read, with the new UV set
+    int mActiveSet = 0;                  //!< of mOriginal
+    QStringList mNotes;                  //!< about the session
     std::unique_ptr<Document> mDocument; //!< null unless a session was read
     std::unique_ptr<JournalRecorder> mRecorder;
 };

@@ -23,6 +23,7 @@ struct CliOptions
         Unwrap,
         Pack,
         Separate,
+        Lightmap,
         Finish,
         Check,
         Convert,
@@ -53,6 +54,8 @@ struct CliOptions
     overlap::SeparationMethod separation = overlap::SeparationMethod::MinCut;
     bool borderAttached = true; //!< JobScope::attached
     int threads = 1;            //!< does not influence the result
+    QString uvSet;              //!< name, or number from 1, of a UV set of the input; empty: the active one
+    QString newUvSet;           //!< name of the set that gets the map; empty: that of uvSet
     QString intoRectangle;      //!< pack: name of a rectangle of the session
     QString layout;             //!< path of a .png or .svg file; empty for none
     QString report;             //!< path of a .json file; empty for none

@@ -202,6 +202,21 @@ std::vector<CliOption> scopeOptions()
     };
 }
 
+std::vector<CliOption> uvSetOptions()
+{
+    CliOption which =
+        text(Group::UvSets, {u"--uv-set"_s}, fieldOf(&CliOptions::uvSet),
+             u"the UV set to work on: its name in the file, or its number from 1; otherwise the first "
+             "one, of a session the active one"_s);
+    which.value = u"NAME|N"_s;
+    CliOption added =
+        text(Group::NewUvSets, {u"--new-uv-set"_s}, fieldOf(&CliOptions::newUvSet),
+             u"leave the UV sets of the file as they are, and put the map into a new one of this "
+             "name, for example for lightmaps; it begins as a copy"_s);
+    added.value = u"NAME"_s;
+    return {which, added};
+}
+
 std::vector<CliOption> solvingOptions()
 {
     constexpr Group group = Group::Solving;
@@ -342,22 +357,25 @@ const std::vector<CliCommand> &cliCommands()
     using enum OptionGroup;
     static const std::vector<CliCommand> commands{
         {Command::Unwrap, u"unwrap"_s, u"IN"_s, Output::Needed,
-         Bound | Seaming | Solving | Texture | Packing | Scope | Making, u"make a UV map"_s},
-        {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed, Texture | Packing | Placing | Scope | Making,
+         Bound | Seaming | Solving | Texture | Packing | Scope | UvSets | NewUvSets | Making,
+         u"make a UV map"_s},
+        {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed,
+         Texture | Packing | Placing | Scope | UvSets | NewUvSets | Making,
          u"arrange the islands of an existing map anew"_s},
         {Command::Separate, u"separate"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | Separating | Scope | Making,
+         Texture | Packing | Separating | Scope | UvSets | NewUvSets | Making,
          u"cut islands that overlap themselves, then pack"_s},
+        {Command::Lightmap, u"lightmap"_s, u"IN"_s, Output::Needed,
+         Texture | Packing | UvSets | NewUvSets | Making,
+         u"add a UV set for lightmaps, called Lightmap: the islands of the map without overlaps, stacks "
+         u"taken "
+         "apart, at one texel density"_s},
         {Command::Finish, u"finish"_s, u"IN"_s, Output::Needed,
-         Bound | Seaming | Texture | Packing | Scope | Making,
+         Bound | Seaming | Texture | Packing | Scope | UvSets | NewUvSets | Making,
          u"make a half-solved map usable: seams decided, no overlaps, within the bound"_s},
-        {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | Measuring,
+        {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | UvSets | Measuring,
          u"measure a map and say what is wrong with it"_s},
-        {Command::Convert,
-         u"convert"_s,
-         u"IN"_s,
-         Output::Needed,
-         {},
+        {Command::Convert, u"convert"_s, u"IN"_s, Output::Needed, UvSets,
          u"write another file format; OBJ to OBJ, FBX to FBX and glTF to glTF change nothing"_s},
         {Command::Replay,
          u"replay"_s,
@@ -381,7 +399,7 @@ const std::vector<CliOption> &cliOptions()
         std::vector<CliOption> all{
             text(Group::Output, {u"-o"_s, u"--output"_s}, fieldOf(&CliOptions::output), u"file to write"_s)};
         for (const auto &some : {boundOptions(), seamingOptions(), solvingOptions(), packingOptions(),
-                                 scopeOptions(), makingOptions(), placingOptions()})
+                                 scopeOptions(), uvSetOptions(), makingOptions(), placingOptions()})
             all.insert(all.end(), some.begin(), some.end());
         all.push_back(separatingOption());
         all.push_back(flag(Group::Measuring, u"--json"_s, fieldOf(&CliOptions::json), true,

@@ -25,6 +25,8 @@ enum class OptionGroup {
     Measuring = 64,    //!< how figures are printed
     Seaming = 512,     //!< whose seams
     Scope = 1024,      //!< the part of the model that may change
+    UvSets = 4096,     //!< which of the file's UV sets
+    NewUvSets = 8192,  //!< into a set of its own
     Everything = 128   //!< for all commands
 };
 Q_DECLARE_FLAGS(OptionGroups, OptionGroup)

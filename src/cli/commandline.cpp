@@ -118,6 +118,8 @@ private:
             return usageError(QStringLiteral("no output file given (-o FILE)"));
         if (mOptions.given.contains(QStringLiteral("--max-distortion")) && mOptions.unwrap.lambda)
             return usageError(QStringLiteral("--max-distortion and --lambda exclude each other"));
+        if (mOptions.command == Command::Lightmap && mOptions.newUvSet.isEmpty())
+            mOptions.newUvSet = QStringLiteral("Lightmap");
         packing::PackOptions &packing = mOptions.unwrap.packing;
         if (packing.margin >= packing.textureSize)
             return usageError(QStringLiteral("the margin of %1 texels is as wide as the whole texture of %2")

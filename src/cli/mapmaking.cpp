@@ -3,6 +3,7 @@
 #include "cli/batchpacking.h"
 #include "cli/batchscope.h"
 #include "solver/unwrap/finishjob.h"
+#include "solver/unwrap/lightmapjob.h"
 #include "solver/unwrap/separatejob.h"
 #include "solver/unwrap/unwrap.h"
 
@@ -84,7 +85,6 @@ Result<MadeMap> MapMaking::pack(Scene &scene) const
 
 Result<MadeMap> MapMaking::separate(Scene &scene) const
 {
-    using Separation = unwrap::SeparateResult::Outcome;
     if (!scene.hasUv())
         return noUvs();
     const Result<Snapshot> snapshot = snapshotOf(scene);
@@ -96,8 +96,22 @@ Result<MadeMap> MapMaking::separate(Scene &scene) const
     if (snapshot->scope &&
         !holdsWholeChart(*snapshot->scope, findCharts(*scene.mesh, scene.uvSets.front().uv)))
         return noWholeChart();
-    const unwrap::SeparateResult made =
-        unwrap::separateMap(snapshot.value(), pack.value(), mJob, mOptions.separation);
+    return separated(scene, unwrap::separateMap(snapshot.value(), pack.value(), mJob, mOptions.separation));
+}
+
+Result<MadeMap> MapMaking::lightmap(Scene &scene) const
+{
+    if (!scene.hasUv())
+        return noUvs();
+    const Result<Snapshot> snapshot = snapshotOf(scene);
+    if (!snapshot)
+        return snapshot.error();
+    return separated(scene, unwrap::makeLightmap(snapshot.value(), mOptions.unwrap.packing, mJob));
+}
+
+Result<MadeMap> MapMaking::separated(Scene &scene, const unwrap::SeparateResult &made) const
+{
+    using Separation = unwrap::SeparateResult::Outcome;
     MadeMap outcome;
     switch (made.outcome) {
     case Separation::Done:

@@ -5,6 +5,7 @@
 #include "cli/clioptions.h"
 #include "cli/mapreporting.h"
 #include "solver/base/jobcontext.h"
+#include "solver/unwrap/separatejob.h"
 #include "solver/unwrap/unmetsteering.h"
 
 namespace autocuts {
@@ -30,9 +31,12 @@ public:
     Result<MadeMap> unwrap(Scene &scene) const;
     Result<MadeMap> pack(Scene &scene) const;
     Result<MadeMap> separate(Scene &scene) const;
+    Result<MadeMap> lightmap(Scene &scene) const;
     Result<MadeMap> finish(Scene &scene) const;
 
 private:
+    //! \param made by separating; what has no UVs stays
+    Result<MadeMap> separated(Scene &scene, const unwrap::SeparateResult &made) const;
     //! The input of the solver, with the scope of --only.
     Result<Snapshot> snapshotOf(const Scene &scene) const;
     void sayGivenSeams(const Snapshot &snapshot, MadeMap &made) const;

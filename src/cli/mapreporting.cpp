@@ -97,6 +97,8 @@ MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags
         report.faces = scene.mesh->faceCount();
         report.facesWithoutUv = scene.mesh->faceCount();
     }
+    if (!scene.uvSets.empty())
+        report.uvSet = scene.uvSets.front().name;
     report.textureSize = textureSize;
     report.mesh = scene.mesh->report;
     report.notes = meshDoctorNotes(scene.mesh->report);

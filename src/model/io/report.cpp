@@ -125,6 +125,7 @@ void addFurtherKeys(ObjectWriter &writer, const MapReport &report)
     writer.add("input", report.input);
     writer.add("output", report.output);
     writer.add("layout", report.layout);
+    writer.add("uv_set", report.uvSet);
     writer.add("texture_size", report.textureSize);
     writer.add("faces", report.faces);
     writer.add("faces_without_uv", report.facesWithoutUv);

@@ -32,6 +32,7 @@ struct MapReport
 
     // More figures of the map.
     QString input, output, layout;
+    QString uvSet; //!< name of the set that was measured
     Count textureSize;
     Count faces, seamEdges, symDirichletInfinite, uvDegenerate, mirroredCharts, nonDiskCharts;
     Count facesWithoutUv, zeroAreaTriangles, overlappingTriangles, stackedPairs;

@@ -33,6 +33,7 @@ constexpr std::array menuTitles{
     MenuTitle{"UV/Start mode", QT_TRANSLATE_NOOP("Menus", "S&tart mode")},
     MenuTitle{"UV/Energy", QT_TRANSLATE_NOOP("Menus", "Ener&gy")},
     MenuTitle{"UV/Seam weighting", QT_TRANSLATE_NOOP("Menus", "Seam &weighting")},
+    MenuTitle{"UV/Sets", QT_TRANSLATE_NOOP("Menus", "UV sets")},
     MenuTitle{"UV/Tools", QT_TRANSLATE_NOOP("Menus", "Tools")},
     MenuTitle{"UV/Islands", QT_TRANSLATE_NOOP("Menus", "Islan&ds")},
     MenuTitle{"UV/Layout", QT_TRANSLATE_NOOP("Menus", "La&yout")},

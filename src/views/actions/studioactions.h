@@ -8,6 +8,7 @@
 #include "views/actions/islandactions.h"
 #include "views/actions/selectactions.h"
 #include "views/actions/uvactions.h"
+#include "views/actions/uvsetactions.h"
 #include "views/actions/viewactions.h"
 
 namespace autocuts {
@@ -19,8 +20,8 @@ public:
     //! \param questions asks over the window; must outlive this object
     StudioActions(const StudioContext &context, Questions &questions, const QString &recoveryFolder)
         : mFile(context, questions), mEdit(context, questions), mSelect(context, questions), mUv(context),
-          mIslands(context, questions), mView(context, questions), mHelp(context, questions, recoveryFolder),
-          mStates(context)
+          mUvSets(context), mIslands(context, questions), mView(context, questions),
+          mHelp(context, questions, recoveryFolder), mStates(context)
     {}
 
     FileActions &file() { return mFile; }
@@ -32,6 +33,7 @@ private:
     EditActions mEdit;
     SelectActions mSelect;
     UvActions mUv;
+    UvSetActions mUvSets;
     IslandActions mIslands;
     ViewActions mView;
     HelpActions mHelp;

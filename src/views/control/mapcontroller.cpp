@@ -1,5 +1,6 @@
 #include "views/control/mapcontroller.h"
 
+#include "commands/edituvsets.h"
 #include "commands/newmap.h"
 #include "model/document/makesnapshot.h"
 #include "solver/metrics/uvoverlaps.h"
@@ -257,6 +258,22 @@ void MapController::separateGreedily()
 {
     startJob(tr("Separating overlaps"), [](const MapInput &input, JobControl &control) {
         return separateJob(input, overlap::SeparationMethod::Greedy, control);
+    });
+}
+
+void MapController::addLightmapSet()
+{
+    mSolver.whenPaused([this] {
+        Document *document = mWorkspace.document();
+        if (!document || mJobs.isBusy())
+            return;
+        const bool hasMap = hasUvs(*document);
+        pushCommand(
+            std::make_unique<AddUvSet>(*document, tr("Lightmap"), hasMap ? document->activeUvSet() : -1));
+        if (hasMap)
+            startJob(tr("Making a map for lightmaps"), lightmapJob);
+        else
+            unwrap(unwrap::UnwrapQuality::Standard);
     });
 }
 

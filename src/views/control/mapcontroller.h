@@ -83,6 +83,8 @@ public Q_SLOTS:
     //! The same by the greedy way of the paper: islands that grow breadth first for as long as they do not
     //! cover themselves (figure 11, right).
     void separateGreedily();
+    //! Adds a copy of the active UV set and makes it a map for lightmaps; without UVs, an unwrapped one.
+    void addLightmapSet();
     //! Gives every island the same texel density. \pre no job is running
     void equalizeDensity();
     //! Minimises the distortion of the selected faces while all others stay. Pins and locks are respected.

@@ -6,6 +6,7 @@
 #include "solver/packing/islandgeometry.h"
 #include "solver/packing/packmap.h"
 #include "solver/unwrap/finishjob.h"
+#include "solver/unwrap/lightmapjob.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/separatejob.h"
 #include "solver/unwrap/unwrap.h"
@@ -270,11 +271,11 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
     return result;
 }
 
-MapJobResult separateJob(const MapInput &input, overlap::SeparationMethod method, JobControl &control)
+namespace {
+
+MapJobResult separated(const MapInput &input, const unwrap::SeparateResult &made)
 {
     using Outcome = unwrap::SeparateResult::Outcome;
-    const unwrap::PackJob pack = unwrap::steeredPackJob(input.snapshot, packing::tileOptions(input.packing));
-    const unwrap::SeparateResult made = unwrap::separateMap(input.snapshot, pack, contextOf(control), method);
     MapJobResult result;
     result.edit = UvEdit::Separate;
     switch (made.outcome) {
@@ -300,6 +301,21 @@ MapJobResult separateJob(const MapInput &input, overlap::SeparationMethod method
         break;
     }
     return result;
+}
+
+} // namespace
+
+MapJobResult separateJob(const MapInput &input, overlap::SeparationMethod method, JobControl &control)
+{
+    const unwrap::PackJob pack = unwrap::steeredPackJob(input.snapshot, packing::tileOptions(input.packing));
+    return separated(input, unwrap::separateMap(input.snapshot, pack, contextOf(control), method));
+}
+
+MapJobResult lightmapJob(const MapInput &input, JobControl &control)
+{
+    packing::PackOptions options = packing::tileOptions(input.packing);
+    options.keepScale = false;
+    return separated(input, unwrap::makeLightmap(input.snapshot, options, contextOf(control)));
 }
 
 MapJobResult equalizeJob(const MapInput &input, JobControl &control)

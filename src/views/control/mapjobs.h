@@ -101,6 +101,8 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
 MapJobResult finishJob(const MapInput &input, JobControl &control);
 MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl &control);
 MapJobResult separateJob(const MapInput &input, overlap::SeparationMethod method, JobControl &control);
+//! Takes the map, which is a copy in a set of its own, apart for lightmaps (solver/unwrap/lightmapjob.h).
+MapJobResult lightmapJob(const MapInput &input, JobControl &control);
 MapJobResult equalizeJob(const MapInput &input, JobControl &control);
 //! Minimises the distortion of the selected faces while all others stay.
 MapJobResult relaxJob(const MapInput &input, JobControl &control);

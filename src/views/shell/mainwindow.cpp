@@ -14,6 +14,7 @@
 #include "views/panels/packpanel.h"
 #include "views/panels/seampanel.h"
 #include "views/panels/solverpanel.h"
+#include "views/panels/uvsetpanel.h"
 #include "views/panels/viewpanel.h"
 #include "views/shell/contextmenu.h"
 #include "views/shell/startpage.h"
@@ -164,6 +165,7 @@ void MainWindow::makePanels()
     QDockWidget *doctor = add("doctor", tr("Mesh doctor"), doctorPanel, Qt::LeftDockWidgetArea);
     connect(doctorPanel, &DoctorPanel::frameSelectionRequested, mActions.action("view.frameSelected"),
             &QAction::trigger);
+    QDockWidget *uvSets = add("uvSets", tr("UV sets"), new UvSetPanel(studio), Qt::LeftDockWidgetArea);
     QDockWidget *solver = add("solver", tr("Unwrap"), new SolverPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *islands = add("islands", tr("Islands"), new IslandPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *arranging = add("layout", tr("Layout"), new LayoutPanel(studio), Qt::RightDockWidgetArea);
@@ -181,7 +183,8 @@ void MainWindow::makePanels()
             mUvView->frameAll();
     });
 
-    tabifyDockWidget(history, doctor);
+    tabifyDockWidget(history, uvSets);
+    tabifyDockWidget(uvSets, doctor);
     history->raise();
     tabifyDockWidget(islands, arranging);
     tabifyDockWidget(arranging, seams);

@@ -22,6 +22,13 @@ bool takesWheel(const QObject *object)
            (qobject_cast<const QAbstractSlider *>(object) && !qobject_cast<const QScrollBar *>(object));
 }
 
+//! The editor of an entry of a list ends by keys of its own.
+bool isEditorInView(const QObject *object)
+{
+    const QObject *parent = object->parent();
+    return parent && qobject_cast<const QAbstractItemView *>(parent->parent());
+}
+
 bool isField(const QObject *object)
 {
     const auto *combo = qobject_cast<const QComboBox *>(object);
@@ -97,7 +104,7 @@ bool InputGuard::eventFilter(QObject *watched, QEvent *event)
         }
         break;
     case QEvent::KeyPress:
-        if (isField(watched) &&
+        if (isField(watched) && !isEditorInView(watched) &&
             leavesField(static_cast<QWidget *>(watched), static_cast<QKeyEvent *>(event)->key()))
             return true;
         break;
