@@ -72,6 +72,7 @@ void compareStates(const DocumentState &a, const DocumentState &b)
     QCOMPARE(a.scene.uvSets.size(), b.scene.uvSets.size());
     QVERIFY(a.seams.states == b.seams.states);
     QCOMPARE(a.seams.weights, b.seams.weights);
+    QVERIFY(a.seams.straight == b.seams.straight);
     QVERIFY(a.constraints.pins == b.constraints.pins);
     QVERIFY(a.constraints.rectangles == b.constraints.rectangles);
     QVERIFY(a.marks == b.marks);
