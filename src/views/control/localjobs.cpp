@@ -2,6 +2,7 @@
 #include "model/document/uvgrid.h"
 #include "model/plain/chart.h"
 #include "solver/homotopy/localsolve.h"
+#include "solver/packing/packmap.h"
 #include "solver/unwrap/aligning.h"
 #include "views/control/mapjobs.h"
 
