@@ -63,7 +63,6 @@ void addSteering(DocumentState &state)
     state.seams.states[10] = state.seams.states[11] = PairState::Joined;
     state.seams.weights[3] = 0;
     state.seams.weights[20] = 1.0 / 3;
-    state.seams.straight[10] = state.seams.straight[11] = 1;
     state.constraints.pins = {{3, {0.25, 0.5}, true, 1}, {30, {1.5, -0.5}, false, 7}};
     state.constraints.rectangles = {{1, u"head"_s, 0xff00ff00, {0, 0}, {0.5, 0.5}, false, 1, {0, 1, 4}},
                                     {4, u""_s, 0x80ff0000, {0.5, 0}, {1, 0.25}, true, 2, {}}};
