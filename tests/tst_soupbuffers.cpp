@@ -382,7 +382,7 @@ private Q_SLOTS:
     void straightEdgesAreDrawnBelowSeams()
     {
         const MeshPtr mesh = test::grid(2);
-        Scenery scenery(mesh);
+        Scenery scenery(mesh, emptyUv(*mesh));
         int edge = 0;
         while (mesh->edgePairs[edge].diagonal)
             ++edge;
