@@ -417,7 +417,7 @@ private Q_SLOTS:
         QCOMPARE(noticed.count(), 1);
         const QString message = noticed.first().at(0).toString();
         QVERIFY2(message.contains(u"200 of") && message.contains(u"1 faces are new"), qPrintable(message));
-        QVERIFY2(message.contains(u"cut, joined or painted edges are lost"), qPrintable(message));
+        QVERIFY2(message.contains(u"cut, joined, painted or straight edges are lost"), qPrintable(message));
         QCOMPARE(noticed.first().at(1).value<Selection>().faces.size(), 1);
         QCOMPARE(replaced.count(), 1);
         QCOMPARE(desk.document().validate(), QString());

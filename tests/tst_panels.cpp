@@ -240,6 +240,26 @@ private Q_SLOTS:
         QVERIFY(!child<QPushButton>(bench.panel, "clearAll")->isEnabled());
     }
 
+    void straightEdgesAreKeptAndReleased()
+    {
+        Bench<SeamPanel> bench;
+        QVERIFY(bench.followed());
+        const int before = bench.text("straightCount").toInt();
+        QVERIFY(!child<QPushButton>(bench.panel, "straight")->isEnabled());
+        bench.select({}, {3, 5});
+        QVERIFY(bench.followed());
+        click(bench.panel, "straight");
+        QVERIFY(bench.followed());
+        QCOMPARE(bench.text("straightCount").toInt(), before + 2);
+        QCOMPARE(bench.document().seams().straight[2 * 5 + 1], std::uint8_t(1));
+        bench.select({}, {3});
+        QVERIFY(bench.followed());
+        click(bench.panel, "release");
+        QVERIFY(bench.followed());
+        QCOMPARE(bench.text("straightCount").toInt(), before + 1);
+        QCOMPARE(bench.stack().count(), 2);
+    }
+
     void halfCutsAreCountedByThemselves()
     {
         Bench<SeamPanel> bench;

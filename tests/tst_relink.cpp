@@ -78,6 +78,7 @@ DocumentState steeredGrid()
         state.seams.states[2 * p] = PairState(random.below(3));
         state.seams.states[2 * p + 1] = PairState(random.below(3));
         state.seams.weights[2 * p] = random.unit();
+        state.seams.straight[2 * p] = state.seams.straight[2 * p + 1] = random.oneIn(2);
     }
     state.constraints.pins = {{3, {0.25, 0.5}, true, 1}, {40, {1.5, 0.5}, false, 7}};
     state.constraints.rectangles = {{1, u"head"_s, 0xff00ff00, {0, 0}, {0.5, 0.5}, false, 1, {0, 1, 4, 15}}};
@@ -92,7 +93,7 @@ DocumentState steeredGrid()
 }
 
 //! Seams by what they join, without the numbers of a mesh: the positions of an edge's ends, seen from the
-//! side of each face's centre, with state and weight.
+//! side of each face's centre, with what is decided for it.
 std::vector<std::vector<double>> seamsByPosition(const DocumentState &state)
 {
     const MeshData &mesh = *state.scene.mesh;
@@ -104,7 +105,8 @@ std::vector<std::vector<double>> seamsByPosition(const DocumentState &state)
             const Vec3 here = mesh.cornerPosition(mesh.cornerOfSoup(mesh.edgePairs[p].corner[end][0]));
             const Vec3 there = mesh.cornerPosition(mesh.cornerOfSoup(mesh.edgePairs[p].corner[1 - end][0]));
             result.push_back({here.x(), here.y(), here.z(), there.x(), there.y(), there.z(),
-                              double(state.seams.states[2 * p + end]), state.seams.weights[2 * p + end]});
+                              double(state.seams.states[2 * p + end]), state.seams.weights[2 * p + end],
+                              double(state.seams.straight[2 * p + end])});
         }
     }
     std::sort(result.begin(), result.end());

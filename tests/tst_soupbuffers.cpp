@@ -379,6 +379,24 @@ private Q_SLOTS:
         QCOMPARE(at(0, 0).top, style(SideStyle::None));
     }
 
+    void straightEdgesAreDrawnBelowSeams()
+    {
+        const MeshPtr mesh = test::grid(2);
+        Scenery scenery(mesh, emptyUv(*mesh));
+        int edge = 0;
+        while (mesh->edgePairs[edge].diagonal)
+            ++edge;
+        scenery.seams.straight[2 * edge] = scenery.seams.straight[2 * edge + 1] = 1;
+        scenery.seams.states[2 * edge] = scenery.seams.states[2 * edge + 1] = PairState::Cut;
+        const auto at = [&](int which) { return scenery.sides()[scenery.topology.edgeSides[edge][which]]; };
+        for (int which : {0, 1}) {
+            QCOMPARE(at(which).base, style(SideStyle::Straight));
+            QCOMPARE(at(which).top, style(SideStyle::ForcedCut));
+        }
+        scenery.options.steering = false;
+        QVERIFY(at(0).base != style(SideStyle::Straight));
+    }
+
     void noSeamsWithoutUvs()
     {
         const MeshPtr mesh = test::grid(2);

@@ -19,7 +19,7 @@ uniform bool onPicture; // in the map, a picture lies behind
 uniform int pattern; // 0 none, 1 checker, 2 picture
 uniform ivec2 hoverTriangles, hoverSides;
 uniform uint hoverIsland;
-uniform vec4 sideColors[8];
+uniform vec4 sideColors[9];
 uniform float sideHalfWidths[8];
 uniform vec4 selectionColor, hoverColor, overlapColor, flippedColor;
 

@@ -20,6 +20,15 @@ void setUv(Scene &scene, const UvMatrix &uv)
     scene.uvSets.front().uv = uv;
 }
 
+//! Says of a map of a stopped job whether it was straightened. \param straight see unwrap::UnwrapResult
+void sayStraight(const std::optional<bool> &straight, MadeMap &outcome)
+{
+    if (straight)
+        outcome.warnings << QLatin1String(*straight ? "stopped early: this map is straightened"
+                                                    : "stopped early: this map is not, or not wholly, "
+                                                      "straightened");
+}
+
 } // namespace
 
 Result<MadeMap> MapMaking::unwrap(Scene &scene) const
@@ -43,6 +52,8 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
                                               : "the mesh is too irregular for a map with few seams: this "
                                                 "one is made of many flat patches");
     outcome.warnings << unmetText(result.unmet);
+    if (result.stopped)
+        sayStraight(result.straight, outcome);
     sayGivenSeams(snapshot.value(), outcome);
     outcome.iterations = result.iterations;
     outcome.lambda = result.lambda;
@@ -162,6 +173,8 @@ Result<MadeMap> MapMaking::finish(Scene &scene) const
     else if (made.distortion > mOptions.unwrap.maxDistortion)
         sayBoundMissed(made.distortion, outcome);
     outcome.warnings << unmetText(made.unmet);
+    if (mJob.stopped())
+        sayStraight(made.straight, outcome);
     sayGivenSeams(snapshot.value(), outcome);
     if (made.heldTogether)
         outcome.warnings << QStringLiteral("the map still covers itself: joined edges hold it together");

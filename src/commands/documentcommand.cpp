@@ -132,6 +132,11 @@ void DocumentCommand::setSeamWeights(const IndexRanges &cornerPairs, std::span<c
     mDocument.setSeamWeights(cornerPairs, values);
 }
 
+void DocumentCommand::setSeamStraight(const IndexRanges &cornerPairs, std::span<const std::uint8_t> values)
+{
+    mDocument.setSeamStraight(cornerPairs, values);
+}
+
 void DocumentCommand::setPin(int corner, const std::optional<UvPin> &pin)
 {
     mDocument.setPin(corner, pin);

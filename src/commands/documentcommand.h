@@ -76,6 +76,7 @@ protected:
     void setUvScale(int uvSet, double scale);
     void setSeamStates(const IndexRanges &cornerPairs, std::span<const PairState> values);
     void setSeamWeights(const IndexRanges &cornerPairs, std::span<const double> values);
+    void setSeamStraight(const IndexRanges &cornerPairs, std::span<const std::uint8_t> values);
     void setPin(int corner, const std::optional<UvPin> &pin);
     void setRectangle(int id, const std::optional<LayoutRectangle> &rectangle);
     void setFaceFlags(const IndexRanges &faces, std::span<const IslandFlags> values);

@@ -4,6 +4,7 @@
 #include "commands/commandreading.h"
 #include "commands/editpins.h"
 #include "commands/editrectangles.h"
+#include "commands/keepstraight.h"
 #include "commands/setislandflags.h"
 #include "commands/setislandtag.h"
 #include "commands/setseamstate.h"
@@ -44,6 +45,8 @@ Reset::Reset(Document &document, int parts) : DocumentCommand(document), mParts(
         const std::vector<double> weights(pairs.count(), unpaintedWeight);
         add(std::make_unique<SetSeamWeights>(document, pairs, weights));
     }
+    if ((parts & StraightEdges) != 0)
+        add(std::make_unique<KeepStraight>(document, false, pairs));
     if ((parts & Pins) != 0)
         add(unpinAll(document));
     if ((parts & Rectangles) != 0)
@@ -85,6 +88,8 @@ QString Reset::label() const
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset seams"));
     case SeamWeights:
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset painted weights"));
+    case StraightEdges:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Release all straight edges"));
     case Pins:
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Remove all pins"));
     case Rectangles:

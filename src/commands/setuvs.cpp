@@ -99,6 +99,9 @@ QString SetUvs::label() const
     case UvEdit::Relax:
         return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Relax %n face"),
                            QT_TRANSLATE_NOOP("Undo Commands", "Relax %n faces"), mCount);
+    case UvEdit::AlignToAxes:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Align %n island to the axes"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Align %n islands to the axes"), mCount);
     case UvEdit::Grid:
         return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Straighten %n face to a grid"),
                            QT_TRANSLATE_NOOP("Undo Commands", "Straighten %n faces to a grid"), mCount);
@@ -150,7 +153,7 @@ void SetUvs::writePayload(QCborMap &map) const
 
 Result<std::unique_ptr<DocumentCommand>> SetUvs::fromCbor(Document &document, CborReader &reader)
 {
-    const UvEdit edit = reader.enumerator("edit"_L1, UvEdit::BrushGrab);
+    const UvEdit edit = reader.enumerator("edit"_L1, UvEdit::AlignToAxes);
     const int uvSet = static_cast<int>(reader.integer("uvSet"_L1, 0, std::numeric_limits<int>::max()));
     UvEditExtras extras;
     extras.count = static_cast<int>(reader.integer("count"_L1, 0, std::numeric_limits<int>::max()));

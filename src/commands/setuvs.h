@@ -31,7 +31,8 @@ enum class UvEdit {
     Grid,
     BrushRelax,
     BrushPinch,
-    BrushGrab
+    BrushGrab,
+    AlignToAxes
 };
 
 //! Changes that an edit of UVs makes besides the UVs.

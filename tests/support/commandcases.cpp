@@ -3,6 +3,7 @@
 #include "commands/editmapseams.h"
 #include "commands/edituvsets.h"
 #include "commands/islandtransform.h"
+#include "commands/keepstraight.h"
 #include "commands/reset.h"
 #include "commands/setislandtag.h"
 #include "commands/setseamweights.h"
@@ -30,6 +31,14 @@ Make seams(SetSeamState::Edit edit, int first, int count)
     return [=](Document &d) {
         const IndexRanges pairs = cornerPairsOfEdges(d.mesh(), plainEdges(d, first, count));
         return std::make_unique<SetSeamState>(d, edit, pairs);
+    };
+}
+
+Make straight(bool on, int first, int count)
+{
+    return [=](Document &d) {
+        const IndexRanges pairs = cornerPairsOfEdges(d.mesh(), plainEdges(d, first, count));
+        return std::make_unique<KeepStraight>(d, on, pairs);
     };
 }
 
@@ -137,6 +146,16 @@ std::vector<Case> seamCases()
          {u"seam 1: 60-61,64-65"_s},
          seams(Edit::Join, 30, 0)},
         {"clear", seams(Edit::Clear, 0, 3), "Clear 3 edges", {}, seams(Edit::Clear, 30, 4)},
+        {"keep straight", // of the four edges one is kept straight already
+         straight(true, 30, 4),
+         "Keep 3 edges straight",
+         {u"seam 4: 60-61,64-65,70-71"_s},
+         straight(true, 30, 0)},
+        {"release",
+         straight(false, 30, 4),
+         "Release 1 straight edge",
+         {u"seam 4: 66-67"_s},
+         straight(false, 0, 3)},
         {"paint", paint(64, 3, 0.25), "Paint 2 edges", {u"seam 2: 64-66"_s}, paint(64, 3, 1)},
     };
 }

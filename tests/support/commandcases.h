@@ -37,6 +37,7 @@ std::unique_ptr<Document> startFor(const Case &c);
 // Makers of commands.
 std::vector<int> plainEdges(const Document &document, int first, int count);
 Make seams(SetSeamState::Edit edit, int first, int count);
+Make straight(bool on, int first, int count);
 Make paint(int firstPair, int count, double weight);
 Make rectangle(EditRectangles::Edit edit, int id, std::function<void(LayoutRectangle &)> change);
 LayoutRectangle named(const QString &name);

@@ -53,6 +53,7 @@ std::unique_ptr<Document> gridDocument()
         state.seams.weights[2 * edge + 1] = 2.5;
         ++marked;
     }
+    state.seams.straight[66] = state.seams.straight[67] = 1;
     state.constraints.pins = {{3, {0.25, 0.5}, true, 1}, {40, {1.5, 0.5}, false, 7}};
     state.constraints.rectangles = {{1, u"head"_s, 0xff00ff00, {0, 0}, {0.5, 0.5}, false, 1, {0, 1, 4}},
                                     {4, u"hand"_s, 0xffff0000, {0.5, 0}, {1, 0.25}, true, 2, {}}};

@@ -6,6 +6,7 @@
 #include "commands/editrectangles.h"
 #include "commands/edituvsets.h"
 #include "commands/islandtransform.h"
+#include "commands/keepstraight.h"
 #include "commands/reset.h"
 #include "commands/setislandflags.h"
 #include "commands/setislandtag.h"
@@ -100,6 +101,10 @@ std::unique_ptr<DocumentCommand> RandomEdits::make(Document &document, int kind)
 
 std::unique_ptr<DocumentCommand> RandomEdits::seams(Document &document)
 {
+    if (mRandom.oneIn(4))
+        return std::make_unique<KeepStraight>(
+            document, mRandom.oneIn(2),
+            cornerPairsOfEdges(document.mesh(), someOf(document.adjacency().edgeCount())));
     const auto edit = static_cast<SetSeamState::Edit>(mRandom.below(3));
     if (mRandom.oneIn(3))
         return std::make_unique<SetSeamState>(

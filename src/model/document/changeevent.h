@@ -62,10 +62,10 @@ struct UvSetEvent final : ChangeEvent
     int index; //!< of the set; after a removal, the index that it had
 };
 
-//! Seams changed: states or painted weights of corner pairs.
+//! Seams changed: states or painted weights of corner pairs, or which edges are kept straight.
 struct SeamEvent final : ChangeEvent
 {
-    enum Property { State = 1, Weight = 2 };
+    enum Property { State = 1, Weight = 2, Straight = 4 };
 
     SeamEvent(int mask, IndexRanges pairs)
         : ChangeEvent(Type::Seam), properties(mask), cornerPairs(std::move(pairs))

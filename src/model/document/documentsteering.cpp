@@ -49,6 +49,14 @@ void Document::setSeamWeights(const IndexRanges &cornerPairs, std::span<const do
     announce(SeamEvent(SeamEvent::Weight, std::move(changedPairs)));
 }
 
+void Document::setSeamStraight(const IndexRanges &cornerPairs, std::span<const std::uint8_t> values)
+{
+    IndexRanges changedPairs = assign(mState.seams.straight, cornerPairs, values);
+    if (changedPairs.isEmpty())
+        return;
+    announce(SeamEvent(SeamEvent::Straight, std::move(changedPairs)));
+}
+
 void Document::setPin(int corner, const std::optional<UvPin> &pin)
 {
     std::vector<UvPin> &pins = mState.constraints.pins;

@@ -1,6 +1,7 @@
 #include "model/document/makesnapshot.h"
 
 #include "model/document/document.h"
+#include "model/document/straightloops.h"
 #include "model/plain/uvlayout.h"
 
 #include <algorithm>
@@ -63,6 +64,7 @@ Snapshot makeSnapshot(const Document &document, std::optional<StartMode> start)
     steering.pairState = state.seams.states;
     steering.pairWeight = state.seams.weights;
     steering.givenSeams = document.givenSeams();
+    steering.straightLoops = straightLoops(document);
     steering.faceFlags = state.marks.faceFlags;
     addConstraints(steering, document);
     snapshot.token = document.token();

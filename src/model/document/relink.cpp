@@ -112,7 +112,8 @@ private:
         for (int p = 0; p < static_cast<int>(mBefore.edgePairs.size()); ++p) {
             const auto isPlain = [&](int pair) {
                 return mFrom.seams.states[pair] == plain.states[pair] &&
-                       mFrom.seams.weights[pair] == plain.weights[pair];
+                       mFrom.seams.weights[pair] == plain.weights[pair] &&
+                       mFrom.seams.straight[pair] == plain.straight[pair];
             };
             if (isPlain(2 * p) && isPlain(2 * p + 1))
                 continue;
@@ -131,6 +132,8 @@ private:
                     mFrom.seams.states[before.cornerPair[end]];
                 mTo.seams.weights[after.cornerPair[end ^ swapped]] =
                     mFrom.seams.weights[before.cornerPair[end]];
+                mTo.seams.straight[after.cornerPair[end ^ swapped]] =
+                    mFrom.seams.straight[before.cornerPair[end]];
             }
             ++mReport.seams.kept;
         }
@@ -202,7 +205,7 @@ QStringList RelinkReport::lines() const
     add(faces, u"%1 of %2 faces are not in the new model: their UVs are lost"_s);
     if (!newFaces.isEmpty())
         lines << u"%1 faces are new and have no UVs"_s.arg(newFaces.size());
-    add(seams, u"%1 of %2 cut, joined or painted edges are lost"_s);
+    add(seams, u"%1 of %2 cut, joined, painted or straight edges are lost"_s);
     add(pins, u"%1 of %2 pins are lost"_s);
     add(rectangleFaces, u"%1 of %2 assignments of faces to rectangles are lost"_s);
     add(markedFaces, u"%1 of %2 faces that are locked, stacked or grouped are lost"_s);

@@ -23,7 +23,7 @@ struct RelinkReport
     bool sameTopology = false;
     Carried faces;       //!< faces of the old model that were found in the new one, and that were not
     QList<int> newFaces; //!< faces of the new model that the old one does not have
-    Carried seams;       //!< edges that are cut, joined or painted
+    Carried seams;       //!< edges that are cut, joined, painted or kept straight
     Carried pins, rectangleFaces, markedFaces;
     QStringList lostTags;
 

@@ -12,9 +12,11 @@ QCborMap seamsToCbor(const Seams &seams, const MeshData &mesh)
     std::vector<int> sides;
     QByteArray states;
     std::vector<double> weights;
+    QByteArray straight;
     for (int p = 0; p < static_cast<int>(mesh.edgePairs.size()); ++p) {
         const auto isPlain = [&](int pair) {
-            return seams.states[pair] == PairState::Free && seams.weights[pair] == unpaintedWeight;
+            return seams.states[pair] == PairState::Free && seams.weights[pair] == unpaintedWeight &&
+                   seams.straight[pair] == 0;
         };
         if (mesh.edgePairs[p].diagonal || (isPlain(2 * p) && isPlain(2 * p + 1)))
             continue;
@@ -23,9 +25,13 @@ QCborMap seamsToCbor(const Seams &seams, const MeshData &mesh)
             sides.push_back(side.startCorner[i]);
             states.append(static_cast<char>(seams.states[side.cornerPair[i]]));
             weights.push_back(seams.weights[side.cornerPair[i]]);
+            straight.append(static_cast<char>(seams.straight[side.cornerPair[i]]));
         }
     }
-    return {{"sides"_L1, packedArray(sides)}, {"states"_L1, states}, {"weights"_L1, packedArray(weights)}};
+    return {{"sides"_L1, packedArray(sides)},
+            {"states"_L1, states},
+            {"weights"_L1, packedArray(weights)},
+            {"straight"_L1, straight}};
 }
 
 bool readSeams(CborReader &reader, const MeshData &mesh, Seams &seams, int &lost)
@@ -33,7 +39,10 @@ bool readSeams(CborReader &reader, const MeshData &mesh, Seams &seams, int &lost
     const QByteArray states = reader.bytes("states"_L1);
     const auto sides = unpackedIntegers(reader.bytes("sides"_L1), states.size());
     const auto weights = unpackedDoubles(reader.bytes("weights"_L1), states.size());
-    if (reader.failed() || !sides || !weights || states.size() % 2 != 0)
+    // Older files have none.
+    const QByteArray straight =
+        reader.contains("straight"_L1) ? reader.bytes("straight"_L1) : QByteArray(states.size(), 0);
+    if (reader.failed() || !sides || !weights || states.size() % 2 != 0 || straight.size() != states.size())
         return false;
     Seams result = seams;
     const std::vector<int> pairs = edgePairsBySide(mesh);
@@ -49,6 +58,8 @@ bool readSeams(CborReader &reader, const MeshData &mesh, Seams &seams, int &lost
         for (std::size_t k = 0; k < 2; ++k) {
             result.states[side.cornerPair[k]] = static_cast<PairState>(states[static_cast<int>(i + k)]);
             result.weights[side.cornerPair[k]] = (*weights)[i + k];
+            result.straight[side.cornerPair[k]] =
+                static_cast<std::uint8_t>(straight[static_cast<int>(i + k)]);
         }
     }
     if (!result.validate(mesh).isEmpty())

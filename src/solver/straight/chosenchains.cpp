@@ -19,6 +19,28 @@ bool continues(Chain &chain, int one, int other, double length)
     return true;
 }
 
+//! Joins chains of one loop that meet at their ends: a closed loop may begin in the middle of one.
+void joinMeeting(std::vector<Chain> &chains, std::size_t first)
+{
+    for (std::size_t i = first; i < chains.size(); ++i) {
+        for (std::size_t k = i + 1; k < chains.size(); ++k) {
+            std::vector<int> &one = chains[i].points, &other = chains[k].points;
+            if (one.front() == one.back() || other.front() == other.back())
+                continue;
+            if (one.front() == other.front() || one.front() == other.back())
+                std::reverse(one.begin(), one.end());
+            if (one.back() == other.back())
+                std::reverse(other.begin(), other.end());
+            if (one.back() != other.front())
+                continue;
+            one.insert(one.end(), other.begin() + 1, other.end());
+            chains[i].length += chains[k].length;
+            chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(k));
+            k = i;
+        }
+    }
+}
+
 } // namespace
 
 std::vector<std::vector<Chain>> chosenChains(const Soup &soup, const CutMesh &charts,
@@ -53,6 +75,8 @@ std::vector<std::vector<Chain>> chosenChains(const Soup &soup, const CutMesh &ch
                     own.push_back({{one, other}, length, true});
             }
         }
+        for (std::size_t i = 0; i < islands.size(); ++i)
+            joinMeeting(chains[i], begun[i]);
     }
     return chains;
 }

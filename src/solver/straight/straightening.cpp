@@ -1,5 +1,6 @@
 #include "solver/straight/straightening.h"
 
+#include "solver/base/cornerat.h"
 #include "solver/base/parallel.h"
 #include "solver/definite/definitemap.h"
 #include "solver/preference/seampreference.h"
@@ -26,6 +27,9 @@ constexpr double searchShare = 0.85;
 constexpr double mostSpent = 0.15;
 constexpr double smallerBudget = 0.9; //!< factor when the whole map is above the bound
 constexpr int mostTries = 20;
+// The same after a stop.
+constexpr double hurriedBudget = 0.5;
+constexpr int hurriedTries = 3;
 
 //! The levels of an island that are worth their energy: each next one costs more for each length gained.
 std::vector<Level> worthwhile(std::vector<Level> levels)
@@ -88,10 +92,13 @@ public:
     {
         const double before = mMap.distortion(*mSoup);
         findLevels(std::clamp(maxDistortion - leastEnergy, 0.0, mostSpent), job);
-        if (job.stopped())
+        const bool stopped = job.stopped();
+        if (stopped &&
+            std::all_of(mLevels.begin(), mLevels.end(), [](const auto &own) { return own.empty(); }))
             return mMap;
+        const int tries = stopped ? hurriedTries : mostTries;
         double budget = std::clamp(maxDistortion - freeEnergy(), 0.0, mostSpent);
-        for (int attempt = 0; attempt < mostTries; ++attempt, budget *= smallerBudget) {
+        for (int attempt = 0; attempt < tries; ++attempt, budget *= stopped ? hurriedBudget : smallerBudget) {
             SeamedMap straight = mapFor(budget);
             if (straight.distortion(*mSoup) <= std::max(maxDistortion, before) &&
                 straight.validate(*mSoup).empty())
@@ -143,9 +150,10 @@ private:
         return positions;
     }
 
-    std::vector<Level> levelsOf(int i, std::vector<Chain> chains, double most, const JobContext &job)
+    std::vector<Level> levelsOf(int i, const std::vector<Chain> &chosen, double most, const JobContext &job)
     {
         Island &island = mIslands[i];
+        std::vector<Chain> chains = chosen;
         if (mPlan.align) {
             const std::vector<Chain> own = straightChains(island);
             chains.insert(chains.end(), own.begin(), own.end());
@@ -154,8 +162,8 @@ private:
         if (mMirrors[i].island == i)
             levels = symmetricLevels(i, chains, most, job);
         if (levels.empty()) {
-            if (mPlan.align)
-                turnIfValid(island, angleToAxes(island, chains));
+            if (mPlan.align || !chosen.empty())
+                turnIfValid(island, angleToAxes(island, chosen.empty() ? chains : chosen));
             if (mEffort == StraightEffort::Full && (mPlan.align || !chains.empty()))
                 levels = islandLevels(island, chains, {}, most, job);
             else
@@ -284,11 +292,31 @@ PackRotation StraightPlan::rotation(PackRotation wanted) const
     return deforms() ? std::min(wanted, PackRotation::Quarter) : wanted;
 }
 
-void straighten(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const StraightPlan &plan,
+bool straighten(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const StraightPlan &plan,
                 double maxDistortion, SeamedMap &map, const JobContext &job, StraightEffort effort)
 {
-    if (!plan.isEmpty())
-        map = Straightening(soup, snapshot, plan, map, effort).run(maxDistortion, job);
+    if (plan.isEmpty())
+        return true;
+    map = Straightening(soup, snapshot, plan, map, effort).run(maxDistortion, job);
+    return !job.stopped();
+}
+
+void restoreCentres(const Soup &soup, const Snapshot &snapshot, const SeamedMap &before, SeamedMap &map)
+{
+    const CutMesh charts(*soup.mesh, map.cut);
+    const std::vector<bool> held = heldCharts(snapshot, charts);
+    const int corners = soup.mesh->soupCornerCount();
+    std::vector<Vec2> way(charts.chartCount, Vec2::Zero());
+    std::vector<int> count(charts.chartCount, 0);
+    for (int c = 0; c < corners; ++c) {
+        way[charts.chart[c / 3]] += cornerAt(before.x, c) - cornerAt(map.x, c);
+        ++count[charts.chart[c / 3]];
+    }
+    for (int c = 0; c < corners; ++c) {
+        const int chart = charts.chart[c / 3];
+        if (held.empty() || !held[chart])
+            cornerAt(map.x, c) += way[chart] / count[chart];
+    }
 }
 
 } // namespace autocuts::straight

@@ -35,12 +35,17 @@ enum class StraightEffort { Turn, Full };
 //! there, as far as the bound on the distortion allows; of what is too dear, the longest for its price.
 //! Mirror: gives symmetric islands a symmetric map about an axis, within the same bound, and islands that are
 //! mirror images the mirrored map of the better one. Up: turns islands, by right angles where they are
-//! aligned. The seams stay as they are, no triangle flips and no island comes to overlap itself. Points of a
-//! straightened border have one coordinate exactly in common. Islands with pins stay as they are. When the
-//! job is stopped, the map stays as it is. The result does not depend on the number of threads. \param
-//! maxDistortion bound on the mean symmetric Dirichlet energy of the map at one texel density
-void straighten(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const StraightPlan &plan,
+//! aligned. Chosen loops become straight also without all that. The seams stay as they are, no triangle flips
+//! and no island comes to overlap itself. Points of a straightened border have one coordinate exactly in
+//! common. Islands with pins stay as they are. The result does not depend on the number of threads.
+//! \param maxDistortion bound on the mean symmetric Dirichlet energy of the map at one texel density
+//! \returns false when stopped before all was done; then islands that were not reached stay as they are
+bool straighten(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const StraightPlan &plan,
                 double maxDistortion, SeamedMap &map, const JobContext &job = {},
                 StraightEffort effort = StraightEffort::Full);
+
+//! Brings the charts of a map that nothing holds back to where their centres were in another map with the
+//! same charts.
+void restoreCentres(const Soup &soup, const Snapshot &snapshot, const SeamedMap &before, SeamedMap &map);
 
 } // namespace autocuts::straight

@@ -1,17 +1,20 @@
 #include "solver/unwrap/finishjob.h"
 
 #include "model/plain/uvlayout.h"
+#include "solver/base/timelimit.h"
 #include "solver/definite/refinedmap.h"
 #include "solver/definite/seamopening.h"
 #include "solver/homotopy/liveschedule.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/preference/seampreference.h"
+#include "solver/straight/straightening.h"
 #include "solver/unwrap/freepart.h"
 #include "solver/unwrap/mapbefore.h"
 #include "solver/unwrap/rectanglefit.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace autocuts::unwrap {
 
@@ -22,6 +25,8 @@ namespace {
 constexpr double touchingDelta = 1e-9;
 //! Rough number of steps of a live solve. A guess that only the progress depends on.
 constexpr double usualSteps = 1000;
+//! Time for straightening after a stop. Chosen by hand.
+constexpr auto timeAfterStop = std::chrono::milliseconds(100);
 
 void load(const FinishInput &input, const FreePart &part, int threads, homotopy::Solver &solver)
 {
@@ -90,7 +95,7 @@ std::optional<definite::RefinedMap> refinedMapBefore(const std::shared_ptr<const
 
 //! The map of the soup: of a live solve, or of the map before as a soup that touches itself.
 std::optional<definite::RefinedMap> refinedSoup(const FinishInput &input, const FreePart &part,
-                                                const JobContext &job)
+                                                double maxDistortion, const JobContext &job)
 {
     homotopy::Solver solver;
     load(input, part, job.threads(), solver);
@@ -98,7 +103,7 @@ std::optional<definite::RefinedMap> refinedSoup(const FinishInput &input, const 
     if (input.live && input.live->hasMoreToDo) {
         int steps = 0;
         const JobContext toTheEnd = job.part(0, 1, JobStage::SolvingToTheEnd);
-        homotopy::runToTheEnd(solver, input.maxDistortion, job, [&] {
+        homotopy::runToTheEnd(solver, maxDistortion, job, [&] {
             ++steps;
             begun = 0.5 * steps / (steps + usualSteps); // the number of steps is not known beforehand
             toTheEnd.report(begun);
@@ -109,7 +114,24 @@ std::optional<definite::RefinedMap> refinedSoup(const FinishInput &input, const 
         rest.editSteering().rectangles.clear();
         solver.update(rest);
     }
-    return definite::makeRefinedMap(solver, input.maxDistortion, job.part(begun, 1));
+    return definite::makeRefinedMap(solver, maxDistortion, job.part(begun, 1));
+}
+
+//! Makes straight what the settings ask for. The islands stay at their places.
+void straighten(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                const straight::StraightPlan &plan, double maxDistortion, SeamedMap &map,
+                const JobContext &job, FinishResult &result)
+{
+    if (plan.isEmpty())
+        return;
+    const SeamedMap before = map;
+    const JobContext goesOn = job.unstoppable();
+    std::optional<TimeLimit> limit;
+    if (job.stopped())
+        limit.emplace(goesOn, timeAfterStop);
+    result.straight = straight::straighten(soup, snapshot, plan, maxDistortion, map,
+                                           limit ? limit->context() : job.quiet());
+    straight::restoreCentres(*soup, snapshot, before, map);
 }
 
 } // namespace
@@ -125,13 +147,16 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     }
     const Snapshot own = part->withoutRectangles();
     const std::shared_ptr<const Soup> soup = Soup::build(own.mesh);
+    const auto plan = straight::StraightPlan::of(part->snapshot());
+    const double bound = plan.searchBound(input.maxDistortion);
     std::optional<definite::RefinedMap> found;
     if (!input.live)
-        found = refinedMapBefore(soup, own, input.maxDistortion, job);
+        found = refinedMapBefore(soup, own, bound, job);
     if (!found)
-        found = refinedSoup(input, *part, job);
+        found = refinedSoup(input, *part, bound, job);
     if (!found)
         return result;
+    straighten(soup, part->snapshot(), plan, input.maxDistortion, found->map, job, result);
     fitToRectangles(*part, soup, found->map, job);
     UvMatrix uv = own.uvScale * cornerUv(*soup, found->map);
     definite::openCuts(own, uv);

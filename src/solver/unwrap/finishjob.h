@@ -32,6 +32,8 @@ struct FinishResult
     bool noRoom = false;   //!< the islands had to be packed and there is no room for them
     //! The map still has overlaps; edges joined by the user prevent cutting them apart.
     bool heldTogether = false;
+    //! Set when something was to be straight: false when stopped before all of that was done.
+    std::optional<bool> straight;
     bool nothingFree = false; //!< locks or the scope leave nothing to change: uv is the map before the job
     UnmetSteering unmet;
 };

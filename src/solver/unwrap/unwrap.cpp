@@ -1,6 +1,7 @@
 #include "solver/unwrap/unwrap.h"
 
 #include "model/plain/uvlayout.h"
+#include "solver/base/timelimit.h"
 #include "solver/definite/seamopening.h"
 #include "solver/straight/straightening.h"
 #include "solver/unwrap/coarsetofine.h"
@@ -10,11 +11,16 @@
 #include "solver/unwrap/rectanglefit.h"
 
 #include <algorithm>
+#include <chrono>
 #include <stdexcept>
 
 namespace autocuts::unwrap {
 
 namespace {
+
+// Time for straightening, chosen by hand: after a stop, and for a map that is shown while the search goes on.
+constexpr auto timeAfterStop = std::chrono::milliseconds(100);
+constexpr auto timeOfShownMap = std::chrono::milliseconds(400);
 
 //! Moves and scales the map into the unit square.
 void fitUnitSquare(UvMatrix &uv)
@@ -40,8 +46,7 @@ public:
     {
         UnwrapResult result;
         const std::shared_ptr<const Soup> soup = Soup::build(mPart.snapshot().mesh);
-        if (hurry != PackHurry::Always)
-            straighten(soup, found, job);
+        result.straight = straighten(soup, found, hurry, job);
         result.cut = mPart.wholeCut(found.map.cut);
         result.distortion = found.distortion;
         result.seamLength = found.seamLength;
@@ -58,15 +63,26 @@ public:
     }
 
 private:
-    //! Makes straight what the settings ask for.
-    void straighten(const std::shared_ptr<const Soup> &soup, Candidate &found, const JobContext &job) const
+    //! Makes straight what the settings ask for. Returns whether all of it was done; nothing when there is
+    //! nothing to do.
+    std::optional<bool> straighten(const std::shared_ptr<const Soup> &soup, Candidate &found, PackHurry hurry,
+                                   const JobContext &job) const
     {
         if (mPlan.isEmpty() || found.onlyPatches)
-            return;
+            return std::nullopt;
         // With a given lambda the search decides how much distortion there is.
         const double bound = mOptions.lambda ? found.distortion : mOptions.maxDistortion;
-        straight::straighten(soup, mPart.snapshot(), mPlan, bound, found.map, job.quiet());
-        found.measure(*soup, mPart.snapshot());
+        const auto within = [&](const JobContext &context) {
+            const bool done =
+                straight::straighten(soup, mPart.snapshot(), mPlan, bound, found.map, context.quiet());
+            found.measure(*soup, mPart.snapshot());
+            return done;
+        };
+        if (hurry == PackHurry::Always)
+            return within(TimeLimit(job, timeOfShownMap).context());
+        if (job.stopped())
+            return within(TimeLimit(job.unstoppable(), timeAfterStop).context());
+        return within(job);
     }
 
     //! Places the islands. Sets result.uv and result.packed.

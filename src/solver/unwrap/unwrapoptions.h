@@ -41,6 +41,8 @@ struct UnwrapResult
     bool onlyPatches = false;
     //! Share of the seam length that is symmetric, 0 on a mesh that is not. Set when symmetry is asked for.
     std::optional<double> symmetry;
+    //! Set when something was to be straight: false when stopped before all of that was done.
+    std::optional<bool> straight;
     bool packed = false;      //!< false when packing was not asked for or there is no room
     bool nothingFree = false; //!< locks or the scope leave nothing to change: uv is the map before the job
     UnmetSteering unmet;

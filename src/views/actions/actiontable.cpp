@@ -216,6 +216,15 @@ constexpr std::array uvTable{
                QT_TRANSLATE_NOOP("Actions", "Bring the two sides of the selected seams together at once: the "
                                             "smaller island comes to the larger one"),
                NeedsIdleMap | NeedsEdgesOrFaces},
+    ActionInfo{"uv.keepStraight", "UV", QT_TRANSLATE_NOOP("Actions", "&Keep straight"), "keep-straight",
+               "Shift+S",
+               QT_TRANSLATE_NOOP("Actions", "Unwrap, Finish and the live solve lay the selected edges on "
+                                            "lines of the map"),
+               NeedsSelectedEdges, false, "", true},
+    ActionInfo{"uv.releaseStraight", "UV", QT_TRANSLATE_NOOP("Actions", "Release straight edges"),
+               "release-straight", "Alt+Shift+S",
+               QT_TRANSLATE_NOOP("Actions", "The selected edges need not be straight in the map"),
+               NeedsSelectedEdges},
     ActionInfo{"uv.pin", "UV", QT_TRANSLATE_NOOP("Actions", "P&in"), "pin", "Ctrl+P",
                QT_TRANSLATE_NOOP("Actions", "Hold the selection where it is in the map"),
                NeedsSelection | NeedsUvs, false, "", true},

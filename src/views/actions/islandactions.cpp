@@ -170,6 +170,9 @@ void IslandActions::connectTurns()
             return turnedPiece(piece, turnToDirections(selectedDirections(document, piece)));
         });
     });
+    onTriggered("uv.alignAxes", [this](const Document &document) {
+        mContext.map.alignToAxes(facesOf(document, document.selection()));
+    });
     connect(mContext.actions.action("uv.straighten"), &QAction::triggered, &mContext.map,
             &MapController::straightenSelection);
     connect(mContext.actions.action("uv.grid"), &QAction::triggered, &mContext.map,

@@ -95,6 +95,12 @@ inline constexpr std::array layoutTable{
                "orient-edges", "Ctrl+Shift+U",
                QT_TRANSLATE_NOOP("Actions", "Turn the islands so that the selected edges lie along the axes"),
                NeedsIdleMap | NeedsSelectedEdges},
+    ActionInfo{"uv.alignAxes", "UV/Layout", QT_TRANSLATE_NOOP("Actions", "Ali&gn to the axes"), "align-axes",
+               "Ctrl+Alt+A",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Turn the selected islands to the axes and make straight what is straight "
+                                 "on the model, with little distortion"),
+               NeedsPieces},
     ActionInfo{
         "uv.straighten", "UV/Layout", QT_TRANSLATE_NOOP("Actions", "&Straighten edges"), "straighten",
         "Shift+G",

@@ -2,6 +2,7 @@
 
 #include "commands/changesettings.h"
 #include "commands/editpins.h"
+#include "commands/keepstraight.h"
 #include "views/actions/choice.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
@@ -133,6 +134,8 @@ void UvActions::connectSteering()
     connectSeams("uv.cut", SetSeamState::Edit::Cut, edgesToCut);
     connectSeams("uv.join", SetSeamState::Edit::Join, edgesToJoin);
     connectSeams("uv.clearSteering", SetSeamState::Edit::Clear, edgesToClear);
+    onTriggered("uv.keepStraight", [this] { keepStraight(true); });
+    onTriggered("uv.releaseStraight", [this] { keepStraight(false); });
     onTriggered("uv.pin", [this] { pinSelected(); });
     onTriggered("uv.unpin", [this] { unpinSelected(); });
     const auto connectFlags = [this](const char *id, SetIslandFlags::Edit edit) {
@@ -194,6 +197,14 @@ void UvActions::setSeams(SetSeamState::Edit edit, const QList<int> &edges)
     Document &document = *mContext.workspace.document();
     const IndexRanges pairs = cornerPairsOfEdges(document.mesh(), {edges.data(), std::size_t(edges.size())});
     pushCommand(std::make_unique<SetSeamState>(document, edit, pairs));
+}
+
+void UvActions::keepStraight(bool on)
+{
+    Document &document = *mContext.workspace.document();
+    const QList<int> &edges = document.selection().edges;
+    const IndexRanges pairs = cornerPairsOfEdges(document.mesh(), {edges.data(), std::size_t(edges.size())});
+    pushCommand(std::make_unique<KeepStraight>(document, on, pairs));
 }
 
 void UvActions::setFlags(SetIslandFlags::Edit edit)

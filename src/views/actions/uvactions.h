@@ -36,6 +36,7 @@ private:
     void changeDelta(double factor);
     SolveSettings settingsInEffect();
     void pushTyped(const SolveSettings &settings);
+    void keepStraight(bool on);
     void setSeams(SetSeamState::Edit edit, const QList<int> &edges);
     void setFlags(SetIslandFlags::Edit edit);
     void pinSelected();

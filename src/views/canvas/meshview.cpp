@@ -190,6 +190,8 @@ void MeshView::drawOverlay(QPainter &painter)
         drawBadge(painter, rect(), colors, tr("X-ray"));
     drawLegend(painter, rect(), colors, studio().view.options(),
                studio().preferences.values().colorBlindHeatMap, content().rightDensity());
+    if (content().showsStraight())
+        drawStraightLegend(painter, rect(), colors);
     drawHoverCorner(painter, *this);
 }
 

@@ -147,6 +147,23 @@ void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, 
     painter.drawText(numbers, Qt::AlignRight, legend.high);
 }
 
+void drawStraightLegend(QPainter &painter, const QRect &view, const ViewColors &colors)
+{
+    constexpr int lineLength = 22;
+    const QString text = Overlays::tr("Kept straight");
+    const QFontMetrics metrics = painter.fontMetrics();
+    const int height = metrics.height() + 8;
+    const QRectF box(view.left() + 30, view.bottom() - height - 30,
+                     metrics.horizontalAdvance(text) + lineLength + 28, height);
+    drawPanel(painter, box, colors);
+    const auto style = static_cast<std::size_t>(SideStyle::Straight);
+    painter.setPen(QPen(colors.sides[style], 0.5 * double(colors.sideWidths[style])));
+    painter.drawLine(QPointF(box.left() + 10, box.center().y()),
+                     QPointF(box.left() + 10 + lineLength, box.center().y()));
+    painter.setPen(colors.text);
+    painter.drawText(box.adjusted(lineLength + 18, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, text);
+}
+
 void drawHoverCorner(QPainter &painter, const ToolCanvas &canvas)
 {
     const Document *document = canvas.studio().workspace.document();

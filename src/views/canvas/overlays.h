@@ -22,6 +22,8 @@ void drawBadge(QPainter &painter, const QRect &view, const ViewColors &colors, c
 //! \param rightDensity as SceneContent::rightDensity()
 void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const ViewOptions &options,
                 bool colorBlind, double rightDensity);
+//! Draws the legend of the edges that are kept straight, in the lower left corner.
+void drawStraightLegend(QPainter &painter, const QRect &view, const ViewColors &colors);
 //! Draws a ring around the vertex under the mouse, in the mode for selecting vertices.
 void drawHoverCorner(QPainter &painter, const ToolCanvas &canvas);
 

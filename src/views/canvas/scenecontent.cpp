@@ -75,8 +75,9 @@ void SceneContent::documentChanged(const ChangeEvent &event)
     case ChangeEvent::Type::Seam: {
         const int properties = static_cast<const SeamEvent &>(event).properties;
         const bool painted = mOptions.coloring == Coloring::PaintWeights && (properties & SeamEvent::Weight);
-        if ((properties & SeamEvent::State) || painted)
-            mark((properties & SeamEvent::State ? Sides : 0) | (painted ? Faces : 0));
+        const bool lines = properties & (SeamEvent::State | SeamEvent::Straight);
+        if (lines || painted)
+            mark((lines ? Sides : 0) | (painted ? Faces : 0));
         break;
     }
     case ChangeEvent::Type::Pin:
@@ -197,9 +198,13 @@ int SceneContent::refresh()
     }
     if (parts & Faces)
         rebuildFaces();
-    if (parts & Sides)
+    if (parts & Sides) {
+        const std::vector<std::uint8_t> &straight = document->seams().straight;
+        mShowsStraight =
+            mOptions.steering && std::find(straight.begin(), straight.end(), 1) != straight.end();
         mSides = sideTexels({*own.mesh, own.topology, uv(), mContext.shownMap.separation(), document->seams(),
                              mOptions, shownSelection().edges, document->givenSeams()});
+    }
     if (parts & Points)
         rebuildPoints();
     return parts;

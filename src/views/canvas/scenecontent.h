@@ -57,6 +57,8 @@ public:
     const ViewColors &colors() const { return mColors; }
     //! The texels per unit that get the colour in the middle; NaN when they are not shown or not known.
     double rightDensity() const { return mRightDensity; }
+    //! True when edges that are kept straight are shown.
+    bool showsStraight() const { return mShowsStraight; }
 
 Q_SIGNALS:
     //! Emitted when the view has to be painted again.
@@ -86,6 +88,7 @@ private:
     Selection mSelection; //!< for which the arrays were last marked
     Eigen::AlignedBox2d mUvBox;
     double mRightDensity = std::numeric_limits<double>::quiet_NaN();
+    bool mShowsStraight = false;
     std::vector<SoupVertex> mVertices;
     std::vector<float> mUvs, mGhostUvs;
     std::vector<FaceTexel> mFaces;

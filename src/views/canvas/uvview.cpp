@@ -198,6 +198,8 @@ void UvView::drawOverlay(QPainter &painter)
     if (document) {
         drawLegend(painter, rect(), colors, options, studio().preferences.values().colorBlindHeatMap,
                    content().rightDensity());
+        if (content().showsStraight())
+            drawStraightLegend(painter, rect(), colors);
         drawHoverCorner(painter, *this);
     }
 }

@@ -2,6 +2,8 @@
 #include "model/document/uvgrid.h"
 #include "model/plain/chart.h"
 #include "solver/homotopy/localsolve.h"
+#include "solver/packing/packmap.h"
+#include "solver/unwrap/aligning.h"
 #include "views/control/mapjobs.h"
 
 #include <QCoreApplication>
@@ -256,6 +258,46 @@ MapJobResult gridJob(const MapInput &input, JobControl &control)
                 .arg(result.message)
                 .arg(found.left.size());
     }
+    return result;
+}
+
+MapJobResult alignJob(const MapInput &input, const QList<int> &faces, JobControl &control)
+{
+    const MeshData &mesh = input.mesh();
+    const UvTopology topology = findUvTopology(mesh, input.uv);
+    const std::vector<int> islands = freeIslands(mesh, topology, input.marks, faces);
+    MapJobResult result;
+    result.edit = UvEdit::AlignToAxes;
+    if (islands.empty()) {
+        result.problem =
+            translated("Locked islands are not aligned: select others, or unlock them (Ctrl+Shift+L)");
+        return result;
+    }
+    std::set<int> charts;
+    for (const int face : islands)
+        charts.insert(topology.charts.faceChart[face]);
+    result.count = static_cast<int>(charts.size());
+    unwrap::AlignInput align;
+    align.snapshot = input.snapshot;
+    align.snapshot.scope = scopeOf(mesh, QList<int>(islands.begin(), islands.end()), true);
+    align.maxDistortion = input.snapshot.settings.maxDistortion;
+    align.packing = packing::tileOptions(input.packing);
+    const unwrap::AlignResult made = unwrap::alignIslands(
+        align, {&control.stop(), 1, [&](const JobProgress &done) { control.setProgress(done.fraction); }});
+    result.uv = made.uv;
+    if (made.nothingFree)
+        result.problem = translated("Islands with pins and stacked or grouped ones are not aligned");
+    else if (made.flipped)
+        result.problem = translated("Triangles of these islands are flipped: unwrap them first");
+    else if (made.noRoom)
+        result.problem = translated("There is no room for the aligned islands: pack first (P)");
+    else if (made.uv.rows() == 0)
+        result.problem = translated("Cancelled: the map stays as it was");
+    else
+        result.message = translated("Islands aligned: %1, distortion %2 before, %3 now")
+                             .arg(charts.size())
+                             .arg(made.before, 0, 'f', 4)
+                             .arg(made.after, 0, 'f', 4);
     return result;
 }
 

@@ -292,6 +292,12 @@ void MapController::straightenSelection()
     startJob(tr("Straightening"), straightenJob);
 }
 
+void MapController::alignToAxes(const QList<int> &faces)
+{
+    startJob(tr("Aligning to the axes"),
+             [faces](const MapInput &input, JobControl &control) { return alignJob(input, faces, control); });
+}
+
 void MapController::gridSelection()
 {
     startJob(tr("Straightening to a grid"), gridJob);

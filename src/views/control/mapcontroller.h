@@ -93,6 +93,8 @@ public Q_SLOTS:
     void straightenSelection();
     //! Makes the selected quads a rectangle of straight rows and columns; the rest of their islands follows.
     void gridSelection();
+    //! Turns islands to the axes and makes straight what is straight on the model. \param faces of them
+    void alignToAxes(const QList<int> &faces);
     //! Prices the seams of the map.
     void priceSeams();
     //! Cuts the map along edges at once and records the edges as cut. \param edges edges of MeshAdjacency

@@ -158,6 +158,15 @@ void tellNewOverlaps(const MapInput &input, const JobControl &control, MapJobRes
             .arg(result.problemItems.faces.size());
 }
 
+//! Says of a map of a stopped job whether it was straightened. \param straight see unwrap::UnwrapResult
+void sayStraight(bool stopped, const std::optional<bool> &straight, MapJobResult &result)
+{
+    if (!stopped || !straight || result.message.isEmpty())
+        return;
+    result.message += *straight ? translated(". Stopped early: this map is straightened")
+                                : translated(". Stopped early: this map is not, or not wholly, straightened");
+}
+
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
                        std::function<void(const unwrap::UnwrapResult &)> better, JobControl &control)
 {
@@ -183,6 +192,7 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
     }
     result.uv = made.uv;
     result.message = translated("Unwrapped: distortion %1").arg(made.distortion, 0, 'f', 4);
+    sayStraight(made.stopped, made.straight, result);
     if (!made.packed)
         result.problem = noRoom(input.packing);
     else if (!made.unmet.empty())
@@ -227,6 +237,7 @@ MapJobResult finishJob(const MapInput &input, JobControl &control)
                                     "some joins and finish again");
     else
         result.message = translated("Finished: distortion %1").arg(made.distortion, 0, 'f', 4);
+    sayStraight(control.stop(), made.straight, result);
     return result;
 }
 

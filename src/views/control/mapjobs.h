@@ -112,6 +112,8 @@ MapJobResult priceJob(const MapInput &input, JobControl &control);
 MapJobResult straightenJob(const MapInput &input, JobControl &control);
 //! Makes the selected quads a rectangle of straight rows and columns; the rest of their islands follows.
 MapJobResult gridJob(const MapInput &input, JobControl &control);
+//! Turns the islands of these faces to the axes and makes straight what is straight on the model.
+MapJobResult alignJob(const MapInput &input, const QList<int> &faces, JobControl &control);
 //! Cuts the map along edges. \param edges edges of MeshAdjacency
 MapJobResult ripJob(const MapInput &input, const QList<int> &edges, JobControl &control);
 //! Closes seams of the map. \param edges edges of MeshAdjacency; those that are no seams are left out

@@ -251,6 +251,8 @@ std::vector<SideTexel> sideTexels(const SideInput &input)
         const bool border = edge >= pairCount;
         if (input.options.wireframe || border)
             texel.base = static_cast<quint8>(border ? SideStyle::Border : SideStyle::Wire);
+        if (!border && input.options.steering && input.seams.straight[2 * edge] != 0)
+            texel.base = static_cast<quint8>(SideStyle::Straight); // a wide line below that of a seam
         if (!border)
             setTopLine(input, edge, input.topology.edgeSides[edge][0] == static_cast<int>(side) ? 0 : 1,
                        texel);

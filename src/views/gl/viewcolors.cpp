@@ -49,7 +49,8 @@ ViewColors ViewColors::of(const PreferenceValues &preferences, bool map)
     colors.sides[static_cast<int>(SideStyle::Joined)] = preferences.joinedColor;
     colors.sides[static_cast<int>(SideStyle::Selected)] = preferences.selectionColor;
     colors.sides[static_cast<int>(SideStyle::Given)] = QColor(0x1fb8e0);
-    colors.sideWidths = {0, 1, 1.4f, 2.6f, 3.2f, 3.2f, 3.4f, 2.8f};
+    colors.sides[static_cast<int>(SideStyle::Straight)] = QColor(0xb8e02a);
+    colors.sideWidths = {0, 1, 1.4f, 2.6f, 3.2f, 3.2f, 3.4f, 2.8f, 6};
     return colors;
 }
 

@@ -10,7 +10,18 @@ namespace autocuts {
 struct PreferenceValues;
 
 //! What is drawn along a side of a triangle.
-enum class SideStyle : quint8 { None, Wire, Border, Seam, ForcedCut, Joined, Selected, Given, Count };
+enum class SideStyle : quint8 {
+    None,
+    Wire,
+    Border,
+    Seam,
+    ForcedCut,
+    Joined,
+    Selected,
+    Given,
+    Straight,
+    Count
+};
 
 //! The colours of one theme. Widths are in logical pixels.
 struct ViewColors

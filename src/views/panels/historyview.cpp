@@ -18,6 +18,8 @@ QString iconName(int commandId)
     switch (CommandId(commandId)) {
     case CommandId::SetSeamState:
         return u"cut"_s;
+    case CommandId::KeepStraight:
+        return u"keep-straight"_s;
     case CommandId::EditMapSeams:
         return u"rip"_s;
     case CommandId::SetSeamWeights:

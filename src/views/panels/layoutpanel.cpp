@@ -191,7 +191,8 @@ QWidget *LayoutPanel::makeActions()
                {"uv.turnLeft", "uv.turnRight", "uv.mirrorU", "uv.mirrorV", "uv.orientBox", "uv.orientEdges",
                 "uv.straighten", "uv.grid", "uv.relax", "uv.fitTile"});
     addActions(grid, 2,
-               {"uv.stackCopies", "uv.unstackCopies", "uv.densitySet", "uv.scatter", "uv.packSelection"});
+               {"uv.alignAxes", "uv.stackCopies", "uv.unstackCopies", "uv.densitySet", "uv.scatter",
+                "uv.packSelection"});
     grid->setColumnStretch(actionsPerRow, 1);
     return box;
 }

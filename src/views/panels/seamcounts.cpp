@@ -20,6 +20,7 @@ SeamCounts countSeams(const MeshData &mesh, const Seams &seams)
             ++counts.halfCut;
         if (has(PairState::Joined))
             ++counts.joined;
+        counts.straight += seams.straight[2 * e] != 0;
         const auto [low, high] = std::minmax(seams.weights[2 * e], seams.weights[2 * e + 1]);
         counts.keptTogether += high > unpaintedWeight;
         counts.attracting += low < unpaintedWeight;

@@ -12,6 +12,7 @@ struct SeamCounts
     int halfCut = 0;                      //!< only one end is cut
     int joined = 0;                       //!< at least one end is joined
     int keptTogether = 0, attracting = 0; //!< painted with a weight above 1, and below 1
+    int straight = 0;                     //!< kept straight
 
     bool operator==(const SeamCounts &) const = default;
 };

@@ -1,5 +1,6 @@
 #include "views/panels/seampanel.h"
 
+#include "commands/keepstraight.h"
 #include "commands/reset.h"
 #include "commands/setseamweights.h"
 #include "model/document/givenseams.h"
@@ -96,6 +97,12 @@ QWidget *SeamPanel::makeSteering()
     connect(mJoin, &QPushButton::clicked, this, [this] { steer(SetSeamState::Edit::Join); });
     connect(mClear, &QPushButton::clicked, this, [this] { steer(SetSeamState::Edit::Clear); });
     connect(mClearAll, &QPushButton::clicked, this, &SeamPanel::clearSteering);
+    mStraight = makeButton(tr("Keep straight"), "straight"_L1);
+    mRelease = makeButton(tr("Release"), "release"_L1);
+    explain(mStraight, tr("Lay the selected edges on lines of the map"), {"uv.keepStraight"});
+    explain(mRelease, tr("The selected edges need not be straight in the map"), {"uv.releaseStraight"});
+    connect(mStraight, &QPushButton::clicked, this, [this] { keepStraight(true); });
+    connect(mRelease, &QPushButton::clicked, this, [this] { keepStraight(false); });
     auto *box = new QWidget;
     auto *layout = new QVBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -103,6 +110,7 @@ QWidget *SeamPanel::makeSteering()
     layout->addWidget(mSelectedEdges);
     layout->addWidget(makeRow({mCut, mJoin, mClear}));
     layout->addWidget(mClearAll);
+    layout->addWidget(makeRow({mStraight, mRelease}));
     return box;
 }
 
@@ -159,6 +167,8 @@ QWidget *SeamPanel::makeFigures()
         add(tr("Forced joins"), "joinCount"_L1, tr("Edges that are held together because you said so"));
     mKeepCount = add(tr("Painted: keep together"), "keepCount"_L1, tr("Edges that seams avoid"));
     mAttractCount = add(tr("Painted: attract cuts"), "attractCount"_L1, tr("Edges where seams are welcome"));
+    mStraightCount = add(tr("Kept straight"), "straightCount"_L1,
+                         tr("Edges that are to lie on lines of the map; pink in both views"));
     mSeamEdges =
         add(tr("Seam edges of the map"), "seamEdges"_L1, tr("Edges whose two sides have different UVs"));
     mSeamLength = add(tr("Seam length"), "seamLength"_L1, tr("In the units of the model"));
@@ -173,6 +183,16 @@ void SeamPanel::steer(SetSeamState::Edit edit)
         return;
     const QList<int> &edges = document()->selection().edges;
     setSeams(edit, {edges.begin(), edges.end()});
+}
+
+void SeamPanel::keepStraight(bool on)
+{
+    if (!document())
+        return;
+    const QList<int> &edges = document()->selection().edges;
+    const IndexRanges pairs =
+        cornerPairsOfEdges(document()->mesh(), {edges.data(), std::size_t(edges.size())});
+    pushCommand(std::make_unique<KeepStraight>(*document(), on, pairs));
 }
 
 void SeamPanel::setSeams(SetSeamState::Edit edit, const std::vector<int> &edges)
@@ -217,7 +237,8 @@ void SeamPanel::refresh()
     mSelectedEdges->setVisible(document() != nullptr);
     mSelectedFaces->setVisible(document() != nullptr);
     if (!document()) {
-        for (QLabel *label : {mCutCount, mHalfCutCount, mJoinCount, mKeepCount, mAttractCount})
+        for (QLabel *label :
+             {mCutCount, mHalfCutCount, mJoinCount, mKeepCount, mAttractCount, mStraightCount})
             label->setText(missingText());
         return;
     }
@@ -228,7 +249,7 @@ void SeamPanel::refresh()
     mSelectedFaces->setText(selection.faces.isEmpty()
                                 ? tr("Select faces to paint their edges.")
                                 : tr("Faces selected: %1").arg(countText(selection.faces.size())));
-    for (QPushButton *button : {mCut, mJoin, mClear})
+    for (QPushButton *button : {mCut, mJoin, mClear, mStraight, mRelease})
         button->setEnabled(!selection.edges.isEmpty());
     for (QPushButton *button : {mKeep, mAttract, mErase})
         button->setEnabled(!selection.faces.isEmpty());
@@ -243,6 +264,7 @@ void SeamPanel::showCounts(const Document &document)
     mJoinCount->setText(countText(counts.joined));
     mKeepCount->setText(countText(counts.keptTogether));
     mAttractCount->setText(countText(counts.attracting));
+    mStraightCount->setText(countText(counts.straight));
     mClearAll->setEnabled(counts.cut + counts.halfCut + counts.joined > 0);
     mErasePaint->setEnabled(counts.keptTogether + counts.attracting > 0);
 }

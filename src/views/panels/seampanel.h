@@ -33,6 +33,7 @@ private:
     QWidget *makeFigures();
     void steer(SetSeamState::Edit edit);
     void paintSelectedFaces(Paint paint);
+    void keepStraight(bool on);
     void clearSteering();
     void clearPaint();
     void showCounts(const Document &document);
@@ -43,11 +44,12 @@ private:
 
     QLabel *mSelectedEdges = nullptr, *mSelectedFaces = nullptr;
     QPushButton *mCut = nullptr, *mJoin = nullptr, *mClear = nullptr, *mClearAll = nullptr;
+    QPushButton *mStraight = nullptr, *mRelease = nullptr;
     SliderSpin *mStrength = nullptr;
     QPushButton *mKeep = nullptr, *mAttract = nullptr, *mErase = nullptr, *mErasePaint = nullptr;
     GivenSeamForm *mGiven = nullptr;
     SeamPriceList *mPrices = nullptr;
-    QLabel *mGivenCount = nullptr;
+    QLabel *mGivenCount = nullptr, *mStraightCount = nullptr;
     QLabel *mCutCount = nullptr, *mHalfCutCount = nullptr, *mJoinCount = nullptr, *mKeepCount = nullptr;
     QLabel *mAttractCount = nullptr, *mSeamLength = nullptr, *mSeamNorm = nullptr, *mSeamEdges = nullptr;
 };

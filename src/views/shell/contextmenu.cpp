@@ -14,9 +14,10 @@ namespace autocuts {
 namespace {
 
 // nullptr is a separator.
-constexpr const char *edgeIds[] = {"uv.cut",     "uv.join", "uv.clearSteering", nullptr,          "uv.rip",
-                                   "uv.stitch",  nullptr,   "uv.straighten",    "uv.orientEdges", nullptr,
-                                   "select.loop"};
+constexpr const char *edgeIds[] = {
+    "uv.cut", "uv.join",         "uv.clearSteering",   nullptr, "uv.rip",        "uv.stitch",
+    nullptr,  "uv.keepStraight", "uv.releaseStraight", nullptr, "uv.straighten", "uv.orientEdges",
+    nullptr,  "select.loop"};
 constexpr const char *faceIds[] = {"uv.unwrapSelection",
                                    "uv.runSelection",
                                    "uv.finishSelection",
@@ -24,6 +25,7 @@ constexpr const char *faceIds[] = {"uv.unwrapSelection",
                                    "uv.grid",
                                    nullptr,
                                    "uv.packSelection",
+                                   "uv.alignAxes",
                                    "uv.orientBox",
                                    "uv.mirrorU",
                                    "uv.mirrorV",
