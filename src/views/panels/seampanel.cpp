@@ -168,7 +168,7 @@ QWidget *SeamPanel::makeFigures()
     mKeepCount = add(tr("Painted: keep together"), "keepCount"_L1, tr("Edges that seams avoid"));
     mAttractCount = add(tr("Painted: attract cuts"), "attractCount"_L1, tr("Edges where seams are welcome"));
     mStraightCount = add(tr("Kept straight"), "straightCount"_L1,
-                         tr("Edges that are to lie on lines of the map; pink in both views"));
+                         tr("Edges that are to lie on lines of the map; lime in both views"));
     mSeamEdges =
         add(tr("Seam edges of the map"), "seamEdges"_L1, tr("Edges whose two sides have different UVs"));
     mSeamLength = add(tr("Seam length"), "seamLength"_L1, tr("In the units of the model"));
