@@ -11,6 +11,7 @@
 #include "commands/setislandtag.h"
 #include "commands/setseamstate.h"
 #include "commands/setseamweights.h"
+#include "commands/settexelweights.h"
 #include "commands/setuvs.h"
 #include "commands/stackislands.h"
 
@@ -22,7 +23,7 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
 {
     CborReader reader(map);
     const auto id =
-        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::EditMapSeams)));
+        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::SetTexelWeights)));
     switch (id) {
     case CommandId::SetSeamState:
         return SetSeamState::fromCbor(document, reader);
@@ -54,6 +55,8 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
         return StackIslands::fromCbor(document, reader);
     case CommandId::EditMapSeams:
         return EditMapSeams::fromCbor(document, reader);
+    case CommandId::SetTexelWeights:
+        return SetTexelWeights::fromCbor(document, reader);
     case CommandId::ReplaceModel: // never in a journal
         break;
     }

@@ -22,7 +22,8 @@ public:
         Marks = 16,    //!< flags and tags of islands
         Settings = 32, //!< of the solver and the packer, to their defaults
         Uvs = 64,      //!< of the active set: all corners lose their UVs
-        Steering = SeamStates | SeamWeights | Pins | Rectangles,
+        TexelWeights = 128,
+        Steering = SeamStates | SeamWeights | Pins | Rectangles | TexelWeights,
         Everything = Steering | Marks | Settings | Uvs
     };
 
