@@ -22,10 +22,12 @@ namespace {
 
 constexpr int thumbnailSize = 256;
 
-Scene activeFirst(const DocumentState &state)
+//! The scene with the active UV set first and the painted texel weights in its mesh.
+Scene activeFirst(const Document &document)
 {
-    Scene scene = state.scene;
-    const auto active = scene.uvSets.begin() + state.activeUvSet;
+    Scene scene = document.state().scene;
+    scene.mesh = document.weightedMesh();
+    const auto active = scene.uvSets.begin() + document.activeUvSet();
     std::rotate(scene.uvSets.begin(), active, active + 1);
     return scene;
 }
@@ -71,7 +73,7 @@ Result<Scene> BatchFiles::read(const QString &path, const std::atomic<bool> *sto
         return project.error();
     mDocument = std::make_unique<Document>(std::move(project->state));
     mRecorder = std::make_unique<JournalRecorder>(*mDocument, std::move(project->extras.journal));
-    Scene scene = activeFirst(mDocument->state());
+    Scene scene = activeFirst(*mDocument);
     scene.notes.insert(scene.notes.end(), project->notes.begin(), project->notes.end());
     return scene;
 }
@@ -81,7 +83,7 @@ Scene BatchFiles::take(std::unique_ptr<Document> document, Journal journal)
     mRecorder.reset();
     mDocument = std::move(document);
     mRecorder = std::make_unique<JournalRecorder>(*mDocument, std::move(journal));
-    return activeFirst(mDocument->state());
+    return activeFirst(*mDocument);
 }
 
 void BatchFiles::mergeSettings(CliOptions &options)
