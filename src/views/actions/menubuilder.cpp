@@ -35,6 +35,7 @@ constexpr std::array menuTitles{
     MenuTitle{"UV/Seam weighting", QT_TRANSLATE_NOOP("Menus", "Seam &weighting")},
     MenuTitle{"UV/Tools", QT_TRANSLATE_NOOP("Menus", "Tools")},
     MenuTitle{"UV/Islands", QT_TRANSLATE_NOOP("Menus", "Islan&ds")},
+    MenuTitle{"UV/Texel density", QT_TRANSLATE_NOOP("Menus", "Texel density")},
     MenuTitle{"UV/Layout", QT_TRANSLATE_NOOP("Menus", "La&yout")},
     MenuTitle{"UV/Layout/Align", QT_TRANSLATE_NOOP("Menus", "&Align")},
     MenuTitle{"UV/Layout/Distribute", QT_TRANSLATE_NOOP("Menus", "Distri&bute")},

@@ -7,6 +7,7 @@
 #include "views/actions/helpactions.h"
 #include "views/actions/islandactions.h"
 #include "views/actions/selectactions.h"
+#include "views/actions/texelweightactions.h"
 #include "views/actions/uvactions.h"
 #include "views/actions/viewactions.h"
 
@@ -19,8 +20,8 @@ public:
     //! \param questions asks over the window; must outlive this object
     StudioActions(const StudioContext &context, Questions &questions, const QString &recoveryFolder)
         : mFile(context, questions), mEdit(context, questions), mSelect(context, questions), mUv(context),
-          mIslands(context, questions), mView(context, questions), mHelp(context, questions, recoveryFolder),
-          mStates(context)
+          mIslands(context, questions), mTexelWeights(context, questions), mView(context, questions),
+          mHelp(context, questions, recoveryFolder), mStates(context)
     {}
 
     FileActions &file() { return mFile; }
@@ -33,6 +34,7 @@ private:
     SelectActions mSelect;
     UvActions mUv;
     IslandActions mIslands;
+    TexelWeightActions mTexelWeights;
     ViewActions mView;
     HelpActions mHelp;
     ActionStates mStates;

@@ -1,5 +1,7 @@
 #include "views/gl/colormap.h"
 
+#include "model/plain/texelweights.h"
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -23,6 +25,9 @@ constexpr QRgb magnitudeBlindStops[] = {0xff42145c, 0xff45347f, 0xff365c8c, 0xff
 // Brown and teal differ for all common kinds of colour blindness, and nothing else has these colours.
 constexpr QRgb densityStops[] = {0xff6b3d0a, 0xffb07a2e, 0xffe3cb98, 0xfff5f5f2,
                                  0xffa5d8cf, 0xff3d9e93, 0xff05554d};
+
+//! Place in the gradient of densities of those that are too dense; chosen by hand.
+constexpr double bandValue = 0.7;
 
 std::span<const QRgb> stopsOf(HeatMap map, bool colorBlind)
 {
@@ -65,6 +70,23 @@ QGradientStops heatStops(HeatMap map, bool colorBlind)
         result << QGradientStop(static_cast<double>(i) / static_cast<double>(stops.size() - 1),
                                 QColor(stops[i]));
     return result;
+}
+
+double bandedDensity(double ratio, double tolerance)
+{
+    return ratio > 1 + tolerance ? bandValue : ratio < 1 - tolerance ? -bandValue : 0;
+}
+
+QGradientStops bandedDensityStops()
+{
+    const auto color = [](double value) { return QColor(heatColor(HeatMap::Density, false, value)); };
+    return {{0, color(-bandValue)}, {0.333, color(-bandValue)}, {0.334, color(0)},
+            {0.666, color(0)},      {0.667, color(bandValue)},  {1, color(bandValue)}};
+}
+
+QRgb texelWeightColor(double weight)
+{
+    return heatColor(HeatMap::Density, false, std::log2(weight) / std::log2(maxTexelWeight));
 }
 
 QRgb paintColor(double weight, QRgb neutral)
