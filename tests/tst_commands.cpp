@@ -150,7 +150,8 @@ void TestCommands::everyIdIsCovered()
         const auto document = startFor(c);
         ids.insert(c.make(*document)->id());
     }
-    QCOMPARE(ids.size(), std::size_t(CommandId::EditMapSeams));
+    // All but ReplaceModel, which needs another model.
+    QCOMPARE(ids.size(), std::size_t(CommandId::SetTexelWeights) - 1);
 }
 
 QTEST_GUILESS_MAIN(TestCommands)
