@@ -7,6 +7,7 @@
 #include "commands/setislandtag.h"
 #include "commands/setseamstate.h"
 #include "commands/setseamweights.h"
+#include "commands/settexelweights.h"
 #include "commands/setuvs.h"
 #include "model/document/makesnapshot.h"
 #include "model/plain/uvlayout.h"
@@ -296,6 +297,8 @@ void TestDocument::revisions()
     QCOMPARE(renews(cut()), u"nothing done"_s);
     QCOMPARE(renews(std::make_unique<SetSeamWeights>(*document, pair, std::vector<double>{2, 2})),
              u"steering"_s);
+    QCOMPARE(renews(SetTexelWeights::uniform(*document, IndexRanges::all(3), 2)), u"steering"_s);
+    QCOMPARE(renews(SetTexelWeights::uniform(*document, IndexRanges::all(3), 2)), u"nothing done"_s);
     QCOMPARE(renews(EditPins::unpin(*document, std::vector<int>{3})), u"steering"_s);
     SolveSettings solve;
     solve.lambda = 0.5;

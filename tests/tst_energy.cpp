@@ -1,5 +1,6 @@
 // Energy terms: gradients and Hessians against finite differences on three meshes, and what each term
 // promises.
+#include "model/plain/texelweights.h"
 #include "solver/base/random.h"
 #include "solver/energy/constraintterms.h"
 #include "solver/energy/distortion.h"
@@ -145,10 +146,16 @@ private:
         QTest::newRow("quad cube") << 0;
         QTest::newRow("bulged grid") << 1;
         QTest::newRow("sphere") << 2;
+        QTest::newRow("sphere with texel weights") << 3;
     }
     Case makeCase(int mesh, double amount = 0.35)
     {
-        const test::MeshPtr meshes[] = {test::quadCube(), test::grid(3, 0.4), test::sphere(5, 7)};
+        const test::MeshPtr sphere = test::sphere(5, 7);
+        std::vector<double> weights;
+        for (int face = 0; face < sphere->faceCount(); ++face)
+            weights.push_back(face % 3 == 0 ? 2.5 : face % 3 == 1 ? 1 : 0.4);
+        const test::MeshPtr meshes[] = {test::quadCube(), test::grid(3, 0.4), sphere,
+                                        withTexelWeights(sphere, weights)};
         return distortedCase(meshes[mesh], amount, 7 + mesh);
     }
 
@@ -157,7 +164,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<int>("mesh");
         QTest::addColumn<int>("kind");
-        for (int mesh = 0; mesh < 3; ++mesh) {
+        for (int mesh = 0; mesh < 4; ++mesh) {
             QTest::addRow("symmetric Dirichlet %d", mesh) << mesh << 0;
             QTest::addRow("AMIPS %d", mesh) << mesh << 1;
         }

@@ -270,6 +270,38 @@ private Q_SLOTS:
         QVERIFY((studio.box(0).sizes() - Vec2(0.25, 0.2)).norm() < 1e-9);
     }
 
+    void texelWeightsAreSetAndCleared()
+    {
+        PartsStudio studio;
+        studio.answers.onDialog = [](QDialog &dialog) {
+            dialog.findChild<QDoubleSpinBox *>()->setValue(2.5);
+            return int(QDialog::Accepted);
+        };
+        const QList<int> faces = studio.document().selection().faces;
+        studio.trigger("uv.texelWeight");
+        for (int face = 0; face < studio.document().mesh().faceCount(); ++face)
+            QCOMPARE(studio.document().texelWeights()[face], faces.contains(face) ? 2.5 : 1.0);
+        studio.selectParts({0});
+        studio.trigger("uv.clearTexelWeight");
+        QCOMPARE(studio.document().texelWeights()[0], 1.0);
+        QCOMPARE(studio.document().texelWeights()[test::partFaces], 2.5);
+        studio.trigger("uv.clearTexelWeights");
+        QVERIFY(studio.document().state().texelWeights.empty());
+        QCOMPARE(studio.document().undoStack().count(), 3);
+        studio.trigger("edit.undo");
+        studio.trigger("edit.undo");
+        QCOMPARE(studio.document().texelWeights()[0], 2.5);
+        // A density that is set is that of faces without a weight: these get 2.5 times as much.
+        studio.answers.onDialog = [](QDialog &dialog) {
+            dialog.findChild<QDoubleSpinBox *>(u"density"_s)->setValue(204.8);
+            return int(QDialog::Accepted);
+        };
+        studio.selectParts({0});
+        const double before = studio.box(0).sizes().x();
+        studio.trigger("uv.densitySet");
+        QVERIFY(std::abs(studio.box(0).sizes().x() - 2.5 * before) < 1e-6);
+    }
+
     void chainsAreMadeStraight()
     {
         test::StudioParts studio;

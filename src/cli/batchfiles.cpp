@@ -134,6 +134,8 @@ Result<Done> BatchFiles::chooseUvSet(const CliOptions &options)
 Scene BatchFiles::activeFirst() const
 {
     Scene scene = mDocument ? mDocument->state().scene : mOriginal;
+    if (mDocument)
+        scene.mesh = mDocument->weightedMesh();
     const int active = mDocument ? mDocument->activeUvSet() : mActiveSet;
     if (!scene.uvSets.empty())
         std::rotate(scene.uvSets.begin(), scene.uvSets.begin() + active, scene.uvSets.begin() + active + 1);

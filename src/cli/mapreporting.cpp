@@ -99,6 +99,9 @@ MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags
     }
     if (!scene.uvSets.empty())
         report.uvSet = scene.uvSets.front().name;
+    const std::vector<double> &weights = scene.mesh->texelWeight;
+    report.texelDensityWeights =
+        std::count_if(weights.begin(), weights.end(), [](double weight) { return weight != 1; });
     report.textureSize = textureSize;
     report.mesh = scene.mesh->report;
     report.notes = meshDoctorNotes(scene.mesh->report);
@@ -159,6 +162,9 @@ QString reportTable(const MapReport &r)
     line("seam_norm", shortNumber(r.seamNorm), QStringLiteral("the same for a model of area pi"));
     line("sym_dirichlet", shortNumber(r.symDirichlet), QStringLiteral("mean distortion, 4 is none"));
     line("sym_dirichlet_max", shortNumber(r.symDirichletMax), QStringLiteral("of the worst triangle"));
+    if (const qint64 weighted = r.texelDensityWeights.value_or(0); weighted > 0)
+        line("texel_density_weights", QString::number(weighted),
+             QStringLiteral("faces: distortion is relative to them"));
     line("flipped", shortCount(r.flipped), QStringLiteral("triangles"));
     line("overlap_pairs", shortCount(r.overlapPairs), QStringLiteral("pairs of triangles"));
     if (const qint64 stacked = r.stackedPairs.value_or(0); stacked > 0)

@@ -12,6 +12,7 @@
 #include "commands/setislandtag.h"
 #include "commands/setseamstate.h"
 #include "commands/setseamweights.h"
+#include "commands/settexelweights.h"
 #include "commands/setuvs.h"
 #include "commands/stackislands.h"
 
@@ -23,7 +24,7 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
 {
     CborReader reader(map);
     const auto id =
-        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::KeepStraight)));
+        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::SetTexelWeights)));
     switch (id) {
     case CommandId::SetSeamState:
         return SetSeamState::fromCbor(document, reader);
@@ -57,6 +58,8 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
         return EditMapSeams::fromCbor(document, reader);
     case CommandId::KeepStraight:
         return KeepStraight::fromCbor(document, reader);
+    case CommandId::SetTexelWeights:
+        return SetTexelWeights::fromCbor(document, reader);
     case CommandId::ReplaceModel: // never in a journal
         break;
     }

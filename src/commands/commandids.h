@@ -20,7 +20,8 @@ enum class CommandId {
     StackIslands = 14,
     EditMapSeams = 15,
     ReplaceModel = 16,
-    KeepStraight = 17
+    KeepStraight = 17,
+    SetTexelWeights = 18
 };
 
 } // namespace autocuts

@@ -152,6 +152,11 @@ void DocumentCommand::setFaceFlags(const IndexRanges &faces, std::span<const Isl
     mDocument.setFaceFlags(faces, values);
 }
 
+void DocumentCommand::setTexelWeights(const IndexRanges &faces, std::span<const double> values)
+{
+    mDocument.setTexelWeights(faces, values);
+}
+
 void DocumentCommand::setTag(const QString &name, const QList<int> &faces)
 {
     mDocument.setTag(name, faces);

@@ -80,6 +80,7 @@ protected:
     void setPin(int corner, const std::optional<UvPin> &pin);
     void setRectangle(int id, const std::optional<LayoutRectangle> &rectangle);
     void setFaceFlags(const IndexRanges &faces, std::span<const IslandFlags> values);
+    void setTexelWeights(const IndexRanges &faces, std::span<const double> values);
     void setTag(const QString &name, const QList<int> &faces);
     void setSolveSettings(const SolveSettings &settings);
     void setPackingSettings(const PackingSettings &settings);

@@ -22,7 +22,7 @@ qint64 bytesOf(const DocumentState &state)
     for (const UvSet &set : state.scene.uvSets)
         bytes += set.uv.size() * qint64(sizeof(double));
     return bytes + bytesOf(state.seams.states) + bytesOf(state.seams.weights) +
-           bytesOf(state.seams.straight) + bytesOf(state.marks.faceFlags);
+           bytesOf(state.seams.straight) + bytesOf(state.marks.faceFlags) + bytesOf(state.texelWeights);
 }
 
 } // namespace

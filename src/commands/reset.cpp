@@ -9,6 +9,7 @@
 #include "commands/setislandtag.h"
 #include "commands/setseamstate.h"
 #include "commands/setseamweights.h"
+#include "commands/settexelweights.h"
 #include "commands/setuvs.h"
 #include "model/plain/uvlayout.h"
 
@@ -51,6 +52,8 @@ Reset::Reset(Document &document, int parts) : DocumentCommand(document), mParts(
         add(unpinAll(document));
     if ((parts & Rectangles) != 0)
         add(removeRectangles(document));
+    if ((parts & TexelWeights) != 0)
+        add(SetTexelWeights::uniform(document, IndexRanges::all(document.mesh().faceCount()), 1));
     if ((parts & Marks) != 0) {
         add(SetIslandFlags::clearAll(document));
         for (const IslandTag &tag : document.marks().tags)
@@ -94,6 +97,8 @@ QString Reset::label() const
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Remove all pins"));
     case Rectangles:
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Remove all rectangles"));
+    case TexelWeights:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset texel density weights"));
     case Marks:
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Reset island marks"));
     case Settings:

@@ -23,7 +23,8 @@ public:
         Settings = 32, //!< of the solver and the packer, to their defaults
         Uvs = 64,      //!< of the active set: all corners lose their UVs
         StraightEdges = 128,
-        Steering = SeamStates | SeamWeights | Pins | Rectangles | StraightEdges,
+        TexelWeights = 256,
+        Steering = SeamStates | SeamWeights | Pins | Rectangles | StraightEdges | TexelWeights,
         Everything = Steering | Marks | Settings | Uvs
     };
 

@@ -7,6 +7,7 @@
 #include "commands/reset.h"
 #include "commands/setislandtag.h"
 #include "commands/setseamweights.h"
+#include "commands/settexelweights.h"
 #include "commands/stackislands.h"
 #include "support/editsupport.h"
 
@@ -48,6 +49,15 @@ Make paint(int firstPair, int count, double weight)
         IndexRanges pairs;
         pairs.append(IndexRange{firstPair, firstPair + count});
         return std::make_unique<SetSeamWeights>(d, pairs, std::vector<double>(count, weight));
+    };
+}
+
+Make texelWeights(int firstFace, int count, double weight)
+{
+    return [=](Document &d) {
+        IndexRanges faces;
+        faces.append(IndexRange{firstFace, firstFace + count});
+        return SetTexelWeights::uniform(d, faces, weight);
     };
 }
 
@@ -435,6 +445,16 @@ std::vector<Case> markCases()
          flags(Edit::Group, {})},
         {"ungroup", flags(Edit::Ungroup, {1}), "Ungroup 1 island", {}, flags(Edit::Ungroup, {0})},
         {"tag", tag(u"metal"_s, {1}, true), "Tag 1 island", {u"tag metal"_s}, tag(u""_s, {1}, true)},
+        {"texel weights",
+         texelWeights(3, 4, 2.5),
+         "Texel density weight of 4 faces",
+         {u"texels 3-6"_s},
+         texelWeights(3, 4, 1)},
+        {"texel weight out of range",
+         texelWeights(15, 1, 100),
+         "Texel density weight of 1 face",
+         {u"texels 15-15"_s},
+         texelWeights(0, 0, 2)},
         {"untag", tag(u"skin"_s, {0}, false), "Untag 1 island", {u"tag skin"_s}, tag(u"metal"_s, {0}, false)},
     };
 }
@@ -455,6 +475,11 @@ std::vector<Case> resetCases()
          "Reset island marks",
          {u"flag 1: 2-2"_s, u"tag skin"_s},
          nullptr},
+        {"reset texel weights",
+         reset(Reset::TexelWeights),
+         "Reset texel density weights",
+         {u"texels 5-5"_s},
+         reset(0)},
         {"reset steering", reset(Reset::Steering), "Reset steering", {}, reset(Reset::Settings)},
         {"reset everything", reset(Reset::Everything), "Reset everything", {}, reset(0)},
     };
@@ -486,6 +511,10 @@ std::unique_ptr<Document> startFor(const Case &c)
         state.marks.faceFlags[0].locked = 1;
     if (name == "stitch")
         state.seams.states[64] = state.seams.states[65] = PairState::Cut;
+    if (name == "reset texel weights") {
+        state.texelWeights.assign(static_cast<std::size_t>(state.scene.mesh->faceCount()), 1.0);
+        state.texelWeights[5] = 3;
+    }
     state.marks.faceFlags[2].locked = name == "unlock" || name == "reset marks";
     return std::move(*Document::create(std::move(state)).operator->());
 }

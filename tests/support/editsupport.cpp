@@ -107,6 +107,8 @@ QString eventText(const ChangeEvent &event)
         return u"solve %1"_s.arg(static_cast<const SolveSettingsEvent &>(event).properties);
     case ChangeEvent::Type::PackingSettings:
         return u"packing %1"_s.arg(static_cast<const PackingSettingsEvent &>(event).properties);
+    case ChangeEvent::Type::TexelWeight:
+        return u"texels %1"_s.arg(rangesText(static_cast<const TexelWeightEvent &>(event).faces));
     }
     return u"unknown"_s;
 }

@@ -21,7 +21,8 @@ struct ChangeEvent
         IslandFlag,
         Tag,
         SolveSettings,
-        PackingSettings
+        PackingSettings,
+        TexelWeight
     };
 
     const Type type;
@@ -105,6 +106,16 @@ struct IslandFlagEvent final : ChangeEvent
     {}
 
     int properties; //!< mask of Property
+    IndexRanges faces;
+};
+
+//! Painted texel weights of faces changed.
+struct TexelWeightEvent final : ChangeEvent
+{
+    explicit TexelWeightEvent(IndexRanges changedFaces)
+        : ChangeEvent(Type::TexelWeight), faces(std::move(changedFaces))
+    {}
+
     IndexRanges faces;
 };
 

@@ -1,6 +1,7 @@
 #include "model/document/document.h"
 
 #include "model/document/givenseams.h"
+#include "model/plain/texelweights.h"
 #include "model/plain/uvlayout.h"
 
 #include <algorithm>
@@ -60,6 +61,7 @@ void Document::announce(const ChangeEvent &event)
         [[fallthrough]];
     case ChangeEvent::Type::Seam:
     case ChangeEvent::Type::Pin:
+    case ChangeEvent::Type::TexelWeight:
     case ChangeEvent::Type::SolveSettings:
         mToken.steering = newRevision();
         break;
@@ -79,6 +81,20 @@ const Islands &Document::islands() const
     if (!mIslands)
         mIslands = std::make_unique<const Islands>(mesh(), uv());
     return *mIslands;
+}
+
+std::vector<double> Document::texelWeights() const
+{
+    return mState.texelWeights.empty()
+               ? std::vector<double>(static_cast<std::size_t>(mesh().faceCount()), 1.0)
+               : mState.texelWeights;
+}
+
+const std::shared_ptr<const MeshData> &Document::weightedMesh() const
+{
+    if (!mWeightedMesh)
+        mWeightedMesh = withTexelWeights(mState.scene.mesh, mState.texelWeights);
+    return mWeightedMesh;
 }
 
 const std::vector<bool> &Document::givenSeams() const
@@ -189,6 +205,7 @@ void Document::exchangeModel(OtherModel &other)
     std::swap(mState.viewState, other.state.viewState);
     std::swap(mAdjacency, other.adjacency);
     mIslands.reset();
+    mWeightedMesh.reset();
     announce(ModelEvent());
 }
 

@@ -46,6 +46,11 @@ public:
     const Seams &seams() const { return mState.seams; }
     const Constraints &constraints() const { return mState.constraints; }
     const IslandMarks &marks() const { return mState.marks; }
+    //! The painted texel weights, one per face.
+    std::vector<double> texelWeights() const;
+    //! The mesh with the painted texel weights, for all that makes or judges maps; state().scene.mesh when
+    //! none are painted. Cached until they change.
+    const std::shared_ptr<const MeshData> &weightedMesh() const;
     const SolveSettings &solveSettings() const { return mState.solveSettings; }
     const PackingSettings &packingSettings() const { return mState.packingSettings; }
 
@@ -88,6 +93,8 @@ private:
     void setPin(int corner, const std::optional<UvPin> &pin);
     void setRectangle(int id, const std::optional<LayoutRectangle> &rectangle);
     void setFaceFlags(const IndexRanges &faces, std::span<const IslandFlags> values);
+    //! \pre the values are in range
+    void setTexelWeights(const IndexRanges &faces, std::span<const double> values);
     //! Sets the faces of a tag; an empty list removes the tag.
     void setTag(const QString &name, const QList<int> &faces);
     void setSolveSettings(const SolveSettings &settings);
@@ -114,6 +121,7 @@ private:
     UndoStack mUndoStack;
     StateToken mToken;
     mutable std::unique_ptr<const Islands> mIslands;
+    mutable std::shared_ptr<const MeshData> mWeightedMesh;
     mutable std::optional<std::vector<bool>> mGivenSeams;
     mutable std::unique_ptr<const MeshAdjacency> mAdjacency;
 };

@@ -1,11 +1,11 @@
 #include "model/document/documentstate.h"
 
 #include "model/plain/settingsproperties.h"
+#include "model/plain/texelweights.h"
 #include "model/plain/uvlayout.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace autocuts {
 
@@ -13,13 +13,7 @@ namespace {
 
 bool sameMesh(const std::shared_ptr<const MeshData> &a, const std::shared_ptr<const MeshData> &b)
 {
-    if (a == b || !a || !b)
-        return a == b;
-    // Everything else in a MeshData is derived from these.
-    return a->positions.rows() == b->positions.rows() && a->faceStart == b->faceStart &&
-           a->cornerVertex == b->cornerVertex && a->faceObject == b->faceObject &&
-           (a->positions.size() == 0 ||
-            std::memcmp(a->positions.data(), b->positions.data(), a->positions.size() * sizeof(double)) == 0);
+    return a == b || (a && b && samePolygons(*a, *b));
 }
 
 bool sameUvSets(const std::vector<UvSet> &a, const std::vector<UvSet> &b)
@@ -97,6 +91,8 @@ QString DocumentState::validate() const
     const MeshData &mesh = *scene.mesh;
     if (!scene.hardEdges.empty() && scene.hardEdges.size() != mesh.edgePairs.size())
         return QStringLiteral("The hard edges do not fit the mesh");
+    if (!areTexelWeights(texelWeights, mesh.faceCount()))
+        return QStringLiteral("The painted texel density is damaged");
     if (!isValid(solveSettings))
         return QStringLiteral("A setting of the solver is out of range");
     if (!packingSettings.isValid())
@@ -114,8 +110,8 @@ bool operator==(const DocumentState &a, const DocumentState &b)
 {
     return sameScene(a.scene, b.scene) && a.activeUvSet == b.activeUvSet && a.uvScales == b.uvScales &&
            a.seams == b.seams && a.constraints == b.constraints && a.marks == b.marks &&
-           a.solveSettings == b.solveSettings && a.packingSettings == b.packingSettings &&
-           a.selection == b.selection && a.viewState == b.viewState;
+           a.texelWeights == b.texelWeights && a.solveSettings == b.solveSettings &&
+           a.packingSettings == b.packingSettings && a.selection == b.selection && a.viewState == b.viewState;
 }
 
 QString uniqueUvSetName(const std::vector<UvSet> &sets, const QString &wanted)

@@ -16,7 +16,8 @@
 
 namespace autocuts {
 
-//! The complete state of a Document. The steering (seams, constraints, marks) is shared by all UV sets.
+//! The complete state of a Document. The steering (seams, constraints, marks, texel
+//! weights) is shared by all UV sets.
 struct DocumentState
 {
     //! The model. Its UV sets are in the order of the file. In a scene without a document the first UV set is
@@ -29,6 +30,8 @@ struct DocumentState
     Seams seams;
     Constraints constraints;
     IslandMarks marks;
+    //! The painted texel weights, see MeshData::texelWeight; empty when all are 1.
+    std::vector<double> texelWeights;
     SolveSettings solveSettings;
     PackingSettings packingSettings;
     Selection selection;  //!< restored by undo, but changing it is not an edit

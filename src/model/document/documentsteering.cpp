@@ -1,6 +1,8 @@
 // The setters of a document that steer the solve: seams, pins, rectangles, marks and settings.
 #include "model/document/document.h"
 
+#include "model/plain/texelweights.h"
+
 #include <algorithm>
 
 namespace autocuts {
@@ -115,6 +117,17 @@ void Document::setFaceFlags(const IndexRanges &faces, std::span<const IslandFlag
     IndexRanges changedFaces = assign(mState.marks.faceFlags, faces, values);
     if (!changedFaces.isEmpty())
         announce(IslandFlagEvent(properties, std::move(changedFaces)));
+}
+
+void Document::setTexelWeights(const IndexRanges &faces, std::span<const double> values)
+{
+    std::vector<double> weights = texelWeights();
+    IndexRanges changedFaces = assign(weights, faces, values);
+    if (changedFaces.isEmpty())
+        return;
+    mState.texelWeights = storedTexelWeights(std::move(weights));
+    mWeightedMesh.reset();
+    announce(TexelWeightEvent(std::move(changedFaces)));
 }
 
 void Document::setTag(const QString &name, const QList<int> &faces)

@@ -57,7 +57,7 @@ Snapshot makeSnapshot(const Document &document, std::optional<StartMode> start)
 {
     const DocumentState &state = document.state();
     Snapshot snapshot;
-    snapshot.mesh = state.scene.mesh;
+    snapshot.mesh = document.weightedMesh();
     snapshot.settings = state.solveSettings;
     snapshot.settings.start = start.value_or(snapshot.settings.start);
     Steering &steering = snapshot.editSteering();

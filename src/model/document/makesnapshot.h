@@ -17,6 +17,8 @@ class Document;
 //! together with the UVs, so that pins, rectangles and a restart from existing UVs stay correct. Moving,
 //! turning or scaling single islands does not change the scale.
 //!
+//! The mesh of the snapshot has the painted texel weights.
+//!
 //! A pin acts on every soup corner of its corner, a rectangle on all soup corners of its faces. startUv is
 //! set only for StartMode::ExistingUv, and only when at least one corner has a UV; rows of corners without a
 //! UV are not finite.

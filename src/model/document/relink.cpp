@@ -2,6 +2,7 @@
 
 #include "model/document/facematch.h"
 #include "model/plain/polygonsides.h"
+#include "model/plain/texelweights.h"
 #include "model/plain/uvlayout.h"
 
 #include <algorithm>
@@ -41,6 +42,7 @@ public:
         carryPins();
         carryRectangles();
         carryMarks();
+        carryTexelWeights();
         mTo.solveSettings = mFrom.solveSettings;
         mTo.packingSettings = mFrom.packingSettings;
         mTo.viewState = mFrom.viewState;
@@ -185,6 +187,21 @@ private:
         }
     }
 
+    void carryTexelWeights()
+    {
+        if (mFrom.texelWeights.empty())
+            return;
+        std::vector<double> weights(static_cast<std::size_t>(mAfter.faceCount()), 1.0);
+        for (int f = 0; f < mBefore.faceCount(); ++f) {
+            if (mFrom.texelWeights[f] == 1)
+                continue;
+            if (mMatch.face[f] >= 0)
+                weights[mMatch.face[f]] = mFrom.texelWeights[f];
+            ++(mMatch.face[f] >= 0 ? mReport.weightedFaces.kept : mReport.weightedFaces.lost);
+        }
+        mTo.texelWeights = storedTexelWeights(std::move(weights));
+    }
+
     const DocumentState &mFrom;
     const MeshData &mBefore;
     const MeshData &mAfter;
@@ -209,6 +226,7 @@ QStringList RelinkReport::lines() const
     add(pins, u"%1 of %2 pins are lost"_s);
     add(rectangleFaces, u"%1 of %2 assignments of faces to rectangles are lost"_s);
     add(markedFaces, u"%1 of %2 faces that are locked, stacked or grouped are lost"_s);
+    add(weightedFaces, u"%1 of %2 faces with a painted texel density are lost"_s);
     if (!lostTags.isEmpty())
         lines << u"tags of which no face is left: %1"_s.arg(lostTags.join(u", "_s));
     return lines;

@@ -25,6 +25,7 @@ struct RelinkReport
     QList<int> newFaces; //!< faces of the new model that the old one does not have
     Carried seams;       //!< edges that are cut, joined, painted or kept straight
     Carried pins, rectangleFaces, markedFaces;
+    Carried weightedFaces; //!< faces with a texel weight other than 1
     QStringList lostTags;
 
     //! One line per kind of loss; empty when nothing was lost.

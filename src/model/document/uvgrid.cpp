@@ -181,11 +181,12 @@ private:
                 const Cell a = cells.at(edge.first), b = cells.at(edge.second);
                 const int axis = a[0] == b[0] ? 1 : 0;
                 if (measured.insert(edge).second)
-                    widths[axis].add(std::min(a[axis], b[axis]), length(face, k));
+                    widths[axis].add(std::min(a[axis], b[axis]),
+                                     mMesh.texelWeightOf(mMesh.faceTriangle[face]) * length(face, k));
             }
             for (const int t : mMesh.trianglesOf(face)) {
                 const auto &c = mMesh.triangles[t];
-                area3d += mMesh.triangleArea[t];
+                area3d += mMesh.targetArea(t);
                 areaUv += cross2(mUv.row(c[0]), mUv.row(c[1]), mUv.row(c[2])) / 2;
             }
         }

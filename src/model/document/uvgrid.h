@@ -27,9 +27,9 @@ struct UvGrids
 };
 
 //! Finds the connected sets of quads among faces, and straightens those that are grids: all edges along the
-//! axes, each column and row as wide as the mean of its edges on the model, at the texel density of the set.
-//! The grid keeps its centre and turns to the nearest axis; a mirrored set stays mirrored. \param uv one row
-//! per corner, texture space \param faces each once
+//! axes, each column and row as wide as the mean of its edges on the model times their texel weights, at the
+//! texel density of the set. The grid keeps its centre and turns to the nearest axis; a mirrored set stays
+//! mirrored. \param uv one row per corner, texture space \param faces each once
 UvGrids findUvGrids(const MeshData &mesh, const UvTopology &topology, const UvMatrix &uv,
                     const std::vector<int> &faces);
 

@@ -37,8 +37,9 @@ bool isModel(const QByteArray &name)
 bool isKnown(const QByteArray &name)
 {
     static const std::set<QByteArray> names{
-        "scene", "obj",      "fbx",       "gltf", "polygons",     "uvSets",  "seams",     "constraints",
-        "marks", "settings", "selection", "view", "journalStart", "journal", "thumbnail", "sessionPath"};
+        "scene",        "obj",         "fbx",       "gltf",        "polygons",    "uvSets",
+        "seams",        "constraints", "marks",     "settings",    "selection",   "view",
+        "journalStart", "journal",     "thumbnail", "sessionPath", "texelWeights"};
     return names.contains(name) || isUvPart(name);
 }
 
@@ -148,6 +149,8 @@ Result<LoadedProject> parse(const QByteArray &bytes, const QString &path, const 
     project.state.scene = std::move(scene).value();
     const LostParts lost = readStateParts(parts, StateScope::Session, project.state);
     project.lost += lost.names;
+    if (std::find(damaged.begin(), damaged.end(), "texelWeights") != damaged.end())
+        project.lost << u"the painted texel density"_s; // not every session has it
     if (container->version == 1 && !hasNumbersOfVersion1(*project.state.scene.mesh) &&
         parts.erase("journal") > 0) {
         parts.erase("journalStart");

@@ -4,6 +4,7 @@
 #include "model/document/cborvalues.h"
 #include "model/io/packedarrays.h"
 #include "model/io/projectseams.h"
+#include "model/plain/texelweights.h"
 #include "model/plain/uvlayout.h"
 
 #include <QCborArray>
@@ -173,6 +174,42 @@ bool readMarks(CborReader &reader, DocumentState &state)
     return true;
 }
 
+//! Stores the faces with a texel weight other than 1 in "faces", and their weights in "weights".
+QCborMap texelWeightsMap(const std::vector<double> &texelWeights)
+{
+    std::vector<int> faces;
+    std::vector<double> weights;
+    for (std::size_t f = 0; f < texelWeights.size(); ++f) {
+        if (texelWeights[f] == 1)
+            continue;
+        faces.push_back(static_cast<int>(f));
+        weights.push_back(texelWeights[f]);
+    }
+    return {{"faces"_L1, packedArray(faces)}, {"weights"_L1, packedArray(weights)}};
+}
+
+bool readTexelWeights(CborReader &reader, DocumentState &state)
+{
+    const int faceCount = state.scene.mesh->faceCount();
+    const QByteArray packedFaces = reader.bytes("faces"_L1);
+    const qsizetype count = packedIntegerCount(packedFaces);
+    const auto faces = unpackedIntegers(packedFaces, count);
+    const auto weights = unpackedDoubles(reader.bytes("weights"_L1), count);
+    if (reader.failed() || !faces || !weights)
+        return false;
+    std::vector<double> texelWeights(static_cast<std::size_t>(faceCount), 1.0);
+    for (std::size_t i = 0; i < faces->size(); ++i) {
+        if ((*faces)[i] < 0 || (*faces)[i] >= faceCount)
+            return false;
+        texelWeights[static_cast<std::size_t>((*faces)[i])] = (*weights)[i];
+    }
+    texelWeights = storedTexelWeights(std::move(texelWeights));
+    if (!areTexelWeights(texelWeights, faceCount))
+        return false;
+    state.texelWeights = std::move(texelWeights);
+    return true;
+}
+
 bool readSettings(CborReader &reader, DocumentState &state)
 {
     CborReader solve(reader.map("solve"_L1));
@@ -293,6 +330,8 @@ PartMap statePartsOf(const DocumentState &state, StateScope scope)
     parts["seams"] = cborBytes(seamsToCbor(state.seams, mesh));
     parts["constraints"] = cborBytes(constraintsMap(state.constraints));
     parts["marks"] = cborBytes(marksMap(state.marks));
+    if (!state.texelWeights.empty())
+        parts["texelWeights"] = cborBytes(texelWeightsMap(state.texelWeights));
     parts["settings"] =
         cborBytes({{"solve"_L1, toCbor(state.solveSettings)}, {"packing"_L1, toCbor(state.packingSettings)}});
     if (scope == StateScope::Session) {
@@ -320,6 +359,8 @@ LostParts readStateParts(const PartMap &parts, StateScope scope, DocumentState &
     });
     read("constraints", u"the pins and rectangles"_s, readConstraints);
     read("marks", u"the marks of the islands"_s, readMarks);
+    if (parts.contains("texelWeights")) // only where faces have one
+        read("texelWeights", u"the painted texel density"_s, readTexelWeights);
     read("settings", u"the settings"_s, readSettings);
     if (scope == StateScope::Journal)
         return lost;

@@ -144,6 +144,7 @@ void addFurtherKeys(ObjectWriter &writer, const MapReport &report)
     writer.add("angle_distortion", report.angleDistortion);
     writer.add("area_distortion", report.areaDistortion);
     writer.add("texel_density_spread", report.texelDensitySpread);
+    writer.add("texel_density_weights", report.texelDensityWeights);
     writer.add("axis_aligned_share", report.axisAlignedShare);
     writer.add("packing_bbox", report.packingBox);
     writer.add("min_gutter", report.minGutter);

@@ -36,7 +36,8 @@ struct MapReport
     Count textureSize;
     Count faces, seamEdges, symDirichletInfinite, uvDegenerate, mirroredCharts, nonDiskCharts;
     Count facesWithoutUv, zeroAreaTriangles, overlappingTriangles, stackedPairs;
-    Count facesWithoutUvArea; //!< faces with area on the model that have a triangle without area in the map
+    Count texelDensityWeights; //!< faces with a painted texel weight; distortion is relative to these
+    Count facesWithoutUvArea;  //!< faces with area on the model that have a triangle without area in the map
     double symDirichletP99 = unknown, symDirichletScale = unknown;
     double l2Stretch = unknown, angleDistortion = unknown, areaDistortion = unknown;
     double texelDensitySpread = unknown, axisAlignedShare = unknown, packingBox = unknown,

@@ -507,4 +507,13 @@ std::shared_ptr<const MeshData> MeshData::build(PositionMatrix positions, std::v
     return mesh;
 }
 
+bool samePolygons(const MeshData &a, const MeshData &b)
+{
+    // Everything else, but the texel weights, is derived from these.
+    return &a == &b || (a.positions.rows() == b.positions.rows() && a.faceStart == b.faceStart &&
+                        a.cornerVertex == b.cornerVertex && a.faceObject == b.faceObject &&
+                        (a.positions.size() == 0 || std::memcmp(a.positions.data(), b.positions.data(),
+                                                                a.positions.size() * sizeof(double)) == 0));
+}
+
 } // namespace autocuts

@@ -92,6 +92,10 @@ struct MeshData
     double area = 0; //!< total 3D area
     MeshReport report;
 
+    //! What the user wants of the map, per face: how many times the texels per length of a face of weight 1.
+    //! Empty when all are 1. See withTexelWeights().
+    std::vector<double> texelWeight;
+
     int vertexCount() const { return static_cast<int>(positions.rows()); }
     int faceCount() const { return static_cast<int>(faceStart.size()) - 1; }
     int cornerCount() const { return static_cast<int>(cornerVertex.size()); }
@@ -116,6 +120,17 @@ struct MeshData
     //! The welded vertex of a soup corner.
     int vertexOfSoup(int soupCorner) const { return vertexWeld[cornerVertex[cornerOfSoup(soupCorner)]]; }
     Vec3 cornerPosition(int corner) const { return positions.row(cornerVertex[corner]); }
+    //! The texel weight of a triangle's face.
+    double texelWeightOf(int triangle) const
+    {
+        return texelWeight.empty() ? 1 : texelWeight[triangleFace[triangle]];
+    }
+    //! The 3D area of a triangle whose sides are multiplied by its texel weight.
+    double targetArea(int triangle) const
+    {
+        const double weight = texelWeightOf(triangle);
+        return weight * weight * triangleArea[triangle];
+    }
 
     //! Builds the triangle soup. Accepts any polygons: n-gons, non-manifold edges, duplicated and degenerate
     //! faces, isolated vertices. Two sides form an edge pair only within one object and only when their
@@ -134,5 +149,8 @@ struct MeshData
     //! hold.
     std::string validate() const;
 };
+
+//! True when both have the same polygons at the same positions: they differ in their texel weights at most.
+bool samePolygons(const MeshData &a, const MeshData &b);
 
 } // namespace autocuts

@@ -35,6 +35,8 @@ std::string checkSizes(const MeshData &mesh)
         return "the number of triangles does not fit the polygons";
     if (static_cast<int>(mesh.faceTriangle.size()) != mesh.faceCount())
         return "faceTriangle has the wrong size";
+    if (!mesh.texelWeight.empty() && static_cast<int>(mesh.texelWeight.size()) != mesh.faceCount())
+        return "the texel weights do not fit the faces";
     if (mesh.triangleFace.size() != triangles || mesh.triangleArea.size() != triangles ||
         mesh.triangleDegenerate.size() != triangles || mesh.component.size() != triangles)
         return "an array over the triangles has the wrong size";

@@ -42,6 +42,8 @@ private:
             mNewFace[f] = static_cast<int>(mPart.face.size());
             mPart.face.push_back(f);
             mMesh->faceObject.push_back(mWhole.faceObject[f]);
+            if (!mWhole.texelWeight.empty())
+                mMesh->texelWeight.push_back(mWhole.texelWeight[f]);
             for (int c = mWhole.faceStart[f]; c < mWhole.faceStart[f + 1]; ++c) {
                 mNewCorner[c] = static_cast<int>(mPart.corner.size());
                 mPart.corner.push_back(c);

@@ -111,7 +111,7 @@ struct Snapshot
 };
 
 //! Makes the start UVs for StartMode::ExistingUv: the given UVs, scaled so that their total area is that of
-//! the mesh, pi.
+//! the mesh, pi; with texel weights, that of the triangles at their target areas.
 //! \param uv one row per corner, in any scale; non-finite rows stay non-finite
 //! \returns one row per soup corner
 UvMatrix startUvFromCorners(const MeshData &mesh, const UvMatrix &uv);

@@ -12,7 +12,7 @@ struct StateToken
 {
     std::uint64_t topology = 0; //!< the mesh, the list of UV sets and which one is active
     std::uint64_t uv = 0;       //!< the UVs and their scale
-    std::uint64_t steering = 0; //!< seams, pins, rectangles and the settings of the solver
+    std::uint64_t steering = 0; //!< seams, pins, rectangles, texel weights and the settings of the solver
     std::uint64_t layout = 0;   //!< island flags, tags, names of rectangles and the settings of the packer
 
     //! True when the UV map is the same in both states, so that a result made from one may replace the map of

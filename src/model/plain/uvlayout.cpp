@@ -59,7 +59,7 @@ double layoutScale(const MeshData &mesh, const UvMatrix &uv)
         if (!hasUv(mesh.triangles[t], uv))
             continue;
         uvArea += triangleUvArea(mesh.triangles[t], uv);
-        area += mesh.triangleArea[t];
+        area += mesh.targetArea(t);
     }
     const double scale = std::sqrt(uvArea / (area * std::numbers::pi / mesh.area));
     return std::isfinite(scale) && scale > 0 ? scale : defaultUvScale;

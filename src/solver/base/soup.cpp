@@ -120,6 +120,8 @@ std::shared_ptr<const Soup> Soup::build(std::shared_ptr<const MeshData> mesh)
             soup->restShape[t] = flatten(Vec3::Zero(), b, c);
             soup->weight[t] = mesh->triangleArea[t] * soup->scale * soup->scale / std::numbers::pi;
         }
+        for (double &coordinate : soup->restShape[t])
+            coordinate *= mesh->texelWeightOf(t);
         soup->basis[t] = basisOf(soup->restShape[t]);
     }
     return soup;

@@ -18,8 +18,10 @@ struct CornerPartners
 };
 
 //! Rest shapes and corner pairs of the soup, the state of the paper in which all triangles are separate.
-//! Lengths are in *solver units*: the mesh is scaled to area pi. Immutable. Coordinates are a flat vector x
-//! of 2 * soupCornerCount() numbers: u and v of soup corner c are x[2c] and x[2c + 1].
+//! Lengths are in *solver units*: the mesh is scaled to area pi. Rest shapes are multiplied by the texel
+//! weights of their faces, so that whatever brings the map near to them gives each face its texel density;
+//! weights and lengths of edges stay those of the model. Immutable. Coordinates are a flat vector x of 2 *
+//! soupCornerCount() numbers: u and v of soup corner c are x[2c] and x[2c + 1].
 struct Soup
 {
     //! Linear map from a triangle's corners to its Jacobian: J(r, c) = sum over k of x(corner k)[r] * b[2k +
@@ -27,17 +29,25 @@ struct Soup
     using Basis = std::array<double, 6>;
 
     std::shared_ptr<const MeshData> mesh;
-    double scale = 1;                             //!< mesh units to solver units
-    std::vector<Basis> basis;                     //!< per triangle
-    std::vector<std::array<double, 6>> restShape; //!< per triangle, isometric copy: x0 y0 x1 y1 x2 y2
-    std::vector<double> weight;                   //!< per triangle, share of the total area
-    std::vector<std::array<int, 2>> pairCorners;  //!< per corner pair, the two soup corners
-    std::vector<CornerPartners> partners;         //!< per soup corner
-    std::vector<double> pairLength;               //!< per corner pair, length of its edge
+    double scale = 1;         //!< mesh units to solver units
+    std::vector<Basis> basis; //!< per triangle
+    std::vector<std::array<double, 6>>
+        restShape;              //!< per triangle, what it is to be in the map: x0 y0 x1 y1 x2 y2
+    std::vector<double> weight; //!< per triangle, share of the total area
+    std::vector<std::array<int, 2>> pairCorners; //!< per corner pair, the two soup corners
+    std::vector<CornerPartners> partners;        //!< per soup corner
+    std::vector<double> pairLength;              //!< per corner pair, length of its edge
     double meanEdgeLength = 0;
 
     int triangleCount() const { return static_cast<int>(basis.size()); }
     int coordinateCount() const { return 6 * triangleCount(); }
+    //! The share of the total area that a triangle is to have in a map where those of texel weight 1 have
+    //! theirs.
+    double targetWeight(int triangle) const
+    {
+        const double texelWeight = mesh->texelWeightOf(triangle);
+        return texelWeight * texelWeight * weight[triangle];
+    }
 
     //! Builds the soup of a mesh. Triangles without area in 3D get a thin stand-in shape and a weight near
     //! zero: they must not flip either but hardly pull at their neighbours.

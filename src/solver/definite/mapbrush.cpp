@@ -84,7 +84,7 @@ void MapBrush::findScales(const UvTopology &topology, const std::vector<IslandFl
             continue;
         area[mChart[t]] += areaOf(t);
         covered[mChart[t]] += std::abs(areaOf(t));
-        rest[mChart[t]] += 2 * std::numbers::pi * mSoup->weight[t];
+        rest[mChart[t]] += 2 * std::numbers::pi * mSoup->targetWeight(t);
     }
     std::vector<int> stack(charts.count, 0);
     const auto faces = charts.faces();
@@ -98,7 +98,7 @@ void MapBrush::findScales(const UvTopology &topology, const std::vector<IslandFl
     for (int t = 0; t < mMesh->triangleCount(); ++t) {
         if (mChart[t] < 0)
             continue;
-        const double right = 2 * std::numbers::pi * mSoup->weight[t] * std::pow(mScale[mChart[t]], 2);
+        const double right = 2 * std::numbers::pi * mSoup->targetWeight(t) * std::pow(mScale[mChart[t]], 2);
         mLeastArea[t] = std::min(areaOf(t), leastAreaShare * right);
         all[t].place = placeOf(t);
         all[t].chart = mChart[t];

@@ -1,5 +1,6 @@
 #include "solver/homotopy/localsolve.h"
 
+#include "model/plain/texelweights.h"
 #include "solver/base/cornerat.h"
 #include "solver/base/soup.h"
 #include "solver/base/springladder.h"
@@ -162,7 +163,10 @@ private:
             positions.row(row) = mMesh.positions.row(vertex);
         const auto part = MeshData::build(std::move(positions), std::move(starts), std::move(cornerVertex),
                                           std::vector<int>(mFaces.size(), 0));
-        mSoup = Soup::build(part);
+        std::vector<double> texelWeight;
+        for (int face : mFaces)
+            texelWeight.push_back(mMesh.texelWeight.empty() ? 1 : mMesh.texelWeight[face]);
+        mSoup = Soup::build(withTexelWeights(part, storedTexelWeights(std::move(texelWeight))));
         mScale = mSoup->scale * worldPerTexture();
         mX.resize(mSoup->coordinateCount());
         for (int s = 0; s < part->soupCornerCount(); ++s) {
@@ -180,7 +184,7 @@ private:
         for (int t = 0; t < mMesh.triangleCount(); ++t) {
             if (!std::binary_search(faces.begin(), faces.end(), mMesh.triangleFace[t]))
                 continue;
-            area += mMesh.triangleArea[t];
+            area += mMesh.targetArea(t);
             if (const double own = std::abs(signedArea(t)); std::isfinite(own))
                 uvArea += own;
         }

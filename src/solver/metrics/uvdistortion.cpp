@@ -15,8 +15,9 @@ struct TriangleMap
     double aspect = 0;    //!< larger / smaller singular value
 };
 
+//! \param texelWeight by which the sides of the 3D triangle are multiplied
 TriangleMap triangleMap(const MeshData &mesh, const UvMatrix &uv, const std::array<int, 3> &corners,
-                        double area3d, double uvArea)
+                        double area3d, double uvArea, double texelWeight)
 {
     // A coordinate frame on the longest side keeps the height of slivers accurate.
     int longest = 0;
@@ -44,6 +45,8 @@ TriangleMap triangleMap(const MeshData &mesh, const UvMatrix &uv, const std::arr
     const double larger = 0.5 * (std::sqrt(map.frobenius + 2 * determinant) +
                                  std::sqrt(std::max(0.0, map.frobenius - 2 * determinant)));
     map.aspect = larger * larger / determinant;
+    map.frobenius /= texelWeight * texelWeight;
+    map.inverse *= texelWeight * texelWeight;
     return map;
 }
 
@@ -65,7 +68,7 @@ struct DistortionSums
 //! Total areas of the triangles that have both UVs and area in 3D.
 struct Totals
 {
-    double area3d = 0, uvArea = 0;
+    double area3d = 0, target = 0, uvArea = 0; //!< target: see UvTriangles::targetArea()
 };
 
 Totals validTotals(const UvTriangles &triangles)
@@ -75,6 +78,7 @@ Totals validTotals(const UvTriangles &triangles)
         if (!triangles.hasUv(t) || triangles.zeroArea[t])
             continue;
         totals.area3d += triangles.area3d[t];
+        totals.target += triangles.targetArea(t);
         totals.uvArea += std::abs(triangles.signedArea[t]);
     }
     return totals;
@@ -124,14 +128,15 @@ void measureDistortion(const MeshData &mesh, const UvMatrix &uv, const UvTriangl
     std::vector<int> used;
     std::vector<DistortionSums> charts(triangles.charts.size());
     DistortionSums all;
-    double uvArea = 0, aspect = 0, areaRatio = 0, infiniteArea = 0;
+    double uvArea = 0, target = 0, aspect = 0, areaRatio = 0, infiniteArea = 0;
     for (int t = 0; t < count; ++t) {
         if (!triangles.hasUv(t) || triangles.zeroArea[t])
             continue;
         const double area3d = triangles.area3d[t];
         const double absolute = std::abs(triangles.signedArea[t]);
-        const double ratio = (absolute / totals.uvArea) / (area3d / totals.area3d);
-        const TriangleMap map = triangleMap(mesh, uv, triangles.corners[t], area3d, absolute);
+        const double ratio = (absolute / totals.uvArea) / (triangles.targetArea(t) / totals.target);
+        const TriangleMap map =
+            triangleMap(mesh, uv, triangles.corners[t], area3d, absolute, triangles.texelWeight[t]);
         metrics.triangleAreaStretch[t] = std::log(ratio);
         if (!(ratio >= 1e-12) || !std::isfinite(map.frobenius) || !std::isfinite(map.inverse) ||
             !std::isfinite(map.aspect)) {
@@ -145,6 +150,7 @@ void measureDistortion(const MeshData &mesh, const UvMatrix &uv, const UvTriangl
         all.add(map, area3d);
         charts[triangles.chart[t]].add(map, area3d);
         uvArea += absolute;
+        target += triangles.targetArea(t);
         aspect += area3d * map.aspect;
         areaRatio += area3d * std::max(ratio, 1 / ratio);
     }
@@ -165,7 +171,7 @@ void measureDistortion(const MeshData &mesh, const UvMatrix &uv, const UvTriangl
     }
     metrics.symDirichletMax = *std::max_element(values.begin(), values.end());
     metrics.symDirichletP99 = nearestRank99(std::move(values));
-    metrics.l2Stretch = std::sqrt(all.backward / 2 / all.area) * std::sqrt(uvArea / all.area);
+    metrics.l2Stretch = std::sqrt(all.backward / 2 / all.area) * std::sqrt(uvArea / target);
     metrics.angleDistortion = aspect / all.area;
     metrics.areaDistortion = areaRatio / all.area;
 }

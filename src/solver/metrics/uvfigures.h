@@ -17,7 +17,9 @@ inline constexpr double missingFigure = std::numeric_limits<double>::quiet_NaN()
 //! MeshData: by a fan from fanApex() when there is one. Of the others, those with triangles that this turns
 //! over in the map are split as they lie in the map, if no triangle is turned over then. Diagonals are never
 //! edges. Signed UV area is positive when the UV triangle has the winding of its 3D face; totals sum |area|.
-//! 3D lengths and areas are in mesh units, UV ones in units of the texture square.
+//! Distortion, stretch and texel density are relative to the texel weights of the mesh: 3D triangles count as
+//! if their sides were multiplied by them. 3D lengths and areas are in mesh units, UV ones in units of the
+//! texture square.
 struct UvMetrics
 {
     int faces = 0, triangles = 0, vertices = 0, weldedVertices = 0;

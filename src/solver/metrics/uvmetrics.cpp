@@ -87,7 +87,7 @@ void measureCharts(const UvTriangles &triangles, UvMetrics &metrics)
             ++metrics.zeroUvCharts;
             continue;
         }
-        const double density = std::sqrt(chart.uvArea / chart.area3d);
+        const double density = std::sqrt(chart.uvArea / chart.targetArea);
         least = std::min(least, density);
         most = std::max(most, density);
     }

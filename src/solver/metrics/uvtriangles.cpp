@@ -50,8 +50,10 @@ void addTriangles(const MeshData &mesh, const UvMatrix &uv, const UvTopology &to
 {
     triangles.corners = mesh.triangles;
     triangles.face = mesh.triangleFace;
-    for (const int f : mesh.triangleFace)
-        triangles.chart.push_back(topology.charts.faceChart[f]);
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        triangles.chart.push_back(topology.charts.faceChart[mesh.triangleFace[t]]);
+        triangles.texelWeight.push_back(mesh.texelWeightOf(t));
+    }
     for (int f = 0; f < mesh.faceCount(); ++f) {
         const auto count = mesh.trianglesOf(f).size();
         if (count < 2 || !topology.faceHasUv[f])
@@ -88,8 +90,10 @@ void measureAreas(const MeshData &mesh, const UvMatrix &uv, UvTriangles &triangl
         ChartSums &chart = triangles.charts[triangles.chart[t]];
         chart.signedArea += area;
         chart.uvArea += std::abs(area);
-        if (!triangles.zeroArea[t])
+        if (!triangles.zeroArea[t]) {
             chart.area3d += triangles.area3d[t];
+            chart.targetArea += triangles.targetArea(t);
+        }
     }
 }
 

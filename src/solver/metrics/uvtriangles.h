@@ -12,8 +12,9 @@ namespace autocuts::metrics {
 struct ChartSums
 {
     int faces = 0, vertices = 0, edges = 0;
-    double area3d = 0; //!< without zero-area triangles
-    double uvArea = 0; //!< sum of absolute areas
+    double area3d = 0;     //!< without zero-area triangles
+    double targetArea = 0; //!< the same, each multiplied by the square of its texel weight
+    double uvArea = 0;     //!< sum of absolute areas
     double signedArea = 0;
 
     int euler() const { return vertices - edges + faces; }
@@ -27,12 +28,14 @@ struct UvTriangles
     std::vector<int> face;
     std::vector<int> chart; //!< -1 without UVs
     std::vector<double> area3d;
-    std::vector<double> signedArea; //!< signed area in UV; 0 without UVs
-    std::vector<bool> zeroArea;     //!< no area in 3D
+    std::vector<double> texelWeight; //!< of its face
+    std::vector<double> signedArea;  //!< signed area in UV; 0 without UVs
+    std::vector<bool> zeroArea;      //!< no area in 3D
     double totalArea3d = 0, totalUvArea = 0;
     std::vector<ChartSums> charts;
 
     int count() const { return static_cast<int>(corners.size()); }
+    double targetArea(int t) const { return texelWeight[t] * texelWeight[t] * area3d[t]; }
     bool hasUv(int t) const { return chart[t] >= 0; }
     //! True when the UV area is 0 compared with that of the whole map.
     bool uvDegenerate(int t) const;

@@ -95,7 +95,7 @@ double MapRefiner::improve(int corner, int steps)
     mPointFan.clear();
     for (const int c : mAround) {
         const int a = ProgressiveMesh::next(c), b = ProgressiveMesh::previous(c);
-        addToFan(mMesh.position(c), mMesh.position(a), mMesh.position(b), uv[a], uv[b]);
+        addToFan(c / 3, mMesh.position(c), mMesh.position(a), mMesh.position(b), uv[a], uv[b]);
     }
     const double area = mPointFan.area();
     const Vec2 before = uv[corner];
@@ -168,7 +168,7 @@ bool MapRefiner::changeBank(int triangle)
         return false;
     const Vec2 placeA = uv[otherA], placeB = uv[otherB], placeW = uv[acrossA];
     mPointFan.clear();
-    addToFan(mMesh.position(w), mMesh.position(b), mMesh.position(a), placeB, placeA);
+    addToFan(triangle, mMesh.position(w), mMesh.position(b), mMesh.position(a), placeB, placeA);
     if (!(mPointFan.energy(placeW) < roomy * mPointFan.area()))
         return false;
     uv[a] = placeA;
@@ -179,9 +179,11 @@ bool MapRefiner::changeBank(int triangle)
     return true;
 }
 
-void MapRefiner::addToFan(const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const Vec2 &a, const Vec2 &b)
+void MapRefiner::addToFan(int triangle, const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const Vec2 &a,
+                          const Vec2 &b)
 {
-    mPointFan.add(mScale * p, mScale * a3, mScale * b3, a, b);
+    const double scale = mScale * mMesh.texelWeight(triangle);
+    mPointFan.add(scale * p, scale * a3, scale * b3, a, b);
 }
 
 //! Splits the fan at the cuts that run from the kept point into it.
@@ -207,12 +209,12 @@ Vec2 MapRefiner::placeIn(const Sector &sector, const Comeback &back, bool &good)
     const Vec2 kept = back.keptUv[sector.begin];
     mPointFan.clear();
     if (sector.hasFirst)
-        addToFan(removed3, kept3, mMesh.position(next(fan.front())), kept, back.firstEnd);
+        addToFan(back.triangle[0], removed3, kept3, mMesh.position(next(fan.front())), kept, back.firstEnd);
     for (int i = sector.begin; i < sector.end; ++i)
-        addToFan(removed3, mMesh.position(next(fan[i])), mMesh.position(previous(fan[i])), uv[next(fan[i])],
-                 uv[previous(fan[i])]);
+        addToFan(fan[i] / 3, removed3, mMesh.position(next(fan[i])), mMesh.position(previous(fan[i])),
+                 uv[next(fan[i])], uv[previous(fan[i])]);
     if (sector.hasLast)
-        addToFan(removed3, mMesh.position(previous(fan.back())), kept3, back.lastEnd, kept);
+        addToFan(back.triangle[1], removed3, mMesh.position(previous(fan.back())), kept3, back.lastEnd, kept);
     const int begin = fan[sector.begin], end = fan[sector.end - 1];
     const auto share = [&](const Vec3 &far) {
         const double near = (removed3 - kept3).norm(), rest = (removed3 - far).norm();
@@ -235,6 +237,7 @@ bool MapRefiner::refineOne()
     Comeback back;
     back.removed = record.removed;
     back.kept = record.kept;
+    back.triangle = record.triangle;
     back.fan.assign(mMesh.fan().begin() + record.fanBegin, mMesh.fan().begin() + record.fanEnd);
     const std::vector<int> &fan = back.fan;
     const int first = record.triangle[0], last = record.triangle[1];

@@ -44,14 +44,15 @@ private:
     struct Comeback
     {
         int removed = -1, kept = -1;
-        std::vector<int> fan;     //!< corners at the kept point that return to the removed one
-        std::vector<Vec2> keptUv; //!< per corner of the fan
-        Vec2 firstEnd, lastEnd;   //!< UVs at both ends of the fan
+        std::vector<int> fan;                //!< corners at the kept point that return to the removed one
+        std::vector<Vec2> keptUv;            //!< per corner of the fan
+        Vec2 firstEnd, lastEnd;              //!< UVs at both ends of the fan
+        std::array<int, 2> triangle{-1, -1}; //!< as in the collapse
     };
     [[nodiscard]] bool refineOne();
     void findSectors(const std::vector<int> &fan, bool hasFirst, bool hasLast);
     Vec2 placeIn(const Sector &sector, const Comeback &back, bool &good);
-    void addToFan(const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const Vec2 &a, const Vec2 &b);
+    void addToFan(int triangle, const Vec3 &p, const Vec3 &a3, const Vec3 &b3, const Vec2 &a, const Vec2 &b);
     void sweep();
     double costOf(int side) const;
     void straighten();

@@ -1,5 +1,6 @@
 #include "solver/multires/progressivemesh.h"
 
+#include "model/plain/texelweights.h"
 #include "model/plain/unionfind.h"
 #include "solver/multires/edgecollapses.h"
 
@@ -19,6 +20,8 @@ ProgressiveMesh::ProgressiveMesh(const MeshData &mesh, const std::vector<bool> &
     }
     for (int t = 0; t < mCount; ++t)
         mObject.push_back(mesh.faceObject[mesh.triangleFace[t]]);
+    for (int t = 0; t < mCount && !mesh.texelWeight.empty(); ++t)
+        mTexelWeight.push_back(mesh.texelWeightOf(t));
 }
 
 void ProgressiveMesh::findPoints(const MeshData &mesh)
@@ -139,6 +142,7 @@ void ProgressiveMesh::refine()
 std::shared_ptr<const MeshData> ProgressiveMesh::extract(std::vector<int> &triangles) const
 {
     std::vector<int> number(mPosition.size(), -1), alive, start{0}, corners, object;
+    std::vector<double> weights;
     std::vector<Vec3> points;
     for (int t = 0; t < static_cast<int>(mAlive.size()); ++t) {
         if (!mAlive[t])
@@ -154,6 +158,7 @@ std::shared_ptr<const MeshData> ProgressiveMesh::extract(std::vector<int> &trian
         }
         start.push_back(start.back() + 3);
         object.push_back(mObject[t]);
+        weights.push_back(texelWeight(t));
     }
     PositionMatrix positions(static_cast<Eigen::Index>(points.size()), 3);
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -163,7 +168,7 @@ std::shared_ptr<const MeshData> ProgressiveMesh::extract(std::vector<int> &trian
     triangles.clear();
     for (const int face : mesh->triangleFace)
         triangles.push_back(alive[face]);
-    return mesh;
+    return withTexelWeights(mesh, storedTexelWeights(std::move(weights)));
 }
 
 } // namespace autocuts::multires

@@ -38,6 +38,7 @@ public:
     const std::vector<int> &fan() const { return mFan; }
     int triangleCount() const { return mCount; }
     int pointCount() const { return static_cast<int>(mPosition.size()); }
+    double texelWeight(int triangle) const { return mTexelWeight.empty() ? 1 : mTexelWeight[triangle]; }
     bool isAlive(int triangle) const { return mAlive[triangle]; }
     int point(int corner) const { return mPoint[corner]; }
     int across(int side) const { return mAcross[side]; }
@@ -47,7 +48,7 @@ public:
     static int next(int side) { return side % 3 == 2 ? side - 2 : side + 1; }
     static int previous(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
 
-    //! The present surface as a mesh of its own.
+    //! The present surface as a mesh of its own. Its triangles keep their texel weights.
     //! \param triangles receives the numbers here of that mesh's triangles
     std::shared_ptr<const MeshData> extract(std::vector<int> &triangles) const;
 
@@ -59,7 +60,8 @@ private:
     std::vector<int> mPoint, mAcross;
     std::vector<bool> mAlive, mLocked;
     std::vector<Vec3> mPosition;
-    std::vector<int> mObject; //!< per triangle
+    std::vector<int> mObject;         //!< per triangle
+    std::vector<double> mTexelWeight; //!< per triangle; empty when all are 1
     int mCount = 0;
     std::vector<Collapse> mCollapses;
     std::vector<int> mFan;

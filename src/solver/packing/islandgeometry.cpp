@@ -83,7 +83,7 @@ std::vector<ChartSize> measureCharts(const MeshData &mesh, const ChartMap &chart
             sizes[chart].box.extend(p[k]);
         }
         sizes[chart].uvArea += 0.5 * std::abs(cross2(p[0], p[1], p[2]));
-        sizes[chart].area += mesh.triangleArea[t];
+        sizes[chart].area += mesh.targetArea(t);
     }
     return sizes;
 }

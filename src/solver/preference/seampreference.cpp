@@ -43,7 +43,7 @@ CreaseMode decided(CreaseMode mode, const MeshData &mesh)
 const std::vector<double> &SeamPreference::factors(const Snapshot &snapshot, int threads)
 {
     const SolveSettings &settings = snapshot.settings;
-    if (mMesh == snapshot.mesh && sameAims(settings, mSettings))
+    if (mMesh && samePolygons(*mMesh, *snapshot.mesh) && sameAims(settings, mSettings))
         return mFactors;
     mMesh = snapshot.mesh;
     mSettings = settings;

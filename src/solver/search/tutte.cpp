@@ -82,7 +82,7 @@ private:
             }
         }
         for (int t = 0; t < mSoup.triangleCount(); ++t)
-            chartArea[mCut.chart[t]] += mSoup.weight[t] * std::numbers::pi;
+            chartArea[mCut.chart[t]] += mSoup.targetWeight(t) * std::numbers::pi;
         for (int chart = 0; chart < mCut.chartCount; ++chart) {
             if (mOuter[chart] < 0)
                 throw std::invalid_argument("a chart has no boundary");

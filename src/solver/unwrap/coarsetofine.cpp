@@ -338,9 +338,14 @@ public:
         refiner.cut.assign(mSoup->mesh->soupCornerCount(), 0);
         refiner.pointCost = mPreferred;
         refiner.mayStraighten = mDecisions.empty();
-        // A map that nothing holds gets the area of the mesh.
-        const double scale = mSnapshot.placesIslands() ? 1 / unitOf(*mCoarse, *mSoup->mesh)
-                                                       : std::sqrt(std::numbers::pi / areaOf(coarse));
+        // A map that nothing holds gets the area that the triangles are to have.
+        double target = 0;
+        for (int t = 0; t < mSoup->triangleCount(); ++t)
+            target += mSoup->mesh->targetArea(t);
+        const double scale =
+            mSnapshot.placesIslands()
+                ? 1 / unitOf(*mCoarse, *mSoup->mesh)
+                : std::sqrt(std::numbers::pi * (target / mSoup->mesh->area) / areaOf(coarse));
         setCoarseMap(*mCoarse, coarse, scale, mTriangles, mesh, refiner);
         refiner.refineTo(mSoup->triangleCount(), job);
         if (job.stopped())

@@ -80,6 +80,12 @@ std::optional<FreePart> FreePart::of(const Snapshot &snapshot, const FreePart *p
     return part;
 }
 
+bool FreePart::hasOtherSizes(const FreePart &other) const
+{
+    const MeshData &own = *mSnapshot.mesh, &before = *other.mSnapshot.mesh;
+    return own.texelWeight != before.texelWeight && samePolygons(own, before);
+}
+
 Snapshot FreePart::withoutRectangles() const
 {
     Snapshot snapshot = mSnapshot;

@@ -25,6 +25,8 @@ public:
     static std::optional<FreePart> of(const Snapshot &snapshot, const FreePart *previous = nullptr);
     //! True when both parts have the same faces of the same mesh.
     bool sameFaces(const FreePart &other) const { return mSnapshot.mesh == other.mSnapshot.mesh; }
+    //! True when the faces are the same but for their texel weights.
+    bool hasOtherSizes(const FreePart &other) const;
 
     //! The problem of the part: settings and steering in the solver units of the part, no scope, no flags.
     const Snapshot &snapshot() const { return mSnapshot; }

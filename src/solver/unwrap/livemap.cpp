@@ -18,6 +18,7 @@ constexpr double roundHeat = 0.5;       // see SeamRun::search()
 constexpr double noteworthy = 1e-3;     // share of the seam cost that a round has to gain
 constexpr int idleRoundsToRest = 6;     // rounds without a noteworthy gain after which the search ends
 constexpr int pulledSteps = 4;          // Newton steps on a map that is dragged
+constexpr int resizingSteps = 12;       // Newton steps on a map whose texel weights changed
 constexpr int quickSteps = 4;           // Newton steps on the first map
 constexpr double quickTolerance = 1e-2; // energy gained below which the first map counts as relaxed
 //! Meshes of more triangles than this get a draft by way of a coarser mesh. Twice the size of that mesh. Of
@@ -225,9 +226,11 @@ void LiveMap::steerMap(const JobContext &job)
             mStage = Stage::Explore;
             return;
         }
-        if (mPulled) {
+        if (mPulled || mProblem.hasNewSizes()) {
             search::SeamTrial trial(*state);
-            trial.relaxAll(pulledSteps, true);
+            trial.relaxAll(mPulled ? pulledSteps : resizingSteps, true, job);
+            if (job.stopped())
+                return;
         }
         // The snapshot has other costs: whatever obeys it is better than the old map.
         mBest.forgetBest();

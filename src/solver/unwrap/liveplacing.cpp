@@ -101,7 +101,7 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
     const bool stays = !part.isWhole() || snapshot.placesIslands();
     if (afresh && !stays)
         mBefore.reset();
-    else if (!mBefore || mBefore->mesh != own.mesh)
+    else if (!mBefore || !samePolygons(*mBefore->mesh, *own.mesh))
         beginWith(part);
     const MeshData &mesh = *own.mesh;
     const CutMesh state(mesh, map.cut);

@@ -13,20 +13,22 @@ bool LiveProblem::update(std::shared_ptr<const Snapshot> snapshot, int threads)
     if (!part)
         throw std::runtime_error("nothing may change: all islands are locked, stacked or grouped");
     const bool same = mPart && part->sameFaces(*mPart);
+    mHasNewSizes = mPart && !same && part->hasOtherSizes(*mPart);
     mPart = std::move(part);
     mPlan = straight::StraightPlan::of(mPart->snapshot());
     mProblem = mPreference.applied(mPart->withoutRectangles(), threads);
     if (!same) {
         mSoup = Soup::build(mProblem.mesh);
         mGraph = nullptr;
-        mSymmetry.reset();
+        if (!mHasNewSizes)
+            mSymmetry.reset();
     }
     if (mProblem.settings.symmetry && !mSymmetry)
         mSymmetry = preference::findSymmetry(*mProblem.mesh);
     const preference::MeshSymmetry *symmetry = isSymmetric() ? &*mSymmetry : nullptr;
     mGraph =
         mGraph ? mGraph->steeredBy(mProblem, symmetry) : search::SeamGraph::build(mSoup, mProblem, symmetry);
-    return same;
+    return same || mHasNewSizes;
 }
 
 void LiveProblem::reset()

@@ -15,11 +15,14 @@ class LiveProblem
 {
 public:
     //! Works on what the snapshot lets change. The seam graph of before is steered anew where that is the
-    //! same. \returns false when there was another part, or none: maps of that are of no use \throws
-    //! std::runtime_error when nothing may change
+    //! same, and made anew where only texel weights changed. \returns false when there was another part, or
+    //! none: maps of that are of no use \throws std::runtime_error when nothing may change
     bool update(std::shared_ptr<const Snapshot> snapshot, int threads);
     //! Forgets the part; the next one is numbered anew.
     void reset();
+
+    //! True when the last update changed texel weights: a map of before is right but for its sizes.
+    bool hasNewSizes() const { return mHasNewSizes; }
 
     //! The whole mesh.
     const Snapshot &whole() const { return *mWhole; }
@@ -40,6 +43,7 @@ private:
     preference::SeamPreference mPreference;
     std::optional<preference::MeshSymmetry> mSymmetry;
     std::optional<FreePart> mPart;
+    bool mHasNewSizes = false;
     Snapshot mProblem;
     straight::StraightPlan mPlan;
     std::shared_ptr<const Soup> mSoup;

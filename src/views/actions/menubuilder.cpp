@@ -36,6 +36,7 @@ constexpr std::array menuTitles{
     MenuTitle{"UV/Sets", QT_TRANSLATE_NOOP("Menus", "UV sets")},
     MenuTitle{"UV/Tools", QT_TRANSLATE_NOOP("Menus", "Tools")},
     MenuTitle{"UV/Islands", QT_TRANSLATE_NOOP("Menus", "Islan&ds")},
+    MenuTitle{"UV/Texel density", QT_TRANSLATE_NOOP("Menus", "Texel density")},
     MenuTitle{"UV/Layout", QT_TRANSLATE_NOOP("Menus", "La&yout")},
     MenuTitle{"UV/Layout/Align", QT_TRANSLATE_NOOP("Menus", "&Align")},
     MenuTitle{"UV/Layout/Distribute", QT_TRANSLATE_NOOP("Menus", "Distri&bute")},

@@ -7,6 +7,7 @@
 #include "views/actions/helpactions.h"
 #include "views/actions/islandactions.h"
 #include "views/actions/selectactions.h"
+#include "views/actions/texelweightactions.h"
 #include "views/actions/uvactions.h"
 #include "views/actions/uvsetactions.h"
 #include "views/actions/viewactions.h"
@@ -20,8 +21,8 @@ public:
     //! \param questions asks over the window; must outlive this object
     StudioActions(const StudioContext &context, Questions &questions, const QString &recoveryFolder)
         : mFile(context, questions), mEdit(context, questions), mSelect(context, questions), mUv(context),
-          mUvSets(context), mIslands(context, questions), mView(context, questions),
-          mHelp(context, questions, recoveryFolder), mStates(context)
+          mUvSets(context), mIslands(context, questions), mTexelWeights(context, questions),
+          mView(context, questions), mHelp(context, questions, recoveryFolder), mStates(context)
     {}
 
     FileActions &file() { return mFile; }
@@ -35,6 +36,7 @@ private:
     UvActions mUv;
     UvSetActions mUvSets;
     IslandActions mIslands;
+    TexelWeightActions mTexelWeights;
     ViewActions mView;
     HelpActions mHelp;
     ActionStates mStates;

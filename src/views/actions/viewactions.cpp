@@ -40,7 +40,8 @@ constexpr Choice<Coloring> colorings[] = {{"view.coloring.plain", Coloring::Plai
                                           {"view.coloring.signedStretch", Coloring::SignedStretch},
                                           {"view.coloring.magnitude", Coloring::StretchMagnitude},
                                           {"view.coloring.paint", Coloring::PaintWeights},
-                                          {"view.coloring.density", Coloring::Density}};
+                                          {"view.coloring.density", Coloring::Density},
+                                          {"view.coloring.texelWeights", Coloring::TexelWeights}};
 constexpr Choice<Pattern> patterns[] = {{"view.pattern.none", Pattern::None},
                                         {"view.pattern.checker", Pattern::Checker},
                                         {"view.pattern.lettered", Pattern::Lettered},

@@ -1,5 +1,6 @@
 #include "views/canvas/overlays.h"
 
+#include "model/plain/texelweights.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
 #include "views/control/shownmap.h"
@@ -47,13 +48,25 @@ Legend magnitudeLegend(const ViewOptions &options, bool colorBlind)
 
 Legend densityLegend(const ViewOptions &options, bool colorBlind, double right)
 {
-    const double factor = std::exp2(options.densityClamp);
-    const auto text = [](double density) {
-        return std::isfinite(density) ? QString::number(density, 'g', 4) : u"-"_s;
+    const double unit = options.densityPerCentimetre ? 1 / options.unitCentimetres : 1;
+    const auto text = [unit](double density) {
+        return std::isfinite(density) ? QString::number(unit * density, 'g', 4) : u"-"_s;
     };
+    const QString title =
+        options.densityPerCentimetre ? Overlays::tr("Texels per cm") : Overlays::tr("Texels per unit");
+    if (const double tolerance = options.densityTolerance; tolerance > 0)
+        return {title, u"< "_s + text(right * (1 - tolerance)), text(right),
+                u"> "_s + text(right * (1 + tolerance)), bandedDensityStops()};
+    const double factor = std::exp2(options.densityClamp);
     const QString middle = options.densityTarget > 0 ? Overlays::tr("target %1") : Overlays::tr("median %1");
-    return {Overlays::tr("Texels per unit"), u"\u2264 "_s + text(right / factor), middle.arg(text(right)),
+    return {title, u"\u2264 "_s + text(right / factor), middle.arg(text(right)),
             u"\u2265 "_s + text(right * factor), heatStops(HeatMap::Density, colorBlind)};
+}
+
+Legend texelWeightLegend(bool colorBlind)
+{
+    return {Overlays::tr("Texel density weight"), u"\u00f7%1"_s.arg(1 / minTexelWeight), u"\u00d71"_s,
+            u"\u00d7%1"_s.arg(maxTexelWeight), heatStops(HeatMap::Density, colorBlind)};
 }
 
 Legend paintLegend(const ViewColors &colors)
@@ -126,6 +139,7 @@ void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, 
         options.coloring == Coloring::SignedStretch      ? stretchLegend(options, colorBlind)
         : options.coloring == Coloring::StretchMagnitude ? magnitudeLegend(options, colorBlind)
         : options.coloring == Coloring::Density          ? densityLegend(options, colorBlind, rightDensity)
+        : options.coloring == Coloring::TexelWeights     ? texelWeightLegend(colorBlind)
                                                          : paintLegend(colors);
     const int lineHeight = painter.fontMetrics().height();
     const QRectF panel(view.right() - width - 12, view.bottom() - 2 * lineHeight - 38, width,

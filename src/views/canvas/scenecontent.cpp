@@ -89,6 +89,11 @@ void SceneContent::documentChanged(const ChangeEvent &event)
     case ChangeEvent::Type::PackingSettings: // texels may have another size
         mark(mOptions.coloring == Coloring::Density ? Faces : 0);
         break;
+    case ChangeEvent::Type::TexelWeight:
+        if (mMeshParts)
+            mMeshParts->meter.reset();
+        mark(showsTexelWeights() ? Faces : 0);
+        break;
     case ChangeEvent::Type::Model: // the workspace says that the document was replaced
     case ChangeEvent::Type::Uv:    // ShownMap reports the change when the map is shown
     case ChangeEvent::Type::UvSet:
@@ -100,6 +105,13 @@ void SceneContent::documentChanged(const ChangeEvent &event)
             mark(Sides);
         break;
     }
+}
+
+//! True when the colours of the faces depend on the texel weights.
+bool SceneContent::showsTexelWeights() const
+{
+    return mOptions.coloring == Coloring::TexelWeights || mOptions.coloring == Coloring::Density ||
+           mOptions.coloring == Coloring::SignedStretch || mOptions.coloring == Coloring::StretchMagnitude;
 }
 
 void SceneContent::selectionChanged()
@@ -118,7 +130,8 @@ void SceneContent::optionsChanged()
     int parts = 0;
     if (before.coloring != mOptions.coloring || before.problems != mOptions.problems ||
         before.stretchClamp != mOptions.stretchClamp || before.magnitudeClamp != mOptions.magnitudeClamp ||
-        before.densityClamp != mOptions.densityClamp || before.densityTarget != mOptions.densityTarget)
+        before.densityClamp != mOptions.densityClamp || before.densityTarget != mOptions.densityTarget ||
+        before.densityTolerance != mOptions.densityTolerance)
         parts |= Faces;
     if (before.wireframe != mOptions.wireframe || before.seams != mOptions.seams)
         parts |= Sides;
@@ -217,7 +230,7 @@ void SceneContent::rebuildFaces()
     TriangleStretch stretch;
     if (mOptions.coloring == Coloring::SignedStretch || mOptions.coloring == Coloring::StretchMagnitude) {
         if (!own.meter)
-            own.meter.emplace(*own.mesh);
+            own.meter.emplace(*document.weightedMesh());
         stretch = own.meter->measure(uv());
     }
     const std::vector<float> density = measureDensity();
@@ -240,7 +253,8 @@ void SceneContent::rebuildFaces()
         overlapping = mContext.map.figures()->overlapping;
     mFaces = faceTexels({*own.mesh, uv(), mOptions, mColors, mContext.preferences.values().colorBlindHeatMap,
                          mAsMap ? mColors.mapFill : mColors.model, stretch, islands, document.seams().weights,
-                         shownSelection().faces, overlapping, flipped, density, mRightDensity});
+                         shownSelection().faces, overlapping, flipped, density, mRightDensity,
+                         document.state().texelWeights});
 }
 
 //! Empty when densities are not shown.
@@ -249,7 +263,7 @@ std::vector<float> SceneContent::measureDensity()
     mRightDensity = std::numeric_limits<double>::quiet_NaN();
     if (mOptions.coloring != Coloring::Density)
         return {};
-    const MeshData &own = *meshParts().mesh;
+    const MeshData &own = *mContext.workspace.document()->weightedMesh();
     std::vector<float> density =
         texelDensities(own, uv(), mContext.workspace.document()->packingSettings().textureSize);
     mRightDensity = mOptions.densityTarget > 0 ? mOptions.densityTarget : medianDensity(own, density);

@@ -76,6 +76,7 @@ private:
     const MeshParts &meshParts() const;
     void rebuildFaces();
     std::vector<float> measureDensity();
+    bool showsTexelWeights() const;
     void rebuildPoints();
     const Selection &shownSelection() const;
 

@@ -24,7 +24,7 @@ std::vector<bool> heldCorners(const Document &document)
 
 BrushStroke::BrushStroke(Document &document, UvEdit edit)
     : mDocument(document), mEdit(edit), mGesture(document.undoStack().newGesture()),
-      mBrush(document.state().scene.mesh, document.uv(), heldCorners(document), document.marks().faceFlags)
+      mBrush(document.weightedMesh(), document.uv(), heldCorners(document), document.marks().faceFlags)
 {}
 
 std::unique_ptr<SetUvs> BrushStroke::command() const

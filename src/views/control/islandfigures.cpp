@@ -14,18 +14,18 @@ namespace {
 //! Sums over the triangles of one island.
 struct IslandSums
 {
-    double area3d = 0, areaUv = 0;
+    double area3d = 0, target = 0, areaUv = 0; //!< target: see MeshData::targetArea()
 
     double density(int textureSize) const
     {
-        return area3d > 0 ? textureSize * std::sqrt(areaUv / area3d)
+        return target > 0 ? textureSize * std::sqrt(areaUv / target)
                           : std::numeric_limits<double>::quiet_NaN();
     }
 };
 
 std::vector<IslandSums> sumsOf(const Document &document)
 {
-    const MeshData &mesh = document.mesh();
+    const MeshData &mesh = *document.weightedMesh();
     const Islands &islands = document.islands();
     std::vector<IslandSums> sums(islands.count());
     for (int t = 0; t < mesh.triangleCount(); ++t) {
@@ -35,6 +35,7 @@ std::vector<IslandSums> sumsOf(const Document &document)
         const auto uv = [&](int k) { return Vec2(document.uv().row(mesh.triangles[t][k])); };
         IslandSums &sum = sums[island];
         sum.area3d += mesh.triangleArea[t];
+        sum.target += mesh.targetArea(t);
         sum.areaUv += std::abs(cross2(uv(0), uv(1), uv(2))) / 2;
     }
     return sums;
@@ -66,7 +67,7 @@ std::vector<double> islandDistortions(const Document &document)
 {
     metrics::UvMetricsOptions options;
     options.overlaps = options.gutter = false;
-    return metrics::measureUv(document.mesh(), document.uv(), options).chartSymDirichlet;
+    return metrics::measureUv(*document.weightedMesh(), document.uv(), options).chartSymDirichlet;
 }
 
 double medianTexelDensity(const std::vector<IslandFigures> &figures)

@@ -14,7 +14,7 @@ struct IslandFigures
 {
     int faces = 0;
     double areaShare = 0;    //!< share of the total 3D area of all islands, in [0, 1]
-    double texelDensity = 0; //!< texels per unit of the model; NaN for islands without area
+    double texelDensity = 0; //!< texels per unit of the model where the texel weight is 1; NaN without area
     //! Mean symmetric Dirichlet energy at the scale that suits the island, so that it does not depend on the
     //! others; NaN when unknown.
     double distortion = 0;
@@ -37,7 +37,7 @@ double meanTexelDensity(const Document &document, const std::vector<int> &island
 
 //! Scales islands about the centres of their boxes to a texel density. Locked islands and islands without
 //! area are not changed. Pins move with the islands.
-//! \param density texels per unit of the model, > 0
+//! \param density texels per unit of the model where the texel weight is 1, > 0
 std::unique_ptr<SetUvs> setTexelDensity(Document &document, const std::vector<int> &islands, double density);
 
 } // namespace autocuts

@@ -115,7 +115,7 @@ void LiveDisplay::show()
         mShownMap.showMap(std::move(map), std::move(apart), std::move(soup));
     } else if (mView == LiveView::Soup && soup.rows() > 0) {
         if (mPacks)
-            mPacker.arrange(document.state().scene.mesh, document.constraints(), document.packingSettings(),
+            mPacker.arrange(document.weightedMesh(), document.constraints(), document.packingSettings(),
                             mSoup->separation, soup);
         mShownMap.showSoup(std::move(soup), mSoup->separation, std::move(map));
     }

@@ -95,10 +95,11 @@ MapController::MapController(Workspace &workspace, SolverController &solver, Sho
             (static_cast<const PackingSettingsEvent &>(event).properties & TextureSizeProperty);
         const bool stacks = event.type == ChangeEvent::Type::IslandFlag &&
                             (static_cast<const IslandFlagEvent &>(event).properties & IslandFlagEvent::Stack);
-        mStackChanges += stacks;
+        const bool sizes = event.type == ChangeEvent::Type::TexelWeight;
+        mFigureChanges += stacks || sizes;
         if (mAgain && mJobs.isBusy())
             mAgainSoon.start();
-        if (textureSize || stacks || event.type == ChangeEvent::Type::Uv ||
+        if (textureSize || stacks || sizes || event.type == ChangeEvent::Type::Uv ||
             event.type == ChangeEvent::Type::UvSet) {
             mMeasureSoon.start();
             Q_EMIT figuresChanged();
@@ -109,7 +110,7 @@ MapController::MapController(Workspace &workspace, SolverController &solver, Sho
 
 bool MapController::figuresAreFresh() const
 {
-    return mFigures && mWorkspace.hasMapOf(mFigures->token) && mFigures->stackChanges == mStackChanges &&
+    return mFigures && mWorkspace.hasMapOf(mFigures->token) && mFigures->figureChanges == mFigureChanges &&
            mFigures->textureSize == mWorkspace.document()->packingSettings().textureSize;
 }
 
@@ -332,17 +333,17 @@ void MapController::measure()
     const Document *document = mWorkspace.document();
     if (!document || figuresAreFresh())
         return;
-    const auto mesh = document->state().scene.mesh;
+    const auto mesh = document->weightedMesh();
     const int textureSize = document->packingSettings().textureSize;
     mMeasuring.start(
         tr("Measuring"),
         [mesh, uv = document->uv(), flags = document->marks().faceFlags, textureSize](JobControl &control) {
             return measured(*mesh, uv, flags, textureSize, control);
         },
-        [this, token = document->token(), stackChanges = mStackChanges](MapFigures figures) {
+        [this, token = document->token(), figureChanges = mFigureChanges](MapFigures figures) {
             mFigures = std::move(figures);
             mFigures->token = token;
-            mFigures->stackChanges = stackChanges;
+            mFigures->figureChanges = figureChanges;
             Q_EMIT figuresChanged();
         });
 }

@@ -32,7 +32,7 @@ struct MapFigures
 {
     StateToken token; //!< token of the measured state
     int textureSize = 0;
-    int stackChanges = 0; //!< how often stacks had changed before
+    int figureChanges = 0; //!< how often stacks and texel weights had changed before
     metrics::UvMetrics metrics;
     std::vector<int> overlapping;                 //!< triangles that overlap another one, ascending
     std::vector<std::array<int, 2>> overlapPairs; //!< pairs of triangles, the largest overlap first
@@ -135,7 +135,7 @@ private:
     JobRunner mMeasuring;
     QTimer mMeasureSoon;
     std::optional<MapFigures> mFigures;
-    int mStackChanges = 0; //!< how often islands were stacked or taken from stacks
+    int mFigureChanges = 0; //!< how often stacks and texel weights changed
     std::optional<unwrap::SeamPrices> mPrices;
     StateToken mPricesToken; //!< of the state that they were made from
 };

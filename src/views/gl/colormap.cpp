@@ -1,5 +1,7 @@
 #include "views/gl/colormap.h"
 
+#include "model/plain/texelweights.h"
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -17,6 +19,9 @@ constexpr QRgb magnitudeStops[] = {0xff2443c4, 0xff2f8fe0, 0xff4cc4b8, 0xff9fd66
 // Lightness increases monotonically.
 constexpr QRgb magnitudeBlindStops[] = {0xff42145c, 0xff45347f, 0xff365c8c, 0xff247e8c,
                                         0xff28a080, 0xff78c552, 0xfffae433};
+
+//! Place in the gradient of densities of those that are too dense; chosen by hand.
+constexpr double bandValue = 0.7;
 
 std::span<const QRgb> stopsOf(HeatMap map, bool colorBlind)
 {
@@ -57,6 +62,23 @@ QGradientStops heatStops(HeatMap map, bool colorBlind)
         result << QGradientStop(static_cast<double>(i) / static_cast<double>(stops.size() - 1),
                                 QColor(stops[i]));
     return result;
+}
+
+double bandedDensity(double ratio, double tolerance)
+{
+    return ratio > 1 + tolerance ? bandValue : ratio < 1 - tolerance ? -bandValue : 0;
+}
+
+QGradientStops bandedDensityStops()
+{
+    const auto color = [](double value) { return QColor(heatColor(HeatMap::Density, false, value)); };
+    return {{0, color(-bandValue)}, {0.333, color(-bandValue)}, {0.334, color(0)},
+            {0.666, color(0)},      {0.667, color(bandValue)},  {1, color(bandValue)}};
+}
+
+QRgb texelWeightColor(double weight)
+{
+    return heatColor(HeatMap::Density, false, std::log2(weight) / std::log2(maxTexelWeight));
 }
 
 QRgb paintColor(double weight, QRgb neutral)

@@ -23,6 +23,15 @@ QGradientStops heatStops(HeatMap map, bool colorBlind);
 //! \param neutral colour of unpainted faces
 QRgb paintColor(double weight, QRgb neutral);
 
+//! With a tolerance, densities get one of three colours. \param ratio of the density to the right one
+//! \param tolerance share of the right density \returns the value for heatColor()
+double bandedDensity(double ratio, double tolerance);
+//! The gradient stops of these three colours.
+QGradientStops bandedDensityStops();
+
+//! The colour of a texel weight, in those of the density: brown below 1, teal above.
+QRgb texelWeightColor(double weight);
+
 //! Mixes two colours linearly; amount 0 gives the first.
 QRgb mixColors(QRgb from, QRgb to, double amount);
 

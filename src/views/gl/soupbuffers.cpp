@@ -141,6 +141,15 @@ std::vector<QRgb> paintColors(const FaceInput &input)
     return colors;
 }
 
+//! \param ratio of the density to the right one
+QRgb densityColor(double ratio, const ViewOptions &options)
+{
+    double value = std::log2(ratio) / std::max(options.densityClamp, 1e-6);
+    if (options.densityTolerance > 0 && std::isfinite(ratio))
+        value = bandedDensity(ratio, options.densityTolerance);
+    return heatColor(HeatMap::Density, false, value);
+}
+
 //! The colour of every triangle, without marks.
 std::vector<QRgb> triangleColors(const FaceInput &input)
 {
@@ -164,9 +173,11 @@ std::vector<QRgb> triangleColors(const FaceInput &input)
                                       std::max(input.options.magnitudeClamp - 4, 1e-6));
             break;
         case Coloring::Density:
-            colors[t] = heatColor(HeatMap::Density, input.colorBlind,
-                                  std::log2(input.density[t] / input.rightDensity) /
-                                      std::max(input.options.densityClamp, 1e-6));
+            colors[t] = densityColor(input.density[t] / input.rightDensity, input.options);
+            break;
+        case Coloring::TexelWeights:
+            colors[t] = texelWeightColor(
+                input.texelWeights.empty() ? 1 : input.texelWeights[input.mesh.triangleFace[t]]);
             break;
         default:
             break;

@@ -81,6 +81,7 @@ struct FaceInput
     const std::vector<bool> &flipped;
     std::span<const float> density = {}; //!< per triangle; may be empty when the colouring does not use it
     double rightDensity = 1;             //!< that gets the colour in the middle
+    std::span<const double> texelWeights = {}; //!< per face; empty when all are 1
 };
 std::vector<FaceTexel> faceTexels(const FaceInput &input);
 

@@ -16,7 +16,7 @@ StretchMeter::StretchMeter(const MeshData &mesh) : mShapes(mesh.triangleCount())
             continue;
         std::array<Vec3, 3> p;
         for (int k = 0; k < 3; ++k)
-            p[k] = frame.toFrame(mesh.cornerPosition(mesh.triangles[t][k]));
+            p[k] = mesh.texelWeightOf(t) * frame.toFrame(mesh.cornerPosition(mesh.triangles[t][k]));
         Shape &shape = mShapes[t];
         double longest = -1;
         for (int k = 0; k < 3; ++k) {
@@ -35,7 +35,8 @@ StretchMeter::StretchMeter(const MeshData &mesh) : mShapes(mesh.triangleCount())
         shape.inverseLength = 1 / longest;
         shape.foot = base.dot(side) / longest;
         shape.inverseHeight = 1 / height;
-        shape.area = 0.5 * longest * height;
+        shape.target = 0.5 * longest * height;
+        shape.area = shape.target / (mesh.texelWeightOf(t) * mesh.texelWeightOf(t));
     }
 }
 
@@ -60,8 +61,8 @@ TriangleStretch StretchMeter::measure(const UvMatrix &uv) const
         const double forward = x.squaredNorm() + y.squaredNorm();
         energies[t] = {forward, forward / (ratio * ratio)};
         ratios[t] = ratio;
-        area += shape.area;
-        uvArea += ratio * shape.area;
+        area += shape.target;
+        uvArea += ratio * shape.target;
     }
     if (!(uvArea > 0))
         return result;

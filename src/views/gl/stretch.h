@@ -20,7 +20,8 @@ struct TriangleStretch
         std::numeric_limits<double>::quiet_NaN();
 };
 
-//! Measures maps of one mesh. The 3D shapes of the triangles are prepared once.
+//! Measures maps of one mesh, relative to its texel weights. The 3D shapes of the triangles are prepared
+//! once.
 class StretchMeter
 {
 public:
@@ -38,6 +39,7 @@ private:
         double foot = 0;          //!< x coordinate of the third corner
         double inverseHeight = 0;
         double area = 0;
+        double target = 0; //!< area with sides multiplied by the texel weight, as all lengths here
     };
 
     std::vector<Shape> mShapes;

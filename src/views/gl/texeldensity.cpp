@@ -13,7 +13,7 @@ std::vector<float> texelDensities(const MeshData &mesh, const UvMatrix &uv, int 
         const auto at = [&](int k) { return Vec2(uv.row(3 * t + k)); };
         const double area = std::abs(cross2(at(0), at(1), at(2))) / 2;
         if (mesh.triangleArea[t] > 0 && !mesh.triangleDegenerate[t] && std::isfinite(area))
-            densities[t] = static_cast<float>(textureSize * std::sqrt(area / mesh.triangleArea[t]));
+            densities[t] = static_cast<float>(textureSize * std::sqrt(area / mesh.targetArea(t)));
     }
     return densities;
 }

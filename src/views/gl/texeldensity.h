@@ -8,7 +8,8 @@
 
 namespace autocuts {
 
-//! Texels per unit of the model, per triangle; NaN for triangles without UVs or without area.
+//! Texels per unit of the model, per triangle, divided by its texel weight, so that a map as it was painted
+//! has the same everywhere; NaN for triangles without UVs or without area.
 //! \param uv one row per soup corner \param textureSize texels along a side of the unit square
 std::vector<float> texelDensities(const MeshData &mesh, const UvMatrix &uv, int textureSize);
 

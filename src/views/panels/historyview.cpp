@@ -24,6 +24,8 @@ QString iconName(int commandId)
         return u"rip"_s;
     case CommandId::SetSeamWeights:
         return u"tool-paint"_s;
+    case CommandId::SetTexelWeights:
+        return u"brush-density"_s;
     case CommandId::EditRectangles:
         return u"tool-rectangle"_s;
     case CommandId::EditPins:

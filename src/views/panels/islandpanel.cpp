@@ -140,7 +140,9 @@ QWidget *IslandPanel::makeDensityRow()
     QPushButton *set = makeButton(tr("Set"), "setDensity"_L1);
     mEqualize = makeButton(tr("Equalise all"), "equalize"_L1);
     read->setToolTip(tr("Take over the mean texel density of the selected islands"));
-    set->setToolTip(tr("Scale the selected islands to this texel density; locked ones stay"));
+    set->setToolTip(
+        tr("Scale the selected islands to this texel density; locked ones stay. Painted faces get theirs: "
+           "the density is that of faces with a weight of 1"));
     explain(mEqualize, tr("Give all islands the same texel density; locked ones stay"), {"uv.density"});
     mSelectionButtons.insert(mSelectionButtons.end(), {read, set});
     connect(read, &QPushButton::clicked, this, &IslandPanel::readDensity);
@@ -159,6 +161,7 @@ void IslandPanel::documentChanged(const ChangeEvent &event)
     switch (event.type) {
     case ChangeEvent::Type::Uv:
     case ChangeEvent::Type::UvSet:
+    case ChangeEvent::Type::TexelWeight:
         refreshFigures(settleDelay);
         break;
     case ChangeEvent::Type::IslandFlag:

@@ -62,6 +62,7 @@ void ViewPanel::addColoringRows()
     mColoring->addItem(tr("Magnitude of stretch"), int(Coloring::StretchMagnitude));
     mColoring->addItem(tr("Painted weights"), int(Coloring::PaintWeights));
     mColoring->addItem(tr("Texel density"), int(Coloring::Density));
+    mColoring->addItem(tr("Painted texel density"), int(Coloring::TexelWeights));
     connect(mColoring, &QComboBox::activated, this, [this] {
         const auto coloring = Coloring(mColoring->currentData().toInt());
         change([coloring](ViewOptions &options) { options.coloring = coloring; });
@@ -106,12 +107,33 @@ void ViewPanel::addClampRows()
 
 void ViewPanel::addDensityRows()
 {
-    mDensityTarget = makeCountBox("densityTarget"_L1, 0, 1e9, &ViewOptions::densityTarget);
+    addDensityUnitRows();
+    mDensityTarget = new QDoubleSpinBox;
+    mDensityTarget->setObjectName("densityTarget"_L1);
+    mDensityTarget->setRange(0, 1e9);
+    mDensityTarget->setKeyboardTracking(false);
+    mDensityTarget->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     mDensityTarget->setDecimals(2);
     mDensityTarget->setSpecialValueText(tr("median of the map"));
-    mDensityTarget->setSuffix(tr(" px/unit"));
+    connect(mDensityTarget, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        change([value](ViewOptions &options) { options.densityTarget = value * shownDensityUnit(options); });
+    });
     addRow(mForm, tr("Right density"), mDensityTarget,
-           tr("Texels per unit of the model that get the colour in the middle; 0: the median of the map"));
+           tr("Texels per length of the model that get the colour in the middle; 0: the median of the map. "
+              "Painted faces are to have theirs times their weight"));
+    mDensityTolerance = new QDoubleSpinBox;
+    mDensityTolerance->setObjectName("densityTolerance"_L1);
+    mDensityTolerance->setRange(0, 100);
+    mDensityTolerance->setDecimals(0);
+    mDensityTolerance->setSuffix(tr(" %"));
+    mDensityTolerance->setSpecialValueText(tr("none: smooth colours"));
+    mDensityTolerance->setKeyboardTracking(false);
+    connect(mDensityTolerance, &QDoubleSpinBox::valueChanged, this, [this](double percent) {
+        change([percent](ViewOptions &options) { options.densityTolerance = percent / 100; });
+    });
+    addRow(mForm, tr("Tolerance"), mDensityTolerance,
+           tr("Faces off the right density by no more than this get one colour, those with too many and with "
+              "too few texels two others"));
     auto *factor = new QDoubleSpinBox;
     factor->setDecimals(2);
     factor->setSingleStep(0.1);
@@ -122,6 +144,57 @@ void ViewPanel::addDensityRows()
     });
     addRow(mForm, tr("Full colour at"), mDensityClamp,
            tr("log2 of the factor that gets the full colour: at 1 that is half or double the right density"));
+}
+
+void ViewPanel::addDensityUnitRows()
+{
+    mDensityUnit = new QComboBox;
+    mDensityUnit->setObjectName("densityUnit"_L1);
+    mDensityUnit->addItems({tr("px per unit"), tr("px per cm")});
+    connect(mDensityUnit, &QComboBox::activated, this, [this](int index) {
+        change([index](ViewOptions &options) { options.densityPerCentimetre = index == 1; });
+    });
+    addRow(mForm, tr("Shown as"), mDensityUnit, tr("The length to which texel densities refer"));
+    mUnitLength = new QDoubleSpinBox;
+    mUnitLength->setObjectName("unitLength"_L1);
+    mUnitLength->setRange(1e-4, 1e6);
+    mUnitLength->setDecimals(4);
+    mUnitLength->setSuffix(tr(" cm"));
+    mUnitLength->setKeyboardTracking(false);
+    mUnitLength->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    connect(mUnitLength, &QDoubleSpinBox::valueChanged, this, [this](double centimetres) {
+        change([centimetres](ViewOptions &options) {
+            if (options.densityPerCentimetre) // the right density stays the same per cm
+                options.densityTarget *= centimetres / options.unitCentimetres;
+            options.unitCentimetres = centimetres;
+        });
+    });
+    addRow(mForm, tr("Model unit"), mUnitLength,
+           tr("How long a unit of the model is: 100 cm for metres, 1 for centimetres, 2.54 for inches"));
+    mDensityPreset = new QComboBox;
+    mDensityPreset->setObjectName("densityPreset"_L1);
+    mDensityPreset->addItem(tr("Choose…"));
+    for (const double density : {5.12, 10.24, 20.48})
+        mDensityPreset->addItem(tr("%1 px/cm").arg(density), density);
+    connect(mDensityPreset, &QComboBox::activated, this, &ViewPanel::choosePreset);
+    addRow(mForm, tr("Presets"), mDensityPreset, tr("Usual right densities"));
+}
+
+double ViewPanel::shownDensityUnit(const ViewOptions &options)
+{
+    return options.densityPerCentimetre ? options.unitCentimetres : 1;
+}
+
+void ViewPanel::choosePreset()
+{
+    const double density = mDensityPreset->currentData().toDouble();
+    mDensityPreset->setCurrentIndex(0);
+    if (!(density > 0))
+        return;
+    change([density](ViewOptions &options) {
+        options.densityPerCentimetre = true;
+        options.densityTarget = density * options.unitCentimetres;
+    });
 }
 
 QDoubleSpinBox *ViewPanel::makeCountBox(QLatin1StringView name, double low, double high,
@@ -248,18 +321,25 @@ void ViewPanel::refresh()
     mDensityClamp->setValue(options.densityClamp);
     for (const auto &[box, value] :
          {std::pair(mCheckerSize, options.checkerSize), std::pair(mLetteredCells, options.letteredCells),
-          std::pair(mDensityTarget, options.densityTarget)}) {
+          std::pair(mDensityTarget, options.densityTarget / shownDensityUnit(options)),
+          std::pair(mDensityTolerance, 100 * options.densityTolerance),
+          std::pair(mUnitLength, options.unitCentimetres)}) {
         const QSignalBlocker blocker(box);
         box->setValue(value);
     }
+    mDensityTarget->setSuffix(options.densityPerCentimetre ? tr(" px/cm") : tr(" px/unit"));
+    mDensityUnit->setCurrentIndex(options.densityPerCentimetre ? 1 : 0);
     mTextureName->setText(options.texturePath.isEmpty() ? tr("none")
                                                         : QFileInfo(options.texturePath).fileName());
     for (const auto &[toggle, field] : mToggles)
         toggle->setChecked(options.*field);
     mForm->setRowVisible(mStretchClamp, options.coloring == Coloring::SignedStretch);
     mForm->setRowVisible(mMagnitudeClamp, options.coloring == Coloring::StretchMagnitude);
-    mForm->setRowVisible(mDensityTarget, options.coloring == Coloring::Density);
-    mForm->setRowVisible(mDensityClamp, options.coloring == Coloring::Density);
+    const bool isDensity = options.coloring == Coloring::Density;
+    for (QWidget *field : std::initializer_list<QWidget *>{mDensityTarget, mDensityTolerance, mDensityUnit,
+                                                           mUnitLength, mDensityPreset})
+        mForm->setRowVisible(field, isDensity);
+    mForm->setRowVisible(mDensityClamp, isDensity && options.densityTolerance == 0);
     mForm->setRowVisible(mCheckerSize, options.pattern == Pattern::Checker);
     mForm->setRowVisible(mLetteredCells, options.pattern == Pattern::Lettered);
     mForm->setRowVisible(mTextureRow, options.pattern == Pattern::Texture);
@@ -270,12 +350,20 @@ void ViewPanel::showLegend(const ViewOptions &options)
 {
     const bool isSigned = options.coloring == Coloring::SignedStretch;
     const bool isDensity = options.coloring == Coloring::Density;
-    mForm->setRowVisible(mLegend, isSigned || isDensity || options.coloring == Coloring::StretchMagnitude);
+    const bool isWeights = options.coloring == Coloring::TexelWeights;
+    mForm->setRowVisible(mLegend, isSigned || isDensity || isWeights ||
+                                      options.coloring == Coloring::StretchMagnitude);
     const bool colorBlind = context().preferences.values().colorBlindHeatMap;
     if (isSigned) {
         const QString factor = significantText(std::exp2(options.stretchClamp), 3);
         mLegend->setLegend(heatStops(HeatMap::SignedStretch, colorBlind),
                            {tr("%1× too small").arg(factor), tr("right"), tr("%1× too large").arg(factor)});
+    } else if (isWeights) {
+        mLegend->setLegend(heatStops(HeatMap::Density, colorBlind), {tr("1/8"), tr("1×"), tr("8×")});
+    } else if (isDensity && options.densityTolerance > 0) {
+        const QString percent = QString::number(std::lround(100 * options.densityTolerance));
+        mLegend->setLegend(bandedDensityStops(),
+                           {tr("too coarse"), tr("±%1 %").arg(percent), tr("too fine")});
     } else if (isDensity) {
         const QString factor = significantText(std::exp2(options.densityClamp), 3);
         mLegend->setLegend(heatStops(HeatMap::Density, colorBlind),

@@ -35,6 +35,10 @@ private:
     void addColoringRows();
     void addClampRows();
     void addDensityRows();
+    void addDensityUnitRows();
+    //! Texels per unit of the model of a shown density of 1.
+    static double shownDensityUnit(const ViewOptions &options);
+    void choosePreset();
     QDoubleSpinBox *makeCountBox(QLatin1StringView name, double low, double high, double ViewOptions::*field);
     void addPatternRows();
     QWidget *makeToggles();
@@ -47,6 +51,8 @@ private:
     QComboBox *mColoring = nullptr, *mPattern = nullptr;
     SliderSpin *mStretchClamp = nullptr, *mMagnitudeClamp = nullptr, *mDensityClamp = nullptr;
     HeatLegend *mLegend = nullptr;
+    QComboBox *mDensityUnit = nullptr, *mDensityPreset = nullptr;
+    QDoubleSpinBox *mDensityTolerance = nullptr, *mUnitLength = nullptr;
     QDoubleSpinBox *mDensityTarget = nullptr, *mCheckerSize = nullptr, *mLetteredCells = nullptr;
     QWidget *mTextureRow = nullptr;
     ElidedLabel *mTextureName = nullptr;

@@ -76,7 +76,8 @@ std::vector<double> areasInMap(const Document &document)
 Selection mostStretched(const Document &document)
 {
     const MeshData &mesh = document.mesh();
-    const std::vector<float> energy = StretchMeter(mesh).measure(soupUv(mesh, document.uv())).dirichlet;
+    const std::vector<float> energy =
+        StretchMeter(*document.weightedMesh()).measure(soupUv(mesh, document.uv())).dirichlet;
     int worst = -1;
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         if (energy[t] >= 4 && !mesh.triangleDegenerate[t] && (worst < 0 || energy[t] > energy[worst]))

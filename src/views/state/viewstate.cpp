@@ -26,6 +26,7 @@ void visitFlags(Options &options, Visit visit)
     visit("followMap"_L1, options.followMap);
     visit("orthographic"_L1, options.orthographic);
     visit("xray"_L1, options.xray);
+    visit("densityPerCentimetre"_L1, options.densityPerCentimetre);
 }
 
 template <typename Options, typename Visit>
@@ -37,6 +38,8 @@ void visitNumbers(Options &options, Visit visit)
     visit("letteredCells"_L1, options.letteredCells, 2.0, 26.0);
     visit("densityTarget"_L1, options.densityTarget, 0.0, 1e9);
     visit("densityClamp"_L1, options.densityClamp, 0.01, 20.0);
+    visit("densityTolerance"_L1, options.densityTolerance, 0.0, 1.0);
+    visit("unitCentimetres"_L1, options.unitCentimetres, 1e-6, 1e9);
 }
 
 template <typename Enum>
@@ -63,7 +66,7 @@ QCborMap ViewOptions::toCbor() const
 ViewOptions ViewOptions::fromCbor(const QCborMap &map)
 {
     ViewOptions options;
-    readEnum(map[u"coloring"_s], Coloring::Density, options.coloring);
+    readEnum(map[u"coloring"_s], Coloring::TexelWeights, options.coloring);
     readEnum(map[u"pattern"_s], Pattern::Lettered, options.pattern);
     visitFlags(options, [&map](QLatin1StringView key, bool &value) { value = map[key].toBool(value); });
     visitNumbers(options, [&map](QLatin1StringView key, double &value, double low, double high) {

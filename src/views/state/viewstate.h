@@ -13,7 +13,7 @@
 namespace autocuts {
 
 //! What the colours of the faces show, in both views.
-enum class Coloring { Plain, Islands, SignedStretch, StretchMagnitude, PaintWeights, Density };
+enum class Coloring { Plain, Islands, SignedStretch, StretchMagnitude, PaintWeights, Density, TexelWeights };
 //! The pattern on the model, by its UVs, and behind the map.
 enum class Pattern { None, Checker, Texture, Lettered };
 //! True for patterns that are drawn from a picture.
@@ -51,7 +51,13 @@ struct ViewOptions
     //! Density: the texels per unit of the model that are right; 0: the median of the map.
     double densityTarget = 0;
     double densityClamp = 1; //!< density: the log2 of the factor that gets the full colour
-    QString texturePath;     //!< image file; empty for none
+    //! Density: share of the right density by which faces may be off and still be right; faces then have one
+    //! of three colours. 0: colours change smoothly.
+    double densityTolerance = 0;
+    bool densityPerCentimetre =
+        false;                    //!< densities are shown as px/cm, otherwise as px per unit of the model
+    double unitCentimetres = 100; //!< length of a unit of the model; metres by default
+    QString texturePath;          //!< image file; empty for none
 
     bool operator==(const ViewOptions &) const = default;
     QCborMap toCbor() const;

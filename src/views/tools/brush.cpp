@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_set>
 
 namespace autocuts {
@@ -33,18 +34,22 @@ public:
     void flood(int face)
     {
         const bool front = isFront(face);
+        faces.push_back({face, mRadius});
         std::vector<int> queue{face};
         std::unordered_set<int> seen{face};
         for (std::size_t head = 0; head < queue.size(); ++head) {
-            for (int neighbour : addFace(queue[head])) {
-                if (seen.insert(neighbour).second && isFront(neighbour) == front)
-                    queue.push_back(neighbour);
+            for (int neighbour : addFace(queue[head], faces[head].distance)) {
+                if (!seen.insert(neighbour).second || isFront(neighbour) != front)
+                    continue;
+                queue.push_back(neighbour);
+                faces.push_back({neighbour, mRadius});
             }
         }
     }
 
+    //! \param nearest receives the distance of the nearest side under the brush
     //! \returns the faces on the other sides of the edges under the brush
-    std::vector<int> addFace(int face)
+    std::vector<int> addFace(int face, double &nearest)
     {
         std::vector<int> neighbours;
         const auto &triangleFace = mCanvas.content().mesh()->triangleFace;
@@ -57,6 +62,7 @@ public:
             if (!(distance < mRadius))
                 continue;
             touches.push_back({edge, distance});
+            nearest = std::min(nearest, distance);
             if (mCanvas.kind() == ToolCanvas::Kind::Map && mCanvas.studio().shownMap.isSeam(edge))
                 continue;
             for (int side : mTopology.edgeSides[edge]) {
@@ -68,6 +74,7 @@ public:
     }
 
     std::vector<BrushTouch> touches;
+    std::vector<FaceTouch> faces;
 
 private:
     double distanceTo(int side) const
@@ -147,17 +154,52 @@ std::vector<ToolOption> brushOptions(const Brush &brush, const std::function<voi
                                field(&Brush::hardness, 100))};
 }
 
+namespace {
+
+//! The sides of faces under a brush; nothing beside the model.
+std::optional<Footprint> footprintOf(const ToolCanvas &canvas, const QPointF &middle, const PickResult &pick,
+                                     double radius)
+{
+    const MeshData *mesh = canvas.content().mesh();
+    const int triangle = pick.triangle >= 0 ? pick.triangle : pick.side >= 0 ? pick.side / 3 : -1;
+    if (!mesh || triangle < 0)
+        return std::nullopt;
+    Footprint footprint(canvas, middle, radius);
+    footprint.flood(mesh->triangleFace[triangle]);
+    return footprint;
+}
+
+} // namespace
+
+std::vector<QPointF> dabsBetween(const QPointF &from, const QPointF &to, double radius)
+{
+    constexpr int mostDabs = 8; // chosen by hand
+    const QPointF way = to - from;
+    const double length = std::hypot(way.x(), way.y());
+    const int dabs = std::clamp(static_cast<int>(std::ceil(length / (0.3 * radius))), 1, mostDabs);
+    std::vector<QPointF> middles;
+    for (int i = 1; i < dabs; ++i)
+        middles.push_back(from + way * i / dabs);
+    middles.push_back(to);
+    return middles;
+}
+
 std::vector<BrushTouch> edgesUnderBrush(const ToolCanvas &canvas, const QPointF &middle,
                                         const PickResult &pick, double radius)
 {
-    const MeshData *mesh = canvas.content().mesh();
-    if (!mesh)
+    std::optional<Footprint> footprint = footprintOf(canvas, middle, pick, radius);
+    return footprint ? std::move(footprint->touches) : std::vector<BrushTouch>();
+}
+
+std::vector<FaceTouch> facesUnderBrush(const ToolCanvas &canvas, const QPointF &middle,
+                                       const PickResult &pick, double radius)
+{
+    std::optional<Footprint> footprint = footprintOf(canvas, middle, pick, radius);
+    if (!footprint)
         return {};
-    const int triangle = pick.triangle >= 0 ? pick.triangle : pick.side >= 0 ? pick.side / 3 : -1;
-    Footprint footprint(canvas, middle, radius);
-    if (triangle >= 0)
-        footprint.flood(mesh->triangleFace[triangle]);
-    return std::move(footprint.touches);
+    if (pick.triangle >= 0)
+        footprint->faces.front().distance = 0;
+    return std::move(footprint->faces);
 }
 
 } // namespace autocuts

@@ -48,4 +48,19 @@ struct BrushTouch
 std::vector<BrushTouch> edgesUnderBrush(const ToolCanvas &canvas, const QPointF &middle,
                                         const PickResult &pick, double radius);
 
+//! The centres of the dabs of a stroke from one place of the mouse to another, which is the last one: so
+//! dense that fast strokes have no gaps, and so few that the brush keeps up with the mouse.
+std::vector<QPointF> dabsBetween(const QPointF &from, const QPointF &to, double radius);
+
+//! A face under the brush.
+struct FaceTouch
+{
+    int face = 0;
+    double distance = 0; //!< as BrushTouch::distance; 0 for the face at the centre
+};
+
+//! The faces under a brush; the same as those of edgesUnderBrush().
+std::vector<FaceTouch> facesUnderBrush(const ToolCanvas &canvas, const QPointF &middle,
+                                       const PickResult &pick, double radius);
+
 } // namespace autocuts

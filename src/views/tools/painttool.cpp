@@ -137,16 +137,9 @@ void PaintTool::move(const ToolEvent &event)
 
 void PaintTool::strokeTo(const ToolEvent &event)
 {
-    // Dabs are added between mouse events so that fast strokes have no gaps. Their number is limited, so that
-    // the brush keeps up with the mouse; chosen by hand.
-    constexpr int mostDabs = 8;
-    const QPointF way = event.position - mMouse;
-    const double length = std::hypot(way.x(), way.y());
-    const int dabs = std::clamp(static_cast<int>(std::ceil(length / (0.3 * mBrush.radius))), 1, mostDabs);
     std::vector<BrushTouch> touches;
-    for (int i = 1; i <= dabs; ++i) {
-        const QPointF middle = mMouse + way * i / dabs;
-        const PickResult pick = i == dabs ? event.pick : event.canvas.pick(middle);
+    for (const QPointF &middle : dabsBetween(mMouse, event.position, mBrush.radius)) {
+        const PickResult pick = middle == event.position ? event.pick : event.canvas.pick(middle);
         const std::vector<BrushTouch> dab = edgesUnderBrush(event.canvas, middle, pick, mBrush.radius);
         touches.insert(touches.end(), dab.begin(), dab.end());
     }

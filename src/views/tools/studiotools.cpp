@@ -11,6 +11,7 @@
 #include "views/tools/seamtool.h"
 #include "views/tools/selecttool.h"
 #include "views/tools/shapetool.h"
+#include "views/tools/texeltool.h"
 
 namespace autocuts {
 
@@ -22,6 +23,7 @@ void addStudioTools(ToolManager &tools, const StudioContext &context)
     tools.add(std::make_unique<SeamTool>(context, SeamTool::Kind::Cut));
     tools.add(std::make_unique<SeamTool>(context, SeamTool::Kind::Join));
     tools.add(std::make_unique<PaintTool>(context));
+    tools.add(std::make_unique<TexelTool>(context));
     tools.add(std::make_unique<RegionTool>(context));
     tools.add(std::make_unique<IslandTool>(context, QStringLiteral("move"), UvEdit::Move));
     tools.add(std::make_unique<IslandTool>(context, QStringLiteral("rotate"), UvEdit::Rotate));

@@ -1,0 +1,201 @@
+#include "views/tools/texeltool.h"
+
+#include "commands/settexelweights.h"
+#include "model/plain/texelweights.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/toolcanvas.h"
+#include "views/control/workspace.h"
+#include "views/gl/colormap.h"
+#include "views/tools/tooldrawing.h"
+
+#include <QPainter>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace autocuts {
+
+TexelTool::TexelTool(const StudioContext &context, QObject *parent)
+    : AbstractTool(context, QStringLiteral("texelWeight"), parent)
+{
+    connect(&context.workspace, &Workspace::documentReplaced, this, [this] { mGesture = 0; });
+}
+
+QString TexelTool::hint() const
+{
+    return tr("Texel density %1 times, %2 %, hardness %3 %: Shift goes back to 1, Ctrl inverts; wheel with "
+              "Shift size, Ctrl strength, Alt hardness")
+        .arg(QString::number(mWeight, 'g', 3))
+        .arg(std::lround(100 * mBrush.strength))
+        .arg(std::lround(100 * mBrush.hardness));
+}
+
+void TexelTool::activate()
+{
+    ViewOptions options = context().view.options();
+    mColored = options.coloring == Coloring::Plain;
+    if (!mColored)
+        return;
+    options.coloring = Coloring::TexelWeights;
+    context().view.setOptions(options);
+}
+
+void TexelTool::deactivate()
+{
+    cancel();
+    leave();
+    ViewOptions options = context().view.options();
+    if (!mColored || options.coloring != Coloring::TexelWeights)
+        return;
+    options.coloring = Coloring::Plain;
+    context().view.setOptions(options);
+}
+
+double TexelTool::weightFor(Qt::KeyboardModifiers modifiers) const
+{
+    if (modifiers.testFlag(Qt::ShiftModifier))
+        return 1;
+    return modifiers.testFlag(Qt::ControlModifier) ? 1 / mWeight : mWeight;
+}
+
+void TexelTool::showBrush(const ToolEvent &event)
+{
+    mCanvas = &event.canvas;
+    mMouse = event.position;
+    mShown = mGesture != 0 ? mStroke : weightFor(event.modifiers);
+    Q_EMIT overlayChanged();
+}
+
+void TexelTool::press(const ToolEvent &event)
+{
+    if (event.button != Qt::LeftButton || mGesture != 0)
+        return;
+    Document &document = *context().workspace.document();
+    mGesture = document.undoStack().newGesture();
+    mStroke = weightFor(event.modifiers);
+    mBase = document.texelWeights();
+    mEffect.assign(mBase.size(), 0);
+    showBrush(event);
+    lay(facesUnderBrush(event.canvas, event.position, event.pick, mBrush.radius));
+}
+
+void TexelTool::move(const ToolEvent &event)
+{
+    if (mGesture == 0) {
+        showBrush(event);
+    } else if (&event.canvas == mCanvas) {
+        strokeTo(event);
+        showBrush(event);
+    }
+}
+
+void TexelTool::strokeTo(const ToolEvent &event)
+{
+    std::vector<FaceTouch> touches;
+    for (const QPointF &middle : dabsBetween(mMouse, event.position, mBrush.radius)) {
+        const PickResult pick = middle == event.position ? event.pick : event.canvas.pick(middle);
+        const std::vector<FaceTouch> dab = facesUnderBrush(event.canvas, middle, pick, mBrush.radius);
+        touches.insert(touches.end(), dab.begin(), dab.end());
+    }
+    lay(touches);
+}
+
+void TexelTool::lay(const std::vector<FaceTouch> &touches)
+{
+    std::map<int, double> painted; // new paint by face
+    for (const FaceTouch &touch : touches) {
+        double &before = mEffect[static_cast<std::size_t>(touch.face)];
+        const double effect = mBrush.effectAt(touch.distance);
+        if (effect <= before)
+            continue;
+        before = effect;
+        painted[touch.face] = effect;
+    }
+    if (painted.empty())
+        return;
+    IndexRanges faces;
+    std::vector<double> weights;
+    for (const auto &[face, effect] : painted) {
+        const double from = std::log2(mBase[static_cast<std::size_t>(face)]);
+        faces.append(face);
+        weights.push_back(std::exp2(from + effect * (std::log2(mStroke) - from)));
+    }
+    auto command = std::make_unique<SetTexelWeights>(*context().workspace.document(), faces, weights);
+    command->setGesture(mGesture);
+    pushCommand(std::move(command));
+}
+
+void TexelTool::release(const ToolEvent &event)
+{
+    if (event.button != Qt::LeftButton || mGesture == 0 || &event.canvas != mCanvas)
+        return;
+    strokeTo(event);
+    mGesture = 0;
+    showBrush(event);
+}
+
+void TexelTool::leave()
+{
+    if (mGesture != 0)
+        return;
+    mCanvas = nullptr;
+    Q_EMIT overlayChanged();
+}
+
+void TexelTool::cancel()
+{
+    if (mGesture == 0)
+        return;
+    if (Document *document = context().workspace.document())
+        cancelGesture(*document, mGesture);
+    mGesture = 0;
+    Q_EMIT overlayChanged();
+}
+
+void TexelTool::tellSettings()
+{
+    Q_EMIT hintChanged();
+    Q_EMIT overlayChanged();
+}
+
+std::vector<ToolOption> TexelTool::options()
+{
+    std::vector<ToolOption> options{ToolOption::number(
+        tr("Texels"),
+        tr("Texels per length, compared with unpainted faces; Shift goes back to them, Ctrl inverts"),
+        std::round(100 * mWeight), std::floor(100 * minTexelWeight), 100 * maxTexelWeight, tr(" %"),
+        [this](double percent) {
+            mWeight = std::clamp(percent / 100, minTexelWeight, maxTexelWeight);
+            mShown = mGesture != 0 ? mShown : mWeight;
+            tellSettings();
+        })};
+    const std::vector<ToolOption> brush = brushOptions(mBrush, [this](const Brush &changed) {
+        mBrush = changed;
+        tellSettings();
+    });
+    options.insert(options.end(), brush.begin(), brush.end());
+    return options;
+}
+
+bool TexelTool::wheel(const QWheelEvent &event, ToolCanvas &)
+{
+    if (!mBrush.takeWheel(event))
+        return false;
+    tellSettings();
+    return true;
+}
+
+void TexelTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
+{
+    if (&canvas != mCanvas)
+        return;
+    drawBrush(painter, canvas, mMouse, mBrush, QColor(texelWeightColor(mShown)), 0.25 * mBrush.strength);
+    drawNote(painter, canvas,
+             tr("%1 times the texels, %2 %")
+                 .arg(QString::number(mShown, 'g', 3))
+                 .arg(std::lround(100 * mBrush.strength)));
+}
+
+} // namespace autocuts
