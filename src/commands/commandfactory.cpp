@@ -6,6 +6,7 @@
 #include "commands/editpins.h"
 #include "commands/editrectangles.h"
 #include "commands/edituvsets.h"
+#include "commands/hidefaces.h"
 #include "commands/reset.h"
 #include "commands/setislandflags.h"
 #include "commands/setislandtag.h"
@@ -22,7 +23,7 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
 {
     CborReader reader(map);
     const auto id =
-        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::EditMapSeams)));
+        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::HideFaces)));
     switch (id) {
     case CommandId::SetSeamState:
         return SetSeamState::fromCbor(document, reader);
@@ -54,6 +55,8 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
         return StackIslands::fromCbor(document, reader);
     case CommandId::EditMapSeams:
         return EditMapSeams::fromCbor(document, reader);
+    case CommandId::HideFaces:
+        return HideFaces::fromCbor(document, reader);
     case CommandId::ReplaceModel: // never in a journal
         break;
     }

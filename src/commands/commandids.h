@@ -19,7 +19,8 @@ enum class CommandId {
     Reset = 13,
     StackIslands = 14,
     EditMapSeams = 15,
-    ReplaceModel = 16
+    ReplaceModel = 16,
+    HideFaces = 17
 };
 
 } // namespace autocuts

@@ -80,6 +80,7 @@ protected:
     void setRectangle(int id, const std::optional<LayoutRectangle> &rectangle);
     void setFaceFlags(const IndexRanges &faces, std::span<const IslandFlags> values);
     void setTag(const QString &name, const QList<int> &faces);
+    void setHiddenFaces(const QList<int> &faces);
     void setSolveSettings(const SolveSettings &settings);
     void setPackingSettings(const PackingSettings &settings);
     void insertUvSet(int index, UvSet set, double scale);

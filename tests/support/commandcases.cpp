@@ -2,6 +2,7 @@
 
 #include "commands/editmapseams.h"
 #include "commands/edituvsets.h"
+#include "commands/hidefaces.h"
 #include "commands/islandtransform.h"
 #include "commands/reset.h"
 #include "commands/setislandtag.h"
@@ -103,6 +104,11 @@ Make flags(SetIslandFlags::Edit edit, std::vector<int> islands)
 Make tag(QString name, std::vector<int> islands, bool on)
 {
     return [=](Document &d) { return std::make_unique<SetIslandTag>(d, name, islands, on); };
+}
+
+Make hide(QList<int> faces)
+{
+    return [=](Document &d) { return HideFaces::change(d, faces, true); };
 }
 
 Make reset(int parts)
@@ -416,6 +422,7 @@ std::vector<Case> markCases()
          flags(Edit::Group, {})},
         {"ungroup", flags(Edit::Ungroup, {1}), "Ungroup 1 island", {}, flags(Edit::Ungroup, {0})},
         {"tag", tag(u"metal"_s, {1}, true), "Tag 1 island", {u"tag metal"_s}, tag(u""_s, {1}, true)},
+        {"hide", hide({0, 1, 7}), "Hide 3 faces", {u"hidden"_s}, hide({})},
         {"untag", tag(u"skin"_s, {0}, false), "Untag 1 island", {u"tag skin"_s}, tag(u"metal"_s, {0}, false)},
     };
 }

@@ -47,6 +47,7 @@ Make solve(std::function<void(SolveSettings &)> change);
 Make packing(std::function<void(PackingSettings &)> change);
 Make flags(SetIslandFlags::Edit edit, std::vector<int> islands);
 Make tag(QString name, std::vector<int> islands, bool on);
+Make hide(QList<int> faces);
 Make reset(int parts);
 Eigen::Affine2d moved(double u, double v);
 

@@ -29,6 +29,8 @@ struct DocumentState
     Seams seams;
     Constraints constraints;
     IslandMarks marks;
+    //! Faces that the views neither show nor select, strictly ascending. Jobs work on them as on all others.
+    QList<int> hiddenFaces;
     SolveSettings solveSettings;
     PackingSettings packingSettings;
     Selection selection;  //!< restored by undo, but changing it is not an edit

@@ -41,6 +41,7 @@ public:
         carryPins();
         carryRectangles();
         carryMarks();
+        mTo.hiddenFaces = counterparts(mFrom.hiddenFaces, mMatch.face);
         mTo.solveSettings = mFrom.solveSettings;
         mTo.packingSettings = mFrom.packingSettings;
         mTo.viewState = mFrom.viewState;
