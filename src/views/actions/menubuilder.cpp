@@ -34,6 +34,7 @@ constexpr std::array menuTitles{
     MenuTitle{"UV/Energy", QT_TRANSLATE_NOOP("Menus", "Ener&gy")},
     MenuTitle{"UV/Seam weighting", QT_TRANSLATE_NOOP("Menus", "Seam &weighting")},
     MenuTitle{"UV/Tools", QT_TRANSLATE_NOOP("Menus", "Tools")},
+    MenuTitle{"UV/Pack into tiles", QT_TRANSLATE_NOOP("Menus", "Pack into tiles")},
     MenuTitle{"UV/Islands", QT_TRANSLATE_NOOP("Menus", "Islan&ds")},
     MenuTitle{"UV/Layout", QT_TRANSLATE_NOOP("Menus", "La&yout")},
     MenuTitle{"UV/Layout/Align", QT_TRANSLATE_NOOP("Menus", "&Align")},

@@ -46,8 +46,9 @@ private:
     void frameCorners(const std::vector<int> &soupCorners);
 
     OrbitCamera mCamera;
-    mutable std::unique_ptr<const MeshPicker> mPicker; //!< for mPickerMesh
+    mutable std::unique_ptr<const MeshPicker> mPicker; //!< for mPickerMesh without mPickerHidden
     mutable const MeshData *mPickerMesh = nullptr;
+    mutable QList<int> mPickerHidden;
 };
 
 } // namespace autocuts
