@@ -25,6 +25,7 @@ enum class OptionGroup {
     Measuring = 64,    //!< how figures are printed
     Seaming = 512,     //!< whose seams
     Scope = 1024,      //!< the part of the model that may change
+    Tiling = 4096,     //!< what gets a tile of its own
     Everything = 128   //!< for all commands
 };
 Q_DECLARE_FLAGS(OptionGroups, OptionGroup)

@@ -33,6 +33,8 @@ public:
     Result<MadeMap> finish(Scene &scene) const;
 
 private:
+    //! Packs the islands that may change, for a map that there is.
+    Result<Done> packIslands(const Snapshot &snapshot, Scene &scene) const;
     //! The input of the solver, with the scope of --only.
     Result<Snapshot> snapshotOf(const Scene &scene) const;
     void sayGivenSeams(const Snapshot &snapshot, MadeMap &made) const;
