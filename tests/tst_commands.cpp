@@ -150,7 +150,8 @@ void TestCommands::everyIdIsCovered()
         const auto document = startFor(c);
         ids.insert(c.make(*document)->id());
     }
-    QCOMPARE(ids.size(), std::size_t(CommandId::EditMapSeams));
+    // All but ReplaceModel, which is never in a journal.
+    QCOMPARE(ids.size(), std::size_t(CommandId::HideFaces) - 1);
 }
 
 QTEST_GUILESS_MAIN(TestCommands)

@@ -23,7 +23,8 @@ namespace {
 //! grid(4) in two objects, "left" and "right", and two materials, "low" and "high".
 std::unique_ptr<Document> partsDocument()
 {
-    const MeshData &grid = *test::grid(4);
+    const test::MeshPtr whole = test::grid(4);
+    const MeshData &grid = *whole;
     std::vector<int> objects;
     for (int face = 0; face < grid.faceCount(); ++face)
         objects.push_back(face % 4 < 2 ? 0 : 1);
@@ -211,6 +212,7 @@ private Q_SLOTS:
         edges.mode = SelectionMode::Edges;
         bench.document().setSelection(edges);
         QVERIFY(bench.clickAt(1, SceneTable::Name));
+        bench.actions.setMet(~0);
         auto *menu = child<QPushButton>(bench.panel, "jobs")->menu();
         Q_EMIT menu->aboutToShow();
         bool asked = false;

@@ -185,13 +185,13 @@ constexpr std::array uvTable{
                NeedsIdleMap | NeedsSelection},
     ActionInfo{"uv.pack", "UV", QT_TRANSLATE_NOOP("Actions", "&Pack"), "pack", "P",
                QT_TRANSLATE_NOOP("Actions", "Arrange all islands in the texture"), NeedsIdleMap},
-    ActionInfo{"uv.packObjects", "UV/Pack into tiles", QT_TRANSLATE_NOOP("Actions", "One for each &object"),
-               "pack", "",
+    ActionInfo{"uv.packObjects", "UV/Pack into tiles",
+               QT_TRANSLATE_NOOP("Actions", "Pack a tile for each &object"), "pack", "",
                QT_TRANSLATE_NOOP("Actions", "Give every object a UDIM tile of its own, in the order of the "
                                             "file; islands that are selected, or all of them"),
                NeedsIdleMap},
     ActionInfo{"uv.packMaterials", "UV/Pack into tiles",
-               QT_TRANSLATE_NOOP("Actions", "One for each &material"), "pack", "",
+               QT_TRANSLATE_NOOP("Actions", "Pack a tile for each &material"), "pack", "",
                QT_TRANSLATE_NOOP("Actions", "Give every material a UDIM tile of its own, in the order of the "
                                             "file; islands that are selected, or all of them"),
                NeedsIdleMap},

@@ -43,7 +43,7 @@ constexpr std::array menuTitles{
     MenuTitle{"View/Coloring", QT_TRANSLATE_NOOP("Menus", "&Colouring")},
     MenuTitle{"View/Pattern", QT_TRANSLATE_NOOP("Menus", "Patter&n")},
     MenuTitle{"View/Panels", QT_TRANSLATE_NOOP("Menus", "Panels")},
-    MenuTitle{"Help", QT_TRANSLATE_NOOP("Menus", "&Help")},
+    MenuTitle{"Help", QT_TRANSLATE_NOOP("Menus", "He&lp")},
 };
 
 //! The actions of the tool bar; nullptr is a separator.
