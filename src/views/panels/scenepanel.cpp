@@ -23,6 +23,7 @@
 #include <QSortFilterProxyModel>
 #include <QTabBar>
 #include <QTableView>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <array>
