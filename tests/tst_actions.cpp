@@ -55,16 +55,37 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("id");
         QTest::addColumn<QString>("key");
-        for (const auto &[id, key] : std::initializer_list<std::pair<const char *, const char *>>{
-                 {"uv.lambdaLess", "Left"}, {"uv.lambdaMore", "Right"},  {"uv.deltaDouble", "Up"},
-                 {"uv.deltaHalve", "Down"}, {"uv.run", "Space"},         {"uv.cut", "C"},
-                 {"uv.join", "J"},          {"uv.unwrap", "U"},          {"uv.pack", "P"},
-                 {"uv.separate", "O"},      {"tool.select", "Q"},        {"tool.move", "G"},
-                 {"tool.rotate", "R"},      {"tool.scale", "S"},         {"select.vertices", "1"},
-                 {"select.edges", "2"},     {"select.faces", "3"},       {"select.islands", "4"},
-                 {"view.texture", "T"},     {"view.heatMap", "H"},       {"view.frameAll", "Home"},
-                 {"view.frameAll", "A"},    {"view.frameSelected", "F"}, {"view.frameSelected", "Num+."},
-                 {"uv.rip", "V"},           {"uv.stitch", "Shift+V"},    {"uv.clearSteering", "Shift+C"}})
+        for (const auto &[id, key] :
+             std::initializer_list<std::pair<const char *, const char *>>{{"uv.lambdaLess", "Left"},
+                                                                          {"uv.lambdaMore", "Right"},
+                                                                          {"uv.deltaDouble", "Up"},
+                                                                          {"uv.deltaHalve", "Down"},
+                                                                          {"uv.run", "Space"},
+                                                                          {"uv.cut", "C"},
+                                                                          {"uv.join", "J"},
+                                                                          {"uv.unwrap", "U"},
+                                                                          {"uv.pack", "P"},
+                                                                          {"uv.separate", "O"},
+                                                                          {"tool.select", "Q"},
+                                                                          {"tool.move", "G"},
+                                                                          {"tool.rotate", "R"},
+                                                                          {"tool.scale", "S"},
+                                                                          {"select.vertices", "1"},
+                                                                          {"select.edges", "2"},
+                                                                          {"select.faces", "3"},
+                                                                          {"select.islands", "4"},
+                                                                          {"view.texture", "T"},
+                                                                          {"view.heatMap", "Shift+T"},
+                                                                          {"view.frameAll", "Home"},
+                                                                          {"view.hide", "H"},
+                                                                          {"view.hideOthers", "Shift+H"},
+                                                                          {"view.showAll", "Alt+H"},
+                                                                          {"view.frameAll", "A"},
+                                                                          {"view.frameSelected", "F"},
+                                                                          {"view.frameSelected", "Num+."},
+                                                                          {"uv.rip", "V"},
+                                                                          {"uv.stitch", "Shift+V"},
+                                                                          {"uv.clearSteering", "Shift+C"}})
             QTest::addRow("%s %s", id, key) << QString::fromLatin1(id) << QString::fromLatin1(key);
     }
 

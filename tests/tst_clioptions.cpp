@@ -196,20 +196,21 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("command");
         QTest::addColumn<QStringList>("names");
-        const QStringList common{u"-o"_s,        u"--texture-size"_s, u"--margin"_s, u"--rotation"_s,
-                                 u"--tile"_s,    u"--pack-time"_s,    u"--layout"_s, u"--report"_s,
-                                 u"--threads"_s, u"--time-limit"_s,   u"--seed"_s,   u"--only"_s,
-                                 u"--border"_s,  u"--tile-border"_s,  u"--uv-set"_s, u"--new-uv-set"_s};
+        const QStringList common{u"-o"_s,        u"--texture-size"_s, u"--margin"_s,  u"--rotation"_s,
+                                 u"--tile"_s,    u"--pack-time"_s,    u"--layout"_s,  u"--report"_s,
+                                 u"--threads"_s, u"--time-limit"_s,   u"--seed"_s,    u"--only"_s,
+                                 u"--border"_s,  u"--tile-border"_s,  u"--objects"_s, u"--materials"_s,
+                                 u"--uv-set"_s,  u"--new-uv-set"_s};
         QStringList lightmap = common;
-        lightmap.removeOne(u"--only"_s);
-        lightmap.removeOne(u"--border"_s);
+        for (const QString &name : {u"--only"_s, u"--objects"_s, u"--materials"_s, u"--border"_s})
+            lightmap.removeOne(name);
         QTest::newRow("unwrap")
             << u"unwrap"_s
             << common +
                    words(u"--max-distortion --seams --seams-from --lambda --init --weights --energy --solver "
                          "--quality --creases --crease-strength --visibility "
-                         "--symmetry --align --mirror --world-up --allow-overlaps --no-pack"_s);
-        QTest::newRow("pack") << u"pack"_s << common + words(u"--into --keep-scale"_s);
+                         "--symmetry --align --mirror --world-up --allow-overlaps --no-pack --per"_s);
+        QTest::newRow("pack") << u"pack"_s << common + words(u"--into --keep-scale --per"_s);
         QTest::newRow("separate") << u"separate"_s << common + words(u"--separate-by"_s);
         QTest::newRow("lightmap") << u"lightmap"_s << lightmap;
         QTest::newRow("finish") << u"finish"_s << common + words(u"--max-distortion --seams --seams-from"_s);
@@ -325,6 +326,11 @@ private Q_SLOTS:
         row("unwrap a -o b --init flat", "--init takes rigid or tutte or random or uv, not \"flat\"");
         row("unwrap a -o b --rotation 45", "--rotation takes free or 90 or none");
         row("unwrap a -o b --quality ultra", "--quality takes");
+        row("unwrap a -o b --per face", "--per takes object or material");
+        row("unwrap a -o b --objects ,", "--objects takes NAME,..");
+        row("pack a -o b --per object --into 0,0,1,1", "--per packs into tiles");
+        row("unwrap a -o b --per object --no-pack", "--per packs into tiles");
+        row("finish a -o b --per object", "--per does not belong to this command");
         row("unwrap a -o b --layout l.jpg", "--layout takes a .png or .svg file");
         row("unwrap a -o b --threads 0", "--threads takes a whole number from 1");
         row("unwrap a -o b --time-limit 0", "--time-limit takes a number");

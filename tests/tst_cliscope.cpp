@@ -2,12 +2,16 @@
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "model/plain/chart.h"
+#include "model/plain/udimtiles.h"
 #include "support/cliruns.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <cmath>
 
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
@@ -72,6 +76,7 @@ private Q_SLOTS:
         QTest::newRow("part of islands")
             << QStringList{u"--only=materials:red"_s, u"--only=objects:left"_s} << u"01"_s;
         QTest::newRow("cut off") << QStringList{u"--only=materials:red"_s, u"--border=free"_s} << u"024"_s;
+        QTest::newRow("by name") << QStringList{u"--objects=roof"_s, u"--objects=left"_s} << u"0145"_s;
         QTest::newRow("everything") << QStringList{u"--only=materials:red,blue"_s} << u"012345"_s;
     }
     void packMovesOnlyTheScope()
@@ -82,6 +87,75 @@ private Q_SLOTS:
         QVERIFY2(made.code == 0, qPrintable(made.err));
         const Scene after = readMesh(file("packed.obj")).value();
         QCOMPARE(movedFaces(after), moved);
+    }
+
+    void eachGetsATile_data()
+    {
+        QTest::addColumn<QString>("command");
+        QTest::addColumn<QString>("per");
+        QTest::addColumn<QList<int>>("tiles"); // of the faces
+        for (const char *command : {"pack", "unwrap"})
+            QTest::addRow("%s objects", command) << QString::fromLatin1(command) << u"object"_s
+                                                 << QList<int>{1003, 1003, 1004, 1004, 1005, 1005};
+        // Unwrapping cuts between the materials; packing leaves each island to the first of two.
+        QTest::newRow("unwrap materials")
+            << u"unwrap"_s << u"material"_s << QList<int>{1003, 1004, 1003, 1004, 1003, 1004};
+        QTest::newRow("pack materials")
+            << u"pack"_s << u"material"_s << QList<int>{1003, 1003, 1003, 1003, 1003, 1003};
+    }
+    void eachGetsATile()
+    {
+        QFETCH(QString, command);
+        QFETCH(QString, per);
+        QFETCH(QList<int>, tiles);
+        const test::CliRun made = run(command.toLatin1().constData(), "tiles.obj",
+                                      {u"--per"_s, per, u"--tile=1003"_s, u"--layout"_s, file("tiles.png")});
+        QVERIFY2(made.code == 0, qPrintable(made.err));
+        const Scene after = readMesh(file("tiles.obj")).value();
+        const std::vector<int> found = udimTiles(*after.mesh, after.uvSets[0].uv);
+        QCOMPARE(QList<int>(found.begin(), found.end()), tiles);
+        for (int tile = 1003; tile <= 1005; ++tile)
+            QCOMPARE(QFile::exists(file(qPrintable(u"tiles.%1.png"_s.arg(tile)))), tiles.contains(tile));
+        for (int tile = 1003; tile <= 1005; ++tile)
+            QFile::remove(file(qPrintable(u"tiles.%1.png"_s.arg(tile))));
+    }
+
+    void aPictureOfAPart()
+    {
+        const auto picture = [&](const QStringList &options) {
+            const test::CliRun made =
+                run("pack", "part.obj",
+                    QStringList{u"--layout"_s, file("part.svg"), u"--keep-scale"_s} + options);
+            QFile svg(file("part.svg"));
+            return made.code == 0 && svg.open(QIODevice::ReadOnly) ? svg.readAll().size() : 0;
+        };
+        const auto one = picture({u"--objects=left"_s}), all = picture({u"--objects=left,right,roof"_s});
+        QVERIFY(one > 0 && one < all);
+    }
+
+    void reportsListObjectsAndMaterials()
+    {
+        const test::CliRun made = run("pack", "listed.obj", {u"--report"_s, file("listed.json")});
+        QVERIFY2(made.code == 0, qPrintable(made.err));
+        QFile json(file("listed.json"));
+        QVERIFY(json.open(QIODevice::ReadOnly));
+        const QJsonObject report = QJsonDocument::fromJson(json.readAll()).object();
+        const QJsonArray objects = report.value(u"objects"_s).toArray();
+        QCOMPARE(objects.size(), 3);
+        const QJsonObject roof = objects[2].toObject();
+        QCOMPARE(roof.value(u"name"_s).toString(), u"roof"_s);
+        QCOMPARE(roof.value(u"faces"_s).toInt(), 2);
+        QCOMPARE(roof.value(u"charts"_s).toInt(), 1);
+        QVERIFY(std::abs(roof.value(u"sym_dirichlet"_s).toDouble() - 4) < 1e-6);
+        QVERIFY(roof.value(u"texel_density"_s).toDouble() > 0);
+        double used = 0;
+        for (const QJsonValue &object : objects)
+            used += object.toObject().value(u"packing_efficiency"_s).toDouble();
+        QVERIFY(std::abs(used - report.value(u"packing_efficiency"_s).toDouble()) < 1e-9);
+        const QJsonArray materials = report.value(u"materials"_s).toArray();
+        QCOMPARE(materials.size(), 2);
+        QCOMPARE(materials[0].toObject().value(u"faces"_s).toInt(), 3);
+        QCOMPARE(materials[0].toObject().value(u"charts"_s).toInt(), 3);
     }
 
     void separateLeavesTheRest()

@@ -15,12 +15,17 @@ out vec3 eyePosition, eyeNormal;
 out vec2 texturePlace;
 
 const float noUv = 1e29; // corners without UV have more
+const uint hiddenMark = 16u;
+
+uint marksOfFace()
+{
+    return texelFetch(faceTexels, gl_VertexID / 3).a;
+}
 
 // In the map what is marked lies above what is not, so that it is seen where the map covers itself.
 float height()
 {
-    uint marks = texelFetch(faceTexels, gl_VertexID / 3).a & 7u;
-    return -0.1 * float(marks);
+    return -0.1 * float(marksOfFace() & 7u);
 }
 
 void main()
@@ -31,9 +36,10 @@ void main()
     vec4 eye = viewMatrix * vec4(position, 1);
     eyePosition = eye.xyz;
     eyeNormal = mat3(viewMatrix) * normal;
-    if (!asMap)
+    bool shown = (marksOfFace() & hiddenMark) == 0u;
+    if (shown && !asMap)
         gl_Position = projectionMatrix * eye;
-    else if (uv.x < noUv)
+    else if (shown && uv.x < noUv)
         gl_Position = vec4(uv * mapScale + mapOffset, height(), 1);
     else
         gl_Position = vec4(2, 2, 2, 1); // all three corners in one place outside

@@ -1,5 +1,6 @@
 #include "cli/batch.h"
 
+#include "cli/batchscope.h"
 #include "cli/clihelp.h"
 #include "cli/mapmaking.h"
 #include "cli/mapreporting.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <map>
 #include <new>
 
 namespace autocuts {
@@ -208,6 +210,11 @@ private:
         if (!scene)
             return failReading(scene.error());
         mFiles.mergeSettings(mOptions);
+        // Now, because islands have other numbers in the new map.
+        const auto scope = batchScope(mOptions, scene.value());
+        if (!scope)
+            return fail(scope.error());
+        mScope = scope.value();
         if (!(scene->mesh->area > 0))
             return fail({QStringLiteral("all faces are without area, there is nothing to map"),
                          mOptions.input, 0, QStringLiteral("Check the scale and the vertices of the model")});
@@ -265,7 +272,7 @@ private:
             const std::vector<int> hatched = report.overlapPairs.value_or(0) > 0
                                                  ? overlappingTriangles(scene, mFiles.islandFlags())
                                                  : std::vector<int>();
-            if (const Result<Done> drawn = writeLayout(mOptions.layout, scene, textureSize, hatched); !drawn)
+            if (const Result<Done> drawn = drawLayout(scene, hatched); !drawn)
                 return fail(drawn.error());
         }
         report.seconds = double(mClock.elapsed()) / 1000;
@@ -276,6 +283,34 @@ private:
         if (mStop.reason == StopReason::Interrupted)
             return 130;
         return report.status == QLatin1String("bound_missed") ? 3 : 0;
+    }
+
+    //! One picture, or with --per one for each tile.
+    Result<Done> drawLayout(const Scene &scene, const std::vector<int> &hatched) const
+    {
+        const std::vector<bool> some = mScope ? mScope->faces : std::vector<bool>();
+        const int size = mOptions.unwrap.packing.textureSize;
+        if (!mOptions.per)
+            return writeLayout(mOptions.layout, scene, size, hatched, some, PackingSettings::firstTile);
+        const ChartMap charts = findCharts(*scene.mesh, scene.uvSets.front().uv);
+        const Result<std::vector<int>> tiles = batchTiles(mOptions, scene, charts);
+        if (!tiles)
+            return tiles.error();
+        std::map<int, std::vector<bool>> facesOf;
+        for (std::size_t f = 0; f < tiles->size(); ++f) {
+            if (some.empty() || some[f])
+                facesOf.try_emplace(tiles.value()[f], tiles->size()).first->second[f] = true;
+        }
+        const QFileInfo file(mOptions.layout);
+        for (const auto &[tile, faces] : facesOf) {
+            const QString name =
+                QStringLiteral("%1.%2.%3").arg(file.completeBaseName()).arg(tile).arg(file.suffix());
+            const Result<Done> drawn =
+                writeLayout(file.dir().filePath(name), scene, size, hatched, faces, tile);
+            if (!drawn)
+                return drawn;
+        }
+        return Done{};
     }
 
     void printFigures(const MapReport &report)
@@ -299,6 +334,7 @@ private:
 
     CliOptions mOptions;
     BatchFiles mFiles;
+    std::shared_ptr<const JobScope> mScope; //!< of --only; null: everything
     StopSource &mStop;
     QTextStream &mOut;
     QTextStream &mErr;

@@ -1,6 +1,7 @@
 // The options of the command line program.
 #pragma once
 
+#include "model/document/scenegroups.h"
 #include "model/plain/solvesettings.h"
 #include "solver/overlap/overlapseparation.h"
 #include "solver/unwrap/unwrap.h"
@@ -8,6 +9,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <optional>
 #include <vector>
 
 namespace autocuts {
@@ -51,6 +53,7 @@ struct CliOptions
     SolveSettings settings;
     unwrap::UnwrapOptions unwrap; //!< its packing target is that of --tile or --into
     Only only;
+    std::optional<SceneKind> per; //!< what gets a tile each
     overlap::SeparationMethod separation = overlap::SeparationMethod::MinCut;
     bool borderAttached = true; //!< JobScope::attached
     int threads = 1;            //!< does not influence the result

@@ -194,6 +194,8 @@ std::vector<CliOption> scopeOptions()
          "given several times, the parts add up"_s,
          {},
          readOnly},
+        {group, {u"--objects"_s}, u"NAMES"_s, u"the same as --only objects:NAMES"_s, {}, readObjects},
+        {group, {u"--materials"_s}, u"NAMES"_s, u"the same as --only materials:NAMES"_s, {}, readMaterials},
         choice(
             group, u"--border"_s, fieldOf(&CliOptions::borderAttached),
             {{u"attached"_s, true}, {u"free"_s, false}},
@@ -303,6 +305,19 @@ std::vector<CliOption> packingOptions()
     };
 }
 
+CliOption tilingOption()
+{
+    return {
+        Group::Tiling,
+        {u"--per"_s},
+        u"object|material"_s,
+        u"pack every object, or every material, into a UDIM tile of its own, from --tile on in the order of "
+        "the file; with material, unwrap cuts between materials. --layout then draws one picture for each "
+        "tile and puts its number before the suffix"_s,
+        {},
+        readPer};
+}
+
 CliOption separatingOption()
 {
     return choice(
@@ -335,11 +350,13 @@ std::vector<CliOption> makingOptions()
         {group,
          {u"--layout"_s},
          u"FILE"_s,
-         u"draw a picture of the layout, .png or .svg: islands, seams, overlaps hatched"_s,
+         u"draw a picture of the layout, .png or .svg: islands, seams, overlaps hatched; with --only, of "
+         u"that "
+         "part"_s,
          {},
          readLayout},
         text(group, {u"--report"_s}, fieldOf(&CliOptions::report),
-             u"write the figures of the result as JSON"_s),
+             u"write the figures of the result as JSON, also those of each object and material"_s),
         defaultingTo(integer(group, u"--threads"_s, fieldOf(&CliOptions::threads), 1, 1024,
                              u"threads to use; the result does not depend on it"_s),
                      u"all cores"_s),
@@ -357,10 +374,10 @@ const std::vector<CliCommand> &cliCommands()
     using enum OptionGroup;
     static const std::vector<CliCommand> commands{
         {Command::Unwrap, u"unwrap"_s, u"IN"_s, Output::Needed,
-         Bound | Seaming | Solving | Texture | Packing | Scope | UvSets | NewUvSets | Making,
+         Bound | Seaming | Solving | Texture | Packing | Scope | Tiling | UvSets | NewTiling | UvSets | Making,
          u"make a UV map"_s},
         {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | Placing | Scope | UvSets | NewUvSets | Making,
+         Texture | Packing | Placing | Scope | Tiling | UvSets | NewTiling | UvSets | Making,
          u"arrange the islands of an existing map anew"_s},
         {Command::Separate, u"separate"_s, u"IN"_s, Output::Needed,
          Texture | Packing | Separating | Scope | UvSets | NewUvSets | Making,
@@ -401,6 +418,7 @@ const std::vector<CliOption> &cliOptions()
         for (const auto &some : {boundOptions(), seamingOptions(), solvingOptions(), packingOptions(),
                                  scopeOptions(), uvSetOptions(), makingOptions(), placingOptions()})
             all.insert(all.end(), some.begin(), some.end());
+        all.push_back(tilingOption());
         all.push_back(separatingOption());
         all.push_back(flag(Group::Measuring, u"--json"_s, fieldOf(&CliOptions::json), true,
                            u"print the figures as JSON"_s));

@@ -27,6 +27,7 @@ enum class OptionGroup {
     Scope = 1024,      //!< the part of the model that may change
     UvSets = 4096,     //!< which of the file's UV sets
     NewUvSets = 8192,  //!< into a set of its own
+    Tiling = 16384,    //!< what gets a tile of its own
     Everything = 128   //!< for all commands
 };
 Q_DECLARE_FLAGS(OptionGroups, OptionGroup)

@@ -61,6 +61,35 @@ std::optional<QString> readSeamSources(CliOptions &options, const QString &value
     return std::nullopt;
 }
 
+namespace {
+
+std::optional<QString> addNames(QStringList &names, const QString &value)
+{
+    const QStringList more = value.split(u',', Qt::SkipEmptyParts);
+    names += more;
+    return more.isEmpty() ? std::optional(u"NAME,.."_s) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<QString> readObjects(CliOptions &options, const QString &value)
+{
+    return addNames(options.only.objects, value);
+}
+
+std::optional<QString> readMaterials(CliOptions &options, const QString &value)
+{
+    return addNames(options.only.materials, value);
+}
+
+std::optional<QString> readPer(CliOptions &options, const QString &value)
+{
+    if (value != u"object" && value != u"material")
+        return u"object or material"_s;
+    options.per = value == u"object" ? SceneKind::Objects : SceneKind::Materials;
+    return std::nullopt;
+}
+
 std::optional<QString> readOnly(CliOptions &options, const QString &value)
 {
     static const QString expected = u"islands:N,.. or objects:NAME,.. or materials:NAME,.."_s;

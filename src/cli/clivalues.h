@@ -13,6 +13,11 @@ namespace autocuts {
 std::optional<QString> readRectangle(CliOptions &options, const QString &value);
 //! --seams-from: a list of sources, which takes the place of an earlier one.
 std::optional<QString> readSeamSources(CliOptions &options, const QString &value);
+//! --objects and --materials: names, added to those of earlier options.
+std::optional<QString> readObjects(CliOptions &options, const QString &value);
+std::optional<QString> readMaterials(CliOptions &options, const QString &value);
+//! --per: object or material.
+std::optional<QString> readPer(CliOptions &options, const QString &value);
 //! --only: islands, objects or materials, added to those of earlier options.
 std::optional<QString> readOnly(CliOptions &options, const QString &value);
 

@@ -129,6 +129,8 @@ private:
             return usageError(QStringLiteral("--border says how --only ends, which is not given"));
         if (mOptions.hasRectangle() && mOptions.given.contains(QStringLiteral("--tile")))
             return usageError(QStringLiteral("--into and --tile exclude each other"));
+        if (mOptions.per && (mOptions.hasRectangle() || !mOptions.unwrap.pack))
+            return usageError(QStringLiteral("--per packs into tiles: it excludes --into and --no-pack"));
         if (!mOptions.hasRectangle())
             mOptions.packIntoTile();
         packing.seed = mOptions.settings.seed;

@@ -45,6 +45,10 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
     if (mOptions.unwrap.pack && !result.packed)
         return noRoomError(mOptions);
     setUv(scene, result.uv);
+    if (mOptions.per) {
+        if (const Result<Done> packed = packIslands(snapshot.value(), scene); !packed)
+            return packed.error();
+    }
     if (result.onlyPatches)
         outcome.warnings << QLatin1String(result.stopped
                                               ? "stopped before a map with few seams was found: this one is "
@@ -75,23 +79,36 @@ Result<MadeMap> MapMaking::pack(Scene &scene) const
     const Result<Snapshot> snapshot = snapshotOf(scene);
     if (!snapshot)
         return snapshot.error();
+    if (const Result<Done> packed = packIslands(snapshot.value(), scene); !packed)
+        return packed.error();
+    return MadeMap{};
+}
+
+Result<Done> MapMaking::packIslands(const Snapshot &snapshot, Scene &scene) const
+{
     UvMatrix uv = scene.uvSets.front().uv;
     const MeshData &mesh = *scene.mesh;
-    const Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, snapshot.value());
+    Result<unwrap::PackJob> pack = batchPacking(mOptions, mFiles, snapshot);
     if (!pack)
         return pack.error();
     ChartMap charts = findCharts(mesh, uv);
-    if (const JobScope *scope = snapshot->scope.get()) {
+    if (const JobScope *scope = snapshot.scope.get()) {
         if (!scope->attached)
             charts = chartsAlong(*scope, charts);
         if (!holdsWholeChart(*scope, charts))
             return noWholeChart();
     }
+    if (mOptions.per) {
+        Result<std::vector<int>> tiles = batchTiles(mOptions, scene, charts);
+        if (!tiles)
+            return tiles.error();
+        pack->tiles = std::move(tiles).value();
+    }
     const JobContext job = mJob.part(0, 1, JobStage::Packing);
     if (!unwrap::packCharts(mesh, charts, pack.value(), uv, job))
         return noRoomError(mOptions);
     setUv(scene, uv);
-    return MadeMap{};
+    return Done{};
 }
 
 Result<MadeMap> MapMaking::separate(Scene &scene) const
@@ -183,7 +200,12 @@ Result<MadeMap> MapMaking::finish(Scene &scene) const
 
 Result<Snapshot> MapMaking::snapshotOf(const Scene &scene) const
 {
-    Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+    SolveSettings settings = mOptions.settings;
+    if (mOptions.per == SceneKind::Materials && settings.seams == SeamMode::Free) {
+        settings.seams = SeamMode::Keep;
+        settings.givenSeams = {.cuts = false, .map = false, .materials = true};
+    }
+    Result<Snapshot> snapshot = mFiles.snapshot(scene, settings);
     if (!snapshot)
         return snapshot;
     const auto scope = batchScope(mOptions, scene);
@@ -203,7 +225,7 @@ void MapMaking::sayGivenSeams(const Snapshot &snapshot, MadeMap &made) const
     const std::vector<bool> &given = snapshot.steering->givenSeams;
     const auto count = std::count(given.begin(), given.end(), true);
     made.notes << QStringLiteral("given seams: %1").arg(count);
-    if (count == 0)
+    if (count == 0 && mOptions.settings.seams != SeamMode::Free)
         made.warnings << QStringLiteral("there are no given seams: --seams-from names where they come from");
 }
 

@@ -37,6 +37,8 @@ public:
 private:
     //! \param made by separating; what has no UVs stays
     Result<MadeMap> separated(Scene &scene, const unwrap::SeparateResult &made) const;
+    //! Packs the islands that may change, for a map that there is.
+    Result<Done> packIslands(const Snapshot &snapshot, Scene &scene) const;
     //! The input of the solver, with the scope of --only.
     Result<Snapshot> snapshotOf(const Scene &scene) const;
     void sayGivenSeams(const Snapshot &snapshot, MadeMap &made) const;

@@ -1,8 +1,11 @@
 #include "cli/mapreporting.h"
 
+#include "model/document/scenegroups.h"
 #include "model/io/meshdoctor.h"
 #include "model/io/savefile.h"
 #include "model/io/uvexport.h"
+#include "model/plain/udimtiles.h"
+#include "solver/metrics/groupfigures.h"
 #include "solver/metrics/uvoverlaps.h"
 
 #include <algorithm>
@@ -80,6 +83,21 @@ QString shortCount(const MapReport::Count &value)
     return value ? QString::number(*value) : QStringLiteral("-");
 }
 
+std::vector<MapReport::Part> partsOf(const Scene &scene, SceneKind kind, const metrics::UvMetrics &figures,
+                                     int textureSize)
+{
+    const std::vector<SceneGroup> groups = sceneGroups(scene, kind);
+    const std::vector<int> groupOf = groupOfFaces(groups, scene.mesh->faceCount());
+    const std::vector<metrics::GroupFigures> measured =
+        metrics::groupFigures(*scene.mesh, scene.uvSets.front().uv, groupOf, static_cast<int>(groups.size()),
+                              figures.chartSymDirichlet);
+    std::vector<MapReport::Part> parts;
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        parts.push_back({groups[g].name, measured[g].faces, measured[g].charts, measured[g].symDirichlet,
+                         measured[g].density * textureSize, measured[g].uvArea});
+    return parts;
+}
+
 } // namespace
 
 MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags, int textureSize)
@@ -92,6 +110,8 @@ MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags
         const metrics::UvMetrics figures = measureUv(*scene.mesh, scene.uvSets.front().uv, options);
         report = reportOf(figures);
         report.facesWithoutUvArea = facesWithoutUvArea(*scene.mesh, figures);
+        report.objects = partsOf(scene, SceneKind::Objects, figures, textureSize);
+        report.materials = partsOf(scene, SceneKind::Materials, figures, textureSize);
     } else {
         report.triangles = scene.mesh->triangleCount();
         report.faces = scene.mesh->faceCount();
@@ -186,10 +206,11 @@ std::vector<int> overlappingTriangles(const Scene &scene, const std::vector<Isla
 }
 
 Result<Done> writeLayout(const QString &path, const Scene &scene, int textureSize,
-                         const std::vector<int> &hatched)
+                         const std::vector<int> &hatched, const std::vector<bool> &faces, int tile)
 {
     const MeshData &mesh = *scene.mesh;
-    const UvMatrix &uv = scene.uvSets.front().uv;
+    UvMatrix uv = withoutOtherFaces(mesh, scene.uvSets.front().uv, faces);
+    uv.rowwise() -= udimCorner(tile).transpose();
     LayoutOptions options;
     options.size = std::clamp(textureSize, 256, 4096);
     options.overlapping = hatched;

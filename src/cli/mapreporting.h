@@ -30,7 +30,9 @@ QString reportTable(const MapReport &report);
 std::vector<int> overlappingTriangles(const Scene &scene, const std::vector<IslandFlags> &faceFlags);
 
 //! Draws the active UV set. \param path .png or .svg \param hatched triangles, ascending
+//! \param faces per face: it is drawn; empty: all are
+//! \param tile UDIM tile of which the picture is
 Result<Done> writeLayout(const QString &path, const Scene &scene, int textureSize,
-                         const std::vector<int> &hatched);
+                         const std::vector<int> &hatched, const std::vector<bool> &faces, int tile);
 
 } // namespace autocuts

@@ -6,6 +6,7 @@
 #include "commands/editpins.h"
 #include "commands/editrectangles.h"
 #include "commands/edituvsets.h"
+#include "commands/hidefaces.h"
 #include "commands/keepstraight.h"
 #include "commands/reset.h"
 #include "commands/setislandflags.h"
@@ -24,7 +25,7 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
 {
     CborReader reader(map);
     const auto id =
-        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::SetTexelWeights)));
+        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::HideFaces)));
     switch (id) {
     case CommandId::SetSeamState:
         return SetSeamState::fromCbor(document, reader);
@@ -60,6 +61,8 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
         return KeepStraight::fromCbor(document, reader);
     case CommandId::SetTexelWeights:
         return SetTexelWeights::fromCbor(document, reader);
+    case CommandId::HideFaces:
+        return HideFaces::fromCbor(document, reader);
     case CommandId::ReplaceModel: // never in a journal
         break;
     }

@@ -21,7 +21,8 @@ enum class CommandId {
     EditMapSeams = 15,
     ReplaceModel = 16,
     KeepStraight = 17,
-    SetTexelWeights = 18
+    SetTexelWeights = 18,
+    HideFaces = 19
 };
 
 } // namespace autocuts

@@ -162,6 +162,11 @@ void DocumentCommand::setTag(const QString &name, const QList<int> &faces)
     mDocument.setTag(name, faces);
 }
 
+void DocumentCommand::setHiddenFaces(const QList<int> &faces)
+{
+    mDocument.setHiddenFaces(faces);
+}
+
 void DocumentCommand::setSolveSettings(const SolveSettings &settings)
 {
     mDocument.setSolveSettings(settings);

@@ -82,6 +82,7 @@ protected:
     void setFaceFlags(const IndexRanges &faces, std::span<const IslandFlags> values);
     void setTexelWeights(const IndexRanges &faces, std::span<const double> values);
     void setTag(const QString &name, const QList<int> &faces);
+    void setHiddenFaces(const QList<int> &faces);
     void setSolveSettings(const SolveSettings &settings);
     void setPackingSettings(const PackingSettings &settings);
     void insertUvSet(int index, UvSet set, double scale);

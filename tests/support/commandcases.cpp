@@ -2,6 +2,7 @@
 
 #include "commands/editmapseams.h"
 #include "commands/edituvsets.h"
+#include "commands/hidefaces.h"
 #include "commands/islandtransform.h"
 #include "commands/keepstraight.h"
 #include "commands/reset.h"
@@ -122,6 +123,11 @@ Make flags(SetIslandFlags::Edit edit, std::vector<int> islands)
 Make tag(QString name, std::vector<int> islands, bool on)
 {
     return [=](Document &d) { return std::make_unique<SetIslandTag>(d, name, islands, on); };
+}
+
+Make hide(QList<int> faces)
+{
+    return [=](Document &d) { return HideFaces::change(d, faces, true); };
 }
 
 Make reset(int parts)
@@ -455,6 +461,7 @@ std::vector<Case> markCases()
          "Texel density weight of 1 face",
          {u"texels 15-15"_s},
          texelWeights(0, 0, 2)},
+        {"hide", hide({0, 1, 7}), "Hide 3 faces", {u"hidden"_s}, hide({})},
         {"untag", tag(u"skin"_s, {0}, false), "Untag 1 island", {u"tag skin"_s}, tag(u"metal"_s, {0}, false)},
     };
 }

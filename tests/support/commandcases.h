@@ -49,6 +49,7 @@ Make packing(std::function<void(PackingSettings &)> change);
 Make flags(SetIslandFlags::Edit edit, std::vector<int> islands);
 Make tag(QString name, std::vector<int> islands, bool on);
 Make texelWeights(int firstFace, int count, double weight);
+Make hide(QList<int> faces);
 Make reset(int parts);
 Eigen::Affine2d moved(double u, double v);
 

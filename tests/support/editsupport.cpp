@@ -103,6 +103,8 @@ QString eventText(const ChangeEvent &event)
     }
     case ChangeEvent::Type::Tag:
         return u"tag %1"_s.arg(static_cast<const TagEvent &>(event).name);
+    case ChangeEvent::Type::Hidden:
+        return u"hidden"_s;
     case ChangeEvent::Type::SolveSettings:
         return u"solve %1"_s.arg(static_cast<const SolveSettingsEvent &>(event).properties);
     case ChangeEvent::Type::PackingSettings:

@@ -20,6 +20,7 @@ struct ChangeEvent
         Rectangle,
         IslandFlag,
         Tag,
+        Hidden,
         SolveSettings,
         PackingSettings,
         TexelWeight
@@ -125,6 +126,12 @@ struct TagEvent final : ChangeEvent
     explicit TagEvent(QString tag) : ChangeEvent(Type::Tag), name(std::move(tag)) {}
 
     QString name;
+};
+
+//! Faces were hidden or shown.
+struct HiddenEvent final : ChangeEvent
+{
+    HiddenEvent() : ChangeEvent(Type::Hidden) {}
 };
 
 //! Settings of the solver changed.

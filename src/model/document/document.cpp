@@ -30,7 +30,10 @@ Document::Document(Scene scene) : Document(DocumentState::initial(std::move(scen
 
 Document::Document(DocumentState state)
     : mState(std::move(state)), mToken{newRevision(), newRevision(), newRevision(), newRevision()}
-{}
+{
+    findHidden();
+    mState.selection.removeHidden(mesh(), mHidden);
+}
 
 Document::~Document() = default;
 
@@ -69,6 +72,8 @@ void Document::announce(const ChangeEvent &event)
     case ChangeEvent::Type::Tag:
     case ChangeEvent::Type::PackingSettings:
         mToken.layout = newRevision();
+        break;
+    case ChangeEvent::Type::Hidden: // no result depends on it
         break;
     }
     if (changesGivenSeams(event))
@@ -118,10 +123,29 @@ const MeshAdjacency &Document::adjacency() const
 void Document::setSelection(Selection selection)
 {
     selection.normalize(mesh());
+    selection.removeHidden(mesh(), mHidden);
     if (selection == mState.selection)
         return;
     mState.selection = std::move(selection);
     Q_EMIT selectionChanged();
+}
+
+void Document::findHidden()
+{
+    const QList<int> &faces = mState.hiddenFaces;
+    mHidden.assign(faces.isEmpty() ? 0 : static_cast<std::size_t>(mesh().faceCount()), false);
+    for (int face : faces)
+        mHidden[static_cast<std::size_t>(face)] = true;
+}
+
+void Document::setHiddenFaces(const QList<int> &faces)
+{
+    if (faces == mState.hiddenFaces)
+        return;
+    mState.hiddenFaces = faces;
+    findHidden();
+    announce(HiddenEvent());
+    setSelection(mState.selection);
 }
 
 QString Document::validate() const
@@ -206,6 +230,7 @@ void Document::exchangeModel(OtherModel &other)
     std::swap(mAdjacency, other.adjacency);
     mIslands.reset();
     mWeightedMesh.reset();
+    findHidden();
     announce(ModelEvent());
 }
 

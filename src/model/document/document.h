@@ -51,6 +51,8 @@ public:
     //! The mesh with the painted texel weights, for all that makes or judges maps; state().scene.mesh when
     //! none are painted. Cached until they change.
     const std::shared_ptr<const MeshData> &weightedMesh() const;
+    //! Per face: it is neither shown nor selected; empty when none is hidden.
+    const std::vector<bool> &hidden() const { return mHidden; }
     const SolveSettings &solveSettings() const { return mState.solveSettings; }
     const PackingSettings &packingSettings() const { return mState.packingSettings; }
 
@@ -69,7 +71,7 @@ public:
     const UndoStack &undoStack() const { return mUndoStack; }
 
     const Selection &selection() const { return mState.selection; }
-    //! Sorts the selection and removes elements that do not exist.
+    //! Sorts the selection and removes elements that do not exist or are hidden.
     void setSelection(Selection selection);
     const QByteArray &viewState() const { return mState.viewState; }
     void setViewState(QByteArray viewState) { mState.viewState = std::move(viewState); }
@@ -97,6 +99,8 @@ private:
     void setTexelWeights(const IndexRanges &faces, std::span<const double> values);
     //! Sets the faces of a tag; an empty list removes the tag.
     void setTag(const QString &name, const QList<int> &faces);
+    //! Also takes the hidden elements out of the selection.
+    void setHiddenFaces(const QList<int> &faces);
     void setSolveSettings(const SolveSettings &settings);
     void setPackingSettings(const PackingSettings &settings);
     void insertUvSet(int index, UvSet set, double scale);
@@ -117,7 +121,10 @@ private:
     //! Renews the token and emits changed().
     void announce(const ChangeEvent &event);
 
+    void findHidden();
+
     DocumentState mState;
+    std::vector<bool> mHidden; //!< DocumentState::hiddenFaces
     UndoStack mUndoStack;
     StateToken mToken;
     mutable std::unique_ptr<const Islands> mIslands;

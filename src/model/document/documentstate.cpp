@@ -27,8 +27,8 @@ bool sameScene(const Scene &a, const Scene &b)
 {
     return a.path == b.path && a.format == b.format && sameMesh(a.mesh, b.mesh) &&
            a.objectNames == b.objectNames && a.materialNames == b.materialNames &&
-           a.faceMaterial == b.faceMaterial && a.hardEdges == b.hardEdges && sameUvSets(a.uvSets, b.uvSets) &&
-           a.notes == b.notes;
+           a.faceMaterial == b.faceMaterial && a.materialColors == b.materialColors &&
+           a.hardEdges == b.hardEdges && sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes;
 }
 
 QString validateMaterials(const Scene &scene)
@@ -36,6 +36,8 @@ QString validateMaterials(const Scene &scene)
     const std::vector<int> &materials = scene.faceMaterial;
     if (!materials.empty() && static_cast<int>(materials.size()) != scene.mesh->faceCount())
         return QStringLiteral("The materials do not fit the mesh");
+    if (scene.materialColors.size() > scene.materialNames.size())
+        return QStringLiteral("There are more colours than materials");
     const auto exists = [&](int m) { return m >= -1 && m < static_cast<int>(scene.materialNames.size()); };
     if (!std::all_of(materials.begin(), materials.end(), exists))
         return QStringLiteral("A face has an unknown material");
@@ -97,6 +99,8 @@ QString DocumentState::validate() const
         return QStringLiteral("A setting of the solver is out of range");
     if (!packingSettings.isValid())
         return QStringLiteral("A setting of packing is out of range");
+    if (!isIndexSet(hiddenFaces, mesh.faceCount()))
+        return QStringLiteral("The hidden faces do not fit the mesh");
     for (const QString &problem :
          {validateMaterials(scene), validateUvSets(*this), seams.validate(mesh), constraints.validate(mesh),
           marks.validate(mesh), selection.validate(mesh)}) {
@@ -110,7 +114,8 @@ bool operator==(const DocumentState &a, const DocumentState &b)
 {
     return sameScene(a.scene, b.scene) && a.activeUvSet == b.activeUvSet && a.uvScales == b.uvScales &&
            a.seams == b.seams && a.constraints == b.constraints && a.marks == b.marks &&
-           a.texelWeights == b.texelWeights && a.solveSettings == b.solveSettings &&
+           a.texelWeights == b.texelWeights && a.hiddenFaces == b.hiddenFaces &&
+           a.solveSettings == b.solveSettings &&
            a.packingSettings == b.packingSettings && a.selection == b.selection && a.viewState == b.viewState;
 }
 

@@ -32,6 +32,8 @@ struct DocumentState
     IslandMarks marks;
     //! The painted texel weights, see MeshData::texelWeight; empty when all are 1.
     std::vector<double> texelWeights;
+    //! Faces that the views neither show nor select, strictly ascending. Jobs work on them as on all others.
+    QList<int> hiddenFaces;
     SolveSettings solveSettings;
     PackingSettings packingSettings;
     Selection selection;  //!< restored by undo, but changing it is not an edit

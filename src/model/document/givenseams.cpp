@@ -72,6 +72,7 @@ bool changesGivenSeams(const ChangeEvent &event)
     case ChangeEvent::Type::Rectangle:
     case ChangeEvent::Type::IslandFlag:
     case ChangeEvent::Type::Tag:
+    case ChangeEvent::Type::Hidden:
     case ChangeEvent::Type::PackingSettings:
     case ChangeEvent::Type::TexelWeight:
         return false;

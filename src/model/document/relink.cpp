@@ -43,6 +43,7 @@ public:
         carryRectangles();
         carryMarks();
         carryTexelWeights();
+        mTo.hiddenFaces = counterparts(mFrom.hiddenFaces, mMatch.face);
         mTo.solveSettings = mFrom.solveSettings;
         mTo.packingSettings = mFrom.packingSettings;
         mTo.viewState = mFrom.viewState;

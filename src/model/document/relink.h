@@ -38,9 +38,9 @@ struct Relinked
     RelinkReport report;
 };
 
-//! Transfers a session to a new model. Settings, view, all UV sets and the steering are kept wherever a face
-//! has a counterpart; new faces have no UVs. The UV sets of the new file are ignored. Selected edges are
-//! dropped.
+//! Transfers a session to a new model. Settings, view, hidden faces, all UV sets and the steering are kept
+//! wherever a face has a counterpart; new faces have no UVs. The UV sets of the new file are ignored.
+//! Selected edges are dropped.
 //!
 //! When both models have the same polygons with the same vertices in the same order, faces of equal number
 //! are counterparts; a model that was only deformed keeps everything. Otherwise counterparts have the same

@@ -4,6 +4,7 @@
 #include "model/plain/meshdata.h"
 
 #include <QByteArray>
+#include <QRgb>
 #include <QString>
 
 #include <memory>
@@ -35,6 +36,8 @@ struct Scene
     std::vector<QString> objectNames; //!< indexed by MeshData::faceObject
     std::vector<QString> materialNames;
     std::vector<int> faceMaterial; //!< index into materialNames, -1 for none
+    //! Base colour of each material, opaque; 0 where the file says none. May be shorter than materialNames.
+    std::vector<QRgb> materialColors;
     //! Per edge pair: the file shades its two sides as separate surfaces, by smoothing groups or by normals
     //! that differ; empty when there are no such edges.
     std::vector<bool> hardEdges;

@@ -39,6 +39,31 @@ void Selection::normalize(const MeshData &mesh)
         edges.removeIf(diagonal);
 }
 
+void Selection::removeHidden(const MeshData &mesh, const std::vector<bool> &hidden)
+{
+    if (hidden.empty())
+        return;
+    const int pairCount = static_cast<int>(mesh.edgePairs.size());
+    const auto hidesTriangle = [&](int triangle) { return hidden[mesh.triangleFace[triangle]]; };
+    const auto hidesEdge = [&](int edge) {
+        if (edge >= pairCount)
+            return bool(hidesTriangle(mesh.boundarySides[edge - pairCount].triangle));
+        const auto &triangles = mesh.edgePairs[edge].triangle;
+        return hidesTriangle(triangles[0]) && hidesTriangle(triangles[1]);
+    };
+    const auto hidesCorner = [&](int corner) {
+        const auto next = std::upper_bound(mesh.faceStart.begin(), mesh.faceStart.end(), corner);
+        return bool(hidden[next - mesh.faceStart.begin() - 1]);
+    };
+    const auto remove = [](QList<int> &list, const auto &hides) {
+        if (std::any_of(list.cbegin(), list.cend(), hides)) // so that shared storage stays shared
+            list.removeIf(hides);
+    };
+    remove(faces, [&](int face) { return bool(hidden[face]); });
+    remove(edges, hidesEdge);
+    remove(corners, hidesCorner);
+}
+
 QString Selection::validate(const MeshData &mesh) const
 {
     if (mode < SelectionMode::Vertices || mode > SelectionMode::Islands)

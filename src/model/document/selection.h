@@ -6,6 +6,8 @@
 #include <QList>
 #include <QString>
 
+#include <vector>
+
 namespace autocuts {
 
 //! The kind of element that a click selects.
@@ -23,6 +25,9 @@ struct Selection
     bool isEmpty() const { return faces.isEmpty() && edges.isEmpty() && corners.isEmpty(); }
     //! Sorts the lists and removes duplicates, diagonals and elements that do not exist.
     void normalize(const MeshData &mesh);
+    //! Removes hidden faces, their corners, and edges all faces of which are hidden.
+    //! \param hidden per face; empty: none is hidden
+    void removeHidden(const MeshData &mesh, const std::vector<bool> &hidden);
     //! Returns an empty string, or the first invariant that does not hold.
     QString validate(const MeshData &mesh) const;
 

@@ -1,5 +1,6 @@
 #include "model/io/assimpreader.h"
 
+#include "model/document/materialcolor.h"
 #include "model/io/assimpprocess.h"
 #include "model/io/assimpscene.h"
 #include "model/io/hardedges.h"
@@ -11,6 +12,7 @@
 
 #include <Eigen/Dense>
 
+#include <assimp/material.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -37,6 +39,15 @@ Eigen::Matrix4d toMatrix(const aiMatrix4x4 &m)
 QString toName(const aiString &name)
 {
     return QString::fromUtf8(name.C_Str());
+}
+
+//! 0 when the file says none.
+QRgb diffuseColor(const aiMaterial &material)
+{
+    aiColor3D color;
+    return material.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS
+               ? materialColor(color.r, color.g, color.b)
+               : 0;
 }
 
 //! Collects the meshes of all nodes into one polygon soup.
@@ -220,8 +231,10 @@ bool SoupBuilder::build(Scene &scene, AssimpSource &source)
         scene.notes.push_back(
             QStringLiteral("%1 point(s) and line(s) left out: they cannot be unwrapped").arg(mSkippedFaces));
     fillUvSets(scene);
-    for (unsigned m = 0; m < mAi.mNumMaterials; ++m)
+    for (unsigned m = 0; m < mAi.mNumMaterials; ++m) {
         scene.materialNames.push_back(toName(mAi.mMaterials[m]->GetName()));
+        scene.materialColors.push_back(diffuseColor(*mAi.mMaterials[m]));
+    }
     scene.objectNames = std::move(mObjectNames);
     scene.faceMaterial = std::move(mFaceMaterial);
     const FileShading said = shading(); // while the faces are here

@@ -1,5 +1,8 @@
 #include "model/io/fbxobjects.h"
 
+#include "model/document/materialcolor.h"
+#include "model/io/fbxproperties.h"
+
 #include <map>
 
 namespace autocuts {
@@ -48,6 +51,16 @@ private:
     std::map<QByteArray, Entry> mEntries; //!< the first object of each key
 };
 
+//! Version 6 calls the colour "Diffuse" as well.
+QRgb diffuseColor(const FbxTree &tree, int material)
+{
+    const FbxProperties properties(tree, material);
+    std::vector<double> color = properties.numbers("DiffuseColor");
+    if (color.empty())
+        color = properties.numbers("Diffuse");
+    return color.size() < 3 ? 0 : materialColor(color[0], color[1], color[2]);
+}
+
 void ObjectReader::readContents(std::string_view name, std::string_view kind, int node)
 {
     SourceContents &contents = mObjects.contents;
@@ -83,6 +96,7 @@ void ObjectReader::readObject(int node)
     } else if (name == "Material") {
         mEntries.try_emplace(key, Entry{Class::Material, static_cast<int>(mObjects.materialNames.size())});
         mObjects.materialNames.push_back(objectName(mTree, called));
+        mObjects.materialColors.push_back(diffuseColor(mTree, node));
     }
 }
 

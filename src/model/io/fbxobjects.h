@@ -25,6 +25,7 @@ struct FbxObjects
 {
     std::vector<FbxModel> models; //!< in the order of the file
     std::vector<QString> materialNames;
+    std::vector<QRgb> materialColors; //!< as in Scene
     SourceContents contents;
 };
 

@@ -1,6 +1,7 @@
 // Where the models of an FBX file stand.
 #include "model/io/fbxobjects.h"
 
+#include "model/io/fbxproperties.h"
 #include "model/plain/types.h"
 
 #include <array>
@@ -11,51 +12,6 @@
 namespace autocuts {
 
 namespace {
-
-//! The properties of an object: the children "P" of "Properties70", or "Property" of "Properties60".
-class Properties
-{
-public:
-    Properties(const FbxTree &tree, int object) : mTree(tree)
-    {
-        int list = tree.child(object, "Properties70");
-        if (list < 0)
-            list = tree.child(object, "Properties60");
-        for (int p = list < 0 ? -1 : node(list).firstChild; p >= 0; p = node(p).next)
-            mNodes.try_emplace(tree.text(p), p);
-    }
-
-    //! The numbers of the property of this name; empty when there is none.
-    std::vector<double> numbers(std::string_view name) const
-    {
-        std::vector<double> result;
-        const auto found = mNodes.find(name);
-        if (found == mNodes.end())
-            return result;
-        for (const FbxValue &value : mTree.values(found->second, 8)) {
-            if (value.kind == FbxValue::Kind::Integer || value.kind == FbxValue::Kind::Number)
-                result.push_back(value.number);
-        }
-        return result;
-    }
-    Vec3 vector(std::string_view name, const Vec3 &otherwise) const
-    {
-        const std::vector<double> values = numbers(name);
-        const Vec3 vector = values.size() < 3 ? otherwise : Vec3(values[0], values[1], values[2]);
-        return vector.allFinite() ? vector : otherwise;
-    }
-    int integer(std::string_view name, int otherwise) const
-    {
-        const std::vector<double> values = numbers(name);
-        return values.empty() || !(std::abs(values[0]) < 1e9) ? otherwise : static_cast<int>(values[0]);
-    }
-
-private:
-    const FbxNode &node(int index) const { return mTree.nodes[static_cast<std::size_t>(index)]; }
-
-    const FbxTree &mTree;
-    std::map<std::string_view, int> mNodes; //!< the first one of each name
-};
 
 //! A rotation by Euler angles in degrees. \param order as in the property RotationOrder: 0 is x first, z last
 Eigen::Matrix3d rotation(const Vec3 &degrees, int order = 0)
@@ -72,7 +28,7 @@ Eigen::Matrix3d rotation(const Vec3 &degrees, int order = 0)
 
 //! The transform of a model in its parent (FBX SDK, "Computing transformation matrices"). While
 //! RotationActive is not set, the rotation has the order x, y, z and nothing before and behind it.
-Eigen::Affine3d localTransform(const Properties &p)
+Eigen::Affine3d localTransform(const FbxProperties &p)
 {
     const Vec3 zero = Vec3::Zero();
     const Vec3 rotationPivot = p.vector("RotationPivot", zero);
@@ -91,7 +47,7 @@ Eigen::Affine3d localTransform(const Properties &p)
 }
 
 //! The transform of the geometry of a model, which its children do not inherit.
-Eigen::Affine3d geometricTransform(const Properties &p)
+Eigen::Affine3d geometricTransform(const FbxProperties &p)
 {
     Eigen::Affine3d result = Eigen::Affine3d::Identity();
     result.translate(p.vector("GeometricTranslation", Vec3::Zero()));
@@ -124,7 +80,7 @@ std::vector<Eigen::Affine3d> fbxTransforms(const FbxTree &tree, const FbxObjects
             const std::size_t now = open.back();
             const int parent = objects.models[now].parent;
             const bool below = parent >= 0 && states[static_cast<std::size_t>(parent)] == State::Done;
-            const Properties p(tree, objects.models[now].node);
+            const FbxProperties p(tree, objects.models[now].node);
             world[now] = localTransform(p);
             if (below)
                 world[now] = world[static_cast<std::size_t>(parent)] * world[now];

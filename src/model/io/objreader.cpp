@@ -1,5 +1,6 @@
 #include "model/io/objreader.h"
 
+#include "model/io/objmaterials.h"
 #include "model/io/objscanner.h"
 #include "model/io/objsource.h"
 #include "model/io/savefile.h"
@@ -346,7 +347,11 @@ Result<Scene> readObj(const QString &path, const std::atomic<bool> *stop)
     Result<QByteArray> bytes = loadFile(path, maxFileSize);
     if (!bytes)
         return bytes.error();
-    return parseObj(std::move(bytes).value(), path, stop);
+    const QByteArray content = bytes.value();
+    Result<Scene> scene = parseObj(std::move(bytes).value(), path, stop);
+    if (scene)
+        readMaterialColors(content, path, scene.value());
+    return scene;
 }
 
 } // namespace autocuts

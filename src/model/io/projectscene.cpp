@@ -53,6 +53,27 @@ bool readTexts(const QCborMap &map, QLatin1StringView key, std::vector<QString> 
     return true;
 }
 
+QCborArray colorArray(const std::vector<QRgb> &colors)
+{
+    QCborArray array;
+    for (QRgb color : colors)
+        array.append(static_cast<qint64>(color));
+    return array;
+}
+
+//! Damaged colours are left out: they only help to tell materials apart.
+std::vector<QRgb> readColors(const QCborMap &map, std::size_t materials)
+{
+    std::vector<QRgb> colors;
+    for (const QCborValue &value : map.value("materialColors"_L1).toArray()) {
+        const qint64 color = value.toInteger(-1);
+        if (color < 0 || color > 0xffffffff || colors.size() == materials)
+            return {};
+        colors.push_back(static_cast<QRgb>(color));
+    }
+    return colors;
+}
+
 //! Numbers of vertices, faces and corners, to detect a model that was read differently.
 QByteArray countsOf(const MeshData &mesh)
 {
@@ -61,13 +82,16 @@ QByteArray countsOf(const MeshData &mesh)
 
 QCborMap sceneMap(const Scene &scene)
 {
-    return {{"path"_L1, scene.path},
-            {"format"_L1, scene.format},
-            {"counts"_L1, countsOf(*scene.mesh)},
-            {"objects"_L1, textArray(scene.objectNames)},
-            {"materials"_L1, textArray(scene.materialNames)},
-            {"faceMaterial"_L1, packedArray(scene.faceMaterial)},
-            {"notes"_L1, textArray(scene.notes)}};
+    QCborMap map{{"path"_L1, scene.path},
+                 {"format"_L1, scene.format},
+                 {"counts"_L1, countsOf(*scene.mesh)},
+                 {"objects"_L1, textArray(scene.objectNames)},
+                 {"materials"_L1, textArray(scene.materialNames)},
+                 {"faceMaterial"_L1, packedArray(scene.faceMaterial)},
+                 {"notes"_L1, textArray(scene.notes)}};
+    if (!scene.materialColors.empty())
+        map["materialColors"_L1] = colorArray(scene.materialColors);
+    return map;
 }
 
 int lastObject(const MeshData &mesh)
@@ -101,6 +125,7 @@ bool readNames(const QCborMap &map, Scene &scene)
     scene.format = format.toString();
     scene.objectNames = std::move(named.objectNames);
     scene.materialNames = std::move(named.materialNames);
+    scene.materialColors = readColors(map, scene.materialNames.size());
     scene.faceMaterial = *faceMaterial;
     scene.notes = std::move(named.notes);
     return true;

@@ -129,9 +129,11 @@ bool readConstraints(CborReader &reader, DocumentState &state)
     return true;
 }
 
-//! Stores the faces with flags in "faces", and three numbers for each in "flags".
-QCborMap marksMap(const IslandMarks &marks)
+//! Stores the faces with flags in "faces", and three numbers for each in "flags"; and the hidden faces in
+//! "hidden" when there are any.
+QCborMap marksMap(const DocumentState &state)
 {
+    const IslandMarks &marks = state.marks;
     std::vector<int> faces, flags;
     for (std::size_t f = 0; f < marks.faceFlags.size(); ++f) {
         const IslandFlags &face = marks.faceFlags[f];
@@ -143,7 +145,10 @@ QCborMap marksMap(const IslandMarks &marks)
     QCborArray tags;
     for (const IslandTag &tag : marks.tags)
         tags.append(QCborMap{{"name"_L1, tag.name}, {"faces"_L1, packedIntegers(tag.faces)}});
-    return {{"faces"_L1, packedArray(faces)}, {"flags"_L1, packedArray(flags)}, {"tags"_L1, tags}};
+    QCborMap map{{"faces"_L1, packedArray(faces)}, {"flags"_L1, packedArray(flags)}, {"tags"_L1, tags}};
+    if (!state.hiddenFaces.isEmpty())
+        map["hidden"_L1] = packedIntegers(state.hiddenFaces);
+    return map;
 }
 
 bool readMarks(CborReader &reader, DocumentState &state)
@@ -168,9 +173,13 @@ bool readMarks(CborReader &reader, DocumentState &state)
         if (tag.failed())
             return false;
     }
+    QList<int> hidden;
+    if (reader.contains("hidden"_L1))
+        hidden = reader.indexSet("hidden"_L1, mesh.faceCount());
     if (reader.failed() || !marks.validate(mesh).isEmpty())
         return false;
     state.marks = std::move(marks);
+    state.hiddenFaces = hidden;
     return true;
 }
 
@@ -329,7 +338,7 @@ PartMap statePartsOf(const DocumentState &state, StateScope scope)
         parts[uvPartName(i)] = cborBytes(uvSetMap(mesh, state.scene.uvSets[i], state.uvScales[i]));
     parts["seams"] = cborBytes(seamsToCbor(state.seams, mesh));
     parts["constraints"] = cborBytes(constraintsMap(state.constraints));
-    parts["marks"] = cborBytes(marksMap(state.marks));
+    parts["marks"] = cborBytes(marksMap(state));
     if (!state.texelWeights.empty())
         parts["texelWeights"] = cborBytes(texelWeightsMap(state.texelWeights));
     parts["settings"] =

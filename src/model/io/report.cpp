@@ -100,6 +100,22 @@ QByteArray listJson(const QStringList &list)
     return list.isEmpty() ? QByteArray("[]") : text + "\n  ]";
 }
 
+QByteArray partsJson(const std::vector<MapReport::Part> &parts)
+{
+    QByteArray text = "[";
+    for (const MapReport::Part &part : parts) {
+        ObjectWriter writer(2);
+        writer.add("name", part.name);
+        writer.add("faces", MapReport::Count(part.faces));
+        writer.add("charts", MapReport::Count(part.charts));
+        writer.add("sym_dirichlet", part.symDirichlet);
+        writer.add("texel_density", part.texelDensity);
+        writer.add("packing_efficiency", part.packingEfficiency);
+        text += (text.size() > 1 ? ",\n    " : "\n    ") + writer.finish();
+    }
+    return parts.empty() ? QByteArray("[]") : text + "\n  ]";
+}
+
 void addStableKeys(ObjectWriter &writer, const MapReport &report)
 {
     writer.add("triangles", report.triangles);
@@ -159,6 +175,8 @@ QByteArray reportJson(const MapReport &report)
     ObjectWriter writer(0);
     addStableKeys(writer, report);
     addFurtherKeys(writer, report);
+    writer.addRaw("objects", partsJson(report.objects));
+    writer.addRaw("materials", partsJson(report.materials));
     writer.addRaw("mesh", meshJson(report.mesh));
     writer.addRaw("notes", listJson(report.notes));
     return writer.finish() + '\n';

@@ -9,6 +9,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace autocuts {
 
@@ -44,6 +45,17 @@ struct MapReport
            minGutter = unknown;
     double borderGutterTexels = unknown;
     std::optional<bool> inUnitSquare;
+
+    //! The figures of one object or material.
+    struct Part
+    {
+        QString name; //!< as in the file; may be empty
+        qint64 faces = 0, charts = 0;
+        double symDirichlet = unknown;      //!< mean of that of its islands, by area
+        double texelDensity = unknown;      //!< texels per unit of the model
+        double packingEfficiency = unknown; //!< the part of a tile that its islands take
+    };
+    std::vector<Part> objects, materials; //!< in the order of the file; faces without a material are last
 
     // The mesh as it was read.
     std::optional<MeshReport> mesh;

@@ -8,6 +8,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <limits>
+
 namespace autocuts {
 
 namespace {
@@ -285,6 +287,16 @@ private:
 };
 
 } // namespace
+
+UvMatrix withoutOtherFaces(const MeshData &mesh, const UvMatrix &uv, const std::vector<bool> &faces)
+{
+    UvMatrix some = uv;
+    for (std::size_t face = 0; face < faces.size(); ++face) {
+        for (int corner = mesh.faceStart[face]; !faces[face] && corner < mesh.faceStart[face + 1]; ++corner)
+            some.row(corner).setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    return some;
+}
 
 Result<QByteArray> layoutPng(const MeshData &mesh, const UvMatrix &uv, const LayoutOptions &options)
 {

@@ -9,6 +9,10 @@
 
 namespace autocuts {
 
+//! The layout of some faces alone, for a picture of a part: the rows of all others are not finite.
+//! \param faces per face: it is kept; empty: all are
+UvMatrix withoutOtherFaces(const MeshData &mesh, const UvMatrix &uv, const std::vector<bool> &faces);
+
 //! The bytes of a PNG file; an error when the size is out of range or memory is short. The same input gives
 //! the same bytes. Needs no application object.
 //! \param uv one row per corner; a non-finite row means that the corner has no UV

@@ -12,10 +12,11 @@ enum ActionNeed {
     NeedsSelectedFaces = 1 << 4,
     NeedsUndo = 1 << 5,
     NeedsRedo = 1 << 6,
-    NeedsIdle = 1 << 7,         //!< no job is running
-    NeedsJob = 1 << 8,          //!< a job is running
-    NeedsOverlaps = 1 << 9,     //!< the map was measured and has overlaps
-    NeedsEdgesOrFaces = 1 << 10 //!< edges or faces are selected
+    NeedsIdle = 1 << 7,          //!< no job is running
+    NeedsJob = 1 << 8,           //!< a job is running
+    NeedsOverlaps = 1 << 9,      //!< the map was measured and has overlaps
+    NeedsEdgesOrFaces = 1 << 10, //!< edges or faces are selected
+    NeedsHidden = 1 << 11        //!< faces are hidden
 };
 
 //! One action. Texts are English sources for tr() in the context "Actions".

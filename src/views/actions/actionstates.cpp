@@ -48,6 +48,7 @@ int ActionStates::met() const
     add(!selection.edges.isEmpty(), NeedsSelectedEdges);
     add(!selection.faces.isEmpty(), NeedsSelectedFaces);
     add(!selection.edges.isEmpty() || !selection.faces.isEmpty(), NeedsEdgesOrFaces);
+    add(!document->hidden().empty(), NeedsHidden);
     // A running solve can be undone: pausing first makes it an entry.
     add(document->undoStack().canUndoFurther() || solver.isRunning() || solver.isPausing(), NeedsUndo);
     add(document->undoStack().canRedo(), NeedsRedo);

@@ -216,10 +216,23 @@ void FileActions::askExportLayout()
     const bool known = figures && mContext.map.figuresAreFresh();
     ExportLayoutDialog dialog(document->packingSettings().textureSize, proposedPath(QStringLiteral("png")),
                               known ? figures->overlapping : std::vector<int>(), mQuestions);
+    const QList<int> selected = document->selection().faces;
+    const std::vector<bool> hidden = document->hidden();
+    const auto faceCount = static_cast<std::size_t>(document->mesh().faceCount());
+    dialog.offerParts(!hidden.empty(), !selected.isEmpty());
     if (mQuestions.run(dialog) != QDialog::Accepted)
         return;
+    std::vector<bool> faces;
+    if (dialog.part() == LayoutPart::Shown) {
+        faces = hidden;
+        faces.flip();
+    } else if (dialog.part() == LayoutPart::Selected) {
+        faces.assign(faceCount, false);
+        for (int face : selected)
+            faces[static_cast<std::size_t>(face)] = true;
+    }
     rememberFolder(dialog.path());
-    mContext.files.exportLayout(dialog.path(), dialog.options());
+    mContext.files.exportLayout(dialog.path(), dialog.options(), faces);
 }
 
 void FileActions::offerRecovery()

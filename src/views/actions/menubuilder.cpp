@@ -35,6 +35,7 @@ constexpr std::array menuTitles{
     MenuTitle{"UV/Seam weighting", QT_TRANSLATE_NOOP("Menus", "Seam &weighting")},
     MenuTitle{"UV/Sets", QT_TRANSLATE_NOOP("Menus", "UV sets")},
     MenuTitle{"UV/Tools", QT_TRANSLATE_NOOP("Menus", "Tools")},
+    MenuTitle{"UV/Pack into tiles", QT_TRANSLATE_NOOP("Menus", "Pack into tiles")},
     MenuTitle{"UV/Islands", QT_TRANSLATE_NOOP("Menus", "Islan&ds")},
     MenuTitle{"UV/Texel density", QT_TRANSLATE_NOOP("Menus", "Texel density")},
     MenuTitle{"UV/Layout", QT_TRANSLATE_NOOP("Menus", "La&yout")},
@@ -45,7 +46,7 @@ constexpr std::array menuTitles{
     MenuTitle{"View/Pattern", QT_TRANSLATE_NOOP("Menus", "Patter&n")},
     MenuTitle{"View/From", QT_TRANSLATE_NOOP("Menus", "Look from")},
     MenuTitle{"View/Panels", QT_TRANSLATE_NOOP("Menus", "Panels")},
-    MenuTitle{"Help", QT_TRANSLATE_NOOP("Menus", "&Help")},
+    MenuTitle{"Help", QT_TRANSLATE_NOOP("Menus", "He&lp")},
 };
 
 //! The actions of the tool bar; nullptr is a separator.

@@ -5,6 +5,7 @@
 #include "views/actions/editactions.h"
 #include "views/actions/fileactions.h"
 #include "views/actions/helpactions.h"
+#include "views/actions/hideactions.h"
 #include "views/actions/islandactions.h"
 #include "views/actions/selectactions.h"
 #include "views/actions/texelweightactions.h"
@@ -20,8 +21,8 @@ class StudioActions final
 public:
     //! \param questions asks over the window; must outlive this object
     StudioActions(const StudioContext &context, Questions &questions, const QString &recoveryFolder)
-        : mFile(context, questions), mEdit(context, questions), mSelect(context, questions), mUv(context),
-          mUvSets(context), mIslands(context, questions), mTexelWeights(context, questions),
+        : mFile(context, questions), mEdit(context, questions), mSelect(context, questions), mHide(context),
+          mUv(context), mUvSets(context), mIslands(context, questions), mTexelWeights(context, questions),
           mView(context, questions), mHelp(context, questions, recoveryFolder), mStates(context)
     {}
 
@@ -33,6 +34,7 @@ private:
     FileActions mFile;
     EditActions mEdit;
     SelectActions mSelect;
+    HideActions mHide;
     UvActions mUv;
     UvSetActions mUvSets;
     IslandActions mIslands;

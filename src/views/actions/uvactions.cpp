@@ -3,6 +3,7 @@
 #include "commands/changesettings.h"
 #include "commands/editpins.h"
 #include "commands/keepstraight.h"
+#include "model/document/scenegroups.h"
 #include "views/actions/choice.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
@@ -107,6 +108,8 @@ void UvActions::connectJobs()
     onTriggered("uv.finishSelection", [&map] { map.finish(JobReach::SelectionAttached); });
     onTriggered("uv.finish", [&map] { map.finish(); });
     onTriggered("uv.pack", [&map] { map.pack(PackScope::All); });
+    onTriggered("uv.packObjects", [&map] { map.packEach(SceneKind::Objects); });
+    onTriggered("uv.packMaterials", [&map] { map.packEach(SceneKind::Materials); });
     onTriggered("uv.packSelection", [&map] { map.pack(PackScope::Selection); });
     onTriggered("uv.separate", [&map] { map.separateOverlaps(); });
     onTriggered("uv.separateGreedy", [&map] { map.separateGreedily(); });

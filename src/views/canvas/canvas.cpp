@@ -56,6 +56,10 @@ Canvas::Canvas(Kind kind, const StudioContext &context, ToolManager &tools, QWid
         studio().view.setHover({});
         documentReplaced();
     });
+    connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
+        if (event.type == ChangeEvent::Type::Hidden)
+            studio().view.setHover({}); // it may be hidden now
+    });
     connect(&context.view, &ViewState::optionsChanged, this, &Canvas::choosePicture);
     choosePicture();
 }

@@ -40,6 +40,13 @@ Vec2 placeOn(const Document &document, int island)
     return best;
 }
 
+bool allHidden(const Document &document, const std::vector<int> &faces)
+{
+    const std::vector<bool> &hidden = document.hidden();
+    return !hidden.empty() &&
+           std::all_of(faces.begin(), faces.end(), [&](int face) { return bool(hidden[face]); });
+}
+
 //! A mark on a ruler.
 struct Mark
 {
@@ -139,7 +146,8 @@ void drawIslandMarks(QPainter &painter, const QRect &view, const ViewColors &col
     const Islands &islands = document.islands();
     const QFontMetricsF metrics = painter.fontMetrics();
     for (int island = 0; island < islands.count(); ++island) {
-        if (islands.box(island).sizes().maxCoeff() * camera.scale() < smallest)
+        if (islands.box(island).sizes().maxCoeff() * camera.scale() < smallest ||
+            allHidden(document, islands.faces(island)))
             continue;
         QStringList parts;
         if (numbers)

@@ -35,7 +35,7 @@ constexpr std::size_t maxCandidates = 24;
 } // namespace
 
 MeshPicker::MeshPicker(std::shared_ptr<const MeshData> mesh, const MeshFrame &frame,
-                       const SoupTopology &topology)
+                       const SoupTopology &topology, const std::vector<bool> &hidden)
     : mMesh(std::move(mesh)), mTopology(topology), mPoints(mMesh->vertexCount(), 3)
 {
     for (int v = 0; v < mMesh->vertexCount(); ++v)
@@ -44,6 +44,8 @@ MeshPicker::MeshPicker(std::shared_ptr<const MeshData> mesh, const MeshFrame &fr
     for (const std::array<int, 3> &corners : mMesh->triangles)
         mVertices.push_back({mMesh->cornerVertex[corners[0]], mMesh->cornerVertex[corners[1]],
                              mMesh->cornerVertex[corners[2]]});
+    for (int face : mMesh->triangleFace)
+        mHidden.push_back(!hidden.empty() && hidden[face]);
 }
 
 MeshPicker::Projection MeshPicker::project(const OrbitCamera &camera) const
@@ -63,6 +65,8 @@ MeshPicker::Projection MeshPicker::projectNear(const OrbitCamera &camera, const 
     const double left = pixel.x() - pickRadius, right = pixel.x() + pickRadius;
     const double top = pixel.y() - pickRadius, bottom = pixel.y() + pickRadius;
     for (int t = 0; t < mMesh->triangleCount(); ++t) {
+        if (mHidden[t])
+            continue;
         const auto &v = mVertices[t];
         const ScreenPoint &a = seen.points[v[0]], &b = seen.points[v[1]], &c = seen.points[v[2]];
         const bool outside =
@@ -211,7 +215,7 @@ BoxPick MeshPicker::pickBox(const OrbitCamera &camera, const PickRegion &region,
     const Projection seen = project(camera);
     for (int t = 0; t < mMesh->triangleCount() && !through; ++t) {
         const std::array<int, 3> v{vertex(3 * t), vertex(3 * t + 1), vertex(3 * t + 2)};
-        if (seen.before[v[0]] && seen.before[v[1]] && seen.before[v[2]])
+        if (!mHidden[t] && seen.before[v[0]] && seen.before[v[1]] && seen.before[v[2]])
             depths.add({seen.points[v[0]], seen.points[v[1]], seen.points[v[2]]}, !camera.isOrthographic());
     }
     const auto inside = [&](const Vec3 &point) {
@@ -223,17 +227,20 @@ BoxPick MeshPicker::pickBox(const OrbitCamera &camera, const PickRegion &region,
     std::vector<bool> vertexInside(mMesh->vertexCount());
     for (int v = 0; v < mMesh->vertexCount(); ++v)
         vertexInside[v] = inside(mPoints.row(v));
-    for (int c = 0; c < mMesh->cornerCount(); ++c) {
-        if (vertexInside[mMesh->cornerVertex[c]])
-            result.corners.push_back(c);
-    }
     for (int f = 0; f < mMesh->faceCount(); ++f) {
+        if (isHiddenFace(f))
+            continue;
+        for (int c = mMesh->faceStart[f]; c < mMesh->faceStart[f + 1]; ++c) {
+            if (vertexInside[mMesh->cornerVertex[c]])
+                result.corners.push_back(c);
+        }
         if (inside(faceCentre(f)))
             result.faces.push_back(f);
     }
     for (std::size_t e = 0; e < mTopology.edgeSides.size(); ++e) {
-        const int side = mTopology.edgeSides[e][0];
-        if (mTopology.sideEdge[side] != static_cast<int>(e))
+        const auto [side, other] = mTopology.edgeSides[e];
+        if (mTopology.sideEdge[side] != static_cast<int>(e) ||
+            (mHidden[side / 3] && (other < 0 || mHidden[other / 3])))
             continue;
         const int a = vertex(side), b = vertex(nextSoupCorner(side));
         if (inside(0.5 * (mPoints.row(a) + mPoints.row(b))))

@@ -15,7 +15,9 @@ namespace autocuts {
 class MeshPicker final
 {
 public:
-    MeshPicker(std::shared_ptr<const MeshData> mesh, const MeshFrame &frame, const SoupTopology &topology);
+    //! \param hidden per face: it is not there; empty: none is hidden
+    MeshPicker(std::shared_ptr<const MeshData> mesh, const MeshFrame &frame, const SoupTopology &topology,
+               const std::vector<bool> &hidden = {});
 
     //! \param through edges and vertices that the model hides are picked, too
     PickResult pick(const OrbitCamera &camera, const QPointF &pixel, bool through = false) const;
@@ -48,6 +50,7 @@ private:
                      int preferredTriangle, bool through) const;
     void collect(const OrbitCamera &camera, const Projection &seen, const QPointF &pixel,
                  std::vector<Candidate> &sides, std::vector<Candidate> &corners) const;
+    bool isHiddenFace(int face) const { return mHidden[*mMesh->trianglesOf(face).begin()]; }
     Vec3 faceCentre(int face) const;
     int vertex(int soupCorner) const { return mVertices[soupCorner / 3][soupCorner % 3]; }
 
@@ -55,6 +58,7 @@ private:
     const SoupTopology &mTopology;
     PositionMatrix mPoints;                    //!< of the vertices, in the mesh frame
     std::vector<std::array<int, 3>> mVertices; //!< of each triangle
+    std::vector<bool> mHidden;                 //!< per triangle
 };
 
 } // namespace autocuts

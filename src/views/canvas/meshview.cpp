@@ -46,10 +46,13 @@ void MeshView::setCamera(const OrbitCamera &camera)
 
 const MeshPicker &MeshView::picker() const
 {
-    if (!mPicker || mPickerMesh != content().mesh()) {
+    const Document &document = *studio().workspace.document();
+    const QList<int> &hidden = document.state().hiddenFaces;
+    if (!mPicker || mPickerMesh != content().mesh() || mPickerHidden != hidden) {
         mPickerMesh = content().mesh();
+        mPickerHidden = hidden;
         mPicker = std::make_unique<const MeshPicker>(content().sharedMesh(), content().frame(),
-                                                     content().topology());
+                                                     content().topology(), document.hidden());
     }
     return *mPicker;
 }
@@ -74,6 +77,8 @@ std::vector<int> MeshView::trianglesAt(const QPointF &pixel) const
 std::optional<QPointF> MeshView::screenOf(int soupCorner) const
 {
     const MeshData &mesh = *content().mesh();
+    if (content().isHidden(soupCorner))
+        return std::nullopt;
     const Vec3 place = content().frame().toFrame(mesh.cornerPosition(mesh.cornerOfSoup(soupCorner)));
     const std::optional<ScreenPoint> point = mCamera.project(place);
     return point ? std::optional(QPointF(point->x, point->y)) : std::nullopt;
@@ -81,7 +86,26 @@ std::optional<QPointF> MeshView::screenOf(int soupCorner) const
 
 void MeshView::frameAll()
 {
+    const MeshData *mesh = content().mesh();
+    const bool somethingHidden = mesh && !studio().workspace.document()->state().hiddenFaces.isEmpty();
+    std::vector<int> corners;
+    for (int s = 0; somethingHidden && s < mesh->soupCornerCount(); ++s) {
+        if (!content().isHidden(s))
+            corners.push_back(s);
+    }
+    if (!corners.empty())
+        return frameCorners(corners);
     mCamera.frame(Vec3::Zero(), 1);
+    update();
+}
+
+void MeshView::frameCorners(const std::vector<int> &soupCorners)
+{
+    Eigen::AlignedBox3d box;
+    for (int s : soupCorners)
+        box.extend(
+            content().frame().toFrame(content().mesh()->cornerPosition(content().mesh()->cornerOfSoup(s))));
+    mCamera.frame(box.center(), std::max(0.5 * box.sizes().norm(), 0.005));
     update();
 }
 
@@ -90,12 +114,7 @@ void MeshView::frameSelection()
     const std::vector<int> corners = selectedSoupCorners();
     if (corners.empty())
         return frameAll();
-    Eigen::AlignedBox3d box;
-    for (int s : corners)
-        box.extend(
-            content().frame().toFrame(content().mesh()->cornerPosition(content().mesh()->cornerOfSoup(s))));
-    mCamera.frame(box.center(), std::max(0.5 * box.sizes().norm(), 0.005));
-    update();
+    frameCorners(corners);
 }
 
 QCborMap MeshView::viewState() const
@@ -186,8 +205,13 @@ void MeshView::drawOverlay(QPainter &painter)
         return;
     }
     drawAxisGizmo(painter, rect(), colors, mCamera, mHoveredAxis);
+    QStringList badges;
     if (isXray())
-        drawBadge(painter, rect(), colors, tr("X-ray"));
+        badges << tr("X-ray");
+    if (const auto hidden = studio().workspace.document()->state().hiddenFaces.size(); hidden > 0)
+        badges << tr("Hidden faces: %1").arg(hidden);
+    if (!badges.isEmpty())
+        drawBadge(painter, rect(), colors, badges.join(tr(", ")));
     drawLegend(painter, rect(), colors, studio().view.options(),
                studio().preferences.values().colorBlindHeatMap, content().rightDensity());
     if (content().showsStraight())

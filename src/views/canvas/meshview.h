@@ -49,8 +49,9 @@ private:
 
     OrbitCamera mCamera;
     std::optional<ViewSide> mHoveredAxis;              //!< the end of the axis gizmo under the mouse
-    mutable std::unique_ptr<const MeshPicker> mPicker; //!< for mPickerMesh
+    mutable std::unique_ptr<const MeshPicker> mPicker; //!< for mPickerMesh without mPickerHidden
     mutable const MeshData *mPickerMesh = nullptr;
+    mutable QList<int> mPickerHidden;
 };
 
 } // namespace autocuts

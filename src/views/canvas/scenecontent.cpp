@@ -41,14 +41,17 @@ void SceneContent::connectAll()
 {
     connect(&mContext.workspace, &Workspace::documentReplaced, this, [this] {
         mMeshParts.reset();
+        mShownUv.resize(0, 2);
         const Document *document = mContext.workspace.document();
         mSelection = document ? document->selection() : Selection();
         mark(AllParts);
     });
     connect(&mContext.workspace, &Workspace::changed, this, &SceneContent::documentChanged);
     connect(&mContext.workspace, &Workspace::selectionChanged, this, &SceneContent::selectionChanged);
-    connect(&mContext.shownMap, &ShownMap::changed, this,
-            [this] { mark(Uvs | Faces | Sides | (mAsMap ? Points : 0)); });
+    connect(&mContext.shownMap, &ShownMap::changed, this, [this] {
+        mShownUv.resize(0, 2);
+        mark(Uvs | Faces | Sides | (mAsMap ? Points : 0));
+    });
     connect(&mContext.view, &ViewState::optionsChanged, this, &SceneContent::optionsChanged);
     connect(&mContext.view, &ViewState::hoverChanged, this, &SceneContent::changed);
     connect(&mContext.preferences, &Preferences::changed, this, &SceneContent::preferencesChanged);
@@ -99,6 +102,10 @@ void SceneContent::documentChanged(const ChangeEvent &event)
     case ChangeEvent::Type::UvSet:
     case ChangeEvent::Type::IslandFlag:
     case ChangeEvent::Type::Tag:
+        break;
+    case ChangeEvent::Type::Hidden:
+        mShownUv.resize(0, 2);
+        mark(Uvs | Faces | Points);
         break;
     case ChangeEvent::Type::SolveSettings:
         if (changesGivenSeams(event))
@@ -178,7 +185,27 @@ const SoupTopology &SceneContent::topology() const
 
 const UvMatrix &SceneContent::uv() const
 {
-    return mContext.shownMap.uv();
+    const UvMatrix &all = mContext.shownMap.uv();
+    const Document *document = mContext.workspace.document();
+    // While another document is being opened, the map may still be the old one.
+    if (!document || document->hidden().empty() || all.rows() != document->mesh().soupCornerCount())
+        return all;
+    if (mShownUv.rows() != all.rows()) {
+        mShownUv = all;
+        const std::vector<bool> &hidden = document->hidden();
+        const std::vector<int> &triangleFace = document->mesh().triangleFace;
+        for (Eigen::Index s = 0; s < all.rows(); ++s) {
+            if (hidden[triangleFace[s / 3]])
+                mShownUv.row(s).setConstant(std::numeric_limits<double>::quiet_NaN());
+        }
+    }
+    return mShownUv;
+}
+
+bool SceneContent::isHidden(int soupCorner) const
+{
+    const Document &document = *mContext.workspace.document();
+    return !document.hidden().empty() && document.hidden()[document.mesh().triangleFace[soupCorner / 3]];
 }
 
 int SceneContent::refresh()
@@ -207,7 +234,7 @@ int SceneContent::refresh()
         if (mAsMap && shown.ghost().rows() > 0)
             mGhostUvs = soupUvs(shown.ghost());
         else if (mAsMap && shown.isSoup())
-            mGhostUvs = soupUvs(ghostUv(*own.mesh, uv(), shown.separation()));
+            mGhostUvs = soupUvs(ghostUv(*own.mesh, shown.uv(), shown.separation()));
     }
     if (parts & Faces)
         rebuildFaces();
@@ -247,14 +274,14 @@ void SceneContent::rebuildFaces()
         mTriangleIslands[t] = static_cast<quint32>(islands[own.mesh->triangleFace[t]] + 1);
     std::vector<bool> flipped(own.mesh->triangleCount(), false);
     if (mOptions.problems && !live)
-        flipped = flippedTriangles(*own.mesh, uv(), islands);
+        flipped = flippedTriangles(*own.mesh, mContext.shownMap.uv(), islands);
     std::span<const int> overlapping;
     if (!live && mContext.map.figures() && mContext.map.figuresAreFresh())
         overlapping = mContext.map.figures()->overlapping;
     mFaces = faceTexels({*own.mesh, uv(), mOptions, mColors, mContext.preferences.values().colorBlindHeatMap,
                          mAsMap ? mColors.mapFill : mColors.model, stretch, islands, document.seams().weights,
                          shownSelection().faces, overlapping, flipped, density, mRightDensity,
-                         document.state().texelWeights});
+                         document.state().texelWeights, document.state().hiddenFaces});
 }
 
 //! Empty when densities are not shown.
@@ -291,7 +318,7 @@ void SceneContent::rebuildPoints()
     const MeshFrame &ownFrame = frame();
     for (int s = 0; s < document.mesh().soupCornerCount(); ++s) {
         const int corner = document.mesh().cornerOfSoup(s);
-        if (cornerColor[corner] == 0)
+        if (cornerColor[corner] == 0 || isHidden(s))
             continue;
         const Vec3 place = mAsMap ? Vec3(uv()(s, 0), uv()(s, 1), 0)
                                   : ownFrame.toFrame(document.mesh().cornerPosition(corner));

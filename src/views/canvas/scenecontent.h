@@ -35,8 +35,10 @@ public:
     std::shared_ptr<const MeshData> sharedMesh() const;
     const MeshFrame &frame() const;
     const SoupTopology &topology() const;
+    //! The map that is drawn, one row per soup corner; not finite where there is no UV or the face is hidden.
     const UvMatrix &uv() const;
-    //! Bounding box of the map at the last refresh(); empty when there are no UVs.
+    bool isHidden(int soupCorner) const;
+    //! Bounding box of what is shown of the map at the last refresh(); empty when there is nothing.
     const Eigen::AlignedBox2d &uvBox() const { return mUvBox; }
 
     //! Updates the arrays. \returns a mask of the arrays that changed since the last call
@@ -84,6 +86,7 @@ private:
     const bool mAsMap;
     int mStale = AllParts;
     mutable std::unique_ptr<const MeshParts> mMeshParts; //!< of the open document; made when needed
+    mutable UvMatrix mShownUv; //!< uv() when faces are hidden; without rows when it is outdated
     ViewColors mColors;
     ViewOptions mOptions; //!< for which the arrays were last marked
     Selection mSelection; //!< for which the arrays were last marked

@@ -179,7 +179,10 @@ void UvView::drawOverlay(QPainter &painter)
         drawRectangles(painter, document->constraints().rectangles, mCamera);
     if (document && content().uvBox().isEmpty()) {
         const JobRunner &jobs = studio().map.jobs();
-        if (jobs.isBusy())
+        if (!document->hidden().empty())
+            drawMessage(painter, rect(), colors, tr("All of the map is hidden"),
+                        {tr("View > Show all hidden brings it back")});
+        else if (jobs.isBusy())
             drawMessage(painter, rect(), colors, jobs.title(),
                         {tr("The map appears here as soon as there is one")});
         else

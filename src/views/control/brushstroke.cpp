@@ -1,5 +1,7 @@
 #include "views/control/brushstroke.h"
 
+#include <algorithm>
+
 namespace autocuts {
 
 namespace {
@@ -10,6 +12,8 @@ std::vector<bool> heldCorners(const Document &document)
     std::vector<bool> held(mesh.cornerCount(), false);
     for (const UvPin &pin : document.constraints().pins)
         held[pin.corner] = true;
+    for (int face : document.state().hiddenFaces)
+        std::fill(held.begin() + mesh.faceStart[face], held.begin() + mesh.faceStart[face + 1], true);
     const Islands &islands = document.islands();
     for (int island = 0; island < islands.count(); ++island) {
         if (document.marks().flagsOf(islands.faces(island)).locked == 0)

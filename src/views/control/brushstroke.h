@@ -8,8 +8,8 @@
 
 namespace autocuts {
 
-//! Begins at the map of the document. Locked islands and pins stay. All commands of a stroke become one entry
-//! of the history.
+//! Begins at the map of the document. Locked islands, hidden faces and pins stay. All commands of a stroke
+//! become one entry of the history.
 class BrushStroke final
 {
 public:

@@ -292,15 +292,17 @@ void FileController::exportMesh(const QString &path)
         tellBusy(path);
 }
 
-void FileController::exportLayout(const QString &path, const LayoutOptions &options)
+void FileController::exportLayout(const QString &path, const LayoutOptions &options,
+                                  const std::vector<bool> &faces)
 {
     const Document *document = mWorkspace.document();
-    if (!document)
+    const bool fits = faces.empty() || (document && std::ssize(faces) == document->mesh().faceCount());
+    if (!document || !fits) // another model was opened meanwhile
         return;
     const bool started = mJobs.start(
         tr("Drawing %1").arg(QFileInfo(path).fileName()),
-        [mesh = document->state().scene.mesh, uv = document->uv(), path,
-         options](JobControl &) -> Result<Done> {
+        [mesh = document->state().scene.mesh, uv = withoutOtherFaces(document->mesh(), document->uv(), faces),
+         path, options](JobControl &) -> Result<Done> {
             const bool svg = path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive);
             const Result<QByteArray> bytes =
                 svg ? layoutSvg(*mesh, uv, options) : layoutPng(*mesh, uv, options);

@@ -62,7 +62,8 @@ public:
     //! Writes the model with its UV map off the GUI thread.
     void exportMesh(const QString &path);
     //! Writes a picture of the UV map off the GUI thread. \param path .png or .svg
-    void exportLayout(const QString &path, const LayoutOptions &options);
+    //! \param faces per face: it is drawn; empty: all are
+    void exportLayout(const QString &path, const LayoutOptions &options, const std::vector<bool> &faces = {});
     //! Autosaves at once instead of at the end of the interval.
     void saveForRecoveryNow();
     //! Ends the session normally.

@@ -236,6 +236,15 @@ void MapController::pack(PackScope scope)
     startPacking({scope == PackScope::All, {}, {}});
 }
 
+void MapController::packEach(SceneKind kind)
+{
+    const Document *document = mWorkspace.document();
+    if (!document)
+        return;
+    const QList<int> faces = document->selection().faces;
+    startPacking({faces.isEmpty(), faces, {}, sceneGroups(document->state().scene, kind)});
+}
+
 void MapController::packInto(const Eigen::AlignedBox2d &box, const QList<int> &faces)
 {
     startPacking({false, faces, box});

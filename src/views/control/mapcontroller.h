@@ -20,6 +20,7 @@
 
 namespace autocuts {
 
+enum class SceneKind;
 class ShownMap;
 class SolverController;
 class Workspace;
@@ -74,6 +75,9 @@ public Q_SLOTS:
     //! overlaps.
     void finish(autocuts::JobReach reach = JobReach::All);
     void pack(autocuts::PackScope scope);
+    //! Packs into one UDIM tile for each object or material, from the tile of the settings on: the islands of
+    //! the selected faces, or all when none are selected.
+    void packEach(autocuts::SceneKind kind);
     //! Packs the islands of the faces into a box instead of a tile; other islands are obstacles.
     //! \param box texture space
     //! \param faces empty: the selected faces

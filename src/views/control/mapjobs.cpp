@@ -268,6 +268,13 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
     }
     if (target.box)
         pack.packInto(*target.box);
+    if (!target.groups.empty()) {
+        pack.tiles = tilesOfGroups(target.groups, charts, input.packing.udimTile);
+        if (pack.tiles.empty()) {
+            result.problem = translated("There are more of them than UDIM tiles");
+            return result;
+        }
+    }
     UvMatrix uv = input.uv;
     if (unwrap::packCharts(mesh, charts, pack, uv, contextOf(control))) {
         result.uv = std::move(uv);

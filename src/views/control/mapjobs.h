@@ -4,6 +4,7 @@
 #include "commands/editmapseams.h"
 #include "model/document/constraints.h"
 #include "model/document/islands.h"
+#include "model/document/scenegroups.h"
 #include "model/document/selection.h"
 #include "model/plain/packingsettings.h"
 #include "model/plain/snapshot.h"
@@ -82,6 +83,7 @@ struct PackTarget
     bool all = true;                        //!< false: only those of `faces`; the others are obstacles
     QList<int> faces;                       //!< empty: the selected faces
     std::optional<Eigen::AlignedBox2d> box; //!< texture space; without it, the tile of the settings
+    std::vector<SceneGroup> groups{};       //!< each is packed into a tile of its own; empty: all into one
 };
 
 //! The scope of a job that may change these faces only. \param attached see JobScope

@@ -28,7 +28,7 @@ constexpr int minSize = 16, maxSize = 16384, maxBleed = 256;
 ExportLayoutDialog::ExportLayoutDialog(int size, const QString &path, std::vector<int> overlapping,
                                        Questions &questions)
     : QDialog(questions.window()), mOverlapping(std::move(overlapping)), mFormat(new QComboBox),
-      mBackground(new QComboBox), mSize(new QSpinBox), mBleed(new QSpinBox),
+      mBackground(new QComboBox), mPart(new QComboBox), mSize(new QSpinBox), mBleed(new QSpinBox),
       mFill(new QCheckBox(tr("F&ill the islands"))), mEdges(new QCheckBox(tr("&Edges inside the islands"))),
       mSeams(new QCheckBox(tr("O&utlines of the islands"))), mOverlaps(new QCheckBox(tr("Hatch &overlaps"))),
       mPath(new PathField(tr("Export layout"), questions)), mProblem(new QLabel)
@@ -65,6 +65,9 @@ ExportLayoutDialog::ExportLayoutDialog(int size, const QString &path, std::vecto
     form->addRow(tr("&Format:"), mFormat);
     form->addRow(tr("&Size:"), mSize);
     form->addRow(tr("Back&ground:"), mBackground);
+    mPart->setObjectName(QStringLiteral("part"));
+    offerParts(false, false);
+    form->addRow(tr("&Part:"), mPart);
     form->addRow(tr("&Bleed:"), mBleed);
     form->addRow(QString(), mFill);
     form->addRow(QString(), mEdges);
@@ -112,6 +115,22 @@ QWidget *ExportLayoutDialog::makeColors()
 std::optional<QColor> ExportLayoutDialog::chosen(const OwnColor &color)
 {
     return color.box->isChecked() ? std::optional(color.button->color()) : std::nullopt;
+}
+
+void ExportLayoutDialog::offerParts(bool hidden, bool selected)
+{
+    mPart->clear();
+    mPart->addItem(tr("The whole map"), int(LayoutPart::All));
+    if (hidden)
+        mPart->addItem(tr("What is shown"), int(LayoutPart::Shown));
+    if (selected)
+        mPart->addItem(tr("The selected faces"), int(LayoutPart::Selected));
+    mPart->setEnabled(mPart->count() > 1);
+}
+
+LayoutPart ExportLayoutDialog::part() const
+{
+    return LayoutPart(mPart->currentData().toInt());
 }
 
 QString ExportLayoutDialog::path() const

@@ -17,6 +17,9 @@ class ColorButton;
 class PathField;
 class Questions;
 
+//! The faces of which the picture is.
+enum class LayoutPart { All, Shown, Selected };
+
 //! Sets format, size, colours, bleed and what is drawn.
 class ExportLayoutDialog final : public QDialog
 {
@@ -28,8 +31,12 @@ public:
     //! \param overlapping triangles of the mesh that may be hatched
     ExportLayoutDialog(int size, const QString &path, std::vector<int> overlapping, Questions &questions);
 
+    //! Offers a choice of parts. \param hidden some faces are hidden \param selected some are selected
+    void offerParts(bool hidden, bool selected);
+
     QString path() const;
     LayoutOptions options() const;
+    LayoutPart part() const;
     void accept() override;
 
 private:
@@ -46,7 +53,7 @@ private:
     void showPath();
 
     std::vector<int> mOverlapping;
-    QComboBox *mFormat, *mBackground;
+    QComboBox *mFormat, *mBackground, *mPart;
     QSpinBox *mSize, *mBleed;
     QCheckBox *mFill, *mEdges, *mSeams, *mOverlaps;
     OwnColor mIslandColor, mEdgeColor, mSeamColor;

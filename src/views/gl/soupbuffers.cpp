@@ -195,6 +195,8 @@ std::vector<FaceTexel> faceTexels(const FaceInput &input)
     std::vector<quint8> faceMarks(mesh.faceCount(), 0);
     for (int face : input.selectedFaces)
         faceMarks[face] = FaceTexel::Selected;
+    for (int face : input.hiddenFaces)
+        faceMarks[face] |= FaceTexel::Hidden;
     std::vector<FaceTexel> texels(mesh.triangleCount());
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         quint8 marks = faceMarks[mesh.triangleFace[t]];

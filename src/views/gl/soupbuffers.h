@@ -27,7 +27,7 @@ inline constexpr float noUv = 1e30f;
 //! Colour and marks of a triangle; has the layout of a GL_RGBA8UI texel.
 struct FaceTexel
 {
-    enum Mark : quint8 { Selected = 1, Overlapping = 2, Flipped = 4, WithoutUv = 8 };
+    enum Mark : quint8 { Selected = 1, Overlapping = 2, Flipped = 4, WithoutUv = 8, Hidden = 16 };
 
     quint8 red = 0, green = 0, blue = 0, marks = 0;
     bool operator==(const FaceTexel &) const = default;
@@ -82,6 +82,7 @@ struct FaceInput
     std::span<const float> density = {}; //!< per triangle; may be empty when the colouring does not use it
     double rightDensity = 1;             //!< that gets the colour in the middle
     std::span<const double> texelWeights = {}; //!< per face; empty when all are 1
+    std::span<const int> hiddenFaces = {};
 };
 std::vector<FaceTexel> faceTexels(const FaceInput &input);
 

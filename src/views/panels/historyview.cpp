@@ -43,6 +43,8 @@ QString iconName(int commandId)
         return u"island"_s;
     case CommandId::ChangeSettings:
         return u"preferences"_s;
+    case CommandId::HideFaces:
+        return u"hide"_s;
     case CommandId::ReplaceModel:
         return u"relink"_s;
     case CommandId::Reset:

@@ -51,9 +51,10 @@ constexpr const char *faceIds[] = {"uv.unwrapSelection",
                                    "select.linked"};
 constexpr const char *cornerIds[] = {"uv.pin", "uv.unpin", nullptr, "select.island", "select.linked"};
 constexpr const char *mapIds[] = {"uv.unwrap", "uv.finish", "uv.pack", "uv.separate"};
-constexpr const char *generalIds[] = {nullptr,         "select.all",         "select.none",
-                                      "select.invert", "select.grow",        "select.shrink",
-                                      nullptr,         "view.frameSelected", "view.frameAll"};
+constexpr const char *generalIds[] = {nullptr,           "select.all",    "select.none", "select.invert",
+                                      "select.grow",     "select.shrink", nullptr,       "view.hide",
+                                      "view.hideOthers", "view.showAll",  nullptr,       "view.frameSelected",
+                                      "view.frameAll"};
 
 template <std::size_t Count>
 void addEnabled(QMenu &menu, const ActionRegistry &actions, const char *const (&ids)[Count])

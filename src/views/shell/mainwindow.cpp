@@ -12,6 +12,7 @@
 #include "views/panels/noticebar.h"
 #include "views/panels/overlappanel.h"
 #include "views/panels/packpanel.h"
+#include "views/panels/scenepanel.h"
 #include "views/panels/seampanel.h"
 #include "views/panels/solverpanel.h"
 #include "views/panels/uvsetpanel.h"
@@ -160,6 +161,8 @@ void MainWindow::makePanels()
         return dock;
     };
     QDockWidget *view = add("view", tr("View"), new ViewPanel(studio), Qt::LeftDockWidgetArea);
+    QDockWidget *scene =
+        add("scene", tr("Scene"), new ScenePanel(studio, *mQuestions), Qt::LeftDockWidgetArea);
     QDockWidget *history = add("history", tr("History"), new HistoryPanel(studio), Qt::LeftDockWidgetArea);
     auto *doctorPanel = new DoctorPanel(studio);
     QDockWidget *doctor = add("doctor", tr("Mesh doctor"), doctorPanel, Qt::LeftDockWidgetArea);
@@ -183,6 +186,8 @@ void MainWindow::makePanels()
             mUvView->frameAll();
     });
 
+    tabifyDockWidget(view, scene);
+    view->raise();
     tabifyDockWidget(history, uvSets);
     tabifyDockWidget(uvSets, doctor);
     history->raise();

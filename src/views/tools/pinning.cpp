@@ -43,7 +43,7 @@ std::vector<UvPin> pinsAt(const MeshData &mesh, const UvMatrix &soupUv, const QL
 std::vector<UvPin> pinsOfVertex(const Document &document, const ToolCanvas &canvas, int soupCorner)
 {
     const auto corners = document.adjacency().vertexCorners(document.mesh().vertexOfSoup(soupCorner));
-    const UvMatrix &uv = canvas.content().uv();
+    const UvMatrix &uv = canvas.studio().shownMap.uv();
     std::vector<UvPin> pins = pinsAt(document.mesh(), uv, {corners.begin(), corners.end()});
     const auto *view = asMap(&canvas);
     if (!view)

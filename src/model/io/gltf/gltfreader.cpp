@@ -1,5 +1,6 @@
 #include "model/io/gltf/gltfreader.h"
 
+#include "model/document/materialcolor.h"
 #include "model/io/assimpreader.h"
 #include "model/io/gltf/gltfnodes.h"
 #include "model/io/gltf/gltfprimitive.h"
@@ -189,6 +190,16 @@ void SoupBuilder::addNotes(Scene &scene) const
                                   .arg(mInstancedMeshes.size()));
 }
 
+//! The base colour of a material; 0 when it has none.
+QRgb baseColor(const Json &material)
+{
+    const Json &factor = member(member(material, "pbrMetallicRoughness"), "baseColorFactor");
+    if (!factor.is_array() || factor.size() < 3 || !factor[0].is_number() || !factor[1].is_number() ||
+        !factor[2].is_number())
+        return 0;
+    return linearMaterialColor(factor[0].get<double>(), factor[1].get<double>(), factor[2].get<double>());
+}
+
 void SoupBuilder::fill(Scene &scene)
 {
     const std::size_t corners = mCornerVertex.size();
@@ -199,8 +210,10 @@ void SoupBuilder::fill(Scene &scene)
              Eigen::Map<const UvMatrix>(values.data(), static_cast<Eigen::Index>(corners), 2)});
     }
     const Json &materials = member(mData.json(), "materials");
-    for (std::size_t m = 0; materials.is_array() && m < materials.size(); ++m)
+    for (std::size_t m = 0; materials.is_array() && m < materials.size(); ++m) {
         scene.materialNames.push_back(QString::fromStdString(nameOr(materials[m], "material", m)));
+        scene.materialColors.push_back(baseColor(materials[m]));
+    }
     scene.objectNames = std::move(mObjectNames);
     scene.faceMaterial = std::move(mFaceMaterial);
     PositionMatrix positions = Eigen::Map<const PositionMatrix>(

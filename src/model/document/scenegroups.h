@@ -1,0 +1,35 @@
+// The objects and the materials of a model, with their faces.
+#pragma once
+
+#include "model/document/scene.h"
+#include "model/plain/chart.h"
+
+#include <QList>
+
+namespace autocuts {
+
+//! What a model is divided into.
+enum class SceneKind { Objects, Materials };
+
+//! One object or material.
+struct SceneGroup
+{
+    int number = 0;   //!< index of its name in the scene; -1: the faces without a material
+    QString name;     //!< as in the file; may be empty, and shared by several objects
+    QList<int> faces; //!< strictly ascending, not empty
+};
+
+//! The objects or materials that have faces, in the order of the file; last the faces without a material,
+//! when there are any.
+std::vector<SceneGroup> sceneGroups(const Scene &scene, SceneKind kind);
+
+//! The group of each face, as an index into groups. \param groups of sceneGroups()
+std::vector<int> groupOfFaces(const std::vector<SceneGroup> &groups, int faceCount);
+
+//! A UDIM tile for each group, one after the other. An island of several groups belongs to the one that most
+//! of its faces have.
+//! \param first tile of the first group
+//! \returns the tile of each face; empty when there are more groups than tiles
+std::vector<int> tilesOfGroups(const std::vector<SceneGroup> &groups, const ChartMap &charts, int first);
+
+} // namespace autocuts

@@ -1,0 +1,27 @@
+// The figures of parts of a map: of its objects or its materials.
+#pragma once
+
+#include "model/plain/meshdata.h"
+#include "solver/metrics/uvfigures.h"
+
+namespace autocuts::metrics {
+
+//! The figures of one group of faces.
+struct GroupFigures
+{
+    int faces = 0, charts = 0; //!< charts with at least one of its faces
+    //! Mean over its faces with UVs, weighted by area, of the distortion of their charts, each at the scale
+    //! that suits it: UvMetrics::chartSymDirichlet. 4 = isometric.
+    double symDirichlet = missingFigure;
+    double density = missingFigure; //!< length in UV units of a unit of the model, by the areas
+    double uvArea = 0;              //!< the part of a unit square that it takes
+};
+
+//! \param uv one row per corner; a non-finite row means that the corner has no UV
+//! \param faceGroup per face: its group, below count
+//! \param chartSymDirichlet UvMetrics::chartSymDirichlet of this map; empty: the distortion stays missing
+std::vector<GroupFigures> groupFigures(const MeshData &mesh, const UvMatrix &uv,
+                                       const std::vector<int> &faceGroup, int count,
+                                       const std::vector<double> &chartSymDirichlet);
+
+} // namespace autocuts::metrics
