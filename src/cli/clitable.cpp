@@ -374,7 +374,8 @@ const std::vector<CliCommand> &cliCommands()
     using enum OptionGroup;
     static const std::vector<CliCommand> commands{
         {Command::Unwrap, u"unwrap"_s, u"IN"_s, Output::Needed,
-         Bound | Seaming | Solving | Texture | Packing | Scope | Tiling | UvSets | NewTiling | UvSets | Making,
+         Bound | Seaming | Solving | Texture | Packing | Scope | Tiling | UvSets | NewTiling | UvSets |
+             Making,
          u"make a UV map"_s},
         {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed,
          Texture | Packing | Placing | Scope | Tiling | UvSets | NewTiling | UvSets | Making,

@@ -115,8 +115,8 @@ bool operator==(const DocumentState &a, const DocumentState &b)
     return sameScene(a.scene, b.scene) && a.activeUvSet == b.activeUvSet && a.uvScales == b.uvScales &&
            a.seams == b.seams && a.constraints == b.constraints && a.marks == b.marks &&
            a.texelWeights == b.texelWeights && a.hiddenFaces == b.hiddenFaces &&
-           a.solveSettings == b.solveSettings &&
-           a.packingSettings == b.packingSettings && a.selection == b.selection && a.viewState == b.viewState;
+           a.solveSettings == b.solveSettings && a.packingSettings == b.packingSettings &&
+           a.selection == b.selection && a.viewState == b.viewState;
 }
 
 QString uniqueUvSetName(const std::vector<UvSet> &sets, const QString &wanted)

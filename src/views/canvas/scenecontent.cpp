@@ -242,8 +242,8 @@ int SceneContent::refresh()
         const std::vector<std::uint8_t> &straight = document->seams().straight;
         mShowsStraight =
             mOptions.steering && std::find(straight.begin(), straight.end(), 1) != straight.end();
-        mSides = sideTexels({*own.mesh, own.topology, uv(), mContext.shownMap.separation(), document->seams(),
-                             mOptions, shownSelection().edges, document->givenSeams()});
+        mSides = sideTexels({*own.mesh, own.topology, mContext.shownMap.uv(), mContext.shownMap.separation(),
+                             document->seams(), mOptions, shownSelection().edges, document->givenSeams()});
     }
     if (parts & Points)
         rebuildPoints();
@@ -258,7 +258,7 @@ void SceneContent::rebuildFaces()
     if (mOptions.coloring == Coloring::SignedStretch || mOptions.coloring == Coloring::StretchMagnitude) {
         if (!own.meter)
             own.meter.emplace(*document.weightedMesh());
-        stretch = own.meter->measure(uv());
+        stretch = own.meter->measure(mContext.shownMap.uv());
     }
     const std::vector<float> density = measureDensity();
     // The solver never flips a triangle, and islands of a live map are only computed when their colours are
@@ -278,10 +278,11 @@ void SceneContent::rebuildFaces()
     std::span<const int> overlapping;
     if (!live && mContext.map.figures() && mContext.map.figuresAreFresh())
         overlapping = mContext.map.figures()->overlapping;
-    mFaces = faceTexels({*own.mesh, uv(), mOptions, mColors, mContext.preferences.values().colorBlindHeatMap,
-                         mAsMap ? mColors.mapFill : mColors.model, stretch, islands, document.seams().weights,
-                         shownSelection().faces, overlapping, flipped, density, mRightDensity,
-                         document.state().texelWeights, document.state().hiddenFaces});
+    mFaces =
+        faceTexels({*own.mesh, mContext.shownMap.uv(), mOptions, mColors,
+                    mContext.preferences.values().colorBlindHeatMap, mAsMap ? mColors.mapFill : mColors.model,
+                    stretch, islands, document.seams().weights, shownSelection().faces, overlapping, flipped,
+                    density, mRightDensity, document.state().texelWeights, document.state().hiddenFaces});
 }
 
 //! Empty when densities are not shown.
@@ -291,8 +292,8 @@ std::vector<float> SceneContent::measureDensity()
     if (mOptions.coloring != Coloring::Density)
         return {};
     const MeshData &own = *mContext.workspace.document()->weightedMesh();
-    std::vector<float> density =
-        texelDensities(own, uv(), mContext.workspace.document()->packingSettings().textureSize);
+    std::vector<float> density = texelDensities(own, mContext.shownMap.uv(),
+                                                mContext.workspace.document()->packingSettings().textureSize);
     mRightDensity = mOptions.densityTarget > 0 ? mOptions.densityTarget : medianDensity(own, density);
     return density;
 }
