@@ -4,6 +4,7 @@
 #include "model/io/fbxtree.h"
 #include "model/io/sourcecontents.h"
 
+#include <QRgb>
 #include <QString>
 
 #include <Eigen/Geometry>
