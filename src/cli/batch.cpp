@@ -105,7 +105,7 @@ private:
     {
         if (const Result<Done> writable = checkTargets(); !writable)
             return fail(writable.error());
-        const Result<Scene> scene = mFiles.read(mOptions.input);
+        const Result<Scene> scene = mFiles.read(mOptions.input, mOptions.unwrap.packing.tileHeight());
         if (!scene)
             return fail(scene.error());
         sayLosses(scene.value());
@@ -115,10 +115,11 @@ private:
 
     int runCheck()
     {
-        const Result<Scene> scene = mFiles.read(mOptions.input);
+        const Result<Scene> scene = mFiles.read(mOptions.input, mOptions.unwrap.packing.tileHeight());
         if (!scene)
             return fail(scene.error());
-        MapReport report = reportOn(scene.value(), mFiles.islandFlags(), mOptions.unwrap.packing.textureSize);
+        mFiles.mergeSettings(mOptions);
+        MapReport report = reportOn(scene.value(), mFiles.islandFlags(), mOptions.unwrap.packing);
         report.input = mOptions.input;
         if (mOptions.json) {
             report.status = QStringLiteral("done");
@@ -202,7 +203,7 @@ private:
         if (const Result<Done> writable = checkTargets(); !writable)
             return fail(writable.error());
         const StopTimer timer(mOptions.timeLimit, mStop);
-        Result<Scene> scene = mFiles.read(mOptions.input, &mStop.stop);
+        Result<Scene> scene = mFiles.read(mOptions.input, mOptions.unwrap.packing.tileHeight(), &mStop.stop);
         if (!scene)
             return failReading(scene.error());
         mFiles.mergeSettings(mOptions);
@@ -242,8 +243,8 @@ private:
         sayLosses(scene);
         if (const Result<Done> written = mFiles.write(scene, mOptions); !written)
             return fail(written.error());
-        const int textureSize = mOptions.unwrap.packing.textureSize;
-        MapReport report = reportOn(scene, mFiles.islandFlags(), textureSize);
+        const PackingSettings &packing = mOptions.unwrap.packing;
+        MapReport report = reportOn(scene, mFiles.islandFlags(), packing);
         report.input = mOptions.input;
         report.output = mOptions.output;
         report.layout = mOptions.layout;
@@ -263,7 +264,7 @@ private:
             const std::vector<int> hatched = report.overlapPairs.value_or(0) > 0
                                                  ? overlappingTriangles(scene, mFiles.islandFlags())
                                                  : std::vector<int>();
-            if (const Result<Done> drawn = writeLayout(mOptions.layout, scene, textureSize, hatched); !drawn)
+            if (const Result<Done> drawn = writeLayout(mOptions.layout, scene, packing, hatched); !drawn)
                 return fail(drawn.error());
         }
         report.seconds = double(mClock.elapsed()) / 1000;

@@ -20,8 +20,8 @@ class BatchFiles
 public:
     //! Reads a mesh file, or the model of a session with its active UV set first. The notes include what the
     //! user should know about the session.
-    //! \param stop as in readMesh()
-    Result<Scene> read(const QString &path, const std::atomic<bool> *stop = nullptr);
+    //! \param tileHeight of the texture, for mesh files \param stop as in readMesh()
+    Result<Scene> read(const QString &path, double tileHeight, const std::atomic<bool> *stop = nullptr);
     //! Takes a document instead of reading a file. \param journal leads to the document's current state
     Scene take(std::unique_ptr<Document> document, Journal journal);
 
@@ -30,10 +30,10 @@ public:
     void mergeSettings(CliOptions &options);
 
     //! The input of the solver, with the steering of the session if there is one. \pre read() returned the
-    //! scene
-    Result<Snapshot> snapshot(const Scene &scene, const SolveSettings &settings) const;
+    //! scene \param tileHeight as above
+    Result<Snapshot> snapshot(const Scene &scene, const SolveSettings &settings, double tileHeight) const;
 
-    //! Locks, stacks and groups of the session's islands, per face; empty without a session.
+    //! The flags of the session's islands, per face; empty without a session.
     std::vector<IslandFlags> islandFlags() const;
 
     //! The session's rectangle of this name; null when there is none.

@@ -156,7 +156,8 @@ Result<MadeMap> MapMaking::finish(Scene &scene) const
 
 Result<Snapshot> MapMaking::snapshotOf(const Scene &scene) const
 {
-    Result<Snapshot> snapshot = mFiles.snapshot(scene, mOptions.settings);
+    Result<Snapshot> snapshot =
+        mFiles.snapshot(scene, mOptions.settings, mOptions.unwrap.packing.tileHeight());
     if (!snapshot)
         return snapshot;
     const auto scope = batchScope(mOptions, scene);

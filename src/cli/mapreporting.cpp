@@ -82,12 +82,14 @@ QString shortCount(const MapReport::Count &value)
 
 } // namespace
 
-MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags, int textureSize)
+MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags,
+                   const PackingSettings &packing)
 {
     MapReport report;
     if (scene.hasUv()) {
         metrics::UvMetricsOptions options;
-        options.textureSize = textureSize;
+        options.textureSize = packing.textureSize;
+        options.tileHeight = packing.tileHeight();
         options.faceFlags = faceFlags;
         const metrics::UvMetrics figures = measureUv(*scene.mesh, scene.uvSets.front().uv, options);
         report = reportOf(figures);
@@ -97,7 +99,8 @@ MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags
         report.faces = scene.mesh->faceCount();
         report.facesWithoutUv = scene.mesh->faceCount();
     }
-    report.textureSize = textureSize;
+    report.textureSize = packing.textureSize;
+    report.textureHeight = packing.height();
     report.mesh = scene.mesh->report;
     report.notes = meshDoctorNotes(scene.mesh->report);
     for (const QString &note : scene.notes)
@@ -148,7 +151,8 @@ QString reportTable(const MapReport &r)
         table += meaning.isEmpty() ? value : value.leftJustified(14) + meaning;
         table += QLatin1Char('\n');
     };
-    const QString texels = QStringLiteral("at %1 x %1 texels").arg(r.textureSize.value_or(0));
+    const QString texels =
+        QStringLiteral("at %1 x %2 texels").arg(r.textureSize.value_or(0)).arg(r.textureHeight.value_or(0));
     line("triangles", shortCount(r.triangles), QStringLiteral("of %1 faces").arg(shortCount(r.faces)));
     if (!r.charts)
         return table; // without UVs there are no more figures
@@ -177,13 +181,14 @@ std::vector<int> overlappingTriangles(const Scene &scene, const std::vector<Isla
         metrics::findUvOverlaps(*scene.mesh, scene.uvSets.front().uv, options));
 }
 
-Result<Done> writeLayout(const QString &path, const Scene &scene, int textureSize,
+Result<Done> writeLayout(const QString &path, const Scene &scene, const PackingSettings &packing,
                          const std::vector<int> &hatched)
 {
     const MeshData &mesh = *scene.mesh;
     const UvMatrix &uv = scene.uvSets.front().uv;
     LayoutOptions options;
-    options.size = std::clamp(textureSize, 256, 4096);
+    options.size = std::clamp(std::max(packing.textureSize, packing.height()), 256, 4096);
+    options.tileHeight = packing.tileHeight();
     options.overlapping = hatched;
     const bool svg = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
     const Result<QByteArray> bytes = svg ? layoutSvg(mesh, uv, options) : layoutPng(mesh, uv, options);

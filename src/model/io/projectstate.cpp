@@ -128,21 +128,28 @@ bool readConstraints(CborReader &reader, DocumentState &state)
     return true;
 }
 
-//! Stores the faces with flags in "faces", and three numbers for each in "flags".
+//! Stores the faces with flags in "faces", three numbers for each in "flags", and those that keep their
+//! orientation in "upright".
 QCborMap marksMap(const IslandMarks &marks)
 {
     std::vector<int> faces, flags;
+    QList<int> upright;
     for (std::size_t f = 0; f < marks.faceFlags.size(); ++f) {
         const IslandFlags &face = marks.faceFlags[f];
         if (face == IslandFlags())
             continue;
         faces.push_back(static_cast<int>(f));
         flags.insert(flags.end(), {face.locked, face.stack, face.group});
+        if (face.upright != 0)
+            upright.append(static_cast<int>(f));
     }
     QCborArray tags;
     for (const IslandTag &tag : marks.tags)
         tags.append(QCborMap{{"name"_L1, tag.name}, {"faces"_L1, packedIntegers(tag.faces)}});
-    return {{"faces"_L1, packedArray(faces)}, {"flags"_L1, packedArray(flags)}, {"tags"_L1, tags}};
+    return {{"faces"_L1, packedArray(faces)},
+            {"flags"_L1, packedArray(flags)},
+            {"upright"_L1, packedIntegers(upright)},
+            {"tags"_L1, tags}};
 }
 
 bool readMarks(CborReader &reader, DocumentState &state)
@@ -158,8 +165,16 @@ bool readMarks(CborReader &reader, DocumentState &state)
     for (std::size_t i = 0; i < faces->size(); ++i) {
         if ((*faces)[i] < 0 || (*faces)[i] >= mesh.faceCount())
             return false;
-        marks.faceFlags[static_cast<std::size_t>((*faces)[i])] = {(*flags)[3 * i], (*flags)[3 * i + 1],
-                                                                  (*flags)[3 * i + 2]};
+        const int locked = (*flags)[3 * i];
+        if (locked < 0 || locked > 1)
+            return false;
+        marks.faceFlags[static_cast<std::size_t>((*faces)[i])] = {.locked = static_cast<std::int16_t>(locked),
+                                                                  .stack = (*flags)[3 * i + 1],
+                                                                  .group = (*flags)[3 * i + 2]};
+    }
+    if (reader.contains("upright"_L1)) {
+        for (const int face : reader.indexSet("upright"_L1, mesh.faceCount()))
+            marks.faceFlags[static_cast<std::size_t>(face)].upright = 1;
     }
     for (const QCborMap &map : reader.maps("tags"_L1)) {
         CborReader tag(map);

@@ -126,6 +126,7 @@ void addFurtherKeys(ObjectWriter &writer, const MapReport &report)
     writer.add("output", report.output);
     writer.add("layout", report.layout);
     writer.add("texture_size", report.textureSize);
+    writer.add("texture_height", report.textureHeight);
     writer.add("faces", report.faces);
     writer.add("faces_without_uv", report.facesWithoutUv);
     writer.add("faces_without_uv_area", report.facesWithoutUvArea);

@@ -32,7 +32,7 @@ struct MapReport
 
     // More figures of the map.
     QString input, output, layout;
-    Count textureSize;
+    Count textureSize, textureHeight;
     Count faces, seamEdges, symDirichletInfinite, uvDegenerate, mirroredCharts, nonDiskCharts;
     Count facesWithoutUv, zeroAreaTriangles, overlappingTriangles, stackedPairs;
     Count facesWithoutUvArea; //!< faces with area on the model that have a triangle without area in the map
