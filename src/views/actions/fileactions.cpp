@@ -214,12 +214,16 @@ void FileActions::askExportLayout()
         return;
     const MapFigures *figures = mContext.map.figures();
     const bool known = figures && mContext.map.figuresAreFresh();
-    ExportLayoutDialog dialog(document->packingSettings().textureSize, proposedPath(QStringLiteral("png")),
+    const PackingSettings packing = document->packingSettings();
+    ExportLayoutDialog dialog(std::max(packing.textureSize, packing.height()),
+                              proposedPath(QStringLiteral("png")),
                               known ? figures->overlapping : std::vector<int>(), mQuestions);
     if (mQuestions.run(dialog) != QDialog::Accepted)
         return;
     rememberFolder(dialog.path());
-    mContext.files.exportLayout(dialog.path(), dialog.options());
+    LayoutOptions options = dialog.options();
+    options.tileHeight = packing.tileHeight();
+    mContext.files.exportLayout(dialog.path(), options);
 }
 
 void FileActions::offerRecovery()
