@@ -191,8 +191,7 @@ void PreviewDialog::refresh()
     const Document &document = *mContext.workspace.document();
     mJobs.start(
         windowTitle(),
-        [=, from = mTexturePath, texture, mesh = document.state().scene.mesh,
-         uv = document.uv()](JobControl &) {
+        [=, from = mTexturePath, mesh = document.state().scene.mesh, uv = document.uv()](JobControl &) {
             return isLayout ? drawLayout(*mesh, uv, texture, to) : resample(from, texture, to);
         },
         [this, to](const QString &problem) {
