@@ -64,8 +64,8 @@ QComboBox *PackPanel::makeTexels(QLatin1StringView name)
     texels->setMinimumContentsLength(5);
     for (int size = 256; size <= 16384; size *= 2)
         texels->addItem(QString::number(size));
-    connect(texels, &QComboBox::activated, this, &PackPanel::takeTexture);
-    connect(texels->lineEdit(), &QLineEdit::editingFinished, this, &PackPanel::takeTexture);
+    connect(texels, &QComboBox::activated, this, [this, texels] { takeTexels(texels); });
+    connect(texels->lineEdit(), &QLineEdit::editingFinished, this, [this, texels] { takeTexels(texels); });
     return texels;
 }
 
@@ -192,20 +192,19 @@ QWidget *PackPanel::makeFigures()
     return box;
 }
 
-void PackPanel::takeTexture()
+//! Takes the number of one of the two fields; the other one may not follow the document yet.
+void PackPanel::takeTexels(const QComboBox *field)
 {
-    if (!document() || !mTextureSize->lineEdit()->hasAcceptableInput() ||
-        !mTextureHeight->lineEdit()->hasAcceptableInput()) {
+    if (!document() || !field->lineEdit()->hasAcceptableInput()) {
         refreshSoon();
         return;
     }
-    const PackingSettings &before = document()->packingSettings();
-    const int width = mTextureSize->currentText().toInt();
-    const int typed = mTextureHeight->currentText().toInt();
-    // A square texture stays square when its width changes.
-    const int height = before.textureHeight == 0 && typed == before.height() ? width : typed;
-    changePackingSettings([width, height](PackingSettings &settings) {
-        settings.setTexture(width, height);
+    const int texels = field->currentText().toInt();
+    const bool isWidth = field == mTextureSize;
+    changePackingSettings([texels, isWidth](PackingSettings &settings) {
+        // A square texture stays square when its width changes.
+        const int height = settings.textureHeight == 0 ? texels : settings.textureHeight;
+        settings.setTexture(isWidth ? texels : settings.textureSize, isWidth ? height : texels);
         settings.margin = std::min<double>(settings.margin, settings.shorterSide());
         settings.border = std::min(settings.border, std::max(0.0, 0.5 * settings.shorterSide() - 1));
     });

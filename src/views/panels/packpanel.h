@@ -31,7 +31,7 @@ private:
     QWidget *makePackButtons();
     QWidget *makeFigures();
     QComboBox *makeTexels(QLatin1StringView name);
-    void takeTexture();
+    void takeTexels(const QComboBox *field);
     void showSettings(const PackingSettings &settings);
     void showFigures();
 
