@@ -201,10 +201,15 @@ private Q_SLOTS:
         QVERIFY(studio.jobsRest());
         QVERIFY(side().dot(before) > 0.9);
         // Through a session, and freed again.
+        PackingSettings packing = studio.packing();
+        packing.setTexture(2048, 1024);
+        packing.rotation = PackRotation::Twelfth;
+        pushCommand(std::make_unique<ChangeSettings>(*studio.document(), packing));
         const QString path = studio.folder.filePath(u"kept.acproj"_s);
         QVERIFY(saveProject(studio.document()->state(), {}, path));
         const DocumentState read = loadProject(path).value().state;
         QCOMPARE(read.marks, studio.document()->marks());
+        QCOMPARE(read.packingSettings, packing);
         studio.action("uv.freeOrientation")->trigger();
         QCOMPARE(studio.document()->marks().faceFlags[static_cast<std::size_t>(own.front())].upright, 0);
     }
