@@ -62,7 +62,7 @@ private Q_SLOTS:
         QFETCH(int, to);
         QFETCH(QPointF, low);
         const auto pieces = boxes({{0, 0.1, 0.3, 0.2}, {0.4, 0.6, 0.6, 0.8}, {0.7, 0.5, 1, 1}});
-        const auto transforms = alignedPieces(pieces, AlignTo(to));
+        const auto transforms = alignedPieces(pieces, AlignTo(to), 1);
         const Vec2 place = moved(pieces[1], transforms[1]).min();
         QVERIFY2(near(place, Vec2(low.x(), low.y())),
                  qPrintable(QString::number(place.x()) + u' ' + QString::number(place.y())));
@@ -74,7 +74,7 @@ private Q_SLOTS:
     {
         auto pieces = boxes({{0, 0, 0.1, 0.1}, {0.5, 0.5, 0.7, 0.7}});
         pieces[1].locked = true;
-        const auto transforms = alignedPieces(pieces, AlignTo::Left);
+        const auto transforms = alignedPieces(pieces, AlignTo::Left, 1);
         QVERIFY(near(moved(pieces[0], transforms[0]).min(), {0.5, 0}));
         QVERIFY(near(moved(pieces[1], transforms[1]).min(), {0.5, 0.5}));
     }
@@ -82,8 +82,8 @@ private Q_SLOTS:
     void onePieceGoesToTheSideOfItsTile()
     {
         const auto pieces = boxes({{1.2, 2.3, 1.4, 2.4}});
-        QVERIFY(near(moved(pieces[0], alignedPieces(pieces, AlignTo::Right)[0]).max(), {2, 2.4}));
-        QVERIFY(near(moved(pieces[0], alignedPieces(pieces, AlignTo::Top)[0]).max(), {1.4, 3}));
+        QVERIFY(near(moved(pieces[0], alignedPieces(pieces, AlignTo::Right, 1)[0]).max(), {2, 2.4}));
+        QVERIFY(near(moved(pieces[0], alignedPieces(pieces, AlignTo::Top, 1)[0]).max(), {1.4, 3}));
     }
 
     void distances()

@@ -276,10 +276,10 @@ private Q_SLOTS:
 
     void tilesThatAreUsed()
     {
-        QCOMPARE(usedTiles({}), Vec2(1, 1));
-        QCOMPARE(usedTiles({Vec2(0.1, 0.1), Vec2(0.9, 1.01)}), Vec2(1, 1));
-        QCOMPARE(usedTiles({Vec2(0.1, 0.1), Vec2(2.5, 1.1)}), Vec2(3, 2));
-        QCOMPARE(usedTiles({Vec2(-9, -9), Vec2(-5, 1e300)}), Vec2(1, 899));
+        QCOMPARE(usedTiles({}, 1), Vec2(1, 1));
+        QCOMPARE(usedTiles({Vec2(0.1, 0.1), Vec2(0.9, 1.01)}, 1), Vec2(1, 1));
+        QCOMPARE(usedTiles({Vec2(0.1, 0.1), Vec2(2.5, 1.1)}, 1), Vec2(3, 2));
+        QCOMPARE(usedTiles({Vec2(-9, -9), Vec2(-5, 1e300)}, 1), Vec2(1, 899));
     }
 
     void gridFollowsTheZoom_data()
@@ -301,7 +301,9 @@ private Q_SLOTS:
             QVERIFY(grid.step * textureSize >= 0.999);
             QVERIFY(grid.step / grid.divisions * textureSize >= 0.998);
             QVERIFY(grid.strength >= 0 && grid.strength <= 1);
-            const PaperDrawing paper = paperDrawing(camera, 2, textureSize);
+            PackingSettings texture;
+            texture.textureSize = textureSize;
+            const PaperDrawing paper = paperDrawing(camera, 2, texture);
             QVERIFY(paper.gridPixels >= 2 * 47.9);
         }
     }

@@ -127,6 +127,20 @@ private Q_SLOTS:
         QVERIFY(o.quiet);
     }
 
+    void texturesHaveTwoSides()
+    {
+        const PackingSettings packing =
+            parsed("pack a -o b --texture-size 2048x1024 --rotation 15").unwrap.packing;
+        QCOMPARE(packing.textureSize, 2048);
+        QCOMPARE(packing.height(), 1024);
+        QCOMPARE(packing.rotation, PackRotation::TwentyFourth);
+        QCOMPARE(parsed("pack a -o b --texture-size 512x512").unwrap.packing.textureHeight, 0);
+        for (const char *wrong : {"--texture-size=12", "--texture-size=64x", "--texture-size=64x64x64",
+                                  "--texture-size=1024x8", "--rotation=20", "--texture-size=99999x64"})
+            QVERIFY2(!parseCommandLine({u"pack"_s, u"a"_s, u"-o"_s, u"b"_s, QString::fromLatin1(wrong)}).ok(),
+                     wrong);
+    }
+
     void everyWordIsKnown_data()
     {
         QTest::addColumn<QString>("line");
@@ -324,7 +338,7 @@ private Q_SLOTS:
         row("unwrap a -o b --lambda 2", "--lambda takes a number from 0 to 1");
         row("unwrap a -o b --lambda 0.5 --max-distortion 4.2", "exclude each other");
         row("unwrap a -o b --init flat", "--init takes rigid or tutte or random or uv, not \"flat\"");
-        row("unwrap a -o b --rotation 45", "--rotation takes free or 90 or none");
+        row("unwrap a -o b --rotation 50", "--rotation takes free or 180 or 90 or 45 or 30 or 15 or none");
         row("unwrap a -o b --quality ultra", "--quality takes");
         row("unwrap a -o b --per face", "--per takes object or material");
         row("unwrap a -o b --objects ,", "--objects takes NAME,..");

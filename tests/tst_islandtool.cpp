@@ -232,16 +232,16 @@ private Q_SLOTS:
         // The drawn lines: one of the sides of the box lands on one.
         MapCamera camera;
         camera.setScale(200);
-        const double step = snapStep(SnapTo::Grid, camera, 2048);
+        const double step = snapStep(SnapTo::Grid, camera, PackingSettings()).x();
         QVERIFY(step > 0 && step <= 0.5);
         const Eigen::AlignedBox2d box(Vec2(0.01, 0.02), Vec2(0.33, 0.74));
-        const Vec2 move = snappedMove(Vec2(0.111, 0.222), box, step);
+        const Vec2 move = snappedMove(Vec2(0.111, 0.222), box, Vec2::Constant(step));
         for (int axis = 0; axis < 2; ++axis) {
             const double low = (box.min() + move)[axis] / step, high = (box.max() + move)[axis] / step;
             QVERIFY(std::abs(low - std::round(low)) < 1e-9 || std::abs(high - std::round(high)) < 1e-9);
             QVERIFY(std::abs(move[axis] - Vec2(0.111, 0.222)[axis]) <= step / 2 + 1e-12);
         }
-        QCOMPARE(snappedMove(Vec2(0.1, 0.2), box, 0), Vec2(0.1, 0.2));
+        QCOMPARE(snappedMove(Vec2(0.1, 0.2), box, Vec2::Zero()), Vec2(0.1, 0.2));
     }
 
     void lockedIslandsStay()

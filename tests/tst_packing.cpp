@@ -216,8 +216,14 @@ private Q_SLOTS:
     {
         QFETCH(int, count);
         QFETCH(double, margin);
-        for (const PackRotation rotation : {PackRotation::Free, PackRotation::Quarter, PackRotation::None}) {
-            const std::vector<PackIsland> islands = randomStars(count, 7);
+        std::vector<PackRotation> rotations{PackRotation::Free, PackRotation::Quarter, PackRotation::None};
+        if (count == 40) // steps do not depend on the number of islands
+            rotations.insert(rotations.end(), {PackRotation::Half, PackRotation::Eighth,
+                                               PackRotation::Twelfth, PackRotation::TwentyFourth});
+        for (const PackRotation rotation : rotations) {
+            std::vector<PackIsland> islands = randomStars(count, 7);
+            for (std::size_t i = 0; i < islands.size(); i += 5)
+                islands[i].upright = true;
             PackOptions settings = quick(0.1);
             settings.margin = margin;
             settings.rotation = rotation;
@@ -227,14 +233,36 @@ private Q_SLOTS:
             QVERIFY(result.complete);
             const QString broken = brokenRule(islands, settings, result);
             QVERIFY2(broken.isEmpty(), qPrintable(broken));
-            const double quarter = 0.5 * std::numbers::pi;
-            for (const PackPlacement &p : result.placements) {
-                if (rotation == PackRotation::None)
-                    QCOMPARE(p.angle, 0.0);
-                else if (rotation == PackRotation::Quarter)
-                    QCOMPARE(p.angle, quarter * std::round(p.angle / quarter));
+            for (std::size_t i = 0; i < islands.size(); ++i) {
+                const double angle = result.placements[i].angle;
+                const int directions = islands[i].upright ? 1 : directionsOf(rotation);
+                const double step = 2 * std::numbers::pi / directions;
+                if (directions == 1)
+                    QCOMPARE(angle, 0.0);
+                else if (directions > 1)
+                    QVERIFY(std::abs(angle - step * std::round(angle / step)) < 1e-12);
             }
         }
+    }
+
+    void aStepTurnsASingleIsland()
+    {
+        // A needle fits best along the diagonal.
+        PackIsland needle = box(0, 0, 1, 0.02);
+        PackOptions settings = quick(0.05);
+        const auto angleWith = [&](PackRotation rotation) {
+            settings.rotation = rotation;
+            const PackResult result = packIslands({needle}, settings);
+            return result.complete ? std::remainder(result.placements[0].angle * 180 / std::numbers::pi, 180)
+                                   : std::nan("");
+        };
+        QVERIFY(std::abs(std::abs(angleWith(PackRotation::Eighth)) - 45) < 1e-9);
+        QVERIFY(std::abs(std::abs(angleWith(PackRotation::TwentyFourth)) - 45) < 1e-9);
+        const double thirds = std::abs(angleWith(PackRotation::Twelfth));
+        QVERIFY(std::abs(thirds - 30) < 1e-9 || std::abs(thirds - 60) < 1e-9);
+        QVERIFY(std::abs(angleWith(PackRotation::Half)) < 1e-9);
+        needle.upright = true;
+        QCOMPARE(angleWith(PackRotation::Free), 0.0);
     }
 
     void holesAreUsed()

@@ -394,7 +394,7 @@ private Q_SLOTS:
     {
         Bench<PackPanel> bench;
         QVERIFY(bench.followed());
-        const std::vector<int> tiles = udimTiles(bench.document().mesh(), bench.document().uv());
+        const std::vector<int> tiles = udimTiles(bench.document().mesh(), bench.document().uv(), 1);
         QVERIFY(!child<QPushButton>(bench.panel, "packSelection")->isEnabled());
         click(bench.panel, "pack");
         QVERIFY(bench.map.jobs().isBusy());
@@ -404,7 +404,7 @@ private Q_SLOTS:
         QCOMPARE(bench.stack().count(), 1);
         QVERIFY(bench.measured());
         QVERIFY(bench.followed());
-        QCOMPARE(udimTiles(bench.document().mesh(), bench.document().uv()), tiles);
+        QCOMPARE(udimTiles(bench.document().mesh(), bench.document().uv(), 1), tiles);
         const double gutter = bench.map.figures()->metrics.minGutterTexels;
         QVERIFY(gutter >= 8);
         QVERIFY(bench.text("gutter").startsWith(QLocale().toString(gutter, 'f', 1)));

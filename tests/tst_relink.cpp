@@ -82,8 +82,8 @@ DocumentState steeredGrid()
     }
     state.constraints.pins = {{3, {0.25, 0.5}, true, 1}, {40, {1.5, 0.5}, false, 7}};
     state.constraints.rectangles = {{1, u"head"_s, 0xff00ff00, {0, 0}, {0.5, 0.5}, false, 1, {0, 1, 4, 15}}};
-    state.marks.faceFlags[0] = {1, 2, 3};
-    state.marks.faceFlags[15] = {0, 2, 0};
+    state.marks.faceFlags[0] = {.locked = 1, .upright = 1, .stack = 2, .group = 3};
+    state.marks.faceFlags[15] = {.stack = 2};
     state.marks.tags = {{u"last"_s, {15}}, {u"skin"_s, {0, 5}}};
     state.selection = {SelectionMode::Faces, {2, 3}, {4}, {8, 9}};
     state.viewState = QByteArrayLiteral("camera");

@@ -229,22 +229,22 @@ private Q_SLOTS:
             return island;
         };
         const packing::PackIsland own = square(0.4, 0.4, 0.1);
-        packing::AsideMover alone({own}, gutter);
+        packing::AsideMover alone({own}, gutter, 1);
         const auto way = alone.moveAside(0, Vec2(0, -3));
         QVERIFY(way && (*way - Vec2(0, -gutter)).norm() < 1e-12);
         // A neighbour right below: it goes elsewhere, not far.
-        packing::AsideMover two({own, square(0.4, 0.295, 0.1)}, gutter);
+        packing::AsideMover two({own, square(0.4, 0.295, 0.1)}, gutter, 1);
         const auto other = two.moveAside(0, Vec2(0, -1));
         QVERIFY(other && other->y() > 0 && other->norm() < 2.1 * gutter);
         // It fills its tile.
-        QVERIFY(!packing::AsideMover({square(0.001, 0.001, 0.998)}, gutter).moveAside(0, Vec2(1, 0)));
+        QVERIFY(!packing::AsideMover({square(0.001, 0.001, 0.998)}, gutter, 1).moveAside(0, Vec2(1, 0)));
         // One after the other, each is an obstacle for the next where it is now.
-        packing::AsideMover row({own, own}, gutter);
+        packing::AsideMover row({own, own}, gutter, 1);
         const auto first = row.moveAside(0, Vec2(1, 0)), second = row.moveAside(1, Vec2(1, 0));
         QVERIFY(first && second);
         QVERIFY((*first - *second).cwiseAbs().maxCoeff() > 0.1);
         const std::atomic<bool> stop = true;
-        QVERIFY(!packing::AsideMover({own}, gutter).moveAside(0, Vec2(1, 0), &stop));
+        QVERIFY(!packing::AsideMover({own}, gutter, 1).moveAside(0, Vec2(1, 0), &stop));
     }
 };
 

@@ -54,7 +54,7 @@ private Q_SLOTS:
     void islandsAreOutlinedOnce()
     {
         const test::ObjUv obj = twoSquares();
-        const LayoutPaths paths = layoutPaths(*obj.mesh, obj.uv, {1, 99, -1});
+        const LayoutPaths paths = layoutPaths(*obj.mesh, obj.uv, 1, {1, 99, -1});
         QCOMPARE(paths.islands.size(), std::size_t(2));
         for (const auto &island : paths.islands) {
             QCOMPARE(island.size(), std::size_t(1));
@@ -82,7 +82,7 @@ private Q_SLOTS:
         const QColor inside = at(image, 0.55, 0.3);
         QCOMPARE(at(image, 0.75, 0.38), inside);
         QVERIFY(at(image, 0.3, 0.5) != inside);
-        const LayoutPaths paths = layoutPaths(*obj.mesh, obj.uv, {});
+        const LayoutPaths paths = layoutPaths(*obj.mesh, obj.uv, 1, {});
         QCOMPARE(paths.borders.size(), std::size_t(1));
         QCOMPARE(paths.borders[0].points.size(), std::size_t(4));
     }
@@ -243,7 +243,7 @@ private Q_SLOTS:
         options.overlapping = {0, 1, 2, 3};
         QVERIFY(!picture(obj, options).isNull());
         QVERIFY(layoutSvg(*obj.mesh, obj.uv, options).ok());
-        for (const auto &island : layoutPaths(*obj.mesh, obj.uv, {}).islands) {
+        for (const auto &island : layoutPaths(*obj.mesh, obj.uv, 1, {}).islands) {
             for (const auto &loop : island) {
                 for (const Vec2 &p : loop)
                     QVERIFY(p.minCoeff() >= -1 && p.maxCoeff() <= 2);

@@ -386,7 +386,7 @@ private Q_SLOTS:
 
         // An island of a stack that covers itself overlaps.
         const test::ObjUv fold = test::parseObjUv(square + squareUv + "f 1/1 2/2 3/3\nf 1/1 3/3 4/2\n");
-        options.faceFlags.assign(2, IslandFlags{0, 3, 0});
+        options.faceFlags.assign(2, IslandFlags{.stack = 3});
         QCOMPARE(measureUv(*fold.mesh, fold.uv, options).overlapPairs, std::int64_t(1));
     }
 

@@ -7,7 +7,8 @@ uniform vec4 outsideColor, insideColor, minorColor, majorColor, axisX, axisY;
 uniform vec2 tileOrigin;   // pixels from the lower left: a corner of a tile near the view
 uniform vec2 originTile;   // that tile
 uniform vec2 usedTiles;    // tiles from 0 that are shown as texture
-uniform float tilePixels;  // size of a tile
+uniform vec2 tilePixels;   // size of a tile
+uniform float tileHeight, pictureHeight; // of a tile and of the picture, where both are 1 wide
 uniform vec2 gridOrigin;   // pixels: a line of the grid near the view
 uniform float gridPixels;  // between lines
 uniform float minorStrength; // 0 to 1: finer lines appear smoothly
@@ -25,7 +26,7 @@ float lineAt(vec2 offset)
 }
 
 // Distance in pixels to the next line of a grid.
-vec2 toGrid(vec2 fromLine, float spacing)
+vec2 toGrid(vec2 fromLine, vec2 spacing)
 {
     return abs(fract(fromLine / spacing + 0.5) - 0.5) * spacing;
 }
@@ -34,7 +35,7 @@ vec3 patterned(vec3 below, vec2 uv)
 {
     if (pattern == 1) {
         vec2 p = uv * checkerSize;
-        float width = checkerSize / tilePixels;
+        float width = checkerSize / tilePixels.x;
         vec2 wave = 2.0 * abs(fract(p * 0.5) - 0.5) - 0.5;
         vec2 share = clamp(wave / width + 0.5, 0.0, 1.0);
         float dark = share.x * (1.0 - share.y) + share.y * (1.0 - share.x);
@@ -42,7 +43,7 @@ vec3 patterned(vec3 below, vec2 uv)
         return mix(below, mix(vec3(0.42), vec3(0.24), dark), 0.55);
     }
     if (pattern == 2)
-        return texture(picture, uv).rgb;
+        return texture(picture, uv / vec2(1.0, pictureHeight)).rgb;
     return below;
 }
 
@@ -51,21 +52,21 @@ void main()
     vec2 inTiles = (gl_FragCoord.xy - tileOrigin) / tilePixels;
     vec2 uv = inTiles + originTile;
     bool inside = all(greaterThanEqual(uv, vec2(0))) && all(lessThan(uv, usedTiles));
-    vec3 textured = mix(insideColor.rgb, patterned(insideColor.rgb, inTiles), patternStrength);
+    vec3 textured = mix(insideColor.rgb, patterned(insideColor.rgb, uv * vec2(1.0, tileHeight)), patternStrength);
     vec3 result = inside ? textured : outsideColor.rgb;
     if (grid) {
         vec2 fromLine = gl_FragCoord.xy - gridOrigin;
-        float minor = lineAt(toGrid(fromLine, gridPixels / minorDivisions));
+        float minor = lineAt(toGrid(fromLine, vec2(gridPixels / minorDivisions)));
         result = mix(result, minorColor.rgb, minorColor.a * minor * minorStrength);
-        result = mix(result, majorColor.rgb, 0.6 * majorColor.a * lineAt(toGrid(fromLine, gridPixels)));
+        result = mix(result, majorColor.rgb, 0.6 * majorColor.a * lineAt(toGrid(fromLine, vec2(gridPixels))));
     }
     // Borders of tiles; in the first quadrant stronger, and the axes in their colours.
     vec2 toTile = toGrid(gl_FragCoord.xy - tileOrigin, tilePixels);
     vec2 nearest = floor(uv + 0.5);
-    bool counted = all(greaterThanEqual(uv, vec2(-0.5 / tilePixels))) && uv.x <= 10.0 + 0.5 / tilePixels;
+    bool counted = all(greaterThanEqual(uv, -0.5 / tilePixels)) && uv.x <= 10.0 + 0.5 / tilePixels.x;
     if (grid && counted)
         result = mix(result, majorColor.rgb, majorColor.a * lineAt(toTile));
-    vec2 half_ = vec2(1.0 / tilePixels);
+    vec2 half_ = 1.0 / tilePixels;
     bool square = all(greaterThanEqual(uv, -half_)) && all(lessThanEqual(uv, usedTiles + half_));
     if (square)
         result = mix(result, majorColor.rgb, min(1.0, 2.4 * majorColor.a) * lineAt(toTile - 0.25));

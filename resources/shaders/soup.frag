@@ -14,6 +14,7 @@ uniform sampler2D picture;
 uniform bool asMap, smoothShading;
 uniform mat4 projectionMatrix;
 uniform float tint; // share of the face colour over a picture
+uniform float pictureHeight; // of the picture in texture space, where it is 1 wide
 uniform float pixelRatio, checkerSize, fillOpacity, lineOpacity;
 uniform bool onPicture; // in the map, a picture lies behind
 uniform int pattern; // 0 none, 1 checker, 2 picture
@@ -42,7 +43,7 @@ vec3 surface(vec3 face, uint marks)
     if (pattern == 0 || (marks & withoutUvMark) != 0u)
         return face;
     if (pattern == 2)
-        return mix(texture(picture, texturePlace).rgb, face, tint);
+        return mix(texture(picture, texturePlace / vec2(1.0, pictureHeight)).rgb, face, tint);
     return face * mix(1.12, 0.48, checker(texturePlace));
 }
 

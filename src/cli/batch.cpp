@@ -122,7 +122,8 @@ private:
         const Result<Scene> scene = mFiles.read(mOptions);
         if (!scene)
             return fail(scene.error());
-        MapReport report = reportOn(scene.value(), mFiles.islandFlags(), mOptions.unwrap.packing.textureSize);
+        mFiles.mergeSettings(mOptions);
+        MapReport report = reportOn(scene.value(), mFiles.islandFlags(), mOptions.unwrap.packing);
         report.input = mOptions.input;
         if (mOptions.json) {
             report.status = QStringLiteral("done");
@@ -251,8 +252,8 @@ private:
         sayLosses(scene);
         if (const Result<Done> written = mFiles.write(scene, mOptions); !written)
             return fail(written.error());
-        const int textureSize = mOptions.unwrap.packing.textureSize;
-        MapReport report = reportOn(scene, mFiles.islandFlags(), textureSize);
+        const PackingSettings &packing = mOptions.unwrap.packing;
+        MapReport report = reportOn(scene, mFiles.islandFlags(), packing);
         report.input = mOptions.input;
         report.output = mOptions.output;
         report.layout = mOptions.layout;
@@ -289,9 +290,9 @@ private:
     Result<Done> drawLayout(const Scene &scene, const std::vector<int> &hatched) const
     {
         const std::vector<bool> some = mScope ? mScope->faces : std::vector<bool>();
-        const int size = mOptions.unwrap.packing.textureSize;
+        const PackingSettings &packing = mOptions.unwrap.packing;
         if (!mOptions.per)
-            return writeLayout(mOptions.layout, scene, size, hatched, some, PackingSettings::firstTile);
+            return writeLayout(mOptions.layout, scene, packing, hatched, some, PackingSettings::firstTile);
         const ChartMap charts = findCharts(*scene.mesh, scene.uvSets.front().uv);
         const Result<std::vector<int>> tiles = batchTiles(mOptions, scene, charts);
         if (!tiles)
@@ -306,7 +307,7 @@ private:
             const QString name =
                 QStringLiteral("%1.%2.%3").arg(file.completeBaseName()).arg(tile).arg(file.suffix());
             const Result<Done> drawn =
-                writeLayout(file.dir().filePath(name), scene, size, hatched, faces, tile);
+                writeLayout(file.dir().filePath(name), scene, packing, hatched, faces, tile);
             if (!drawn)
                 return drawn;
         }

@@ -73,7 +73,7 @@ QString setsInWords(const std::vector<UvSet> &sets)
 
 Result<Scene> BatchFiles::read(const CliOptions &options, const std::atomic<bool> *stop)
 {
-    if (const Result<Done> found = readFile(options.input, stop); !found)
+    if (const Result<Done> found = readFile(options.input, options.unwrap.packing.tileHeight(), stop); !found)
         return found.error();
     if (const Result<Done> chosen = chooseUvSet(options); !chosen)
         return chosen.error();
@@ -82,12 +82,12 @@ Result<Scene> BatchFiles::read(const CliOptions &options, const std::atomic<bool
     return scene;
 }
 
-Result<Done> BatchFiles::readFile(const QString &path, const std::atomic<bool> *stop)
+Result<Done> BatchFiles::readFile(const QString &path, double tileHeight, const std::atomic<bool> *stop)
 {
     if (!isProjectPath(path)) {
         // OBJ files and sessions are read to their end, which is soon, so that even then there is a map.
         const bool isObj = path.endsWith(QLatin1String(".obj"), Qt::CaseInsensitive);
-        Result<Scene> scene = readMesh(path, isObj ? nullptr : stop);
+        Result<Scene> scene = readMesh(path, isObj ? nullptr : stop, tileHeight);
         if (!scene)
             return scene.error();
         mOriginal = std::move(scene).value();
@@ -181,6 +181,7 @@ void BatchFiles::mergeSettings(CliOptions &options)
     const PackingSettings &settings = mDocument->packingSettings();
     packing::PackOptions &packing = options.unwrap.packing;
     merge("--texture-size", packing.textureSize, settings.textureSize);
+    merge("--texture-size", packing.textureHeight, settings.textureHeight);
     merge("--margin", packing.margin, settings.margin);
     merge("--rotation", packing.rotation, settings.rotation);
     merge("--tile-border", packing.border, settings.border);
@@ -194,7 +195,8 @@ void BatchFiles::mergeSettings(CliOptions &options)
         std::make_unique<ChangeSettings>(*mDocument, options.settings, packingSettingsOf(options, settings)));
 }
 
-Result<Snapshot> BatchFiles::snapshot(const Scene &scene, const SolveSettings &settings) const
+Result<Snapshot> BatchFiles::snapshot(const Scene &scene, const SolveSettings &settings,
+                                      double tileHeight) const
 {
     if (settings.start == StartMode::ExistingUv && !scene.hasUv())
         return Error{QStringLiteral("the file has no UVs to start from"), scene.path, 0,
@@ -204,6 +206,7 @@ Result<Snapshot> BatchFiles::snapshot(const Scene &scene, const SolveSettings &s
     Snapshot snapshot;
     snapshot.mesh = scene.mesh;
     snapshot.settings = settings;
+    snapshot.tileHeight = tileHeight;
     const UvMatrix *uv = scene.hasUv() ? &scene.uvSets.front().uv : nullptr;
     if (settings.start == StartMode::ExistingUv)
         snapshot.startUv = std::make_shared<const UvMatrix>(startUvFromCorners(*scene.mesh, *uv));
@@ -233,7 +236,10 @@ const LayoutRectangle *BatchFiles::rectangle(const QString &name) const
 
 Result<Done> BatchFiles::write(const Scene &scene, const CliOptions &options)
 {
-    return isProjectPath(options.output) ? writeSession(scene, options) : writeMesh(scene, options.output);
+    if (isProjectPath(options.output))
+        return writeSession(scene, options);
+    const PackingSettings &packing = mDocument ? mDocument->packingSettings() : options.unwrap.packing;
+    return writeMesh(scene, options.output, packing.tileHeight());
 }
 
 Result<Done> BatchFiles::writeSession(const Scene &scene, const CliOptions &options)
@@ -256,6 +262,7 @@ Result<Done> BatchFiles::writeSession(const Scene &scene, const CliOptions &opti
     extras.journal = mRecorder->journal();
     LayoutOptions layout;
     layout.size = thumbnailSize;
+    layout.tileHeight = mDocument->packingSettings().tileHeight();
     if (Result<QByteArray> picture = layoutPng(mDocument->mesh(), mDocument->uv(), layout))
         extras.thumbnail = std::move(picture).value();
     return saveProject(mDocument->state(), extras, options.output);

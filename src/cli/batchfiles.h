@@ -30,10 +30,10 @@ public:
     void mergeSettings(CliOptions &options);
 
     //! The input of the solver, with the steering of the session if there is one. \pre read() returned the
-    //! scene
-    Result<Snapshot> snapshot(const Scene &scene, const SolveSettings &settings) const;
+    //! scene \param tileHeight as above
+    Result<Snapshot> snapshot(const Scene &scene, const SolveSettings &settings, double tileHeight) const;
 
-    //! Locks, stacks and groups of the session's islands, per face; empty without a session.
+    //! The flags of the session's islands, per face; empty without a session.
     std::vector<IslandFlags> islandFlags() const;
 
     //! The session's rectangle of this name; null when there is none.
@@ -47,7 +47,7 @@ public:
     static QStringList losses(const Scene &scene, const QString &path);
 
 private:
-    Result<Done> readFile(const QString &path, const std::atomic<bool> *stop);
+    Result<Done> readFile(const QString &path, double tileHeight, const std::atomic<bool> *stop);
     Result<Done> chooseUvSet(const CliOptions &options);
     Scene activeFirst() const;
     Result<Done> writeSession(const Scene &scene, const CliOptions &options);

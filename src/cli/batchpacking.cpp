@@ -7,8 +7,12 @@ Result<unwrap::PackJob> batchPacking(const CliOptions &options, const BatchFiles
 {
     unwrap::PackJob pack = unwrap::steeredPackJob(snapshot, options.unwrap.packing);
     pack.hurry = unwrap::PackHurry::WhenStopped;
-    if (options.hasRectangle())
-        pack.packInto({options.unwrap.packing.lower, options.unwrap.packing.upper});
+    if (options.hasRectangle()) {
+        // In units of the file, in which a tile is 1 high.
+        const Vec2 tile(1, options.unwrap.packing.tileHeight());
+        pack.packInto({options.unwrap.packing.lower.cwiseProduct(tile),
+                       options.unwrap.packing.upper.cwiseProduct(tile)});
+    }
     if (!options.intoRectangle.isEmpty()) {
         const LayoutRectangle *rectangle = files.rectangle(options.intoRectangle);
         if (!rectangle)

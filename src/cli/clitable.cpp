@@ -273,15 +273,20 @@ std::vector<CliOption> solvingOptions()
         flag(group, u"--allow-overlaps"_s, fieldOf(&unwrap::UnwrapOptions::allowOverlaps), true,
              u"do not cut islands that overlap themselves"_s),
         flag(group, u"--no-pack"_s, fieldOf(&unwrap::UnwrapOptions::pack), false,
-             u"leave the islands where the solver put them, scaled to the unit square"_s),
+             u"leave the islands where the solver put them, scaled to the first tile"_s),
     };
 }
 
 std::vector<CliOption> packingOptions()
 {
     return {
-        integer(Group::Texture, u"--texture-size"_s, fieldOf(&PackingSettings::textureSize), 16, 65536,
-                u"texels along each side of the unit square; all texel figures refer to it"_s),
+        {Group::Texture,
+         {u"--texture-size"_s},
+         u"N|WxH"_s,
+         u"texels along each side of the texture, or its width and height; figures in texels refer to it, "
+         "and distortion is that on it"_s,
+         QString::number(PackingSettings().textureSize),
+         readTextureSize},
         number(Group::Packing, u"--margin"_s, u"X"_s, fieldOf(&PackingSettings::margin), 0, 4096,
                u"texels between islands, and half of it to the border"_s),
         defaultingTo(
@@ -291,12 +296,16 @@ std::vector<CliOption> packingOptions()
             {}),
         choice(Group::Packing, u"--rotation"_s, fieldOf(&PackingSettings::rotation),
                {{u"free"_s, PackRotation::Free},
+                {u"180"_s, PackRotation::Half},
                 {u"90"_s, PackRotation::Quarter},
+                {u"45"_s, PackRotation::Eighth},
+                {u"30"_s, PackRotation::Twelfth},
+                {u"15"_s, PackRotation::TwentyFourth},
                 {u"none"_s, PackRotation::None}},
-               u"how islands may be turned"_s),
+               u"how islands may be turned: freely, by multiples of so many degrees, or not at all"_s),
         integer(Group::Packing, u"--tile"_s, fieldOf(&PackingSettings::udimTile), PackingSettings::firstTile,
                 PackingSettings::lastTile,
-                u"UDIM tile to pack into: 1001 is the unit square, there are ten tiles in a row"_s),
+                u"UDIM tile to pack into: 1001 is the first, there are ten tiles in a row"_s),
         number(
             Group::Packing, u"--pack-time"_s, u"SECONDS"_s, fieldOf(&PackingSettings::effort), 0,
             PackingSettings::maxEffort,

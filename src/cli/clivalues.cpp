@@ -32,6 +32,22 @@ std::optional<QString> readRectangle(CliOptions &options, const QString &value)
     return std::nullopt;
 }
 
+std::optional<QString> readTextureSize(CliOptions &options, const QString &value)
+{
+    constexpr int least = 16;
+    std::vector<int> sides;
+    for (const QString &part : value.split(u'x')) {
+        sides.push_back(part.toInt());
+        if (sides.back() < least || sides.back() > PackingSettings::maxTextureSize)
+            sides.resize(3); // not valid
+    }
+    if (sides.size() > 2)
+        return u"a whole number from %1 to %2, or two as in 2048x1024"_s.arg(least).arg(
+            PackingSettings::maxTextureSize);
+    options.unwrap.packing.setTexture(sides.front(), sides.back());
+    return std::nullopt;
+}
+
 std::optional<QString> readSeamSources(CliOptions &options, const QString &value)
 {
     static const QString expected =

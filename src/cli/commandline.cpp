@@ -121,10 +121,10 @@ private:
         if (mOptions.command == Command::Lightmap && mOptions.newUvSet.isEmpty())
             mOptions.newUvSet = QStringLiteral("Lightmap");
         packing::PackOptions &packing = mOptions.unwrap.packing;
-        if (packing.margin >= packing.textureSize)
+        if (packing.margin >= packing.shorterSide())
             return usageError(QStringLiteral("the margin of %1 texels is as wide as the whole texture of %2")
                                   .arg(packing.margin)
-                                  .arg(packing.textureSize));
+                                  .arg(packing.shorterSide()));
         if (mOptions.given.contains(QStringLiteral("--border")) && mOptions.only.isEmpty())
             return usageError(QStringLiteral("--border says how --only ends, which is not given"));
         if (mOptions.hasRectangle() && mOptions.given.contains(QStringLiteral("--tile")))

@@ -205,7 +205,7 @@ Result<Snapshot> MapMaking::snapshotOf(const Scene &scene) const
         settings.seams = SeamMode::Keep;
         settings.givenSeams = {.cuts = false, .map = false, .materials = true};
     }
-    Result<Snapshot> snapshot = mFiles.snapshot(scene, settings);
+    Result<Snapshot> snapshot = mFiles.snapshot(scene, settings, mOptions.unwrap.packing.tileHeight());
     if (!snapshot)
         return snapshot;
     const auto scope = batchScope(mOptions, scene);

@@ -84,7 +84,7 @@ QString shortCount(const MapReport::Count &value)
 }
 
 std::vector<MapReport::Part> partsOf(const Scene &scene, SceneKind kind, const metrics::UvMetrics &figures,
-                                     int textureSize)
+                                     const PackingSettings &packing)
 {
     const std::vector<SceneGroup> groups = sceneGroups(scene, kind);
     const std::vector<int> groupOf = groupOfFaces(groups, scene.mesh->faceCount());
@@ -94,24 +94,27 @@ std::vector<MapReport::Part> partsOf(const Scene &scene, SceneKind kind, const m
     std::vector<MapReport::Part> parts;
     for (std::size_t g = 0; g < groups.size(); ++g)
         parts.push_back({groups[g].name, measured[g].faces, measured[g].charts, measured[g].symDirichlet,
-                         measured[g].density * textureSize, measured[g].uvArea});
+                         measured[g].density * packing.textureSize,
+                         measured[g].uvArea / packing.tileHeight()});
     return parts;
 }
 
 } // namespace
 
-MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags, int textureSize)
+MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags,
+                   const PackingSettings &packing)
 {
     MapReport report;
     if (scene.hasUv()) {
         metrics::UvMetricsOptions options;
-        options.textureSize = textureSize;
+        options.textureSize = packing.textureSize;
+        options.tileHeight = packing.tileHeight();
         options.faceFlags = faceFlags;
         const metrics::UvMetrics figures = measureUv(*scene.mesh, scene.uvSets.front().uv, options);
         report = reportOf(figures);
         report.facesWithoutUvArea = facesWithoutUvArea(*scene.mesh, figures);
-        report.objects = partsOf(scene, SceneKind::Objects, figures, textureSize);
-        report.materials = partsOf(scene, SceneKind::Materials, figures, textureSize);
+        report.objects = partsOf(scene, SceneKind::Objects, figures, packing);
+        report.materials = partsOf(scene, SceneKind::Materials, figures, packing);
     } else {
         report.triangles = scene.mesh->triangleCount();
         report.faces = scene.mesh->faceCount();
@@ -122,7 +125,8 @@ MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags
     const std::vector<double> &weights = scene.mesh->texelWeight;
     report.texelDensityWeights =
         std::count_if(weights.begin(), weights.end(), [](double weight) { return weight != 1; });
-    report.textureSize = textureSize;
+    report.textureSize = packing.textureSize;
+    report.textureHeight = packing.height();
     report.mesh = scene.mesh->report;
     report.notes = meshDoctorNotes(scene.mesh->report);
     for (const QString &note : scene.notes)
@@ -173,7 +177,8 @@ QString reportTable(const MapReport &r)
         table += meaning.isEmpty() ? value : value.leftJustified(14) + meaning;
         table += QLatin1Char('\n');
     };
-    const QString texels = QStringLiteral("at %1 x %1 texels").arg(r.textureSize.value_or(0));
+    const QString texels =
+        QStringLiteral("at %1 x %2 texels").arg(r.textureSize.value_or(0)).arg(r.textureHeight.value_or(0));
     line("triangles", shortCount(r.triangles), QStringLiteral("of %1 faces").arg(shortCount(r.faces)));
     if (!r.charts)
         return table; // without UVs there are no more figures
@@ -205,14 +210,15 @@ std::vector<int> overlappingTriangles(const Scene &scene, const std::vector<Isla
         metrics::findUvOverlaps(*scene.mesh, scene.uvSets.front().uv, options));
 }
 
-Result<Done> writeLayout(const QString &path, const Scene &scene, int textureSize,
+Result<Done> writeLayout(const QString &path, const Scene &scene, const PackingSettings &packing,
                          const std::vector<int> &hatched, const std::vector<bool> &faces, int tile)
 {
     const MeshData &mesh = *scene.mesh;
     UvMatrix uv = withoutOtherFaces(mesh, scene.uvSets.front().uv, faces);
-    uv.rowwise() -= udimCorner(tile).transpose();
+    uv.rowwise() -= udimTile(tile, packing.tileHeight()).min().transpose();
     LayoutOptions options;
-    options.size = std::clamp(textureSize, 256, 4096);
+    options.size = std::clamp(std::max(packing.textureSize, packing.height()), 256, 4096);
+    options.tileHeight = packing.tileHeight();
     options.overlapping = hatched;
     const bool svg = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
     const Result<QByteArray> bytes = svg ? layoutSvg(mesh, uv, options) : layoutPng(mesh, uv, options);

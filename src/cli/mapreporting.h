@@ -5,6 +5,7 @@
 #include "model/document/scene.h"
 #include "model/io/report.h"
 #include "model/plain/islandflags.h"
+#include "model/plain/packingsettings.h"
 #include "solver/metrics/uvmetrics.h"
 
 #include <QString>
@@ -14,8 +15,9 @@ namespace autocuts {
 
 //! Measures the active UV set and describes the mesh. Without a UV set, the figures of the map stay unknown.
 //! \param faceFlags per face: which islands are stacked; empty: none
-//! \param textureSize texels along a side, for figures in texels
-MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags, int textureSize);
+//! \param packing the texture, for figures in texels
+MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags,
+                   const PackingSettings &packing);
 
 //! The problems of a map, one sentence each; empty when it can be used. \param report from reportOn()
 QStringList mapProblems(const MapReport &report);
@@ -32,7 +34,7 @@ std::vector<int> overlappingTriangles(const Scene &scene, const std::vector<Isla
 //! Draws the active UV set. \param path .png or .svg \param hatched triangles, ascending
 //! \param faces per face: it is drawn; empty: all are
 //! \param tile UDIM tile of which the picture is
-Result<Done> writeLayout(const QString &path, const Scene &scene, int textureSize,
+Result<Done> writeLayout(const QString &path, const Scene &scene, const PackingSettings &packing,
                          const std::vector<int> &hatched, const std::vector<bool> &faces, int tile);
 
 } // namespace autocuts

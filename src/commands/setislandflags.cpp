@@ -42,6 +42,10 @@ IslandFlags edited(IslandFlags flags, SetIslandFlags::Edit edit, std::int32_t nu
     case SetIslandFlags::Edit::Clear:
         flags = {};
         break;
+    case SetIslandFlags::Edit::KeepOrientation:
+    case SetIslandFlags::Edit::FreeOrientation:
+        flags.upright = edit == SetIslandFlags::Edit::KeepOrientation;
+        break;
     }
     return flags;
 }
@@ -127,6 +131,12 @@ QString SetIslandFlags::label() const
     case Edit::Ungroup:
         return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Ungroup %n island"),
                            QT_TRANSLATE_NOOP("Undo Commands", "Ungroup %n islands"), mCount);
+    case Edit::KeepOrientation:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Keep orientation of %n island"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Keep orientation of %n islands"), mCount);
+    case Edit::FreeOrientation:
+        return countedText(QT_TRANSLATE_NOOP("Undo Commands", "Free orientation of %n island"),
+                           QT_TRANSLATE_NOOP("Undo Commands", "Free orientation of %n islands"), mCount);
     case Edit::Clear:
         break;
     }
@@ -143,7 +153,7 @@ void SetIslandFlags::writePayload(QCborMap &map) const
 
 Result<std::unique_ptr<DocumentCommand>> SetIslandFlags::fromCbor(Document &document, CborReader &reader)
 {
-    const Edit edit = reader.enumerator("edit"_L1, Edit::Clear);
+    const Edit edit = reader.enumerator("edit"_L1, Edit::FreeOrientation);
     const int count = static_cast<int>(reader.integer("count"_L1, 0, std::numeric_limits<int>::max()));
     XorDelta delta = XorDelta::read(reader, sizeof(IslandFlags), document.mesh().faceCount());
     const std::vector<IslandFlags> flags = delta.applied(document.marks().faceFlags.data());

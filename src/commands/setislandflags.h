@@ -1,4 +1,4 @@
-// Commands that lock, stack and group islands.
+// Commands that lock, stack and group islands, and keep their orientation.
 #pragma once
 
 #include "commands/documentcommand.h"
@@ -11,7 +11,8 @@ namespace autocuts {
 class SetIslandFlags final : public DocumentCommand
 {
 public:
-    enum class Edit { Lock, Unlock, Stack, Unstack, Group, Ungroup, Clear };
+    //! Stored in journals by number.
+    enum class Edit { Lock, Unlock, Stack, Unstack, Group, Ungroup, Clear, KeepOrientation, FreeOrientation };
 
     //! Stack and Group put all islands into one new stack or group; Clear removes all flags.
     //! \param islands indices in Document::islands(), in any order

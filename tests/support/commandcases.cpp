@@ -450,6 +450,16 @@ std::vector<Case> markCases()
          {u"flag 4: 0-1,4-5,8-9,12-13"_s},
          flags(Edit::Group, {})},
         {"ungroup", flags(Edit::Ungroup, {1}), "Ungroup 1 island", {}, flags(Edit::Ungroup, {0})},
+        {"keep orientation",
+         flags(Edit::KeepOrientation, {1}),
+         "Keep orientation of 1 island",
+         {u"flag 8: 2-3,6-7,10-11,14-15"_s},
+         flags(Edit::KeepOrientation, {})},
+        {"free orientation",
+         flags(Edit::FreeOrientation, {0, 1}),
+         "Free orientation of 2 islands",
+         {u"flag 8: 2-2"_s},
+         flags(Edit::FreeOrientation, {0})},
         {"tag", tag(u"metal"_s, {1}, true), "Tag 1 island", {u"tag metal"_s}, tag(u""_s, {1}, true)},
         {"texel weights",
          texelWeights(3, 4, 2.5),
@@ -522,6 +532,7 @@ std::unique_ptr<Document> startFor(const Case &c)
         state.texelWeights.assign(static_cast<std::size_t>(state.scene.mesh->faceCount()), 1.0);
         state.texelWeights[5] = 3;
     }
+    state.marks.faceFlags[2].upright = name == "free orientation";
     state.marks.faceFlags[2].locked = name == "unlock" || name == "reset marks";
     return std::move(*Document::create(std::move(state)).operator->());
 }

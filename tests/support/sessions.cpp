@@ -66,8 +66,8 @@ void addSteering(DocumentState &state)
     state.constraints.pins = {{3, {0.25, 0.5}, true, 1}, {30, {1.5, -0.5}, false, 7}};
     state.constraints.rectangles = {{1, u"head"_s, 0xff00ff00, {0, 0}, {0.5, 0.5}, false, 1, {0, 1, 4}},
                                     {4, u""_s, 0x80ff0000, {0.5, 0}, {1, 0.25}, true, 2, {}}};
-    state.marks.faceFlags[2] = {1, 0, 0};
-    state.marks.faceFlags[7] = {0, 3, 9};
+    state.marks.faceFlags[2] = {.locked = 1};
+    state.marks.faceFlags[7] = {.stack = 3, .group = 9};
     state.marks.tags = {{u"metal"_s, {0, 1, 5}}, {u"skin"_s, {11}}};
     state.solveSettings = {0.25,
                            0.5,

@@ -159,7 +159,10 @@ private:
         for (int i = 0; i < 2; ++i) {
             for (const int face : someIsland(mCharts, mRandom)) {
                 IslandFlags &flags = mSteering.faceFlags[face];
-                (kind == 0 ? flags.locked : kind == 1 ? flags.stack : flags.group) = 1;
+                if (kind == 0)
+                    flags.locked = 1;
+                else
+                    (kind == 1 ? flags.stack : flags.group) = 1;
             }
         }
     }
@@ -382,8 +385,8 @@ private:
     {
         if (!mBefore.keepTiles || mAfter.saysItFailed || !mSteering.rectangles.empty())
             return;
-        const std::vector<int> old = udimTiles(mMesh, *mBefore.uv);
-        const std::vector<int> now = udimTiles(mMesh, mAfter.uv);
+        const std::vector<int> old = udimTiles(mMesh, *mBefore.uv, mBefore.tileHeight);
+        const std::vector<int> now = udimTiles(mMesh, mAfter.uv, mBefore.tileHeight);
         for (int face = 0; face < mMesh.faceCount(); ++face) {
             const bool joined = std::find(mSteering.pairState.begin(), mSteering.pairState.end(),
                                           PairState::Joined) != mSteering.pairState.end();

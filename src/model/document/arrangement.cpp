@@ -1,5 +1,6 @@
 #include "model/document/arrangement.h"
 
+#include "model/plain/udimtiles.h"
 #include "model/plain/unionfind.h"
 
 #include <algorithm>
@@ -125,7 +126,7 @@ std::vector<IslandPiece> islandPieces(const Islands &islands, const IslandMarks 
     return pieces;
 }
 
-std::vector<Eigen::Affine2d> alignedPieces(std::span<const IslandPiece> pieces, AlignTo to)
+std::vector<Eigen::Affine2d> alignedPieces(std::span<const IslandPiece> pieces, AlignTo to, double tileHeight)
 {
     Eigen::AlignedBox2d frame, locked;
     for (const IslandPiece &piece : pieces) {
@@ -136,8 +137,7 @@ std::vector<Eigen::Affine2d> alignedPieces(std::span<const IslandPiece> pieces, 
     if (!locked.isEmpty()) {
         frame = locked;
     } else if (pieces.size() == 1) {
-        const Vec2 tile = frame.center().array().floor();
-        frame = Eigen::AlignedBox2d(tile, Vec2(tile + Vec2::Ones()));
+        frame = tileAt(frame.center(), tileHeight);
     }
     std::vector<Eigen::Affine2d> result;
     for (const IslandPiece &piece : pieces) {
@@ -222,17 +222,18 @@ Eigen::Affine2d turnedPiece(const IslandPiece &piece, double angle)
     return turnedAbout(piece.box.center(), angle);
 }
 
-Eigen::Affine2d fittedIntoTile(std::span<const IslandPiece> pieces, double border)
+Eigen::Affine2d fittedIntoTile(std::span<const IslandPiece> pieces, double border, double tileHeight)
 {
     Eigen::AlignedBox2d box;
     for (const IslandPiece &piece : pieces)
         box.extend(piece.box);
-    const double side = box.isEmpty() ? 0 : box.sizes().maxCoeff();
-    if (!(side > 0))
+    if (box.isEmpty() || !(box.sizes().maxCoeff() > 0))
         return Eigen::Affine2d::Identity();
-    const Vec2 tile = box.center().array().floor();
-    Eigen::Affine2d result = scaledAbout(box.center(), Vec2::Constant((1 - 2 * border) / side));
-    result.pretranslate(tile + Vec2::Constant(0.5) - box.center());
+    const Eigen::AlignedBox2d tile = tileAt(box.center(), tileHeight);
+    const Vec2 room = tile.sizes() - Vec2::Constant(2 * border);
+    const double factor = room.cwiseQuotient(box.sizes()).minCoeff();
+    Eigen::Affine2d result = scaledAbout(box.center(), Vec2::Constant(factor));
+    result.pretranslate(tile.center() - box.center());
     return result;
 }
 

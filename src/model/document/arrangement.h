@@ -28,7 +28,9 @@ enum class AlignTo { Left, Right, Bottom, Top, CentreU, CentreV };
 
 //! Moves each piece to one side, or to the middle, of the box around all pieces; when some are locked, of the
 //! box around the locked ones. A single piece is aligned in the texture tile that contains its centre.
-std::vector<Eigen::Affine2d> alignedPieces(std::span<const IslandPiece> pieces, AlignTo to);
+//! \param tileHeight of the texture, see PackingSettings::tileHeight()
+std::vector<Eigen::Affine2d> alignedPieces(std::span<const IslandPiece> pieces, AlignTo to,
+                                           double tileHeight);
 
 enum class Distribute { CentresU, CentresV, GapsU, GapsV };
 
@@ -47,8 +49,9 @@ Eigen::Affine2d scaledAbout(const Vec2 &point, const Vec2 &factor);
 Eigen::Affine2d turnedPiece(const IslandPiece &piece, double angle);
 
 //! Moves and scales all pieces together so that they are as large as the tile allows that contains the centre
-//! of their box. \param border left free along the sides of the tile, texture space, below 0.5
-Eigen::Affine2d fittedIntoTile(std::span<const IslandPiece> pieces, double border);
+//! of their box. \param border left free along the sides of the tile, texture space, below half of
+//! the shorter side \param tileHeight as above
+Eigen::Affine2d fittedIntoTile(std::span<const IslandPiece> pieces, double border, double tileHeight);
 
 //! The smallest turn, at most 45 degrees either way, that aligns the smallest box around the points with the
 //! axes. Points that are not finite are ignored. \returns radians; 0 when the points have no extent

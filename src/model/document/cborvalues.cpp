@@ -283,13 +283,10 @@ SolveSettings readSolveSettings(CborReader &reader)
 
 QCborMap toCbor(const PackingSettings &settings)
 {
-    return {{"textureSize"_L1, settings.textureSize},
-            {"margin"_L1, static_cast<int>(settings.margin)},
-            {"udimTile"_L1, settings.udimTile},
-            {"rotation"_L1, static_cast<int>(settings.rotation)},
-            {"keepScale"_L1, settings.keepScale},
-            {"border"_L1, settings.border},
-            {"effort"_L1, settings.effort}};
+    return {{"textureSize"_L1, settings.textureSize}, {"margin"_L1, static_cast<int>(settings.margin)},
+            {"udimTile"_L1, settings.udimTile},       {"rotation"_L1, static_cast<int>(settings.rotation)},
+            {"keepScale"_L1, settings.keepScale},     {"border"_L1, settings.border},
+            {"effort"_L1, settings.effort},           {"textureHeight"_L1, settings.textureHeight}};
 }
 
 PackingSettings readPackingSettings(CborReader &reader)
@@ -300,10 +297,11 @@ PackingSettings readPackingSettings(CborReader &reader)
             field = static_cast<int>(reader.integer(key, 0, PackingSettings::maxTextureSize));
     };
     integer("textureSize"_L1, settings.textureSize);
+    integer("textureHeight"_L1, settings.textureHeight);
     integer("margin"_L1, settings.margin);
     integer("udimTile"_L1, settings.udimTile);
     if (reader.contains("rotation"_L1))
-        settings.rotation = reader.enumerator("rotation"_L1, PackRotation::Free);
+        settings.rotation = reader.enumerator("rotation"_L1, PackRotation::TwentyFourth);
     if (reader.contains("keepScale"_L1))
         settings.keepScale = reader.boolean("keepScale"_L1);
     if (reader.contains("border"_L1))

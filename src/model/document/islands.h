@@ -4,6 +4,7 @@
 // from the UVs and have no identity: an edit can split one island or stitch two into one. Marks are therefore
 // stored per face. An island has
 // - the lock when any of its faces is locked, so that a locked face never moves,
+// - its orientation kept when that of any of its faces is,
 // - the stack or group that most of its faces have; "none" counts as a value as well but loses a tie, and
 //   among other equally frequent values the smallest wins,
 // - a tag when at least half of its faces have it.

@@ -69,6 +69,7 @@ Snapshot makeSnapshot(const Document &document, std::optional<StartMode> start)
     addConstraints(steering, document);
     snapshot.token = document.token();
     snapshot.uvScale = document.uvScale();
+    snapshot.tileHeight = state.packingSettings.tileHeight();
     snapshot.keepTiles = state.packingSettings.udimTile == PackingSettings::firstTile;
     if (hasUvs(document)) {
         snapshot.uv = std::make_shared<const UvMatrix>(document.uv());

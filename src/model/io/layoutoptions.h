@@ -3,6 +3,8 @@
 
 #include <QColor>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -10,10 +12,11 @@ namespace autocuts {
 
 enum class LayoutBackground { Transparent, Dark, Light };
 
-//! How a layout is drawn. The picture shows the unit square with v pointing up; anything outside is cut off.
+//! How a layout is drawn. The picture shows the first tile of the texture with v pointing up; anything
+//! outside is cut off.
 struct LayoutOptions
 {
-    int size = 2048;   //!< pixels along each side, 16 to 16384
+    int size = 2048;   //!< pixels along the longer side, 16 to 16384
     bool edges = true; //!< draw the edges inside the islands
     bool fill = true;  //!< fill the islands
     bool seams = true; //!< draw the outlines of the islands
@@ -24,6 +27,16 @@ struct LayoutOptions
     //! Without a value, chosen to suit the background.
     std::optional<QColor> islandColor, edgeColor, seamColor;
     std::vector<int> overlapping; //!< triangles of the mesh to hatch
+    double tileHeight = 1;        //!< of the texture, see PackingSettings::tileHeight()
+
+    int width() const
+    {
+        return tileHeight > 1 ? std::max(1, static_cast<int>(std::lround(size / tileHeight))) : size;
+    }
+    int height() const
+    {
+        return tileHeight < 1 ? std::max(1, static_cast<int>(std::lround(size * tileHeight))) : size;
+    }
 };
 
 } // namespace autocuts

@@ -2,6 +2,8 @@
 
 #include "model/plain/chart.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <tuple>
 
@@ -12,9 +14,11 @@ namespace {
 using Loop = LayoutPaths::Loop;
 
 //! The drawn region of UV space. Drawing far outside the picture is slow and may overflow; the picture is the
-//! unit square, and a border of one unit keeps line ends out of sight. Chosen by hand.
-constexpr double lowest = -1;
-constexpr double highest = 2;
+//! first tile, and a border of one unit keeps line ends out of sight. Chosen by hand.
+Eigen::AlignedBox2d drawnRegion(double tileHeight)
+{
+    return {Vec2(-1, -1), Vec2(2, tileHeight + 1)};
+}
 
 //! A side of a face or triangle with a direction.
 struct DirectedSide
@@ -135,10 +139,9 @@ std::vector<Chain> chains(const std::vector<DirectedSide> &sides)
     return result;
 }
 
-bool isNear(const Loop &points)
+bool isNear(const Loop &points, const Eigen::AlignedBox2d &region)
 {
-    return std::all_of(points.begin(), points.end(),
-                       [](const Vec2 &p) { return p.minCoeff() >= lowest && p.maxCoeff() <= highest; });
+    return std::all_of(points.begin(), points.end(), [&](const Vec2 &p) { return region.contains(p); });
 }
 
 //! The part of a polygon on one side of an axis-parallel line.
@@ -160,23 +163,23 @@ Loop clippedHalf(const Loop &loop, int axis, double limit, bool keepBelow)
     return result;
 }
 
-Loop clippedLoop(Loop loop)
+Loop clippedLoop(Loop loop, const Eigen::AlignedBox2d &region)
 {
-    if (isNear(loop))
+    if (isNear(loop, region))
         return loop;
     for (int axis = 0; axis < 2; ++axis) {
         for (const bool keepBelow : {false, true})
-            loop = clippedHalf(loop, axis, keepBelow ? highest : lowest, keepBelow);
+            loop = clippedHalf(loop, axis, (keepBelow ? region.max() : region.min())[axis], keepBelow);
     }
     return loop;
 }
 
 //! Clips a line to the drawn region; false when nothing is left.
-bool clipLine(Vec2 &a, Vec2 &b)
+bool clipLine(Vec2 &a, Vec2 &b, const Eigen::AlignedBox2d &region)
 {
     for (int axis = 0; axis < 2; ++axis) {
-        for (const double limit : {lowest, highest}) {
-            const double sign = limit == lowest ? 1 : -1;
+        for (const double sign : {1, -1}) {
+            const double limit = (sign > 0 ? region.min() : region.max())[axis];
             const bool aOut = sign * (a[axis] - limit) < 0;
             const bool bOut = sign * (b[axis] - limit) < 0;
             if (aOut && bOut)
@@ -199,18 +202,19 @@ Loop places(const UvMatrix &uv, const std::vector<int> &vertices)
     return points;
 }
 
-void addBorders(const UvMatrix &uv, const std::vector<DirectedSide> &border, LayoutPaths &paths)
+void addBorders(const UvMatrix &uv, const std::vector<DirectedSide> &border,
+                const Eigen::AlignedBox2d &region, LayoutPaths &paths)
 {
     for (const Chain &chain : chains(border)) {
         Loop points = places(uv, chain.vertices);
-        if (isNear(points)) {
+        if (isNear(points, region)) {
             paths.borders.push_back({std::move(points), chain.closed});
             continue;
         }
         for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < points.size(); ++i) {
             Vec2 a = points[i];
             Vec2 b = points[(i + 1) % points.size()];
-            if (clipLine(a, b))
+            if (clipLine(a, b, region))
                 paths.borders.push_back({{a, b}, false});
         }
     }
@@ -218,21 +222,23 @@ void addBorders(const UvMatrix &uv, const std::vector<DirectedSide> &border, Lay
 
 } // namespace
 
-LayoutPaths layoutPaths(const MeshData &mesh, const UvMatrix &uv, const std::vector<int> &overlapping)
+LayoutPaths layoutPaths(const MeshData &mesh, const UvMatrix &uv, double tileHeight,
+                        const std::vector<int> &overlapping)
 {
+    const Eigen::AlignedBox2d region = drawnRegion(tileHeight);
     const UvTopology topology = findUvTopology(mesh, uv);
     LayoutPaths paths;
     paths.islands.resize(topology.charts.count);
     for (const Chain &chain : chains(cancelled(triangleSides(mesh, uv, topology)))) {
-        Loop loop = clippedLoop(places(uv, chain.vertices));
+        Loop loop = clippedLoop(places(uv, chain.vertices), region);
         if (!loop.empty())
             paths.islands[chain.chart].push_back(std::move(loop));
     }
-    addBorders(uv, borderSides(mesh, topology), paths);
+    addBorders(uv, borderSides(mesh, topology), region, paths);
     for (const UvEdge &edge : topology.uvEdges) {
         Vec2 a = uv.row(topology.cornerRoot[edge.corner[0]]);
         Vec2 b = uv.row(topology.cornerRoot[edge.corner[1]]);
-        if (!edge.open && clipLine(a, b))
+        if (!edge.open && clipLine(a, b, region))
             paths.innerEdges.emplace_back(a, b);
     }
     for (int t : overlapping) {
@@ -243,7 +249,7 @@ LayoutPaths layoutPaths(const MeshData &mesh, const UvMatrix &uv, const std::vec
             loop.emplace_back(uv.row(corner));
         if (cross2(loop[0], loop[1], loop[2]) < 0)
             std::swap(loop[1], loop[2]);
-        loop = clippedLoop(std::move(loop));
+        loop = clippedLoop(std::move(loop), region);
         if (!loop.empty())
             paths.overlaps.push_back(std::move(loop));
     }

@@ -8,7 +8,7 @@
 
 namespace autocuts {
 
-//! The lines of a UV layout in UV units, clipped to a region larger than the unit square.
+//! The lines of a UV layout in UV units, clipped to a region larger than the first tile of the texture.
 struct LayoutPaths
 {
     using Loop = std::vector<Vec2>;
@@ -27,7 +27,9 @@ struct LayoutPaths
 };
 
 //! \param uv one row per corner; a non-finite row means that the corner has no UV
+//! \param tileHeight of the texture, see PackingSettings::tileHeight()
 //! \param overlapping triangles of the mesh; those out of range or without UVs are ignored
-LayoutPaths layoutPaths(const MeshData &mesh, const UvMatrix &uv, const std::vector<int> &overlapping);
+LayoutPaths layoutPaths(const MeshData &mesh, const UvMatrix &uv, double tileHeight,
+                        const std::vector<int> &overlapping);
 
 } // namespace autocuts

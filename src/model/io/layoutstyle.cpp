@@ -29,7 +29,7 @@ LayoutStyle::LayoutStyle(const LayoutPaths &paths, const LayoutOptions &options)
                  : light                                             ? QColor(0xF3, 0xF3, 0xF0)
                                                                      : QColor(0x22, 0x25, 0x2A);
     frame = light ? QColor(0xB4, 0xB4, 0xAE) : QColor(0x6A, 0x70, 0x7A);
-    const double density = std::clamp(meanEdgePixels(paths, options.size) / 14, 0.18, 1.0);
+    const double density = std::clamp(meanEdgePixels(paths, options.width()) / 14, 0.18, 1.0);
     edge = QColor(0x14, 0x1A, 0x22, static_cast<int>(std::lround(150 * density)));
     if (options.edgeColor)
         edge = *options.edgeColor;

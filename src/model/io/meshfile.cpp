@@ -14,6 +14,7 @@
 #include "model/io/objreader.h"
 #include "model/io/objwriter.h"
 #include "model/io/savefile.h"
+#include "model/io/tilescaling.h"
 
 #include <QFileInfo>
 
@@ -75,6 +76,20 @@ Result<Done> writeAs(const Scene &scene, const QString &path)
     return writeWithAssimp(twin ? *twin : scene, path);
 }
 
+Result<Scene> readAs(const QString &suffix, const QString &path, const std::atomic<bool> *stop)
+{
+    if (suffix == QLatin1String("obj"))
+        return readObj(path, stop);
+    if (suffix == QLatin1String("fbx"))
+        return readFbx(path, stop);
+    if (isGltfFormat(suffix))
+        return readGltf(path, stop);
+    Result<Scene> scene = readWithAssimp(path, stop);
+    if (scene && suffix == QLatin1String("dae"))
+        keepCollada(scene.value());
+    return scene;
+}
+
 } // namespace
 
 QStringList readableFormats()
@@ -87,21 +102,15 @@ QStringList writableFormats()
     return QStringLiteral("obj glb gltf dae fbx ply").split(QLatin1Char(' '));
 }
 
-Result<Scene> readMesh(const QString &path, const std::atomic<bool> *stop)
+Result<Scene> readMesh(const QString &path, const std::atomic<bool> *stop, double tileHeight)
 {
     const QString suffix = suffixOf(path);
     if (!readableFormats().contains(suffix))
         return unknownFormat(path, readableFormats(), QStringLiteral("read"));
     try {
-        if (suffix == QLatin1String("obj"))
-            return readObj(path, stop);
-        if (suffix == QLatin1String("fbx"))
-            return readFbx(path, stop);
-        if (isGltfFormat(suffix))
-            return readGltf(path, stop);
-        Result<Scene> scene = readWithAssimp(path, stop);
-        if (scene && suffix == QLatin1String("dae"))
-            keepCollada(scene.value());
+        Result<Scene> scene = readAs(suffix, path, stop);
+        if (scene && tileHeight != 1)
+            scaleFromFile(scene.value(), tileHeight);
         return scene;
     } catch (const std::bad_alloc &) {
         return outOfMemory(path);
@@ -119,12 +128,12 @@ Result<Done> checkWriteFormat(const QString &path)
     return Done{};
 }
 
-Result<Done> writeMesh(const Scene &scene, const QString &path)
+Result<Done> writeMesh(const Scene &scene, const QString &path, double tileHeight)
 {
     if (Result<Done> format = checkWriteFormat(path); !format)
         return format;
     try {
-        return writeAs(scene, path);
+        return tileHeight == 1 ? writeAs(scene, path) : writeAs(scaledForFile(scene, tileHeight), path);
     } catch (const std::bad_alloc &) {
         return outOfMemory(path);
     }

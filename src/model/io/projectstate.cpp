@@ -129,23 +129,29 @@ bool readConstraints(CborReader &reader, DocumentState &state)
     return true;
 }
 
-//! Stores the faces with flags in "faces", and three numbers for each in "flags"; and the hidden faces in
-//! "hidden" when there are any.
+//! Stores the faces with flags in "faces", three numbers for each in "flags", those that keep their
+//! orientation in "upright", and the hidden faces in "hidden" when there are any.
 QCborMap marksMap(const DocumentState &state)
 {
     const IslandMarks &marks = state.marks;
     std::vector<int> faces, flags;
+    QList<int> upright;
     for (std::size_t f = 0; f < marks.faceFlags.size(); ++f) {
         const IslandFlags &face = marks.faceFlags[f];
         if (face == IslandFlags())
             continue;
         faces.push_back(static_cast<int>(f));
         flags.insert(flags.end(), {face.locked, face.stack, face.group});
+        if (face.upright != 0)
+            upright.append(static_cast<int>(f));
     }
     QCborArray tags;
     for (const IslandTag &tag : marks.tags)
         tags.append(QCborMap{{"name"_L1, tag.name}, {"faces"_L1, packedIntegers(tag.faces)}});
-    QCborMap map{{"faces"_L1, packedArray(faces)}, {"flags"_L1, packedArray(flags)}, {"tags"_L1, tags}};
+    QCborMap map{{"faces"_L1, packedArray(faces)},
+                 {"flags"_L1, packedArray(flags)},
+                 {"upright"_L1, packedIntegers(upright)},
+                 {"tags"_L1, tags}};
     if (!state.hiddenFaces.isEmpty())
         map["hidden"_L1] = packedIntegers(state.hiddenFaces);
     return map;
@@ -164,8 +170,16 @@ bool readMarks(CborReader &reader, DocumentState &state)
     for (std::size_t i = 0; i < faces->size(); ++i) {
         if ((*faces)[i] < 0 || (*faces)[i] >= mesh.faceCount())
             return false;
-        marks.faceFlags[static_cast<std::size_t>((*faces)[i])] = {(*flags)[3 * i], (*flags)[3 * i + 1],
-                                                                  (*flags)[3 * i + 2]};
+        const int locked = (*flags)[3 * i];
+        if (locked < 0 || locked > 1)
+            return false;
+        marks.faceFlags[static_cast<std::size_t>((*faces)[i])] = {.locked = static_cast<std::int16_t>(locked),
+                                                                  .stack = (*flags)[3 * i + 1],
+                                                                  .group = (*flags)[3 * i + 2]};
+    }
+    if (reader.contains("upright"_L1)) {
+        for (const int face : reader.indexSet("upright"_L1, mesh.faceCount()))
+            marks.faceFlags[static_cast<std::size_t>(face)].upright = 1;
     }
     for (const QCborMap &map : reader.maps("tags"_L1)) {
         CborReader tag(map);

@@ -143,6 +143,7 @@ void addFurtherKeys(ObjectWriter &writer, const MapReport &report)
     writer.add("layout", report.layout);
     writer.add("uv_set", report.uvSet);
     writer.add("texture_size", report.textureSize);
+    writer.add("texture_height", report.textureHeight);
     writer.add("faces", report.faces);
     writer.add("faces_without_uv", report.facesWithoutUv);
     writer.add("faces_without_uv_area", report.facesWithoutUvArea);

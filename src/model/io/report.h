@@ -34,7 +34,7 @@ struct MapReport
     // More figures of the map.
     QString input, output, layout;
     QString uvSet; //!< name of the set that was measured
-    Count textureSize;
+    Count textureSize, textureHeight;
     Count faces, seamEdges, symDirichletInfinite, uvDegenerate, mirroredCharts, nonDiskCharts;
     Count facesWithoutUv, zeroAreaTriangles, overlappingTriangles, stackedPairs;
     Count texelDensityWeights; //!< faces with a painted texel weight; distortion is relative to these

@@ -23,8 +23,9 @@ Error layoutError(const QString &message)
 class LayoutPainter
 {
 public:
-    LayoutPainter(QImage &image, const LayoutPaths &paths, const LayoutStyle &style)
-        : mPainter(&image), mPaths(paths), mStyle(style), mSize(image.width())
+    LayoutPainter(QImage &image, const LayoutPaths &paths, const LayoutStyle &style, double tileHeight)
+        : mPainter(&image), mPaths(paths), mStyle(style), mWidth(image.width()), mHeight(image.height()),
+          mTop(tileHeight)
     {
         mPainter.setRenderHint(QPainter::Antialiasing);
     }
@@ -42,7 +43,7 @@ public:
     }
 
 private:
-    QPointF pixel(const Vec2 &uv) const { return {uv.x() * mSize, (1 - uv.y()) * mSize}; }
+    QPointF pixel(const Vec2 &uv) const { return {uv.x() * mWidth, (mTop - uv.y()) * mWidth}; }
 
     QPainterPath path(const std::vector<LayoutPaths::Loop> &loops) const
     {
@@ -62,7 +63,7 @@ private:
         const double inset = mStyle.frameWidth / 2;
         mPainter.setPen(QPen(mStyle.frame, mStyle.frameWidth, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
         mPainter.setBrush(Qt::NoBrush);
-        mPainter.drawRect(QRectF(inset, inset, mSize - 2 * inset, mSize - 2 * inset));
+        mPainter.drawRect(QRectF(inset, inset, mWidth - 2 * inset, mHeight - 2 * inset));
     }
 
     void paintIslands(int bleed)
@@ -123,7 +124,8 @@ private:
     QPainter mPainter;
     const LayoutPaths &mPaths;
     const LayoutStyle &mStyle;
-    double mSize;
+    double mWidth, mHeight; //!< pixels
+    double mTop;            //!< v of the upper border
 };
 
 //! Writes SVG directly: smaller than a recorded QPainter drawing, with named groups, and always the same
@@ -131,28 +133,28 @@ private:
 class SvgWriter
 {
 public:
-    SvgWriter(const LayoutPaths &paths, const LayoutStyle &style, int size)
-        : mPaths(paths), mStyle(style), mSize(size)
+    SvgWriter(const LayoutPaths &paths, const LayoutStyle &style, const LayoutOptions &options)
+        : mPaths(paths), mStyle(style), mOptions(options), mWidth(options.width()), mHeight(options.height())
     {}
 
-    QByteArray write(const LayoutOptions &options)
+    QByteArray write()
     {
-        const QByteArray side = QByteArray::number(mSize);
+        const QByteArray width = QByteArray::number(mWidth), height = QByteArray::number(mHeight);
         mText =
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-            side + "\" height=\"" + side + "\" viewBox=\"0 0 " + side + ' ' + side + "\">\n";
+            width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + ' ' + height + "\">\n";
         writeHatch();
         if (mStyle.background.alpha() > 0)
             mText += "<rect width=\"100%\" height=\"100%\" fill=\"" + color(mStyle.background) + "\"/>\n";
         writeFrame();
-        if (options.fill && options.bleed > 0)
-            writeBleed(options.bleed);
-        if (options.fill)
+        if (mOptions.fill && mOptions.bleed > 0)
+            writeBleed(mOptions.bleed);
+        if (mOptions.fill)
             writeIslands();
-        if (options.edges)
+        if (mOptions.edges)
             writeEdges();
         writeOverlaps();
-        if (options.seams)
+        if (mOptions.seams)
             writeSeams();
         mText += "</svg>\n";
         return mText;
@@ -173,7 +175,7 @@ private:
 
     QByteArray point(const Vec2 &uv) const
     {
-        return number(uv.x() * mSize) + ' ' + number((1 - uv.y()) * mSize);
+        return number(uv.x() * mWidth) + ' ' + number((mOptions.tileHeight - uv.y()) * mWidth);
     }
 
     void appendLine(const std::vector<Vec2> &points, bool closed)
@@ -221,9 +223,9 @@ private:
     void writeFrame()
     {
         const QByteArray inset = number(mStyle.frameWidth / 2);
-        const QByteArray side = number(mSize - mStyle.frameWidth);
-        mText += "<rect id=\"frame\" x=\"" + inset + "\" y=\"" + inset + "\" width=\"" + side +
-                 "\" height=\"" + side + '"' + stroke(mStyle.frame, mStyle.frameWidth) + "/>\n";
+        mText += "<rect id=\"frame\" x=\"" + inset + "\" y=\"" + inset + "\" width=\"" +
+                 number(mWidth - mStyle.frameWidth) + "\" height=\"" + number(mHeight - mStyle.frameWidth) +
+                 '"' + stroke(mStyle.frame, mStyle.frameWidth) + "/>\n";
     }
 
     void writeBleed(int bleed)
@@ -282,7 +284,8 @@ private:
 
     const LayoutPaths &mPaths;
     const LayoutStyle &mStyle;
-    int mSize;
+    const LayoutOptions &mOptions;
+    int mWidth, mHeight;
     QByteArray mText;
 };
 
@@ -303,13 +306,13 @@ Result<QByteArray> layoutPng(const MeshData &mesh, const UvMatrix &uv, const Lay
     const QString problem = layoutOptionsProblem(options);
     if (!problem.isNull())
         return layoutError(problem);
-    QImage image(options.size, options.size, QImage::Format_ARGB32_Premultiplied);
+    QImage image(options.width(), options.height(), QImage::Format_ARGB32_Premultiplied);
     if (image.isNull())
         return layoutError(QStringLiteral("there is not enough memory for a layout picture"));
-    const LayoutPaths paths = layoutPaths(mesh, uv, options.overlapping);
+    const LayoutPaths paths = layoutPaths(mesh, uv, options.tileHeight, options.overlapping);
     const LayoutStyle style(paths, options);
     image.fill(style.background);
-    LayoutPainter(image, paths, style).paint(options);
+    LayoutPainter(image, paths, style, options.tileHeight).paint(options);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
@@ -323,8 +326,8 @@ Result<QByteArray> layoutSvg(const MeshData &mesh, const UvMatrix &uv, const Lay
     const QString problem = layoutOptionsProblem(options);
     if (!problem.isNull())
         return layoutError(problem);
-    const LayoutPaths paths = layoutPaths(mesh, uv, options.overlapping);
-    return SvgWriter(paths, LayoutStyle(paths, options), options.size).write(options);
+    const LayoutPaths paths = layoutPaths(mesh, uv, options.tileHeight, options.overlapping);
+    return SvgWriter(paths, LayoutStyle(paths, options), options).write();
 }
 
 } // namespace autocuts

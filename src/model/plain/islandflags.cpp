@@ -1,5 +1,6 @@
 #include "model/plain/islandflags.h"
 
+#include <algorithm>
 #include <map>
 
 namespace autocuts {
@@ -25,7 +26,7 @@ std::int32_t mostFrequent(const std::map<std::int32_t, int> &faceCount)
 
 bool isValid(const IslandFlags &flags)
 {
-    return (flags.locked & ~1) == 0 && flags.stack >= 0 && flags.group >= 0;
+    return (flags.locked & ~1) == 0 && (flags.upright & ~1) == 0 && flags.stack >= 0 && flags.group >= 0;
 }
 
 IslandFlags flagsOf(const std::vector<IslandFlags> &faceFlags, const std::vector<int> &faces)
@@ -33,7 +34,8 @@ IslandFlags flagsOf(const std::vector<IslandFlags> &faceFlags, const std::vector
     IslandFlags flags;
     std::map<std::int32_t, int> stacks, groups;
     for (int face : faces) {
-        flags.locked |= faceFlags[face].locked;
+        flags.locked = std::max(flags.locked, faceFlags[face].locked);
+        flags.upright = std::max(flags.upright, faceFlags[face].upright);
         ++stacks[faceFlags[face].stack];
         ++groups[faceFlags[face].group];
     }

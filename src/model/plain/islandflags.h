@@ -1,4 +1,4 @@
-// Flags that users set on islands: locked, stack and group. Plain: no Qt.
+// Flags that users set on islands: locked, upright, stack and group. Plain: no Qt.
 #pragma once
 
 #include <cstdint>
@@ -6,15 +6,18 @@
 
 namespace autocuts {
 
-//! The flags of one face. The flags of an island follow from those of its faces, see flagsOf().
+//! The flags of one face. The flags of an island follow from those of its faces, see flagsOf(). Journals hold
+//! the bytes: `locked` and `upright` are the halves of what was one number.
 struct IslandFlags
 {
-    std::int32_t locked = 0; //!< 0 or 1; locked islands are not moved by packing or by tools
-    std::int32_t stack = 0;  //!< number of a stack: its islands lie on top of each other; 0 for none
-    std::int32_t group = 0;  //!< number of a group: its islands move together; 0 for none
+    std::int16_t locked = 0;  //!< 0 or 1; locked islands are not moved by packing or by tools
+    std::int16_t upright = 0; //!< 0 or 1; packing does not turn islands that keep their orientation
+    std::int32_t stack = 0;   //!< number of a stack: its islands lie on top of each other; 0 for none
+    std::int32_t group = 0;   //!< number of a group: its islands move together; 0 for none
 
     bool operator==(const IslandFlags &) const = default;
 };
+static_assert(sizeof(IslandFlags) == 12);
 
 //! True when every field is in its valid range.
 bool isValid(const IslandFlags &flags);

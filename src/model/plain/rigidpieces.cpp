@@ -43,14 +43,17 @@ RigidPieces rigidPieces(const ChartMap &charts, const std::vector<IslandFlags> &
 {
     const auto chartFaces = charts.faces();
     const auto [label, count] = pieceLabels(chartFaces, faceFlags);
-    RigidPieces result{charts, std::vector<bool>(count)};
+    RigidPieces result{charts, std::vector<bool>(count), std::vector<bool>(count)};
     result.pieces.count = count;
     for (int &chart : result.pieces.faceChart)
         chart = chart < 0 ? chart : label[chart];
     std::vector<bool> moves(count, movable.empty());
     for (std::size_t c = 0; c < chartFaces.size(); ++c) {
-        if (flagsOf(faceFlags, chartFaces[c]).locked != 0)
+        const IslandFlags flags = flagsOf(faceFlags, chartFaces[c]);
+        if (flags.locked != 0)
             result.locked[label[c]] = true;
+        if (flags.upright != 0)
+            result.upright[label[c]] = true;
         if (!movable.empty() &&
             std::any_of(chartFaces[c].begin(), chartFaces[c].end(), [&](int face) { return movable[face]; }))
             moves[label[c]] = true;

@@ -12,7 +12,8 @@ namespace autocuts {
 struct RigidPieces
 {
     ChartMap pieces;
-    std::vector<bool> locked; //!< per piece: it keeps its place, and others are packed around it
+    std::vector<bool> locked;  //!< per piece: it keeps its place, and others are packed around it
+    std::vector<bool> upright; //!< per piece: it is not turned
 };
 
 //! Unites the charts into pieces.

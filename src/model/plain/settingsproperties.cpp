@@ -35,7 +35,7 @@ int differences(const SolveSettings &a, const SolveSettings &b)
 
 int differences(const PackingSettings &a, const PackingSettings &b)
 {
-    return (a.textureSize != b.textureSize ? TextureSizeProperty : 0) |
+    return (a.textureSize != b.textureSize || a.height() != b.height() ? TextureSizeProperty : 0) |
            (a.margin != b.margin ? MarginProperty : 0) | (a.udimTile != b.udimTile ? UdimTileProperty : 0) |
            (a.rotation != b.rotation ? RotationProperty : 0) |
            (a.keepScale != b.keepScale ? KeepScaleProperty : 0) |

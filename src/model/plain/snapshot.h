@@ -80,6 +80,7 @@ struct Snapshot
     //! may not change keep it.
     std::shared_ptr<const UvMatrix> uv;
     double uvScale = 1;                    //!< length in texture space of one solver unit
+    double tileHeight = 1;                 //!< of the texture, see PackingSettings::tileHeight()
     bool keepTiles = false;                //!< islands stay in their UDIM tiles, see udimTiles()
     std::shared_ptr<const JobScope> scope; //!< null: the job may change all faces
     std::shared_ptr<const std::vector<Obstacle>> obstacles; //!< null: none

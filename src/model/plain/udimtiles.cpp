@@ -4,8 +4,6 @@
 #include "model/plain/packingsettings.h"
 #include "model/plain/uvlayout.h"
 
-#include <Eigen/Geometry>
-
 #include <cmath>
 
 namespace autocuts {
@@ -16,32 +14,50 @@ constexpr int perRow = 10;
 //! How far an island may reach over the border of its tile. Chosen by hand far above rounding.
 constexpr double tolerance = 1e-6;
 
+//! Column and row of the tile with the point.
+Vec2 cellOf(const Vec2 &point, double tileHeight)
+{
+    return {std::floor(point.x()), std::floor(point.y() / tileHeight)};
+}
+
+Eigen::AlignedBox2d boxOf(const Vec2 &cell, double tileHeight)
+{
+    const Vec2 size(1, tileHeight);
+    return {cell.cwiseProduct(size), (cell + Vec2::Ones()).cwiseProduct(size)};
+}
+
 //! The tile that a box lies in; 0 when it lies in none.
-int tileOf(const Eigen::AlignedBox2d &box)
+int tileOf(const Eigen::AlignedBox2d &box, double tileHeight)
 {
     if (box.isEmpty())
         return 0;
-    const Vec2 corner = box.center().array().floor();
+    const Vec2 corner = cellOf(box.center(), tileHeight);
     if (corner.x() < 0 || corner.x() >= perRow || corner.y() < 0)
         return 0;
     const double tile = PackingSettings::firstTile + corner.x() + perRow * corner.y();
-    const bool fits = (box.min().array() >= corner.array() - tolerance).all() &&
-                      (box.max().array() <= corner.array() + 1 + tolerance).all();
+    const Eigen::AlignedBox2d own = boxOf(corner, tileHeight);
+    const bool fits = (box.min().array() >= own.min().array() - tolerance).all() &&
+                      (box.max().array() <= own.max().array() + tolerance).all();
     return fits && tile <= PackingSettings::lastTile ? static_cast<int>(tile) : 0;
 }
 
 } // namespace
 
-Vec2 udimCorner(int tile)
+Eigen::AlignedBox2d udimTile(int tile, double tileHeight)
 {
     const int index = tile - PackingSettings::firstTile;
-    return Vec2(index % perRow, index / perRow);
+    return boxOf(Vec2(index % perRow, index / perRow), tileHeight);
 }
 
-std::vector<int> udimTiles(const MeshData &mesh, const UvMatrix &uv)
+Eigen::AlignedBox2d tileAt(const Vec2 &point, double tileHeight)
+{
+    return boxOf(cellOf(point, tileHeight), tileHeight);
+}
+
+std::vector<int> udimTiles(const MeshData &mesh, const UvMatrix &uv, double tileHeight)
 {
     // Most layouts lie in one tile; then the islands need not be found.
-    if (const int tile = tileOf(layoutBox(uv)); tile != 0 && uv.allFinite())
+    if (const int tile = tileOf(layoutBox(uv), tileHeight); tile != 0 && uv.allFinite())
         return std::vector<int>(mesh.faceCount(), tile);
     const ChartMap charts = findCharts(mesh, uv);
     std::vector<Eigen::AlignedBox2d> boxes(charts.count);
@@ -53,7 +69,7 @@ std::vector<int> udimTiles(const MeshData &mesh, const UvMatrix &uv)
     for (int face = 0; face < mesh.faceCount(); ++face) {
         if (charts.faceChart[face] < 0)
             continue;
-        tiles[face] = tileOf(boxes[charts.faceChart[face]]);
+        tiles[face] = tileOf(boxes[charts.faceChart[face]], tileHeight);
         if (tiles[face] == 0)
             return std::vector<int>(mesh.faceCount(), 0);
     }

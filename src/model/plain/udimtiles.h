@@ -1,17 +1,24 @@
-// UDIM tiles: unit squares of the texture plane, ten in a row, the first is 1001. Plain: no Qt.
+// The tiles of the texture plane, which is proportional to texels: a tile is 1 wide and, where the texture is
+// not square, higher or lower (PackingSettings::tileHeight()). As UDIM tiles they are numbered, ten in a row;
+// the first is 1001. Plain: no Qt.
 #pragma once
 
 #include "model/plain/meshdata.h"
+
+#include <Eigen/Geometry>
 
 #include <vector>
 
 namespace autocuts {
 
-//! Lower left corner of a tile.
-Vec2 udimCorner(int tile);
+//! The tile of a number.
+Eigen::AlignedBox2d udimTile(int tile, double tileHeight);
+
+//! The tile that contains a point; also where tiles have no number.
+Eigen::AlignedBox2d tileAt(const Vec2 &point, double tileHeight);
 
 //! The tile in which each face's island lies, per face; 0 for faces without UVs. All 0 when the layout is not
 //! made of tiles: an island crosses the border of its tile, or lies where no tile is.
-std::vector<int> udimTiles(const MeshData &mesh, const UvMatrix &uv);
+std::vector<int> udimTiles(const MeshData &mesh, const UvMatrix &uv, double tileHeight);
 
 } // namespace autocuts

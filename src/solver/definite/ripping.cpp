@@ -106,7 +106,7 @@ void moveParts(const Snapshot &snapshot, const UvTopology &before, const std::ve
     if (moved == 0 || moved > mostMovedParts)
         return;
     const std::vector<Vec2> directions = inwardDirections(mesh, uv, charts, ripped);
-    packing::AsideMover mover(packing::makePackIslands(mesh, uv, charts), gutter);
+    packing::AsideMover mover(packing::makePackIslands(mesh, uv, charts), gutter, snapshot.tileHeight);
     int done = 0;
     for (const std::vector<Part> &parts : splitIslands(snapshot, before.charts, charts)) {
         for (std::size_t i = 1; i < parts.size(); ++i) {

@@ -9,7 +9,7 @@
 
 namespace autocuts::metrics {
 
-//! Value of a figure that does not exist (no UVs, one chart only, outside the unit square): not a number.
+//! Value of a figure that does not exist (no UVs, one chart only, outside the first tile): not a number.
 inline constexpr double missingFigure = std::numeric_limits<double>::quiet_NaN();
 
 //! Figures of a UV map. Definitions and tolerances follow an independent measuring program, so that figures
@@ -61,13 +61,13 @@ struct UvMetrics
 
     double uvArea = 0;
     Vec2 uvMin = Vec2::Constant(missingFigure), uvMax = Vec2::Constant(missingFigure);
-    bool inUnitSquare = false;              //!< within 1e-6
+    bool inUnitSquare = false;              //!< in the first tile of the texture, within 1e-6
     double packingBox = missingFigure;      //!< UV area / area of the bounding box
     double packingSquare = missingFigure;   //!< UV area / square of the longer side of the bounding box
-    double packingUnit = missingFigure;     //!< UV area; only when in the unit square
+    double packingUnit = missingFigure;     //!< part of the tile's area in use; only when in it
     double minGutter = missingFigure;       //!< smallest UV distance between borders of different charts
     double minGutterTexels = missingFigure; //!< the same at the texture size
-    double borderGutter = missingFigure;    //!< from the bounding box to the border of the unit square
+    double borderGutter = missingFigure;    //!< from the bounding box to the border of the tile
     double borderGutterTexels = missingFigure;
 
     //! Per chart, numbered as by findCharts(): symDirichlet of the chart alone, at the scale that suits it.

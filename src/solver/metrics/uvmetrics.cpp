@@ -111,9 +111,9 @@ void measureOverlaps(const UvMatrix &uv, const UvTopology &topology, const UvTri
     metrics.overlapAreaRatio = triangles.totalUvArea > 0 ? found.area / triangles.totalUvArea : 0;
 }
 
-void measurePacking(const UvTopology &topology, int textureSize, UvMetrics &metrics)
+void measurePacking(const UvTopology &topology, const UvMetricsOptions &options, UvMetrics &metrics)
 {
-    // How far a map may reach outside the unit square and still count as inside.
+    // How far a map may reach outside the tile and still count as inside.
     constexpr double tolerance = 1e-6;
     if (!(topology.boxDiagonal() > 0))
         return;
@@ -125,11 +125,12 @@ void measurePacking(const UvTopology &topology, int textureSize, UvMetrics &metr
     if (size.minCoeff() > 0)
         metrics.packingBox = metrics.uvArea / (size.x() * size.y());
     metrics.packingSquare = metrics.uvArea / (size.maxCoeff() * size.maxCoeff());
-    metrics.inUnitSquare = low.minCoeff() >= -tolerance && high.maxCoeff() <= 1 + tolerance;
+    const double room = std::min(1 - high.x(), options.tileHeight - high.y());
+    metrics.inUnitSquare = low.minCoeff() >= -tolerance && room >= -tolerance;
     if (metrics.inUnitSquare) {
-        metrics.packingUnit = metrics.uvArea;
-        metrics.borderGutter = std::min(low.minCoeff(), 1 - high.maxCoeff());
-        metrics.borderGutterTexels = metrics.borderGutter * textureSize;
+        metrics.packingUnit = metrics.uvArea / options.tileHeight;
+        metrics.borderGutter = std::min(low.minCoeff(), room);
+        metrics.borderGutterTexels = metrics.borderGutter * options.textureSize;
     }
 }
 
@@ -147,7 +148,7 @@ UvMetrics measureUv(const MeshData &mesh, const UvMatrix &uv, const UvMetricsOpt
     measureAlignment(uv, topology, metrics);
     measureCharts(triangles, metrics);
     measureDistortion(mesh, uv, triangles, metrics);
-    measurePacking(topology, options.textureSize, metrics);
+    measurePacking(topology, options, metrics);
     if (options.overlaps)
         measureOverlaps(uv, topology, triangles, options, metrics);
     if (options.gutter) {

@@ -11,7 +11,8 @@ namespace autocuts::metrics {
 //! What to measure.
 struct UvMetricsOptions
 {
-    int textureSize = 2048; //!< texels along a side of the unit square, for figures in texels
+    int textureSize = 2048; //!< texels along the width of the texture, for figures in texels
+    double tileHeight = 1;  //!< of the texture, see PackingSettings::tileHeight()
     bool overlaps = true;   //!< false: the overlap figures stay missing
     bool gutter = true;     //!< false: the distances between charts stay missing
     //! Per face. Islands of one stack neither overlap nor have gutters. Empty: none is stacked.

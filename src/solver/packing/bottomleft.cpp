@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 
 namespace autocuts::packing {
 
@@ -38,9 +39,10 @@ const std::vector<ItemRaster> &BottomLeft::rasters(int island, WorkMeter &work)
     if (!items.empty())
         return items;
     const Outline &outline = mProblem.outlines[island];
-    const bool isFree = mProblem.rotation == PackRotation::Free;
-    const int count = isFree ? mAngles : mProblem.rotation == PackRotation::Quarter ? 4 : 1;
-    const double base = isFree ? outline.boxAngle : 0;
+    // Of many directions only some are tried, all of them multiples of the step.
+    const int directions = mProblem.directions(island);
+    const int count = directions == 0 ? mAngles : std::gcd(directions, std::max(4, mAngles));
+    const double base = mProblem.smallBoxAngle(island);
     for (int k = 0; k < count; ++k) {
         const double angle = base + 2 * std::numbers::pi * k / count;
         const Vec2 box = rotatedBox(outline.hull, angle) * mScale;

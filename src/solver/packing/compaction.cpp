@@ -26,7 +26,7 @@ void Compaction::refresh(int body)
     if (mProblem->movable(body)) {
         const double size = std::max(b.reach, mTarget);
         b.inverseMass = 1 / (size * size);
-        if (mProblem->rotation == PackRotation::Free)
+        if (mProblem->turnsFreely(body))
             b.inverseInertia = b.inverseMass / (0.4 * size * size);
     }
 }

@@ -214,7 +214,7 @@ bool Separation::confineByTurning(int body, Pose &pose, double largestTurn) cons
 {
     if (confine(body, pose))
         return true;
-    if (mProblem.rotation != PackRotation::Free)
+    if (!mProblem.turnsFreely(body))
         return false;
     constexpr double step = std::numbers::pi / 360;
     for (double turn = step; turn <= largestTurn; turn += step) {
@@ -232,10 +232,11 @@ bool Separation::confineByTurning(int body, Pose &pose, double largestTurn) cons
 Pose Separation::randomPose(int body, Random &random) const
 {
     Pose pose = mLayout.poses[body];
-    if (mProblem.rotation == PackRotation::Free)
+    const int directions = mProblem.directions(body);
+    if (directions == 0)
         pose.angle = mProblem.outlines[body].boxAngle + std::numbers::pi / 12 * random.below(24);
-    else if (mProblem.rotation == PackRotation::Quarter)
-        pose.angle = 0.5 * std::numbers::pi * random.below(4);
+    else if (directions > 1)
+        pose.angle = mProblem.angleOf(body, random.below(directions));
     const Vec2 size = mProblem.size();
     pose.position = mProblem.lower + Vec2(size.x() * random.uniform(), size.y() * random.uniform());
     return pose;
@@ -251,7 +252,7 @@ double Separation::descend(int body, Pose &pose, double cost, int steps, WorkMet
             cost = e.cost;
             pose = now;
         }
-        const double turning = mProblem.rotation == PackRotation::Free ? e.byAngle / arm : 0;
+        const double turning = mProblem.turnsFreely(body) ? e.byAngle / arm : 0;
         const double slope = e.byPosition.squaredNorm() + turning * turning;
         if (!(slope > 0) || e.cost == 0)
             break;

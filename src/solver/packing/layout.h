@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <numbers>
 
 namespace autocuts::packing {
 
@@ -44,11 +45,26 @@ struct PackProblem
     Vec2 lower = Vec2::Zero(), upper = Vec2::Ones(); //!< allowed range of points: the bin less its border
     double gutter = 0;                               //!< least distance between two islands, UV units
     PackRotation rotation = PackRotation::Free;
+    std::vector<char> upright; //!< per island: it is not turned; empty: none
 
     int count() const { return static_cast<int>(outlines.size()); }
     Vec2 size() const { return upper - lower; }
     //! Scale of an island in a layout of this scale: locked islands keep their original size.
     double scaleOf(int island, double scale) const { return locked[island] ? unit : scale; }
+    //! How many directions an island may have, evenly spaced from its original one; 0: any.
+    int directions(int island) const
+    {
+        return !upright.empty() && upright[island] ? 1 : directionsOf(rotation);
+    }
+    bool turnsFreely(int island) const { return directions(island) == 0; }
+    //! The angle of a direction that is counted from the original one. \pre !turnsFreely(island)
+    double angleOf(int island, int direction) const
+    {
+        return 2 * std::numbers::pi * direction / directions(island);
+    }
+    //! An allowed angle at which the box around the island is small, below a quarter turn where there are
+    //! steps.
+    double smallBoxAngle(int island) const;
     //! False for locked islands and for islands without points.
     bool movable(int island) const { return !locked[island] && !outlines[island].points.empty(); }
 };

@@ -1,5 +1,6 @@
 #include "solver/packing/movingaside.h"
 
+#include "model/plain/udimtiles.h"
 #include "solver/packing/layoutcheck.h"
 
 #include <algorithm>
@@ -44,10 +45,9 @@ std::vector<Vec2> directionsFrom(const Vec2 &first)
 }
 
 //! The tile of the texture that contains the box; empty when it lies in several.
-Eigen::AlignedBox2d tileOf(const Eigen::AlignedBox2d &box)
+Eigen::AlignedBox2d tileOf(const Eigen::AlignedBox2d &box, double tileHeight)
 {
-    const Vec2 corner = box.min().array().floor();
-    const Eigen::AlignedBox2d tile(corner, Vec2(corner + Vec2::Ones()));
+    const Eigen::AlignedBox2d tile = tileAt(box.min(), tileHeight);
     return tile.contains(box) ? tile : Eigen::AlignedBox2d();
 }
 
@@ -68,9 +68,9 @@ bool hitsObstacle(const PackProblem &problem, const std::vector<Eigen::AlignedBo
 
 } // namespace
 
-AsideMover::AsideMover(std::vector<PackIsland> islands, double gutter)
+AsideMover::AsideMover(std::vector<PackIsland> islands, double gutter, double tileHeight)
     : mIslands(std::move(islands)), mBoxes(mIslands.size()), mWays(mIslands.size(), Vec2::Zero()),
-      mOutlines(mIslands.size()), mGutter(gutter)
+      mOutlines(mIslands.size()), mGutter(gutter), mTileHeight(tileHeight)
 {
     for (std::size_t i = 0; i < mIslands.size(); ++i) {
         for (const Vec2 &p : mIslands[i].points) {
@@ -110,7 +110,7 @@ PackProblem AsideMover::problemAround(int island, double reach)
         if (i != island && !mBoxes[i].isEmpty() && areNear(box, boxOf(i), reach + mGutter))
             add(i);
     }
-    if (const Eigen::AlignedBox2d tile = tileOf(box); !tile.isEmpty())
+    if (const Eigen::AlignedBox2d tile = tileOf(box, mTileHeight); !tile.isEmpty())
         bounds = tile;
     problem.lower = bounds.min();
     problem.upper = bounds.max();

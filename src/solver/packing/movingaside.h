@@ -15,7 +15,8 @@ class AsideMover
 public:
     //! \param gutter distance to all others at which there is room for an island, UV units; nearer places are
     //! taken when there is none. \pre gutter > 0
-    AsideMover(std::vector<PackIsland> islands, double gutter);
+    //! \param tileHeight of the texture, see PackingSettings::tileHeight()
+    AsideMover(std::vector<PackIsland> islands, double gutter, double tileHeight);
 
     //! Moves an island by some gutters, at most by its own size, without turning it: to the first place at
     //! which it keeps its distance to all others. An island that lies in one tile of the texture stays in it.
@@ -32,7 +33,7 @@ private:
     std::vector<Eigen::AlignedBox2d> mBoxes; //!< of the islands as they were given
     std::vector<Vec2> mWays;                 //!< how far each island has been moved
     std::vector<std::optional<Outline>> mOutlines;
-    double mGutter;
+    double mGutter, mTileHeight;
 };
 
 } // namespace autocuts::packing

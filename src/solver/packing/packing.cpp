@@ -64,6 +64,7 @@ PackProblem makeProblem(const std::vector<PackIsland> &islands, const PackOption
     for (const PackIsland &island : islands) {
         problem.outlines.push_back(makeOutline(island, problem.unit));
         problem.locked.push_back(island.locked);
+        problem.upright.push_back(island.upright);
         problem.given.push_back({0, problem.outlines.back().centre});
     }
     return problem;

@@ -9,8 +9,8 @@
 
 namespace autocuts::packing {
 
-//! The user's settings, and what else the packer needs. A texel is 1 / textureSize UV units. The UDIM tile of
-//! the settings is ignored, because the bin is given here; see tileOptions().
+//! The user's settings, and what else the packer needs. A texel is 1 / textureSize UV units. UDIM tile and
+//! height of the texture are ignored, because the bin is given here; see tileOptions().
 struct PackOptions : PackingSettings
 {
     Vec2 lower = Vec2::Zero(), upper = Vec2::Ones(); //!< the bin, UV units

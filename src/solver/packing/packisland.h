@@ -15,6 +15,7 @@ struct PackIsland
     std::vector<std::array<int, 3>> triangles; //!< indices into points, any winding
     std::vector<std::array<int, 2>> boundary;  //!< boundary edges, indices into points
     bool locked = false;                       //!< keeps its place and size as an obstacle for the others
+    bool upright = false;                      //!< is not turned
 };
 
 } // namespace autocuts::packing

@@ -6,12 +6,16 @@
 namespace autocuts::packing {
 
 PackResult packMap(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &locked,
-                   const PackOptions &settings, UvMatrix &uv, const JobContext &job)
+                   const std::vector<bool> &upright, const PackOptions &settings, UvMatrix &uv,
+                   const JobContext &job)
 {
     UvMatrix packed = uv;
     if (!settings.keepScale)
         equalizeTexelDensity(mesh, charts, packed, locked);
-    PackResult result = packIslands(makePackIslands(mesh, packed, charts, locked), settings, job);
+    std::vector<PackIsland> islands = makePackIslands(mesh, packed, charts, locked);
+    for (std::size_t i = 0; i < upright.size(); ++i)
+        islands[i].upright = upright[i];
+    const PackResult result = packIslands(islands, settings, job);
     if (result.complete) {
         applyPlacements(result, mesh, charts, packed, locked);
         uv = std::move(packed);
@@ -23,8 +27,9 @@ PackOptions tileOptions(const PackingSettings &settings)
 {
     PackOptions options;
     static_cast<PackingSettings &>(options) = settings;
-    options.lower = udimCorner(settings.udimTile);
-    options.upper = options.lower + Vec2::Ones();
+    const Eigen::AlignedBox2d tile = udimTile(settings.udimTile, settings.tileHeight());
+    options.lower = tile.min();
+    options.upper = tile.max();
     return options;
 }
 

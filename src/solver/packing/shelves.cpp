@@ -17,11 +17,12 @@ struct Block
 Block makeBlock(const PackProblem &problem, int island, double scale)
 {
     const Outline &outline = problem.outlines[island];
-    Block block{island, problem.rotation == PackRotation::Free ? outline.boxAngle : 0, {}, {}};
+    Block block{island, problem.smallBoxAngle(island), {}, {}};
     Vec2 size = rotatedBox(outline.hull, block.angle);
     // A box on its longer side makes a lower shelf.
     const bool fits = size.y() * scale <= problem.size().x() && size.x() * scale <= problem.size().y();
-    if (problem.rotation != PackRotation::None && size.y() > size.x() && fits)
+    const bool mayLie = problem.directions(island) % 4 == 0; // also when it turns freely
+    if (mayLie && size.y() > size.x() && fits)
         block.angle += 0.5 * std::numbers::pi;
     const Turn turn(block.angle, scale);
     Eigen::AlignedBox2d box;

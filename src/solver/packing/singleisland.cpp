@@ -33,13 +33,16 @@ double refineAngle(const PackProblem &problem, const Outline &outline, double an
     return 0.5 * (low + high);
 }
 
-double bestAngle(const PackProblem &problem, const Outline &outline, WorkMeter &work)
+double bestAngle(const PackProblem &problem, int island, WorkMeter &work)
 {
+    const Outline &outline = problem.outlines[island];
     const double right = 0.5 * std::numbers::pi;
     std::vector<double> angles{0};
-    if (problem.rotation != PackRotation::None)
+    // The box is the same after half a turn.
+    for (int k = 1; 2 * k < problem.directions(island); ++k)
+        angles.push_back(problem.angleOf(island, k));
+    if (problem.turnsFreely(island)) {
         angles.push_back(right);
-    if (problem.rotation == PackRotation::Free) {
         constexpr int samples = 720;
         const double width = std::numbers::pi / samples;
         int best = 0;
@@ -72,7 +75,7 @@ std::optional<Layout> fitSingleIsland(const PackProblem &problem, WorkMeter &wor
     if (only < 0 || !(problem.outlines[only].radius > 0))
         return std::nullopt;
     const Outline &outline = problem.outlines[only];
-    const double angle = bestAngle(problem, outline, work);
+    const double angle = bestAngle(problem, only, work);
     Layout layout{scaleAtAngle(problem, outline, angle) * (1 - 1e-12), problem.given};
     const Turn turn(angle, layout.scale);
     Eigen::AlignedBox2d box;

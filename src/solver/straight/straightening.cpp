@@ -289,7 +289,7 @@ PackRotation StraightPlan::rotation(PackRotation wanted) const
 {
     if (up != WorldUp::Off)
         return PackRotation::None;
-    return deforms() ? std::min(wanted, PackRotation::Quarter) : wanted;
+    return deforms() && directionsOf(wanted) % 4 == 0 ? PackRotation::Quarter : wanted;
 }
 
 bool straighten(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot, const StraightPlan &plan,

@@ -225,7 +225,7 @@ void FreePart::cutImpliedSeams()
     const MeshData &mesh = *mSnapshot.mesh;
     std::vector<std::vector<int>> places(mesh.faceCount()); // tile and rectangles of each face
     if (mSnapshot.keepTiles && mSnapshot.uv) {
-        const std::vector<int> tiles = udimTiles(mesh, *mSnapshot.uv);
+        const std::vector<int> tiles = udimTiles(mesh, *mSnapshot.uv, mSnapshot.tileHeight);
         for (int face = 0; face < mesh.faceCount(); ++face)
             places[face].push_back(-tiles[face]);
     }

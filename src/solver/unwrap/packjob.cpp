@@ -178,8 +178,7 @@ private:
             if (piece < 0 || mBinOf[piece] >= 0)
                 continue;
             const int tile = mPack.tiles.empty() ? 0 : mPack.tiles[face];
-            const Vec2 corner = tile > 0 ? udimCorner(tile) : Vec2::Zero();
-            mBinOf[piece] = addBin(tile > 0 ? Bin{{corner, corner + Vec2::Ones()}, false} : usual);
+            mBinOf[piece] = addBin(tile > 0 ? Bin{udimTile(tile, mPack.options.tileHeight()), false} : usual);
         }
     }
 
@@ -223,6 +222,7 @@ private:
                 continue;
             number[piece] = present.pieces.count++;
             present.locked.push_back(locked[piece]);
+            present.upright.push_back(mRigid.upright[piece]);
         }
         for (const int piece : mRigid.pieces.faceChart)
             present.pieces.faceChart.push_back(piece < 0 ? -1 : number[piece]);
@@ -243,7 +243,9 @@ private:
         const auto pack = [&](const JobContext &how) {
             const auto packAt = [&](bool givenScale) {
                 options.keepScale = givenScale;
-                return packing::packMap(mMesh, present.pieces, present.locked, options, uv, how).complete;
+                return packing::packMap(mMesh, present.pieces, present.locked, present.upright, options, uv,
+                                        how)
+                    .complete;
             };
             return packAt(keepsScale || scaleLater) || (scaleLater && packAt(false));
         };
@@ -283,8 +285,9 @@ PackJob steeredPackJob(const Snapshot &snapshot, const packing::PackOptions &opt
     PackJob pack{.options = options, .faceFlags = snapshot.steering->faceFlags};
     // What was turned to the axes, or upright, is not turned away from there.
     pack.options.rotation = straight::StraightPlan::of(snapshot).rotation(options.rotation);
+    pack.options.seed = snapshot.settings.seed;
     if (snapshot.keepTiles && snapshot.uv)
-        pack.tiles = udimTiles(mesh, *snapshot.uv);
+        pack.tiles = udimTiles(mesh, *snapshot.uv, options.tileHeight());
     pack.stays.assign(mesh.faceCount(), false);
     for (int face = 0; snapshot.scope && face < mesh.faceCount(); ++face)
         pack.stays[face] = !snapshot.scope->faces[face];

@@ -6,6 +6,7 @@
 #include "solver/straight/straightening.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/freepart.h"
+#include "solver/unwrap/keptorientation.h"
 #include "solver/unwrap/mapfinder.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/rectanglefit.h"
@@ -22,12 +23,13 @@ namespace {
 constexpr auto timeAfterStop = std::chrono::milliseconds(100);
 constexpr auto timeOfShownMap = std::chrono::milliseconds(400);
 
-//! Moves and scales the map into the unit square.
-void fitUnitSquare(UvMatrix &uv)
+//! Moves and scales the map into the first tile of the texture.
+void fitFirstTile(UvMatrix &uv, double tileHeight)
 {
     const Eigen::RowVector2d low = uv.colwise().minCoeff();
     const Eigen::RowVector2d high = uv.colwise().maxCoeff();
-    const double side = (high - low).maxCoeff();
+    const Eigen::RowVector2d size = high - low;
+    const double side = std::max(size.x(), size.y() / tileHeight);
     uv.rowwise() -= low;
     if (side > 0)
         uv /= side;
@@ -103,10 +105,12 @@ private:
             PackJob pack = steeredPackJob(mSnapshot, settings);
             pack.keepScaleIfPossible = stays;
             pack.hurry = hurry;
+            if (mSnapshot.uv && mPlan.isEmpty())
+                keepOrientations(*mSnapshot.mesh, charts, pack, *mSnapshot.uv, result.uv);
             result.packed = packCharts(*mSnapshot.mesh, charts, pack, result.uv, job);
         }
         if (!result.packed && !stays)
-            fitUnitSquare(result.uv);
+            fitFirstTile(result.uv, mOptions.packing.tileHeight());
     }
 
     const Snapshot &mSnapshot;

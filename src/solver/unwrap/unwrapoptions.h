@@ -19,7 +19,7 @@ struct UnwrapOptions
     std::optional<double> lambda; //!< weight of the separation (paper, equation 1) in place of the bound
     UnwrapQuality quality = UnwrapQuality::Standard;
     bool allowOverlaps = false;
-    bool pack = true; //!< false: the islands are not packed, and the map is scaled into the unit square
+    bool pack = true; //!< false: the islands are not packed, and the map is scaled into the first tile
     packing::PackOptions packing;
     //! Receives ever better maps, packed with little effort, while the search goes on. Called from a thread
     //! of its own; what it does has no effect on the result. May be empty.
@@ -28,7 +28,7 @@ struct UnwrapOptions
 
 struct UnwrapResult
 {
-    UvMatrix uv;           //!< per corner, in the unit square or the bin of the packing
+    UvMatrix uv;           //!< per corner, in the first tile or the bin of the packing
     CutFlags cut;          //!< per edge pair
     double distortion = 0; //!< mean symmetric Dirichlet energy, 4 is isometric
     double seamLength = 0; //!< 3D length in solver units (mesh area pi), seam_norm of the reports

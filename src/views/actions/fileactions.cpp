@@ -214,7 +214,9 @@ void FileActions::askExportLayout()
         return;
     const MapFigures *figures = mContext.map.figures();
     const bool known = figures && mContext.map.figuresAreFresh();
-    ExportLayoutDialog dialog(document->packingSettings().textureSize, proposedPath(QStringLiteral("png")),
+    const PackingSettings packing = document->packingSettings();
+    ExportLayoutDialog dialog(std::max(packing.textureSize, packing.height()),
+                              proposedPath(QStringLiteral("png")),
                               known ? figures->overlapping : std::vector<int>(), mQuestions);
     const QList<int> selected = document->selection().faces;
     const std::vector<bool> hidden = document->hidden();
@@ -232,7 +234,9 @@ void FileActions::askExportLayout()
             faces[static_cast<std::size_t>(face)] = true;
     }
     rememberFolder(dialog.path());
-    mContext.files.exportLayout(dialog.path(), dialog.options(), faces);
+    LayoutOptions options = dialog.options();
+    options.tileHeight = packing.tileHeight();
+    mContext.files.exportLayout(dialog.path(), options, faces);
 }
 
 void FileActions::offerRecovery()

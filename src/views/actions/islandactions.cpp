@@ -113,8 +113,9 @@ void IslandActions::onPieces(const char *id, UvEdit edit,
 void IslandActions::connectMoves()
 {
     const auto align = [this](const char *id, AlignTo to) {
-        onPieces(id, UvEdit::Align,
-                 [to](const Document &, const Pieces &pieces) { return alignedPieces(pieces, to); });
+        onPieces(id, UvEdit::Align, [to](const Document &document, const Pieces &pieces) {
+            return alignedPieces(pieces, to, document.packingSettings().tileHeight());
+        });
     };
     align("uv.alignLeft", AlignTo::Left);
     align("uv.alignRight", AlignTo::Right);
@@ -158,7 +159,12 @@ void IslandActions::connectTurns()
         const PackingSettings settings = document.packingSettings();
         const std::size_t count = pieces.size();
         std::erase_if(pieces, [](const IslandPiece &piece) { return piece.locked; });
-        return Transforms(count, fittedIntoTile(pieces, 0.5 * settings.margin / settings.textureSize));
+        return Transforms(count, fittedIntoTile(pieces, 0.5 * settings.margin / settings.textureSize,
+                                                settings.tileHeight()));
+    });
+    onPieces("uv.toTexture", UvEdit::Scale, [](const Document &document, const Pieces &pieces) {
+        const Vec2 factor(1, document.packingSettings().tileHeight());
+        return Transforms(pieces.size(), scaledAbout(Vec2::Zero(), factor));
     });
     onPieces("uv.orientBox", UvEdit::Orient, [](const Document &document, const Pieces &pieces) {
         return each(pieces, [&](const IslandPiece &piece) {
@@ -237,7 +243,7 @@ void IslandActions::askScatter(Document &document)
 void IslandActions::askDensity(Document &document)
 {
     const std::vector<int> islands = selectedIslands(document);
-    DensityDialog dialog(meanTexelDensity(document, islands), document.packingSettings().textureSize,
+    DensityDialog dialog(meanTexelDensity(document, islands), document.packingSettings(),
                          mQuestions.window());
     if (mQuestions.run(dialog) != QDialog::Accepted)
         return;

@@ -86,6 +86,12 @@ inline constexpr std::array layoutTable{
                                  "Move and scale the selected islands together so that they fill their tile"),
                NeedsPieces},
     ActionInfo{
+        "uv.toTexture", "UV/Layout", QT_TRANSLATE_NOOP("Actions", "Squeeze to the te&xture's shape"), "", "",
+        QT_TRANSLATE_NOOP("Actions", "Scale V of the selected islands by height / width of the texture: "
+                                     "for maps that were made for a texture of this shape, before it "
+                                     "was set in the Packing panel"),
+        NeedsPieces},
+    ActionInfo{
         "uv.orientBox", "UV/Layout", QT_TRANSLATE_NOOP("Actions", "&Orient to the smallest box"),
         "orient-box", "Ctrl+U",
         QT_TRANSLATE_NOOP("Actions",

@@ -146,6 +146,8 @@ void UvActions::connectSteering()
     };
     connectFlags("uv.lock", SetIslandFlags::Edit::Lock);
     connectFlags("uv.unlock", SetIslandFlags::Edit::Unlock);
+    connectFlags("uv.keepOrientation", SetIslandFlags::Edit::KeepOrientation);
+    connectFlags("uv.freeOrientation", SetIslandFlags::Edit::FreeOrientation);
     connectFlags("uv.stack", SetIslandFlags::Edit::Stack);
     connectFlags("uv.unstack", SetIslandFlags::Edit::Unstack);
     connectFlags("uv.group", SetIslandFlags::Edit::Group);

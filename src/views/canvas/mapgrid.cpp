@@ -1,7 +1,5 @@
 #include "views/canvas/mapgrid.h"
 
-#include "model/plain/packingsettings.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -37,18 +35,20 @@ MapGrid MapGrid::of(const MapCamera &camera, int textureSize)
     return grid;
 }
 
-Vec2 usedTiles(const Eigen::AlignedBox2d &uvBox)
+Vec2 usedTiles(const Eigen::AlignedBox2d &uvBox, double tileHeight)
 {
     constexpr double columns = 10, rows = (PackingSettings::lastTile - PackingSettings::firstTile) / 10;
     if (uvBox.isEmpty())
         return Vec2::Ones();
-    const Vec2 reached = (uvBox.max().array() - 0.02).ceil();
+    const Vec2 inTiles = uvBox.max().cwiseQuotient(Vec2(1, tileHeight));
+    const Vec2 reached = (inTiles.array() - 0.02).ceil();
     return reached.cwiseMax(1).cwiseMin(Vec2(columns, rows));
 }
 
-PaperDrawing paperDrawing(const MapCamera &camera, double pixelRatio, int textureSize)
+PaperDrawing paperDrawing(const MapCamera &camera, double pixelRatio, const PackingSettings &packing)
 {
-    const MapGrid grid = MapGrid::of(camera, textureSize);
+    const MapGrid grid = MapGrid::of(camera, packing.textureSize);
+    const Vec2 tileSize(1, packing.tileHeight());
     const double height = camera.viewSize().height();
     const auto onScreen = [&](const Vec2 &uv) {
         const QPointF pixel = camera.toScreen(uv);
@@ -56,12 +56,13 @@ PaperDrawing paperDrawing(const MapCamera &camera, double pixelRatio, int textur
                          static_cast<float>(pixelRatio * (height - pixel.y())));
     };
     // Reference points near the view, so that single precision is sufficient.
-    const Vec2 tile = camera.centre().array().round();
+    const Vec2 tile = camera.centre().cwiseQuotient(tileSize).array().round();
     const Vec2 line = (camera.centre() / grid.step).array().round() * grid.step;
     PaperDrawing paper;
-    paper.tileOrigin = onScreen(tile);
+    paper.tileOrigin = onScreen(tile.cwiseProduct(tileSize));
     paper.originTile = {static_cast<float>(tile.x()), static_cast<float>(tile.y())};
     paper.tilePixels = pixelRatio * camera.scale();
+    paper.tileHeight = tileSize.y();
     paper.gridOrigin = onScreen(line);
     paper.gridPixels = pixelRatio * camera.scale() * grid.step;
     paper.minorDivisions = grid.divisions;

@@ -1,6 +1,7 @@
 // The steps of the grid and of the rulers in the UV view.
 #pragma once
 
+#include "model/plain/packingsettings.h"
 #include "views/canvas/mapcamera.h"
 #include "views/gl/backdrop.h"
 
@@ -18,10 +19,10 @@ struct MapGrid
 };
 
 //! The numbers of columns and rows of UDIM tiles, from 1001, that a map covers; at least one each. A very
-//! small excess is ignored.
-Vec2 usedTiles(const Eigen::AlignedBox2d &uvBox);
+//! small excess is ignored. \param tileHeight of the texture, see PackingSettings::tileHeight()
+Vec2 usedTiles(const Eigen::AlignedBox2d &uvBox, double tileHeight);
 
 //! Positions of tiles and grid in the view. \param pixelRatio screen pixels per logical pixel
-PaperDrawing paperDrawing(const MapCamera &camera, double pixelRatio, int textureSize);
+PaperDrawing paperDrawing(const MapCamera &camera, double pixelRatio, const PackingSettings &packing);
 
 } // namespace autocuts

@@ -76,19 +76,22 @@ std::vector<Mark> rulerMarks(const QRect &view, const MapCamera &camera, int tex
 
 } // namespace
 
-void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera)
+void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,
+                   double tileHeight)
 {
     constexpr double minTile = 70;
-    if (camera.scale() < minTile)
+    if (camera.scale() * std::min(1.0, tileHeight) < minTile)
         return;
-    const Vec2 low = camera.toUv(view.bottomLeft()), high = camera.toUv(view.topRight());
+    const Vec2 tile(1, tileHeight);
+    const Vec2 low = camera.toUv(view.bottomLeft()).cwiseQuotient(tile),
+               high = camera.toUv(view.topRight()).cwiseQuotient(tile);
     constexpr int rows = (PackingSettings::lastTile - PackingSettings::firstTile) / 10;
     painter.setPen(colors.dimText);
     for (int row = std::max(0, static_cast<int>(std::floor(std::min(low.y(), 1e6))));
          row <= std::min<double>(rows, high.y()); ++row) {
         for (int column = std::clamp(static_cast<int>(std::floor(low.x())), 0, 10);
              column < 10 && column <= high.x(); ++column) {
-            const QPointF corner = camera.toScreen(Vec2(column, row));
+            const QPointF corner = camera.toScreen(Vec2(column, row).cwiseProduct(tile));
             painter.drawText(corner + QPointF(6, -6),
                              QString::number(PackingSettings::firstTile + column + 10 * row));
         }
@@ -158,21 +161,27 @@ void drawIslandMarks(QPainter &painter, const QRect &view, const ViewColors &col
         if (flags.stack != 0)
             parts << MapOverlays::tr("S%1").arg(flags.stack);
         const QString text = parts.join(QLatin1Char(' '));
-        const double lock = flags.locked != 0 ? metrics.height() : 0;
+        QStringList icons;
+        if (flags.locked != 0)
+            icons << QStringLiteral("lock");
+        if (flags.upright != 0)
+            icons << QStringLiteral("upright");
+        const double side = metrics.height(), room = side * static_cast<double>(icons.size());
         const QPointF middle =
-            text.isEmpty() && lock == 0 ? QPointF(-1, -1) : camera.toScreen(placeOn(document, island));
+            text.isEmpty() && icons.isEmpty() ? QPointF(-1, -1) : camera.toScreen(placeOn(document, island));
         if (!QRectF(view).contains(middle))
             continue;
-        QRectF label(0, 0, metrics.horizontalAdvance(text) + lock + 8, metrics.height() + 2);
+        QRectF label(0, 0, metrics.horizontalAdvance(text) + room + 8, side + 2);
         label.moveCenter(middle);
         painter.setPen(Qt::NoPen);
         painter.setBrush(colors.panel);
         painter.drawRoundedRect(label, 3, 3);
-        if (lock > 0)
-            icon(QStringLiteral("lock"))
-                .paint(&painter, QRectF(label.left() + 3, label.top() + 1, lock, lock).toAlignedRect());
+        for (qsizetype i = 0; i < icons.size(); ++i) {
+            const QRectF place(label.left() + 3 + side * static_cast<double>(i), label.top() + 1, side, side);
+            icon(icons[i]).paint(&painter, place.toAlignedRect());
+        }
         painter.setPen(colors.text);
-        painter.drawText(label.adjusted(lock, 0, 0, 0), Qt::AlignCenter, text);
+        painter.drawText(label.adjusted(room, 0, 0, 0), Qt::AlignCenter, text);
     }
 }
 

@@ -16,7 +16,8 @@ namespace autocuts {
 class Document;
 
 //! Draws the UDIM numbers of the visible tiles that are large enough.
-void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera);
+void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,
+                   double tileHeight);
 //! Draws rulers at the upper and left side, in texels from the corner of tile 1001.
 void drawRulers(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,
                 int textureSize);
@@ -24,8 +25,8 @@ void drawRulers(QPainter &painter, const QRect &view, const ViewColors &colors, 
 void drawRectangles(QPainter &painter, const std::vector<LayoutRectangle> &rectangles,
                     const MapCamera &camera);
 
-//! Draws the numbers of the islands and whether they are locked, grouped or stacked, in the middle of those
-//! that are large enough on the screen.
+//! Draws the numbers of the islands and whether they are locked, upright, grouped or stacked, in the middle
+//! of those that are large enough on the screen.
 void drawIslandMarks(QPainter &painter, const QRect &view, const ViewColors &colors, const Document &document,
                      const MapCamera &camera, bool marks, bool numbers);
 //! Draws the 2D cursor, a ring with a cross.

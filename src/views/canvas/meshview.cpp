@@ -164,6 +164,7 @@ void MeshView::drawScene(GlResources &gl)
     drawing.smooth = options.smoothShading;
     drawing.pattern = options.pattern;
     drawing.checkerSize = options.checkerSize;
+    drawing.tileHeight = studio().workspace.document()->packingSettings().tileHeight();
     drawing.texture = gl.texture.id();
     drawing.tint = options.coloring == Coloring::Plain ? 0 : 0.5;
     const HoverParts hover = hoverParts();

@@ -60,9 +60,18 @@ std::optional<QPointF> UvView::screenOf(int soupCorner) const
     return place.allFinite() ? std::optional(mCamera.toScreen(place)) : std::nullopt;
 }
 
+PackingSettings UvView::packing() const
+{
+    if (const Document *document = studio().workspace.document())
+        return document->packingSettings();
+    PackingSettings settings;
+    settings.textureSize = studio().preferences.values().textureSize;
+    return settings;
+}
+
 void UvView::frameAll()
 {
-    Eigen::AlignedBox2d box(Vec2(0, 0), Vec2(1, 1));
+    Eigen::AlignedBox2d box(Vec2(0, 0), Vec2(1, packing().tileHeight()));
     if (content().mesh())
         box.extend(layoutBox(content().uv()));
     mCamera.frame(box);
@@ -105,17 +114,16 @@ void UvView::restoreViewState(const QCborMap &state)
 void UvView::drawPaper(GlResources &gl)
 {
     const ViewOptions &options = studio().view.options();
-    const Document *document = studio().workspace.document();
-    const int textureSize =
-        document ? document->packingSettings().textureSize : studio().preferences.values().textureSize;
-    PaperDrawing paper = paperDrawing(mCamera, devicePixelRatioF(), textureSize);
+    const PackingSettings texture = packing();
+    PaperDrawing paper = paperDrawing(mCamera, devicePixelRatioF(), texture);
     paper.grid = options.grid;
     paper.pattern = options.pattern;
     paper.checkerSize = options.checkerSize;
     paper.texture = gl.texture.id();
     paper.patternStrength = options.fillIslands && content().mesh() ? 0.3 : 1;
     paper.lineWidth = devicePixelRatioF();
-    const Vec2 used = studio().shownMap.isLive() ? Vec2(Vec2::Ones()) : usedTiles(content().uvBox());
+    const Vec2 used =
+        studio().shownMap.isLive() ? Vec2(Vec2::Ones()) : usedTiles(content().uvBox(), texture.tileHeight());
     paper.usedTiles = {static_cast<float>(used.x()), static_cast<float>(used.y())};
     gl.backdrop.draw(paper, content().colors());
 }
@@ -140,6 +148,7 @@ void UvView::drawScene(GlResources &gl)
     // Filled islands do not hide the pattern, but show it.
     drawing.pattern = options.pattern;
     drawing.checkerSize = options.checkerSize;
+    drawing.tileHeight = packing().tileHeight();
     drawing.texture = gl.texture.id();
     drawing.tint = plain ? 0 : 0.5;
     const HoverParts hover = hoverParts();
@@ -173,8 +182,9 @@ void UvView::drawOverlay(QPainter &painter)
     const ViewColors &colors = content().colors();
     const ViewOptions &options = studio().view.options();
     const Document *document = studio().workspace.document();
+    const PackingSettings texture = packing();
     if (options.grid)
-        drawTileNames(painter, rect(), colors, mCamera);
+        drawTileNames(painter, rect(), colors, mCamera, texture.tileHeight());
     if (document && options.steering)
         drawRectangles(painter, document->constraints().rectangles, mCamera);
     if (document && content().uvBox().isEmpty()) {
@@ -189,10 +199,8 @@ void UvView::drawOverlay(QPainter &painter)
             drawMessage(painter, rect(), colors, tr("No UVs yet"),
                         {tr("Press U to unwrap, or Space to solve live")});
     }
-    const int textureSize =
-        document ? document->packingSettings().textureSize : studio().preferences.values().textureSize;
     if (options.rulers)
-        drawRulers(painter, rect(), colors, mCamera, textureSize);
+        drawRulers(painter, rect(), colors, mCamera, texture.textureSize);
     if (document && (options.islandMarks || options.islandNumbers) && !studio().shownMap.isLive())
         drawIslandMarks(painter, rect(), colors, *document, mCamera, options.islandMarks,
                         options.islandNumbers);

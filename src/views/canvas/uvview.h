@@ -1,6 +1,7 @@
 // The UV view.
 #pragma once
 
+#include "model/plain/packingsettings.h"
 #include "views/canvas/canvas.h"
 #include "views/canvas/mapcamera.h"
 
@@ -36,6 +37,8 @@ protected:
     void documentReplaced() override;
 
 private:
+    //! The texture of the document, or of new sessions.
+    PackingSettings packing() const;
     void drawPaper(GlResources &gl);
 
     MapCamera mCamera;

@@ -237,7 +237,7 @@ void FileController::relink(const QString &meshPath)
     const bool started = mJobs.start(
         tr("Reading %1").arg(QFileInfo(meshPath).fileName()),
         [state = document->state(), meshPath](JobControl &job) -> Result<Relinked> {
-            Result<Scene> scene = readMesh(meshPath, &job.stop());
+            Result<Scene> scene = readMesh(meshPath, &job.stop(), state.packingSettings.tileHeight());
             if (!scene)
                 return scene.error();
             return relinkDocument(state, std::move(scene).value());
@@ -286,7 +286,8 @@ void FileController::exportMesh(const QString &path)
         return;
     const bool started = mJobs.start(
         tr("Writing %1").arg(QFileInfo(path).fileName()),
-        [scene = sceneForWriting(*document), path](JobControl &) { return writeMesh(scene, path); },
+        [scene = sceneForWriting(*document), path, tileHeight = document->packingSettings().tileHeight()](
+            JobControl &) { return writeMesh(scene, path, tileHeight); },
         [this, path](const Result<Done> &written) { tellWritten(written, path); });
     if (!started)
         tellBusy(path);

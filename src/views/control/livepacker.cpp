@@ -121,8 +121,9 @@ std::optional<LiveArrangement> LivePacker::makeArrangement(const MeshData &mesh,
     settings.effort = packEffort;
     double side = std::max(1.0, std::sqrt(area / firstFill));
     for (int i = 0; i < mostWidenings && !stop; ++i, side *= widening) {
-        settings.lower = Vec2::Constant(0.5 - side / 2);
-        settings.upper = Vec2::Constant(0.5 + side / 2);
+        const Vec2 middle(0.5, 0.5 * packing.tileHeight());
+        settings.lower = middle - Vec2::Constant(side / 2);
+        settings.upper = middle + Vec2::Constant(side / 2);
         const packing::PackResult packed = packing::packIslands(islands, settings, &stop);
         if (!packed.complete)
             continue;

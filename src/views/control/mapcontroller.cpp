@@ -26,12 +26,14 @@ constexpr int editDelay = 300;
 constexpr int maxListedOverlaps = 100'000;
 
 MapFigures measured(const MeshData &mesh, const UvMatrix &uv, const std::vector<IslandFlags> &faceFlags,
-                    int textureSize, JobControl &control)
+                    const PackingSettings &packing, JobControl &control)
 {
     MapFigures figures;
-    figures.textureSize = textureSize;
+    figures.textureSize = packing.textureSize;
+    figures.textureHeight = packing.height();
     metrics::UvMetricsOptions options;
-    options.textureSize = textureSize;
+    options.textureSize = packing.textureSize;
+    options.tileHeight = packing.tileHeight();
     options.faceFlags = faceFlags;
     options.job = &control.stop();
     figures.metrics = metrics::measureUv(mesh, uv, options);
@@ -111,7 +113,8 @@ MapController::MapController(Workspace &workspace, SolverController &solver, Sho
 bool MapController::figuresAreFresh() const
 {
     return mFigures && mWorkspace.hasMapOf(mFigures->token) && mFigures->figureChanges == mFigureChanges &&
-           mFigures->textureSize == mWorkspace.document()->packingSettings().textureSize;
+           mFigures->textureSize == mWorkspace.document()->packingSettings().textureSize &&
+           mFigures->textureHeight == mWorkspace.document()->packingSettings().height();
 }
 
 //! \pre no solve runs, so that its result is the one from which the map was made
@@ -343,11 +346,11 @@ void MapController::measure()
     if (!document || figuresAreFresh())
         return;
     const auto mesh = document->weightedMesh();
-    const int textureSize = document->packingSettings().textureSize;
+    const PackingSettings packing = document->packingSettings();
     mMeasuring.start(
         tr("Measuring"),
-        [mesh, uv = document->uv(), flags = document->marks().faceFlags, textureSize](JobControl &control) {
-            return measured(*mesh, uv, flags, textureSize, control);
+        [mesh, uv = document->uv(), flags = document->marks().faceFlags, packing](JobControl &control) {
+            return measured(*mesh, uv, flags, packing, control);
         },
         [this, token = document->token(), figureChanges = mFigureChanges](MapFigures figures) {
             mFigures = std::move(figures);

@@ -32,7 +32,7 @@ struct PackTarget;
 struct MapFigures
 {
     StateToken token; //!< token of the measured state
-    int textureSize = 0;
+    int textureSize = 0, textureHeight = 0;
     int figureChanges = 0; //!< how often stacks and texel weights had changed before
     metrics::UvMetrics metrics;
     std::vector<int> overlapping;                 //!< triangles that overlap another one, ascending

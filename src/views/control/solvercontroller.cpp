@@ -265,8 +265,8 @@ void SolverController::begin(StartMode start, bool warm)
     mMapBeforePulls.reset();
     mMapRests = false;
     mWorker->setMode(mMode);
-    // Places the map at the centre of the unit square.
-    const Vec2 centre = Vec2::Constant(0.5 / document.uvScale());
+    // Places the map at the centre of the first tile.
+    const Vec2 centre = Vec2(0.5, 0.5 * snapshot->tileHeight) / document.uvScale();
     mWorker->start(snapshot, centre, warm);
     mKeeper->start(snapshot, mapOptions());
     Q_EMIT statusChanged();

@@ -12,7 +12,7 @@ namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
 
-DensityDialog::DensityDialog(double present, int textureSize, QWidget *parent)
+DensityDialog::DensityDialog(double present, const PackingSettings &packing, QWidget *parent)
     : QDialog(parent), mDensity(new QDoubleSpinBox)
 {
     setWindowTitle(tr("Texel density"));
@@ -31,8 +31,9 @@ DensityDialog::DensityDialog(double present, int textureSize, QWidget *parent)
     auto *form = new QFormLayout(this);
     form->addRow(remark);
     form->addRow(tr("&Density:"), mDensity);
-    form->addRow(
-        new QLabel(tr("With a texture of %1 \u00d7 %1 texels; locked islands stay.").arg(textureSize)));
+    form->addRow(new QLabel(tr("With a texture of %1 \u00d7 %2 texels; locked islands stay.")
+                                .arg(packing.textureSize)
+                                .arg(packing.height())));
     form->addRow(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -1,6 +1,8 @@
 // The dialog for setting a texel density.
 #pragma once
 
+#include "model/plain/packingsettings.h"
+
 #include <QDialog>
 
 class QDoubleSpinBox;
@@ -14,8 +16,8 @@ class DensityDialog final : public QDialog
 
 public:
     //! \param present density of the selection; NaN when it has none
-    //! \param textureSize texture size that the density refers to
-    DensityDialog(double present, int textureSize, QWidget *parent = nullptr);
+    //! \param packing the texture that the density refers to
+    DensityDialog(double present, const PackingSettings &packing, QWidget *parent = nullptr);
 
     //! Texels per unit of the model.
     double density() const;

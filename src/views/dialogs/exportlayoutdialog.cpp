@@ -43,6 +43,7 @@ ExportLayoutDialog::ExportLayoutDialog(int size, const QString &path, std::vecto
     mBackground->setCurrentIndex(mBackground->findData(int(defaults.background)));
     mSize->setRange(minSize, maxSize);
     mSize->setSuffix(tr(" px"));
+    mSize->setToolTip(tr("Pixels along the longer side; the picture has the shape of the texture"));
     mSize->setValue(std::clamp(size, minSize, maxSize));
     mBleed->setObjectName(QStringLiteral("bleed"));
     mBleed->setRange(0, maxBleed);

@@ -39,15 +39,25 @@ QString written(const QByteArray &bytes, const QString &to)
     return done ? QString() : file.errorString();
 }
 
+//! A picture of the texture with so many texels along the longer side.
+LayoutOptions textureOf(int size, double tileHeight)
+{
+    LayoutOptions options;
+    options.size = size;
+    options.tileHeight = tileHeight;
+    return options;
+}
+
 //! Resamples an image to the size of the texture. \returns the error
-QString resample(const QString &from, int size, const QString &to)
+QString resample(const QString &from, const LayoutOptions &size, const QString &to)
 {
     QImageReader reader(from);
     reader.setAutoTransform(true);
     const QImage image = reader.read();
     if (image.isNull())
         return reader.errorString();
-    const QImage scaled = image.scaled(size, size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    const QImage scaled =
+        image.scaled(size.width(), size.height(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
@@ -55,10 +65,8 @@ QString resample(const QString &from, int size, const QString &to)
                                        : PreviewDialog::tr("The picture could not be made");
 }
 
-QString drawLayout(const MeshData &mesh, const UvMatrix &uv, int size, const QString &to)
+QString drawLayout(const MeshData &mesh, const UvMatrix &uv, const LayoutOptions &options, const QString &to)
 {
-    LayoutOptions options;
-    options.size = size;
     const Result<QByteArray> picture = layoutPng(mesh, uv, options);
     if (!picture)
         return picture.error().message;
@@ -106,10 +114,11 @@ QWidget *PreviewDialog::makeControls()
     mPicture->addItem(tr("Picture of the layout"), int(Picture::Layout));
     mPicture->setCurrentIndex(mTexturePath.isEmpty() ? 0 : 1);
     mSize->setObjectName("size"_L1);
-    mSize->setToolTip(tr("Texels along one side of the texture"));
+    mSize->setToolTip(tr("Texels along the longer side of the texture"));
     for (int size = smallest; size <= largest; size *= 2)
         mSize->addItem(tr("%1 px").arg(size), size);
-    const int wanted = std::min(mContext.workspace.document()->packingSettings().textureSize, largest);
+    const PackingSettings &packing = mContext.workspace.document()->packingSettings();
+    const int wanted = std::min(std::max(packing.textureSize, packing.height()), largest);
     mSize->setCurrentIndex(std::max(0, mSize->findData(wanted)));
     auto *choose = new QPushButton(tr("&Load texture..."));
     connect(choose, &QPushButton::clicked, this, &PreviewDialog::browse);
@@ -161,15 +170,18 @@ void PreviewDialog::refresh()
     options.smoothShading = true;
     options.seams = mSeams->isChecked();
     options.pattern = Pattern::Checker;
-    options.checkerSize = std::max(1.0, double(size()) / squareTexels);
+    const LayoutOptions texture =
+        textureOf(size(), mContext.workspace.document()->packingSettings().tileHeight());
+    options.checkerSize = std::max(1.0, double(texture.width()) / squareTexels);
     mState.setOptions(options);
     if (picture() == Picture::Checkerboard) {
         mRemark->setText(tr("Squares of %1 texels").arg(squareTexels));
         return;
     }
     const bool isLayout = picture() == Picture::Layout;
-    const QString to = mFolder.filePath(u"%1-%2-%3.png"_s.arg(isLayout ? u"layout"_s : u"texture"_s)
-                                            .arg(size())
+    const QString to = mFolder.filePath(u"%1-%2x%3-%4.png"_s.arg(isLayout ? u"layout"_s : u"texture"_s)
+                                            .arg(texture.width())
+                                            .arg(texture.height())
                                             .arg(qHash(isLayout ? QString() : mTexturePath)));
     if (QFile::exists(to)) {
         showTexture(to);
@@ -179,8 +191,9 @@ void PreviewDialog::refresh()
     const Document &document = *mContext.workspace.document();
     mJobs.start(
         windowTitle(),
-        [=, from = mTexturePath, side = size(), mesh = document.state().scene.mesh, uv = document.uv()](
-            JobControl &) { return isLayout ? drawLayout(*mesh, uv, side, to) : resample(from, side, to); },
+        [=, from = mTexturePath, mesh = document.state().scene.mesh, uv = document.uv()](JobControl &) {
+            return isLayout ? drawLayout(*mesh, uv, texture, to) : resample(from, texture, to);
+        },
         [this, to](const QString &problem) {
             mRemark->setText(problem);
             if (problem.isEmpty())

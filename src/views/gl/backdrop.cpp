@@ -47,7 +47,11 @@ void Backdrop::draw(const PaperDrawing &drawing, const ViewColors &colors)
     p.setUniformValue("tileOrigin", drawing.tileOrigin);
     p.setUniformValue("originTile", drawing.originTile);
     p.setUniformValue("usedTiles", drawing.usedTiles);
-    p.setUniformValue("tilePixels", static_cast<float>(drawing.tilePixels));
+    p.setUniformValue("tilePixels", QVector2D(static_cast<float>(drawing.tilePixels),
+                                              static_cast<float>(drawing.tilePixels * drawing.tileHeight)));
+    p.setUniformValue("tileHeight", static_cast<float>(drawing.tileHeight));
+    p.setUniformValue("pictureHeight",
+                      static_cast<float>(pictureHeight(drawing.pattern, drawing.tileHeight)));
     p.setUniformValue("gridOrigin", drawing.gridOrigin);
     p.setUniformValue("gridPixels", static_cast<float>(drawing.gridPixels));
     p.setUniformValue("minorStrength", static_cast<float>(drawing.minorStrength));

@@ -29,8 +29,9 @@ struct PaperDrawing
     QVector2D tileOrigin; //!< pixel of a tile's corner, in or near the view
     QVector2D originTile; //!< column and row of that tile
     QVector2D usedTiles{1, 1};
-    double tilePixels = 1;
-    QVector2D gridOrigin; //!< pixel of a grid line, in or near the view
+    double tilePixels = 1; //!< width of a tile
+    double tileHeight = 1; //!< in relation to its width
+    QVector2D gridOrigin;  //!< pixel of a grid line, in or near the view
     double gridPixels = 1, minorStrength = 0, minorDivisions = 2;
     bool grid = true;
     Pattern pattern = Pattern::None;

@@ -98,6 +98,8 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
     p.setUniformValue("smoothShading", drawing.smooth);
     const bool textured = isPicture(drawing.pattern) && drawing.texture != 0;
     p.setUniformValue("pattern", textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0);
+    p.setUniformValue("pictureHeight",
+                      static_cast<float>(pictureHeight(drawing.pattern, drawing.tileHeight)));
     p.setUniformValue("checkerSize", static_cast<float>(drawing.checkerSize));
     p.setUniformValue("tint", static_cast<float>(drawing.tint));
     p.setUniformValue("fillOpacity", static_cast<float>(drawing.fillOpacity));

@@ -24,6 +24,7 @@ struct SoupDrawing
     bool smooth = false;
     Pattern pattern = Pattern::None; //!< pattern on the faces
     double checkerSize = 16;
+    double tileHeight = 1;                   //!< of the texture, see PackingSettings::tileHeight()
     unsigned texture = 0;                    //!< id of the 2D texture for a picture; 0: none
     double tint = 0;                         //!< share of the faces' colours over the texture
     double fillOpacity = 1;                  //!< opacity of the faces

@@ -10,7 +10,7 @@ namespace autocuts {
 
 //! Texels per unit of the model, per triangle, divided by its texel weight, so that a map as it was painted
 //! has the same everywhere; NaN for triangles without UVs or without area.
-//! \param uv one row per soup corner \param textureSize texels along a side of the unit square
+//! \param uv one row per soup corner \param textureSize texels along the width of the texture
 std::vector<float> texelDensities(const MeshData &mesh, const UvMatrix &uv, int textureSize);
 
 //! The density that half of the area of the model has at most; NaN when no triangle has a density.

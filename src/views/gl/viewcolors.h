@@ -32,7 +32,7 @@ struct ViewColors
     bool dark = true;
     QColor backgroundTop, backgroundBottom; //!< of the 3D view
     QColor mapBackground;                   //!< of the UV view, between the grid lines
-    QColor mapInside;                       //!< of the unit square in the UV view
+    QColor mapInside;                       //!< of the tiles in use in the UV view
     QColor gridMinor, gridMajor;
     QColor text, dimText, panel; //!< panel: background of rulers and legends
     QColor model;                //!< of faces without another colour

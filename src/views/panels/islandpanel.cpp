@@ -55,9 +55,9 @@ IslandPanel::IslandPanel(const StudioContext &context, QWidget *parent)
     connect(&context.solver, &SolverController::stateChanged, this, [this] { refreshSoon(); });
     // A right click offers what can be done with the selected islands.
     mView->setContextMenuPolicy(Qt::ActionsContextMenu);
-    for (const char *id :
-         {"uv.packSelection", "uv.unwrapSelection", "uv.orientBox", "uv.lock", "uv.unlock", "uv.group",
-          "uv.ungroup", "uv.stack", "uv.unstack", "select.similar", "view.frameSelected"})
+    for (const char *id : {"uv.packSelection", "uv.unwrapSelection", "uv.orientBox", "uv.lock", "uv.unlock",
+                           "uv.keepOrientation", "uv.freeOrientation", "uv.group", "uv.ungroup", "uv.stack",
+                           "uv.unstack", "select.similar", "view.frameSelected"})
         mView->addAction(context.actions.action(id));
     connect(mView->selectionModel(), &QItemSelectionModel::selectionChanged, this, &IslandPanel::selectFaces);
     connect(mTable, &IslandTable::lockRequested, this, [this](int island, bool locked) {

@@ -150,7 +150,7 @@ QWidget *LayoutPanel::makePivotRows()
             if (mShowing)
                 return;
             ToolSettings tools = this->context().view.tools();
-            tools.cursor[axis] = value / unit();
+            tools.cursor[axis] = value / unit()[axis];
             this->context().view.setTools(tools);
         });
     }
@@ -197,9 +197,14 @@ QWidget *LayoutPanel::makeActions()
     return box;
 }
 
-double LayoutPanel::unit() const
+Vec2 LayoutPanel::unit() const
 {
-    return mUnit->currentIndex() == 1 && document() ? document()->packingSettings().textureSize : 1;
+    if (!document())
+        return Vec2::Ones();
+    const PackingSettings &packing = document()->packingSettings();
+    // UV units are those of the model's file, in which a tile is 1 high.
+    return mUnit->currentIndex() == 1 ? Vec2(Vec2::Constant(packing.textureSize))
+                                      : Vec2(1, 1 / packing.tileHeight());
 }
 
 Vec2 LayoutPanel::reference(const MovableIslands &islands) const
@@ -238,14 +243,14 @@ void LayoutPanel::edit(const std::function<Eigen::Affine2d(int island)> &transfo
 void LayoutPanel::moveTo(int axis, double value)
 {
     if (begin(UvEdit::Move))
-        mMove[axis] = value / unit() - reference(mStart)[axis];
+        mMove[axis] = value / unit()[axis] - reference(mStart)[axis];
     edit([this](int) { return Eigen::Affine2d(Eigen::Translation2d(mMove)); });
 }
 
 void LayoutPanel::scaleTo(int axis, double value)
 {
     if (begin(UvEdit::Scale)) {
-        mFactor[axis] = value / unit() / std::max(mStart.box.sizes()[axis], smallest);
+        mFactor[axis] = value / unit()[axis] / std::max(mStart.box.sizes()[axis], smallest);
         if (mProportions->isChecked())
             mFactor[1 - axis] = mFactor[axis];
     }
@@ -271,7 +276,7 @@ void LayoutPanel::refresh()
     }
     for (const int axis : {0, 1}) {
         mSize[axis]->setMinimum(texels ? 0.01 : smallest);
-        mCursor[axis]->setValue(tools.cursor[axis] * unit());
+        mCursor[axis]->setValue(tools.cursor[axis] * unit()[axis]);
         mCursor[axis]->setEnabled(tools.pivot == Pivot::Cursor);
     }
     showNumbers();
@@ -290,8 +295,8 @@ void LayoutPanel::showNumbers()
     if (islands.isEmpty())
         return;
     for (const int axis : {0, 1}) {
-        mPosition[axis]->setValue(reference(islands)[axis] * unit());
-        mSize[axis]->setValue(islands.box.sizes()[axis] * unit());
+        mPosition[axis]->setValue(reference(islands)[axis] * unit()[axis]);
+        mSize[axis]->setValue(islands.box.sizes()[axis] * unit()[axis]);
     }
 }
 

@@ -47,8 +47,8 @@ private:
     //! \param transformOf of each island
     void edit(const std::function<Eigen::Affine2d(int island)> &transformOf);
     void showNumbers();
-    //! Texels per unit of texture space, or 1, by what the numbers are shown in.
-    double unit() const;
+    //! What the numbers count per unit of texture space, in u and v: texels, or UV units of the model's file.
+    Vec2 unit() const;
     //! The point whose coordinates are shown.
     Vec2 reference(const MovableIslands &islands) const;
 

@@ -52,20 +52,36 @@ PackPanel::PackPanel(const StudioContext &context, QWidget *parent)
     connect(&context.map.jobs(), &JobRunner::busyChanged, this, [this] { refreshSoon(); });
 }
 
+//! A field for texels along one side of the texture.
+QComboBox *PackPanel::makeTexels(QLatin1StringView name)
+{
+    auto *texels = new QComboBox;
+    texels->setObjectName(name);
+    texels->setEditable(true);
+    texels->setInsertPolicy(QComboBox::NoInsert);
+    texels->setCompleter(nullptr);
+    texels->setValidator(new QIntValidator(1, PackingSettings::maxTextureSize, texels));
+    texels->setMinimumContentsLength(5);
+    for (int size = 256; size <= 16384; size *= 2)
+        texels->addItem(QString::number(size));
+    connect(texels, &QComboBox::activated, this, [this, texels] { takeTexels(texels); });
+    connect(texels->lineEdit(), &QLineEdit::editingFinished, this, [this, texels] { takeTexels(texels); });
+    return texels;
+}
+
 void PackPanel::addTextureRows(QFormLayout *form)
 {
-    mTextureSize = new QComboBox;
-    mTextureSize->setObjectName("textureSize"_L1);
-    mTextureSize->setEditable(true);
-    mTextureSize->setInsertPolicy(QComboBox::NoInsert);
-    mTextureSize->setCompleter(nullptr);
-    mTextureSize->setValidator(new QIntValidator(1, PackingSettings::maxTextureSize, mTextureSize));
-    for (int size = 256; size <= 16384; size *= 2)
-        mTextureSize->addItem(QString::number(size));
-    connect(mTextureSize, &QComboBox::activated, this, &PackPanel::takeTextureSize);
-    connect(mTextureSize->lineEdit(), &QLineEdit::editingFinished, this, &PackPanel::takeTextureSize);
-    addRow(form, tr("Texture"), mTextureSize,
-           tr("Texels along one side of the texture; choose or type a number"));
+    mTextureSize = makeTexels("textureSize"_L1);
+    mTextureHeight = makeTexels("textureHeight"_L1);
+    mTextureHeight->setAccessibleName(tr("Height of the texture"));
+    QWidget *sides = makeRow({mTextureSize, new QLabel(u"\u00d7"_s), mTextureHeight});
+    sides->setFocusProxy(mTextureSize);
+    const QString tip =
+        tr("Width and height of the texture in texels; choose or type numbers. Islands keep their "
+           "shapes on a texture of another shape, so their UVs in the model's file change");
+    addRow(form, tr("Texture"), sides, tip);
+    mTextureSize->setToolTip(tip);
+    mTextureHeight->setToolTip(tip);
 
     mMargin = new QSpinBox;
     mMargin->setObjectName("margin"_L1);
@@ -89,13 +105,18 @@ void PackPanel::addPlacingRows(QFormLayout *form)
     mRotation = new QComboBox;
     mRotation->setObjectName("rotation"_L1);
     mRotation->addItem(tr("None"), int(PackRotation::None));
+    mRotation->addItem(tr("Half turns"), int(PackRotation::Half));
     mRotation->addItem(tr("Quarter turns"), int(PackRotation::Quarter));
+    mRotation->addItem(tr("Steps of 45\u00b0"), int(PackRotation::Eighth));
+    mRotation->addItem(tr("Steps of 30\u00b0"), int(PackRotation::Twelfth));
+    mRotation->addItem(tr("Steps of 15\u00b0"), int(PackRotation::TwentyFourth));
     mRotation->addItem(tr("Any angle"), int(PackRotation::Free));
     connect(mRotation, &QComboBox::activated, this, [this] {
         const auto rotation = PackRotation(mRotation->currentData().toInt());
         changePackingSettings([rotation](PackingSettings &s) { s.rotation = rotation; });
     });
-    addRow(form, tr("Rotation"), mRotation, tr("How islands may be turned to fit"));
+    addRow(form, tr("Rotation"), mRotation,
+           tr("How islands may be turned to fit; those that keep their orientation are not turned"));
 
     mTile = new QSpinBox;
     mTile->setObjectName("tile"_L1);
@@ -107,8 +128,7 @@ void PackPanel::addPlacingRows(QFormLayout *form)
     mTilePlace->setWordWrap(false);
     QWidget *row = makeRow({mTile, mTilePlace});
     row->setFocusProxy(mTile);
-    addRow(form, tr("UDIM tile"), row,
-           tr("Tile that is packed into: 1001 is the unit square, ten tiles in a row"));
+    addRow(form, tr("UDIM tile"), row, tr("Tile that is packed into: 1001 is the first, ten tiles in a row"));
 
     mBorder = new QSpinBox;
     mBorder->setObjectName("border"_L1);
@@ -163,25 +183,30 @@ QWidget *PackPanel::makeFigures()
     mEfficiency = addFigure(grid, 0, 0, tr("Efficiency"), tr("Share of the texture that islands cover"));
     mGutter =
         addFigure(grid, 1, 0, tr("Smallest gutter"), tr("Smallest distance between two islands, in texels"));
-    mToBorder = addFigure(grid, 2, 0, tr("To the border"),
-                          tr("Distance to the border of the unit square, in texels"));
-    mInside = addFigure(grid, 3, 0, tr("In the unit square"), tr("Whether all UVs are between 0 and 1"));
+    mToBorder =
+        addFigure(grid, 2, 0, tr("To the border"), tr("Distance to the border of the texture, in texels"));
+    mInside = addFigure(grid, 3, 0, tr("In the texture"), tr("Whether all islands lie in tile 1001"));
     mEfficiency->setObjectName("efficiency"_L1);
     mGutter->setObjectName("gutter"_L1);
     grid->setColumnStretch(1, 1);
     return box;
 }
 
-void PackPanel::takeTextureSize()
+//! Takes the number of one of the two fields; the other one may not follow the document yet.
+void PackPanel::takeTexels(const QComboBox *field)
 {
-    if (!mTextureSize->lineEdit()->hasAcceptableInput()) {
+    if (!document() || !field->lineEdit()->hasAcceptableInput()) {
         refreshSoon();
         return;
     }
-    const int size = mTextureSize->currentText().toInt();
-    changePackingSettings([size](PackingSettings &settings) {
-        settings.textureSize = size;
-        settings.margin = std::min<double>(settings.margin, size);
+    const int texels = field->currentText().toInt();
+    const bool isWidth = field == mTextureSize;
+    changePackingSettings([texels, isWidth](PackingSettings &settings) {
+        // A square texture stays square when its width changes.
+        const int height = settings.textureHeight == 0 ? texels : settings.textureHeight;
+        settings.setTexture(isWidth ? texels : settings.textureSize, isWidth ? height : texels);
+        settings.margin = std::min<double>(settings.margin, settings.shorterSide());
+        settings.border = std::min(settings.border, std::max(0.0, 0.5 * settings.shorterSide() - 1));
     });
 }
 
@@ -199,18 +224,21 @@ void PackPanel::refresh()
 
 void PackPanel::showSettings(const PackingSettings &settings)
 {
-    const QSignalBlocker blockers[] = {QSignalBlocker(mTextureSize), QSignalBlocker(mMargin),
-                                       QSignalBlocker(mRotation),    QSignalBlocker(mTile),
-                                       QSignalBlocker(mBorder),      QSignalBlocker(mEffort)};
+    const QSignalBlocker blockers[] = {QSignalBlocker(mTextureSize),  QSignalBlocker(mMargin),
+                                       QSignalBlocker(mRotation),     QSignalBlocker(mTile),
+                                       QSignalBlocker(mBorder),       QSignalBlocker(mEffort),
+                                       QSignalBlocker(mTextureHeight)};
     // Text that is being typed is not overwritten.
     if (!mTextureSize->lineEdit()->hasFocus() || !mTextureSize->lineEdit()->isModified())
         mTextureSize->setEditText(QString::number(settings.textureSize));
-    mMargin->setMaximum(std::min(settings.textureSize, 9999));
+    if (!mTextureHeight->lineEdit()->hasFocus() || !mTextureHeight->lineEdit()->isModified())
+        mTextureHeight->setEditText(QString::number(settings.height()));
+    mMargin->setMaximum(std::min(settings.shorterSide(), 9999));
     mMargin->setValue(static_cast<int>(settings.margin));
     mMarginUv->setText(tr("= %1 UV").arg(significantText(settings.margin / settings.textureSize, 3)));
     mRotation->setCurrentIndex(mRotation->findData(int(settings.rotation)));
     mKeepScale->setChecked(settings.keepScale);
-    mBorder->setMaximum(std::min(settings.textureSize / 2 - 1, 1024));
+    mBorder->setMaximum(std::clamp(settings.shorterSide() / 2 - 1, 0, 1024));
     mBorder->setValue(settings.border < 0 ? -1 : static_cast<int>(settings.border));
     mEffort->setValue(settings.effort);
     mTile->setValue(settings.udimTile);

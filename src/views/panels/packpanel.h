@@ -13,7 +13,7 @@ class QSpinBox;
 
 namespace autocuts {
 
-//! Sets texture size, gutter, rotation and tile, packs all or the selected islands, and shows figures of the
+//! Sets texture, gutter, rotation and tile, packs all or the selected islands, and shows figures of the
 //! packed map.
 class PackPanel final : public Panel
 {
@@ -30,11 +30,12 @@ private:
     void addPlacingRows(QFormLayout *form);
     QWidget *makePackButtons();
     QWidget *makeFigures();
-    void takeTextureSize();
+    QComboBox *makeTexels(QLatin1StringView name);
+    void takeTexels(const QComboBox *field);
     void showSettings(const PackingSettings &settings);
     void showFigures();
 
-    QComboBox *mTextureSize = nullptr;
+    QComboBox *mTextureSize = nullptr, *mTextureHeight = nullptr;
     QSpinBox *mMargin = nullptr;
     QLabel *mMarginUv = nullptr;
     QComboBox *mRotation = nullptr;

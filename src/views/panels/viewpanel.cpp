@@ -227,10 +227,10 @@ void ViewPanel::addPatternRows()
     explain(label, tip, {"view.texture"});
 
     mCheckerSize = makeCountBox("checkerSize"_L1, 1, 1024, &ViewOptions::checkerSize);
-    addRow(mForm, tr("Squares"), mCheckerSize, tr("Squares along one side of the unit square"));
+    addRow(mForm, tr("Squares"), mCheckerSize, tr("Squares along the width of the texture"));
     mLetteredCells =
         makeCountBox("letteredCells"_L1, leastLetteredCells, mostLetteredCells, &ViewOptions::letteredCells);
-    addRow(mForm, tr("Cells"), mLetteredCells, tr("Lettered cells along one side of the unit square"));
+    addRow(mForm, tr("Cells"), mLetteredCells, tr("Lettered cells along the width of the texture"));
 
     QPushButton *load = makeButton(tr("Load…"), "loadTexture"_L1);
     explain(load, tr("Choose the picture to show on the model"), {"view.loadTexture"});

@@ -22,6 +22,12 @@ constexpr bool isPicture(Pattern pattern)
     return pattern == Pattern::Texture || pattern == Pattern::Lettered;
 }
 
+//! Height in texture space of the picture of a pattern, where it is 1 wide. \param tileHeight of the texture
+constexpr double pictureHeight(Pattern pattern, double tileHeight)
+{
+    return pattern == Pattern::Texture ? tileHeight : 1; // lettered cells are square
+}
+
 //! The options of both views.
 struct ViewOptions
 {
@@ -36,7 +42,7 @@ struct ViewOptions
     bool selection = true;      //!< mark selected elements
     bool problems = true;       //!< mark flipped triangles, and hatch overlaps
     bool fillIslands = true;    //!< UV view
-    bool grid = true;           //!< UV view: grid, unit square and tiles; 3D view: ground
+    bool grid = true;           //!< UV view: grid and tiles; 3D view: ground
     bool rulers = true;         //!< UV view, in texels
     bool islandMarks = true;    //!< UV view: locks, groups and stacks
     bool islandNumbers = false; //!< UV view
@@ -46,8 +52,8 @@ struct ViewOptions
     double stretchClamp = 1;    //!< signed stretch: the log2 of the area ratio that gets the full colour
     //! Magnitude: the symmetric Dirichlet energy that gets the full colour; above 4.
     double magnitudeClamp = 8;
-    double checkerSize = 16;  //!< squares along each side of the unit square
-    double letteredCells = 8; //!< cells of Pattern::Lettered along each side of the unit square
+    double checkerSize = 16;  //!< squares along the width of the texture
+    double letteredCells = 8; //!< cells of Pattern::Lettered along the width of the texture
     //! Density: the texels per unit of the model that are right; 0: the median of the map.
     double densityTarget = 0;
     double densityClamp = 1; //!< density: the log2 of the factor that gets the full colour

@@ -77,7 +77,7 @@ Vec2 IslandDrag::displacement() const
     if (snap == SnapTo::Islands)
         move += islandShift;
     else if (snap == SnapTo::Tiles)
-        move = snappedPoint(move, 1);
+        move = snappedPoint(move, snapStep);
     else if (snap != SnapTo::Nothing)
         move = snappedMove(move, box, snapStep);
     if (axis == DragAxis::X)

@@ -24,7 +24,7 @@ struct IslandDrag
     DragAxis axis = DragAxis::Both;
     QString typed; //!< a number that replaces the mouse: texels, degrees or a factor
     SnapTo snap = SnapTo::Nothing;
-    double snapStep = 0;             //!< for Move
+    Vec2 snapStep = Vec2::Zero();    //!< for Move
     Vec2 islandShift = Vec2::Zero(); //!< for Move: added by snapping to other islands
     double pixel = 1;                //!< size of a pixel of the view at the start
     int textureSize = 1;

@@ -162,7 +162,7 @@ void IslandTool::move(const ToolEvent &event)
     const MapCamera &camera = *mView->mapCamera();
     mDrag.current = camera.toUv(event.position);
     mDrag.snap = snapOf(event.modifiers, context().view.tools().snap);
-    mDrag.snapStep = snapStep(mDrag.snap, camera, mDrag.textureSize);
+    mDrag.snapStep = snapStep(mDrag.snap, camera, context().workspace.document()->packingSettings());
     snapToIslands();
     if (mState == State::Active)
         apply();

@@ -41,8 +41,8 @@ QString PackBoxTool::hint() const
 Eigen::Vector2d PackBoxTool::placeOf(const ToolEvent &event) const
 {
     const MapCamera &camera = *mView->mapCamera();
-    const int textureSize = context().workspace.document()->packingSettings().textureSize;
-    const double step = snapStep(snapOf(event.modifiers, context().view.tools().snap), camera, textureSize);
+    const PackingSettings &packing = context().workspace.document()->packingSettings();
+    const Vec2 step = snapStep(snapOf(event.modifiers, context().view.tools().snap), camera, packing);
     return snappedPoint(camera.toUv(event.position), step);
 }
 

@@ -65,7 +65,8 @@ int rectangleAround(const std::vector<LayoutRectangle> &rectangles, const Vec2 &
     return found;
 }
 
-LayoutRectangle dragged(LayoutRectangle rectangle, const RectangleGrip &grip, const Vec2 &by, double snapStep)
+LayoutRectangle dragged(LayoutRectangle rectangle, const RectangleGrip &grip, const Vec2 &by,
+                        const Vec2 &snapStep)
 {
     if (!grip.isHandle()) {
         const Vec2 move = snappedMove(by, Eigen::AlignedBox2d(rectangle.lower, rectangle.upper), snapStep);
@@ -79,8 +80,8 @@ LayoutRectangle dragged(LayoutRectangle rectangle, const RectangleGrip &grip, co
             continue;
         double &side = sides[axis] < 0 ? rectangle.lower[axis] : rectangle.upper[axis];
         side += by[axis];
-        if (snapStep > 0)
-            side = std::round(side / snapStep) * snapStep;
+        if (snapStep[axis] > 0)
+            side = std::round(side / snapStep[axis]) * snapStep[axis];
     }
     return rectangle;
 }

@@ -29,7 +29,7 @@ RectangleGrip gripAt(const std::vector<LayoutRectangle> &rectangles, int active,
 int rectangleAround(const std::vector<LayoutRectangle> &rectangles, const Vec2 &uv);
 //! The rectangle after its grip was moved. Its corners may be swapped.
 LayoutRectangle dragged(LayoutRectangle rectangle, const RectangleGrip &grip, const Vec2 &by,
-                        double snapStep);
+                        const Vec2 &snapStep);
 
 //! Assigns faces to a rectangle and removes them from all others. \param id 0: only removes them
 std::unique_ptr<EditRectangles> assignFaces(Document &document, int id, const QList<int> &faces);

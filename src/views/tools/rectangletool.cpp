@@ -188,10 +188,10 @@ void RectangleTool::dragTo(const ToolEvent &event)
 {
     Document &document = *context().workspace.document();
     const MapCamera &camera = *mView->mapCamera();
-    const double step = snapStep(snapOf(event.modifiers, context().view.tools().snap), camera,
-                                 document.packingSettings().textureSize);
+    const Vec2 step =
+        snapStep(snapOf(event.modifiers, context().view.tools().snap), camera, document.packingSettings());
     LayoutRectangle start = mBefore;
-    if (mIntent == Intent::Draw && step > 0)
+    if (mIntent == Intent::Draw && step.x() > 0)
         start.lower = snappedPoint(start.lower, step);
     const LayoutRectangle after = dragged(start, mGrip, camera.toUv(mEnd) - camera.toUv(mStart), step);
     auto command = std::make_unique<EditRectangles>(

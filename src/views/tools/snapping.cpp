@@ -17,32 +17,32 @@ SnapTo snapOf(Qt::KeyboardModifiers modifiers, SnapTo otherwise)
     return modifiers.testFlag(Qt::ShiftModifier) ? SnapTo::Texels : SnapTo::Grid;
 }
 
-double snapStep(SnapTo snap, const MapCamera &camera, int textureSize)
+Vec2 snapStep(SnapTo snap, const MapCamera &camera, const PackingSettings &packing)
 {
     switch (snap) {
     case SnapTo::Nothing:
     case SnapTo::Islands:
         break;
     case SnapTo::Grid: {
-        const MapGrid grid = MapGrid::of(camera, textureSize);
-        return grid.step / grid.divisions;
+        const MapGrid grid = MapGrid::of(camera, packing.textureSize);
+        return Vec2::Constant(grid.step / grid.divisions);
     }
     case SnapTo::Texels:
-        return 1.0 / textureSize;
+        return Vec2::Constant(1.0 / packing.textureSize);
     case SnapTo::Tiles:
-        return 1;
+        return {1, packing.tileHeight()};
     }
-    return 0;
+    return Vec2::Zero();
 }
 
-Vec2 snappedPoint(const Vec2 &point, double step)
+Vec2 snappedPoint(const Vec2 &point, const Vec2 &step)
 {
-    return step > 0 ? Vec2((point / step).array().round() * step) : point;
+    return step.x() > 0 ? Vec2(point.cwiseQuotient(step).array().round() * step.array()) : point;
 }
 
-Vec2 snappedMove(const Vec2 &move, const Eigen::AlignedBox2d &box, double step)
+Vec2 snappedMove(const Vec2 &move, const Eigen::AlignedBox2d &box, const Vec2 &step)
 {
-    if (!(step > 0) || box.isEmpty())
+    if (!(step.x() > 0) || box.isEmpty())
         return move;
     const Vec2 low = snappedPoint(box.min() + move, step) - box.min();
     const Vec2 high = snappedPoint(box.max() + move, step) - box.max();
