@@ -383,11 +383,10 @@ const std::vector<CliCommand> &cliCommands()
     using enum OptionGroup;
     static const std::vector<CliCommand> commands{
         {Command::Unwrap, u"unwrap"_s, u"IN"_s, Output::Needed,
-         Bound | Seaming | Solving | Texture | Packing | Scope | Tiling | UvSets | NewTiling | UvSets |
-             Making,
+         Bound | Seaming | Solving | Texture | Packing | Scope | Tiling | UvSets | NewUvSets | Making,
          u"make a UV map"_s},
         {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | Placing | Scope | Tiling | UvSets | NewTiling | UvSets | Making,
+         Texture | Packing | Placing | Scope | Tiling | UvSets | NewUvSets | Making,
          u"arrange the islands of an existing map anew"_s},
         {Command::Separate, u"separate"_s, u"IN"_s, Output::Needed,
          Texture | Packing | Separating | Scope | UvSets | NewUvSets | Making,

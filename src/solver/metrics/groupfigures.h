@@ -14,7 +14,7 @@ struct GroupFigures
     //! that suits it: UvMetrics::chartSymDirichlet. 4 = isometric.
     double symDirichlet = missingFigure;
     double density = missingFigure; //!< length in UV units of a unit of the model, by the areas
-    double uvArea = 0;              //!< the part of a unit square that it takes
+    double uvArea = 0;              //!< in the map
 };
 
 //! \param uv one row per corner; a non-finite row means that the corner has no UV

@@ -24,7 +24,7 @@ std::vector<SceneFigures> sceneFigures(const Document &document, SceneKind kind,
         own.islands = measured[g].charts;
         own.distortion = measured[g].symDirichlet;
         own.texelDensity = measured[g].density * document.packingSettings().textureSize;
-        own.share = measured[g].uvArea;
+        own.share = measured[g].uvArea / document.packingSettings().tileHeight();
     }
     countHidden(document, figures);
     return figures;
