@@ -112,7 +112,7 @@ private Q_SLOTS:
                                       {u"--per"_s, per, u"--tile=1003"_s, u"--layout"_s, file("tiles.png")});
         QVERIFY2(made.code == 0, qPrintable(made.err));
         const Scene after = readMesh(file("tiles.obj")).value();
-        const std::vector<int> found = udimTiles(*after.mesh, after.uvSets[0].uv);
+        const std::vector<int> found = udimTiles(*after.mesh, after.uvSets[0].uv, 1);
         QCOMPARE(QList<int>(found.begin(), found.end()), tiles);
         for (int tile = 1003; tile <= 1005; ++tile)
             QCOMPARE(QFile::exists(file(qPrintable(u"tiles.%1.png"_s.arg(tile)))), tiles.contains(tile));

@@ -62,9 +62,9 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("format");
         QTest::addColumn<double>("tileHeight");
-        for (const char *format : {"obj", "fbx", "glb", "gltf", "dae", "ply"}) {
+        for (const QString &format : {u"obj"_s, u"fbx"_s, u"glb"_s, u"gltf"_s, u"dae"_s, u"ply"_s}) {
             for (const double height : {0.5, 0.75, 1.0 / 3, 0.7, 3.0, 1080.0 / 1920})
-                QTest::addRow("%s %g", format, height) << QString::fromLatin1(format) << height;
+                QTest::newRow(qPrintable(u"%1 %2"_s.arg(format).arg(height))) << format << height;
         }
     }
 
