@@ -226,7 +226,7 @@ void TestDocument::marksSurviveCuttingAndJoining()
     pushCommand(std::make_unique<SetIslandFlags>(*document, Edit::Lock, std::vector<int>{1}));
     pushCommand(std::make_unique<SetIslandFlags>(*document, Edit::Group, std::vector<int>{1}));
     pushCommand(std::make_unique<SetIslandTag>(*document, u"metal"_s, std::vector<int>{1}, true));
-    const IslandFlags marked{1, 0, 1};
+    const IslandFlags marked{.locked = 1, .group = 1};
     QVERIFY(flagsOf(1) == marked);
     QVERIFY(flagsOf(0) == IslandFlags());
 

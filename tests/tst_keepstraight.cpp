@@ -9,6 +9,7 @@
 #include "solver/metrics/uvmetrics.h"
 #include "solver/unwrap/aligning.h"
 #include "solver/unwrap/finishjob.h"
+#include "solver/unwrap/packjob.h"
 #include "solver/unwrap/unwrap.h"
 #include "support/editsupport.h"
 
@@ -257,6 +258,38 @@ private Q_SLOTS:
         QVERIFY(bendOf(mesh, made.uv, [](const Vec3 &p) { return p.x() == 0; }) < 1e-9);
         QVERIFY(bendOf(mesh, made.uv, [](const Vec3 &p) { return p.y() == 1 && p.x() < 0.4; }) < 1e-9);
         verifyIsValid(mesh, made.uv);
+    }
+
+    //! Islands keep their sizes, also in a tile that is full.
+    void alignedIslandsOfAFullTile()
+    {
+        const auto document = test::layoutDocument(test::grid(8));
+        const MeshData &mesh = document->mesh();
+        UvMatrix full = bentParts(mesh);
+        unwrap::AlignInput input;
+        input.snapshot = makeSnapshot(*document);
+        input.packing.margin = 1;
+        QVERIFY(unwrap::packCharts(mesh, findCharts(mesh, full),
+                                   unwrap::steeredPackJob(input.snapshot, input.packing), full));
+        input.snapshot.uv = std::make_shared<const UvMatrix>(full);
+        input.snapshot.uvScale = layoutScale(mesh, full);
+        const unwrap::AlignResult made = unwrap::alignIslands(input);
+        QCOMPARE(made.uv.rows(), full.rows());
+        QVERIFY(made.noRoom);
+        const auto areas = [&mesh](const UvMatrix &uv) {
+            const ChartMap charts = findCharts(mesh, uv);
+            std::vector<double> area(charts.count, 0);
+            for (int t = 0; t < mesh.triangleCount(); ++t) {
+                const auto &[a, b, c] = mesh.triangles[t];
+                const Vec2 ab = (uv.row(b) - uv.row(a)).transpose(), ac = (uv.row(c) - uv.row(a)).transpose();
+                area[charts.faceChart[mesh.triangleFace[t]]] += ab.x() * ac.y() - ab.y() * ac.x();
+            }
+            return area;
+        };
+        const std::vector<double> before = areas(full), after = areas(made.uv);
+        QCOMPARE(after.size(), before.size());
+        for (std::size_t i = 0; i < before.size(); ++i)
+            QVERIFY(std::abs(after[i] / before[i] - 1) < 1e-6);
     }
 
     void pinnedIslandsAreNotAligned()

@@ -44,12 +44,12 @@ void scaleTo(const std::vector<double> &area, const CutMesh &charts, const std::
         cornerAt(map.x, static_cast<int>(c)) *= factor[charts.chart[c / 3]];
 }
 
-//! Moves islands aside that lie on others now and did not before.
+//! Moves islands aside, at their size, that lie on others now and did not before.
 void moveAside(const AlignInput &input, const ChartMap &charts, const JobContext &job, AlignResult &result)
 {
     const MeshData &mesh = *input.snapshot.mesh;
     PackJob pack = steeredPackJob(input.snapshot, input.packing);
-    pack.keepScaleIfPossible = true;
+    pack.options.keepScale = true;
     std::vector<bool> now = misplacedFaces(mesh, charts, pack, result.uv, job);
     const std::vector<bool> before = misplacedFaces(mesh, charts, pack, *input.snapshot.uv, job);
     for (std::size_t face = 0; face < now.size(); ++face)
@@ -99,7 +99,7 @@ AlignResult alignIslands(const AlignInput &input, const JobContext &job)
     straight::restoreCentres(*soup, own, given, *map);
     result.uv = part->wholeUv(own.uvScale * cornerUv(*soup, *map));
     moveAside(input, part->wholeCharts(chartsOf(*own.mesh, charts)), job, result);
-    if (job.stopped() || result.noRoom)
+    if (job.stopped())
         result.uv = UvMatrix();
     return result;
 }

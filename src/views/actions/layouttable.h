@@ -86,7 +86,7 @@ inline constexpr std::array layoutTable{
                                  "Move and scale the selected islands together so that they fill their tile"),
                NeedsPieces},
     ActionInfo{
-        "uv.toTexture", "UV/Layout", QT_TRANSLATE_NOOP("Actions", "Squeeze to the te&xture's shape"), "", "",
+        "uv.toTexture", "UV/Layout", QT_TRANSLATE_NOOP("Actions", "Squeeze to the texture's shape"), "", "",
         QT_TRANSLATE_NOOP("Actions", "Scale V of the selected islands by height / width of the texture: "
                                      "for maps that were made for a texture of this shape, before it "
                                      "was set in the Packing panel"),
@@ -101,7 +101,7 @@ inline constexpr std::array layoutTable{
                "orient-edges", "Ctrl+Shift+U",
                QT_TRANSLATE_NOOP("Actions", "Turn the islands so that the selected edges lie along the axes"),
                NeedsIdleMap | NeedsSelectedEdges},
-    ActionInfo{"uv.alignAxes", "UV/Layout", QT_TRANSLATE_NOOP("Actions", "Ali&gn to the axes"), "align-axes",
+    ActionInfo{"uv.alignAxes", "UV/Layout", QT_TRANSLATE_NOOP("Actions", "Align to the axes"), "align-axes",
                "Ctrl+Alt+A",
                QT_TRANSLATE_NOOP("Actions",
                                  "Turn the selected islands to the axes and make straight what is straight "

@@ -289,8 +289,6 @@ MapJobResult alignJob(const MapInput &input, const QList<int> &faces, JobControl
         result.problem = translated("Islands with pins and stacked or grouped ones are not aligned");
     else if (made.flipped)
         result.problem = translated("Triangles of these islands are flipped: unwrap them first");
-    else if (made.noRoom)
-        result.problem = translated("There is no room for the aligned islands: pack first (P)");
     else if (made.uv.rows() == 0)
         result.problem = translated("Cancelled: the map stays as it was");
     else
@@ -298,6 +296,8 @@ MapJobResult alignJob(const MapInput &input, const QList<int> &faces, JobControl
                              .arg(charts.size())
                              .arg(made.before, 0, 'f', 4)
                              .arg(made.after, 0, 'f', 4);
+    if (made.noRoom)
+        tellNewOverlaps(input, control, result);
     return result;
 }
 
