@@ -102,6 +102,16 @@ UvMatrix bentParts(const MeshData &mesh)
     return uv;
 }
 
+//! All but the first.
+std::vector<bool> facesOfOtherIslands(const MeshData &mesh, const UvMatrix &uv)
+{
+    const ChartMap charts = findCharts(mesh, uv);
+    std::vector<bool> faces;
+    for (const int chart : charts.faceChart)
+        faces.push_back(chart != 0);
+    return faces;
+}
+
 } // namespace
 
 class TestKeepStraight : public QObject
@@ -260,9 +270,16 @@ private Q_SLOTS:
         verifyIsValid(mesh, made.uv);
     }
 
-    //! Islands keep their sizes, also in a tile that is full.
+    void alignedIslandsOfAFullTile_data()
+    {
+        QTest::addColumn<bool>("whole");
+        QTest::newRow("some, which stay") << false;
+        QTest::newRow("all, which are packed") << true;
+    }
+    //! Some keep their sizes and may overlap then; all get one size.
     void alignedIslandsOfAFullTile()
     {
+        QFETCH(bool, whole);
         const auto document = test::layoutDocument(test::grid(8));
         const MeshData &mesh = document->mesh();
         UvMatrix full = bentParts(mesh);
@@ -273,9 +290,14 @@ private Q_SLOTS:
                                    unwrap::steeredPackJob(input.snapshot, input.packing), full));
         input.snapshot.uv = std::make_shared<const UvMatrix>(full);
         input.snapshot.uvScale = layoutScale(mesh, full);
+        const auto scope = std::make_shared<JobScope>();
+        scope->faces.assign(mesh.faceCount(), true);
+        if (!whole)
+            scope->faces = facesOfOtherIslands(mesh, full);
+        input.snapshot.scope = scope;
         const unwrap::AlignResult made = unwrap::alignIslands(input);
         QCOMPARE(made.uv.rows(), full.rows());
-        QVERIFY(made.noRoom);
+        QCOMPARE(made.noRoom, !whole);
         const auto areas = [&mesh](const UvMatrix &uv) {
             const ChartMap charts = findCharts(mesh, uv);
             std::vector<double> area(charts.count, 0);
@@ -288,7 +310,9 @@ private Q_SLOTS:
         };
         const std::vector<double> before = areas(full), after = areas(made.uv);
         QCOMPARE(after.size(), before.size());
-        for (std::size_t i = 0; i < before.size(); ++i)
+        if (whole)
+            verifyIsValid(mesh, made.uv);
+        for (std::size_t i = 0; i < before.size() && !whole; ++i)
             QVERIFY(std::abs(after[i] / before[i] - 1) < 1e-6);
     }
 

@@ -44,7 +44,8 @@ void scaleTo(const std::vector<double> &area, const CutMesh &charts, const std::
         cornerAt(map.x, static_cast<int>(c)) *= factor[charts.chart[c / 3]];
 }
 
-//! Moves islands aside, at their size, that lie on others now and did not before.
+//! Moves islands aside, at their size, that lie on others now and did not before. Where there is no room for
+//! them, a whole map is packed anew, which gives all of them one size.
 void moveAside(const AlignInput &input, const ChartMap &charts, const JobContext &job, AlignResult &result)
 {
     const MeshData &mesh = *input.snapshot.mesh;
@@ -57,7 +58,12 @@ void moveAside(const AlignInput &input, const ChartMap &charts, const JobContext
     if (job.stopped() || std::find(now.begin(), now.end(), true) == now.end())
         return;
     pack.movable = std::move(now);
-    result.noRoom = !packCharts(mesh, charts, pack, result.uv, job) && !job.stopped();
+    if (packCharts(mesh, charts, pack, result.uv, job) || job.stopped())
+        return;
+    const std::vector<bool> &scope = input.snapshot.scope->faces;
+    const bool isWhole = std::find(scope.begin(), scope.end(), false) == scope.end();
+    result.noRoom =
+        !isWhole || !packCharts(mesh, charts, steeredPackJob(input.snapshot, input.packing), result.uv, job);
 }
 
 } // namespace

@@ -9,7 +9,7 @@ namespace autocuts::unwrap {
 
 struct AlignInput
 {
-    Snapshot snapshot{};            //!< with the map; the scope has the islands
+    Snapshot snapshot{};            //!< with the map; the scope, which is needed, has the islands
     double maxDistortion = 4.1;     //!< bound on the mean symmetric Dirichlet energy, > 4
     packing::PackOptions packing{}; //!< used for islands that come to lie on others
 };
