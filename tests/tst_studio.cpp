@@ -99,6 +99,7 @@ private Q_SLOTS:
         const MainWindow window(preferences, studio.folder.filePath(QStringLiteral("other")));
         const QSize space = window.screen()->availableSize();
         QVERIFY(window.width() < space.width() && window.height() < space.height());
+        QVERIFY2(window.minimumHeight() <= 500, qPrintable(QString::number(window.minimumHeight())));
     }
 
     void aFieldGivesTheFocusBack()

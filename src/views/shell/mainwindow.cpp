@@ -32,6 +32,7 @@
 #include <QCborValue>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QLayout>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
@@ -39,6 +40,8 @@
 #include <QSplitter>
 #include <QToolBar>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace autocuts {
 
@@ -196,7 +199,6 @@ void MainWindow::makePanels()
     tabifyDockWidget(seams, packing);
     tabifyDockWidget(packing, overlaps);
     islands->raise();
-    resizeDocks({view, solver}, {290, 340}, Qt::Horizontal);
     resizeDocks({view, history}, {560, 340}, Qt::Vertical);
     resizeDocks({solver, islands}, {600, 320}, Qt::Vertical);
 
@@ -283,8 +285,14 @@ void MainWindow::connectMessages()
 
 void MainWindow::restoreLayout()
 {
+    // The panels need less room since they are tabs.
+    layout()->activate();
     // As large as the screen allows, with room for the frame of the window.
     resize(QSize(1680, 960).boundedTo(0.94 * screen()->availableSize()));
+    // On small screens the views get the larger part, too.
+    resizeDocks({findChild<QDockWidget *>(QStringLiteral("view")),
+                 findChild<QDockWidget *>(QStringLiteral("solver"))},
+                {std::min(290, width() * 22 / 100), std::min(340, width() * 27 / 100)}, Qt::Horizontal);
     mDefaultState = saveState();
     restoreGeometry(mPreferences.windowGeometry());
     restoreState(mPreferences.windowState());
