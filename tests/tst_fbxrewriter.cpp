@@ -161,6 +161,7 @@ private Q_SLOTS:
     void setsComeAndGo();
     void firstSet_data() { addKinds(); }
     void firstSet();
+    void elementWithoutList();
     void everyMappingBecomesIndexed();
     void leftOutPolygonsKeepTheirUvs();
     void mirrored();
@@ -286,6 +287,23 @@ void TestFbxRewriter::firstSet()
         if (hasLayer)
             QCOMPARE(written(again), bytes);
     }
+}
+
+//! An element without a list is written as a whole. Its number follows those that were taken out before it.
+void TestFbxRewriter::elementWithoutList()
+{
+    QByteArray bytes = fbxfiles::model(
+        {false, 6100}, {{"a", fbxfiles::quads({fbxfiles::uvElement(1, "one"), fbxfiles::uvElement(0, "two"),
+                                               fbxfiles::layer(0, {1}), fbxfiles::layer(1, {0})})}});
+    const qsizetype begin = bytes.indexOf(" {", bytes.indexOf("LayerElementUV: 1"));
+    bytes.remove(begin, bytes.indexOf("}", begin) + 1 - begin);
+    QCOMPARE(elementsOf(bytes), (QStringList{u"1 "_s, u"0 two"_s}));
+    Scene scene = parsed(bytes);
+    scene.uvSets = {{u"new"_s, otherUv(*scene.mesh)}};
+    const QByteArray out = written(scene);
+    QCOMPARE(elementsOf(out), QStringList{u"0 new"_s});
+    QCOMPARE(layersOf(out), u"0|"_s);
+    QVERIFY(sameUv(parsed(out).uvSets.at(0).uv, scene.uvSets[0].uv));
 }
 
 void TestFbxRewriter::everyMappingBecomesIndexed()

@@ -65,9 +65,11 @@ void FbxUvElements::setChild(int element, std::string_view name, FbxNewValue val
 void FbxUvElements::change(int element, Change change)
 {
     if (mTree.nodes[static_cast<std::size_t>(element)].listEnd < 0) {
-        if (change.data)
-            mEditor.replace(element, newUvElement(static_cast<int>(mTree.integer(element).value_or(0)),
+        if (change.data) {
+            mEditor.replace(element, newUvElement(static_cast<int>(numberAfterGaps(element).value_or(0)),
                                                   change.name.value_or(QString()), std::move(*change.data)));
+            mReplaced.push_back(element);
+        }
         return;
     }
     if (change.name)
@@ -84,26 +86,41 @@ void FbxUvElements::change(int element, Change change)
     setChild(element, "UVIndex", std::move(change.data->index));
 }
 
+bool FbxUvElements::isRemoved(std::int64_t number) const
+{
+    return std::any_of(mRemoved.begin(), mRemoved.end(),
+                       [&](int removed) { return mTree.integer(removed).value_or(-1) == number; });
+}
+
+//! The number in a node, less one for each removed element of a lower number.
+std::optional<std::int64_t> FbxUvElements::numberAfterGaps(int node) const
+{
+    const std::optional<std::int64_t> number = mTree.integer(node);
+    if (!number)
+        return {};
+    return *number - std::count_if(mRemoved.begin(), mRemoved.end(), [&](int removed) {
+        return mTree.integer(removed).value_or(-1) < *number;
+    });
+}
+
 //! Takes out the removed elements and their entries in layers, and closes the gaps in the numbers of the
 //! others.
 void FbxUvElements::takeOut()
 {
     if (mRemoved.empty())
         return;
-    std::vector<std::int64_t> gaps;
-    for (const int element : mRemoved) {
-        gaps.push_back(mTree.integer(element).value_or(-1));
+    for (const int element : mRemoved)
         mEditor.remove(element);
-    }
     const auto renumber = [&](int node) {
-        const std::int64_t index = mTree.integer(node).value_or(-1);
-        const auto shift =
-            std::count_if(gaps.begin(), gaps.end(), [index](std::int64_t gap) { return gap < index; });
-        if (shift > 0)
-            mEditor.setInteger(node, static_cast<int>(index - shift));
+        const std::optional<std::int64_t> number = numberAfterGaps(node);
+        if (number && number != mTree.integer(node))
+            mEditor.setInteger(node, static_cast<int>(*number));
+    };
+    const auto contains = [](const std::vector<int> &nodes, int node) {
+        return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
     };
     for (int e = mTree.child(mGeometry, elementName); e >= 0; e = mTree.nextNamed(e)) {
-        if (std::find(mRemoved.begin(), mRemoved.end(), e) == mRemoved.end())
+        if (!contains(mRemoved, e) && !contains(mReplaced, e))
             renumber(e);
     }
     for (int layer = mTree.child(mGeometry, "Layer"); layer >= 0; layer = mTree.nextNamed(layer)) {
@@ -111,7 +128,7 @@ void FbxUvElements::takeOut()
             const int index = mTree.child(entry, "TypedIndex");
             if (mTree.text(mTree.child(entry, "Type")) != elementName)
                 continue;
-            if (std::find(gaps.begin(), gaps.end(), mTree.integer(index).value_or(-2)) != gaps.end())
+            if (isRemoved(mTree.integer(index).value_or(-2)))
                 mEditor.remove(entry);
             else if (index >= 0)
                 renumber(index);

@@ -38,6 +38,8 @@ private:
     void setChild(int element, std::string_view name, FbxNewValue value);
     void change(int element, Change change);
     void takeOut();
+    bool isRemoved(std::int64_t number) const;
+    std::optional<std::int64_t> numberAfterGaps(int node) const;
     void insert(std::size_t first);
     bool layerHasUv(int layer) const;
     int lastElement() const;
@@ -48,6 +50,7 @@ private:
     FbxEditor &mEditor;
     std::map<int, Change> mChanges;
     std::vector<int> mRemoved;
+    std::vector<int> mReplaced; //!< written anew as a whole, with their final numbers
     std::vector<Change> mAdded;
 };
 
