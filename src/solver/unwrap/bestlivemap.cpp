@@ -3,6 +3,7 @@
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
 #include "solver/metrics/uvmetrics.h"
+#include "solver/straight/necks.h"
 #include "solver/unwrap/rectanglefit.h"
 
 #include <algorithm>
@@ -101,6 +102,8 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     merit.misses = map.distortion(soup) > mOptions.maxDistortion;
     if (mBest && merit.misses && !mBestMerit.misses)
         return;
+    if (mProblem.plan().align && straightness == straight::StraightEffort::Full)
+        straight::cutNecks(soup, mProblem.problem(), map, job.quiet());
     straight::straighten(mProblem.soup(), mProblem.problem(), mProblem.plan(), mOptions.maxDistortion, map,
                          job.quiet(), straightness);
     if (job.stopped() && straightness == straight::StraightEffort::Full)
@@ -117,7 +120,7 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     result->withinBound = result->distortion <= mOptions.maxDistortion;
     result->token = mToken;
     result->seamLength = map.seamLength(soup);
-    result->islands = state.chartCount();
+    result->islands = CutMesh(*soup.mesh, map.cut).chartCount;
     result->cut = part.wholeCut(map.cut);
     result->uv = mPlacing.place(whole, part, soup, map, mOptions.packing, mPacksAfresh,
                                 mProblem.plan().rotation(PackRotation::Free));

@@ -3,6 +3,7 @@
 #include "model/plain/uvlayout.h"
 #include "solver/base/timelimit.h"
 #include "solver/definite/seamopening.h"
+#include "solver/straight/necks.h"
 #include "solver/straight/straightening.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/freepart.h"
@@ -80,6 +81,8 @@ private:
             found.measure(*soup, mPart.snapshot());
             return done;
         };
+        if (hurry != PackHurry::Always && !job.stopped() && mPlan.align)
+            straight::cutNecks(*soup, mPart.snapshot(), found.map, job.quiet());
         if (hurry == PackHurry::Always)
             return within(TimeLimit(job, timeOfShownMap).context());
         if (job.stopped())
