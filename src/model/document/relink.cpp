@@ -5,6 +5,8 @@
 #include "model/plain/texelweights.h"
 #include "model/plain/uvlayout.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +15,11 @@ namespace autocuts {
 using namespace Qt::Literals::StringLiterals;
 
 namespace {
+
+struct RelinkTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(Relink)
+};
 
 //! Transfers the parts of a state, one after the other.
 class Carrier
@@ -220,16 +227,16 @@ QStringList RelinkReport::lines() const
         if (carried.lost > 0)
             lines << text.arg(carried.lost).arg(carried.kept + carried.lost);
     };
-    add(faces, u"%1 of %2 faces are not in the new model: their UVs are lost"_s);
+    add(faces, RelinkTexts::tr("%1 of %2 faces are not in the new model: their UVs are lost"));
     if (!newFaces.isEmpty())
-        lines << u"%1 faces are new and have no UVs"_s.arg(newFaces.size());
-    add(seams, u"%1 of %2 cut, joined, painted or straight edges are lost"_s);
-    add(pins, u"%1 of %2 pins are lost"_s);
-    add(rectangleFaces, u"%1 of %2 assignments of faces to rectangles are lost"_s);
-    add(markedFaces, u"%1 of %2 faces that are locked, stacked or grouped are lost"_s);
-    add(weightedFaces, u"%1 of %2 faces with a painted texel density are lost"_s);
+        lines << RelinkTexts::tr("%1 faces are new and have no UVs").arg(newFaces.size());
+    add(seams, RelinkTexts::tr("%1 of %2 cut, joined, painted or straight edges are lost"));
+    add(pins, RelinkTexts::tr("%1 of %2 pins are lost"));
+    add(rectangleFaces, RelinkTexts::tr("%1 of %2 assignments of faces to rectangles are lost"));
+    add(markedFaces, RelinkTexts::tr("%1 of %2 faces that are locked, stacked or grouped are lost"));
+    add(weightedFaces, RelinkTexts::tr("%1 of %2 faces with a painted texel density are lost"));
     if (!lostTags.isEmpty())
-        lines << u"tags of which no face is left: %1"_s.arg(lostTags.join(u", "_s));
+        lines << RelinkTexts::tr("tags of which no face is left: %1").arg(lostTags.join(u", "_s));
     return lines;
 }
 
