@@ -93,8 +93,9 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("line");
         for (const char *line :
-             {"navigation=upside down", "theme=42", "language=Klingon", "interfacePercent=5", "seamColor=no colour", "textureSize=0", "textureSize=-5",
-              "textureSize=many", "textureSize=999999999999", "margin=-1", "margin=100000", "maxDistortion=4",
+             {"navigation=upside down", "theme=42", "language=Klingon", "interfacePercent=5",
+              "seamColor=no colour", "textureSize=0", "textureSize=-5", "textureSize=many",
+              "textureSize=999999999999", "margin=-1", "margin=100000", "maxDistortion=4",
               "maxDistortion=nan", "maxDistortion=inf", "autosaveMinutes=-2", "undoMemoryMb=0",
               "undoMemoryMb=99999999"})
             QTest::newRow(line) << QString::fromLatin1(line);

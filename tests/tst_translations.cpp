@@ -179,7 +179,7 @@ bool isCut(const QAbstractButton &button)
         tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly)
         return false;
     const int text = button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width();
-    const int icon = button.icon().isNull() ? 0 : button.iconSize().width() + 4;
+    const int icon = button.icon().isNull() ? 0 : button.iconSize().width();
     return text + icon > button.width();
 }
 

@@ -301,7 +301,7 @@
     </message>
     <message>
         <source>R&amp;estart</source>
-        <translation>N&amp;eu beginnen</translation>
+        <translation>N&amp;eustart</translation>
     </message>
     <message>
         <source>Begin the solve again from its start</source>
@@ -1547,6 +1547,10 @@
         <source>Scale the selected islands to a texel density in texels per unit of the model</source>
         <translation>Die ausgewählten Inseln auf eine Texeldichte in Texeln je Einheit des Modells skalieren</translation>
     </message>
+    <message>
+        <source>Painted &amp;weights</source>
+        <translation>&amp;Gemalte Gewichte</translation>
+    </message>
 </context>
 <context>
     <name>Brush</name>
@@ -1919,6 +1923,14 @@
         <source>Ready.</source>
         <translation>Fertig.</translation>
     </message>
+    <message>
+        <source>No map yet</source>
+        <translation>Noch keine Map</translation>
+    </message>
+    <message>
+        <source>D %1, seams %2, islands: %3</source>
+        <translation>D %1, Nähte %2, Inseln: %3</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -2249,25 +2261,6 @@
     <message>
         <source>tags of which no face is left: %1</source>
         <translation>Namen, von denen keine Fläche übrig ist: %1</translation>
-    </message>
-</context>
-<context>
-    <name>StretchControl</name>
-    <message>
-        <source>very low</source>
-        <translation>sehr gering</translation>
-    </message>
-    <message>
-        <source>low</source>
-        <translation>gering</translation>
-    </message>
-    <message>
-        <source>medium</source>
-        <translation>mittel</translation>
-    </message>
-    <message>
-        <source>high</source>
-        <translation>hoch</translation>
     </message>
 </context>
 <context>
@@ -4137,6 +4130,254 @@
         <source>Measuring</source>
         <translation>Wird gemessen</translation>
     </message>
+    <message>
+        <source>The faces are turned over in the map and cannot be solved</source>
+        <translation>Die Flächen sind in der Map umgedreht und lassen sich nicht berechnen</translation>
+    </message>
+    <message>
+        <source>Nothing can move: select more faces, or remove pins and locks</source>
+        <translation>Nichts kann sich bewegen: wählen Sie mehr Flächen aus, oder entfernen Sie Pins und Sperren</translation>
+    </message>
+    <message>
+        <source>Cancelled: the map stays as it was</source>
+        <translation>Abgebrochen: die Map bleibt, wie sie war</translation>
+    </message>
+    <message>
+        <source>Relaxed: distortion %1 before, %2 now</source>
+        <translation>Entspannt: Verzerrung vorher %1, jetzt %2</translation>
+    </message>
+    <message>
+        <source>Select edges that follow each other: a loop without ends, a fork or a locked island cannot be straightened</source>
+        <translation>Wählen Sie Kanten aus, die aufeinander folgen: eine Schleife ohne Enden, eine Gabelung oder eine gesperrte Insel lässt sich nicht begradigen</translation>
+    </message>
+    <message>
+        <source>Chains made straight: %1, distortion %2 before, %3 now</source>
+        <translation>Begradigte Ketten: %1, Verzerrung vorher %2, jetzt %3</translation>
+    </message>
+    <message>
+        <source>The selected faces are no grid: that needs quads in rows and columns, four around every point inside, not closed around a tube and without pins</source>
+        <translation>Die ausgewählten Flächen sind kein Raster: das braucht Quads in Zeilen und Spalten, vier um jeden Punkt im Inneren, nicht um ein Rohr geschlossen und ohne Pins</translation>
+    </message>
+    <message>
+        <source>Faces in straight grids: %1</source>
+        <translation>Flächen in geraden Rastern: %1</translation>
+    </message>
+    <message>
+        <source>%1. Faces that stay, because they are no quads in rows and columns or are pinned: %2</source>
+        <translation>%1. Flächen, die bleiben, weil sie keine Quads in Zeilen und Spalten sind oder Pins haben: %2</translation>
+    </message>
+    <message>
+        <source>Locked islands are not aligned: select others, or unlock them (Ctrl+Shift+L)</source>
+        <translation>Gesperrte Inseln werden nicht ausgerichtet: wählen Sie andere, oder entsperren Sie sie (Strg+Umschalt+L)</translation>
+    </message>
+    <message>
+        <source>Islands with pins and stacked or grouped ones are not aligned</source>
+        <translation>Inseln mit Pins und gestapelte oder gruppierte werden nicht ausgerichtet</translation>
+    </message>
+    <message>
+        <source>Triangles of these islands are flipped: unwrap them first</source>
+        <translation>Dreiecke dieser Inseln sind umgedreht: wickeln Sie sie erst ab</translation>
+    </message>
+    <message>
+        <source>Islands aligned: %1, distortion %2 before, %3 now</source>
+        <translation>Ausgerichtete Inseln: %1, Verzerrung vorher %2, jetzt %3</translation>
+    </message>
+    <message>
+        <source>solving to the end</source>
+        <translation>wird zu Ende berechnet</translation>
+    </message>
+    <message>
+        <source>fitting the map to the fine mesh</source>
+        <translation>die Map wird an das feine Mesh angepasst</translation>
+    </message>
+    <message>
+        <source>packing</source>
+        <translation>wird gepackt</translation>
+    </message>
+    <message>
+        <source>adding cuts until the stretch is allowed, D %1 so far</source>
+        <translation>Schnitte kommen hinzu, bis die Dehnung erlaubt ist, bisher D %1</translation>
+    </message>
+    <message>
+        <source>shortening seams, %1 so far, D %2</source>
+        <translation>Nähte werden gekürzt, bisher %1, D %2</translation>
+    </message>
+    <message>
+        <source>The islands do not fit at their size: switch off &quot;Keep scale&quot; or use a smaller margin</source>
+        <translation>Die Inseln passen in ihrer Größe nicht hinein: schalten Sie „Größe der Inseln behalten“ aus oder nehmen Sie einen kleineren Abstand</translation>
+    </message>
+    <message>
+        <source>There is no room for the margins: use a smaller margin or a larger texture</source>
+        <translation>Für die Abstände ist kein Platz: nehmen Sie einen kleineren Abstand oder eine größere Textur</translation>
+    </message>
+    <message>
+        <source>Nothing may change: all islands are locked, stacked or grouped, or outside the scope</source>
+        <translation>Nichts darf sich ändern: alle Inseln sind gesperrt, gestapelt oder gruppiert, oder gehören nicht dazu</translation>
+    </message>
+    <message>
+        <source>rectangles: %1</source>
+        <translation>Rechtecke: %1</translation>
+    </message>
+    <message>
+        <source>seams that are not given and were needed: %1</source>
+        <translation>nicht vorgegebene Nähte, die nötig waren: %1</translation>
+    </message>
+    <message>
+        <source>joined edges: %1</source>
+        <translation>verbundene Kanten: %1</translation>
+    </message>
+    <message>
+        <source>hard pins: %1</source>
+        <translation>harte Pins: %1</translation>
+    </message>
+    <message>
+        <source>Not obeyed, because something else contradicts it or it would turn triangles over: %1</source>
+        <translation>Nicht befolgt, weil etwas anderes widerspricht oder Dreiecke sich umdrehen würden: %1</translation>
+    </message>
+    <message>
+        <source>%1. Now faces overlap that did not before: %2. Pack (P), separate (O) or undo</source>
+        <translation>%1. Jetzt überlappen Flächen, die es vorher nicht taten: %2. Packen (P), trennen (O) oder zurücknehmen</translation>
+    </message>
+    <message>
+        <source>. Stopped early: this map is straightened</source>
+        <translation>. Vorzeitig angehalten: diese Map ist begradigt</translation>
+    </message>
+    <message>
+        <source>. Stopped early: this map is not, or not wholly, straightened</source>
+        <translation>. Vorzeitig angehalten: diese Map ist nicht oder nicht ganz begradigt</translation>
+    </message>
+    <message>
+        <source>Unwrapping was cancelled: the map stays as it was</source>
+        <translation>Das Abwickeln wurde abgebrochen: die Map bleibt, wie sie war</translation>
+    </message>
+    <message>
+        <source>Unwrapping was cancelled before there was a map</source>
+        <translation>Das Abwickeln wurde abgebrochen, bevor es eine Map gab</translation>
+    </message>
+    <message>
+        <source>Unwrapped: distortion %1</source>
+        <translation>Abgewickelt: Verzerrung %1</translation>
+    </message>
+    <message>
+        <source>The distortion of %1 is above the bound of %2: allow more, or remove joins</source>
+        <translation>Die Verzerrung von %1 liegt über der Grenze von %2: erlauben Sie mehr, oder entfernen Sie Verbindungen</translation>
+    </message>
+    <message>
+        <source>Finishing was cancelled: the map stays as it was</source>
+        <translation>Das Fertigstellen wurde abgebrochen: die Map bleibt, wie sie war</translation>
+    </message>
+    <message>
+        <source>The map still covers itself: joined edges hold it together there. Clear some joins and finish again</source>
+        <translation>Die Map überdeckt sich noch selbst: verbundene Kanten halten sie dort zusammen. Löschen Sie einige Verbindungen und stellen Sie noch einmal fertig</translation>
+    </message>
+    <message>
+        <source>Finished: distortion %1</source>
+        <translation>Fertiggestellt: Verzerrung %1</translation>
+    </message>
+    <message>
+        <source>Seams have no price on a map with turned-over triangles or open joins: unwrap or finish it first</source>
+        <translation>Auf einer Map mit umgedrehten Dreiecken oder offenen Verbindungen haben Nähte keinen Preis: wickeln Sie sie erst ab oder stellen Sie sie fertig</translation>
+    </message>
+    <message>
+        <source>Seams priced: %1</source>
+        <translation>Nähte mit Preis: %1</translation>
+    </message>
+    <message>
+        <source>Select the islands to pack first</source>
+        <translation>Wählen Sie erst die Inseln aus, die gepackt werden sollen</translation>
+    </message>
+    <message>
+        <source>There are more of them than UDIM tiles</source>
+        <translation>Davon gibt es mehr als UDIM-Kacheln</translation>
+    </message>
+    <message>
+        <source>Islands packed: %1</source>
+        <translation>Gepackte Inseln: %1</translation>
+    </message>
+    <message>
+        <source>Packing was cancelled: the map stays as it was</source>
+        <translation>Das Packen wurde abgebrochen: die Map bleibt, wie sie war</translation>
+    </message>
+    <message>
+        <source>There is no room in the rectangle: draw a larger one or use a smaller margin</source>
+        <translation>Im Rechteck ist kein Platz: zeichnen Sie ein größeres oder nehmen Sie einen kleineren Abstand</translation>
+    </message>
+    <message>
+        <source>Separated, edges cut: %1</source>
+        <translation>Getrennt, geschnittene Kanten: %1</translation>
+    </message>
+    <message>
+        <source>Overlaps inside single polygons or across joined edges, which stay whole: %1</source>
+        <translation>Überlappungen in einzelnen Polygonen oder über verbundene Kanten hinweg, die ganz bleiben: %1</translation>
+    </message>
+    <message>
+        <source>There are no overlaps: the map stays as it is</source>
+        <translation>Es gibt keine Überlappungen: die Map bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Separating was cancelled: the map stays as it was</source>
+        <translation>Das Trennen wurde abgebrochen: die Map bleibt, wie sie war</translation>
+    </message>
+    <message>
+        <source>All islands have the same texel density</source>
+        <translation>Alle Inseln haben dieselbe Texeldichte</translation>
+    </message>
+    <message>
+        <source>Edges ripped: %1</source>
+        <translation>Aufgetrennte Kanten: %1</translation>
+    </message>
+    <message>
+        <source>new islands: %1</source>
+        <translation>neue Inseln: %1</translation>
+    </message>
+    <message>
+        <source>cut, but closed as long as they reach no border and no other cut: %1</source>
+        <translation>geschnitten, aber geschlossen, solange sie keinen Rand und keinen anderen Schnitt erreichen: %1</translation>
+    </message>
+    <message>
+        <source>left out in locked islands: %1</source>
+        <translation>in gesperrten Inseln ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source>both sides are locked or pinned</source>
+        <translation>beide Seiten gesperrt sind oder Pins haben</translation>
+    </message>
+    <message>
+        <source>the island would overlap itself</source>
+        <translation>die Insel sich selbst überlappen würde</translation>
+    </message>
+    <message>
+        <source>faces would turn over</source>
+        <translation>Flächen sich umdrehen würden</translation>
+    </message>
+    <message>
+        <source>There is no map to rip</source>
+        <translation>Es gibt keine Map zum Auftrennen</translation>
+    </message>
+    <message>
+        <source>The island is locked: unlock it to rip it</source>
+        <translation>Die Insel ist gesperrt: entsperren Sie sie zum Auftrennen</translation>
+    </message>
+    <message>
+        <source>Select edges between two faces to rip</source>
+        <translation>Wählen Sie zum Auftrennen Kanten zwischen zwei Flächen aus</translation>
+    </message>
+    <message>
+        <source>There is no map to stitch</source>
+        <translation>Es gibt keine Map zum Vernähen</translation>
+    </message>
+    <message>
+        <source>Select seams of the map to stitch</source>
+        <translation>Wählen Sie zum Vernähen Nähte der Map aus</translation>
+    </message>
+    <message>
+        <source>Edges stitched: %1</source>
+        <translation>Vernähte Kanten: %1</translation>
+    </message>
+    <message>
+        <source>not stitched, because %1: %2</source>
+        <translation>nicht vernäht, weil %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::MeshView</name>
@@ -5892,7 +6133,7 @@
     </message>
     <message>
         <source>Restart</source>
-        <translation>Neu beginnen</translation>
+        <translation>Neustart</translation>
     </message>
     <message>
         <source>Start or pause the solver</source>
@@ -6111,7 +6352,7 @@
     </message>
     <message>
         <source>Where Restart begins. Rigid: every triangle apart and without distortion. Tutte: flattened with few cuts. Random: triangles thrown anywhere. Existing UVs: the map as it is.</source>
-        <translation>Womit Neu beginnen anfängt. Starr: jedes Dreieck für sich und ohne Verzerrung. Tutte: mit wenigen Schnitten flach gelegt. Zufall: Dreiecke irgendwohin geworfen. Vorhandene UVs: die Map, wie sie ist.</translation>
+        <translation>Womit Neustart anfängt. Starr: jedes Dreieck für sich und ohne Verzerrung. Tutte: mit wenigen Schnitten flach gelegt. Zufall: Dreiecke irgendwohin geworfen. Vorhandene UVs: die Map, wie sie ist.</translation>
     </message>
     <message>
         <source>Symmetric Dirichlet</source>
@@ -6337,6 +6578,22 @@
     <message>
         <source>Mean stretch up to %1</source>
         <translation>Mittlere Dehnung bis %1</translation>
+    </message>
+    <message>
+        <source>very low</source>
+        <translation>sehr gering</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>gering</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>mittel</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hoch</translation>
     </message>
 </context>
 <context>
