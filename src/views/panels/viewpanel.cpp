@@ -16,15 +16,67 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! Toggles in two columns, or in one where there is no room for two.
+class ToggleGrid final : public QWidget
+{
+public:
+    ToggleGrid() : mGrid(new QGridLayout(this))
+    {
+        mGrid->setContentsMargins(0, 0, 0, 0);
+        mGrid->setVerticalSpacing(rowSpacing);
+    }
+    void add(QWidget *toggle)
+    {
+        mToggles.push_back(toggle);
+        mWidest = std::max(mWidest, toggle->sizeHint().width());
+        place(mColumns);
+    }
+    QSize minimumSizeHint() const override { return {mWidest, mGrid->minimumSize().height()}; }
+
+protected:
+    void resizeEvent(QResizeEvent *) override
+    {
+        const int columns = width() < 2 * mWidest + mGrid->horizontalSpacing() ? 1 : 2;
+        if (columns != mColumns)
+            place(columns);
+    }
+
+private:
+    void place(int columns)
+    {
+        mColumns = columns;
+        for (int i = 0; i < static_cast<int>(mToggles.size()); ++i)
+            mGrid->addWidget(mToggles[i], i / columns, i % columns);
+    }
+
+    QGridLayout *mGrid;
+    std::vector<QWidget *> mToggles;
+    int mColumns = 2, mWidest = 0;
+};
+
+//! Lets a choice be narrower than its longest text.
+void narrowest(QComboBox &box)
+{
+    box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box.setMinimumContentsLength(10);
+}
+
+} // namespace
 
 ViewPanel::ViewPanel(const StudioContext &context, QWidget *parent)
     : Panel(context, tr("Open a model to choose how it is shown."), parent)
@@ -56,6 +108,7 @@ void ViewPanel::addColoringRows()
 {
     mColoring = new QComboBox;
     mColoring->setObjectName("coloring"_L1);
+    narrowest(*mColoring);
     mColoring->addItem(tr("Plain"), int(Coloring::Plain));
     mColoring->addItem(tr("Islands"), int(Coloring::Islands));
     mColoring->addItem(tr("Signed stretch"), int(Coloring::SignedStretch));
@@ -216,6 +269,7 @@ void ViewPanel::addPatternRows()
 {
     mPattern = new QComboBox;
     mPattern->setObjectName("pattern"_L1);
+    narrowest(*mPattern);
     mPattern->addItem(tr("None"), int(Pattern::None));
     mPattern->addItem(tr("Checkerboard"), int(Pattern::Checker));
     mPattern->addItem(tr("Lettered cells"), int(Pattern::Lettered));
@@ -280,11 +334,7 @@ QWidget *ViewPanel::makeToggles()
          tr("3D view without perspective")},
         {tr("X-ray"), &ViewOptions::xray, "view.xray", tr("See and select through the model")},
     };
-    auto *box = new QWidget;
-    auto *grid = new QGridLayout(box);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setVerticalSpacing(rowSpacing);
-    int number = 0;
+    auto *box = new ToggleGrid;
     for (const auto &[text, field, action, tip] : toggles) {
         auto *toggle = new QCheckBox(text);
         toggle->setObjectName(QLatin1StringView(action));
@@ -292,9 +342,8 @@ QWidget *ViewPanel::makeToggles()
         toggle->setIcon({});
         connect(toggle, &QCheckBox::clicked, this,
                 [this, f = field](bool on) { change([f, on](ViewOptions &options) { options.*f = on; }); });
-        grid->addWidget(toggle, number / 2, number % 2);
+        box->add(toggle);
         mToggles.emplace_back(toggle, field);
-        ++number;
     }
     return box;
 }

@@ -292,7 +292,7 @@ void MainWindow::restoreLayout()
     // On small screens the views get the larger part, too.
     resizeDocks({findChild<QDockWidget *>(QStringLiteral("view")),
                  findChild<QDockWidget *>(QStringLiteral("solver"))},
-                {std::min(290, width() * 22 / 100), std::min(340, width() * 27 / 100)}, Qt::Horizontal);
+                {std::min(290, width() * 22 / 100), std::min(370, width() * 31 / 100)}, Qt::Horizontal);
     mDefaultState = saveState();
     restoreGeometry(mPreferences.windowGeometry());
     restoreState(mPreferences.windowState());
