@@ -28,6 +28,7 @@ enum class OptionGroup {
     UvSets = 4096,     //!< which of the file's UV sets
     NewUvSets = 8192,  //!< into a set of its own
     Tiling = 16384,    //!< what gets a tile of its own
+    Transferring = 32768, //!< where UVs come from
     Everything = 128   //!< for all commands
 };
 Q_DECLARE_FLAGS(OptionGroups, OptionGroup)

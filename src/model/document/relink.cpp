@@ -1,6 +1,6 @@
 #include "model/document/relink.h"
 
-#include "model/document/facematch.h"
+#include "model/transfer/facematch.h"
 #include "model/plain/polygonsides.h"
 #include "model/plain/texelweights.h"
 #include "model/plain/uvlayout.h"

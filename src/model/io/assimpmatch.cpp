@@ -1,6 +1,6 @@
 #include "model/io/assimpmatch.h"
 
-#include "model/document/facematch.h"
+#include "model/transfer/facematch.h"
 #include "model/io/assimpreader.h"
 #include "model/io/savefile.h"
 

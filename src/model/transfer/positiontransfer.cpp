@@ -1,0 +1,341 @@
+#include "model/transfer/positiontransfer.h"
+
+#include "model/plain/polygonsides.h"
+#include "model/plain/unionfind.h"
+#include "model/plain/uvlayout.h"
+#include "model/transfer/faceplacer.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts::transfer {
+
+namespace {
+
+// Chosen by hand, on the models of the tests.
+constexpr double collapsedShare = 1e-3; // of the area that a triangle would have with the source's stretch
+constexpr double collapsePrice = 2;     // of a placing with faulty triangles, times the face's perimeter
+constexpr int maxRounds = 16;           // of choosing among the placings; a few are enough
+constexpr int facesPerReport = 64;
+
+enum class Fault { None, Collapsed, TurnedOver };
+
+//! Twice the area of a triangle in the map is judged by what it would be in the source.
+Fault faultOf(double twiceUvArea, double twiceArea, double areaRatio)
+{
+    const double expected = twiceArea * areaRatio;
+    if (expected == 0 || twiceArea < 1e-14)
+        return Fault::None;
+    const double share = twiceUvArea / expected;
+    return share < -collapsedShare ? Fault::TurnedOver
+           : share < collapsedShare ? Fault::Collapsed
+                                    : Fault::None;
+}
+
+//! One transfer, step by step.
+class Transfer
+{
+public:
+    Transfer(const SourceSurface &source, const MeshData &mesh, const Frame &frame, const UvMatrix &uv,
+             const std::vector<bool> &wanted, const TransferControl &control)
+        : mSource(source), mMesh(mesh), mWanted(wanted), mPlacer(source, mesh, frame), mControl(control),
+          mContinued(uv), mAreaRatio(static_cast<std::size_t>(mesh.faceCount()), 0)
+    {
+        mResult.uv = uv;
+        mResult.placed.assign(static_cast<std::size_t>(mesh.faceCount()), false);
+    }
+
+    PositionUvs run()
+    {
+        place();
+        if (mResult.stopped)
+            return std::move(mResult);
+        findSides();
+        choose();
+        joinCorners();
+        mend();
+        count();
+        return std::move(mResult);
+    }
+
+private:
+    //! A face that can be placed in more than one way.
+    struct Doubtful
+    {
+        int face = 0;
+        std::vector<FacePlacing> placings;
+        std::vector<double> prices; //!< without those of the seams around it
+        std::size_t chosen = 0;
+    };
+
+    void place()
+    {
+        double sum = 0, sumOfAll = 0;
+        int samples = 0, all = 0;
+        for (int f = 0; f < mMesh.faceCount(); ++f) {
+            if (f % facesPerReport == 0) {
+                if (mControl.isStopped()) {
+                    mResult.stopped = true;
+                    return;
+                }
+                if (mControl.progress)
+                    mControl.progress(double(f) / mMesh.faceCount());
+            }
+            if (!mWanted[f])
+                continue;
+            std::vector<FacePlacing> placings = mPlacer.placings(f);
+            ++all;
+            sumOfAll += mPlacer.centreDistance();
+            if (placings.empty())
+                continue;
+            mResult.placed[f] = true;
+            const auto add = [&](double distance) {
+                sum += distance;
+                ++samples;
+                mResult.maxDistance = std::max(mResult.maxDistance, distance);
+            };
+            add(mPlacer.centreDistance());
+            for (std::size_t i = 0; i < placings[0].distance.size(); ++i) {
+                double nearest = placings[0].distance[i];
+                for (const FacePlacing &placing : placings)
+                    nearest = std::min(nearest, placing.distance[i]);
+                add(nearest);
+            }
+            take(f, placings[0]);
+            if (placings.size() > 1)
+                addDoubtful(f, std::move(placings));
+        }
+        mResult.meanDistance = samples > 0 ? sum / samples : 0;
+        mResult.meanOfAll = all > 0 ? sumOfAll / all : 0;
+    }
+
+    void take(int face, const FacePlacing &placing)
+    {
+        const int first = mMesh.faceStart[face];
+        for (std::size_t i = 0; i < placing.uv.size(); ++i) {
+            mResult.uv.row(first + static_cast<int>(i)) = placing.uv[i];
+            mContinued.row(first + static_cast<int>(i)) = placing.continued[i];
+        }
+        mAreaRatio[face] = placing.areaRatio;
+    }
+
+    Fault faultOfTriangle(int t) const
+    {
+        const auto &[a, b, c] = mMesh.triangles[t];
+        const Vec3 p = mPlacer.position(a);
+        const double area = (mPlacer.position(b) - p).cross(mPlacer.position(c) - p).norm();
+        const Vec2 u = mResult.uv.row(a), v = mResult.uv.row(b), w = mResult.uv.row(c);
+        return faultOf(cross2(u, v, w), area, mAreaRatio[mMesh.triangleFace[t]]);
+    }
+
+    int faultsOf(int face) const
+    {
+        int faults = 0;
+        for (int t : mMesh.trianglesOf(face))
+            faults += faultOfTriangle(t) != Fault::None;
+        return faults;
+    }
+
+    //! Takes the cheapest placing for now.
+    void addDoubtful(int face, std::vector<FacePlacing> placings)
+    {
+        Doubtful doubtful{face, std::move(placings), {}};
+        const int first = mMesh.faceStart[face], end = mMesh.faceStart[face + 1];
+        double perimeter = 0;
+        for (int c = first; c < end; ++c)
+            perimeter += (mPlacer.position(c) - mPlacer.position(c + 1 < end ? c + 1 : first)).norm();
+        for (const FacePlacing &placing : doubtful.placings) {
+            take(face, placing);
+            const double price = placing.beyond + (faultsOf(face) > 0 ? collapsePrice * perimeter : 0);
+            doubtful.prices.push_back(price);
+        }
+        doubtful.chosen = static_cast<std::size_t>(
+            std::min_element(doubtful.prices.begin(), doubtful.prices.end()) - doubtful.prices.begin());
+        take(face, doubtful.placings[doubtful.chosen]);
+        mDoubtful.push_back(std::move(doubtful));
+    }
+
+    //! For every corner, the side of another face on the same edge as the side that starts there.
+    void findSides()
+    {
+        mPartner.assign(static_cast<std::size_t>(mMesh.cornerCount()), -1);
+        for (int p = 0; p < static_cast<int>(mMesh.edgePairs.size()); ++p) {
+            if (mMesh.edgePairs[p].diagonal)
+                continue;
+            const SidePair sides = sidePair(mMesh, p);
+            mPartner[sides.startCorner[0]] = sides.startCorner[1];
+            mPartner[sides.startCorner[1]] = sides.startCorner[0];
+        }
+    }
+
+    int next(int corner, int face) const
+    {
+        return corner + 1 < mMesh.faceStart[face + 1] ? corner + 1 : mMesh.faceStart[face];
+    }
+
+    int faceOf(int corner) const
+    {
+        const auto after = std::upper_bound(mMesh.faceStart.begin(), mMesh.faceStart.end(), corner);
+        return static_cast<int>(after - mMesh.faceStart.begin()) - 1;
+    }
+
+    //! How far two UVs of a side of this length in the map may be apart and still be joined.
+    double tolerance(double uvLength) const { return 1e-7 * mSource.uvSize() + 1e-4 * uvLength; }
+
+    //! The length of the seams around a face that is placed like this.
+    double seamsAround(int face, const FacePlacing &placing) const
+    {
+        const int first = mMesh.faceStart[face], end = mMesh.faceStart[face + 1];
+        double length = 0;
+        for (int c = first; c < end; ++c) {
+            const int other = mPartner[c];
+            if (other < 0)
+                continue;
+            const int beyond = next(other, faceOf(other)), after = next(c, face);
+            if (!mResult.uv.row(other).allFinite() || !mResult.uv.row(beyond).allFinite())
+                continue;
+            const Vec2 &here = placing.uv[c - first], &there = placing.uv[after - first];
+            const double allowed = tolerance((there - here).norm());
+            if ((mResult.uv.row(beyond).transpose() - here).norm() > allowed ||
+                (mResult.uv.row(other).transpose() - there).norm() > allowed)
+                length += (mPlacer.position(c) - mPlacer.position(after)).norm();
+        }
+        return length;
+    }
+
+    //! Makes the seams short: each doubtful face in turn takes its best placing beside its neighbours.
+    void choose()
+    {
+        bool changed = true;
+        for (int round = 0; changed && round < maxRounds; ++round) {
+            changed = false;
+            for (Doubtful &doubtful : mDoubtful) {
+                const auto price = [&](std::size_t i) {
+                    return doubtful.prices[i] + seamsAround(doubtful.face, doubtful.placings[i]);
+                };
+                std::size_t best = doubtful.chosen;
+                double bestPrice = price(best) * (1 - 1e-9);
+                for (std::size_t i = 0; i < doubtful.placings.size(); ++i) {
+                    if (const double other = price(i); other < bestPrice) {
+                        best = i;
+                        bestPrice = other;
+                    }
+                }
+                if (best == doubtful.chosen)
+                    continue;
+                doubtful.chosen = best;
+                take(doubtful.face, doubtful.placings[best]);
+                changed = true;
+            }
+        }
+    }
+
+    //! Gives corners that are one in the map the same bits.
+    void joinCorners()
+    {
+        UnionFind roots(mMesh.cornerCount());
+        for (int f = 0; f < mMesh.faceCount(); ++f) {
+            for (int c = mMesh.faceStart[f]; c < mMesh.faceStart[f + 1]; ++c) {
+                const int other = mPartner[c];
+                if (other < 0)
+                    continue;
+                const int after = next(c, f), beyond = next(other, faceOf(other));
+                const double allowed =
+                    tolerance((mResult.uv.row(c) - mResult.uv.row(after)).norm()); // NaN: not joined
+                for (const auto &[a, b] : {std::pair(c, beyond), std::pair(after, other)}) {
+                    if ((mResult.uv.row(a) - mResult.uv.row(b)).norm() <= allowed)
+                        roots.unite(a, b);
+                }
+            }
+        }
+        mCornersOf.resize(static_cast<std::size_t>(mMesh.cornerCount()));
+        mRoot.resize(mCornersOf.size());
+        for (int c = 0; c < mMesh.cornerCount(); ++c) {
+            mRoot[c] = roots.find(c);
+            mCornersOf[mRoot[c]].push_back(c);
+        }
+        for (const std::vector<int> &corners : mCornersOf) {
+            const auto known = std::find_if(corners.begin(), corners.end(),
+                                            [&](int c) { return !mResult.placed[faceOf(c)]; });
+            for (int c : corners) {
+                if (mResult.placed[faceOf(c)])
+                    setUv(c, mResult.uv.row(known != corners.end() ? *known : corners.front()));
+            }
+        }
+    }
+
+    void setUv(int corner, const Vec2 &uv) { mResult.uv.row(corner) = uv; }
+
+    //! Moves the corners of faulty triangles past the border of the source's map where that helps.
+    void mend()
+    {
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            if (!mResult.placed[mMesh.triangleFace[t]] || faultOfTriangle(t) == Fault::None)
+                continue;
+            for (int corner : mMesh.triangles[t])
+                mendCorner(corner);
+        }
+    }
+
+    void mendCorner(int corner)
+    {
+        const std::vector<int> &corners = mCornersOf[mRoot[corner]];
+        const Vec2 before = mResult.uv.row(corner), after = mContinued.row(corner);
+        if (before == after)
+            return;
+        const auto faults = [&] {
+            int sum = 0;
+            for (int c : corners)
+                sum += faultsOf(faceOf(c));
+            return sum;
+        };
+        for (int c : corners) {
+            if (!mResult.placed[faceOf(c)])
+                return; // it belongs to a face that keeps its UVs
+        }
+        const int had = faults();
+        for (int c : corners)
+            setUv(c, after);
+        if (faults() < had)
+            return;
+        for (int c : corners)
+            setUv(c, before);
+    }
+
+    void count()
+    {
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            if (!mResult.placed[mMesh.triangleFace[t]])
+                continue;
+            const Fault fault = faultOfTriangle(t);
+            mResult.turnedOver += fault == Fault::TurnedOver;
+            mResult.collapsed += fault == Fault::Collapsed;
+        }
+    }
+
+    const SourceSurface &mSource;
+    const MeshData &mMesh;
+    const std::vector<bool> &mWanted;
+    FacePlacer mPlacer;
+    const TransferControl &mControl;
+    PositionUvs mResult;
+    UvMatrix mContinued;            //!< per corner, see FacePlacing::continued
+    std::vector<double> mAreaRatio; //!< per face, of the source
+    std::vector<Doubtful> mDoubtful;
+    std::vector<int> mPartner;
+    std::vector<int> mRoot;                   //!< per corner: the one that stands for all that are joined
+    std::vector<std::vector<int>> mCornersOf; //!< those that are joined, at the one that stands for them
+};
+
+} // namespace
+
+PositionUvs takeByPosition(const SourceSurface &source, const MeshData &mesh, const Frame &frame,
+                           const UvMatrix &uv, const std::vector<bool> &wanted,
+                           const TransferControl &control)
+{
+    return Transfer(source, mesh, frame, uv, wanted, control).run();
+}
+
+} // namespace autocuts::transfer
