@@ -113,7 +113,7 @@ FacePlacing FacePlacer::placing(const Spot &spot, std::size_t begin) const
     const int centre = spot.near.triangle;
     const Vec2 centreUv = mSource.uvAt(spot.near);
     FacePlacing result;
-    result.areaRatio = mSource.areaRatio(centre) * (spot.facesAway ? -1 : 1);
+    result.shape = {mSource.areaRatio(centre) * (spot.facesAway ? -1 : 1), mSource.energy(centre)};
     for (int c = mMesh.faceStart[mFace]; c < mMesh.faceStart[mFace + 1]; ++c) {
         const Vec3 point = position(c);
         const Vec3 &normal = mVertexNormals[mMesh.vertexWeld[mMesh.cornerVertex[c]]];

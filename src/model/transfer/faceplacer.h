@@ -1,6 +1,7 @@
 // Finds the ways to lay a face into the map of another surface. Plain: no Qt.
 #pragma once
 
+#include "model/transfer/mapmender.h"
 #include "model/transfer/sourcesurface.h"
 
 #include <vector>
@@ -14,7 +15,7 @@ struct FacePlacing
     std::vector<Vec2> continued;  //!< per corner: by the linear map there, which goes on beyond the border
     std::vector<double> distance; //!< per corner: from the part
     double beyond = 0;            //!< how much farther the corners are from this part than from the nearest one
-    double areaRatio = 0;         //!< of the source at the face's centre, as the face is turned
+    SourceShape shape;            //!< at the face's centre, as the face is turned
 };
 
 //! Places the faces of a mesh. Not for use by several threads at once.
@@ -29,6 +30,7 @@ public:
     //! The distance of the last face's centre from the surface; infinite when the surface is empty.
     double centreDistance() const { return mCentreDistance; }
 
+    const PositionMatrix &positions() const { return mPositions; } //!< of the vertices, in the frame
     Vec3 position(int corner) const { return mPositions.row(mMesh.cornerVertex[corner]); }
 
 private:

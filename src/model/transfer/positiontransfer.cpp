@@ -15,24 +15,9 @@ namespace autocuts::transfer {
 namespace {
 
 // Chosen by hand, on the models of the tests.
-constexpr double collapsedShare = 1e-3; // of the area that a triangle would have with the source's stretch
 constexpr double collapsePrice = 2;     // of a placing with faulty triangles, times the face's perimeter
 constexpr int maxRounds = 16;           // of choosing among the placings; a few are enough
 constexpr int facesPerReport = 64;
-
-enum class Fault { None, Collapsed, TurnedOver };
-
-//! Twice the area of a triangle in the map is judged by what it would be in the source.
-Fault faultOf(double twiceUvArea, double twiceArea, double areaRatio)
-{
-    const double expected = twiceArea * areaRatio;
-    if (expected == 0 || twiceArea < 1e-14)
-        return Fault::None;
-    const double share = twiceUvArea / expected;
-    return share < -collapsedShare ? Fault::TurnedOver
-           : share < collapsedShare ? Fault::Collapsed
-                                    : Fault::None;
-}
 
 //! One transfer, step by step.
 class Transfer
@@ -41,10 +26,10 @@ public:
     Transfer(const SourceSurface &source, const MeshData &mesh, const Frame &frame, const UvMatrix &uv,
              const std::vector<bool> &wanted, const TransferControl &control)
         : mSource(source), mMesh(mesh), mWanted(wanted), mPlacer(source, mesh, frame), mControl(control),
-          mContinued(uv), mAreaRatio(static_cast<std::size_t>(mesh.faceCount()), 0)
+          mMap{mesh, mPlacer.positions(), mResult.placed, {}, uv, uv, {}, {}}
     {
-        mResult.uv = uv;
         mResult.placed.assign(static_cast<std::size_t>(mesh.faceCount()), false);
+        mMap.shape.resize(mResult.placed.size());
     }
 
     PositionUvs run()
@@ -55,8 +40,9 @@ public:
         findSides();
         choose();
         joinCorners();
-        mend();
+        mendMap(mMap);
         count();
+        mResult.uv = std::move(mMap.uv);
         return std::move(mResult);
     }
 
@@ -115,26 +101,17 @@ private:
     {
         const int first = mMesh.faceStart[face];
         for (std::size_t i = 0; i < placing.uv.size(); ++i) {
-            mResult.uv.row(first + static_cast<int>(i)) = placing.uv[i];
-            mContinued.row(first + static_cast<int>(i)) = placing.continued[i];
+            mMap.uv.row(first + static_cast<int>(i)) = placing.uv[i];
+            mMap.continued.row(first + static_cast<int>(i)) = placing.continued[i];
         }
-        mAreaRatio[face] = placing.areaRatio;
-    }
-
-    Fault faultOfTriangle(int t) const
-    {
-        const auto &[a, b, c] = mMesh.triangles[t];
-        const Vec3 p = mPlacer.position(a);
-        const double area = (mPlacer.position(b) - p).cross(mPlacer.position(c) - p).norm();
-        const Vec2 u = mResult.uv.row(a), v = mResult.uv.row(b), w = mResult.uv.row(c);
-        return faultOf(cross2(u, v, w), area, mAreaRatio[mMesh.triangleFace[t]]);
+        mMap.shape[face] = placing.shape;
     }
 
     int faultsOf(int face) const
     {
         int faults = 0;
         for (int t : mMesh.trianglesOf(face))
-            faults += faultOfTriangle(t) != Fault::None;
+            faults += faultOf(mMap, t) != Fault::None;
         return faults;
     }
 
@@ -175,12 +152,6 @@ private:
         return corner + 1 < mMesh.faceStart[face + 1] ? corner + 1 : mMesh.faceStart[face];
     }
 
-    int faceOf(int corner) const
-    {
-        const auto after = std::upper_bound(mMesh.faceStart.begin(), mMesh.faceStart.end(), corner);
-        return static_cast<int>(after - mMesh.faceStart.begin()) - 1;
-    }
-
     //! How far two UVs of a side of this length in the map may be apart and still be joined.
     double tolerance(double uvLength) const { return 1e-7 * mSource.uvSize() + 1e-4 * uvLength; }
 
@@ -193,13 +164,13 @@ private:
             const int other = mPartner[c];
             if (other < 0)
                 continue;
-            const int beyond = next(other, faceOf(other)), after = next(c, face);
-            if (!mResult.uv.row(other).allFinite() || !mResult.uv.row(beyond).allFinite())
+            const int beyond = next(other, mMap.faceOf(other)), after = next(c, face);
+            if (!mMap.uv.row(other).allFinite() || !mMap.uv.row(beyond).allFinite())
                 continue;
             const Vec2 &here = placing.uv[c - first], &there = placing.uv[after - first];
             const double allowed = tolerance((there - here).norm());
-            if ((mResult.uv.row(beyond).transpose() - here).norm() > allowed ||
-                (mResult.uv.row(other).transpose() - there).norm() > allowed)
+            if ((mMap.uv.row(beyond).transpose() - here).norm() > allowed ||
+                (mMap.uv.row(other).transpose() - there).norm() > allowed)
                 length += (mPlacer.position(c) - mPlacer.position(after)).norm();
         }
         return length;
@@ -241,67 +212,29 @@ private:
                 const int other = mPartner[c];
                 if (other < 0)
                     continue;
-                const int after = next(c, f), beyond = next(other, faceOf(other));
+                const int after = next(c, f), beyond = next(other, mMap.faceOf(other));
                 const double allowed =
-                    tolerance((mResult.uv.row(c) - mResult.uv.row(after)).norm()); // NaN: not joined
+                    tolerance((mMap.uv.row(c) - mMap.uv.row(after)).norm()); // NaN: not joined
                 for (const auto &[a, b] : {std::pair(c, beyond), std::pair(after, other)}) {
-                    if ((mResult.uv.row(a) - mResult.uv.row(b)).norm() <= allowed)
+                    if ((mMap.uv.row(a) - mMap.uv.row(b)).norm() <= allowed)
                         roots.unite(a, b);
                 }
             }
         }
-        mCornersOf.resize(static_cast<std::size_t>(mMesh.cornerCount()));
-        mRoot.resize(mCornersOf.size());
+        mMap.at.resize(static_cast<std::size_t>(mMesh.cornerCount()));
+        mMap.root.resize(mMap.at.size());
         for (int c = 0; c < mMesh.cornerCount(); ++c) {
-            mRoot[c] = roots.find(c);
-            mCornersOf[mRoot[c]].push_back(c);
+            mMap.root[c] = roots.find(c);
+            mMap.at[mMap.root[c]].push_back(c);
         }
-        for (const std::vector<int> &corners : mCornersOf) {
+        for (const std::vector<int> &corners : mMap.at) {
             const auto known = std::find_if(corners.begin(), corners.end(),
-                                            [&](int c) { return !mResult.placed[faceOf(c)]; });
+                                            [&](int c) { return !mResult.placed[mMap.faceOf(c)]; });
             for (int c : corners) {
-                if (mResult.placed[faceOf(c)])
-                    setUv(c, mResult.uv.row(known != corners.end() ? *known : corners.front()));
+                if (mResult.placed[mMap.faceOf(c)])
+                    mMap.uv.row(c) = mMap.uv.row(known != corners.end() ? *known : corners.front());
             }
         }
-    }
-
-    void setUv(int corner, const Vec2 &uv) { mResult.uv.row(corner) = uv; }
-
-    //! Moves the corners of faulty triangles past the border of the source's map where that helps.
-    void mend()
-    {
-        for (int t = 0; t < mMesh.triangleCount(); ++t) {
-            if (!mResult.placed[mMesh.triangleFace[t]] || faultOfTriangle(t) == Fault::None)
-                continue;
-            for (int corner : mMesh.triangles[t])
-                mendCorner(corner);
-        }
-    }
-
-    void mendCorner(int corner)
-    {
-        const std::vector<int> &corners = mCornersOf[mRoot[corner]];
-        const Vec2 before = mResult.uv.row(corner), after = mContinued.row(corner);
-        if (before == after)
-            return;
-        const auto faults = [&] {
-            int sum = 0;
-            for (int c : corners)
-                sum += faultsOf(faceOf(c));
-            return sum;
-        };
-        for (int c : corners) {
-            if (!mResult.placed[faceOf(c)])
-                return; // it belongs to a face that keeps its UVs
-        }
-        const int had = faults();
-        for (int c : corners)
-            setUv(c, after);
-        if (faults() < had)
-            return;
-        for (int c : corners)
-            setUv(c, before);
     }
 
     void count()
@@ -309,7 +242,7 @@ private:
         for (int t = 0; t < mMesh.triangleCount(); ++t) {
             if (!mResult.placed[mMesh.triangleFace[t]])
                 continue;
-            const Fault fault = faultOfTriangle(t);
+            const Fault fault = faultOf(mMap, t);
             mResult.turnedOver += fault == Fault::TurnedOver;
             mResult.collapsed += fault == Fault::Collapsed;
         }
@@ -321,12 +254,9 @@ private:
     FacePlacer mPlacer;
     const TransferControl &mControl;
     PositionUvs mResult;
-    UvMatrix mContinued;            //!< per corner, see FacePlacing::continued
-    std::vector<double> mAreaRatio; //!< per face, of the source
+    TransferredMap mMap;
     std::vector<Doubtful> mDoubtful;
     std::vector<int> mPartner;
-    std::vector<int> mRoot;                   //!< per corner: the one that stands for all that are joined
-    std::vector<std::vector<int>> mCornersOf; //!< those that are joined, at the one that stands for them
 };
 
 } // namespace

@@ -94,6 +94,12 @@ void SourceSurface::measure()
     }
 }
 
+double SourceSurface::energy(int triangle) const
+{
+    const double ratio = mStretch[triangle] * mStretch[triangle] / std::abs(mAreaRatio[triangle]);
+    return ratio > 0 && ratio < 5e5 ? 2 * (ratio + 1 / ratio) : 1e6;
+}
+
 Vec2 SourceSurface::uvAt(const NearPoint &near) const
 {
     const std::array<Vec2, 3> &uv = mUv[near.triangle];

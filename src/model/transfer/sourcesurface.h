@@ -44,6 +44,8 @@ public:
     double stretch(int triangle) const { return mStretch[triangle]; }
     //! UV area per area on the surface, negative where the map is mirrored.
     double areaRatio(int triangle) const { return mAreaRatio[triangle]; }
+    //! Symmetric Dirichlet energy where the area is kept: 4 where the map is conformal. At most 1e6.
+    double energy(int triangle) const;
     //! Diagonal of the bounding box of the UVs.
     double uvSize() const { return mUvSize; }
 
