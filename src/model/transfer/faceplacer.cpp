@@ -108,11 +108,26 @@ bool FacePlacer::growPatch(int first, std::size_t begin)
     return meetsSeam;
 }
 
+//! The point of a patch that is nearest to the centre of the face.
+FacePlacer::Spot FacePlacer::centreIn(std::size_t begin) const
+{
+    Spot spot;
+    for (std::size_t i = begin; i < mPatch.size(); ++i) {
+        NearPoint near = nearestOnTriangle(mSource.tree().triangle(mPatch[i]), mCentre);
+        near.triangle = mPatch[i];
+        if (near.squared < spot.near.squared)
+            spot.near = near;
+    }
+    spot.facesAway = mSource.tree().normal(spot.near.triangle).dot(mFaceNormals[mFace]) < 0;
+    return spot;
+}
+
 FacePlacing FacePlacer::placing(const Spot &spot, std::size_t begin) const
 {
     const int centre = spot.near.triangle;
     const Vec2 centreUv = mSource.uvAt(spot.near);
     FacePlacing result;
+    result.seed = centre;
     result.shape = {mSource.areaRatio(centre) * (spot.facesAway ? -1 : 1), mSource.energy(centre)};
     for (int c = mMesh.faceStart[mFace]; c < mMesh.faceStart[mFace + 1]; ++c) {
         const Vec3 point = position(c);
@@ -147,7 +162,7 @@ FacePlacing FacePlacer::placing(const Spot &spot, std::size_t begin) const
     return result;
 }
 
-std::vector<FacePlacing> FacePlacer::placings(int face)
+std::vector<FacePlacing> FacePlacer::placings(int face, const std::vector<int> &seeds)
 {
     const int first = mMesh.faceStart[face], end = mMesh.faceStart[face + 1];
     mFace = face;
@@ -167,13 +182,18 @@ std::vector<FacePlacing> FacePlacer::placings(int face)
     mReach = 1.1 * mRadius + 2 * mCentreDistance;
     const bool meetsSeam = growPatch(centre.near.triangle, 0);
     result.push_back(placing(centre, 0));
+    std::vector<int> tried = seeds;
     for (int c = first; c < end && meetsSeam; ++c) {
         const Spot spot = spotOf(mCentre + sampleShare * (position(c) - mCentre));
-        if (mSeen[spot.near.triangle] == mMark || !(spot.near.squared <= matchReach * matchReach))
+        if (spot.near.squared <= matchReach * matchReach)
+            tried.push_back(spot.near.triangle);
+    }
+    for (int triangle : tried) {
+        if (mSeen[triangle] == mMark)
             continue;
         const std::size_t begin = mPatch.size();
-        growPatch(spot.near.triangle, begin);
-        result.push_back(placing(spot, begin));
+        growPatch(triangle, begin);
+        result.push_back(placing(centreIn(begin), begin));
     }
     for (int i = 0; i < end - first; ++i) {
         double nearest = std::numeric_limits<double>::infinity();

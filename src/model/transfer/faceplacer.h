@@ -14,6 +14,7 @@ struct FacePlacing
     std::vector<Vec2> uv;         //!< per corner: that of the nearest point of the part
     std::vector<Vec2> continued;  //!< per corner: by the linear map there, which goes on beyond the border
     std::vector<double> distance; //!< per corner: from the part
+    int seed = -1;                //!< a triangle of the part
     double beyond = 0;            //!< how much farther the corners are from this part than from the nearest one
     SourceShape shape;            //!< at the face's centre, as the face is turned
 };
@@ -26,7 +27,8 @@ public:
 
     //! The ways to place a face, that of its centre first; none when the surface is beyond matchReach. Faces
     //! away from the source's seams have one.
-    std::vector<FacePlacing> placings(int face);
+    //! \param seeds triangles of the source: the parts around them are tried too
+    std::vector<FacePlacing> placings(int face, const std::vector<int> &seeds = {});
     //! The distance of the last face's centre from the surface; infinite when the surface is empty.
     double centreDistance() const { return mCentreDistance; }
 
@@ -43,6 +45,7 @@ private:
     void findVertexNormals();
     Spot spotOf(const Vec3 &point) const;
     bool growPatch(int first, std::size_t begin);
+    Spot centreIn(std::size_t begin) const;
     FacePlacing placing(const Spot &spot, std::size_t begin) const;
 
     const SourceSurface &mSource;

@@ -17,6 +17,7 @@ namespace {
 // Chosen by hand, on the models of the tests.
 constexpr double collapsePrice = 2;     // of a placing with faulty triangles, times the face's perimeter
 constexpr int maxRounds = 16;           // of choosing among the placings; a few are enough
+constexpr int wideningRounds = 2;
 constexpr int facesPerReport = 64;
 
 //! One transfer, step by step.
@@ -30,6 +31,8 @@ public:
     {
         mResult.placed.assign(static_cast<std::size_t>(mesh.faceCount()), false);
         mMap.shape.resize(mResult.placed.size());
+        mSeed.assign(mResult.placed.size(), -1);
+        mDoubtfulOf.assign(mResult.placed.size(), -1);
     }
 
     PositionUvs run()
@@ -39,8 +42,13 @@ public:
             return std::move(mResult);
         findSides();
         choose();
+        for (int round = 0; round < wideningRounds; ++round) {
+            widenChoice();
+            choose();
+        }
         joinCorners();
-        mendMap(mMap);
+        mendMap(mMap, mControl.stopped);
+        mResult.stopped = mControl.isStopped();
         count();
         mResult.uv = std::move(mMap.uv);
         return std::move(mResult);
@@ -105,6 +113,7 @@ private:
             mMap.continued.row(first + static_cast<int>(i)) = placing.continued[i];
         }
         mMap.shape[face] = placing.shape;
+        mSeed[face] = placing.seed;
     }
 
     int faultsOf(int face) const
@@ -131,6 +140,11 @@ private:
         doubtful.chosen = static_cast<std::size_t>(
             std::min_element(doubtful.prices.begin(), doubtful.prices.end()) - doubtful.prices.begin());
         take(face, doubtful.placings[doubtful.chosen]);
+        if (mDoubtfulOf[face] >= 0) {
+            mDoubtful[mDoubtfulOf[face]] = std::move(doubtful);
+            return;
+        }
+        mDoubtfulOf[face] = static_cast<int>(mDoubtful.size());
         mDoubtful.push_back(std::move(doubtful));
     }
 
@@ -174,6 +188,33 @@ private:
                 length += (mPlacer.position(c) - mPlacer.position(after)).norm();
         }
         return length;
+    }
+
+    bool isSeam(int corner, int face) const
+    {
+        const int other = mPartner[corner];
+        const int after = next(corner, face), beyond = next(other, mMap.faceOf(other));
+        const double allowed = tolerance((mMap.uv.row(after) - mMap.uv.row(corner)).norm());
+        return (mMap.uv.row(beyond) - mMap.uv.row(corner)).norm() > allowed ||
+               (mMap.uv.row(other) - mMap.uv.row(after)).norm() > allowed;
+    }
+
+    //! Lets every face beside a seam join the part of the source's map that its neighbour is in.
+    void widenChoice()
+    {
+        for (int f = 0; f < mMesh.faceCount(); ++f) {
+            std::vector<int> seeds;
+            for (int c = mMesh.faceStart[f]; c < mMesh.faceStart[f + 1] && mResult.placed[f]; ++c) {
+                const int other = mPartner[c] < 0 ? -1 : mMap.faceOf(mPartner[c]);
+                if (other >= 0 && mSeed[other] >= 0 && isSeam(c, f))
+                    seeds.push_back(mSeed[other]);
+            }
+            if (seeds.empty())
+                continue;
+            std::vector<FacePlacing> placings = mPlacer.placings(f, seeds);
+            if (placings.size() > 1)
+                addDoubtful(f, std::move(placings));
+        }
     }
 
     //! Makes the seams short: each doubtful face in turn takes its best placing beside its neighbours.
@@ -256,6 +297,8 @@ private:
     PositionUvs mResult;
     TransferredMap mMap;
     std::vector<Doubtful> mDoubtful;
+    std::vector<int> mDoubtfulOf; //!< per face: index in mDoubtful, -1: none
+    std::vector<int> mSeed;       //!< per face: triangle of the source that its placing is around
     std::vector<int> mPartner;
 };
 
