@@ -35,6 +35,12 @@ struct PositionUvs
 //! Faces farther away than this share of the source's size are not matched.
 inline constexpr double matchReach = 0.05;
 
+//! True when so few of the faces were matched that the models hardly belong together.
+inline bool isApart(int matched, int faces)
+{
+    return 2LL * matched < faces;
+}
+
 //! Gives faces the UVs of the nearest points on a surface. The corners of one face always come from one
 //! connected part of the source's map, so no face is smeared across a seam; where a face lies across one, its
 //! side is chosen so that the seam along the edges of the mesh is short, and a corner beyond the border takes

@@ -30,11 +30,10 @@ std::vector<bool> copyEqual(const UvTransferInput &input, const FaceMatch &match
     return without;
 }
 
-//! More than half of the faces found nothing.
 bool isApart(const UvTransfer &result, const PositionUvs &found)
 {
-    const auto placed = std::count(found.placed.begin(), found.placed.end(), true);
-    return 2 * (placed + result.figures.copied) < result.figures.faces;
+    const auto placed = static_cast<int>(std::count(found.placed.begin(), found.placed.end(), true));
+    return transfer::isApart(result.figures.copied + placed, result.figures.faces);
 }
 
 void placeRest(const UvTransferInput &input, const std::vector<bool> &wanted, const TransferControl &control,
