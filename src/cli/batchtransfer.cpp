@@ -2,8 +2,7 @@
 #include "cli/batchscope.h"
 #include "cli/mapmaking.h"
 #include "model/document/transferjob.h"
-#include "model/io/meshfile.h"
-#include "model/io/projectfile.h"
+#include "model/io/transfersource.h"
 #include "model/plain/uvlayout.h"
 
 #include <algorithm>
@@ -12,33 +11,7 @@ namespace autocuts {
 
 namespace {
 
-//! A model with its UV sets in the order of the file.
-struct SourceModel
-{
-    std::shared_ptr<const MeshData> mesh;
-    std::vector<UvSet> uvSets;
-    int activeSet = 0;
-    std::vector<QString> objectNames;
-    QString path;
-};
-
-Result<SourceModel> readSource(const QString &path, double tileHeight)
-{
-    if (isProjectPath(path)) {
-        Result<LoadedProject> project = loadProject(path);
-        if (!project)
-            return project.error();
-        Scene &scene = project->state.scene;
-        return SourceModel{scene.mesh, std::move(scene.uvSets), project->state.activeUvSet,
-                           std::move(scene.objectNames), path};
-    }
-    Result<Scene> scene = readMesh(path, nullptr, tileHeight);
-    if (!scene)
-        return scene.error();
-    return SourceModel{scene->mesh, std::move(scene->uvSets), 0, std::move(scene->objectNames), path};
-}
-
-Result<Done> chooseFrom(const CliOptions &options, SourceModel model, TransferJob &job)
+Result<Done> chooseFrom(const CliOptions &options, TransferSource model, TransferJob &job)
 {
     if (!options.fromUvSet.isEmpty()) {
         const Result<int> set = BatchFiles::findUvSet(model.uvSets, options.fromUvSet, model.path);
@@ -47,16 +20,14 @@ Result<Done> chooseFrom(const CliOptions &options, SourceModel model, TransferJo
         model.activeSet = set.value();
     }
     if (!options.fromObject.isEmpty()) {
-        const auto found =
-            std::find(model.objectNames.begin(), model.objectNames.end(), options.fromObject);
+        const auto found = std::find(model.objectNames.begin(), model.objectNames.end(), options.fromObject);
         if (found == model.objectNames.end())
             return Error{QStringLiteral("there is no object \"%1\"").arg(options.fromObject), model.path, 0,
                          QStringLiteral("Check its name in the file")};
         job.sourceObject = static_cast<int>(found - model.objectNames.begin());
     }
     job.source = model.mesh;
-    job.sourceUv =
-        model.uvSets.empty() ? emptyLayout(*model.mesh) : std::move(model.uvSets[model.activeSet].uv);
+    job.sourceUv = model.uv();
     job.sourceName = model.path;
     return Done();
 }
@@ -75,10 +46,11 @@ Result<MadeMap> MapMaking::transfer(Scene &scene) const
     if (scope.value())
         job.faces = scope.value()->faces;
     keepLocked(job, mFiles.islandFlags());
-    Result<SourceModel> model =
+    Result<TransferSource> model =
         mOptions.from.isEmpty()
-            ? SourceModel{scene.mesh, mFiles.uvSets(), mFiles.activeUvSet(), scene.objectNames, mOptions.input}
-            : readSource(mOptions.from, mOptions.unwrap.packing.tileHeight());
+            ? TransferSource{scene.mesh, mFiles.uvSets(), mFiles.activeUvSet(), scene.objectNames,
+                             mOptions.input}
+            : readTransferSource(mOptions.from, nullptr, mOptions.unwrap.packing.tileHeight());
     if (!model)
         return model.error();
     if (const Result<Done> chosen = chooseFrom(mOptions, std::move(model).value(), job); !chosen)

@@ -43,8 +43,8 @@ struct Relinked
 
 //! Transfers a session to a new model. Settings, view, hidden faces, all UV sets and the steering are kept
 //! wherever a face has a counterpart. New faces take the UVs of the nearest points of the old model
-//! (model/transfer); those that are far from it have none, and when more than half of the faces are, no new face
-//! has any. The UV sets of the new file are ignored. Selected edges are dropped.
+//! (model/transfer); those that are far from it have none, and when more than half of the faces are, no new
+//! face has any. The UV sets of the new file are ignored. Selected edges are dropped.
 //!
 //! When both models have the same polygons with the same vertices in the same order, faces of equal number
 //! are counterparts; a model that was only deformed keeps everything. Otherwise counterparts have the same

@@ -1,8 +1,5 @@
 #include "model/document/transferjob.h"
 
-#include "model/plain/meshpart.h"
-#include "model/plain/uvlayout.h"
-
 #include <algorithm>
 #include <set>
 
@@ -26,15 +23,34 @@ struct Piece
     int wholeCorner(int c) const { return corner.empty() ? c : corner[c]; }
 };
 
-//! \param faces at least one
+//! Vertices of a part are numbered in the order of its corners, so that copies of an object have equal
+//! numbers. \param faces at least one
 Piece pieceOf(const std::shared_ptr<const MeshData> &mesh, const UvMatrix &uv, const std::vector<bool> &faces)
 {
     if (std::find(faces.begin(), faces.end(), false) == faces.end())
         return {mesh, uv, {}};
-    MeshPart part = partOf(*mesh, faces);
-    Piece piece{part.mesh, emptyLayout(*part.mesh), std::move(part.corner)};
-    for (int c = 0; c < piece.mesh->cornerCount(); ++c)
-        piece.uv.row(c) = uv.row(piece.corner[c]);
+    Piece piece;
+    std::vector<int> numberOf(static_cast<std::size_t>(mesh->vertexCount()), -1), vertices;
+    std::vector<int> faceStart{0}, cornerVertex, faceObject;
+    for (int f = 0; f < mesh->faceCount(); ++f) {
+        if (!faces[f])
+            continue;
+        for (int c = mesh->faceStart[f]; c < mesh->faceStart[f + 1]; ++c) {
+            int &number = numberOf[mesh->cornerVertex[c]];
+            if (number < 0) {
+                number = static_cast<int>(vertices.size());
+                vertices.push_back(mesh->cornerVertex[c]);
+            }
+            cornerVertex.push_back(number);
+            piece.corner.push_back(c);
+        }
+        faceStart.push_back(static_cast<int>(cornerVertex.size()));
+        faceObject.push_back(mesh->faceObject[f]);
+    }
+    const PositionMatrix positions = mesh->positions(vertices, Eigen::all);
+    piece.uv = uv(piece.corner, Eigen::all);
+    piece.mesh =
+        MeshData::build(positions, std::move(faceStart), std::move(cornerVertex), std::move(faceObject));
     return piece;
 }
 
@@ -121,8 +137,8 @@ void findUnmatched(const MeshData &mesh, const Piece &piece, const UvTransfer &m
                 result.uv.row(piece.wholeCorner(c)) = made.uv.row(c);
             continue;
         }
-        const auto after = std::upper_bound(mesh.faceStart.begin(), mesh.faceStart.end(),
-                                            piece.wholeCorner(first));
+        const auto after =
+            std::upper_bound(mesh.faceStart.begin(), mesh.faceStart.end(), piece.wholeCorner(first));
         result.unmatched << static_cast<int>(after - mesh.faceStart.begin()) - 1;
     }
 }
@@ -151,15 +167,16 @@ Result<TransferredUvs> runTransfer(const TransferJob &input, const transfer::Tra
     const Piece source = pieceOf(input.source, input.sourceUv, sourceFaces);
     const std::vector<int> objects = targetObjects(input);
     if (objects.empty())
-        return Error{u"no face is to get UVs"_s, input.sourceName, 0, u"Choose another part of the model, or unlock its islands"_s};
+        return Error{u"no face is to get UVs"_s, input.sourceName, 0,
+                     u"Choose another part of the model, or unlock its islands"_s};
     for (std::size_t i = 0; i < objects.size(); ++i) {
         std::vector<bool> faces = wantedFaces(input);
         if (objects[i] >= 0)
             faces = facesOfObject(*input.mesh, objects[i], std::move(faces));
         const Piece piece = pieceOf(input.mesh, input.uv, faces);
-        const UvTransfer made = transferUvs(
-            {*source.mesh, source.uv, *piece.mesh, input.match, input.sourceObject >= 0},
-            partOfControl(control, i, objects.size()));
+        const UvTransfer made =
+            transferUvs({*source.mesh, source.uv, *piece.mesh, input.match, input.sourceObject >= 0},
+                        partOfControl(control, i, objects.size()));
         if (made.status == UvTransfer::Status::Stopped) {
             result.stopped = true;
             return result;
@@ -192,18 +209,22 @@ QStringList TransferredUvs::warnings() const
 {
     QStringList lines;
     if (figures.unmatched() > 0)
-        lines << u"%1 of %2 faces are too far from the source, or it has no UVs there: they keep what they had"_s
-                     .arg(figures.unmatched())
-                     .arg(figures.faces);
+        lines
+            << u"%1 of %2 faces are too far from the source, or it has no UVs there: they keep what they had"_s
+                   .arg(figures.unmatched())
+                   .arg(figures.faces);
     if (figures.moved)
         lines << u"the source lies elsewhere: it was moved onto the model to match it"_s;
     if (figures.meanShare > farShare)
-        lines << u"the surfaces are %1 % of the model's size apart: are both in the same place and pose?"_s.arg(
-            100 * figures.meanShare, 0, 'f', 1);
+        lines << u"the surfaces are %1 % of the model's size apart: are both in the same place and pose?"_s
+                     .arg(100 * figures.meanShare, 0, 'f', 1);
     if (figures.turnedOver > 0)
-        lines << u"triangles turned over in the map: %1; Finish mends them"_s.arg(figures.turnedOver);
+        lines << u"triangles turned over in the map: %1; Finish mends them, but lays the map out anew"_s.arg(
+            figures.turnedOver);
     if (figures.collapsed > 0)
-        lines << u"triangles with hardly any area in the map: %1; Finish mends them"_s.arg(figures.collapsed);
+        lines
+            << u"triangles with hardly any area in the map: %1; Finish mends them, but lays the map out anew"_s
+                   .arg(figures.collapsed);
     return lines;
 }
 

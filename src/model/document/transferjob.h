@@ -39,9 +39,9 @@ struct TransferredUvs
     QStringList warnings() const; //!< what is not as it should be, one line each
 };
 
-//! From an object, every object that has some of the faces gets its UVs by itself, and the object is moved onto
-//! it where they lie apart; if it has some of the faces too, these stay as they are. Anything else is matched as
-//! a whole, where it lies.
+//! From an object, every object that has some of the faces gets its UVs by itself, and the object is moved
+//! onto it where they lie apart; if it has some of the faces too, these stay as they are. Anything else is
+//! matched as a whole, where it lies.
 Result<TransferredUvs> runTransfer(const TransferJob &input, const transfer::TransferControl &control);
 
 } // namespace autocuts

@@ -1,7 +1,5 @@
 #include "model/transfer/faceplacer.h"
 
-#include "model/transfer/positiontransfer.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -144,13 +142,14 @@ FacePlacing FacePlacer::placing(const Spot &spot, std::size_t begin) const
             near.triangle = t;
             const Vec2 uv = mSource.uvAt(near);
             const double stretch = std::max(mSource.stretch(centre), mSource.stretch(t));
-            const bool around = (uv - centreUv).norm() > longestPath * stretch * length + 1e-9 * mSource.uvSize();
+            const bool around =
+                (uv - centreUv).norm() > longestPath * stretch * length + 1e-9 * mSource.uvSize();
             const bool away = !spot.facesAway && mSource.tree().normal(t).dot(normal) < -0.2;
             const int rank = around ? 2 : away ? 1 : 0;
             const bool equal = rank == bestRank && std::abs(near.squared - best.squared) <= equalSquared;
             if (rank < bestRank || (!equal && rank == bestRank && near.squared < best.squared) ||
-                (equal && (uv - expected).norm() <
-                              (mSource.uvAt(best) - expected).norm() - 1e-9 * mSource.uvSize())) {
+                (equal &&
+                 (uv - expected).norm() < (mSource.uvAt(best) - expected).norm() - 1e-9 * mSource.uvSize())) {
                 best = near;
                 bestRank = rank;
             }

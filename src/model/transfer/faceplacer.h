@@ -15,8 +15,8 @@ struct FacePlacing
     std::vector<Vec2> continued;  //!< per corner: by the linear map there, which goes on beyond the border
     std::vector<double> distance; //!< per corner: from the part
     int seed = -1;                //!< a triangle of the part
-    double beyond = 0;            //!< how much farther the corners are from this part than from the nearest one
-    SourceShape shape;            //!< at the face's centre, as the face is turned
+    double beyond = 0; //!< how much farther the corners are from this part than from the nearest one
+    SourceShape shape; //!< at the face's centre, as the face is turned
 };
 
 //! Places the faces of a mesh. Not for use by several threads at once.
@@ -50,7 +50,7 @@ private:
 
     const SourceSurface &mSource;
     const MeshData &mMesh;
-    PositionMatrix mPositions;    //!< in the frame
+    PositionMatrix mPositions; //!< in the frame
     std::vector<Vec3> mFaceNormals;
     std::vector<Vec3> mVertexNormals; //!< of welded vertices; zero where the faces around disagree
     // Of the present face.

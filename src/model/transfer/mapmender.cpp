@@ -18,7 +18,7 @@ constexpr double noArea = 1e-14;        // twice the area of a triangle on the m
 constexpr double worse = 4;             // times the source's distortion, and so much more, is too much
 constexpr double turnedOverEnergy = 1e5;
 constexpr int rounds = 24;
-constexpr int narrowRounds = 8;         // in which only the corners of bad triangles move, not those around them
+constexpr int narrowRounds = 8; // in which only the corners of bad triangles move, not those around them
 constexpr std::array<double, 3> steps{0.5, 0.2, 0.05}; // times the length of the sides around
 constexpr int directions = 8;
 
@@ -47,8 +47,8 @@ Shape shapeOf(const TransferredMap &map, int triangle)
     return shape;
 }
 
-//! The symmetric Dirichlet energy in units of the source's scale; turnedOverEnergy and more for triangles that
-//! are turned over.
+//! The symmetric Dirichlet energy in units of the source's scale; turnedOverEnergy and more for triangles
+//! that are turned over.
 double energyOf(const Shape &shape, double areaRatio)
 {
     const double scale = std::abs(areaRatio) * shape.area; // twice the area in the map, if it is kept
@@ -161,8 +161,7 @@ private:
     bool moveCorner(int root)
     {
         const std::vector<int> &corners = mMap.at[root];
-        if (std::any_of(corners.begin(), corners.end(),
-                        [&](int c) { return !mMap.placed[mMap.faceOf(c)]; }))
+        if (std::any_of(corners.begin(), corners.end(), [&](int c) { return !mMap.placed[mMap.faceOf(c)]; }))
             return false; // a face that keeps its UVs has this corner too
         const Vec2 before = mMap.uv.row(root), past = mMap.continued.row(root);
         double length = 0;

@@ -1,5 +1,5 @@
-// Finds triangles of a transferred map that are much worse than the source's, and moves their corners. Plain: no
-// Qt.
+// Finds triangles of a transferred map that are much worse than the source's, and moves their corners. Plain:
+// no Qt.
 #pragma once
 
 #include "model/plain/meshdata.h"
@@ -36,9 +36,9 @@ enum class Fault { None, Collapsed, TurnedOver };
 //! Compares a triangle with the source. Collapsed: it has hardly any area though the source has.
 Fault faultOf(const TransferredMap &map, int triangle);
 
-//! Moves the corners of triangles that are turned over or far more distorted than the source: past the border of
-//! the source's map, towards their neighbours or a little aside, where that lowers the distortion around them.
-//! \param stopped asked often; may be empty
+//! Moves the corners of triangles that are turned over or far more distorted than the source: past the border
+//! of the source's map, towards their neighbours or a little aside, where that lowers the distortion around
+//! them. \param stopped asked often; may be empty
 void mendMap(TransferredMap &map, const std::function<bool()> &stopped);
 
 } // namespace autocuts::transfer

@@ -15,9 +15,9 @@ namespace autocuts::transfer {
 namespace {
 
 // Chosen by hand, on the models of the tests.
-constexpr double collapsePrice = 2;     // of a placing with faulty triangles, times the face's perimeter
-constexpr int maxRounds = 16;           // of choosing among the placings; a few are enough
-constexpr int wideningRounds = 2;
+constexpr double collapsePrice = 2; // of a placing with faulty triangles, times the face's perimeter
+constexpr int maxRounds = 16;       // of choosing among the placings; a few are enough
+constexpr int wideningRounds = 2;   // a face's neighbour of its neighbour has its say in the second one
 constexpr int facesPerReport = 64;
 
 //! One transfer, step by step.
@@ -26,8 +26,8 @@ class Transfer
 public:
     Transfer(const SourceSurface &source, const MeshData &mesh, const Frame &frame, const UvMatrix &uv,
              const std::vector<bool> &wanted, const TransferControl &control)
-        : mSource(source), mMesh(mesh), mWanted(wanted), mPlacer(source, mesh, frame), mControl(control),
-          mMap{mesh, mPlacer.positions(), mResult.placed, {}, uv, uv, {}, {}}
+        : mSource(source), mMesh(mesh), mWanted(wanted), mPlacer(source, mesh, frame),
+          mControl(control), mMap{mesh, mPlacer.positions(), mResult.placed, {}, uv, uv, {}, {}}
     {
         mResult.placed.assign(static_cast<std::size_t>(mesh.faceCount()), false);
         mMap.shape.resize(mResult.placed.size());
@@ -69,16 +69,14 @@ private:
         double sum = 0, sumOfAll = 0;
         int samples = 0, all = 0;
         for (int f = 0; f < mMesh.faceCount(); ++f) {
-            if (f % facesPerReport == 0) {
-                if (mControl.isStopped()) {
-                    mResult.stopped = true;
-                    return;
-                }
-                if (mControl.progress)
-                    mControl.progress(double(f) / mMesh.faceCount());
-            }
+            if (mControl.progress && f % facesPerReport == 0)
+                mControl.progress(double(f) / mMesh.faceCount());
             if (!mWanted[f])
                 continue;
+            if (mControl.isStopped()) {
+                mResult.stopped = true;
+                return;
+            }
             std::vector<FacePlacing> placings = mPlacer.placings(f);
             ++all;
             sumOfAll += mPlacer.centreDistance();
@@ -202,7 +200,7 @@ private:
     //! Lets every face beside a seam join the part of the source's map that its neighbour is in.
     void widenChoice()
     {
-        for (int f = 0; f < mMesh.faceCount(); ++f) {
+        for (int f = 0; f < mMesh.faceCount() && !mControl.isStopped(); ++f) {
             std::vector<int> seeds;
             for (int c = mMesh.faceStart[f]; c < mMesh.faceStart[f + 1] && mResult.placed[f]; ++c) {
                 const int other = mPartner[c] < 0 ? -1 : mMap.faceOf(mPartner[c]);
@@ -221,7 +219,7 @@ private:
     void choose()
     {
         bool changed = true;
-        for (int round = 0; changed && round < maxRounds; ++round) {
+        for (int round = 0; changed && round < maxRounds && !mControl.isStopped(); ++round) {
             changed = false;
             for (Doubtful &doubtful : mDoubtful) {
                 const auto price = [&](std::size_t i) {
@@ -299,7 +297,7 @@ private:
     std::vector<Doubtful> mDoubtful;
     std::vector<int> mDoubtfulOf; //!< per face: index in mDoubtful, -1: none
     std::vector<int> mSeed;       //!< per face: triangle of the source that its placing is around
-    std::vector<int> mPartner;
+    std::vector<int> mPartner; //!< per corner: start of the other side on the edge that starts there, or -1
 };
 
 } // namespace

@@ -32,9 +32,6 @@ struct PositionUvs
     int collapsed = 0;  //!< triangles with hardly any area in the map though the source has some
 };
 
-//! Faces farther away than this share of the source's size are not matched.
-inline constexpr double matchReach = 0.05;
-
 //! True when so few of the faces were matched that the models hardly belong together.
 inline bool isApart(int matched, int faces)
 {

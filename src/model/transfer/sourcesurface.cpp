@@ -26,8 +26,7 @@ Frame frameOf(const MeshData &mesh)
 bool hasUvs(const MeshData &mesh, const UvMatrix &uv, int triangle)
 {
     const auto &corners = mesh.triangles[triangle];
-    return uv.row(corners[0]).allFinite() && uv.row(corners[1]).allFinite() &&
-           uv.row(corners[2]).allFinite();
+    return uv.row(corners[0]).allFinite() && uv.row(corners[1]).allFinite() && uv.row(corners[2]).allFinite();
 }
 
 SourceSurface::SourceSurface(const MeshData &mesh, const UvMatrix &uv, const Frame &frame)
@@ -89,7 +88,8 @@ void SourceSurface::measure()
             map.col(1) = (mUv[t][2] - mUv[t][0] - foot * map.col(0)) / height;
         }
         const double half = 0.5 * map.squaredNorm(), determinant = map.determinant();
-        mStretch.push_back(std::sqrt(half + std::sqrt(std::max(0.0, half * half - determinant * determinant))));
+        mStretch.push_back(
+            std::sqrt(half + std::sqrt(std::max(0.0, half * half - determinant * determinant))));
         mAreaRatio.push_back(determinant);
     }
 }

@@ -21,6 +21,9 @@ struct Frame
 //! without a face do not count.
 Frame frameOf(const MeshData &mesh);
 
+//! Faces farther away than this share of the source's size are not matched.
+inline constexpr double matchReach = 0.05;
+
 //! True when all corners of the triangle have UVs.
 bool hasUvs(const MeshData &mesh, const UvMatrix &uv, int triangle);
 

@@ -51,9 +51,9 @@ NearPoint nearestOnTriangle(const Triangle3 &triangle, const Vec3 &point)
     if (const auto weights = weightsInPlane(triangle, point); weights && weights->minCoeff() >= 0) {
         NearPoint inside;
         inside.weights = *weights;
-        inside.squared = (weights->x() * triangle[0] + weights->y() * triangle[1] +
-                          weights->z() * triangle[2] - point)
-                             .squaredNorm();
+        inside.squared =
+            (weights->x() * triangle[0] + weights->y() * triangle[1] + weights->z() * triangle[2] - point)
+                .squaredNorm();
         return inside;
     }
     NearPoint best = nearestOnSide(triangle, 0, point);

@@ -14,13 +14,13 @@ using Triangle3 = std::array<Vec3, 3>;
 //! The point of a triangle that is nearest to another point.
 struct NearPoint
 {
-    int triangle = -1;                  //!< -1: there is none
-    Vec3 weights = Vec3::Zero();        //!< barycentric, each in [0, 1]
+    int triangle = -1;                                        //!< -1: there is none
+    Vec3 weights = Vec3::Zero();                              //!< barycentric, each in [0, 1]
     double squared = std::numeric_limits<double>::infinity(); //!< square of the distance
 };
 
-//! The barycentric weights of a point's projection onto the plane of a triangle, each of any size; nothing when
-//! the triangle has hardly any area.
+//! The barycentric weights of a point's projection onto the plane of a triangle, each of any size; nothing
+//! when the triangle has hardly any area.
 std::optional<Vec3> weightsInPlane(const Triangle3 &triangle, const Vec3 &point);
 //! The nearest point of a triangle, which may have no area. NearPoint::triangle stays -1.
 NearPoint nearestOnTriangle(const Triangle3 &triangle, const Vec3 &point);

@@ -15,16 +15,16 @@ enum class UvMatch {
 //! What was matched, and how well.
 struct TransferFigures
 {
-    int faces = 0;    //!< that were to get UVs
-    int copied = 0;   //!< that have those of an equal face
-    int placed = 0;   //!< that have theirs by position
+    int faces = 0;  //!< that were to get UVs
+    int copied = 0; //!< that have those of an equal face
+    int placed = 0; //!< that have theirs by position
     int unmatched() const { return faces - copied - placed; }
     //! Of the faces that were placed, in the units of the source.
     double meanDistance = 0, maxDistance = 0;
     //! The largest mean over all faces that had no equal, also those too far away, as a share of the source's
     //! size.
     double meanShare = 0;
-    int turnedOver = 0, collapsed = 0; //!< see PositionUvs
+    int turnedOver = 0, collapsed = 0;           //!< see PositionUvs
     double seamLength = 0, sourceSeamLength = 0; //!< in the units of the models
     bool moved = false;                          //!< the source was moved onto the mesh to match it
 
