@@ -15,7 +15,7 @@ namespace {
 constexpr double sampleShare = 0.6;
 //! UV lengths within a face are at most this times its length on the model times the source's stretch there;
 //! anything longer leads around the end of a seam.
-constexpr double longestPath = 3;
+constexpr double longestPath = 1.6;
 //! Distances that are equal but for rounding, as a share of the frame's size, squared.
 constexpr double equalSquared = 1e-18;
 
