@@ -169,6 +169,8 @@ private Q_SLOTS:
                                  "--pack-time 1 --time-limit 3 "
                                  "--threads 2 --seed 3 --layout a.png --report b.json --quiet",
                                  "separate a -o b --margin 4 --quiet --report b.json",
+                                 "transfer a -o b --from c --match position --report b.json",
+                                 "transfer a -o b --from-object arm --objects leg --uv-set 2",
                                  "check a",
                                  "check a --json --texture-size 4096",
                                  "convert a -o b",
@@ -202,7 +204,8 @@ private Q_SLOTS:
             if (makesMap(options))
                 making << command.name;
         }
-        QCOMPARE(making, (QStringList{u"unwrap"_s, u"pack"_s, u"separate"_s, u"lightmap"_s, u"finish"_s}));
+        QCOMPARE(making, (QStringList{u"unwrap"_s, u"pack"_s, u"separate"_s, u"lightmap"_s, u"finish"_s,
+                                      u"transfer"_s}));
         QVERIFY(!makesMap({}));
     }
 
@@ -228,6 +231,11 @@ private Q_SLOTS:
         QTest::newRow("separate") << u"separate"_s << common + words(u"--separate-by"_s);
         QTest::newRow("lightmap") << u"lightmap"_s << lightmap;
         QTest::newRow("finish") << u"finish"_s << common + words(u"--max-distortion --seams --seams-from"_s);
+        QTest::newRow("transfer")
+            << u"transfer"_s
+            << words(u"-o --from --from-uv-set --from-object --match --texture-size --only --objects "
+                     u"--materials "
+                     "--border --uv-set --new-uv-set --layout --report --threads --time-limit --seed"_s);
         QTest::newRow("check") << u"check"_s << words(u"--texture-size --json --uv-set"_s);
         QTest::newRow("convert") << u"convert"_s << QStringList{u"-o"_s, u"--uv-set"_s};
         for (const QString &name : {u"replay"_s, u"sample"_s})
@@ -271,9 +279,10 @@ private Q_SLOTS:
             QCOMPARE(given.unwrap.packing.udimTile, standard.unwrap.packing.udimTile);
             QCOMPARE(given.separation, standard.separation);
             QCOMPARE(given.borderAttached, standard.borderAttached);
+            QCOMPARE(given.match, standard.match);
             ++checked;
         }
-        QCOMPARE(checked, 21);
+        QCOMPARE(checked, 22);
     }
 
     void helpSaysAllInItsWidth()
@@ -290,7 +299,8 @@ private Q_SLOTS:
             QVERIFY2(line.size() <= 110 && !line.endsWith(u' '), qPrintable(line));
         // Options of one heading stand together.
         for (const QString &heading :
-             {u"unwrap"_s, u"unwrap, finish"_s, u"unwrap, pack, separate, finish"_s, u"pack"_s})
+             {u"unwrap"_s, u"unwrap, finish"_s, u"unwrap, pack, separate, finish, transfer"_s, u"pack"_s,
+              u"transfer"_s})
             QCOMPARE(help.count(u'\n' + heading + u":\n"_s), 1);
     }
 
@@ -369,6 +379,10 @@ private Q_SLOTS:
         row("pack a -o b --no-pack", "--no-pack does not belong to this command");
         row("pack a -o b --init uv", "--init does not belong to this command");
         row("convert a -o b --margin 3", "--margin does not belong to this command");
+        row("transfer a -o b", "transfer needs --from");
+        row("transfer a -o b --from c --match nearest", "--match takes auto or topology or position");
+        row("transfer a -o b --from c --margin 3", "--margin does not belong to this command");
+        row("unwrap a -o b --from c", "--from does not belong to this command");
         row("check a -o b", "-o does not belong to this command");
         row("check", "no input");
         row("sample -o b", "no sample named");

@@ -83,6 +83,8 @@ public:
             return runMapping(&MapMaking::lightmap);
         case Command::Separate:
             return runMapping(&MapMaking::separate);
+        case Command::Transfer:
+            return runMapping(&MapMaking::transfer);
         }
         return 1;
     }
@@ -263,6 +265,7 @@ private:
         report.delta = made.delta;
         report.status = statusWord(mStop, made.boundMissed);
         report.notes += made.notes;
+        report.transfer = made.transfer;
         if (!mOptions.quiet)
             printFigures(report);
         const QStringList warnings = made.warnings + mapWarnings(report);

@@ -337,6 +337,30 @@ CliOption separatingOption()
         "first for as long as they do not cover themselves"_s);
 }
 
+std::vector<CliOption> transferringOptions()
+{
+    constexpr Group group = Group::Transferring;
+    CliOption file = text(group, {u"--from"_s}, fieldOf(&CliOptions::from),
+                          u"the model or session that has the UVs; otherwise the input itself"_s);
+    CliOption set =
+        text(group, {u"--from-uv-set"_s}, fieldOf(&CliOptions::fromUvSet),
+             u"the UV set that is transferred: its name, or its number from 1; otherwise the first one, of a "
+             "session the active one"_s);
+    set.value = u"NAME|N"_s;
+    CliOption object =
+        text(group, {u"--from-object"_s}, fieldOf(&CliOptions::fromObject),
+             u"only the UVs of this object, to every object that --only names, or to all; they may lie "
+             "elsewhere"_s);
+    object.value = u"NAME"_s;
+    return {file, set, object,
+            choice(group, u"--match"_s, fieldOf(&CliOptions::match),
+                   {{u"auto"_s, transfer::UvMatch::Auto},
+                    {u"topology"_s, transfer::UvMatch::Topology},
+                    {u"position"_s, transfer::UvMatch::Position}},
+                   u"how faces find their UVs: where the polygons are the same they are copied, otherwise "
+                   "they come from the nearest points of the surface; or by one of these only"_s)};
+}
+
 std::vector<CliOption> placingOptions()
 {
     return {
@@ -399,6 +423,9 @@ const std::vector<CliCommand> &cliCommands()
         {Command::Finish, u"finish"_s, u"IN"_s, Output::Needed,
          Bound | Seaming | Texture | Packing | Scope | UvSets | NewUvSets | Making,
          u"make a half-solved map usable: seams decided, no overlaps, within the bound"_s},
+        {Command::Transfer, u"transfer"_s, u"IN"_s, Output::Needed,
+         Transferring | Texture | Scope | UvSets | NewUvSets | Making,
+         u"give the model the UVs of another file, UV set or object, also of another resolution"_s},
         {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | UvSets | Measuring,
          u"measure a map and say what is wrong with it"_s},
         {Command::Convert, u"convert"_s, u"IN"_s, Output::Needed, UvSets,
@@ -427,6 +454,8 @@ const std::vector<CliOption> &cliOptions()
         for (const auto &some : {boundOptions(), seamingOptions(), solvingOptions(), packingOptions(),
                                  scopeOptions(), uvSetOptions(), makingOptions(), placingOptions()})
             all.insert(all.end(), some.begin(), some.end());
+        for (CliOption &option : transferringOptions())
+            all.push_back(std::move(option));
         all.push_back(tilingOption());
         all.push_back(separatingOption());
         all.push_back(flag(Group::Measuring, u"--json"_s, fieldOf(&CliOptions::json), true,

@@ -120,6 +120,9 @@ private:
             return usageError(QStringLiteral("--max-distortion and --lambda exclude each other"));
         if (mOptions.command == Command::Lightmap && mOptions.newUvSet.isEmpty())
             mOptions.newUvSet = QStringLiteral("Lightmap");
+        if (mOptions.command == Command::Transfer && mOptions.from.isEmpty() &&
+            mOptions.fromUvSet.isEmpty() && mOptions.fromObject.isEmpty())
+            return usageError(QStringLiteral("transfer needs --from, --from-uv-set or --from-object"));
         packing::PackOptions &packing = mOptions.unwrap.packing;
         if (packing.margin >= packing.shorterSide())
             return usageError(QStringLiteral("the margin of %1 texels is as wide as the whole texture of %2")

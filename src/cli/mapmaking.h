@@ -18,6 +18,7 @@ struct MadeMap
     bool boundMissed = false;
     QStringList notes;    //!< what was done
     QStringList warnings; //!< what was requested and could not be done
+    std::optional<transfer::TransferFigures> transfer;
 };
 
 //! Gives the first UV set of a scene a new map. \pre the scene is what the files have read, with area
@@ -33,6 +34,7 @@ public:
     Result<MadeMap> separate(Scene &scene) const;
     Result<MadeMap> lightmap(Scene &scene) const;
     Result<MadeMap> finish(Scene &scene) const;
+    Result<MadeMap> transfer(Scene &scene) const;
 
 private:
     //! \param made by separating; what has no UVs stays

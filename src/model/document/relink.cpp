@@ -1,9 +1,10 @@
 #include "model/document/relink.h"
 
-#include "model/document/facematch.h"
 #include "model/plain/polygonsides.h"
 #include "model/plain/texelweights.h"
 #include "model/plain/uvlayout.h"
+#include "model/transfer/facematch.h"
+#include "model/transfer/positiontransfer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,9 @@ namespace {
 class Carrier
 {
 public:
-    Carrier(const DocumentState &from, Scene scene)
-        : mFrom(from), mBefore(*from.scene.mesh), mAfter(*scene.mesh), mMatch(matchFaces(mBefore, mAfter))
+    Carrier(const DocumentState &from, Scene scene, const std::function<bool()> &stopped)
+        : mFrom(from), mBefore(*from.scene.mesh), mAfter(*scene.mesh), mMatch(matchFaces(mBefore, mAfter)),
+          mStopped(stopped)
     {
         mTo.scene = std::move(scene);
         mReport.sameTopology = mMatch.sameTopology;
@@ -99,12 +101,35 @@ private:
                     carried.uv.row(mMatch.corner[c]) = set.uv.row(c);
             }
             mTo.scene.uvSets.push_back(std::move(carried));
+            placeNewFaces(set.uv);
         }
         for (double scale : mFrom.uvScales) {
             const double carried = scale * factor;
             mTo.uvScales.push_back(std::isfinite(carried) && carried > 0 ? carried : scale);
         }
         mTo.activeUvSet = mFrom.activeUvSet;
+    }
+
+    //! Gives the new faces the UVs of the old model's nearest points, in the last UV set.
+    void placeNewFaces(const UvMatrix &before)
+    {
+        if (mReport.newFaces.isEmpty() || (mStopped && mStopped()))
+            return;
+        const transfer::Frame frame = transfer::frameOf(mBefore);
+        const transfer::SourceSurface surface(mBefore, before, frame);
+        if (surface.triangleCount() == 0)
+            return;
+        std::vector<bool> wanted(static_cast<std::size_t>(mAfter.faceCount()), false);
+        for (int face : mReport.newFaces)
+            wanted[face] = true;
+        UvMatrix &uv = mTo.scene.uvSets.back().uv;
+        transfer::PositionUvs found = takeByPosition(surface, mAfter, frame, uv, wanted, {mStopped, {}});
+        const auto placed = static_cast<int>(std::count(found.placed.begin(), found.placed.end(), true));
+        if (found.stopped || transfer::isApart(mReport.faces.kept + placed, mAfter.faceCount()))
+            return;
+        uv = std::move(found.uv);
+        if (static_cast<int>(mTo.scene.uvSets.size()) == mFrom.activeUvSet + 1)
+            mReport.placedFaces = placed;
     }
 
     void carrySeams()
@@ -207,6 +232,7 @@ private:
     const MeshData &mBefore;
     const MeshData &mAfter;
     FaceMatch mMatch;
+    const std::function<bool()> &mStopped;
     DocumentState mTo;
     RelinkReport mReport;
 };
@@ -220,9 +246,12 @@ QStringList RelinkReport::lines() const
         if (carried.lost > 0)
             lines << text.arg(carried.lost).arg(carried.kept + carried.lost);
     };
-    add(faces, u"%1 of %2 faces are not in the new model: their UVs are lost"_s);
-    if (!newFaces.isEmpty())
-        lines << u"%1 faces are new and have no UVs"_s.arg(newFaces.size());
+    add(faces, placedFaces > 0 ? u"%1 of %2 faces are not in the new model"_s
+                               : u"%1 of %2 faces are not in the new model: their UVs are lost"_s);
+    if (placedFaces > 0)
+        lines << u"%1 faces are new and have the UVs of the old model's nearest points"_s.arg(placedFaces);
+    if (newFaces.size() > placedFaces)
+        lines << u"%1 faces are new and have no UVs"_s.arg(newFaces.size() - placedFaces);
     add(seams, u"%1 of %2 cut, joined, painted or straight edges are lost"_s);
     add(pins, u"%1 of %2 pins are lost"_s);
     add(rectangleFaces, u"%1 of %2 assignments of faces to rectangles are lost"_s);
@@ -233,9 +262,9 @@ QStringList RelinkReport::lines() const
     return lines;
 }
 
-Relinked relinkDocument(const DocumentState &state, Scene newScene)
+Relinked relinkDocument(const DocumentState &state, Scene newScene, const std::function<bool()> &stopped)
 {
-    return Carrier(state, std::move(newScene)).run();
+    return Carrier(state, std::move(newScene), stopped).run();
 }
 
 } // namespace autocuts

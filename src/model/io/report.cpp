@@ -92,6 +92,24 @@ QByteArray meshJson(const std::optional<MeshReport> &mesh)
     return writer.finish();
 }
 
+QByteArray transferJson(const std::optional<transfer::TransferFigures> &figures)
+{
+    if (!figures)
+        return "null";
+    ObjectWriter writer(1);
+    writer.add("faces", figures->faces);
+    writer.add("copied", figures->copied);
+    writer.add("placed", figures->placed);
+    writer.add("unmatched", figures->unmatched());
+    writer.add("mean_distance", figures->meanDistance);
+    writer.add("max_distance", figures->maxDistance);
+    writer.add("turned_over", figures->turnedOver);
+    writer.add("collapsed", figures->collapsed);
+    writer.add("seam_length", figures->seamLength);
+    writer.add("source_seam_length", figures->sourceSeamLength);
+    return writer.finish();
+}
+
 QByteArray listJson(const QStringList &list)
 {
     QByteArray text = "[";
@@ -179,6 +197,7 @@ QByteArray reportJson(const MapReport &report)
     writer.addRaw("objects", partsJson(report.objects));
     writer.addRaw("materials", partsJson(report.materials));
     writer.addRaw("mesh", meshJson(report.mesh));
+    writer.addRaw("transfer", transferJson(report.transfer));
     writer.addRaw("notes", listJson(report.notes));
     return writer.finish() + '\n';
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/meshdata.h"
+#include "model/transfer/uvtransfer.h"
 
 #include <QByteArray>
 #include <QString>
@@ -56,6 +57,8 @@ struct MapReport
         double packingEfficiency = unknown; //!< the part of a tile that its islands take
     };
     std::vector<Part> objects, materials; //!< in the order of the file; faces without a material are last
+
+    std::optional<transfer::TransferFigures> transfer; //!< of the command that makes maps this way
 
     // The mesh as it was read.
     std::optional<MeshReport> mesh;

@@ -349,6 +349,10 @@ constexpr std::array toolTable{
                "Ctrl+Alt+V",
                QT_TRANSLATE_NOOP("Actions", "Work on the next UV set, after the last one on the first"),
                NeedsDocument | NeedsIdle},
+    ActionInfo{"uv.transfer", "UV", QT_TRANSLATE_NOOP("Actions", "Transfer UVs from..."), "set-copy", "",
+               QT_TRANSLATE_NOOP("Actions", "Bring the UVs of another file, UV set or object onto the model, "
+                                            "also of another resolution"),
+               NeedsDocument | NeedsIdle},
     ActionInfo{"uv.cancel", "UV", QT_TRANSLATE_NOOP("Actions", "Cancel job"), "cancel", "Esc",
                QT_TRANSLATE_NOOP("Actions", "End the running job and keep what it has"), NeedsJob, false, "",
                true},

@@ -28,6 +28,13 @@ QString globs(const QStringList &suffixes)
     return QStringLiteral("*.") + suffixes.join(QStringLiteral(" *."));
 }
 
+QStringList saveFilters()
+{
+    return {FileActions::tr("Autocuts sessions (%1)").arg(globs({QLatin1String(projectSuffix)}))};
+}
+
+} // namespace
+
 QStringList openFilters()
 {
     const QString session = QLatin1String(projectSuffix);
@@ -35,13 +42,6 @@ QStringList openFilters()
             FileActions::tr("Autocuts sessions (%1)").arg(globs({session})),
             FileActions::tr("All files (*)")};
 }
-
-QStringList saveFilters()
-{
-    return {FileActions::tr("Autocuts sessions (%1)").arg(globs({QLatin1String(projectSuffix)}))};
-}
-
-} // namespace
 
 FileActions::FileActions(const StudioContext &context, Questions &questions, QObject *parent)
     : QObject(parent), mContext(context), mQuestions(questions)

@@ -14,6 +14,9 @@ namespace autocuts {
 class MenuBuilder;
 class Questions;
 
+//! The kinds of files that can be opened, as for QFileDialog.
+QStringList openFilters();
+
 //! Opens, saves and exports files chosen by the user. Before a session is closed in any way, the solver is
 //! paused and the user is asked about unsaved changes.
 class FileActions final : public QObject

@@ -240,7 +240,7 @@ void FileController::relink(const QString &meshPath)
             Result<Scene> scene = readMesh(meshPath, &job.stop(), state.packingSettings.tileHeight());
             if (!scene)
                 return scene.error();
-            return relinkDocument(state, std::move(scene).value());
+            return relinkDocument(state, std::move(scene).value(), [&job] { return job.stop().load(); });
         },
         [this, token = document->token()](const Result<Relinked> &linked) { adoptRelinked(linked, token); });
     if (!started)

@@ -7,6 +7,7 @@
 #include "solver/overlap/overlapseparation.h"
 #include "views/control/mapjobs.h"
 #include "views/control/solvercontroller.h"
+#include "views/control/transferjobs.h"
 #include "views/control/workspace.h"
 
 #include <QScopedValueRollback>
@@ -288,6 +289,17 @@ void MapController::addLightmapSet()
         else
             unwrap(unwrap::UnwrapQuality::Standard);
     });
+}
+
+void MapController::transferUvs(const TransferChoice &choice)
+{
+    const Document *document = mWorkspace.document();
+    if (!document)
+        return;
+    startJob(tr("Transferring UVs"),
+             [choice, sets = document->uvSets()](const MapInput &input, JobControl &control) {
+                 return transferUvsJob(input, choice, sets, control);
+             });
 }
 
 void MapController::equalizeDensity()

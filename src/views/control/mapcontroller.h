@@ -27,6 +27,7 @@ class Workspace;
 struct MapInput;
 struct MapJobResult;
 struct PackTarget;
+struct TransferChoice;
 
 //! The figures of the document's map.
 struct MapFigures
@@ -89,6 +90,8 @@ public Q_SLOTS:
     void separateGreedily();
     //! Adds a copy of the active UV set and makes it a map for lightmaps; without UVs, an unwrapped one.
     void addLightmapSet();
+    //! Brings the UVs of another file, UV set or object onto the model.
+    void transferUvs(const autocuts::TransferChoice &choice);
     //! Gives every island the same texel density. \pre no job is running
     void equalizeDensity();
     //! Minimises the distortion of the selected faces while all others stay. Pins and locks are respected.
