@@ -14,7 +14,7 @@
 namespace autocuts {
 
 //! The content of a report. Unknown figures stay NaN or empty and are written as null. The figures have the
-//! same meaning as in UvMetrics; they are repeated here because the model may not include the solver.
+//! same meaning as in metrics::UvMetrics.
 struct MapReport
 {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -56,6 +56,17 @@ struct MapReport
         double packingEfficiency = unknown; //!< the part of a tile that its islands take
     };
     std::vector<Part> objects, materials; //!< in the order of the file; faces without a material are last
+
+    //! The figures of one UDIM tile.
+    struct Tile
+    {
+        int number = 0; //!< 1001 and more
+        qint64 faces = 0, charts = 0;
+        double texelDensity = unknown;      //!< texels per unit of the model
+        double packingEfficiency = unknown; //!< the part of the tile that its islands take
+    };
+    std::vector<Tile> tiles;     //!< in which islands lie as a whole, ascending
+    std::optional<bool> inTiles; //!< every island lies in a tile
 
     // The mesh as it was read.
     std::optional<MeshReport> mesh;

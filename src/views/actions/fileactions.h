@@ -6,12 +6,14 @@
 #include <QObject>
 
 #include <functional>
+#include <vector>
 
 class QMenu;
 
 namespace autocuts {
 
 class MenuBuilder;
+struct LayoutPicture;
 class Questions;
 
 //! Opens, saves and exports files chosen by the user. Before a session is closed in any way, the solver is
@@ -44,6 +46,8 @@ private:
     void askRelink();
     void askExportMesh();
     void askExportLayout();
+    void askExportReport();
+    bool confirmReplacing(const std::vector<LayoutPicture> &pictures);
     void showRecent();
     QString proposedPath(const QString &suffix) const;
     void rememberFolder(const QString &path);
