@@ -27,7 +27,7 @@ DensityDialog::DensityDialog(double present, const PackingSettings &packing, QWi
     mRemark->setText(std::isfinite(present)
                          ? tr("The islands have %1 texels per unit now.").arg(present, 0, 'g', 6)
                          : tr("The islands have no area."));
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     mSet = buttons->addButton(tr("&Set"), QDialogButtonBox::AcceptRole);
     mSet->setDefault(true);
     auto *form = new QFormLayout(this);
