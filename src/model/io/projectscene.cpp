@@ -86,6 +86,8 @@ QCborArray textureArray(const std::vector<SceneTexture> &textures)
 std::vector<SceneTexture> readTextures(const QCborMap &map, std::vector<SceneTexture> inFile,
                                        std::size_t materials)
 {
+    if (!map.contains("materialTextures"_L1)) // of an older program, or without textures
+        return inFile.size() > materials ? std::vector<SceneTexture>() : inFile;
     const QCborArray names = map.value("materialTextures"_L1).toArray();
     if (std::size_t(names.size()) > materials)
         return {};

@@ -46,6 +46,7 @@ Vec2 moved(const Move &move, const Vec2 &point)
 struct PieceSize
 {
     double uvArea = 0, target = 0; //!< target: see MeshData::targetArea()
+    double room = 0;               //!< area that it takes of a tile; the islands of a stack share it
     Eigen::AlignedBox2d box;
 };
 
@@ -62,6 +63,8 @@ std::vector<PieceSize> sizesOf(const MeshData &mesh, const ChartMap &pieces, con
         sizes[piece].uvArea += std::abs(cross2(Vec2(uv.row(a)), Vec2(uv.row(b)), Vec2(uv.row(c)))) / 2;
         sizes[piece].target += mesh.targetArea(t);
     }
+    for (PieceSize &size : sizes)
+        size.room = size.box.isEmpty() ? 0 : std::min(size.uvArea, size.box.volume());
     return sizes;
 }
 
@@ -96,7 +99,7 @@ public:
         }
         mMoves.resize(mIslands.size());
         std::stable_sort(mLeft.begin(), mLeft.end(),
-                         [&](int a, int b) { return mSizes[a].uvArea > mSizes[b].uvArea; });
+                         [&](int a, int b) { return mSizes[a].room > mSizes[b].room; });
     }
 
     TilePackingResult run()
@@ -148,7 +151,7 @@ private:
                 continue;
             factors[piece] =
                 mTiles.density / mPack.options.textureSize / std::sqrt(size.uvArea / size.target);
-            size.uvArea *= factors[piece] * factors[piece];
+            size.room *= factors[piece] * factors[piece];
         }
         for (int face = 0; face < mMesh.faceCount(); ++face) {
             const int piece = mRigid.pieces.faceChart[face];
@@ -165,7 +168,7 @@ private:
     {
         std::vector<int> chosen;
         for (std::size_t i = from; i < mLeft.size(); ++i) {
-            if (const double own = mSizes[mLeft[i]].uvArea; own <= area) {
+            if (const double own = mSizes[mLeft[i]].room; own <= area) {
                 area -= own;
                 chosen.push_back(mLeft[i]);
             }
@@ -228,7 +231,7 @@ private:
     double areaOf(const std::vector<int> &pieces) const
     {
         return std::accumulate(pieces.begin(), pieces.end(), 0.0,
-                               [&](double sum, int piece) { return sum + mSizes[piece].uvArea; });
+                               [&](double sum, int piece) { return sum + mSizes[piece].room; });
     }
 
     //! Packs as many of the pieces from a place on as fit into the room; which they are.
@@ -272,7 +275,7 @@ private:
         take(packed);
         for (const double share : topUpShares) {
             const auto small = std::find_if(mLeft.begin(), mLeft.end(),
-                                            [&](int piece) { return mSizes[piece].uvArea <= share * room; });
+                                            [&](int piece) { return mSizes[piece].room <= share * room; });
             if (small == mLeft.end() || ends())
                 continue;
             const std::vector<int> more =
@@ -292,31 +295,38 @@ private:
         double room = tile.volume();
         for (std::size_t piece = 0; piece < mIslands.size(); ++piece) {
             if (mRigid.locked[piece] && mSizes[piece].box.intersects(tile))
-                room -= mSizes[piece].uvArea;
+                room -= mSizes[piece].room;
         }
         const double effort = mPack.options.effort;
         std::vector<int> packed = packMost(0, tile, room, obstacles, effort, tileAttempts);
         // Where the largest do not fit between what lies there, smaller ones may.
         if (packed.empty() && obstacles.empty() && !ends()) {
             packed = {mLeft.front()};
-            if (!place(packed, tile, obstacles, effort)) {
-                if (!placeSmaller(packed.front(), tile))
-                    return false;
-                ++result.tooLarge;
-            }
+            if (!placeAlone(packed.front(), tile, result))
+                return false;
         }
         topUp(tile, room - areaOf(packed), packed);
         return !ends();
     }
 
-    //! Packs a piece that is larger than a tile at the size that fits.
-    bool placeSmaller(int piece, const Eigen::AlignedBox2d &tile)
+    //! Packs a piece into an empty tile: at its size or, when it is larger than a tile, at the one that fits.
+    bool placeAlone(int piece, const Eigen::AlignedBox2d &tile, TilePackingResult &result)
     {
         const PackResult packed = packInto(tile, {piece}, {}, mPack.options.effort, false);
-        mMoves[piece] = {packed.scale, packed.placements.front()};
-        // Its area counts as what it takes of the tile.
-        mSizes[piece].uvArea *= packed.scale * packed.scale;
-        return packed.complete;
+        if (!packed.complete)
+            return false;
+        Move &move = mMoves[piece];
+        move = {packed.scale, packed.placements.front()};
+        if (packed.scale < 1) {
+            mSizes[piece].room *= packed.scale * packed.scale;
+            ++result.tooLarge;
+        } else { // not enlarged, around the same middle
+            const Vec2 middle = mSizes[piece].box.center();
+            const Vec2 place = moved(move, middle);
+            move = {1, {move.placement.angle, Vec2::Zero()}};
+            move.placement.translation = place - moved(move, middle);
+        }
+        return true;
     }
 
     void applyMoves()
