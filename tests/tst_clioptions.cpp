@@ -224,19 +224,23 @@ private Q_SLOTS:
         QTest::newRow("unwrap")
             << u"unwrap"_s
             << common +
-                   words(u"--max-distortion --seams --seams-from --lambda --init --weights --energy --solver "
-                         "--quality --creases --crease-strength --visibility "
-                         "--symmetry --align --mirror --world-up --allow-overlaps --no-pack --per"_s);
-        QTest::newRow("pack") << u"pack"_s << common + words(u"--into --keep-scale --per"_s);
-        QTest::newRow("separate") << u"separate"_s << common + words(u"--separate-by"_s);
+                   words(
+                       u"--max-distortion --seams --seams-from --lambda --init --weights --energy --solver "
+                       "--quality --creases --crease-strength --visibility "
+                       "--symmetry --align --mirror --world-up --allow-overlaps --no-pack --per --density"_s);
+        QTest::newRow("pack") << u"pack"_s
+                              << common + words(u"--into --keep-scale --per --density --fill-tiles"_s);
+        QTest::newRow("separate") << u"separate"_s << common + words(u"--separate-by --per --density"_s);
         QTest::newRow("lightmap") << u"lightmap"_s << lightmap;
-        QTest::newRow("finish") << u"finish"_s << common + words(u"--max-distortion --seams --seams-from"_s);
+        QTest::newRow("finish") << u"finish"_s
+                                << common + words(u"--max-distortion --seams --seams-from --per --density"_s);
         QTest::newRow("transfer")
             << u"transfer"_s
             << words(u"-o --from --from-uv-set --from-object --match --texture-size --only --objects "
                      u"--materials "
                      "--border --uv-set --new-uv-set --layout --report --threads --time-limit --seed"_s);
-        QTest::newRow("check") << u"check"_s << words(u"--texture-size --json --uv-set"_s);
+        QTest::newRow("check") << u"check"_s
+                               << words(u"--texture-size --json --uv-set --only --objects --materials"_s);
         QTest::newRow("convert") << u"convert"_s << QStringList{u"-o"_s, u"--uv-set"_s};
         for (const QString &name : {u"replay"_s, u"sample"_s})
             QTest::newRow(qPrintable(name)) << name << QStringList{u"-o"_s};
@@ -354,7 +358,11 @@ private Q_SLOTS:
         row("unwrap a -o b --objects ,", "--objects takes NAME,..");
         row("pack a -o b --per object --into 0,0,1,1", "--per packs into tiles");
         row("unwrap a -o b --per object --no-pack", "--per packs into tiles");
-        row("finish a -o b --per object", "--per does not belong to this command");
+        row("pack a -o b --density 5 --per object", "--density excludes");
+        row("pack a -o b --density 5 --keep-scale", "--density excludes");
+        row("pack a -o b --density 0", "--density takes a number");
+        row("pack a -o b --fill-tiles --into 0,0,1,1", "--fill-tiles excludes");
+        row("lightmap a -o b --per object", "--per does not belong to this command");
         row("unwrap a -o b --layout l.jpg", "--layout takes a .png or .svg file");
         row("unwrap a -o b --threads 0", "--threads takes a whole number from 1");
         row("unwrap a -o b --time-limit 0", "--time-limit takes a number");
@@ -374,7 +382,7 @@ private Q_SLOTS:
         row("pack a -o b --border free", "--border says how --only ends");
         row("pack a -o b --only islands:1 --border cut", "--border takes attached or free");
         row("pack a -o b --seams keep", "--seams does not belong to this command");
-        row("check a --only islands:1", "--only does not belong to this command");
+        row("check a --border free", "--border does not belong to this command");
         row("unwrap a -o b --keep-scale", "--keep-scale does not belong to this command");
         row("pack a -o b --no-pack", "--no-pack does not belong to this command");
         row("pack a -o b --init uv", "--init does not belong to this command");

@@ -24,11 +24,12 @@ enum class OptionGroup {
     Making = 32,          //!< limits and reports, for all commands that make a map
     Measuring = 64,       //!< how figures are printed
     Seaming = 512,        //!< whose seams
-    Scope = 1024,         //!< the part of the model that may change
+    Scope = 1024,         //!< the part of the model that may change, or is measured
+    Bordering = 32768,    //!< how that part ends inside of islands
     UvSets = 4096,        //!< which of the file's UV sets
     NewUvSets = 8192,     //!< into a set of its own
     Tiling = 16384,       //!< what gets a tile of its own
-    Transferring = 32768, //!< where UVs come from
+    Transferring = 65536, //!< where UVs come from
     Everything = 128      //!< for all commands
 };
 Q_DECLARE_FLAGS(OptionGroups, OptionGroup)

@@ -134,9 +134,21 @@ private:
             return usageError(QStringLiteral("--into and --tile exclude each other"));
         if (mOptions.per && (mOptions.hasRectangle() || !mOptions.unwrap.pack))
             return usageError(QStringLiteral("--per packs into tiles: it excludes --into and --no-pack"));
+        if (const Problem problem = checkTiling())
+            return problem;
         if (!mOptions.hasRectangle())
             mOptions.packIntoTile();
         packing.seed = mOptions.settings.seed;
+        return std::nullopt;
+    }
+
+    Problem checkTiling() const
+    {
+        if (mOptions.density > 0 && (mOptions.per || mOptions.hasRectangle() ||
+                                     mOptions.unwrap.packing.keepScale || !mOptions.unwrap.pack))
+            return usageError(QStringLiteral("--density excludes --per, --into, --keep-scale and --no-pack"));
+        if (mOptions.fillTiles && (mOptions.per || mOptions.hasRectangle()))
+            return usageError(QStringLiteral("--fill-tiles excludes --per and --into"));
         return std::nullopt;
     }
 

@@ -6,12 +6,14 @@
 #include <QObject>
 
 #include <functional>
+#include <vector>
 
 class QMenu;
 
 namespace autocuts {
 
 class MenuBuilder;
+struct LayoutPicture;
 class Questions;
 
 //! The kinds of files that can be opened, as for QFileDialog.
@@ -47,6 +49,8 @@ private:
     void askRelink();
     void askExportMesh();
     void askExportLayout();
+    void askExportReport();
+    bool confirmReplacing(const std::vector<LayoutPicture> &pictures);
     void showRecent();
     QString proposedPath(const QString &suffix) const;
     void rememberFolder(const QString &path);

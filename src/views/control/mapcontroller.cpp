@@ -249,6 +249,24 @@ void MapController::packEach(SceneKind kind)
     startPacking({faces.isEmpty(), faces, {}, sceneGroups(document->state().scene, kind)});
 }
 
+void MapController::packAtDensity(double density)
+{
+    const Document *document = mWorkspace.document();
+    if (!document)
+        return;
+    const QList<int> faces = document->selection().faces;
+    PackTarget target{faces.isEmpty(), faces, {}};
+    target.density = density;
+    startPacking(target);
+}
+
+void MapController::fillTiles()
+{
+    PackTarget target{false, {}, {}};
+    target.fillTiles = true;
+    startPacking(target);
+}
+
 void MapController::packInto(const Eigen::AlignedBox2d &box, const QList<int> &faces)
 {
     startPacking({false, faces, box});

@@ -1,6 +1,7 @@
 #include "views/panels/viewpanel.h"
 
 #include "views/actions/actionregistry.h"
+#include "views/control/modelpictures.h"
 #include "views/gl/colormap.h"
 #include "views/gl/letteredpattern.h"
 #include "views/panels/controls.h"
@@ -94,6 +95,7 @@ ViewPanel::ViewPanel(const StudioContext &context, QWidget *parent)
     layout->addStretch();
     connect(&context.view, &ViewState::optionsChanged, this, [this] { refreshSoon(); });
     connect(&context.preferences, &Preferences::changed, this, [this] { refreshSoon(); });
+    connect(&context.pictures, &ModelPictures::changed, this, [this] { refreshSoon(); });
 }
 
 template <class Edit>
@@ -273,6 +275,7 @@ void ViewPanel::addPatternRows()
     mPattern->addItem(tr("None"), int(Pattern::None));
     mPattern->addItem(tr("Checkerboard"), int(Pattern::Checker));
     mPattern->addItem(tr("Lettered cells"), int(Pattern::Lettered));
+    mPattern->addItem(tr("Textures of the model"), int(Pattern::Materials));
     mPattern->addItem(tr("Texture"), int(Pattern::Texture));
     connect(mPattern, &QComboBox::activated, this, &ViewPanel::choosePattern);
     const QString tip = tr("What lies on the model, and behind the map");
@@ -298,6 +301,11 @@ void ViewPanel::addPatternRows()
     layout->addWidget(load);
     mTextureRow->setFocusProxy(load);
     addRow(mForm, tr("Texture"), mTextureRow, tr("Picture that is shown on the model, and behind the map"));
+    mModelTextures = new QLabel;
+    mModelTextures->setObjectName("modelTextures"_L1);
+    addRow(mForm, tr("Textures"), mModelTextures,
+           tr("Pictures that the model's file names. Behind the map lies that of the selected face, or that "
+              "of the material with the most faces"));
 }
 
 QWidget *ViewPanel::makeToggles()
@@ -380,6 +388,10 @@ void ViewPanel::refresh()
     mDensityUnit->setCurrentIndex(options.densityPerCentimetre ? 1 : 0);
     mTextureName->setText(options.texturePath.isEmpty() ? tr("none")
                                                         : QFileInfo(options.texturePath).fileName());
+    const int textures = context().pictures.count();
+    mModelTextures->setText(context().pictures.isLoading() ? tr("being read...")
+                            : textures == 0                ? tr("the model names none")
+                                                           : tr("of %1 materials").arg(textures));
     for (const auto &[toggle, field] : mToggles)
         toggle->setChecked(options.*field);
     mForm->setRowVisible(mStretchClamp, options.coloring == Coloring::SignedStretch);
@@ -392,6 +404,7 @@ void ViewPanel::refresh()
     mForm->setRowVisible(mCheckerSize, options.pattern == Pattern::Checker);
     mForm->setRowVisible(mLetteredCells, options.pattern == Pattern::Lettered);
     mForm->setRowVisible(mTextureRow, options.pattern == Pattern::Texture);
+    mForm->setRowVisible(mModelTextures, options.pattern == Pattern::Materials);
     showLegend(options);
 }
 
