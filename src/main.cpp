@@ -1,6 +1,7 @@
 // autocuts: the studio.
 #include "views/actions/studioactions.h"
 #include "views/shell/mainwindow.h"
+#include "views/ui/language.h"
 #include "views/ui/preferences.h"
 #include "views/ui/theme.h"
 
@@ -21,6 +22,8 @@ int main(int argc, char *argv[])
     QApplication application(argc, argv);
     QApplication::setApplicationDisplayName(QStringLiteral("Autocuts"));
     QApplication::setApplicationVersion(QStringLiteral(AUTOCUTS_VERSION));
+
+    autocuts::installLanguage(application, autocuts::Preferences::language(preferencesFile));
 
     QCommandLineParser parser;
     parser.setApplicationDescription(QCoreApplication::translate("main", "UV maps by simultaneous distortion "

@@ -26,6 +26,8 @@ PreferenceValues otherValues()
     PreferenceValues v;
     v.navigation = NavigationPreset::Maya;
     v.theme = Theme::Light;
+    v.language = Language::German;
+    v.interfacePercent = 125;
     v.colorBlindHeatMap = true;
     v.seamColor = QColor(1, 2, 3);
     v.selectionColor = QColor(4, 5, 6);
@@ -85,14 +87,16 @@ private Q_SLOTS:
             QCOMPARE(changed.count(), 1);
         }
         QCOMPARE(Preferences(folder.ini()).values(), otherValues());
+        QCOMPARE(Preferences::language(folder.ini()), Language::German);
     }
 
     void wrongValuesFallBack_data()
     {
         QTest::addColumn<QString>("line");
         for (const char *line :
-             {"navigation=upside down", "theme=42", "seamColor=no colour", "textureSize=0", "textureSize=-5",
-              "textureSize=many", "textureSize=999999999999", "margin=-1", "margin=100000", "maxDistortion=4",
+             {"navigation=upside down", "theme=42", "language=Klingon", "interfacePercent=5",
+              "seamColor=no colour", "textureSize=0", "textureSize=-5", "textureSize=many",
+              "textureSize=999999999999", "margin=-1", "margin=100000", "maxDistortion=4",
               "maxDistortion=nan", "maxDistortion=inf", "autosaveMinutes=-2", "undoMemoryMb=0",
               "undoMemoryMb=99999999"})
             QTest::newRow(line) << QString::fromLatin1(line);
@@ -216,6 +220,8 @@ private Q_SLOTS:
         restore->click();
         PreferenceValues expected = otherValues();
         expected.theme = Theme::Dark;
+        expected.language = Language::System;
+        expected.interfacePercent = 100;
         expected.colorBlindHeatMap = false;
         expected.seamColor = PreferenceValues().seamColor;
         expected.selectionColor = PreferenceValues().selectionColor;

@@ -104,7 +104,7 @@ bool cancelGesture(Document &document, quint64 gesture)
 
 QString countedText(const char *one, const char *many, int count)
 {
-    return QCoreApplication::translate(translationContext, count == 1 ? one : many, nullptr, count);
+    return plainText(count == 1 ? one : many).replace("%n"_L1, QString::number(count));
 }
 
 QString plainText(const char *text)

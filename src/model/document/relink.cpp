@@ -6,6 +6,8 @@
 #include "model/transfer/facematch.h"
 #include "model/transfer/positiontransfer.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +16,11 @@ namespace autocuts {
 using namespace Qt::Literals::StringLiterals;
 
 namespace {
+
+struct RelinkTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(Relink)
+};
 
 //! Transfers the parts of a state, one after the other.
 class Carrier
@@ -246,19 +253,21 @@ QStringList RelinkReport::lines() const
         if (carried.lost > 0)
             lines << text.arg(carried.lost).arg(carried.kept + carried.lost);
     };
-    add(faces, placedFaces > 0 ? u"%1 of %2 faces are not in the new model"_s
-                               : u"%1 of %2 faces are not in the new model: their UVs are lost"_s);
+    add(faces, placedFaces > 0
+                   ? RelinkTexts::tr("%1 of %2 faces are not in the new model")
+                   : RelinkTexts::tr("%1 of %2 faces are not in the new model: their UVs are lost"));
     if (placedFaces > 0)
-        lines << u"%1 faces are new and have the UVs of the old model's nearest points"_s.arg(placedFaces);
+        lines << RelinkTexts::tr("%1 faces are new and have the UVs of the old model's nearest points")
+                     .arg(placedFaces);
     if (newFaces.size() > placedFaces)
-        lines << u"%1 faces are new and have no UVs"_s.arg(newFaces.size() - placedFaces);
-    add(seams, u"%1 of %2 cut, joined, painted or straight edges are lost"_s);
-    add(pins, u"%1 of %2 pins are lost"_s);
-    add(rectangleFaces, u"%1 of %2 assignments of faces to rectangles are lost"_s);
-    add(markedFaces, u"%1 of %2 faces that are locked, stacked or grouped are lost"_s);
-    add(weightedFaces, u"%1 of %2 faces with a painted texel density are lost"_s);
+        lines << RelinkTexts::tr("%1 faces are new and have no UVs").arg(newFaces.size() - placedFaces);
+    add(seams, RelinkTexts::tr("%1 of %2 cut, joined, painted or straight edges are lost"));
+    add(pins, RelinkTexts::tr("%1 of %2 pins are lost"));
+    add(rectangleFaces, RelinkTexts::tr("%1 of %2 assignments of faces to rectangles are lost"));
+    add(markedFaces, RelinkTexts::tr("%1 of %2 faces that are locked, stacked or grouped are lost"));
+    add(weightedFaces, RelinkTexts::tr("%1 of %2 faces with a painted texel density are lost"));
     if (!lostTags.isEmpty())
-        lines << u"tags of which no face is left: %1"_s.arg(lostTags.join(u", "_s));
+        lines << RelinkTexts::tr("tags of which no face is left: %1").arg(lostTags.join(u", "_s));
     return lines;
 }
 

@@ -7,9 +7,16 @@
 #include "model/io/gltf/gltfwriter.h"
 #include "model/io/objsource.h"
 
+#include <QCoreApplication>
+
 namespace autocuts {
 
 namespace {
+
+struct LossTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(ExportLosses)
+};
 
 //! True when the active set has UVs at some corners but not at all of them.
 bool hasPartialUv(const Scene &scene)
@@ -24,21 +31,21 @@ void addObjLosses(QStringList &losses, const Scene &scene)
 {
     if (scene.uvSets.size() > 1)
         losses
-            << QStringLiteral("OBJ holds one UV set: only \"%1\" is written").arg(scene.uvSets.front().name);
+            << LossTexts::tr("OBJ holds one UV set: only \"%1\" is written").arg(scene.uvSets.front().name);
     if (!scene.materialNames.empty())
-        losses << QStringLiteral("of the materials only the names are written");
-    losses << QStringLiteral("normals and vertex colours are lost");
+        losses << LossTexts::tr("of the materials only the names are written");
+    losses << LossTexts::tr("normals and vertex colours are lost");
 }
 
 void addPlyLosses(QStringList &losses, const Scene &scene)
 {
     if (scene.objectNames.size() > 1)
-        losses << QStringLiteral("PLY holds one object: all are joined");
+        losses << LossTexts::tr("PLY holds one object: all are joined");
     if (!scene.materialNames.empty())
-        losses << QStringLiteral("materials are lost");
+        losses << LossTexts::tr("materials are lost");
     if (scene.uvSets.size() > 1)
         losses
-            << QStringLiteral("PLY holds one UV set: only \"%1\" is written").arg(scene.uvSets.front().name);
+            << LossTexts::tr("PLY holds one UV set: only \"%1\" is written").arg(scene.uvSets.front().name);
 }
 
 //! What the format loses of the data besides the geometry.
@@ -48,27 +55,26 @@ QStringList contentLosses(const SourceContents &contents, const QString &format)
     const bool bareMesh = format == QLatin1String("obj") || format == QLatin1String("ply");
     QStringList losses;
     if (contents.shapeKeys)
-        losses << QStringLiteral("shape keys (morph targets) are lost");
+        losses << LossTexts::tr("shape keys (morph targets) are lost");
     if (bareMesh) {
         if (contents.animations || contents.bones)
-            losses << QStringLiteral("bones and animations are lost");
+            losses << LossTexts::tr("bones and animations are lost");
         if (contents.hierarchy)
-            losses << QStringLiteral("the node hierarchy is lost; positions are written in world space");
+            losses << LossTexts::tr("the node hierarchy is lost; positions are written in world space");
         if (contents.lightsOrCameras)
-            losses << QStringLiteral("lights and cameras are lost");
+            losses << LossTexts::tr("lights and cameras are lost");
         return losses;
     }
     if (contents.instances)
-        losses << QStringLiteral(
-            "meshes that several nodes share become one copy per node, with its own UVs");
+        losses << LossTexts::tr("meshes that several nodes share become one copy per node, with its own UVs");
     if (contents.animations)
         losses << (options.animations
-                       ? QStringLiteral("animations are left out where the format cannot hold them")
-                       : QStringLiteral("animations are lost"));
+                       ? LossTexts::tr("animations are left out where the format cannot hold them")
+                       : LossTexts::tr("animations are lost"));
     if (contents.embeddedTextures && !options.embeddedTextures)
-        losses << QStringLiteral("embedded textures are lost");
+        losses << LossTexts::tr("embedded textures are lost");
     if (contents.splitObjects && format == QLatin1String("fbx"))
-        losses << QStringLiteral("an object of several materials becomes one object for each of them");
+        losses << LossTexts::tr("an object of several materials becomes one object for each of them");
     return losses;
 }
 
@@ -78,14 +84,14 @@ QStringList plainFbxLosses(const FbxSource &source)
     const SourceContents &contents = source.contents;
     QStringList losses;
     if (contents.bones || contents.animations)
-        losses << QStringLiteral("bones and animations are lost: only FBX can hold those of this file");
+        losses << LossTexts::tr("bones and animations are lost: only FBX can hold those of this file");
     if (contents.shapeKeys)
-        losses << QStringLiteral("shape keys (morph targets) are lost");
+        losses << LossTexts::tr("shape keys (morph targets) are lost");
     if (contents.hierarchy || contents.lightsOrCameras)
-        losses << QStringLiteral("the node hierarchy, lights and cameras are lost; positions are written in "
-                                 "world space");
-    losses << QStringLiteral("of the materials only the names are written")
-           << QStringLiteral("normals and vertex colours are lost");
+        losses << LossTexts::tr("the node hierarchy, lights and cameras are lost; positions are written in "
+                                "world space");
+    losses << LossTexts::tr("of the materials only the names are written")
+           << LossTexts::tr("normals and vertex colours are lost");
     return losses;
 }
 
@@ -104,8 +110,8 @@ QStringList unequalInstances(const FbxSource &source, const Scene &scene)
 {
     if (!hasUnequalInstances(source, scene))
         return {};
-    return {QStringLiteral("objects that share a mesh have one map in the file: that of the first one whose "
-                           "UVs were changed is written")};
+    return {LossTexts::tr("objects that share a mesh have one map in the file: that of the first one whose "
+                          "UVs were changed is written")};
 }
 
 } // namespace
@@ -131,7 +137,7 @@ QStringList exportLosses(const Scene &scene, const QString &format)
         return unequalInstances(*fbx, scene);
     if (isObj && obj) {
         if (scene.uvSets.size() > 1)
-            losses << QStringLiteral("OBJ holds one UV set: only \"%1\" is written")
+            losses << LossTexts::tr("OBJ holds one UV set: only \"%1\" is written")
                           .arg(scene.uvSets.front().name);
         return losses;
     }
@@ -151,25 +157,25 @@ QStringList exportLosses(const Scene &scene, const QString &format)
         return losses;
     }
     if (obj)
-        losses << QStringLiteral(
+        losses << LossTexts::tr(
             "comments, groups, smoothing groups and material libraries of the OBJ file are lost");
     if (isFbx && !assimp && !gltf) {
         if (!scene.materialNames.empty())
-            losses << QStringLiteral("of the materials only the names are written");
+            losses << LossTexts::tr("of the materials only the names are written");
         return losses;
     }
     if (isPly)
         addPlyLosses(losses, scene);
     if (isGltfFormat(format) && scene.mesh->report.polygons > 0)
-        losses << QStringLiteral("glTF holds triangles only: polygons are split");
+        losses << LossTexts::tr("glTF holds triangles only: polygons are split");
     if (isFbx)
-        losses << QStringLiteral("the file is ASCII FBX, which Blender does not read: use glb or dae for it");
+        losses << LossTexts::tr("the file is ASCII FBX, which Blender does not read: use glb or dae for it");
     if (scene.uvSets.size() > maxAssimpUvSets)
-        losses << QStringLiteral("UV sets after the eighth are lost");
+        losses << LossTexts::tr("UV sets after the eighth are lost");
     if (hasPartialUv(scene))
-        losses << QStringLiteral("corners without UV get the UV 0 0");
-    losses << (isFbx ? QStringLiteral("positions and UVs are rounded to six decimals")
-                     : QStringLiteral("positions and UVs are rounded to single precision"));
+        losses << LossTexts::tr("corners without UV get the UV 0 0");
+    losses << (isFbx ? LossTexts::tr("positions and UVs are rounded to six decimals")
+                     : LossTexts::tr("positions and UVs are rounded to single precision"));
     return losses;
 }
 

@@ -1,5 +1,6 @@
 #include "model/io/savefile.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QSaveFile>
@@ -12,6 +13,11 @@
 namespace autocuts {
 
 namespace {
+
+struct ErrorTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(FileErrors)
+};
 
 //! Forces delayed writes, so that an error such as a full disk is noticed. QSaveFile also syncs but ignores
 //! the result.
@@ -30,13 +36,13 @@ Error writeError(const QString &path, const QSaveFile &file, int systemError)
 {
 #ifdef Q_OS_UNIX
     if (systemError == ENOSPC || systemError == EDQUOT)
-        return {QStringLiteral("there is no space left on the disk"), path, 0,
-                QStringLiteral("Free some space, or choose another folder")};
+        return {ErrorTexts::tr("there is no space left on the disk"), path, 0,
+                ErrorTexts::tr("Free some space, or choose another folder")};
 #endif
     const QString reason =
         file.error() == QFileDevice::NoError ? qt_error_string(systemError) : file.errorString();
-    return {QStringLiteral("the file cannot be written (%1)").arg(reason), path, 0,
-            QStringLiteral("Check the permissions and the free space of the folder, or choose another one")};
+    return {ErrorTexts::tr("the file cannot be written (%1)").arg(reason), path, 0,
+            ErrorTexts::tr("Check the permissions and the free space of the folder, or choose another one")};
 }
 
 } // namespace
@@ -46,14 +52,14 @@ Result<Done> saveAtomically(const QString &path, QByteArrayView bytes,
 {
     const QFileInfo target(path);
     if (path.isEmpty() || target.isDir())
-        return Error{QStringLiteral("this is a folder, not a file"), path, 0,
-                     QStringLiteral("Add a file name to the path")};
+        return Error{ErrorTexts::tr("this is a folder, not a file"), path, 0,
+                     ErrorTexts::tr("Add a file name to the path")};
     if (target.exists() && !target.isFile())
-        return Error{QStringLiteral("this is not a regular file and cannot be replaced"), path, 0,
-                     QStringLiteral("Choose another file name")};
+        return Error{ErrorTexts::tr("this is not a regular file and cannot be replaced"), path, 0,
+                     ErrorTexts::tr("Choose another file name")};
     if (!target.absoluteDir().exists())
-        return Error{QStringLiteral("the folder %1 does not exist").arg(target.absolutePath()), path, 0,
-                     QStringLiteral("Create the folder or choose another one")};
+        return Error{ErrorTexts::tr("the folder %1 does not exist").arg(target.absolutePath()), path, 0,
+                     ErrorTexts::tr("Create the folder or choose another one")};
 
     QSaveFile file(path);
     errno = 0;
@@ -78,30 +84,30 @@ Result<QByteArray> loadFile(const QString &path, qint64 limit)
 {
     const QFileInfo info(path);
     if (!info.exists())
-        return Error{QStringLiteral("there is no such file"), path, 0, QStringLiteral("Check the path")};
+        return Error{ErrorTexts::tr("there is no such file"), path, 0, ErrorTexts::tr("Check the path")};
     if (info.isDir())
-        return Error{QStringLiteral("this is a folder, not a file"), path, 0,
-                     QStringLiteral("Name a file in it")};
+        return Error{ErrorTexts::tr("this is a folder, not a file"), path, 0,
+                     ErrorTexts::tr("Name a file in it")};
     if (!info.isFile())
-        return Error{QStringLiteral("this is not a regular file"), path, 0,
-                     QStringLiteral("Copy its content to a file first")};
+        return Error{ErrorTexts::tr("this is not a regular file"), path, 0,
+                     ErrorTexts::tr("Copy its content to a file first")};
     if (info.size() > limit)
-        return Error{QStringLiteral("the file has %1 bytes, the limit is %2").arg(info.size()).arg(limit),
-                     path, 0, QStringLiteral("Split the model into several files")};
+        return Error{ErrorTexts::tr("the file has %1 bytes, the limit is %2").arg(info.size()).arg(limit),
+                     path, 0, ErrorTexts::tr("Split the model into several files")};
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        return Error{QStringLiteral("the file cannot be read (%1)").arg(file.errorString()), path, 0,
-                     QStringLiteral("Check its permissions")};
+        return Error{ErrorTexts::tr("the file cannot be read (%1)").arg(file.errorString()), path, 0,
+                     ErrorTexts::tr("Check its permissions")};
     QByteArray bytes = file.readAll();
     if (file.error() != QFileDevice::NoError || bytes.size() < info.size())
-        return Error{QStringLiteral("reading the file failed (%1)").arg(file.errorString()), path, 0,
-                     QStringLiteral("Check the disk and try again")};
+        return Error{ErrorTexts::tr("reading the file failed (%1)").arg(file.errorString()), path, 0,
+                     ErrorTexts::tr("Check the disk and try again")};
     return bytes;
 }
 
 Error readingCancelled(const QString &path)
 {
-    return {QStringLiteral("reading was cancelled"), path, 0, {}};
+    return {ErrorTexts::tr("reading was cancelled"), path, 0, {}};
 }
 
 } // namespace autocuts

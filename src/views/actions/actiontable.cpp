@@ -406,7 +406,7 @@ constexpr std::array viewTable{
     ActionInfo{"view.coloring.magnitude", "View/Coloring", QT_TRANSLATE_NOOP("Actions", "Stretch &magnitude"),
                "heat-map", "", QT_TRANSLATE_NOOP("Actions", "How much the map is distorted"), 0, true,
                "coloring"},
-    ActionInfo{"view.coloring.paint", "View/Coloring", QT_TRANSLATE_NOOP("Actions", "Paint &weights"),
+    ActionInfo{"view.coloring.paint", "View/Coloring", QT_TRANSLATE_NOOP("Actions", "Painted &weights"),
                "tool-paint", "", QT_TRANSLATE_NOOP("Actions", "Where seams are welcome and where not"), 0,
                true, "coloring"},
     ActionInfo{"view.coloring.density", "View/Coloring", QT_TRANSLATE_NOOP("Actions", "Texel &density"),

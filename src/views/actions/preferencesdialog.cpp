@@ -54,6 +54,8 @@ QLabel *hint(const QString &text)
 void copyAppearance(const PreferenceValues &from, PreferenceValues &to)
 {
     to.theme = from.theme;
+    to.language = from.language;
+    to.interfacePercent = from.interfacePercent;
     to.colorBlindHeatMap = from.colorBlindHeatMap;
     to.seamColor = from.seamColor;
     to.selectionColor = from.selectionColor;
@@ -143,6 +145,11 @@ QWidget *PreferencesDialog::appearancePage()
     mTheme = new QComboBox;
     mTheme->addItem(tr("Dark"), int(Theme::Dark));
     mTheme->addItem(tr("Light"), int(Theme::Light));
+    mLanguage = new QComboBox;
+    mLanguage->addItem(tr("As the system"), int(Language::System));
+    // In their own languages, for those who cannot read the present one.
+    mLanguage->addItem(QStringLiteral("English"), int(Language::English));
+    mLanguage->addItem(QStringLiteral("Deutsch"), int(Language::German));
     mInterface =
         spinBox(PreferenceLimits::minInterfacePercent, PreferenceLimits::maxInterfacePercent, tr(" %"), 25);
     mColorBlind = new QCheckBox(tr("Heat-maps in colours that &all can tell apart"));
@@ -155,7 +162,8 @@ QWidget *PreferencesDialog::appearancePage()
     QFormLayout *form = addGroup(layout, tr("Window"));
     form->addRow(tr("&Theme:"), mTheme);
     form->addRow(tr("S&ize:"), mInterface);
-    form->addRow(hint(tr("Of texts and controls; takes effect at the next start.")));
+    form->addRow(tr("&Language:"), mLanguage);
+    form->addRow(hint(tr("Size, of texts and controls, and language take effect at the next start.")));
     form = addGroup(layout, tr("Colours of the views"));
     form->addRow(tr("&Seams:"), mSeam);
     form->addRow(tr("S&election:"), mSelection);
@@ -169,7 +177,7 @@ QWidget *PreferencesDialog::appearancePage()
 void PreferencesDialog::connectAll()
 {
     const auto changed = [this] { store(); };
-    for (QComboBox *box : {mNavigation, mTheme})
+    for (QComboBox *box : {mNavigation, mTheme, mLanguage})
         connect(box, &QComboBox::currentIndexChanged, this, changed);
     for (QSpinBox *box : {mInterface, mTextureSize, mMargin, mAutosave, mUndoMemory})
         connect(box, &QSpinBox::valueChanged, this, changed);
@@ -190,6 +198,7 @@ void PreferencesDialog::showValues(const PreferenceValues &values)
     mShowing = true;
     mNavigation->setCurrentIndex(mNavigation->findData(int(values.navigation)));
     mTheme->setCurrentIndex(mTheme->findData(int(values.theme)));
+    mLanguage->setCurrentIndex(mLanguage->findData(int(values.language)));
     mTextureSize->setValue(values.textureSize);
     mMargin->setValue(values.margin);
     mMaxDistortion->setValue(values.maxDistortion);
@@ -211,6 +220,7 @@ PreferenceValues PreferencesDialog::shown() const
     PreferenceValues values;
     values.navigation = NavigationPreset(mNavigation->currentData().toInt());
     values.theme = Theme(mTheme->currentData().toInt());
+    values.language = Language(mLanguage->currentData().toInt());
     values.textureSize = mTextureSize->value();
     values.margin = std::min(mMargin->value(), values.textureSize);
     values.maxDistortion = mMaxDistortion->value();

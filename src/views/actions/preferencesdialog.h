@@ -49,7 +49,7 @@ private:
     bool mShowing = false; //!< the widgets are being filled
     QListWidget *mPages;
     QStackedWidget *mStack;
-    QComboBox *mNavigation, *mTheme;
+    QComboBox *mNavigation, *mTheme, *mLanguage;
     QSpinBox *mInterface, *mTextureSize, *mMargin, *mAutosave, *mUndoMemory;
     QDoubleSpinBox *mMaxDistortion;
     QCheckBox *mSolveOnOpen, *mShowTextures, *mColorBlind;

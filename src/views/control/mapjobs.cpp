@@ -25,28 +25,28 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-QString translated(const char *text)
+struct JobTexts
 {
-    return QCoreApplication::translate("autocuts::MapController", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(autocuts::MapController)
+};
 
 //! The text about the current stage; empty when it is the same as the job's title.
 //! \param bound on the distortion
 QString stageText(const JobProgress &progress, double bound)
 {
     if (progress.stage == JobStage::SolvingToTheEnd)
-        return translated("solving to the end");
+        return JobTexts::tr("solving to the end");
     if (progress.stage == JobStage::Refining)
-        return translated("fitting the map to the fine mesh");
+        return JobTexts::tr("fitting the map to the fine mesh");
     if (progress.stage == JobStage::Packing)
-        return translated("packing");
+        return JobTexts::tr("packing");
     if (!(progress.seamLength > 0))
         return {};
     const QString seams = QString::number(progress.seamLength, 'f', 2);
     const QString distortion = QString::number(progress.distortion, 'f', 3);
     return progress.distortion > bound
-               ? translated("adding cuts until the stretch is allowed, D %1 so far").arg(distortion)
-               : translated("shortening seams, %1 so far, D %2").arg(seams, distortion);
+               ? JobTexts::tr("adding cuts until the stretch is allowed, D %1 so far").arg(distortion)
+               : JobTexts::tr("shortening seams, %1 so far, D %2").arg(seams, distortion);
 }
 
 JobContext contextOf(JobControl &control, double bound = std::numeric_limits<double>::infinity())
@@ -73,14 +73,15 @@ int packedCharts(const ChartMap &charts, const std::vector<bool> &movable)
 QString noRoom(const PackingSettings &packing)
 {
     return packing.keepScale
-               ? translated("The islands do not fit at their size: switch off \"Keep scale\" or use a "
-                            "smaller margin")
-               : translated("There is no room for the margins: use a smaller margin or a larger texture");
+               ? JobTexts::tr("The islands do not fit at their size: switch off \"Keep scale\" or use a "
+                              "smaller margin")
+               : JobTexts::tr("There is no room for the margins: use a smaller margin or a larger texture");
 }
 
 QString nothingFree()
 {
-    return translated("Nothing may change: all islands are locked, stacked or grouped, or outside the scope");
+    return JobTexts::tr(
+        "Nothing may change: all islands are locked, stacked or grouped, or outside the scope");
 }
 
 //! Says what the map does not obey, and what to select.
@@ -103,7 +104,7 @@ QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, 
 {
     QStringList items;
     if (!unmet.rectangles.empty()) {
-        items << translated("rectangles: %1").arg(unmet.rectangles.size());
+        items << JobTexts::tr("rectangles: %1").arg(unmet.rectangles.size());
         selection.mode = SelectionMode::Faces;
         for (const int i : unmet.rectangles) {
             for (const int corner : snapshot.steering->rectangles[i].soupCorners)
@@ -111,22 +112,23 @@ QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, 
         }
     }
     if (!unmet.missingSeams.empty()) {
-        items << translated("seams that are not given and were needed: %1").arg(unmet.missingSeams.size());
+        items << JobTexts::tr("seams that are not given and were needed: %1").arg(unmet.missingSeams.size());
         selection.mode = SelectionMode::Edges;
         selection.edges = QList<int>(unmet.missingSeams.begin(), unmet.missingSeams.end());
     }
     if (!unmet.joins.empty()) {
-        items << translated("joined edges: %1").arg(unmet.joins.size());
+        items << JobTexts::tr("joined edges: %1").arg(unmet.joins.size());
         selection.mode = SelectionMode::Edges;
         selection.edges = QList<int>(unmet.joins.begin(), unmet.joins.end());
     }
     if (!unmet.pins.empty()) {
-        items << translated("hard pins: %1").arg(unmet.pins.size());
+        items << JobTexts::tr("hard pins: %1").arg(unmet.pins.size());
         selection.mode = SelectionMode::Vertices;
         selection.corners = QList<int>(unmet.pins.begin(), unmet.pins.end());
     }
     selection.normalize(*snapshot.mesh);
-    return translated("Not obeyed, because something else contradicts it or it would turn triangles over: %1")
+    return JobTexts::tr(
+               "Not obeyed, because something else contradicts it or it would turn triangles over: %1")
         .arg(items.join(u", "_s));
 }
 
@@ -154,7 +156,7 @@ void tellNewOverlaps(const MapInput &input, const JobControl &control, MapJobRes
     result.problemItems.mode = SelectionMode::Faces;
     result.problemItems.normalize(input.mesh());
     result.problem =
-        translated("%1. Now faces overlap that did not before: %2. Pack (P), separate (O) or undo")
+        JobTexts::tr("%1. Now faces overlap that did not before: %2. Pack (P), separate (O) or undo")
             .arg(result.message)
             .arg(result.problemItems.faces.size());
 }
@@ -164,8 +166,9 @@ void sayStraight(bool stopped, const std::optional<bool> &straight, MapJobResult
 {
     if (!stopped || !straight || result.message.isEmpty())
         return;
-    result.message += *straight ? translated(". Stopped early: this map is straightened")
-                                : translated(". Stopped early: this map is not, or not wholly, straightened");
+    result.message += *straight
+                          ? JobTexts::tr(". Stopped early: this map is straightened")
+                          : JobTexts::tr(". Stopped early: this map is not, or not wholly, straightened");
 }
 
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
@@ -187,12 +190,12 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
     }
     const bool hadMap = input.snapshot.uv != nullptr;
     if (made.stopped && (made.onlyPatches || (hadMap && !made.withinBound))) {
-        result.problem = hadMap ? translated("Unwrapping was cancelled: the map stays as it was")
-                                : translated("Unwrapping was cancelled before there was a map");
+        result.problem = hadMap ? JobTexts::tr("Unwrapping was cancelled: the map stays as it was")
+                                : JobTexts::tr("Unwrapping was cancelled before there was a map");
         return result;
     }
     result.uv = made.uv;
-    result.message = translated("Unwrapped: distortion %1").arg(made.distortion, 0, 'f', 4);
+    result.message = JobTexts::tr("Unwrapped: distortion %1").arg(made.distortion, 0, 'f', 4);
     sayStraight(made.stopped, made.straight, result);
     if (!made.packed)
         result.problem = noRoom(input.packing);
@@ -200,7 +203,7 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
         showUnmet(input, made.unmet, result);
     else if (!made.withinBound)
         result.problem =
-            translated("The distortion of %1 is above the bound of %2: allow more, or remove joins")
+            JobTexts::tr("The distortion of %1 is above the bound of %2: allow more, or remove joins")
                 .arg(made.distortion, 0, 'f', 4)
                 .arg(options.maxDistortion, 0, 'f', 4);
     return result;
@@ -228,16 +231,17 @@ MapJobResult finishJob(const MapInput &input, JobControl &control)
     }
     result.uv = made.uv;
     if (made.uv.rows() == 0)
-        result.problem = translated("Finishing was cancelled: the map stays as it was");
+        result.problem = JobTexts::tr("Finishing was cancelled: the map stays as it was");
     else if (made.noRoom)
         result.problem = noRoom(input.packing);
     else if (!made.unmet.empty())
         showUnmet(input, made.unmet, result);
     else if (made.heldTogether)
-        result.problem = translated("The map still covers itself: joined edges hold it together there. Clear "
-                                    "some joins and finish again");
+        result.problem =
+            JobTexts::tr("The map still covers itself: joined edges hold it together there. Clear "
+                         "some joins and finish again");
     else
-        result.message = translated("Finished: distortion %1").arg(made.distortion, 0, 'f', 4);
+        result.message = JobTexts::tr("Finished: distortion %1").arg(made.distortion, 0, 'f', 4);
     sayStraight(control.stop(), made.straight, result);
     return result;
 }
@@ -247,10 +251,11 @@ MapJobResult priceJob(const MapInput &input, JobControl &control)
     MapJobResult result;
     result.prices = unwrap::priceSeams(input.snapshot, contextOf(control));
     if (!result.prices->hasMap)
-        result.problem = translated("Seams have no price on a map with turned-over triangles or open joins: "
-                                    "unwrap or finish it first");
+        result.problem =
+            JobTexts::tr("Seams have no price on a map with turned-over triangles or open joins: "
+                         "unwrap or finish it first");
     else
-        result.message = translated("Seams priced: %1").arg(result.prices->seams.size());
+        result.message = JobTexts::tr("Seams priced: %1").arg(result.prices->seams.size());
     return result;
 }
 
@@ -311,7 +316,7 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
         pack.movable[face] = true;
     MapJobResult result;
     if (std::find(pack.movable.begin(), pack.movable.end(), true) == pack.movable.end()) {
-        result.problem = translated("Select the islands to pack first");
+        result.problem = JobTexts::tr("Select the islands to pack first");
         return result;
     }
     if (target.density > 0 || target.fillTiles)
@@ -321,19 +326,19 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
     if (!target.groups.empty()) {
         pack.tiles = tilesOfGroups(target.groups, charts, input.packing.udimTile);
         if (pack.tiles.empty()) {
-            result.problem = translated("There are more of them than UDIM tiles");
+            result.problem = JobTexts::tr("There are more of them than UDIM tiles");
             return result;
         }
     }
     UvMatrix uv = input.uv;
     if (unwrap::packCharts(mesh, charts, pack, uv, contextOf(control))) {
         result.uv = std::move(uv);
-        result.message = translated("Islands packed: %1").arg(packedCharts(charts, pack.movable));
+        result.message = JobTexts::tr("Islands packed: %1").arg(packedCharts(charts, pack.movable));
     } else {
-        result.problem = control.stop() ? translated("Packing was cancelled: the map stays as it was")
+        result.problem = control.stop() ? JobTexts::tr("Packing was cancelled: the map stays as it was")
                          : target.box
-                             ? translated("There is no room in the rectangle: draw a larger one or use "
-                                          "a smaller margin")
+                             ? JobTexts::tr("There is no room in the rectangle: draw a larger one or use "
+                                            "a smaller margin")
                              : noRoom(input.packing);
     }
     return result;
@@ -349,17 +354,17 @@ MapJobResult separated(const MapInput &input, const unwrap::SeparateResult &made
     switch (made.outcome) {
     case Outcome::Done:
         result.uv = made.uv;
-        result.message = translated("Separated, edges cut: %1").arg(made.newSeams);
+        result.message = JobTexts::tr("Separated, edges cut: %1").arg(made.newSeams);
         if (made.unresolvedPairs > 0)
             result.problem =
-                translated("Overlaps inside single polygons or across joined edges, which stay whole: %1")
+                JobTexts::tr("Overlaps inside single polygons or across joined edges, which stay whole: %1")
                     .arg(made.unresolvedPairs);
         break;
     case Outcome::NoOverlaps:
-        result.message = translated("There are no overlaps: the map stays as it is");
+        result.message = JobTexts::tr("There are no overlaps: the map stays as it is");
         break;
     case Outcome::Stopped:
-        result.problem = translated("Separating was cancelled: the map stays as it was");
+        result.problem = JobTexts::tr("Separating was cancelled: the map stays as it was");
         break;
     case Outcome::NoRoom:
         result.problem = noRoom(input.packing);
@@ -403,7 +408,7 @@ MapJobResult equalizeJob(const MapInput &input, JobControl &control)
     result.edit = UvEdit::Scale;
     result.uv = input.uv;
     packing::equalizeTexelDensity(mesh, charts, result.uv, locked);
-    result.message = translated("All islands have the same texel density");
+    result.message = JobTexts::tr("All islands have the same texel density");
     tellNewOverlaps(input, control, result);
     return result;
 }

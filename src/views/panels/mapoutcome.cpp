@@ -13,10 +13,10 @@ constexpr double fewestGutterTexels = 1;
 //! How far a map may reach below 0 and still count as inside of the tiles.
 constexpr double tolerance = 1e-6;
 
-QString translated(const char *text)
+struct OutcomeTexts
 {
-    return QCoreApplication::translate("MapOutcome", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(MapOutcome)
+};
 
 } // namespace
 
@@ -24,12 +24,12 @@ MapOutcome outcomeOf(const MapFigures &figures, double bound)
 {
     const metrics::UvMetrics &m = figures.metrics;
     if (m.charts == 0)
-        return {translated("No map yet"), "uv.unwrap"};
+        return {OutcomeTexts::tr("No map yet"), "uv.unwrap"};
     const QString what =
-        translated("D %1, seams %2, islands: %3")
+        OutcomeTexts::tr("D %1, seams %2, islands: %3")
             .arg(fixedText(m.symDirichlet, 3), fixedText(m.seamNorm, 2), countText(m.charts));
     const auto outcome = [&](const char *verdict, const char *next) {
-        return MapOutcome{what + QStringLiteral(". ") + translated(verdict), next};
+        return MapOutcome{what + QStringLiteral(". ") + OutcomeTexts::tr(verdict), next};
     };
     if (m.flipped > 0)
         return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Triangles are flipped."), "uv.unwrap");

@@ -12,6 +12,7 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace autocuts {
@@ -45,6 +46,7 @@ Panel::Panel(const StudioContext &context, const QString &emptyText, QWidget *pa
     mScrollArea->setWidgetResizable(true);
     mScrollArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     mScrollArea->setWidget(mContent);
+    mContent->installEventFilter(this);
     new InputGuard(mContent);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -105,10 +107,23 @@ void Panel::showEvent(QShowEvent *event)
 {
     if (mStale)
         refreshNow();
-    // Only now are the rows measured with the right font. The scroll bar must not cover their ends.
-    mScrollArea->setMinimumWidth(mContent->minimumSizeHint().width() +
-                                 mScrollArea->verticalScrollBar()->sizeHint().width());
+    // Only now are the rows measured with the right font.
+    mScrollArea->setMinimumWidth(neededWidth());
     QWidget::showEvent(event);
+}
+
+bool Panel::eventFilter(QObject *watched, QEvent *event)
+{
+    // Longer numbers, in rows inside rows, ask for more width only later.
+    if (watched == mContent && event->type() == QEvent::LayoutRequest && isVisible())
+        mScrollArea->setMinimumWidth(std::max(mScrollArea->minimumWidth(), neededWidth()));
+    return QWidget::eventFilter(watched, event);
+}
+
+//! The scroll bar must not cover the ends of the rows.
+int Panel::neededWidth() const
+{
+    return mContent->minimumSizeHint().width() + mScrollArea->verticalScrollBar()->sizeHint().width();
 }
 
 void Panel::showWhetherEmpty()

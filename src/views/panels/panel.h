@@ -67,8 +67,10 @@ protected:
     void explain(QWidget *widget, const QString &tip, std::initializer_list<const char *> actionIds);
 
     void showEvent(QShowEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    int neededWidth() const;
     void showWhetherEmpty();
     void refreshNow();
     void pushSettings(const SolveSettings &solve, const PackingSettings &packing, quint64 gesture);

@@ -31,10 +31,10 @@ struct Word
     const char *text;
     double bound;
 };
-constexpr std::array words{Word{QT_TRANSLATE_NOOP("StretchControl", "very low"), 4.015},
-                           Word{QT_TRANSLATE_NOOP("StretchControl", "low"), 4.04},
-                           Word{QT_TRANSLATE_NOOP("StretchControl", "medium"), 4.1},
-                           Word{QT_TRANSLATE_NOOP("StretchControl", "high"), 4.3}};
+constexpr std::array words{Word{QT_TRANSLATE_NOOP("autocuts::StretchControl", "very low"), 4.015},
+                           Word{QT_TRANSLATE_NOOP("autocuts::StretchControl", "low"), 4.04},
+                           Word{QT_TRANSLATE_NOOP("autocuts::StretchControl", "medium"), 4.1},
+                           Word{QT_TRANSLATE_NOOP("autocuts::StretchControl", "high"), 4.3}};
 
 double boundAt(double fraction)
 {

@@ -17,6 +17,7 @@ namespace {
 const QString navigationKey = QStringLiteral("values/navigation");
 const QString themeKey = QStringLiteral("values/theme");
 const QString colorBlindKey = QStringLiteral("values/colorBlindHeatMap");
+const QString languageKey = QStringLiteral("values/language");
 const QString interfaceKey = QStringLiteral("values/interfacePercent");
 const QString seamColorKey = QStringLiteral("values/seamColor");
 const QString selectionColorKey = QStringLiteral("values/selectionColor");
@@ -62,6 +63,30 @@ int readInterfacePercent(const QSettings &settings)
                    PreferenceLimits::minInterfacePercent, PreferenceLimits::maxInterfacePercent);
 }
 
+//! How the languages are called in the file.
+QString nameOf(Language language)
+{
+    switch (language) {
+    case Language::English:
+        return QStringLiteral("en");
+    case Language::German:
+        return QStringLiteral("de");
+    case Language::System:
+        break;
+    }
+    return QStringLiteral("system");
+}
+
+Language readLanguage(const QSettings &settings)
+{
+    const QString name = settings.value(languageKey).toString();
+    for (const Language language : {Language::English, Language::German}) {
+        if (name == nameOf(language))
+            return language;
+    }
+    return Language::System;
+}
+
 //! Values are checked, because users or other versions may have written the file.
 PreferenceValues readValues(const QSettings &settings)
 {
@@ -72,6 +97,7 @@ PreferenceValues readValues(const QSettings &settings)
     if (settings.value(themeKey).toString() == QStringLiteral("light"))
         v.theme = Theme::Light;
     v.colorBlindHeatMap = settings.value(colorBlindKey, v.colorBlindHeatMap).toBool();
+    v.language = readLanguage(settings);
     v.interfacePercent = readInterfacePercent(settings);
     v.seamColor = readColor(settings, seamColorKey, v.seamColor);
     v.selectionColor = readColor(settings, selectionColorKey, v.selectionColor);
@@ -96,6 +122,7 @@ void writeValues(QSettings &settings, const PreferenceValues &v)
                                                                             : QStringLiteral("blender"));
     settings.setValue(themeKey, v.theme == Theme::Light ? QStringLiteral("light") : QStringLiteral("dark"));
     settings.setValue(colorBlindKey, v.colorBlindHeatMap);
+    settings.setValue(languageKey, nameOf(v.language));
     settings.setValue(interfaceKey, v.interfacePercent);
     settings.setValue(seamColorKey, v.seamColor.name());
     settings.setValue(selectionColorKey, v.selectionColor.name());
@@ -115,6 +142,11 @@ void writeValues(QSettings &settings, const PreferenceValues &v)
 int Preferences::interfacePercent(const QString &file)
 {
     return readInterfacePercent(QSettings(file, QSettings::IniFormat));
+}
+
+Language Preferences::language(const QString &file)
+{
+    return readLanguage(QSettings(file, QSettings::IniFormat));
 }
 
 Preferences::Preferences(const QString &file, QObject *parent)

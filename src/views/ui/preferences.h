@@ -13,13 +13,15 @@ namespace autocuts {
 
 enum class NavigationPreset { Blender, Maya };
 enum class Theme { Dark, Light };
+enum class Language { System, English, German };
 
 //! The values of the preferences dialog.
 struct PreferenceValues
 {
     NavigationPreset navigation = NavigationPreset::Blender;
     Theme theme = Theme::Dark;
-    int interfacePercent = 100;     //!< size of the interface; takes effect at the next start
+    Language language = Language::System; //!< of all texts; takes effect at the next start
+    int interfacePercent = 100;           //!< size of the interface; takes effect at the next start
     bool colorBlindHeatMap = false; //!< use colours in heat-maps that colour-blind people can distinguish
     QColor seamColor = QColor(0xDB2512);
     QColor selectionColor = QColor(0xFF9A1F);
@@ -61,6 +63,8 @@ public:
 
     //! PreferenceValues::interfacePercent as in a file; may be called before there is an application.
     static int interfacePercent(const QString &file);
+    //! PreferenceValues::language as in a file, to be known before anything is shown.
+    static Language language(const QString &file);
 
     const PreferenceValues &values() const { return mValues; }
     void setValues(const PreferenceValues &values);

@@ -4,6 +4,8 @@
 #include "model/io/collada/colladamesh.h"
 #include "model/io/savefile.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -165,12 +167,14 @@ QStringList colladaLosses(const ColladaSource &source, const Scene &scene)
         return seen.insert({place.geometry, place.primitive}).second;
     };
     if (!std::all_of(source.places.begin(), source.places.end(), isNew))
-        losses << QStringLiteral("meshes that several nodes share get the UVs of the first node");
+        losses << QCoreApplication::translate(
+            "ExportLosses", "meshes that several nodes share get the UVs of the first node");
     if (scene.uvSets.size() < source.uvSets.size())
-        losses << QStringLiteral(
+        losses << QCoreApplication::translate(
+            "ExportLosses",
             "UV sets that were removed stay in the file: its materials name UV sets by their numbers");
     if (scene.uvSets.size() > maxAssimpUvSets)
-        losses << QStringLiteral("UV sets after the eighth are lost");
+        losses << QCoreApplication::translate("ExportLosses", "UV sets after the eighth are lost");
     return losses;
 }
 

@@ -3,6 +3,7 @@
 #include "model/io/gltf/gltfrewriter.h"
 #include "model/io/savefile.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QUrl>
@@ -196,19 +197,23 @@ QStringList gltfLosses(const GltfSource &source, const Scene &scene)
 {
     QStringList losses;
     if (source.contents.instances)
-        losses << QStringLiteral("meshes that several nodes share get the UVs of the first node");
+        losses << QCoreApplication::translate(
+            "ExportLosses", "meshes that several nodes share get the UVs of the first node");
     if (source.contents.tangents)
-        losses << QStringLiteral("tangents of changed UVs are left out: programs compute them from the UVs");
+        losses << QCoreApplication::translate(
+            "ExportLosses", "tangents of changed UVs are left out: programs compute them from the UVs");
     if (source.contents.compressed)
-        losses << QStringLiteral("changed meshes are written without compression");
+        losses << QCoreApplication::translate("ExportLosses",
+                                              "changed meshes are written without compression");
     const std::map<int, const UvMatrix *> written = texcoordsToWrite(source, scene);
     if (written.size() < scene.uvSets.size())
-        losses << QStringLiteral("UV sets after the eighth are lost");
+        losses << QCoreApplication::translate("ExportLosses", "UV sets after the eighth are lost");
     if (std::any_of(source.texcoords.begin(), source.texcoords.end(),
                     [&](int set) { return !written.contains(set); }))
-        losses << QStringLiteral(
+        losses << QCoreApplication::translate(
+            "ExportLosses",
             "UV sets that were removed stay in the file: its materials name UV sets by their numbers");
-    losses << QStringLiteral("changed UVs are rounded to single precision");
+    losses << QCoreApplication::translate("ExportLosses", "changed UVs are rounded to single precision");
     return losses;
 }
 
