@@ -131,6 +131,7 @@ private Q_SLOTS:
         const UvMatrix before = desk.document()->uv();
         // Escape ends a job, and leaves the map.
         desk.context.map.packAtDensity(900);
+        QTRY_VERIFY(desk.context.map.jobs().isBusy());
         desk.context.map.cancel();
         QVERIFY(desk.jobsRest());
         QVERIFY(desk.document()->uv() == before);

@@ -170,7 +170,7 @@ Result<Done> writeLayout(const CliOptions &cli, const Scene &scene, const std::v
     options.overlapping = hatched;
     for (const LayoutPicture &picture :
          layoutPictures(cli.layout, mesh, uv, packing.tileHeight(), packing.udimTile, cli.per.has_value())) {
-        if (const Result<Done> drawn = writeLayoutPicture(picture, mesh, uv, options); !drawn)
+        if (Result<Done> drawn = writeLayoutPicture(picture, mesh, uv, options); !drawn)
             return drawn;
     }
     return Done{};

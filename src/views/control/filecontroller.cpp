@@ -318,7 +318,7 @@ void FileController::exportLayout(const std::vector<LayoutPicture> &pictures, co
             for (const LayoutPicture &picture : pictures) {
                 if (job.stop())
                     break;
-                if (const Result<Done> drawn = writeLayoutPicture(picture, *mesh, uv, options); !drawn)
+                if (Result<Done> drawn = writeLayoutPicture(picture, *mesh, uv, options); !drawn)
                     return drawn;
             }
             return Done{};
