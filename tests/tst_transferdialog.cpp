@@ -93,12 +93,14 @@ struct TransferSession : StudioSession
     void transfer(const std::function<int(const DialogUser &)> &user)
     {
         answers->onDialog = [&](QDialog &dialog) {
-            dialog.show();
+            dialog.open();
             [[maybe_unused]] const bool seen = QTest::qWaitForWindowExposed(&dialog);
+            QApplication::setActiveWindow(&dialog);
             return user({dialog});
         };
         action("uv.transfer")->trigger();
         answers->onDialog = nullptr;
+        QApplication::setActiveWindow(&window);
     }
     void transferFrom(const QString &path)
     {
