@@ -409,13 +409,17 @@ void TestUvTransfer::modelsElsewhereAreAnError()
 void TestUvTransfer::objectsGiveToObjects()
 {
     const MappedModel model = objects(
-        {test::mapped(test::box(4), test::boxMap()), withoutUvs(test::box(4)), withoutUvs(test::box(7))}, 10);
+        {test::mapped(test::box(4), test::boxMap()), withoutUvs(test::box(4)), withoutUvs(test::box(7)),
+         withoutUvs(test::box(3, Vec3(1, 4, 1)))}, // of another shape: it stays as it is
+        10);
     const Result<TransferredUvs> made = runTransfer(objectJob(model, 0), {});
     QVERIFY(made.ok());
     const int corners = 4 * 96;
     QVERIFY(sameBits(made->uv.topRows(corners), model.uv.topRows(corners)));
     QVERIFY(sameBits(made->uv.middleRows(corners, corners), model.uv.topRows(corners)));
-    QVERIFY(errorOf(made->uv.bottomRows(4 * 294), test::box(7), test::boxMap()) < 1e-12);
+    QVERIFY(errorOf(made->uv.middleRows(2 * corners, 4 * 294), test::box(7), test::boxMap()) < 1e-12);
+    QVERIFY(sameBits(made->uv.bottomRows(4 * 54), model.uv.bottomRows(4 * 54)));
+    QCOMPARE(made->unmatched.size(), 54);
     QCOMPARE(made->figures.copied, 96);
     QCOMPARE(made->figures.placed, 294);
     QVERIFY(made->figures.moved);

@@ -1,6 +1,7 @@
 #include "model/document/transferjob.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace autocuts {
@@ -9,9 +10,6 @@ using namespace Qt::Literals::StringLiterals;
 using transfer::UvTransfer;
 
 namespace {
-
-//! Surfaces farther apart than this share of the source's size are worth a warning. Chosen by hand.
-constexpr double farShare = 0.01;
 
 //! A mesh, or a part of it, with its map.
 struct Piece
@@ -169,6 +167,7 @@ Result<TransferredUvs> runTransfer(const TransferJob &input, const transfer::Tra
     if (objects.empty())
         return Error{u"no face is to get UVs"_s, input.sourceName, 0,
                      u"Choose another part of the model, or unlock its islands"_s};
+    std::optional<Error> problem; // of an object that was not matched
     for (std::size_t i = 0; i < objects.size(); ++i) {
         std::vector<bool> faces = wantedFaces(input);
         if (objects[i] >= 0)
@@ -181,11 +180,13 @@ Result<TransferredUvs> runTransfer(const TransferJob &input, const transfer::Tra
             result.stopped = true;
             return result;
         }
-        if (made.status != UvTransfer::Status::Done)
-            return errorOf(made.status, input, *source.mesh, *piece.mesh);
+        if (made.status != UvTransfer::Status::Done && !problem)
+            problem = errorOf(made.status, input, *source.mesh, *piece.mesh);
         findUnmatched(*input.mesh, piece, made, result);
         result.figures.add(made.figures);
     }
+    if (problem && result.figures.copied + result.figures.placed == 0)
+        return *problem;
     std::sort(result.unmatched.begin(), result.unmatched.end());
     return result;
 }
@@ -215,7 +216,7 @@ QStringList TransferredUvs::warnings() const
                    .arg(figures.faces);
     if (figures.moved)
         lines << u"the source lies elsewhere: it was moved onto the model to match it"_s;
-    if (figures.meanShare > farShare)
+    if (figures.meanShare > transfer::farShare)
         lines << u"the surfaces are %1 % of the model's size apart: are both in the same place and pose?"_s
                      .arg(100 * figures.meanShare, 0, 'f', 1);
     if (figures.turnedOver > 0)

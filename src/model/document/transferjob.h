@@ -40,7 +40,8 @@ struct TransferredUvs
 };
 
 //! From an object, every object that has some of the faces gets its UVs by itself, and the object is moved
-//! onto it where they lie apart; if it has some of the faces too, these stay as they are. Anything else is
+//! onto it where they lie apart; if it has some of the faces too, these stay as they are, and so do
+//! objects of another shape. Anything else is
 //! matched as a whole, where it lies.
 Result<TransferredUvs> runTransfer(const TransferJob &input, const transfer::TransferControl &control);
 

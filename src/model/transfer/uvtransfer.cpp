@@ -46,7 +46,7 @@ void placeRest(const UvTransferInput &input, const std::vector<bool> &wanted, co
         Frame moved = frame;
         moved.origin = frameOf(input.mesh).origin;
         PositionUvs other = takeByPosition(surface, input.mesh, moved, result.uv, wanted, control);
-        if (other.stopped || !isApart(result, other)) {
+        if (other.stopped || (!isApart(result, other) && other.meanOfAll <= farShare)) {
             found = std::move(other);
             result.figures.moved = true;
         }
@@ -55,6 +55,8 @@ void placeRest(const UvTransferInput &input, const std::vector<bool> &wanted, co
     figures.meanShare = found.meanOfAll;
     if (found.stopped || isApart(result, found)) {
         result.status = found.stopped ? UvTransfer::Status::Stopped : UvTransfer::Status::Apart;
+        result.uv = emptyLayout(input.mesh);
+        figures.copied = 0;
         return;
     }
     result.uv = std::move(found.uv);
@@ -100,9 +102,11 @@ UvTransfer transferUvs(const UvTransferInput &input, const TransferControl &cont
                                                              : matchFaces(input.source, input.mesh);
     const std::vector<bool> wanted = copyEqual(input, match, result);
     const bool rest = std::find(wanted.begin(), wanted.end(), true) != wanted.end();
-    if (rest && input.match == UvMatch::Topology)
+    if (rest && input.match == UvMatch::Topology) {
+        result.uv = emptyLayout(input.mesh);
+        result.figures.copied = 0;
         result.status = UvTransfer::Status::OtherPolygons;
-    else if (control.isStopped())
+    } else if (control.isStopped())
         result.status = UvTransfer::Status::Stopped;
     else if (rest)
         placeRest(input, wanted, control, result);

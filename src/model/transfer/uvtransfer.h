@@ -12,6 +12,10 @@ enum class UvMatch {
     Position  //!< faces at the same positions, and for all others the nearest points
 };
 
+//! Surfaces that are on average farther apart than this share of the source's size hardly have the same
+//! shape. Chosen by hand.
+inline constexpr double farShare = 0.01;
+
 //! What was matched, and how well.
 struct TransferFigures
 {
