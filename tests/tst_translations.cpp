@@ -5,22 +5,24 @@
 #include "views/actions/actiontable.h"
 #include "views/actions/menubuilder.h"
 #include "views/actions/preferencesdialog.h"
-#include "views/dialogs/exportlayoutdialog.h"
-#include "views/dialogs/exportmeshdialog.h"
 #include "views/ui/language.h"
 
 #include <QAbstractButton>
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QProcess>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <QXmlStreamReader>
+
+#include <map>
+#include <set>
 
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
@@ -333,15 +335,36 @@ private Q_SLOTS:
         StudioSession studio;
         studio.action("file.sample.bumpycube")->trigger();
         QVERIFY(studio.jobsRest());
-        PreferencesDialog preferences(studio.preferences, studio.context.actions, &studio.window);
-        preferences.show();
-        for (const auto page : {PreferencesDialog::Page::General, PreferencesDialog::Page::Appearance,
-                                PreferencesDialog::Page::Shortcuts}) {
-            preferences.showPage(page);
-            QCoreApplication::processEvents();
-            QCOMPARE(cutTexts(preferences), QStringList());
-            QCOMPARE(doubleMnemonics(shownTexts(preferences)), QStringList());
+        studio.context.map.unwrap(unwrap::UnwrapQuality::Draft);
+        QVERIFY(studio.jobsRest());
+        QStringList faults;
+        const auto examine = [&faults](const QDialog &dialog) {
+            QTest::qWait(50);
+            faults << cutTexts(dialog) << doubleMnemonics(shownTexts(dialog));
+        };
+        int shown = 0;
+        studio.answers->onDialog = [&](QDialog &dialog) {
+            ++shown;
+            dialog.show();
+            examine(dialog);
+            if (auto *const preferences = qobject_cast<PreferencesDialog *>(&dialog)) {
+                preferences->showPage(PreferencesDialog::Page::Appearance);
+                examine(dialog);
+                preferences->showPage(PreferencesDialog::Page::Shortcuts);
+                examine(dialog);
+            }
+            return int(QDialog::Rejected);
+        };
+        const char *const ids[] = {"edit.preferences", "file.exportMesh", "file.exportLayout",
+                                   "view.preview",     "uv.texelWeight",  "uv.scatter",
+                                   "uv.densitySet",    "select.sharp",    "select.small",
+                                   "help.about",       "help.shortcuts",  "help.findAction"};
+        for (const char *id : ids) {
+            studio.action("select.all")->trigger();
+            studio.action(id)->trigger();
+            QVERIFY2(faults.isEmpty(), qPrintable(QLatin1StringView(id) + u": "_s + faults.join(u'\n')));
         }
+        QCOMPARE(shown, int(std::size(ids)));
     }
 
 private:

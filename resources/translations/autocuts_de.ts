@@ -5880,7 +5880,7 @@
     </message>
     <message>
         <source>&amp;Select</source>
-        <translation>Aus&amp;wählen</translation>
+        <translation>Auswä&amp;hlen</translation>
     </message>
     <message>
         <source>Small islands</source>
@@ -5912,7 +5912,7 @@
     </message>
     <message>
         <source>&amp;Off by more than:</source>
-        <translation>Abweichung &amp;über:</translation>
+        <translation>Abweichung ü&amp;ber:</translation>
     </message>
     <message>
         <source> %</source>
