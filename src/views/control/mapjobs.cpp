@@ -279,14 +279,14 @@ MapJobResult distribute(const MapInput &input, const ChartMap &charts, const unw
     case Outcome::Done:
         break;
     case Outcome::Stopped:
-        result.problem = translated("Packing was cancelled: the map stays as it was");
+        result.problem = JobTexts::tr("Packing was cancelled: the map stays as it was");
         return result;
     case Outcome::NoRoom:
         result.problem = noRoom(input.packing);
         return result;
     case Outcome::TooMany:
-        result.problem = translated("The islands need more UDIM tiles than there are: choose a lower "
-                                    "density or a larger texture");
+        result.problem = JobTexts::tr("The islands need more UDIM tiles than there are: choose a lower "
+                                      "density or a larger texture");
         return result;
     }
     QStringList numbers;
@@ -294,11 +294,11 @@ MapJobResult distribute(const MapInput &input, const ChartMap &charts, const unw
         numbers << QString::number(tile);
     result.uv = std::move(packed.uv);
     result.message =
-        translated("Islands packed: %1, into the tiles %2").arg(packed.packed).arg(numbers.join(u", "_s));
+        JobTexts::tr("Islands packed: %1, into the tiles %2").arg(packed.packed).arg(numbers.join(u", "_s));
     if (packed.tooLarge > 0)
         result.problem =
-            translated("%1. Larger than a tile at this density: %2; each has a tile of its own, in "
-                       "which it is smaller")
+            JobTexts::tr("%1. Larger than a tile at this density: %2; each has a tile of its own, in "
+                         "which it is smaller")
                 .arg(result.message)
                 .arg(packed.tooLarge);
     return result;
