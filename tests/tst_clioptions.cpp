@@ -169,6 +169,8 @@ private Q_SLOTS:
                                  "--pack-time 1 --time-limit 3 "
                                  "--threads 2 --seed 3 --layout a.png --report b.json --quiet",
                                  "separate a -o b --margin 4 --quiet --report b.json",
+                                 "transfer a -o b --from c --match position --report b.json",
+                                 "transfer a -o b --from-object arm --objects leg --uv-set 2",
                                  "check a",
                                  "check a --json --texture-size 4096",
                                  "convert a -o b",
@@ -202,7 +204,8 @@ private Q_SLOTS:
             if (makesMap(options))
                 making << command.name;
         }
-        QCOMPARE(making, (QStringList{u"unwrap"_s, u"pack"_s, u"separate"_s, u"lightmap"_s, u"finish"_s}));
+        QCOMPARE(making, (QStringList{u"unwrap"_s, u"pack"_s, u"separate"_s, u"lightmap"_s, u"finish"_s,
+                                      u"transfer"_s}));
         QVERIFY(!makesMap({}));
     }
 
@@ -221,14 +224,23 @@ private Q_SLOTS:
         QTest::newRow("unwrap")
             << u"unwrap"_s
             << common +
-                   words(u"--max-distortion --seams --seams-from --lambda --init --weights --energy --solver "
-                         "--quality --creases --crease-strength --visibility "
-                         "--symmetry --align --mirror --world-up --allow-overlaps --no-pack --per"_s);
-        QTest::newRow("pack") << u"pack"_s << common + words(u"--into --keep-scale --per"_s);
-        QTest::newRow("separate") << u"separate"_s << common + words(u"--separate-by"_s);
+                   words(
+                       u"--max-distortion --seams --seams-from --lambda --init --weights --energy --solver "
+                       "--quality --creases --crease-strength --visibility "
+                       "--symmetry --align --mirror --world-up --allow-overlaps --no-pack --per --density"_s);
+        QTest::newRow("pack") << u"pack"_s
+                              << common + words(u"--into --keep-scale --per --density --fill-tiles"_s);
+        QTest::newRow("separate") << u"separate"_s << common + words(u"--separate-by --per --density"_s);
         QTest::newRow("lightmap") << u"lightmap"_s << lightmap;
-        QTest::newRow("finish") << u"finish"_s << common + words(u"--max-distortion --seams --seams-from"_s);
-        QTest::newRow("check") << u"check"_s << words(u"--texture-size --json --uv-set"_s);
+        QTest::newRow("finish") << u"finish"_s
+                                << common + words(u"--max-distortion --seams --seams-from --per --density"_s);
+        QTest::newRow("transfer")
+            << u"transfer"_s
+            << words(u"-o --from --from-uv-set --from-object --match --texture-size --only --objects "
+                     u"--materials "
+                     "--border --uv-set --new-uv-set --layout --report --threads --time-limit --seed"_s);
+        QTest::newRow("check") << u"check"_s
+                               << words(u"--texture-size --json --uv-set --only --objects --materials"_s);
         QTest::newRow("convert") << u"convert"_s << QStringList{u"-o"_s, u"--uv-set"_s};
         for (const QString &name : {u"replay"_s, u"sample"_s})
             QTest::newRow(qPrintable(name)) << name << QStringList{u"-o"_s};
@@ -271,9 +283,10 @@ private Q_SLOTS:
             QCOMPARE(given.unwrap.packing.udimTile, standard.unwrap.packing.udimTile);
             QCOMPARE(given.separation, standard.separation);
             QCOMPARE(given.borderAttached, standard.borderAttached);
+            QCOMPARE(given.match, standard.match);
             ++checked;
         }
-        QCOMPARE(checked, 21);
+        QCOMPARE(checked, 22);
     }
 
     void helpSaysAllInItsWidth()
@@ -290,7 +303,8 @@ private Q_SLOTS:
             QVERIFY2(line.size() <= 110 && !line.endsWith(u' '), qPrintable(line));
         // Options of one heading stand together.
         for (const QString &heading :
-             {u"unwrap"_s, u"unwrap, finish"_s, u"unwrap, pack, separate, finish"_s, u"pack"_s})
+             {u"unwrap"_s, u"unwrap, finish"_s, u"unwrap, pack, separate, finish, transfer"_s, u"pack"_s,
+              u"transfer"_s})
             QCOMPARE(help.count(u'\n' + heading + u":\n"_s), 1);
     }
 
@@ -344,7 +358,11 @@ private Q_SLOTS:
         row("unwrap a -o b --objects ,", "--objects takes NAME,..");
         row("pack a -o b --per object --into 0,0,1,1", "--per packs into tiles");
         row("unwrap a -o b --per object --no-pack", "--per packs into tiles");
-        row("finish a -o b --per object", "--per does not belong to this command");
+        row("pack a -o b --density 5 --per object", "--density excludes");
+        row("pack a -o b --density 5 --keep-scale", "--density excludes");
+        row("pack a -o b --density 0", "--density takes a number");
+        row("pack a -o b --fill-tiles --into 0,0,1,1", "--fill-tiles excludes");
+        row("lightmap a -o b --per object", "--per does not belong to this command");
         row("unwrap a -o b --layout l.jpg", "--layout takes a .png or .svg file");
         row("unwrap a -o b --threads 0", "--threads takes a whole number from 1");
         row("unwrap a -o b --time-limit 0", "--time-limit takes a number");
@@ -364,11 +382,15 @@ private Q_SLOTS:
         row("pack a -o b --border free", "--border says how --only ends");
         row("pack a -o b --only islands:1 --border cut", "--border takes attached or free");
         row("pack a -o b --seams keep", "--seams does not belong to this command");
-        row("check a --only islands:1", "--only does not belong to this command");
+        row("check a --border free", "--border does not belong to this command");
         row("unwrap a -o b --keep-scale", "--keep-scale does not belong to this command");
         row("pack a -o b --no-pack", "--no-pack does not belong to this command");
         row("pack a -o b --init uv", "--init does not belong to this command");
         row("convert a -o b --margin 3", "--margin does not belong to this command");
+        row("transfer a -o b", "transfer needs --from");
+        row("transfer a -o b --from c --match nearest", "--match takes auto or topology or position");
+        row("transfer a -o b --from c --margin 3", "--margin does not belong to this command");
+        row("unwrap a -o b --from c", "--from does not belong to this command");
         row("check a -o b", "-o does not belong to this command");
         row("check", "no input");
         row("sample -o b", "no sample named");

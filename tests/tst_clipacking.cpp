@@ -3,9 +3,13 @@
 #include "commands/editrectangles.h"
 #include "commands/setislandflags.h"
 #include "model/io/projectfile.h"
+#include "model/plain/udimtiles.h"
 #include "support/cliruns.h"
 #include "support/pieces.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -45,7 +49,7 @@ private Q_SLOTS:
 
     void sidesGiveARectangle()
     {
-        const auto packed = pack({u"--into=0.5,0.5,0.75,1"_s});
+        const auto packed = this->packed({u"--into=0.5,0.5,0.75,1"_s});
         QVERIFY2(packed, qPrintable(mRun.err));
         for (int part = 0; part < 4; ++part)
             QVERIFY(Eigen::AlignedBox2d(Vec2(0.5, 0.5), Vec2(0.75, 1)).contains(packed->islands().box(part)));
@@ -54,19 +58,19 @@ private Q_SLOTS:
     void theBorderIsKept()
     {
         constexpr double border = 400.0 / 2048;
-        const auto packed = pack({u"--tile-border=400"_s});
+        const auto packed = this->packed({u"--tile-border=400"_s});
         QVERIFY2(packed, qPrintable(mRun.err));
         const Eigen::AlignedBox2d inside(Vec2::Constant(border - 1e-9), Vec2::Constant(1 - border + 1e-9));
         // The others have a rectangle.
         QVERIFY(inside.contains(packed->islands().box(1)) && inside.contains(packed->islands().box(2)));
-        const auto usual = pack({});
+        const auto usual = this->packed({});
         QVERIFY2(usual, qPrintable(mRun.err));
         QVERIFY(!inside.contains(usual->islands().box(1)) || !inside.contains(usual->islands().box(2)));
     }
 
     void namesGiveARectangleWithItsIslands()
     {
-        const auto packed = pack({u"--into=two hands"_s});
+        const auto packed = this->packed({u"--into=two hands"_s});
         QVERIFY2(packed, qPrintable(mRun.err));
         const Eigen::AlignedBox2d box(Vec2(1.1, 0.1), Vec2(1.6, 0.9));
         for (int part = 0; part < 4; ++part)
@@ -79,12 +83,82 @@ private Q_SLOTS:
 
     void tilesAreThoseOfTheOptionOrTheSession()
     {
-        auto packed = pack({u"--tile=1002"_s});
+        auto packed = this->packed({u"--tile=1002"_s});
         QVERIFY(packed && packed->islands().box(0).min().x() > 1);
         QCOMPARE(packed->packingSettings().udimTile, 1002);
         mDocument = std::move(packed);
-        packed = pack({});
+        packed = this->packed({});
         QVERIFY(packed && packed->islands().box(0).min().x() > 1);
+    }
+
+    void picturesAndFiguresAreThoseOfTheTilesInUse()
+    {
+        const QTemporaryDir folder;
+        const auto at = [&folder](const char *name) { return folder.filePath(QLatin1String(name)); };
+        const auto packed = this->packed({u"--tile=1012"_s, u"--layout"_s, at("one.svg"), u"--report"_s,
+                                          at("one.json"), u"--only=islands:2,3"_s});
+        QVERIFY2(packed, qPrintable(mRun.err));
+        QVERIFY(test::readBytes(at("one.svg")).contains("<path fill=")); // the islands
+        const QJsonObject report = QJsonDocument::fromJson(test::readBytes(at("one.json"))).object();
+        const QJsonArray tiles = report.value(u"tiles"_s).toArray();
+        QCOMPARE(tiles.last().toObject().value(u"tile"_s).toInt(), 1012);
+        QCOMPARE(tiles.last().toObject().value(u"charts"_s).toInt(), 2);
+        QVERIFY(tiles.last().toObject().value(u"packing_efficiency"_s).toDouble() > 0.2);
+        QVERIFY(tiles.last().toObject().value(u"texel_density"_s).toDouble() > 0);
+        QVERIFY2(mRun.out.contains(u"tile_1012"_s), qPrintable(mRun.out));
+
+        // The rectangle lies in tile 1002, the other islands in 1001: a picture for each.
+        QVERIFY(pack({u"--layout"_s, at("both.png")}));
+        QVERIFY(!QFile::exists(at("both.png")));
+        for (const char *name : {"both.1001.png", "both.1002.png"})
+            QVERIFY2(QFile::exists(at(name)), name);
+        QVERIFY2(mRun.out.contains(u"part of the 2 tiles in use"_s), qPrintable(mRun.out));
+        QVERIFY2(!mRun.out.contains(u"unit square"_s), qPrintable(mRun.out));
+    }
+
+    void densityTakesAsManyTilesAsItNeeds()
+    {
+        // A part is 2.5 x 2 units in size, with an area of 3.5.
+        QVERIFY(pack({u"--density=300"_s}));
+        QCOMPARE(tilesInUse(), QList<int>{1001});
+        for (int part = 0; part < 4; ++part)
+            QVERIFY(std::abs(density(part) - 300) < 1e-6);
+        QVERIFY(pack({u"--density=700"_s, u"--tile=1010"_s}));
+        const QList<int> tiles = tilesInUse();
+        QVERIFY2(tiles.size() > 1 && tiles[0] == 1010 && tiles[1] == 1011, qPrintable(mRun.out));
+        QVERIFY2(mRun.out.contains(u"into the tiles 1010, 1011"_s), qPrintable(mRun.out));
+        QVERIFY(std::abs(density(3) - 700) < 1e-6);
+        const QString once = mRun.out;
+        QVERIFY(pack({u"--density=700"_s, u"--tile=1010"_s, u"--threads=3"_s}));
+        QCOMPARE(mRun.out, once);
+    }
+
+    void whatIsLargerThanATileGetsOneOfItsOwn()
+    {
+        QVERIFY(pack({u"--density=2000"_s}));
+        QCOMPARE(tilesInUse(), (QList<int>{1001, 1002, 1003, 1004}));
+        QVERIFY2(mRun.err.contains(u"larger than a tile at this density: 4"_s), qPrintable(mRun.err));
+        QVERIFY(density(0) > 500 && density(0) < 2000);
+        QVERIFY(!pack({u"--density=500"_s, u"--tile=9999"_s, u"--margin=200"_s}));
+        QVERIFY2(mRun.err.contains(u"more UDIM tiles than there are"_s), qPrintable(mRun.err));
+    }
+
+    void tilesInUseAreFilled()
+    {
+        mDocument = test::partsDocument({{}, {{0.3, 0}, 1}, {{0.7, 0.1}, 2}, {{0.1, 0.5}}});
+        QVERIFY2(pack({u"--only=islands:1,2,3"_s, u"--density=400"_s}), qPrintable(mRun.err));
+        mDocument = std::move(mPacked);
+        QVERIFY2(pack({u"--only=islands:4"_s, u"--fill-tiles"_s}), qPrintable(mRun.err));
+        constexpr Eigen::Index others = 3 * test::partCorners; // they stay to the bit
+        QVERIFY(mPacked->uv().topRows(others) == mDocument->uv().topRows(others));
+        QCOMPARE(tilesInUse(), QList<int>{1001});
+        QVERIFY(std::abs(density(3) - 400) < 1e-6);
+        QVERIFY2(mRun.out.contains(u"islands packed: 1, into the tiles 1001"_s), qPrintable(mRun.out));
+        QVERIFY2(mRun.out.contains(u"no problems found"_s), qPrintable(mRun.out));
+        // Where there is no room the next tile is taken.
+        QVERIFY2(pack({u"--only=islands:4"_s, u"--fill-tiles"_s, u"--density=800"_s}), qPrintable(mRun.err));
+        QCOMPARE(tilesInUse(), (QList<int>{1001, 1002}));
+        QVERIFY(mPacked->uv().topRows(others) == mDocument->uv().topRows(others));
     }
 
     void marksAreRespected()
@@ -92,7 +166,7 @@ private Q_SLOTS:
         using Edit = SetIslandFlags::Edit;
         pushCommand(std::make_unique<SetIslandFlags>(*mDocument, Edit::Lock, std::vector<int>{3}));
         pushCommand(std::make_unique<SetIslandFlags>(*mDocument, Edit::Group, std::vector<int>{0, 1}));
-        const auto packed = pack({u"--keep-scale"_s});
+        const auto packed = this->packed({u"--keep-scale"_s});
         QVERIFY2(packed, qPrintable(mRun.err));
         const auto middle = [](const Document &document, int part) {
             const Eigen::Index rows = test::partCorners;
@@ -104,8 +178,36 @@ private Q_SLOTS:
     }
 
 private:
+    //! The tiles of the session that was packed last.
+    QList<int> tilesInUse() const
+    {
+        const std::vector<int> tiles = usedTiles(udimTiles(mPacked->mesh(), mPacked->uv(), 1));
+        return {tiles.begin(), tiles.end()};
+    }
+    //! Texels per unit of a part.
+    double density(int part) const
+    {
+        double uvArea = 0, area = 0;
+        for (int t = 0; t < mPacked->mesh().triangleCount(); ++t) {
+            const auto &[a, b, c] = mPacked->mesh().triangles[t];
+            if (mPacked->mesh().triangleFace[t] / test::partFaces != part)
+                continue;
+            const auto uv = [&](int corner) { return Vec2(mPacked->uv().row(corner)); };
+            uvArea += std::abs(cross2(uv(a), uv(b), uv(c))) / 2;
+            area += mPacked->mesh().triangleArea[t];
+        }
+        return 2048 * std::sqrt(uvArea / area);
+    }
+
+    //! As packed(), and keeps the session.
+    bool pack(const QStringList &options)
+    {
+        mPacked = packed(options);
+        return mPacked != nullptr;
+    }
+
     //! The session after it was packed; null when that failed.
-    std::unique_ptr<Document> pack(const QStringList &options)
+    std::unique_ptr<Document> packed(const QStringList &options)
     {
         const QTemporaryDir folder;
         const QString in = folder.filePath(u"in.acproj"_s), out = folder.filePath(u"out.acproj"_s);
@@ -117,7 +219,7 @@ private:
         return Document::create(loadProject(out).value().state).value();
     }
 
-    std::unique_ptr<Document> mDocument;
+    std::unique_ptr<Document> mDocument, mPacked;
     test::CliRun mRun;
 };
 

@@ -94,7 +94,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("command");
         QTest::addColumn<QString>("per");
         QTest::addColumn<QList<int>>("tiles"); // of the faces
-        for (const char *command : {"pack", "unwrap"})
+        for (const char *command : {"pack", "unwrap", "finish", "separate"})
             QTest::addRow("%s objects", command) << QString::fromLatin1(command) << u"object"_s
                                                  << QList<int>{1003, 1003, 1004, 1004, 1005, 1005};
         // Unwrapping cuts between the materials; packing leaves each island to the first of two.
@@ -131,6 +131,26 @@ private Q_SLOTS:
         };
         const auto one = picture({u"--objects=left"_s}), all = picture({u"--objects=left,right,roof"_s});
         QVERIFY(one > 0 && one < all);
+    }
+
+    void checkMeasuresAPart()
+    {
+        const auto check = [&](const QStringList &options) {
+            const test::CliRun made =
+                test::runInProcess(QStringList{u"check"_s, file("parts.obj"), u"--json"_s} + options);
+            return QJsonDocument::fromJson(made.out.toUtf8()).object();
+        };
+        const QJsonObject all = check({}), left = check({u"--only=objects:left"_s}),
+                          two = check({u"--only=islands:1"_s, u"--materials=red"_s});
+        QCOMPARE(all.value(u"faces"_s).toInt(), 6);
+        QVERIFY(all.value(u"overlap_pairs"_s).toInt() > 0); // the roof lies on it
+        QCOMPARE(left.value(u"faces"_s).toInt(), 2);
+        QCOMPARE(left.value(u"charts"_s).toInt(), 1);
+        QCOMPARE(left.value(u"overlap_pairs"_s).toInt(-1), 0);
+        QCOMPARE(left.value(u"objects"_s).toArray().size(), 1);
+        QCOMPARE(left.value(u"materials"_s).toArray().size(), 2);
+        QCOMPARE(two.value(u"faces"_s).toInt(), 4);
+        QVERIFY(check({u"--only=objects:none"_s}).isEmpty());
     }
 
     void reportsListObjectsAndMaterials()

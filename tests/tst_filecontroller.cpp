@@ -487,7 +487,9 @@ private Q_SLOTS:
         LayoutOptions options;
         options.size = 64;
         for (const char *name : {"a.png", "a.svg"}) {
-            desk.files.exportLayout(folder.filePath(QLatin1String(name)), options);
+            desk.files.exportLayout(
+                layoutPictures(*desk.workspace.document(), folder.filePath(QLatin1String(name)), {}),
+                options);
             QVERIFY(desk.rests());
         }
         QCOMPARE(QImage(folder.filePath(QStringLiteral("a.png"))).size(), QSize(64, 64));

@@ -77,6 +77,37 @@ private Q_SLOTS:
         QCOMPARE(canvases.mesh.pick(middle).edge, -1);
     }
 
+    void shortestWaysDoNotRunThroughThem()
+    {
+        const auto canvases = Canvases::onGrid(4);
+        canvases->lookFromFront();
+        Document &document = canvases->document();
+        const int first = canvases->edgeBetween({0, 0.5, 0}, {0.25, 0.5, 0}),
+                  last = canvases->edgeBetween({0.75, 0.5, 0}, {1, 0.5, 0});
+        const auto way = [&] {
+            QTest::mouseClick(&canvases->mesh, Qt::LeftButton, {},
+                              Canvases::middleOfEdge(canvases->mesh, first));
+            QTest::mouseClick(&canvases->mesh, Qt::LeftButton, Qt::ControlModifier,
+                              Canvases::middleOfEdge(canvases->mesh, last));
+            return document.selection().edges;
+        };
+        canvases->select(SelectionMode::Edges);
+        QCOMPARE(way().size(), 4); // straight on
+        hide(document, {5, 6, 9, 10});
+        const QList<int> around = way();
+        QCOMPARE(around.size(), 6);
+        for (const int edge : around) {
+            const auto &faces = document.adjacency().edgeFaces(edge);
+            QVERIFY(!document.hidden()[faces[0]] || (faces[1] >= 0 && !document.hidden()[faces[1]]));
+        }
+        // Without a way around there are only the two that were clicked.
+        hide(document, {1, 2, 13, 14});
+        QCOMPARE(way(), (QList<int>{std::min(first, last), std::max(first, last)}));
+        document.undoStack().undo();
+        document.undoStack().undo();
+        QCOMPARE(way().size(), 4);
+    }
+
     void theMapIsPickedWithoutThem()
     {
         Canvases canvases;

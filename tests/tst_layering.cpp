@@ -27,7 +27,7 @@ struct Layer
 };
 
 const std::vector<Layer> layers{
-    {"model", {"plain", "document", "samples", "io"}, {}},
+    {"model", {"plain", "transfer", "document", "samples", "io"}, {}},
     {"reader", {""}, {"model"}},
     {"commands", {""}, {"model"}},
     {"solver",
@@ -132,7 +132,8 @@ std::string problemWithForeign(const Include &i)
         "Q\\w*(Widget|Window|Dialog|Button|OpenGL|Label|Layout|Menu|Dock)\\w*(/.*)?");
     const std::string folder = folderOf(i.file);
     if (std::regex_match(i.header, qt)) {
-        if ((isInside(folder, "solver") && folder != "solver/live") || folder == "model/plain")
+        if ((isInside(folder, "solver") && folder != "solver/live") || folder == "model/plain" ||
+            folder == "model/transfer")
             return "no Qt here";
         if (!isInside(folder, "views") && !folder.empty() && std::regex_match(i.header, widgets))
             return "widgets and OpenGL belong to views/";

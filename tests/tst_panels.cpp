@@ -25,6 +25,7 @@
 #include <QListView>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTreeWidget>
 
 using namespace autocuts;
 using test::Bench;
@@ -408,8 +409,16 @@ private Q_SLOTS:
         const double gutter = bench.map.figures()->metrics.minGutterTexels;
         QVERIFY(gutter >= 8);
         QVERIFY(bench.text("gutter").startsWith(QLocale().toString(gutter, 'f', 1)));
-        // The share of the unit square has no meaning where islands lie in other tiles.
-        QVERIFY(!bench.text("efficiency").isEmpty() && !bench.text("efficiency").contains(QLatin1Char('%')));
+        // Of the tiles in use, which are listed.
+        QVERIFY(bench.text("efficiency").contains(QLatin1Char('%')));
+        const auto *list = child<QTreeWidget>(bench.panel, "tiles");
+        const std::vector<metrics::TileFigures> &figures = bench.map.figures()->metrics.tiles;
+        QVERIFY(list->isVisible() && figures.size() > 1);
+        QCOMPARE(list->topLevelItemCount(), int(figures.size()));
+        QCOMPARE(list->topLevelItem(1)->text(0), QString::number(figures[1].tile));
+        QCOMPARE(list->topLevelItem(1)->text(1), QString::number(figures[1].charts));
+        QCOMPARE(list->topLevelItem(1)->text(3),
+                 QLocale().toString(figures[1].density * bench.map.figures()->textureSize, 'g', 4));
     }
 
     // Overlaps.

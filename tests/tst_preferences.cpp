@@ -39,6 +39,7 @@ PreferenceValues otherValues()
     v.autosaveMinutes = 0;
     v.undoMemoryMb = 64;
     v.solveOnOpen = true;
+    v.showTextures = false;
     return v;
 }
 

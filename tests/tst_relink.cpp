@@ -146,6 +146,7 @@ private Q_SLOTS:
     void roundedPositions();
     void facesTakenAway();
     void facesAdded();
+    void changedFacesTakeTheirUvsByPosition();
     void turnedFaceIsAnother();
     void duplicateFaces();
     void otherModelLosesAll();
@@ -292,6 +293,49 @@ void TestRelink::facesAdded()
     const UvMatrix &uv = relinked.state.scene.uvSets[0].uv;
     QVERIFY(!uv.bottomRows(3).array().isFinite().any());
     QVERIFY(uv.topRows(64) == state.scene.uvSets[0].uv);
+}
+
+void TestRelink::changedFacesTakeTheirUvsByPosition()
+{
+    const DocumentState state = steeredGrid();
+    const MeshData &mesh = *state.scene.mesh;
+    // One face becomes four triangles around its middle, another loses a corner.
+    Polygons polygons = polygonsOf(mesh);
+    const std::vector<int> split = polygons.faces[5];
+    polygons.points.push_back(0.25 * (polygons.points[split[0]] + polygons.points[split[1]] +
+                                      polygons.points[split[2]] + polygons.points[split[3]]));
+    const int middle = static_cast<int>(polygons.points.size()) - 1;
+    polygons.faces[5] = {split[0], split[1], middle};
+    for (std::size_t i = 1; i < 4; ++i)
+        polygons.faces.push_back({split[i], split[(i + 1) % 4], middle});
+    polygons.faces[0].pop_back();
+    const Relinked relinked = relinkDocument(state, sceneOf(polygons));
+    QCOMPARE(relinked.state.validate(), QString());
+    QCOMPARE(relinked.report.faces, (Carried{14, 2}));
+    QCOMPARE(relinked.report.newFaces.size(), 5);
+    QCOMPARE(relinked.report.placedFaces, 5);
+    const QStringList lines = relinked.report.lines();
+    QCOMPARE(lines[0], u"2 of 16 faces are not in the new model"_s);
+    QCOMPARE(lines[1], u"5 faces are new and have the UVs of the old model's nearest points"_s);
+    QVERIFY(lines.filter(u"no UVs"_s).isEmpty());
+    // Every corner at an old vertex has one of its UVs, in all sets, and the others lie between them.
+    for (std::size_t set = 0; set < state.scene.uvSets.size(); ++set) {
+        const UvMatrix &before = state.scene.uvSets[set].uv, &after = relinked.state.scene.uvSets[set].uv;
+        if (!before.allFinite())
+            continue;
+        QVERIFY(after.allFinite());
+        const MeshData &now = *relinked.state.scene.mesh;
+        for (int c = 0; c < now.cornerCount(); ++c) {
+            if (now.cornerVertex[c] == middle)
+                continue;
+            bool found = false;
+            for (int old = 0; old < mesh.cornerCount() && !found; ++old)
+                found = mesh.cornerVertex[old] == now.cornerVertex[c] && before.row(old) == after.row(c);
+            QVERIFY2(found, qPrintable(QString::number(c)));
+        }
+    }
+    // A stop leaves it at that.
+    QCOMPARE(relinkDocument(state, sceneOf(polygons), [] { return true; }).report.placedFaces, 0);
 }
 
 void TestRelink::turnedFaceIsAnother()

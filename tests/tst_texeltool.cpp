@@ -21,14 +21,7 @@ private Q_SLOTS:
     void init()
     {
         mStudio = std::make_unique<Canvases>();
-        Scene scene = test::sceneOf(test::grid(8));
-        UvMatrix uv(scene.mesh->cornerCount(), 2);
-        for (int c = 0; c < scene.mesh->cornerCount(); ++c)
-            uv.row(c) = scene.mesh->cornerPosition(c).head<2>();
-        scene.uvSets = {{u"UV"_s, uv}};
-        mStudio->open(std::make_unique<Document>(std::move(scene)));
-        mStudio->lookFromFront();
-        mStudio->tools.setTool(u"texelWeight"_s);
+        openGrid(0);
     }
     void cleanup() { mStudio.reset(); }
 
@@ -116,6 +109,34 @@ private Q_SLOTS:
         QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, a);
     }
 
+    void symmetryPaintsBothSides_data()
+    {
+        QTest::addColumn<bool>("inMap");
+        QTest::newRow("3D") << false;
+        QTest::newRow("map") << true;
+    }
+
+    void symmetryPaintsBothSides()
+    {
+        QFETCH(bool, inMap);
+        openGrid(-0.5);
+        Canvas &view = canvas(inMap);
+        QTest::keyClick(&view, Qt::Key_X);
+        QVERIFY(tool().isSymmetric());
+        Canvases::drag(view, {at(view, -0.4, 0.6), at(view, -0.25, 0.3)});
+        const std::vector<double> painted = document().texelWeights();
+        QVERIFY(painted[faceAt(1, 3)] > 1);
+        for (int x = 0; x < 8; ++x) {
+            for (int y = 0; y < 8; ++y)
+                QCOMPARE(painted[faceAt(x, y)], painted[faceAt(7 - x, y)]);
+        }
+        QCOMPARE(document().undoStack().count(), 1);
+        document().undoStack().undo();
+        QTest::keyClick(&view, Qt::Key_X);
+        Canvases::drag(view, {at(view, -0.4, 0.6), at(view, -0.25, 0.3)});
+        QCOMPARE(document().texelWeights()[faceAt(6, 3)], 1.0);
+    }
+
     void optionsAndWheel()
     {
         setOption(0, 400);
@@ -182,6 +203,22 @@ private:
     {
         return inMap ? static_cast<Canvas &>(mStudio->uv) : static_cast<Canvas &>(mStudio->mesh);
     }
+    //! Opens a grid from x = left on, whose map is as it lies there.
+    void openGrid(double left)
+    {
+        mLeft = left;
+        MeshData moved = *test::grid(8);
+        moved.positions.col(0).array() += left;
+        Scene scene = test::sceneOf(
+            MeshData::build(moved.positions, moved.faceStart, moved.cornerVertex, moved.faceObject));
+        UvMatrix uv(scene.mesh->cornerCount(), 2);
+        for (int c = 0; c < scene.mesh->cornerCount(); ++c)
+            uv.row(c) = scene.mesh->cornerPosition(c).head<2>();
+        scene.uvSets = {{u"UV"_s, uv}};
+        mStudio->open(std::make_unique<Document>(std::move(scene)));
+        mStudio->lookFromFront();
+        mStudio->tools.setTool(u"texelWeight"_s);
+    }
     const TexelTool &tool() { return *qobject_cast<const TexelTool *>(mStudio->tools.tool()); }
     void setOption(std::size_t index, double value) { mStudio->tools.tool()->options()[index].set(value); }
     void stroke(Canvas &view, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
@@ -192,7 +229,7 @@ private:
     std::size_t faceAt(int column, int row)
     {
         const MeshData &mesh = document().mesh();
-        const Vec3 wanted((column + 0.5) / 8, (row + 0.5) / 8, 0);
+        const Vec3 wanted(mLeft + (column + 0.5) / 8, (row + 0.5) / 8, 0);
         for (int face = 0; face < mesh.faceCount(); ++face) {
             Vec3 middle = Vec3::Zero();
             for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c)
@@ -214,6 +251,7 @@ private:
     }
 
     std::unique_ptr<Canvases> mStudio;
+    double mLeft = 0;
 };
 
 QTEST_MAIN(TestTexelTool)

@@ -96,7 +96,8 @@ std::vector<Case> cases()
                     {{FIGURE(seamLength), root2},
                      {FIGURE(seamNorm), root2 / std::sqrt(1 / pi)},
                      {FIGURE(symDirichlet), 4},
-                     {FIGURE(packingUnit), missing},
+                     {FIGURE(packingUnit), 0.5}, // in two tiles
+                     {FIGURE(borderGutter), 0},
                      {FIGURE(minGutter), 1}}});
     list.push_back({"half-cut edge",
                     square + squareUv + "vt 0.9 1.1\nf 1/1 2/2 3/3\nf 1/1 3/5 4/4\n",

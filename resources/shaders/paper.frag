@@ -17,7 +17,9 @@ uniform bool grid;
 uniform int pattern;       // 0 none, 1 checker, 2 picture
 uniform float checkerSize, lineWidth;
 uniform float patternStrength; // below 1 where islands show the pattern, so that they stand out
-uniform sampler2D picture;
+uniform int pictureSet; // counted from 0
+
+#include "picture.glsl"
 
 float lineAt(vec2 offset)
 {
@@ -42,8 +44,10 @@ vec3 patterned(vec3 below, vec2 uv)
         dark = mix(dark, 0.5, smoothstep(0.5, 1.2, width));
         return mix(below, mix(vec3(0.42), vec3(0.24), dark), 0.55);
     }
-    if (pattern == 2)
-        return texture(picture, uv / vec2(1.0, pictureHeight)).rgb;
+    if (pattern == 2) {
+        vec4 picture = pictureAt(pictureSet, uv / vec2(1.0, pictureHeight));
+        return mix(below, picture.rgb, picture.a);
+    }
     return below;
 }
 

@@ -10,7 +10,8 @@ out vec4 color;
 uniform usamplerBuffer faceTexels; // per triangle: red, green, blue, marks
 uniform usamplerBuffer sideTexels; // per side: base style, opacity at both ends, top style
 uniform usamplerBuffer islandTexels; // per triangle: number of its island, lowest byte first
-uniform sampler2D picture;
+uniform usamplerBuffer setTexels; // per triangle: its set of pictures, counted from 1, lowest byte first
+uniform int onlySet; // all triangles have this set, counted from 1; 0: see setTexels
 uniform bool asMap, smoothShading;
 uniform mat4 projectionMatrix;
 uniform float tint; // share of the face colour over a picture
@@ -23,6 +24,8 @@ uniform uint hoverIsland;
 uniform vec4 sideColors[9];
 uniform float sideHalfWidths[8];
 uniform vec4 selectionColor, hoverColor, overlapColor, flippedColor;
+
+#include "picture.glsl"
 
 const uint selectedMark = 1u, overlapMark = 2u, flippedMark = 4u, withoutUvMark = 8u;
 const uint wireStyle = 1u, seamStyle = 3u, givenStyle = 7u;
@@ -42,8 +45,11 @@ vec3 surface(vec3 face, uint marks)
 {
     if (pattern == 0 || (marks & withoutUvMark) != 0u)
         return face;
-    if (pattern == 2)
-        return mix(texture(picture, texturePlace / vec2(1.0, pictureHeight)).rgb, face, tint);
+    if (pattern == 2) {
+        int set = onlySet > 0 ? onlySet : numberOf(texelFetch(setTexels, gl_PrimitiveID));
+        vec4 picture = set > 0 ? pictureAt(set - 1, texturePlace / vec2(1.0, pictureHeight)) : vec4(0);
+        return mix(face, mix(picture.rgb, face, tint), picture.a);
+    }
     return face * mix(1.12, 0.48, checker(texturePlace));
 }
 

@@ -38,8 +38,10 @@ def job_options(rng):
         (.1, "--energy", "amips"), (.1, "--solver", "exact"), (.1, "--weights", "count"), (.1, "--symmetry"),
         (.2, "--max-distortion", number(4, 4.0001, 5, 1e6)), (.1, "--creases", "on"), (.1, "--visibility", "1"),
         (.2, "--seams", rng.choice(["keep", "only"]), "--seams-from", rng.choice(["sharp", "hard,materials", "uv"])),
-        (.1, "--texture-size", number(16, 64, 16384)), (.1, "--margin", number(0, 1, 64)),
-        (.1, "--rotation", rng.choice(["90", "none"])), (.1, "--tile", number(1002, 1011)),
+        (.2, "--align", "on"), (.1, "--mirror"), (.1, "--world-up", rng.choice("yz")),
+        (.1, "--texture-size", number(16, 64, 16384, "64x512", "1024x16")), (.1, "--margin", number(0, 1, 64)),
+        (.1, "--rotation", rng.choice(["free", "180", "90", "45", "15", "none"])), (.1, "--tile", number(1002, 1011)),
+        (.05, "--per", rng.choice(["object", "material"])),
         (.05, "--only", "islands:1"), (.05, "--layout", "layout.svg"), (.05, "--layout", "layout.png"))
 
 
@@ -95,7 +97,7 @@ class Cases:
         return self.check_run([command, name], source)
 
     def mapping(self, rng, name, data, sound):
-        command = rng.choice(["unwrap", "unwrap", "unwrap", "pack", "finish", "separate"])
+        command = rng.choice(["unwrap", "unwrap", "unwrap", "pack", "finish", "separate", "lightmap"])
         options = job_options(rng)
         if command != "unwrap":
             options = pick(rng, (.3, "--texture-size", "64"), (.3, "--tile", "1002")) + options[2:6]

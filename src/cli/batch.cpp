@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <map>
 #include <new>
 
 namespace autocuts {
@@ -83,6 +82,8 @@ public:
             return runMapping(&MapMaking::lightmap);
         case Command::Separate:
             return runMapping(&MapMaking::separate);
+        case Command::Transfer:
+            return runMapping(&MapMaking::transfer);
         }
         return 1;
     }
@@ -123,7 +124,11 @@ private:
         if (!scene)
             return fail(scene.error());
         mFiles.mergeSettings(mOptions);
-        MapReport report = reportOn(scene.value(), mFiles.islandFlags(), mOptions.unwrap.packing);
+        const auto scope = batchScope(mOptions, scene.value());
+        if (!scope)
+            return fail(scope.error());
+        MapReport report = reportOn(scene.value(), mFiles.islandFlags(), mOptions.unwrap.packing,
+                                    scope.value() ? scope.value()->faces : std::vector<bool>());
         report.input = mOptions.input;
         if (mOptions.json) {
             report.status = QStringLiteral("done");
@@ -263,6 +268,7 @@ private:
         report.delta = made.delta;
         report.status = statusWord(mStop, made.boundMissed);
         report.notes += made.notes;
+        report.transfer = made.transfer;
         if (!mOptions.quiet)
             printFigures(report);
         const QStringList warnings = made.warnings + mapWarnings(report);
@@ -273,7 +279,8 @@ private:
             const std::vector<int> hatched = report.overlapPairs.value_or(0) > 0
                                                  ? overlappingTriangles(scene, mFiles.islandFlags())
                                                  : std::vector<int>();
-            if (const Result<Done> drawn = drawLayout(scene, hatched); !drawn)
+            const std::vector<bool> faces = mScope ? mScope->faces : std::vector<bool>();
+            if (const Result<Done> drawn = writeLayout(mOptions, scene, hatched, faces); !drawn)
                 return fail(drawn.error());
         }
         report.seconds = double(mClock.elapsed()) / 1000;
@@ -284,34 +291,6 @@ private:
         if (mStop.reason == StopReason::Interrupted)
             return 130;
         return report.status == QLatin1String("bound_missed") ? 3 : 0;
-    }
-
-    //! One picture, or with --per one for each tile.
-    Result<Done> drawLayout(const Scene &scene, const std::vector<int> &hatched) const
-    {
-        const std::vector<bool> some = mScope ? mScope->faces : std::vector<bool>();
-        const PackingSettings &packing = mOptions.unwrap.packing;
-        if (!mOptions.per)
-            return writeLayout(mOptions.layout, scene, packing, hatched, some, PackingSettings::firstTile);
-        const ChartMap charts = findCharts(*scene.mesh, scene.uvSets.front().uv);
-        const Result<std::vector<int>> tiles = batchTiles(mOptions, scene, charts);
-        if (!tiles)
-            return tiles.error();
-        std::map<int, std::vector<bool>> facesOf;
-        for (std::size_t f = 0; f < tiles->size(); ++f) {
-            if (some.empty() || some[f])
-                facesOf.try_emplace(tiles.value()[f], tiles->size()).first->second[f] = true;
-        }
-        const QFileInfo file(mOptions.layout);
-        for (const auto &[tile, faces] : facesOf) {
-            const QString name =
-                QStringLiteral("%1.%2.%3").arg(file.completeBaseName()).arg(tile).arg(file.suffix());
-            const Result<Done> drawn =
-                writeLayout(file.dir().filePath(name), scene, packing, hatched, faces, tile);
-            if (!drawn)
-                return drawn;
-        }
-        return Done{};
     }
 
     void printFigures(const MapReport &report)

@@ -32,6 +32,8 @@ UvEdit editOf(CliOptions::Command command)
         return UvEdit::Separate;
     case CliOptions::Command::Finish:
         return UvEdit::Finish;
+    case CliOptions::Command::Transfer:
+        return UvEdit::Transfer;
     default:
         return UvEdit::Unwrap;
     }
@@ -45,19 +47,6 @@ PackingSettings packingSettingsOf(const CliOptions &options, const PackingSettin
     if (options.command != CliOptions::Command::Pack)
         result.keepScale = settings.keepScale;
     return result;
-}
-
-//! By its name, or else by its number from 1.
-std::optional<int> findUvSet(const std::vector<UvSet> &sets, const QString &word)
-{
-    const auto named =
-        std::find_if(sets.begin(), sets.end(), [&](const UvSet &set) { return set.name == word; });
-    if (named != sets.end())
-        return static_cast<int>(named - sets.begin());
-    bool isNumber = false;
-    const int number = word.toInt(&isNumber);
-    return isNumber && number >= 1 && number <= static_cast<int>(sets.size()) ? std::optional(number - 1)
-                                                                              : std::nullopt;
 }
 
 QString setsInWords(const std::vector<UvSet> &sets)
@@ -104,20 +93,18 @@ Result<Done> BatchFiles::readFile(const QString &path, double tileHeight, const 
 
 Result<Done> BatchFiles::chooseUvSet(const CliOptions &options)
 {
-    const Scene &scene = mDocument ? mDocument->state().scene : mOriginal;
     if (!options.uvSet.isEmpty()) {
-        const std::optional<int> index = findUvSet(scene.uvSets, options.uvSet);
+        const Result<int> index = findUvSet(uvSets(), options.uvSet, options.input);
         if (!index)
-            return Error{QStringLiteral("there is no UV set \"%1\"").arg(options.uvSet), options.input, 0,
-                         setsInWords(scene.uvSets)};
-        mActiveSet = *index;
+            return index.error();
+        mActiveSet = index.value();
         if (mDocument)
-            pushCommand(std::make_unique<ChooseUvSet>(*mDocument, *index));
+            pushCommand(std::make_unique<ChooseUvSet>(*mDocument, index.value()));
     }
     const QString &name = options.newUvSet;
     if (name.isEmpty())
         return Done();
-    if (uniqueUvSetName(scene.uvSets, name) != name)
+    if (uniqueUvSetName(uvSets(), name) != name)
         return Error{QStringLiteral("a new UV set cannot be called \"%1\"").arg(name), options.input, 0,
                      QStringLiteral("The name is in use or too long: choose another one, or use --uv-set")};
     if (mDocument) {
@@ -131,14 +118,32 @@ Result<Done> BatchFiles::chooseUvSet(const CliOptions &options)
     return Done();
 }
 
+const std::vector<UvSet> &BatchFiles::uvSets() const
+{
+    return mDocument ? mDocument->uvSets() : mOriginal.uvSets;
+}
+
+Result<int> BatchFiles::findUvSet(const std::vector<UvSet> &sets, const QString &word, const QString &path)
+{
+    const auto named =
+        std::find_if(sets.begin(), sets.end(), [&](const UvSet &set) { return set.name == word; });
+    if (named != sets.end())
+        return static_cast<int>(named - sets.begin());
+    bool isNumber = false;
+    const int number = word.toInt(&isNumber);
+    if (isNumber && number >= 1 && number <= static_cast<int>(sets.size()))
+        return number - 1;
+    return Error{QStringLiteral("there is no UV set \"%1\"").arg(word), path, 0, setsInWords(sets)};
+}
+
 Scene BatchFiles::activeFirst() const
 {
     Scene scene = mDocument ? mDocument->state().scene : mOriginal;
     if (mDocument)
         scene.mesh = mDocument->weightedMesh();
-    const int active = mDocument ? mDocument->activeUvSet() : mActiveSet;
     if (!scene.uvSets.empty())
-        std::rotate(scene.uvSets.begin(), scene.uvSets.begin() + active, scene.uvSets.begin() + active + 1);
+        std::rotate(scene.uvSets.begin(), scene.uvSets.begin() + activeUvSet(),
+                    scene.uvSets.begin() + activeUvSet() + 1);
     return scene;
 }
 

@@ -36,6 +36,12 @@ public:
     //! The flags of the session's islands, per face; empty without a session.
     std::vector<IslandFlags> islandFlags() const;
 
+    //! The UV sets of the input, in the order of the file.
+    const std::vector<UvSet> &uvSets() const;
+    int activeUvSet() const { return mDocument ? mDocument->activeUvSet() : mActiveSet; }
+    //! The set of this name, or else of this number from 1.
+    static Result<int> findUvSet(const std::vector<UvSet> &sets, const QString &word, const QString &path);
+
     //! The session's rectangle of this name; null when there is none.
     const LayoutRectangle *rectangle(const QString &name) const;
 

@@ -3,6 +3,7 @@
 
 #include "model/document/scenegroups.h"
 #include "model/plain/solvesettings.h"
+#include "model/transfer/uvtransfer.h"
 #include "solver/overlap/overlapseparation.h"
 #include "solver/unwrap/unwrap.h"
 
@@ -30,7 +31,8 @@ struct CliOptions
         Check,
         Convert,
         Sample,
-        Replay
+        Replay,
+        Transfer
     };
 
     //! What --only names: the part of the model that the command may change. Empty: all of it.
@@ -54,6 +56,8 @@ struct CliOptions
     unwrap::UnwrapOptions unwrap; //!< its packing target is that of --tile or --into
     Only only;
     std::optional<SceneKind> per; //!< what gets a tile each
+    double density = 0;           //!< texels per unit, in as many tiles as that needs; 0: not given
+    bool fillTiles = false;       //!< pack into the free room of the tiles in use
     overlap::SeparationMethod separation = overlap::SeparationMethod::MinCut;
     bool borderAttached = true; //!< JobScope::attached
     int threads = 1;            //!< does not influence the result
@@ -65,6 +69,10 @@ struct CliOptions
     bool json = false;          //!< check: print the figures as JSON
     double timeLimit = 0;       //!< seconds of wall time; 0 for none
     bool quiet = false;
+    QString from;       //!< transfer: a mesh file or session; empty: the input
+    QString fromUvSet;  //!< name, or number from 1, of a UV set of it; empty: the active one
+    QString fromObject; //!< an object of it; empty: all
+    transfer::UvMatch match = transfer::UvMatch::Auto;
 };
 
 } // namespace autocuts

@@ -189,7 +189,8 @@ std::vector<CliOption> scopeOptions()
         {group,
          {u"--only"_s},
          u"PART"_s,
-         u"change only a part of the model, the rest keeps its UVs: islands:3,5 (numbered as in the studio's "
+         u"change only a part of the model, the rest keeps its UVs, and check measures only that: "
+         u"islands:3,5 (numbered as in the studio's "
          "island panel: from 1, in the order of their first faces), objects:NAME,.. or materials:NAME,..; "
          "given several times, the parts add up"_s,
          {},
@@ -197,7 +198,7 @@ std::vector<CliOption> scopeOptions()
         {group, {u"--objects"_s}, u"NAMES"_s, u"the same as --only objects:NAMES"_s, {}, readObjects},
         {group, {u"--materials"_s}, u"NAMES"_s, u"the same as --only materials:NAMES"_s, {}, readMaterials},
         choice(
-            group, u"--border"_s, fieldOf(&CliOptions::borderAttached),
+            Group::Bordering, u"--border"_s, fieldOf(&CliOptions::borderAttached),
             {{u"attached"_s, true}, {u"free"_s, false}},
             u"where the border of --only runs through an island: the map stays whole across it, or is cut "
             "there; attached, pack leaves such islands where they are, and separate does so in any case"_s),
@@ -327,6 +328,15 @@ CliOption tilingOption()
         readPer};
 }
 
+CliOption densityOption()
+{
+    return number(
+        Group::Tiling, u"--density"_s, u"X"_s, fieldOf(&CliOptions::density), 1e-9, 1e12,
+        u"give all islands this texel density, in texels per unit of the model, and pack them into as many "
+        "UDIM tiles as that needs, from --tile on; an island that is larger than a tile gets one of its own, "
+        "in which it is smaller"_s);
+}
+
 CliOption separatingOption()
 {
     return choice(
@@ -335,6 +345,30 @@ CliOption separatingOption()
          {u"growing"_s, overlap::SeparationMethod::Greedy}},
         u"cut between overlapping layers along the shortest seam, or into regions that grow breadth "
         "first for as long as they do not cover themselves"_s);
+}
+
+std::vector<CliOption> transferringOptions()
+{
+    constexpr Group group = Group::Transferring;
+    CliOption file = text(group, {u"--from"_s}, fieldOf(&CliOptions::from),
+                          u"the model or session that has the UVs; otherwise the input itself"_s);
+    CliOption set =
+        text(group, {u"--from-uv-set"_s}, fieldOf(&CliOptions::fromUvSet),
+             u"the UV set that is transferred: its name, or its number from 1; otherwise the first one, of a "
+             "session the active one"_s);
+    set.value = u"NAME|N"_s;
+    CliOption object =
+        text(group, {u"--from-object"_s}, fieldOf(&CliOptions::fromObject),
+             u"only the UVs of this object, to every object that --only names, or to all; they may lie "
+             "elsewhere"_s);
+    object.value = u"NAME"_s;
+    return {file, set, object,
+            choice(group, u"--match"_s, fieldOf(&CliOptions::match),
+                   {{u"auto"_s, transfer::UvMatch::Auto},
+                    {u"topology"_s, transfer::UvMatch::Topology},
+                    {u"position"_s, transfer::UvMatch::Position}},
+                   u"how faces find their UVs: where the polygons are the same they are copied, otherwise "
+                   "they come from the nearest points of the surface; or by one of these only"_s)};
 }
 
 std::vector<CliOption> placingOptions()
@@ -347,6 +381,9 @@ std::vector<CliOption> placingOptions()
          "whose islands are packed while the others stay"_s,
          {},
          readRectangle},
+        flag(Group::Placing, u"--fill-tiles"_s, fieldOf(&CliOptions::fillTiles), true,
+             u"with --only: pack into the free room of the tiles that the other islands lie in, at their "
+             "texel density, and what does not fit into further tiles"_s),
         flag(Group::Placing, u"--keep-scale"_s, fieldOf(&PackingSettings::keepScale), true,
              u"keep the size of the islands; otherwise all get the same texel density"_s),
     };
@@ -376,6 +413,11 @@ std::vector<CliOption> makingOptions()
     };
 }
 
+std::vector<CliOption> tilingOptions()
+{
+    return {tilingOption(), densityOption()};
+}
+
 } // namespace
 
 const std::vector<CliCommand> &cliCommands()
@@ -383,13 +425,14 @@ const std::vector<CliCommand> &cliCommands()
     using enum OptionGroup;
     static const std::vector<CliCommand> commands{
         {Command::Unwrap, u"unwrap"_s, u"IN"_s, Output::Needed,
-         Bound | Seaming | Solving | Texture | Packing | Scope | Tiling | UvSets | NewUvSets | Making,
+         Bound | Seaming | Solving | Texture | Packing | Scope | Bordering | Tiling | UvSets | NewUvSets |
+             Making,
          u"make a UV map"_s},
         {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | Placing | Scope | Tiling | UvSets | NewUvSets | Making,
+         Texture | Packing | Placing | Scope | Bordering | Tiling | UvSets | NewUvSets | Making,
          u"arrange the islands of an existing map anew"_s},
         {Command::Separate, u"separate"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | Separating | Scope | UvSets | NewUvSets | Making,
+         Texture | Packing | Separating | Scope | Bordering | Tiling | UvSets | NewUvSets | Making,
          u"cut islands that overlap themselves, then pack"_s},
         {Command::Lightmap, u"lightmap"_s, u"IN"_s, Output::Needed,
          Texture | Packing | UvSets | NewUvSets | Making,
@@ -397,9 +440,12 @@ const std::vector<CliCommand> &cliCommands()
          u"taken "
          "apart, at one texel density"_s},
         {Command::Finish, u"finish"_s, u"IN"_s, Output::Needed,
-         Bound | Seaming | Texture | Packing | Scope | UvSets | NewUvSets | Making,
+         Bound | Seaming | Texture | Packing | Scope | Bordering | Tiling | UvSets | NewUvSets | Making,
          u"make a half-solved map usable: seams decided, no overlaps, within the bound"_s},
-        {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | UvSets | Measuring,
+        {Command::Transfer, u"transfer"_s, u"IN"_s, Output::Needed,
+         Transferring | Texture | Scope | Bordering | UvSets | NewUvSets | Making,
+         u"give the model the UVs of another file, UV set or object, also of another resolution"_s},
+        {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | Scope | UvSets | Measuring,
          u"measure a map and say what is wrong with it"_s},
         {Command::Convert, u"convert"_s, u"IN"_s, Output::Needed, UvSets,
          u"write another file format; OBJ to OBJ, FBX to FBX and glTF to glTF change nothing"_s},
@@ -424,10 +470,12 @@ const std::vector<CliOption> &cliOptions()
     static const std::vector<CliOption> options = [] {
         std::vector<CliOption> all{
             text(Group::Output, {u"-o"_s, u"--output"_s}, fieldOf(&CliOptions::output), u"file to write"_s)};
-        for (const auto &some : {boundOptions(), seamingOptions(), solvingOptions(), packingOptions(),
-                                 scopeOptions(), uvSetOptions(), makingOptions(), placingOptions()})
+        for (const auto &some :
+             {boundOptions(), seamingOptions(), solvingOptions(), packingOptions(), scopeOptions(),
+              tilingOptions(), uvSetOptions(), makingOptions(), placingOptions()})
             all.insert(all.end(), some.begin(), some.end());
-        all.push_back(tilingOption());
+        for (CliOption &option : transferringOptions())
+            all.push_back(std::move(option));
         all.push_back(separatingOption());
         all.push_back(flag(Group::Measuring, u"--json"_s, fieldOf(&CliOptions::json), true,
                            u"print the figures as JSON"_s));

@@ -120,6 +120,9 @@ private:
             return usageError(QStringLiteral("--max-distortion and --lambda exclude each other"));
         if (mOptions.command == Command::Lightmap && mOptions.newUvSet.isEmpty())
             mOptions.newUvSet = QStringLiteral("Lightmap");
+        if (mOptions.command == Command::Transfer && mOptions.from.isEmpty() &&
+            mOptions.fromUvSet.isEmpty() && mOptions.fromObject.isEmpty())
+            return usageError(QStringLiteral("transfer needs --from, --from-uv-set or --from-object"));
         packing::PackOptions &packing = mOptions.unwrap.packing;
         if (packing.margin >= packing.shorterSide())
             return usageError(QStringLiteral("the margin of %1 texels is as wide as the whole texture of %2")
@@ -131,9 +134,21 @@ private:
             return usageError(QStringLiteral("--into and --tile exclude each other"));
         if (mOptions.per && (mOptions.hasRectangle() || !mOptions.unwrap.pack))
             return usageError(QStringLiteral("--per packs into tiles: it excludes --into and --no-pack"));
+        if (const Problem problem = checkTiling())
+            return problem;
         if (!mOptions.hasRectangle())
             mOptions.packIntoTile();
         packing.seed = mOptions.settings.seed;
+        return std::nullopt;
+    }
+
+    Problem checkTiling() const
+    {
+        if (mOptions.density > 0 && (mOptions.per || mOptions.hasRectangle() ||
+                                     mOptions.unwrap.packing.keepScale || !mOptions.unwrap.pack))
+            return usageError(QStringLiteral("--density excludes --per, --into, --keep-scale and --no-pack"));
+        if (mOptions.fillTiles && (mOptions.per || mOptions.hasRectangle()))
+            return usageError(QStringLiteral("--fill-tiles excludes --per and --into"));
         return std::nullopt;
     }
 

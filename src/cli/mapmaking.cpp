@@ -5,6 +5,7 @@
 #include "solver/unwrap/finishjob.h"
 #include "solver/unwrap/lightmapjob.h"
 #include "solver/unwrap/separatejob.h"
+#include "solver/unwrap/tilepacking.h"
 #include "solver/unwrap/unwrap.h"
 
 #include <algorithm>
@@ -45,10 +46,8 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
     if (mOptions.unwrap.pack && !result.packed)
         return noRoomError(mOptions);
     setUv(scene, result.uv);
-    if (mOptions.per) {
-        if (const Result<Done> packed = packIslands(snapshot.value(), scene); !packed)
-            return packed.error();
-    }
+    if (const Result<Done> packed = packIntoTiles(snapshot.value(), scene, outcome); !packed)
+        return packed.error();
     if (result.onlyPatches)
         outcome.warnings << QLatin1String(result.stopped
                                               ? "stopped before a map with few seams was found: this one is "
@@ -79,12 +78,18 @@ Result<MadeMap> MapMaking::pack(Scene &scene) const
     const Result<Snapshot> snapshot = snapshotOf(scene);
     if (!snapshot)
         return snapshot.error();
-    if (const Result<Done> packed = packIslands(snapshot.value(), scene); !packed)
+    MadeMap outcome;
+    if (const Result<Done> packed = packIslands(snapshot.value(), scene, outcome); !packed)
         return packed.error();
-    return MadeMap{};
+    return outcome;
 }
 
-Result<Done> MapMaking::packIslands(const Snapshot &snapshot, Scene &scene) const
+Result<Done> MapMaking::packIntoTiles(const Snapshot &snapshot, Scene &scene, MadeMap &made) const
+{
+    return mOptions.per || mOptions.density > 0 ? packIslands(snapshot, scene, made) : Result<Done>(Done{});
+}
+
+Result<Done> MapMaking::packIslands(const Snapshot &snapshot, Scene &scene, MadeMap &made) const
 {
     UvMatrix uv = scene.uvSets.front().uv;
     const MeshData &mesh = *scene.mesh;
@@ -98,6 +103,8 @@ Result<Done> MapMaking::packIslands(const Snapshot &snapshot, Scene &scene) cons
         if (!holdsWholeChart(*scope, charts))
             return noWholeChart();
     }
+    if (mOptions.density > 0 || mOptions.fillTiles)
+        return distribute(charts, pack.value(), scene, made);
     if (mOptions.per) {
         Result<std::vector<int>> tiles = batchTiles(mOptions, scene, charts);
         if (!tiles)
@@ -108,6 +115,43 @@ Result<Done> MapMaking::packIslands(const Snapshot &snapshot, Scene &scene) cons
     if (!unwrap::packCharts(mesh, charts, pack.value(), uv, job))
         return noRoomError(mOptions);
     setUv(scene, uv);
+    return Done{};
+}
+
+Result<Done> MapMaking::distribute(const ChartMap &charts, const unwrap::PackJob &pack, Scene &scene,
+                                   MadeMap &made) const
+{
+    using Outcome = unwrap::TilePackingResult::Outcome;
+    const UvMatrix &uv = scene.uvSets.front().uv;
+    unwrap::TilePacking tiles;
+    tiles.firstTile = mOptions.unwrap.packing.udimTile;
+    if (mOptions.fillTiles)
+        tiles = unwrap::fillingTiles(*scene.mesh, charts, pack, uv);
+    if (mOptions.density > 0)
+        tiles.density = mOptions.density;
+    const JobContext job = mJob.part(0, 1, JobStage::Packing);
+    const unwrap::TilePackingResult packed = unwrap::packOverTiles(*scene.mesh, charts, pack, tiles, uv, job);
+    switch (packed.outcome) {
+    case Outcome::Done:
+        break;
+    case Outcome::TooMany:
+        return Error{QStringLiteral("the islands need more UDIM tiles than there are"), mOptions.input, 0,
+                     QStringLiteral("Use a smaller --density or a larger --texture-size")};
+    case Outcome::Stopped:
+    case Outcome::NoRoom:
+        return noRoomError(mOptions);
+    }
+    QStringList numbers;
+    for (const int tile : packed.tiles)
+        numbers << QString::number(tile);
+    made.notes << QStringLiteral("islands packed: %1, into the tiles %2")
+                      .arg(packed.packed)
+                      .arg(numbers.join(QStringLiteral(", ")));
+    if (packed.tooLarge > 0)
+        made.warnings << QStringLiteral("islands larger than a tile at this density: %1; each has a tile of "
+                                        "its own, in which it is smaller")
+                             .arg(packed.tooLarge);
+    setUv(scene, packed.uv);
     return Done{};
 }
 
@@ -124,7 +168,15 @@ Result<MadeMap> MapMaking::separate(Scene &scene) const
     if (snapshot->scope &&
         !holdsWholeChart(*snapshot->scope, findCharts(*scene.mesh, scene.uvSets.front().uv)))
         return noWholeChart();
-    return separated(scene, unwrap::separateMap(snapshot.value(), pack.value(), mJob, mOptions.separation));
+    const unwrap::SeparateResult made =
+        unwrap::separateMap(snapshot.value(), pack.value(), mJob, mOptions.separation);
+    Result<MadeMap> outcome = separated(scene, made);
+    using Separation = unwrap::SeparateResult::Outcome;
+    if (outcome && (made.outcome == Separation::Done || made.outcome == Separation::NoOverlaps)) {
+        if (const Result<Done> packed = packIntoTiles(snapshot.value(), scene, outcome.value()); !packed)
+            return packed.error();
+    }
+    return outcome;
 }
 
 Result<MadeMap> MapMaking::lightmap(Scene &scene) const
@@ -185,6 +237,8 @@ Result<MadeMap> MapMaking::finish(Scene &scene) const
     if (made.noRoom)
         return noRoomError(mOptions);
     setUv(scene, made.uv);
+    if (const Result<Done> packed = packIntoTiles(snapshot.value(), scene, outcome); !packed)
+        return packed.error();
     if (made.nothingFree)
         outcome.warnings << nothingFree();
     else if (made.distortion > mOptions.unwrap.maxDistortion)

@@ -5,6 +5,7 @@
 #include "cli/clioptions.h"
 #include "cli/mapreporting.h"
 #include "solver/base/jobcontext.h"
+#include "solver/unwrap/packjob.h"
 #include "solver/unwrap/separatejob.h"
 #include "solver/unwrap/unmetsteering.h"
 
@@ -18,6 +19,7 @@ struct MadeMap
     bool boundMissed = false;
     QStringList notes;    //!< what was done
     QStringList warnings; //!< what was requested and could not be done
+    std::optional<transfer::TransferFigures> transfer;
 };
 
 //! Gives the first UV set of a scene a new map. \pre the scene is what the files have read, with area
@@ -33,12 +35,18 @@ public:
     Result<MadeMap> separate(Scene &scene) const;
     Result<MadeMap> lightmap(Scene &scene) const;
     Result<MadeMap> finish(Scene &scene) const;
+    Result<MadeMap> transfer(Scene &scene) const;
 
 private:
     //! \param made by separating; what has no UVs stays
     Result<MadeMap> separated(Scene &scene, const unwrap::SeparateResult &made) const;
     //! Packs the islands that may change, for a map that there is.
-    Result<Done> packIslands(const Snapshot &snapshot, Scene &scene) const;
+    Result<Done> packIslands(const Snapshot &snapshot, Scene &scene, MadeMap &made) const;
+    //! Packs a map that was just made again, where the options distribute it over tiles.
+    Result<Done> packIntoTiles(const Snapshot &snapshot, Scene &scene, MadeMap &made) const;
+    //! Packs over tiles, by density or into those in use.
+    Result<Done> distribute(const ChartMap &charts, const unwrap::PackJob &pack, Scene &scene,
+                            MadeMap &made) const;
     //! The input of the solver, with the scope of --only.
     Result<Snapshot> snapshotOf(const Scene &scene) const;
     void sayGivenSeams(const Snapshot &snapshot, MadeMap &made) const;

@@ -1,11 +1,10 @@
 #include "cli/mapreporting.h"
 
-#include "model/document/scenegroups.h"
-#include "model/io/meshdoctor.h"
-#include "model/io/savefile.h"
+#include "model/io/layoutfiles.h"
+#include "model/io/mapreport.h"
 #include "model/io/uvexport.h"
-#include "model/plain/udimtiles.h"
-#include "solver/metrics/groupfigures.h"
+#include "model/plain/meshpart.h"
+#include "solver/metrics/uvmetrics.h"
 #include "solver/metrics/uvoverlaps.h"
 
 #include <algorithm>
@@ -17,56 +16,6 @@ namespace {
 
 //! In texels. Islands closer than this bleed into each other when the texture is filtered.
 constexpr double fewestGutterTexels = 1;
-
-MapReport reportOf(const metrics::UvMetrics &m)
-{
-    MapReport r;
-    r.triangles = m.triangles;
-    r.charts = m.charts;
-    r.seamLength = m.seamLength;
-    r.seamNorm = m.seamNorm;
-    r.symDirichlet = m.symDirichlet;
-    r.symDirichletMax = m.symDirichletMax;
-    r.flipped = m.flipped;
-    if (m.overlapPairs >= 0) {
-        r.overlapPairs = m.overlapPairs;
-        r.overlappingTriangles = m.overlappingTriangles;
-        r.stackedPairs = m.stackedPairs;
-    }
-    r.overlapAreaRatio = m.overlapAreaRatio;
-    r.packingEfficiency = m.packingUnit;
-    r.minGutterTexels = m.minGutterTexels;
-    r.faces = m.faces;
-    r.seamEdges = m.seamEdges;
-    r.symDirichletInfinite = m.symDirichletInfinite;
-    r.uvDegenerate = m.uvDegenerate;
-    r.mirroredCharts = m.mirroredCharts;
-    r.nonDiskCharts = m.nonDiskCharts;
-    r.facesWithoutUv = m.facesWithoutUv;
-    r.zeroAreaTriangles = m.zeroAreaTriangles;
-    r.symDirichletP99 = m.symDirichletP99;
-    r.symDirichletScale = m.symDirichletScale;
-    r.l2Stretch = m.l2Stretch;
-    r.angleDistortion = m.angleDistortion;
-    r.areaDistortion = m.areaDistortion;
-    r.texelDensitySpread = m.texelDensitySpread;
-    r.axisAlignedShare = m.axisAlignedShare;
-    r.packingBox = m.packingBox;
-    r.minGutter = m.minGutter;
-    r.borderGutterTexels = m.borderGutterTexels;
-    r.inUnitSquare = m.inUnitSquare;
-    return r;
-}
-
-qint64 facesWithoutUvArea(const MeshData &mesh, const metrics::UvMetrics &m)
-{
-    std::vector<bool> collapsed(mesh.faceCount(), false);
-    for (int t = 0; t < mesh.triangleCount(); ++t) {
-        if (std::isinf(m.triangleSymDirichlet[t]))
-            collapsed[mesh.triangleFace[t]] = true;
-    }
-    return std::count(collapsed.begin(), collapsed.end(), true);
-}
 
 QString counted(qint64 count, const char *one, const char *many)
 {
@@ -83,55 +32,46 @@ QString shortCount(const MapReport::Count &value)
     return value ? QString::number(*value) : QStringLiteral("-");
 }
 
-std::vector<MapReport::Part> partsOf(const Scene &scene, SceneKind kind, const metrics::UvMetrics &figures,
-                                     const PackingSettings &packing)
+//! The part of a scene, with its active UV set only.
+Scene sceneOfPart(const Scene &scene, const MeshPart &part)
 {
-    const std::vector<SceneGroup> groups = sceneGroups(scene, kind);
-    const std::vector<int> groupOf = groupOfFaces(groups, scene.mesh->faceCount());
-    const std::vector<metrics::GroupFigures> measured =
-        metrics::groupFigures(*scene.mesh, scene.uvSets.front().uv, groupOf, static_cast<int>(groups.size()),
-                              figures.chartSymDirichlet);
-    std::vector<MapReport::Part> parts;
-    for (std::size_t g = 0; g < groups.size(); ++g)
-        parts.push_back({groups[g].name, measured[g].faces, measured[g].charts, measured[g].symDirichlet,
-                         measured[g].density * packing.textureSize,
-                         measured[g].uvArea / packing.tileHeight()});
-    return parts;
+    Scene some = scene;
+    some.mesh = part.mesh;
+    some.hardEdges.clear();
+    some.source.reset();
+    some.faceMaterial.clear();
+    for (std::size_t f = 0; !scene.faceMaterial.empty() && f < part.face.size(); ++f)
+        some.faceMaterial.push_back(scene.faceMaterial[part.face[f]]);
+    some.uvSets.resize(std::min<std::size_t>(some.uvSets.size(), 1));
+    for (UvSet &set : some.uvSets) {
+        UvMatrix uv(static_cast<Eigen::Index>(part.corner.size()), 2);
+        for (std::size_t c = 0; c < part.corner.size(); ++c)
+            uv.row(static_cast<Eigen::Index>(c)) = set.uv.row(part.corner[c]);
+        set.uv = std::move(uv);
+    }
+    return some;
 }
 
 } // namespace
 
 MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags,
-                   const PackingSettings &packing)
+                   const PackingSettings &packing, const std::vector<bool> &faces)
 {
-    MapReport report;
-    if (scene.hasUv()) {
-        metrics::UvMetricsOptions options;
-        options.textureSize = packing.textureSize;
-        options.tileHeight = packing.tileHeight();
-        options.faceFlags = faceFlags;
-        const metrics::UvMetrics figures = measureUv(*scene.mesh, scene.uvSets.front().uv, options);
-        report = reportOf(figures);
-        report.facesWithoutUvArea = facesWithoutUvArea(*scene.mesh, figures);
-        report.objects = partsOf(scene, SceneKind::Objects, figures, packing);
-        report.materials = partsOf(scene, SceneKind::Materials, figures, packing);
-    } else {
-        report.triangles = scene.mesh->triangleCount();
-        report.faces = scene.mesh->faceCount();
-        report.facesWithoutUv = scene.mesh->faceCount();
+    if (std::find(faces.begin(), faces.end(), true) != faces.end()) {
+        const MeshPart part = partOf(*scene.mesh, faces);
+        std::vector<IslandFlags> flags;
+        for (std::size_t f = 0; !faceFlags.empty() && f < part.face.size(); ++f)
+            flags.push_back(faceFlags[part.face[f]]);
+        return reportOn(sceneOfPart(scene, part), flags, packing);
     }
-    if (!scene.uvSets.empty())
-        report.uvSet = scene.uvSets.front().name;
-    const std::vector<double> &weights = scene.mesh->texelWeight;
-    report.texelDensityWeights =
-        std::count_if(weights.begin(), weights.end(), [](double weight) { return weight != 1; });
-    report.textureSize = packing.textureSize;
-    report.textureHeight = packing.height();
-    report.mesh = scene.mesh->report;
-    report.notes = meshDoctorNotes(scene.mesh->report);
-    for (const QString &note : scene.notes)
-        report.notes << note;
-    return report;
+    if (!scene.hasUv())
+        return mapReport(scene, nullptr, packing);
+    metrics::UvMetricsOptions options;
+    options.textureSize = packing.textureSize;
+    options.tileHeight = packing.tileHeight();
+    options.faceFlags = faceFlags;
+    const metrics::UvMetrics figures = measureUv(*scene.mesh, scene.uvSets.front().uv, options);
+    return mapReport(scene, &figures, packing);
 }
 
 QStringList mapProblems(const MapReport &report)
@@ -149,8 +89,8 @@ QStringList mapProblems(const MapReport &report)
     const qint64 overlaps = report.overlappingTriangles.value_or(0);
     if (overlaps > 0)
         problems << counted(overlaps, "triangle overlaps", "triangles overlap");
-    if (report.inUnitSquare && !*report.inUnitSquare)
-        problems << QStringLiteral("the UVs leave the unit square");
+    if (report.inTiles == false)
+        problems << QStringLiteral("the UVs leave the unit square, and do not lie in UDIM tiles");
     if (overlaps == 0 && report.minGutterTexels < fewestGutterTexels)
         problems << QStringLiteral("islands come as close as %1 texels at a texture size of %2")
                         .arg(report.minGutterTexels, 0, 'g', 3)
@@ -195,7 +135,15 @@ QString reportTable(const MapReport &r)
     if (const qint64 stacked = r.stackedPairs.value_or(0); stacked > 0)
         line("stacked_pairs", QString::number(stacked), QStringLiteral("of stacked islands, on purpose"));
     line("packing_efficiency", shortNumber(r.packingEfficiency),
-         QStringLiteral("part of the unit square in use"));
+         r.tiles.size() > 1 ? QStringLiteral("part of the %1 tiles in use").arg(r.tiles.size())
+                            : QStringLiteral("part of the texture in use"));
+    const bool onlyFirst = r.tiles.size() == 1 && r.tiles.front().number == PackingSettings::firstTile;
+    for (std::size_t i = 0; !onlyFirst && i < r.tiles.size(); ++i) {
+        const MapReport::Tile &tile = r.tiles[i];
+        line(qPrintable(QStringLiteral("tile_%1").arg(tile.number)), shortNumber(tile.packingEfficiency),
+             QStringLiteral("in use by %1, %2 px per unit")
+                 .arg(counted(tile.charts, "island", "islands"), shortNumber(tile.texelDensity)));
+    }
     line("min_gutter_texels", shortNumber(r.minGutterTexels), texels);
     if (!r.status.isEmpty())
         line("status", r.status, {});
@@ -210,21 +158,22 @@ std::vector<int> overlappingTriangles(const Scene &scene, const std::vector<Isla
         metrics::findUvOverlaps(*scene.mesh, scene.uvSets.front().uv, options));
 }
 
-Result<Done> writeLayout(const QString &path, const Scene &scene, const PackingSettings &packing,
-                         const std::vector<int> &hatched, const std::vector<bool> &faces, int tile)
+Result<Done> writeLayout(const CliOptions &cli, const Scene &scene, const std::vector<int> &hatched,
+                         const std::vector<bool> &faces)
 {
+    const PackingSettings &packing = cli.unwrap.packing;
     const MeshData &mesh = *scene.mesh;
-    UvMatrix uv = withoutOtherFaces(mesh, scene.uvSets.front().uv, faces);
-    uv.rowwise() -= udimTile(tile, packing.tileHeight()).min().transpose();
+    const UvMatrix uv = withoutOtherFaces(mesh, scene.uvSets.front().uv, faces);
     LayoutOptions options;
     options.size = std::clamp(std::max(packing.textureSize, packing.height()), 256, 4096);
     options.tileHeight = packing.tileHeight();
     options.overlapping = hatched;
-    const bool svg = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
-    const Result<QByteArray> bytes = svg ? layoutSvg(mesh, uv, options) : layoutPng(mesh, uv, options);
-    if (!bytes)
-        return bytes.error();
-    return saveAtomically(path, bytes.value());
+    for (const LayoutPicture &picture :
+         layoutPictures(cli.layout, mesh, uv, packing.tileHeight(), packing.udimTile, cli.per.has_value())) {
+        if (Result<Done> drawn = writeLayoutPicture(picture, mesh, uv, options); !drawn)
+            return drawn;
+    }
+    return Done{};
 }
 
 } // namespace autocuts

@@ -1,6 +1,7 @@
 // Describes a map: the report, a table for people, a picture.
 #pragma once
 
+#include "cli/clioptions.h"
 #include "model/document/result.h"
 #include "model/document/scene.h"
 #include "model/io/report.h"
@@ -16,8 +17,9 @@ namespace autocuts {
 //! Measures the active UV set and describes the mesh. Without a UV set, the figures of the map stay unknown.
 //! \param faceFlags per face: which islands are stacked; empty: none
 //! \param packing the texture, for figures in texels
+//! \param faces per face: it is measured, as if there were no others; empty: all are
 MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags,
-                   const PackingSettings &packing);
+                   const PackingSettings &packing, const std::vector<bool> &faces = {});
 
 //! The problems of a map, one sentence each; empty when it can be used. \param report from reportOn()
 QStringList mapProblems(const MapReport &report);
@@ -31,10 +33,9 @@ QString reportTable(const MapReport &report);
 //! The triangles that overlap in the active UV set, ascending. \param faceFlags see reportOn()
 std::vector<int> overlappingTriangles(const Scene &scene, const std::vector<IslandFlags> &faceFlags);
 
-//! Draws the active UV set. \param path .png or .svg \param hatched triangles, ascending
-//! \param faces per face: it is drawn; empty: all are
-//! \param tile UDIM tile of which the picture is
-Result<Done> writeLayout(const QString &path, const Scene &scene, const PackingSettings &packing,
-                         const std::vector<int> &hatched, const std::vector<bool> &faces, int tile);
+//! Draws the active UV set as the options say: a picture of each UDIM tile in use.
+//! \param hatched triangles, ascending \param faces per face: it is drawn; empty: all are
+Result<Done> writeLayout(const CliOptions &cli, const Scene &scene, const std::vector<int> &hatched,
+                         const std::vector<bool> &faces);
 
 } // namespace autocuts

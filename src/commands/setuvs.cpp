@@ -113,6 +113,8 @@ QString SetUvs::label() const
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Finish map"));
     case UvEdit::Separate:
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Separate overlaps"));
+    case UvEdit::Transfer:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Transfer UVs"));
     case UvEdit::BrushRelax:
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Relax with a brush"));
     case UvEdit::BrushPinch:
@@ -153,7 +155,7 @@ void SetUvs::writePayload(QCborMap &map) const
 
 Result<std::unique_ptr<DocumentCommand>> SetUvs::fromCbor(Document &document, CborReader &reader)
 {
-    const UvEdit edit = reader.enumerator("edit"_L1, UvEdit::AlignToAxes);
+    const UvEdit edit = reader.enumerator("edit"_L1, UvEdit::Transfer);
     const int uvSet = static_cast<int>(reader.integer("uvSet"_L1, 0, std::numeric_limits<int>::max()));
     UvEditExtras extras;
     extras.count = static_cast<int>(reader.integer("count"_L1, 0, std::numeric_limits<int>::max()));

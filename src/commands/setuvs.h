@@ -32,7 +32,8 @@ enum class UvEdit {
     BrushRelax,
     BrushPinch,
     BrushGrab,
-    AlignToAxes
+    AlignToAxes,
+    Transfer
 };
 
 //! Changes that an edit of UVs makes besides the UVs.

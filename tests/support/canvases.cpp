@@ -12,7 +12,8 @@ Canvases::Canvases()
     : preferences(folder.filePath(QStringLiteral("preferences.ini"))), shown(workspace),
       solver(workspace, shown), map(workspace, solver, shown),
       files(workspace, solver, preferences, folder.filePath(QStringLiteral("recovery"))),
-      actions(preferences), context{workspace, shown, view, preferences, solver, map, files, actions},
+      actions(preferences), pictures(workspace, view), context{workspace, shown, view,    preferences, solver,
+                                                               map,       files, actions, pictures},
       tools(context), mesh(context, tools), uv(context, tools)
 {
     addStudioTools(tools, context);

@@ -7,6 +7,7 @@
 #include "views/canvas/uvview.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/modelpictures.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
@@ -55,6 +56,7 @@ public:
     MapController map;
     FileController files;
     ActionRegistry actions;
+    ModelPictures pictures;
     const StudioContext context;
     ToolManager tools;
     MeshView mesh;

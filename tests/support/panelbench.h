@@ -5,6 +5,7 @@
 #include "views/actions/actionregistry.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/modelpictures.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/studiocontext.h"
@@ -36,7 +37,8 @@ struct PanelBench
     MapController map{workspace, solver, shownMap};
     FileController files{workspace, solver, preferences, folder.path()};
     ActionRegistry actions{preferences};
-    StudioContext context{workspace, shownMap, view, preferences, solver, map, files, actions};
+    ModelPictures pictures{workspace, view};
+    StudioContext context{workspace, shownMap, view, preferences, solver, map, files, actions, pictures};
 
     Document &document() { return *workspace.document(); }
     UndoStack &stack() { return document().undoStack(); }

@@ -6,6 +6,7 @@
 #include "views/actions/studioactions.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/modelpictures.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
@@ -29,7 +30,8 @@ struct StudioParts
     SolverController solver{workspace, shownMap};
     MapController map{workspace, solver, shownMap};
     FileController files{workspace, solver, preferences, path("recovery")};
-    StudioContext context{workspace, shownMap, view, preferences, solver, map, files, registry};
+    ModelPictures pictures{workspace, view};
+    StudioContext context{workspace, shownMap, view, preferences, solver, map, files, registry, pictures};
     Answers answers;
     StudioActions actions{context, answers, path("recovery")};
 

@@ -28,7 +28,8 @@ bool sameScene(const Scene &a, const Scene &b)
     return a.path == b.path && a.format == b.format && sameMesh(a.mesh, b.mesh) &&
            a.objectNames == b.objectNames && a.materialNames == b.materialNames &&
            a.faceMaterial == b.faceMaterial && a.materialColors == b.materialColors &&
-           a.hardEdges == b.hardEdges && sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes;
+           a.materialTextures == b.materialTextures && a.hardEdges == b.hardEdges &&
+           sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes;
 }
 
 QString validateMaterials(const Scene &scene)
@@ -38,6 +39,8 @@ QString validateMaterials(const Scene &scene)
         return QStringLiteral("The materials do not fit the mesh");
     if (scene.materialColors.size() > scene.materialNames.size())
         return QStringLiteral("There are more colours than materials");
+    if (scene.materialTextures.size() > scene.materialNames.size())
+        return QStringLiteral("There are more textures than materials");
     const auto exists = [&](int m) { return m >= -1 && m < static_cast<int>(scene.materialNames.size()); };
     if (!std::all_of(materials.begin(), materials.end(), exists))
         return QStringLiteral("A face has an unknown material");

@@ -1,9 +1,10 @@
 #include "model/document/relink.h"
 
-#include "model/document/facematch.h"
 #include "model/plain/polygonsides.h"
 #include "model/plain/texelweights.h"
 #include "model/plain/uvlayout.h"
+#include "model/transfer/facematch.h"
+#include "model/transfer/positiontransfer.h"
 
 #include <QCoreApplication>
 
@@ -25,8 +26,9 @@ struct RelinkTexts
 class Carrier
 {
 public:
-    Carrier(const DocumentState &from, Scene scene)
-        : mFrom(from), mBefore(*from.scene.mesh), mAfter(*scene.mesh), mMatch(matchFaces(mBefore, mAfter))
+    Carrier(const DocumentState &from, Scene scene, const std::function<bool()> &stopped)
+        : mFrom(from), mBefore(*from.scene.mesh), mAfter(*scene.mesh), mMatch(matchFaces(mBefore, mAfter)),
+          mStopped(stopped)
     {
         mTo.scene = std::move(scene);
         mReport.sameTopology = mMatch.sameTopology;
@@ -106,12 +108,35 @@ private:
                     carried.uv.row(mMatch.corner[c]) = set.uv.row(c);
             }
             mTo.scene.uvSets.push_back(std::move(carried));
+            placeNewFaces(set.uv);
         }
         for (double scale : mFrom.uvScales) {
             const double carried = scale * factor;
             mTo.uvScales.push_back(std::isfinite(carried) && carried > 0 ? carried : scale);
         }
         mTo.activeUvSet = mFrom.activeUvSet;
+    }
+
+    //! Gives the new faces the UVs of the old model's nearest points, in the last UV set.
+    void placeNewFaces(const UvMatrix &before)
+    {
+        if (mReport.newFaces.isEmpty() || (mStopped && mStopped()))
+            return;
+        const transfer::Frame frame = transfer::frameOf(mBefore);
+        const transfer::SourceSurface surface(mBefore, before, frame);
+        if (surface.triangleCount() == 0)
+            return;
+        std::vector<bool> wanted(static_cast<std::size_t>(mAfter.faceCount()), false);
+        for (int face : mReport.newFaces)
+            wanted[face] = true;
+        UvMatrix &uv = mTo.scene.uvSets.back().uv;
+        transfer::PositionUvs found = takeByPosition(surface, mAfter, frame, uv, wanted, {mStopped, {}});
+        const auto placed = static_cast<int>(std::count(found.placed.begin(), found.placed.end(), true));
+        if (found.stopped || transfer::isApart(mReport.faces.kept + placed, mAfter.faceCount()))
+            return;
+        uv = std::move(found.uv);
+        if (static_cast<int>(mTo.scene.uvSets.size()) == mFrom.activeUvSet + 1)
+            mReport.placedFaces = placed;
     }
 
     void carrySeams()
@@ -214,6 +239,7 @@ private:
     const MeshData &mBefore;
     const MeshData &mAfter;
     FaceMatch mMatch;
+    const std::function<bool()> &mStopped;
     DocumentState mTo;
     RelinkReport mReport;
 };
@@ -227,9 +253,14 @@ QStringList RelinkReport::lines() const
         if (carried.lost > 0)
             lines << text.arg(carried.lost).arg(carried.kept + carried.lost);
     };
-    add(faces, RelinkTexts::tr("%1 of %2 faces are not in the new model: their UVs are lost"));
-    if (!newFaces.isEmpty())
-        lines << RelinkTexts::tr("%1 faces are new and have no UVs").arg(newFaces.size());
+    add(faces, placedFaces > 0
+                   ? RelinkTexts::tr("%1 of %2 faces are not in the new model")
+                   : RelinkTexts::tr("%1 of %2 faces are not in the new model: their UVs are lost"));
+    if (placedFaces > 0)
+        lines << RelinkTexts::tr("%1 faces are new and have the UVs of the old model's nearest points")
+                     .arg(placedFaces);
+    if (newFaces.size() > placedFaces)
+        lines << RelinkTexts::tr("%1 faces are new and have no UVs").arg(newFaces.size() - placedFaces);
     add(seams, RelinkTexts::tr("%1 of %2 cut, joined, painted or straight edges are lost"));
     add(pins, RelinkTexts::tr("%1 of %2 pins are lost"));
     add(rectangleFaces, RelinkTexts::tr("%1 of %2 assignments of faces to rectangles are lost"));
@@ -240,9 +271,9 @@ QStringList RelinkReport::lines() const
     return lines;
 }
 
-Relinked relinkDocument(const DocumentState &state, Scene newScene)
+Relinked relinkDocument(const DocumentState &state, Scene newScene, const std::function<bool()> &stopped)
 {
-    return Carrier(state, std::move(newScene)).run();
+    return Carrier(state, std::move(newScene), stopped).run();
 }
 
 } // namespace autocuts

@@ -19,6 +19,16 @@ struct UvSet
     UvMatrix uv;
 };
 
+//! The picture of a material's base colour, as the file names or holds it.
+struct SceneTexture
+{
+    QString file;       //!< name or path as the file spells it; empty where it has none
+    QByteArray content; //!< the bytes of a picture inside of the model's file; empty for one of its own
+
+    bool isEmpty() const { return file.isEmpty() && content.isEmpty(); }
+    bool operator==(const SceneTexture &) const = default;
+};
+
 //! Data read besides the geometry that must be written back on saving. One subclass per family of file
 //! formats.
 struct SceneSource
@@ -38,6 +48,8 @@ struct Scene
     std::vector<int> faceMaterial; //!< index into materialNames, -1 for none
     //! Base colour of each material, opaque; 0 where the file says none. May be shorter than materialNames.
     std::vector<QRgb> materialColors;
+    //! Picture of each material's base colour. May be shorter than materialNames.
+    std::vector<SceneTexture> materialTextures;
     //! Per edge pair: the file shades its two sides as separate surfaces, by smoothing groups or by normals
     //! that differ; empty when there are no such edges.
     std::vector<bool> hardEdges;

@@ -1,8 +1,8 @@
 #include "model/io/assimpmatch.h"
 
-#include "model/document/facematch.h"
 #include "model/io/assimpreader.h"
 #include "model/io/savefile.h"
+#include "model/transfer/facematch.h"
 
 #include <QTemporaryDir>
 

@@ -50,6 +50,17 @@ QRgb diffuseColor(const aiMaterial &material)
                : 0;
 }
 
+//! The picture of the base colour; empty where the file names none.
+QString diffuseTexture(const aiMaterial &material)
+{
+    aiString path;
+    for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
+        if (material.GetTexture(type, 0, &path) == AI_SUCCESS && path.length > 0 && path.data[0] != '*')
+            return QString::fromUtf8(path.C_Str());
+    }
+    return {};
+}
+
 //! Collects the meshes of all nodes into one polygon soup.
 class SoupBuilder
 {
@@ -234,6 +245,7 @@ bool SoupBuilder::build(Scene &scene, AssimpSource &source)
     for (unsigned m = 0; m < mAi.mNumMaterials; ++m) {
         scene.materialNames.push_back(toName(mAi.mMaterials[m]->GetName()));
         scene.materialColors.push_back(diffuseColor(*mAi.mMaterials[m]));
+        scene.materialTextures.push_back({diffuseTexture(*mAi.mMaterials[m]), {}});
     }
     scene.objectNames = std::move(mObjectNames);
     scene.faceMaterial = std::move(mFaceMaterial);

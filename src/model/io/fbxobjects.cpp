@@ -2,6 +2,7 @@
 
 #include "model/document/materialcolor.h"
 #include "model/io/fbxproperties.h"
+#include "model/io/fbxtextures.h"
 
 #include <map>
 
@@ -30,7 +31,7 @@ QByteArray keyOf(const FbxValue &value)
 class ObjectReader
 {
 public:
-    explicit ObjectReader(const FbxTree &tree) : mTree(tree) {}
+    explicit ObjectReader(const FbxTree &tree) : mTree(tree), mTextures(tree) {}
 
     FbxObjects read();
 
@@ -44,10 +45,12 @@ private:
 
     void readObject(int node);
     void connect(const FbxValue &child, const FbxValue &parent);
+    void connectTexture(const std::vector<FbxValue> &connection);
     void readContents(std::string_view name, std::string_view kind, int node);
 
     const FbxTree &mTree;
     FbxObjects mObjects;
+    FbxTextures mTextures;
     std::map<QByteArray, Entry> mEntries; //!< the first object of each key
 };
 
@@ -98,6 +101,16 @@ void ObjectReader::readObject(int node)
         mObjects.materialNames.push_back(objectName(mTree, called));
         mObjects.materialColors.push_back(diffuseColor(mTree, node));
     }
+    mTextures.addObject(name, key, node);
+}
+
+void ObjectReader::connectTexture(const std::vector<FbxValue> &connection)
+{
+    const QByteArray parent = keyOf(connection[2]);
+    const auto to = mEntries.find(parent);
+    const bool toMaterial = to != mEntries.end() && to->second.kind == Class::Material;
+    mTextures.connect(keyOf(connection[1]), parent, toMaterial ? to->second.index : -1,
+                      connection.size() > 3 ? connection[3].text : std::string_view());
 }
 
 void ObjectReader::connect(const FbxValue &child, const FbxValue &parent)
@@ -139,10 +152,14 @@ FbxObjects ObjectReader::read()
     for (const int object : childrenOf(tree.child(0, "Objects")))
         readObject(object);
     for (const int connection : childrenOf(tree.child(0, "Connections"))) {
-        const std::vector<FbxValue> values = tree.values(connection, 3);
-        if (values.size() == 3 && values[0].kind == FbxValue::Kind::Text && values[0].text == "OO")
+        const std::vector<FbxValue> values = tree.values(connection, 4);
+        if (values.size() < 3 || values[0].kind != FbxValue::Kind::Text)
+            continue;
+        if (values.size() == 3 && values[0].text == "OO")
             connect(values[1], values[2]);
+        connectTexture(values);
     }
+    mObjects.materialTextures = mTextures.ofMaterials(mObjects.materialNames.size());
     for (const int take : childrenOf(tree.child(0, "Takes")))
         mObjects.contents.animations = mObjects.contents.animations || tree.child(take, "Model") >= 0;
     // Names of version 6 may be those of several objects, of which connections say nothing.

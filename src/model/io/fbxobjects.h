@@ -1,6 +1,7 @@
 // The objects of an FBX file and how they are connected.
 #pragma once
 
+#include "model/document/scene.h"
 #include "model/io/fbxtree.h"
 #include "model/io/sourcecontents.h"
 
@@ -26,7 +27,8 @@ struct FbxObjects
 {
     std::vector<FbxModel> models; //!< in the order of the file
     std::vector<QString> materialNames;
-    std::vector<QRgb> materialColors; //!< as in Scene
+    std::vector<QRgb> materialColors;           //!< as in Scene
+    std::vector<SceneTexture> materialTextures; //!< as in Scene
     SourceContents contents;
 };
 

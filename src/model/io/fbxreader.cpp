@@ -270,6 +270,7 @@ Result<Scene> SceneBuilder::build()
     mScene.format = u"fbx"_s;
     mScene.materialNames = std::move(mObjects.materialNames);
     mScene.materialColors = std::move(mObjects.materialColors);
+    mScene.materialTextures = std::move(mObjects.materialTextures);
     PositionMatrix positions = Eigen::Map<const PositionMatrix>(
         mPositions.data(), static_cast<Eigen::Index>(mPositions.size() / 3), 3);
     mPositions = {};

@@ -50,20 +50,64 @@ QRgb diffuseColor(QByteArrayView numbers)
     return valid[0] && valid[1] && valid[2] ? color : 0;
 }
 
-void readColors(QByteArrayView bytes, std::map<QString, QRgb> &colors)
+//! What a material file says of a material.
+struct Material
+{
+    std::optional<QRgb> color;
+    QString texture;
+};
+
+//! The next word; it is taken from the text.
+QByteArrayView takeWord(QByteArrayView &text)
+{
+    text = text.trimmed();
+    qsizetype end = 0;
+    while (end < text.size() && text[end] != ' ' && text[end] != '\t')
+        ++end;
+    const QByteArrayView word = text.first(end);
+    text = text.sliced(end).trimmed();
+    return word;
+}
+
+//! The file name of a map, without the options before it; it may have spaces.
+QString fileOfMap(QByteArrayView text)
+{
+    while (text.startsWith('-')) {
+        const QByteArrayView option = takeWord(text);
+        // -o, -s and -t have one to three numbers, -mm has two, the others one word.
+        const bool vector = option == "-o" || option == "-s" || option == "-t";
+        for (int word = 0; word < (vector ? 3 : option == "-mm" ? 2 : 1); ++word) {
+            QByteArrayView rest = text;
+            const QByteArrayView value = takeWord(rest);
+            bool isNumber = false;
+            value.toByteArray().toDouble(&isNumber);
+            if (word > 0 && vector && !isNumber)
+                break;
+            text = rest;
+        }
+    }
+    return QString::fromUtf8(text);
+}
+
+void readMaterialFile(QByteArrayView bytes, std::map<QString, Material> &materials)
 {
     QString name;
     visitLines(bytes, [&](QByteArrayView line) {
-        if (const auto called = restAfter(line, "newmtl"))
+        if (const auto called = restAfter(line, "newmtl")) {
             name = QString::fromUtf8(*called);
-        else if (const auto numbers = restAfter(line, "Kd"))
-            colors.try_emplace(name, diffuseColor(*numbers));
+        } else if (const auto numbers = restAfter(line, "Kd")) {
+            if (Material &material = materials[name]; !material.color)
+                material.color = diffuseColor(*numbers);
+        } else if (const auto map = restAfter(line, "map_Kd")) {
+            if (Material &material = materials[name]; material.texture.isEmpty())
+                material.texture = fileOfMap(*map);
+        }
     });
 }
 
 } // namespace
 
-void readMaterialColors(QByteArrayView bytes, const QString &path, Scene &scene)
+void readMaterials(QByteArrayView bytes, const QString &path, Scene &scene)
 {
     if (scene.materialNames.empty())
         return;
@@ -72,16 +116,17 @@ void readMaterialColors(QByteArrayView bytes, const QString &path, Scene &scene)
         if (const auto file = restAfter(line, "mtllib"); file && files.size() < maxMaterialFiles)
             files << QString::fromUtf8(*file);
     });
-    std::map<QString, QRgb> colors;
+    std::map<QString, Material> materials;
     for (const QString &file : files) {
         // Only the name counts: a model must not make us read files elsewhere.
         const QString name = QFileInfo(QString(file).replace(u'\\', u'/')).fileName();
         if (const auto content = loadFile(QFileInfo(path).dir().filePath(name), maxMaterialFile))
-            readColors(content.value(), colors);
+            readMaterialFile(content.value(), materials);
     }
     for (const QString &name : scene.materialNames) {
-        const auto found = colors.find(name);
-        scene.materialColors.push_back(found == colors.end() ? 0 : found->second);
+        const Material &material = materials[name];
+        scene.materialColors.push_back(material.color.value_or(0));
+        scene.materialTextures.push_back({material.texture, {}});
     }
 }
 

@@ -1,4 +1,4 @@
-// Colours of the materials of OBJ files, from the files beside them (.mtl).
+// Colours and textures of the materials of OBJ files, from the files beside them (.mtl).
 #pragma once
 
 #include "model/document/scene.h"
@@ -7,9 +7,9 @@
 
 namespace autocuts {
 
-//! Fills in Scene::materialColors from the diffuse colours (Kd) of the material files that the OBJ file names
-//! and that lie in its folder. Files that are missing or too large are left out.
-//! \param bytes the OBJ file \param path of that file
-void readMaterialColors(QByteArrayView bytes, const QString &path, Scene &scene);
+//! Fills in Scene::materialColors and materialTextures from the diffuse colours (Kd) and their pictures
+//! (map_Kd) in the material files that the OBJ file names and that lie in its folder. Files that are missing
+//! or too large are left out. \param bytes the OBJ file \param path of that file
+void readMaterials(QByteArrayView bytes, const QString &path, Scene &scene);
 
 } // namespace autocuts

@@ -350,7 +350,7 @@ Result<Scene> readObj(const QString &path, const std::atomic<bool> *stop)
     const QByteArray content = bytes.value();
     Result<Scene> scene = parseObj(std::move(bytes).value(), path, stop);
     if (scene)
-        readMaterialColors(content, path, scene.value());
+        readMaterials(content, path, scene.value());
     return scene;
 }
 

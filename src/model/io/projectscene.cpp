@@ -74,6 +74,29 @@ std::vector<QRgb> readColors(const QCborMap &map, std::size_t materials)
     return colors;
 }
 
+QCborArray textureArray(const std::vector<SceneTexture> &textures)
+{
+    QCborArray array;
+    for (const SceneTexture &texture : textures)
+        array.append(texture.file);
+    return array;
+}
+
+//! The names of textures. Pictures inside of the model's file are those of that file, if it is there.
+std::vector<SceneTexture> readTextures(const QCborMap &map, std::vector<SceneTexture> inFile,
+                                       std::size_t materials)
+{
+    if (!map.contains("materialTextures"_L1)) // of an older program, or without textures
+        return inFile.size() > materials ? std::vector<SceneTexture>() : inFile;
+    const QCborArray names = map.value("materialTextures"_L1).toArray();
+    if (std::size_t(names.size()) > materials)
+        return {};
+    inFile.resize(static_cast<std::size_t>(names.size()));
+    for (std::size_t m = 0; m < inFile.size(); ++m)
+        inFile[m].file = names[static_cast<qsizetype>(m)].toString();
+    return inFile;
+}
+
 //! Numbers of vertices, faces and corners, to detect a model that was read differently.
 QByteArray countsOf(const MeshData &mesh)
 {
@@ -91,6 +114,8 @@ QCborMap sceneMap(const Scene &scene)
                  {"notes"_L1, textArray(scene.notes)}};
     if (!scene.materialColors.empty())
         map["materialColors"_L1] = colorArray(scene.materialColors);
+    if (!scene.materialTextures.empty())
+        map["materialTextures"_L1] = textureArray(scene.materialTextures);
     return map;
 }
 
@@ -126,6 +151,7 @@ bool readNames(const QCborMap &map, Scene &scene)
     scene.objectNames = std::move(named.objectNames);
     scene.materialNames = std::move(named.materialNames);
     scene.materialColors = readColors(map, scene.materialNames.size());
+    scene.materialTextures = readTextures(map, std::move(scene.materialTextures), scene.materialNames.size());
     scene.faceMaterial = *faceMaterial;
     scene.notes = std::move(named.notes);
     return true;
@@ -250,6 +276,7 @@ bool addGltf(Scene &scene, const QByteArray &part, const QString &path)
         whole->mesh->positions.rows() != mesh.positions.rows() || whole->mesh->positions != mesh.positions)
         return false;
     scene.source = whole->source;
+    scene.materialTextures = whole->materialTextures;
     return true;
 }
 

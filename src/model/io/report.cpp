@@ -50,6 +50,10 @@ public:
     void add(const char *key, double value) { addRaw(key, jsonNumber(value)); }
     void add(const char *key, const MapReport::Count &value) { addRaw(key, jsonCount(value)); }
     void add(const char *key, int value) { addRaw(key, QByteArray::number(value)); }
+    void add(const char *key, const std::optional<bool> &value)
+    {
+        addRaw(key, value ? (*value ? "true" : "false") : "null");
+    }
     //! An empty string is written as null.
     void add(const char *key, const QString &value)
     {
@@ -92,6 +96,24 @@ QByteArray meshJson(const std::optional<MeshReport> &mesh)
     return writer.finish();
 }
 
+QByteArray transferJson(const std::optional<transfer::TransferFigures> &figures)
+{
+    if (!figures)
+        return "null";
+    ObjectWriter writer(1);
+    writer.add("faces", figures->faces);
+    writer.add("copied", figures->copied);
+    writer.add("placed", figures->placed);
+    writer.add("unmatched", figures->unmatched());
+    writer.add("mean_distance", figures->meanDistance);
+    writer.add("max_distance", figures->maxDistance);
+    writer.add("turned_over", figures->turnedOver);
+    writer.add("collapsed", figures->collapsed);
+    writer.add("seam_length", figures->seamLength);
+    writer.add("source_seam_length", figures->sourceSeamLength);
+    return writer.finish();
+}
+
 QByteArray listJson(const QStringList &list)
 {
     QByteArray text = "[";
@@ -114,6 +136,21 @@ QByteArray partsJson(const std::vector<MapReport::Part> &parts)
         text += (text.size() > 1 ? ",\n    " : "\n    ") + writer.finish();
     }
     return parts.empty() ? QByteArray("[]") : text + "\n  ]";
+}
+
+QByteArray tilesJson(const std::vector<MapReport::Tile> &tiles)
+{
+    QByteArray text = "[";
+    for (const MapReport::Tile &tile : tiles) {
+        ObjectWriter writer(2);
+        writer.add("tile", tile.number);
+        writer.add("faces", MapReport::Count(tile.faces));
+        writer.add("charts", MapReport::Count(tile.charts));
+        writer.add("texel_density", tile.texelDensity);
+        writer.add("packing_efficiency", tile.packingEfficiency);
+        text += (text.size() > 1 ? ",\n    " : "\n    ") + writer.finish();
+    }
+    return tiles.empty() ? QByteArray("[]") : text + "\n  ]";
 }
 
 void addStableKeys(ObjectWriter &writer, const MapReport &report)
@@ -166,7 +203,8 @@ void addFurtherKeys(ObjectWriter &writer, const MapReport &report)
     writer.add("packing_bbox", report.packingBox);
     writer.add("min_gutter", report.minGutter);
     writer.add("border_gutter_texels", report.borderGutterTexels);
-    writer.addRaw("in_unit_square", report.inUnitSquare ? (*report.inUnitSquare ? "true" : "false") : "null");
+    writer.add("in_unit_square", report.inUnitSquare);
+    writer.add("in_tiles", report.inTiles);
 }
 
 } // namespace
@@ -178,7 +216,9 @@ QByteArray reportJson(const MapReport &report)
     addFurtherKeys(writer, report);
     writer.addRaw("objects", partsJson(report.objects));
     writer.addRaw("materials", partsJson(report.materials));
+    writer.addRaw("tiles", tilesJson(report.tiles));
     writer.addRaw("mesh", meshJson(report.mesh));
+    writer.addRaw("transfer", transferJson(report.transfer));
     writer.addRaw("notes", listJson(report.notes));
     return writer.finish() + '\n';
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/meshdata.h"
+#include "model/transfer/uvtransfer.h"
 
 #include <QByteArray>
 #include <QString>
@@ -14,7 +15,7 @@
 namespace autocuts {
 
 //! The content of a report. Unknown figures stay NaN or empty and are written as null. The figures have the
-//! same meaning as in UvMetrics; they are repeated here because the model may not include the solver.
+//! same meaning as in metrics::UvMetrics.
 struct MapReport
 {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -56,6 +57,18 @@ struct MapReport
         double packingEfficiency = unknown; //!< the part of a tile that its islands take
     };
     std::vector<Part> objects, materials; //!< in the order of the file; faces without a material are last
+
+    //! The figures of one UDIM tile.
+    struct Tile
+    {
+        int number = 0; //!< 1001 and more
+        qint64 faces = 0, charts = 0;
+        double texelDensity = unknown;      //!< texels per unit of the model
+        double packingEfficiency = unknown; //!< the part of the tile that its islands take
+    };
+    std::vector<Tile> tiles;                           //!< in which islands lie as a whole, ascending
+    std::optional<bool> inTiles;                       //!< every island lies in a tile
+    std::optional<transfer::TransferFigures> transfer; //!< of the command that makes maps this way
 
     // The mesh as it was read.
     std::optional<MeshReport> mesh;

@@ -1,10 +1,10 @@
 #include "model/plain/udimtiles.h"
 
-#include "model/plain/chart.h"
 #include "model/plain/packingsettings.h"
 #include "model/plain/uvlayout.h"
 
 #include <cmath>
+#include <set>
 
 namespace autocuts {
 
@@ -54,12 +54,9 @@ Eigen::AlignedBox2d tileAt(const Vec2 &point, double tileHeight)
     return boxOf(cellOf(point, tileHeight), tileHeight);
 }
 
-std::vector<int> udimTiles(const MeshData &mesh, const UvMatrix &uv, double tileHeight)
+std::vector<int> islandTiles(const MeshData &mesh, const ChartMap &charts, const UvMatrix &uv,
+                             double tileHeight)
 {
-    // Most layouts lie in one tile; then the islands need not be found.
-    if (const int tile = tileOf(layoutBox(uv), tileHeight); tile != 0 && uv.allFinite())
-        return std::vector<int>(mesh.faceCount(), tile);
-    const ChartMap charts = findCharts(mesh, uv);
     std::vector<Eigen::AlignedBox2d> boxes(charts.count);
     for (int face = 0; face < mesh.faceCount(); ++face) {
         for (int c = mesh.faceStart[face]; charts.faceChart[face] >= 0 && c < mesh.faceStart[face + 1]; ++c)
@@ -67,10 +64,31 @@ std::vector<int> udimTiles(const MeshData &mesh, const UvMatrix &uv, double tile
     }
     std::vector<int> tiles(mesh.faceCount(), 0);
     for (int face = 0; face < mesh.faceCount(); ++face) {
-        if (charts.faceChart[face] < 0)
-            continue;
-        tiles[face] = tileOf(boxes[charts.faceChart[face]], tileHeight);
-        if (tiles[face] == 0)
+        if (charts.faceChart[face] >= 0)
+            tiles[face] = tileOf(boxes[charts.faceChart[face]], tileHeight);
+    }
+    return tiles;
+}
+
+std::vector<int> usedTiles(const std::vector<int> &tiles, const std::vector<bool> &faces)
+{
+    std::set<int> used;
+    for (std::size_t face = 0; face < tiles.size(); ++face) {
+        if (tiles[face] > 0 && (faces.empty() || faces[face]))
+            used.insert(tiles[face]);
+    }
+    return {used.begin(), used.end()};
+}
+
+std::vector<int> udimTiles(const MeshData &mesh, const UvMatrix &uv, double tileHeight)
+{
+    // Most layouts lie in one tile; then the islands need not be found.
+    if (const int tile = tileOf(layoutBox(uv), tileHeight); tile != 0 && uv.allFinite())
+        return std::vector<int>(mesh.faceCount(), tile);
+    const ChartMap charts = findCharts(mesh, uv);
+    std::vector<int> tiles = islandTiles(mesh, charts, uv, tileHeight);
+    for (int face = 0; face < mesh.faceCount(); ++face) {
+        if (charts.faceChart[face] >= 0 && tiles[face] == 0)
             return std::vector<int>(mesh.faceCount(), 0);
     }
     return tiles;

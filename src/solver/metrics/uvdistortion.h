@@ -1,7 +1,7 @@
 // Distortion figures of a UV map. Internal to the metrics.
 #pragma once
 
-#include "solver/metrics/uvfigures.h"
+#include "model/plain/uvfigures.h"
 #include "solver/metrics/uvtriangles.h"
 
 namespace autocuts::metrics {

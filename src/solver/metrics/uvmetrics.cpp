@@ -2,6 +2,7 @@
 
 #include "model/plain/chart.h"
 #include "model/plain/rigidpieces.h"
+#include "solver/metrics/tilefigures.h"
 #include "solver/metrics/uvdistortion.h"
 #include "solver/metrics/uvgutter.h"
 #include "solver/metrics/uvoverlaps.h"
@@ -127,11 +128,6 @@ void measurePacking(const UvTopology &topology, const UvMetricsOptions &options,
     metrics.packingSquare = metrics.uvArea / (size.maxCoeff() * size.maxCoeff());
     const double room = std::min(1 - high.x(), options.tileHeight - high.y());
     metrics.inUnitSquare = low.minCoeff() >= -tolerance && room >= -tolerance;
-    if (metrics.inUnitSquare) {
-        metrics.packingUnit = metrics.uvArea / options.tileHeight;
-        metrics.borderGutter = std::min(low.minCoeff(), room);
-        metrics.borderGutterTexels = metrics.borderGutter * options.textureSize;
-    }
 }
 
 } // namespace
@@ -149,6 +145,8 @@ UvMetrics measureUv(const MeshData &mesh, const UvMatrix &uv, const UvMetricsOpt
     measureCharts(triangles, metrics);
     measureDistortion(mesh, uv, triangles, metrics);
     measurePacking(topology, options, metrics);
+    measureTiles(mesh, uv, topology.charts, options.tileHeight, metrics);
+    metrics.borderGutterTexels = metrics.borderGutter * options.textureSize;
     if (options.overlaps)
         measureOverlaps(uv, topology, triangles, options, metrics);
     if (options.gutter) {

@@ -3,8 +3,8 @@
 
 #include "model/plain/islandflags.h"
 #include "model/plain/meshdata.h"
+#include "model/plain/uvfigures.h"
 #include "solver/base/jobcontext.h"
-#include "solver/metrics/uvfigures.h"
 
 namespace autocuts::metrics {
 

@@ -17,7 +17,7 @@ namespace autocuts::straight {
 namespace {
 
 // Chosen by hand, by looking at maps of machines and vehicles.
-constexpr double mostAdded = 0.05;      //!< cost of all necks, as a share of half the length of the borders
+constexpr double mostAdded = 0.05;      //!< cost of all necks, as a share of the length of the seams
 constexpr double leastGain = 0.1;       //!< of an island's aligned border, beyond what the neck costs
 constexpr double leastPart = 0.05;      //!< of an island's border, on each side of a neck
 constexpr double longest = 0.6;         //!< neck, as a share of the square root of the island's area
@@ -171,16 +171,6 @@ private:
     std::optional<Neck> mBest;
 };
 
-double borderLength(const std::vector<Island> &islands)
-{
-    double sum = 0;
-    for (const Island &island : islands) {
-        for (const Island::Loop &loop : island.loops)
-            sum = std::accumulate(loop.length.begin(), loop.length.end(), sum);
-    }
-    return sum;
-}
-
 //! Per triangle side: its edge pair where it may be cut, else -1.
 std::vector<int> edgesThatMayBeCut(const Soup &soup, const Snapshot &snapshot)
 {
@@ -201,7 +191,7 @@ bool cutNecks(const Soup &soup, const Snapshot &snapshot, SeamedMap &map, const 
     if (settings.seams != SeamMode::Free || settings.symmetry || settings.mirrorMaps)
         return false;
     const std::vector<int> edgeOfSide = edgesThatMayBeCut(soup, snapshot);
-    std::optional<double> budget;
+    double budget = mostAdded * map.seamLength(soup);
     std::vector<bool> settled(soup.triangleCount(), false); // at the first triangle of an island
     bool anyCut = false;
     // Each round cuts every island once at most.
@@ -209,8 +199,6 @@ bool cutNecks(const Soup &soup, const Snapshot &snapshot, SeamedMap &map, const 
         const CutMesh charts(*soup.mesh, map.cut);
         const std::vector<bool> held = heldCharts(snapshot, charts);
         const std::vector<Island> islands = islandsOf(soup, charts, map.x);
-        if (!budget)
-            budget = mostAdded * borderLength(islands) / 2;
         std::vector<std::optional<Neck>> necks(islands.size());
         parallelFor(static_cast<int>(islands.size()), job.threads(), [&](int i) {
             if (!settled[islands[i].triangles.front()] && (held.empty() || !held[i]))
@@ -227,11 +215,11 @@ bool cutNecks(const Soup &soup, const Snapshot &snapshot, SeamedMap &map, const 
                          [&](int a, int b) { return necks[a]->rate() > necks[b]->rate(); });
         again = false;
         for (const int i : order) {
-            if (necks[i]->cost > *budget) {
+            if (necks[i]->cost > budget) {
                 settled[islands[i].triangles.front()] = true;
                 continue;
             }
-            *budget -= necks[i]->cost;
+            budget -= necks[i]->cost;
             for (const int edge : necks[i]->edges)
                 map.cut[edge] = true;
             again = anyCut = true;

@@ -45,6 +45,11 @@ constexpr std::array fileTable{
     ActionInfo{"file.exportLayout", "File", QT_TRANSLATE_NOOP("Actions", "Export la&yout..."),
                "export-layout", "Ctrl+Shift+E", QT_TRANSLATE_NOOP("Actions", "Write a picture of the UV map"),
                NeedsIdleMap},
+    ActionInfo{"file.exportReport", "File", QT_TRANSLATE_NOOP("Actions", "Export re&port..."), "", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Write the figures of the map, of objects, materials and tiles as "
+                                 "JSON, as the command line does"),
+               NeedsIdleMap},
     ActionInfo{"file.quit", "File", QT_TRANSLATE_NOOP("Actions", "&Quit"), "", "Ctrl+Q",
                QT_TRANSLATE_NOOP("Actions", "Quit Autocuts"), 0, false, "", true},
 };
@@ -195,6 +200,18 @@ constexpr std::array uvTable{
                QT_TRANSLATE_NOOP("Actions", "Give every material a UDIM tile of its own, in the order of the "
                                             "file; islands that are selected, or all of them"),
                NeedsIdleMap},
+    ActionInfo{"uv.packDensity", "UV/Pack into tiles",
+               QT_TRANSLATE_NOOP("Actions", "Pack at a texel &density..."), "pack", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Give islands a texel density and pack them into as many UDIM tiles as that "
+                                 "needs; islands that are selected, or all of them"),
+               NeedsIdleMap},
+    ActionInfo{"uv.fillTiles", "UV/Pack into tiles", QT_TRANSLATE_NOOP("Actions", "&Fill the tiles in use"),
+               "pack-selection", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Pack the selected islands into the free room of the tiles in which the "
+                                 "others lie, at their texel density; what does not fit gets new tiles"),
+               NeedsIdleMap | NeedsSelection},
     ActionInfo{"uv.packSelection", "UV", QT_TRANSLATE_NOOP("Actions", "Pack &selection"), "pack-selection",
                "Shift+P", QT_TRANSLATE_NOOP("Actions", "Arrange the selected islands around the others"),
                NeedsIdleMap | NeedsSelection},
@@ -349,6 +366,10 @@ constexpr std::array toolTable{
                "Ctrl+Alt+V",
                QT_TRANSLATE_NOOP("Actions", "Work on the next UV set, after the last one on the first"),
                NeedsDocument | NeedsIdle},
+    ActionInfo{"uv.transfer", "UV", QT_TRANSLATE_NOOP("Actions", "Transfer UVs from..."), "set-copy", "",
+               QT_TRANSLATE_NOOP("Actions", "Bring the UVs of another file, UV set or object onto the model, "
+                                            "also of another resolution"),
+               NeedsDocument | NeedsIdle},
     ActionInfo{"uv.cancel", "UV", QT_TRANSLATE_NOOP("Actions", "Cancel job"), "cancel", "Esc",
                QT_TRANSLATE_NOOP("Actions", "End the running job and keep what it has"), NeedsJob, false, "",
                true},
@@ -412,10 +433,16 @@ constexpr std::array viewTable{
     ActionInfo{"view.pattern.texture", "View/Pattern", QT_TRANSLATE_NOOP("Actions", "&Texture"), "texture",
                "", QT_TRANSLATE_NOOP("Actions", "The texture on the model and behind the map"), 0, true,
                "pattern"},
+    ActionInfo{"view.pattern.materials", "View/Pattern",
+               QT_TRANSLATE_NOOP("Actions", "Textures of the &model"), "texture", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "On every material the picture that the model's file names for it; behind "
+                                 "the map that of the selected face"),
+               0, true, "pattern"},
     ActionInfo{"view.texture", "View", QT_TRANSLATE_NOOP("Actions", "Next pa&ttern"), "checker", "T",
                QT_TRANSLATE_NOOP("Actions",
-                                 "Change between no pattern, the checkerboard, the lettered cells and "
-                                 "the texture")},
+                                 "Change between no pattern, the checkerboard, the lettered cells, "
+                                 "the texture and the textures of the model")},
     ActionInfo{"view.loadTexture", "View", QT_TRANSLATE_NOOP("Actions", "&Load texture..."), "texture",
                "Ctrl+T", QT_TRANSLATE_NOOP("Actions", "Choose the picture to show on the model")},
     ActionInfo{"view.preview", "View", QT_TRANSLATE_NOOP("Actions", "Texture preview..."), "preview",

@@ -28,6 +28,13 @@ QString globs(const QStringList &suffixes)
     return QStringLiteral("*.") + suffixes.join(QStringLiteral(" *."));
 }
 
+QStringList saveFilters()
+{
+    return {FileActions::tr("Autocuts sessions (%1)").arg(globs({QLatin1String(projectSuffix)}))};
+}
+
+} // namespace
+
 QStringList openFilters()
 {
     const QString session = QLatin1String(projectSuffix);
@@ -35,13 +42,6 @@ QStringList openFilters()
             FileActions::tr("Autocuts sessions (%1)").arg(globs({session})),
             FileActions::tr("All files (*)")};
 }
-
-QStringList saveFilters()
-{
-    return {FileActions::tr("Autocuts sessions (%1)").arg(globs({QLatin1String(projectSuffix)}))};
-}
-
-} // namespace
 
 FileActions::FileActions(const StudioContext &context, Questions &questions, QObject *parent)
     : QObject(parent), mContext(context), mQuestions(questions)
@@ -69,6 +69,7 @@ void FileActions::connectActions()
     onTriggered("file.saveAs", [this] { saveAs(); });
     onTriggered("file.relink", [this] { askRelink(); });
     onTriggered("file.exportMesh", [this] { mContext.solver.whenPaused([this] { askExportMesh(); }); });
+    onTriggered("file.exportReport", [this] { mContext.solver.whenPaused([this] { askExportReport(); }); });
     onTriggered("file.exportLayout", [this] { mContext.solver.whenPaused([this] { askExportLayout(); }); });
     onTriggered("file.quit", [this] {
         if (QWidget *window = mQuestions.window())
@@ -236,7 +237,31 @@ void FileActions::askExportLayout()
     rememberFolder(dialog.path());
     LayoutOptions options = dialog.options();
     options.tileHeight = packing.tileHeight();
-    mContext.files.exportLayout(dialog.path(), options, faces);
+    const std::vector<LayoutPicture> pictures = layoutPictures(*document, dialog.path(), faces);
+    if (pictures.size() == 1 || confirmReplacing(pictures))
+        mContext.files.exportLayout(pictures, options, faces);
+}
+
+void FileActions::askExportReport()
+{
+    if (!mContext.workspace.document())
+        return;
+    const QString path = mQuestions.fileToSave(tr("Export report"), proposedPath(QStringLiteral("json")),
+                                               {tr("JSON report (*.json)")});
+    if (path.isEmpty())
+        return;
+    rememberFolder(path);
+    mContext.files.exportReport(path);
+}
+
+//! Asks when there are files already that the dialog does not know of: the pictures of several tiles.
+bool FileActions::confirmReplacing(const std::vector<LayoutPicture> &pictures)
+{
+    const auto there = std::count_if(pictures.begin(), pictures.end(), [](const LayoutPicture &picture) {
+        return QFileInfo::exists(picture.path);
+    });
+    return there == 0 || mQuestions.confirm(tr("Replace the pictures of %1 tiles?").arg(there),
+                                            tr("Their content is lost."), tr("&Replace"));
 }
 
 void FileActions::offerRecovery()

@@ -6,13 +6,18 @@
 #include <QObject>
 
 #include <functional>
+#include <vector>
 
 class QMenu;
 
 namespace autocuts {
 
 class MenuBuilder;
+struct LayoutPicture;
 class Questions;
+
+//! The kinds of files that can be opened, as for QFileDialog.
+QStringList openFilters();
 
 //! Opens, saves and exports files chosen by the user. Before a session is closed in any way, the solver is
 //! paused and the user is asked about unsaved changes.
@@ -44,6 +49,8 @@ private:
     void askRelink();
     void askExportMesh();
     void askExportLayout();
+    void askExportReport();
+    bool confirmReplacing(const std::vector<LayoutPicture> &pictures);
     void showRecent();
     QString proposedPath(const QString &suffix) const;
     void rememberFolder(const QString &path);

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace autocuts {
 
@@ -226,6 +227,7 @@ void IslandActions::unstack(Document &document)
 void IslandActions::connectDialogs()
 {
     onTriggered("uv.scatter", [this](Document &document) { askScatter(document); });
+    onTriggered("uv.packDensity", [this](Document &document) { askPackDensity(document); });
     onTriggered("uv.densitySet", [this](Document &document) { askDensity(document); });
 }
 
@@ -238,6 +240,29 @@ void IslandActions::askScatter(Document &document)
     const Pieces pieces = islandPieces(document.islands(), document.marks(), selectedIslands(document));
     if (pushCommand(movePieces(document, UvEdit::Scatter, pieces, scatteredPieces(pieces, mRanges))))
         Q_EMIT said(document.undoStack().undoText());
+}
+
+//! Of the selected islands, or of all when none are selected.
+void IslandActions::askPackDensity(Document &document)
+{
+    std::vector<int> islands = document.islands().islandsOf(document.selection().faces);
+    if (islands.empty()) {
+        islands.resize(static_cast<std::size_t>(document.islands().count()));
+        std::iota(islands.begin(), islands.end(), 0);
+    }
+    const MeshData &mesh = *document.weightedMesh();
+    double area = 0;
+    for (const int island : islands) {
+        for (const int face : document.islands().faces(island)) {
+            for (const int triangle : mesh.trianglesOf(face))
+                area += mesh.targetArea(triangle);
+        }
+    }
+    DensityDialog dialog(meanTexelDensity(document, islands), document.packingSettings(),
+                         mQuestions.window());
+    dialog.askForPacking(area);
+    if (mQuestions.run(dialog) == QDialog::Accepted)
+        mContext.map.packAtDensity(dialog.density());
 }
 
 void IslandActions::askDensity(Document &document)

@@ -45,6 +45,7 @@ private:
     void unstack(Document &document);
     void askScatter(Document &document);
     void askDensity(Document &document);
+    void askPackDensity(Document &document);
 
     StudioContext mContext;
     Questions &mQuestions;

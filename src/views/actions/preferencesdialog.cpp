@@ -115,6 +115,7 @@ QWidget *PreferencesDialog::generalPage()
     mMaxDistortion->setRange(PreferenceLimits::minDistortion, PreferenceLimits::maxDistortion);
     mMaxDistortion->setSingleStep(0.05);
     mSolveOnOpen = new QCheckBox(tr("Start &solving when a model without UVs is opened"));
+    mShowTextures = new QCheckBox(tr("Show the te&xtures of a model when it is opened"));
     mAutosave = spinBox(0, PreferenceLimits::maxAutosaveMinutes, tr(" min"));
     mAutosave->setSpecialValueText(tr("Never"));
     mUndoMemory =
@@ -131,6 +132,7 @@ QWidget *PreferencesDialog::generalPage()
     form->addRow(tr("&Distortion budget:"), mMaxDistortion);
     form->addRow(hint(tr("4 is a map without any distortion; 4.1 is hardly seen.")));
     form->addRow(mSolveOnOpen);
+    form->addRow(mShowTextures);
     form = addGroup(layout, tr("Safety"));
     form->addRow(tr("&Autosave every:"), mAutosave);
     form->addRow(tr("Memory for &undo:"), mUndoMemory);
@@ -180,7 +182,7 @@ void PreferencesDialog::connectAll()
     for (QSpinBox *box : {mInterface, mTextureSize, mMargin, mAutosave, mUndoMemory})
         connect(box, &QSpinBox::valueChanged, this, changed);
     connect(mMaxDistortion, &QDoubleSpinBox::valueChanged, this, changed);
-    for (QCheckBox *box : {mSolveOnOpen, mColorBlind})
+    for (QCheckBox *box : {mSolveOnOpen, mShowTextures, mColorBlind})
         connect(box, &QCheckBox::toggled, this, changed);
     for (ColorButton *button : {mSeam, mSelection, mForcedCut, mJoined})
         connect(button, &ColorButton::colorChanged, this, changed);
@@ -201,6 +203,7 @@ void PreferencesDialog::showValues(const PreferenceValues &values)
     mMargin->setValue(values.margin);
     mMaxDistortion->setValue(values.maxDistortion);
     mSolveOnOpen->setChecked(values.solveOnOpen);
+    mShowTextures->setChecked(values.showTextures);
     mAutosave->setValue(values.autosaveMinutes);
     mUndoMemory->setValue(values.undoMemoryMb);
     mInterface->setValue(values.interfacePercent);
@@ -222,6 +225,7 @@ PreferenceValues PreferencesDialog::shown() const
     values.margin = std::min(mMargin->value(), values.textureSize);
     values.maxDistortion = mMaxDistortion->value();
     values.solveOnOpen = mSolveOnOpen->isChecked();
+    values.showTextures = mShowTextures->isChecked();
     values.autosaveMinutes = mAutosave->value();
     values.undoMemoryMb = mUndoMemory->value();
     values.colorBlindHeatMap = mColorBlind->isChecked();

@@ -52,7 +52,7 @@ private:
     QComboBox *mNavigation, *mTheme, *mLanguage;
     QSpinBox *mInterface, *mTextureSize, *mMargin, *mAutosave, *mUndoMemory;
     QDoubleSpinBox *mMaxDistortion;
-    QCheckBox *mSolveOnOpen, *mColorBlind;
+    QCheckBox *mSolveOnOpen, *mShowTextures, *mColorBlind;
     ColorButton *mSeam, *mSelection, *mForcedCut, *mJoined;
     ShortcutsPage *mShortcutsPage;
 };

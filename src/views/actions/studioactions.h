@@ -9,6 +9,7 @@
 #include "views/actions/islandactions.h"
 #include "views/actions/selectactions.h"
 #include "views/actions/texelweightactions.h"
+#include "views/actions/transferactions.h"
 #include "views/actions/uvactions.h"
 #include "views/actions/uvsetactions.h"
 #include "views/actions/viewactions.h"
@@ -23,7 +24,8 @@ public:
     StudioActions(const StudioContext &context, Questions &questions, const QString &recoveryFolder)
         : mFile(context, questions), mEdit(context, questions), mSelect(context, questions), mHide(context),
           mUv(context), mUvSets(context), mIslands(context, questions), mTexelWeights(context, questions),
-          mView(context, questions), mHelp(context, questions, recoveryFolder), mStates(context)
+          mTransfer(context, questions), mView(context, questions), mHelp(context, questions, recoveryFolder),
+          mStates(context)
     {}
 
     FileActions &file() { return mFile; }
@@ -39,6 +41,7 @@ private:
     UvSetActions mUvSets;
     IslandActions mIslands;
     TexelWeightActions mTexelWeights;
+    TransferActions mTransfer;
     ViewActions mView;
     HelpActions mHelp;
     ActionStates mStates;

@@ -1,6 +1,7 @@
 #include "views/actions/viewactions.h"
 
 #include "views/actions/choice.h"
+#include "views/control/modelpictures.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/previewdialog.h"
@@ -45,7 +46,8 @@ constexpr Choice<Coloring> colorings[] = {{"view.coloring.plain", Coloring::Plai
 constexpr Choice<Pattern> patterns[] = {{"view.pattern.none", Pattern::None},
                                         {"view.pattern.checker", Pattern::Checker},
                                         {"view.pattern.lettered", Pattern::Lettered},
-                                        {"view.pattern.texture", Pattern::Texture}};
+                                        {"view.pattern.texture", Pattern::Texture},
+                                        {"view.pattern.materials", Pattern::Materials}};
 constexpr Choice<ViewLayout> layouts[] = {{"view.both", ViewLayout::Both},
                                           {"view.maximize3d", ViewLayout::Only3d},
                                           {"view.maximizeUv", ViewLayout::OnlyUv}};
@@ -183,7 +185,7 @@ void ViewActions::nextHeatMap()
     mContext.view.setOptions(options);
 }
 
-//! The texture is skipped when none was chosen.
+//! The texture is skipped when none was chosen, those of the model when it names none.
 void ViewActions::nextPattern()
 {
     ViewOptions options = mContext.view.options();
@@ -193,6 +195,8 @@ void ViewActions::nextPattern()
         options.pattern = Pattern::Lettered;
     else if (options.pattern == Pattern::Lettered && !options.texturePath.isEmpty())
         options.pattern = Pattern::Texture;
+    else if (options.pattern != Pattern::Materials && mContext.pictures.count() > 0)
+        options.pattern = Pattern::Materials;
     else
         options.pattern = Pattern::None;
     mContext.view.setOptions(options);

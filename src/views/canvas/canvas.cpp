@@ -3,6 +3,7 @@
 #include "views/canvas/glresources.h"
 #include "views/canvas/overlays.h"
 #include "views/canvas/toolmanager.h"
+#include "views/control/modelpictures.h"
 #include "views/control/workspace.h"
 #include "views/gl/letteredpattern.h"
 
@@ -42,6 +43,10 @@ Canvas::Canvas(Kind kind, const StudioContext &context, ToolManager &tools, QWid
     connect(&mContent, &SceneContent::changed, this, qOverload<>(&QWidget::update));
     connect(&mTexture, &TextureFile::changed, this, [this] {
         mTextureStale = true;
+        update();
+    });
+    connect(&context.pictures, &ModelPictures::changed, this, [this] {
+        mTextureStale |= mPictured == Pattern::Materials;
         update();
     });
     connect(&tools, &ToolManager::overlayChanged, this, qOverload<>(&QWidget::update));
@@ -106,10 +111,35 @@ void Canvas::choosePicture()
 {
     const ViewOptions &options = studio().view.options();
     mTexture.setPath(options.texturePath);
-    const int cells =
-        options.pattern == Pattern::Lettered ? static_cast<int>(std::lround(options.letteredCells)) : 0;
-    mTextureStale |= cells != mLetteredCells;
+    const int cells = static_cast<int>(std::lround(options.letteredCells));
+    mTextureStale |= options.pattern != mPictured || cells != mLetteredCells;
+    mPictured = options.pattern;
     mLetteredCells = cells;
+}
+
+int Canvas::onlySet() const
+{
+    return mPictured == Pattern::Materials ? 0 : 1;
+}
+
+void Canvas::uploadPictures()
+{
+    switch (mPictured) {
+    case Pattern::None:
+    case Pattern::Checker:
+        mGl->pictures.setPictures({});
+        break;
+    case Pattern::Texture:
+        mGl->pictures.setPictures(mTexture.pictures());
+        break;
+    case Pattern::Lettered:
+        mGl->pictures.setPictures(Pictures::of(letteredPattern(mLetteredCells)));
+        break;
+    case Pattern::Materials:
+        mGl->pictures.setPictures(studio().pictures.pictures());
+        mGl->soup.setSets(studio().pictures.triangleSets());
+        break;
+    }
 }
 
 void Canvas::upload()
@@ -130,7 +160,7 @@ void Canvas::upload()
     if (parts & SceneContent::Points)
         mGl->points.setPoints(mContent.points());
     if (std::exchange(mTextureStale, false))
-        mGl->texture.setImage(mLetteredCells > 0 ? letteredPattern(mLetteredCells) : mTexture.image());
+        uploadPictures();
 }
 
 void Canvas::paintGL()

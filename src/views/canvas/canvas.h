@@ -61,6 +61,8 @@ protected:
 
     //! The soup corners of all selected elements, in ascending order.
     std::vector<int> selectedSoupCorners() const;
+    //! Which set of pictures all triangles have, from 1; 0: that of their materials.
+    int onlySet() const;
     //! The triangles and sides under the mouse, in either view.
     struct HoverParts
     {
@@ -87,6 +89,7 @@ private:
     void releaseGl();
     void upload();
     void choosePicture();
+    void uploadPictures();
     void updateCursor();
     void placeCursor(const QPointF &pixel);
     void endLostGestures(Qt::MouseButtons held);
@@ -96,9 +99,10 @@ private:
     SceneContent mContent;
     TextureFile mTexture;
     bool mTextureStale = true;
-    int mLetteredCells = 0;           //!< of the picture to be drawn; 0: that of the texture file
-    std::unique_ptr<GlResources> mGl; //!< null before the first paint, and when OpenGL is not available
-    QString mGlError;                 //!< why OpenGL is not available
+    Pattern mPictured = Pattern::None; //!< of the pictures in graphics memory
+    int mLetteredCells = 0;            //!< of the lettered pattern
+    std::unique_ptr<GlResources> mGl;  //!< null before the first paint, and when OpenGL is not available
+    QString mGlError;                  //!< why OpenGL is not available
     QMetaObject::Connection mContextGone;
     Navigation mNavigation = Navigation::None;
     Qt::MouseButton mNavigationButton = Qt::NoButton;

@@ -12,14 +12,14 @@ namespace autocuts {
 struct GlResources
 {
     explicit GlResources(GlFunctions &functions)
-        : gl(functions), backdrop(functions), soup(functions), points(functions)
+        : gl(functions), backdrop(functions), soup(functions), points(functions), pictures(functions)
     {}
 
     GlFunctions &gl;
     Backdrop backdrop;
     SoupRenderer soup;
     PointRenderer points;
-    PatternTexture texture;
+    PatternTexture pictures;
 };
 
 } // namespace autocuts

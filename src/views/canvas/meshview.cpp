@@ -165,7 +165,8 @@ void MeshView::drawScene(GlResources &gl)
     drawing.pattern = options.pattern;
     drawing.checkerSize = options.checkerSize;
     drawing.tileHeight = studio().workspace.document()->packingSettings().tileHeight();
-    drawing.texture = gl.texture.id();
+    drawing.pictures = &gl.pictures;
+    drawing.onlySet = onlySet();
     drawing.tint = options.coloring == Coloring::Plain ? 0 : 0.5;
     const HoverParts hover = hoverParts();
     drawing.hoverTriangles = hover.triangles;

@@ -1,38 +1,29 @@
 #include "views/canvas/texturefile.h"
 
+#include "views/gl/picturereading.h"
+
 #include <QCoreApplication>
-#include <QImageReader>
 #include <QPointer>
 #include <QThreadPool>
 
 namespace autocuts {
-
-namespace {
-
-QImage readPicture(const QString &path)
-{
-    QImageReader reader(path);
-    reader.setAutoTransform(true);
-    return reader.read();
-}
-
-} // namespace
 
 void TextureFile::setPath(const QString &path)
 {
     if (path == mPath)
         return;
     mPath = path;
-    mImage = QImage();
+    mPictures = {};
     Q_EMIT changed();
     if (path.isEmpty())
         return;
     // The result is passed to the GUI thread and ignored there when another file has been chosen.
     QThreadPool::globalInstance()->start([path, self = QPointer<TextureFile>(this)] {
-        const auto takeOver = [path, self, image = readPicture(path)] {
+        QStringList problems; // whoever set the path has looked whether there is a picture
+        const auto takeOver = [path, self, pictures = readPictures({{path, {}, path}}, problems)] {
             if (!self || self->mPath != path)
                 return;
-            self->mImage = image;
+            self->mPictures = pictures;
             Q_EMIT self->changed();
         };
         QMetaObject::invokeMethod(QCoreApplication::instance(), takeOver, Qt::QueuedConnection);

@@ -1,13 +1,14 @@
-// Loads the image file that is shown as a texture.
+// Loads the image file that is shown as a texture, or the files of its UDIM tiles.
 #pragma once
 
-#include <QImage>
+#include "views/gl/pictures.h"
+
 #include <QObject>
 #include <QString>
 
 namespace autocuts {
 
-//! Reads the image on another thread, because large images take long.
+//! Reads the images on another thread, because large images take long.
 class TextureFile final : public QObject
 {
     Q_OBJECT
@@ -16,8 +17,8 @@ public:
     explicit TextureFile(QObject *parent = nullptr) : QObject(parent) {}
 
     const QString &path() const { return mPath; }
-    //! Null until the image is loaded, and when it cannot be read.
-    const QImage &image() const { return mImage; }
+    //! One set. Empty until the image is loaded, and when it cannot be read.
+    const Pictures &pictures() const { return mPictures; }
     //! \param path empty for none
     void setPath(const QString &path);
 
@@ -26,7 +27,7 @@ Q_SIGNALS:
 
 private:
     QString mPath;
-    QImage mImage;
+    Pictures mPictures;
 };
 
 } // namespace autocuts

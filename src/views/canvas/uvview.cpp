@@ -7,6 +7,7 @@
 #include "views/canvas/mappicker.h"
 #include "views/canvas/overlays.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/modelpictures.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
 #include "views/ui/preferences.h"
@@ -119,7 +120,11 @@ void UvView::drawPaper(GlResources &gl)
     paper.grid = options.grid;
     paper.pattern = options.pattern;
     paper.checkerSize = options.checkerSize;
-    paper.texture = gl.texture.id();
+    paper.pictures = &gl.pictures;
+    if (onlySet() == 0)
+        paper.pictureSet = studio().pictures.shownSet();
+    if (paper.pictureSet < 0)
+        paper.pattern = Pattern::None;
     paper.patternStrength = options.fillIslands && content().mesh() ? 0.3 : 1;
     paper.lineWidth = devicePixelRatioF();
     const Vec2 used =
@@ -149,7 +154,8 @@ void UvView::drawScene(GlResources &gl)
     drawing.pattern = options.pattern;
     drawing.checkerSize = options.checkerSize;
     drawing.tileHeight = packing().tileHeight();
-    drawing.texture = gl.texture.id();
+    drawing.pictures = &gl.pictures;
+    drawing.onlySet = onlySet();
     drawing.tint = plain ? 0 : 0.5;
     const HoverParts hover = hoverParts();
     drawing.hoverTriangles = hover.triangles;

@@ -3,10 +3,12 @@
 #include "commands/newmap.h"
 #include "commands/replacemodel.h"
 #include "model/document/makesnapshot.h"
+#include "model/io/mapreport.h"
 #include "model/io/meshdoctor.h"
 #include "model/io/meshfile.h"
 #include "model/io/savefile.h"
 #include "model/samples/samples.h"
+#include "solver/metrics/uvmetrics.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/ui/preferences.h"
@@ -240,7 +242,7 @@ void FileController::relink(const QString &meshPath)
             Result<Scene> scene = readMesh(meshPath, &job.stop(), state.packingSettings.tileHeight());
             if (!scene)
                 return scene.error();
-            return relinkDocument(state, std::move(scene).value());
+            return relinkDocument(state, std::move(scene).value(), [&job] { return job.stop().load(); });
         },
         [this, token = document->token()](const Result<Relinked> &linked) { adoptRelinked(linked, token); });
     if (!started)
@@ -293,23 +295,67 @@ void FileController::exportMesh(const QString &path)
         tellBusy(path);
 }
 
-void FileController::exportLayout(const QString &path, const LayoutOptions &options,
+std::vector<LayoutPicture> layoutPictures(const Document &document, const QString &path,
+                                          const std::vector<bool> &faces)
+{
+    const PackingSettings packing = document.packingSettings();
+    return layoutPictures(path, document.mesh(), withoutOtherFaces(document.mesh(), document.uv(), faces),
+                          packing.tileHeight(), packing.udimTile);
+}
+
+void FileController::exportLayout(const std::vector<LayoutPicture> &pictures, const LayoutOptions &options,
                                   const std::vector<bool> &faces)
 {
     const Document *document = mWorkspace.document();
     const bool fits = faces.empty() || (document && std::ssize(faces) == document->mesh().faceCount());
-    if (!document || !fits) // another model was opened meanwhile
+    if (!document || !fits || pictures.empty()) // another model was opened meanwhile
         return;
+    const QString &path = pictures.front().path;
     const bool started = mJobs.start(
         tr("Drawing %1").arg(QFileInfo(path).fileName()),
         [mesh = document->state().scene.mesh, uv = withoutOtherFaces(document->mesh(), document->uv(), faces),
-         path, options](JobControl &) -> Result<Done> {
-            const bool svg = path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive);
-            const Result<QByteArray> bytes =
-                svg ? layoutSvg(*mesh, uv, options) : layoutPng(*mesh, uv, options);
-            if (!bytes)
-                return bytes.error();
-            return saveAtomically(path, bytes.value());
+         pictures, options](JobControl &job) -> Result<Done> {
+            for (const LayoutPicture &picture : pictures) {
+                if (job.stop())
+                    break;
+                if (Result<Done> drawn = writeLayoutPicture(picture, *mesh, uv, options); !drawn)
+                    return drawn;
+            }
+            return Done{};
+        },
+        [this, path, count = int(pictures.size())](const Result<Done> &written) {
+            if (written && count > 1)
+                Q_EMIT done(tr("Wrote %1 and %2 more").arg(QFileInfo(path).fileName()).arg(count - 1));
+            else
+                tellWritten(written, path);
+        });
+    if (!started)
+        tellBusy(path);
+}
+
+void FileController::exportReport(const QString &path)
+{
+    const Document *document = mWorkspace.document();
+    if (!document)
+        return;
+    Scene scene = sceneForWriting(*document);
+    scene.mesh = document->weightedMesh();
+    const bool started = mJobs.start(
+        tr("Measuring the map"),
+        [scene = std::move(scene), path, flags = document->marks().faceFlags,
+         packing = document->packingSettings()](JobControl &job) -> Result<Done> {
+            metrics::UvMetricsOptions options;
+            options.textureSize = packing.textureSize;
+            options.tileHeight = packing.tileHeight();
+            options.faceFlags = flags;
+            options.job = &job.stop();
+            std::optional<metrics::UvMetrics> figures;
+            if (scene.hasUv())
+                figures = metrics::measureUv(*scene.mesh, scene.uvSets.front().uv, options);
+            MapReport report = mapReport(scene, figures ? &*figures : nullptr, packing);
+            report.input = scene.path;
+            report.status = QStringLiteral("done");
+            return saveAtomically(path, reportJson(report));
         },
         [this, path](const Result<Done> &written) { tellWritten(written, path); });
     if (!started)

@@ -4,6 +4,7 @@
 
 #include "model/document/relink.h"
 #include "model/io/autosave.h"
+#include "model/io/layoutfiles.h"
 #include "model/io/projectfile.h"
 #include "model/io/uvexport.h"
 #include "views/control/jobrunner.h"
@@ -23,6 +24,11 @@ class Workspace;
 
 //! A copy of the model for writing: its active UV set comes first.
 Scene sceneForWriting(const Document &document);
+
+//! The pictures of the document's map, one for each tile in use. \param path .png or .svg
+//! \param faces per face: it is drawn; empty: all are
+std::vector<LayoutPicture> layoutPictures(const Document &document, const QString &path,
+                                          const std::vector<bool> &faces);
 
 //! Reads and writes the files of the session. Signals report success and failure.
 class FileController final : public QObject
@@ -61,9 +67,12 @@ public:
     void waitForSaves() { mSaver.waitForDone(); }
     //! Writes the model with its UV map off the GUI thread.
     void exportMesh(const QString &path);
-    //! Writes a picture of the UV map off the GUI thread. \param path .png or .svg
+    //! Writes pictures of the UV map off the GUI thread. \param pictures see layoutPictures()
     //! \param faces per face: it is drawn; empty: all are
-    void exportLayout(const QString &path, const LayoutOptions &options, const std::vector<bool> &faces = {});
+    void exportLayout(const std::vector<LayoutPicture> &pictures, const LayoutOptions &options,
+                      const std::vector<bool> &faces = {});
+    //! Measures the map and writes its figures as JSON, off the GUI thread: the report of the command line.
+    void exportReport(const QString &path);
     //! Autosaves at once instead of at the end of the interval.
     void saveForRecoveryNow();
     //! Ends the session normally.

@@ -7,6 +7,7 @@
 #include "solver/overlap/overlapseparation.h"
 #include "views/control/mapjobs.h"
 #include "views/control/solvercontroller.h"
+#include "views/control/transferjobs.h"
 #include "views/control/workspace.h"
 
 #include <QScopedValueRollback>
@@ -248,6 +249,24 @@ void MapController::packEach(SceneKind kind)
     startPacking({faces.isEmpty(), faces, {}, sceneGroups(document->state().scene, kind)});
 }
 
+void MapController::packAtDensity(double density)
+{
+    const Document *document = mWorkspace.document();
+    if (!document)
+        return;
+    const QList<int> faces = document->selection().faces;
+    PackTarget target{faces.isEmpty(), faces, {}};
+    target.density = density;
+    startPacking(target);
+}
+
+void MapController::fillTiles()
+{
+    PackTarget target{false, {}, {}};
+    target.fillTiles = true;
+    startPacking(target);
+}
+
 void MapController::packInto(const Eigen::AlignedBox2d &box, const QList<int> &faces)
 {
     startPacking({false, faces, box});
@@ -288,6 +307,17 @@ void MapController::addLightmapSet()
         else
             unwrap(unwrap::UnwrapQuality::Standard);
     });
+}
+
+void MapController::transferUvs(const TransferChoice &choice)
+{
+    const Document *document = mWorkspace.document();
+    if (!document)
+        return;
+    startJob(tr("Transferring UVs"),
+             [choice, sets = document->uvSets()](const MapInput &input, JobControl &control) {
+                 return transferUvsJob(input, choice, sets, control);
+             });
 }
 
 void MapController::equalizeDensity()

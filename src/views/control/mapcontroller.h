@@ -27,6 +27,7 @@ class Workspace;
 struct MapInput;
 struct MapJobResult;
 struct PackTarget;
+struct TransferChoice;
 
 //! The figures of the document's map.
 struct MapFigures
@@ -78,6 +79,13 @@ public Q_SLOTS:
     //! Packs into one UDIM tile for each object or material, from the tile of the settings on: the islands of
     //! the selected faces, or all when none are selected.
     void packEach(autocuts::SceneKind kind);
+    //! Gives the islands of the selected faces, or all when none are selected, a texel density, and packs
+    //! them into as many UDIM tiles as that needs, from the tile of the settings on.
+    //! \param density texels per unit of the model, > 0
+    void packAtDensity(double density);
+    //! Packs the islands of the selected faces into the free room of the tiles in use, and what does not fit
+    //! into further ones. The others stay.
+    void fillTiles();
     //! Packs the islands of the faces into a box instead of a tile; other islands are obstacles.
     //! \param box texture space
     //! \param faces empty: the selected faces
@@ -89,6 +97,8 @@ public Q_SLOTS:
     void separateGreedily();
     //! Adds a copy of the active UV set and makes it a map for lightmaps; without UVs, an unwrapped one.
     void addLightmapSet();
+    //! Brings the UVs of another file, UV set or object onto the model.
+    void transferUvs(const autocuts::TransferChoice &choice);
     //! Gives every island the same texel density. \pre no job is running
     void equalizeDensity();
     //! Minimises the distortion of the selected faces while all others stay. Pins and locks are respected.

@@ -9,6 +9,7 @@
 #include "solver/unwrap/lightmapjob.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/separatejob.h"
+#include "solver/unwrap/tilepacking.h"
 #include "solver/unwrap/unwrap.h"
 
 #include <QCoreApplication>
@@ -258,6 +259,53 @@ MapJobResult priceJob(const MapInput &input, JobControl &control)
     return result;
 }
 
+namespace {
+
+//! Packs over tiles, by density or into those in use.
+MapJobResult distribute(const MapInput &input, const ChartMap &charts, const unwrap::PackJob &pack,
+                        const PackTarget &target, JobControl &control)
+{
+    using Outcome = unwrap::TilePackingResult::Outcome;
+    unwrap::TilePacking tiles;
+    tiles.firstTile = input.packing.udimTile;
+    if (target.fillTiles)
+        tiles = unwrap::fillingTiles(input.mesh(), charts, pack, input.uv);
+    if (target.density > 0)
+        tiles.density = target.density;
+    unwrap::TilePackingResult packed =
+        unwrap::packOverTiles(input.mesh(), charts, pack, tiles, input.uv, contextOf(control));
+    MapJobResult result;
+    switch (packed.outcome) {
+    case Outcome::Done:
+        break;
+    case Outcome::Stopped:
+        result.problem = JobTexts::tr("Packing was cancelled: the map stays as it was");
+        return result;
+    case Outcome::NoRoom:
+        result.problem = noRoom(input.packing);
+        return result;
+    case Outcome::TooMany:
+        result.problem = JobTexts::tr("The islands need more UDIM tiles than there are: choose a lower "
+                                      "density or a larger texture");
+        return result;
+    }
+    QStringList numbers;
+    for (const int tile : packed.tiles)
+        numbers << QString::number(tile);
+    result.uv = std::move(packed.uv);
+    result.message =
+        JobTexts::tr("Islands packed: %1, into the tiles %2").arg(packed.packed).arg(numbers.join(u", "_s));
+    if (packed.tooLarge > 0)
+        result.problem =
+            JobTexts::tr("%1. Larger than a tile at this density: %2; each has a tile of its own, in "
+                         "which it is smaller")
+                .arg(result.message)
+                .arg(packed.tooLarge);
+    return result;
+}
+
+} // namespace
+
 MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl &control)
 {
     const MeshData &mesh = input.mesh();
@@ -271,6 +319,8 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
         result.problem = JobTexts::tr("Select the islands to pack first");
         return result;
     }
+    if (target.density > 0 || target.fillTiles)
+        return distribute(input, charts, pack, target, control);
     if (target.box)
         pack.packInto(*target.box);
     if (!target.groups.empty()) {

@@ -84,6 +84,8 @@ struct PackTarget
     QList<int> faces;                       //!< empty: the selected faces
     std::optional<Eigen::AlignedBox2d> box; //!< texture space; without it, the tile of the settings
     std::vector<SceneGroup> groups{};       //!< each is packed into a tile of its own; empty: all into one
+    double density = 0;                     //!< texels per unit, in as many tiles as that needs; 0: see above
+    bool fillTiles = false;                 //!< into the free room of the tiles in use
 };
 
 //! The scope of a job that may change these faces only. \param attached see JobScope

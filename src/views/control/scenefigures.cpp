@@ -1,7 +1,7 @@
 #include "views/control/scenefigures.h"
 
 #include "model/document/materialcolor.h"
-#include "solver/metrics/groupfigures.h"
+#include "model/plain/groupfigures.h"
 
 #include <algorithm>
 

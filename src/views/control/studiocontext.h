@@ -6,6 +6,7 @@ namespace autocuts {
 class ActionRegistry;
 class FileController;
 class MapController;
+class ModelPictures;
 class Preferences;
 class ShownMap;
 class SolverController;
@@ -23,6 +24,7 @@ struct StudioContext
     MapController &map;
     FileController &files;
     ActionRegistry &actions;
+    ModelPictures &pictures;
 };
 
 } // namespace autocuts

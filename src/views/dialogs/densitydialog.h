@@ -6,6 +6,8 @@
 #include <QDialog>
 
 class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
 
 namespace autocuts {
 
@@ -19,11 +21,16 @@ public:
     //! \param packing the texture that the density refers to
     DensityDialog(double present, const PackingSettings &packing, QWidget *parent = nullptr);
 
+    //! Makes it a dialog for packing over tiles. \param area of the islands, in the model's units
+    void askForPacking(double area);
     //! Texels per unit of the model.
     double density() const;
 
 private:
+    PackingSettings mPacking;
     QDoubleSpinBox *mDensity;
+    QLabel *mRemark, *mTexture;
+    QPushButton *mSet;
 };
 
 } // namespace autocuts

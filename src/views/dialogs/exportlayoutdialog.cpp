@@ -59,7 +59,7 @@ ExportLayoutDialog::ExportLayoutDialog(int size, const QString &path, std::vecto
     mOverlaps->setChecked(!mOverlapping.empty());
     if (mOverlapping.empty())
         mOverlaps->setToolTip(tr("The map has no overlaps, or was not measured yet"));
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     mExport = buttons->addButton(tr("E&xport"), QDialogButtonBox::AcceptRole);
     mExport->setDefault(true);
     auto *form = new QFormLayout(this);

@@ -63,7 +63,7 @@ ExportMeshDialog::ExportMeshDialog(Scene scene, const QString &path, Questions &
     mLosses->setMinimumHeight(5 * fontMetrics().lineSpacing());
     auto *group = new QGroupBox(tr("What this format cannot hold"));
     (new QVBoxLayout(group))->addWidget(mLosses);
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     mExport = buttons->addButton(tr("&Export"), QDialogButtonBox::AcceptRole);
     mExport->setDefault(true);
     auto *form = new QFormLayout;

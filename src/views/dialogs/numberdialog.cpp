@@ -22,7 +22,7 @@ NumberDialog::NumberDialog(const NumberQuestion &question, QWidget *parent)
     mNumber->setValue(question.value);
     mNumber->setToolTip(question.remark);
     mNumber->selectAll();
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     buttons->addButton(question.action, QDialogButtonBox::AcceptRole)->setDefault(true);
     auto *form = new QFormLayout(this);
     form->addRow(new QLabel(question.remark));

@@ -48,7 +48,7 @@ ScatterDialog::ScatterDialog(const ScatterRanges &ranges, int textureSize, QWidg
     mSeed->setRange(0, std::numeric_limits<int>::max());
     mSeed->setValue(static_cast<int>(ranges.seed));
     mSeed->setToolTip(tr("The same seed gives the same result"));
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     buttons->addButton(tr("&Randomise"), QDialogButtonBox::AcceptRole)->setDefault(true);
     auto *form = new QFormLayout(this);
     form->addRow(tr("&Move:"), mMove);

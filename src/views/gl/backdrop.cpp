@@ -4,6 +4,12 @@
 
 namespace autocuts {
 
+namespace {
+
+constexpr int pictureUnit = 0, tableUnit = 1;
+
+} // namespace
+
 Backdrop::Backdrop(GlFunctions &gl)
     : mGl(gl), mRoom(makeShaderProgram(QStringLiteral("screen"), QStringLiteral("room"))),
       mPaper(makeShaderProgram(QStringLiteral("screen"), QStringLiteral("paper")))
@@ -35,7 +41,7 @@ void Backdrop::draw(const RoomDrawing &drawing, const ViewColors &colors)
 
 void Backdrop::draw(const PaperDrawing &drawing, const ViewColors &colors)
 {
-    const bool textured = isPicture(drawing.pattern) && drawing.texture != 0;
+    const bool textured = isPicture(drawing.pattern) && drawing.pictures && !drawing.pictures->isEmpty();
     QOpenGLShaderProgram &p = *mPaper;
     p.bind();
     p.setUniformValue("outsideColor", colors.mapBackground);
@@ -61,9 +67,12 @@ void Backdrop::draw(const PaperDrawing &drawing, const ViewColors &colors)
     p.setUniformValue("checkerSize", static_cast<float>(drawing.checkerSize));
     p.setUniformValue("patternStrength", static_cast<float>(drawing.patternStrength));
     p.setUniformValue("lineWidth", static_cast<float>(drawing.lineWidth));
-    p.setUniformValue("picture", 0);
+    p.setUniformValue("pictures", pictureUnit);
+    p.setUniformValue("pictureTable", tableUnit);
+    p.setUniformValue("pictureSet", drawing.pictureSet);
+    if (textured)
+        drawing.pictures->bind(pictureUnit, tableUnit);
     mGl.glActiveTexture(GL_TEXTURE0);
-    mGl.glBindTexture(GL_TEXTURE_2D, textured ? drawing.texture : 0);
     fillView();
     p.release();
 }

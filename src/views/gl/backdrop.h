@@ -2,6 +2,7 @@
 #pragma once
 
 #include "views/gl/glfunctions.h"
+#include "views/gl/patterntexture.h"
 #include "views/gl/viewcolors.h"
 #include "views/state/viewstate.h"
 
@@ -36,8 +37,9 @@ struct PaperDrawing
     bool grid = true;
     Pattern pattern = Pattern::None;
     double checkerSize = 16;
-    unsigned texture = 0;
-    double patternStrength = 1; //!< 0: the pattern is not seen
+    PatternTexture *pictures = nullptr; //!< null: none
+    int pictureSet = 0;                 //!< of them
+    double patternStrength = 1;         //!< 0: the pattern is not seen
     double lineWidth = 1;
 };
 

@@ -1,24 +1,31 @@
-// The picture of a pattern in graphics memory.
+// The pictures of a pattern in graphics memory.
 #pragma once
 
-#include <QImage>
+#include "views/gl/glbuffer.h"
+#include "views/gl/pictures.h"
+
 #include <QOpenGLTexture>
 
 #include <memory>
 
 namespace autocuts {
 
-//! A repeating texture with v pointing up. The context must be current in all functions.
+//! An array of repeating textures with v pointing up, and a table of which set has which picture in which
+//! tile; shaders read both by picture.glsl. The context must be current in all functions.
 class PatternTexture final
 {
 public:
-    //! Sets the image; a null image removes the texture. Images that are too large for the hardware are
-    //! scaled down.
-    void setImage(const QImage &image);
-    //! The OpenGL id of the texture; 0 when there is none.
-    unsigned id() const { return mTexture ? mTexture->textureId() : 0; }
+    explicit PatternTexture(GlFunctions &gl) : mGl(gl), mTable(gl) {}
+
+    //! Pictures of different sizes are scaled to one size, and too large ones to what there is room for.
+    void setPictures(const Pictures &pictures);
+    bool isEmpty() const { return !mTexture; }
+    //! Binds the pictures and the table to two texture units.
+    void bind(int pictureUnit, int tableUnit);
 
 private:
+    GlFunctions &mGl;
+    GlTexelBuffer mTable;
     std::unique_ptr<QOpenGLTexture> mTexture;
 };
 

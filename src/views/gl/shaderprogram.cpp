@@ -1,5 +1,7 @@
 #include "views/gl/shaderprogram.h"
 
+#include <QFile>
+
 #include <stdexcept>
 
 //! Needed because the resources are in a static library, where the linker would drop them. Must be outside of
@@ -13,14 +15,33 @@ namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
 
+namespace {
+
+//! The text of a shader, with the file that a line #include "NAME" names in its place.
+QByteArray shaderText(const QString &name)
+{
+    QFile file(u":/shaders/%1"_s.arg(name));
+    if (!file.open(QIODevice::ReadOnly))
+        throw std::runtime_error((name + u" is missing"_s).toStdString());
+    QByteArray text = file.readAll();
+    constexpr QByteArrayView include = "#include \"";
+    if (const qsizetype begin = text.indexOf(include); begin >= 0) {
+        const qsizetype nameBegin = begin + include.size(), end = text.indexOf('"', nameBegin);
+        const QByteArray included = shaderText(QString::fromLatin1(text.mid(nameBegin, end - nameBegin)));
+        text.replace(begin, end + 1 - begin, included);
+    }
+    return text;
+}
+
+} // namespace
+
 std::unique_ptr<QOpenGLShaderProgram> makeShaderProgram(const QString &vertexName,
                                                         const QString &fragmentName)
 {
     [[maybe_unused]] static const bool initialized = (initResources(), true);
     auto program = std::make_unique<QOpenGLShaderProgram>();
-    const QString path = u":/shaders/%1"_s;
-    if (!program->addShaderFromSourceFile(QOpenGLShader::Vertex, path.arg(vertexName + u".vert"_s)) ||
-        !program->addShaderFromSourceFile(QOpenGLShader::Fragment, path.arg(fragmentName + u".frag"_s)) ||
+    if (!program->addShaderFromSourceCode(QOpenGLShader::Vertex, shaderText(vertexName + u".vert"_s)) ||
+        !program->addShaderFromSourceCode(QOpenGLShader::Fragment, shaderText(fragmentName + u".frag"_s)) ||
         !program->link())
         throw std::runtime_error(
             (vertexName + u", "_s + fragmentName + u": "_s + program->log()).toStdString());

@@ -8,7 +8,7 @@ namespace autocuts {
 
 namespace {
 
-constexpr int faceUnit = 0, sideUnit = 1, pictureUnit = 2, islandUnit = 3;
+constexpr int faceUnit = 0, sideUnit = 1, pictureUnit = 2, islandUnit = 3, tableUnit = 4, setUnit = 5;
 
 QVector4D toVector(const QColor &color)
 {
@@ -19,7 +19,7 @@ QVector4D toVector(const QColor &color)
 
 SoupRenderer::SoupRenderer(GlFunctions &gl)
     : mGl(gl), mProgram(makeShaderProgram(QStringLiteral("soup"), QStringLiteral("soup"))), mVertices(gl),
-      mUvs(gl), mGhostUvs(gl), mFaces(gl), mSides(gl), mIslands(gl)
+      mUvs(gl), mGhostUvs(gl), mFaces(gl), mSides(gl), mIslands(gl), mSets(gl)
 {
     mArray = makeArray(mUvs);
     mGhostArray = makeArray(mGhostUvs);
@@ -96,7 +96,7 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
     p.setUniformValue("mapOffset", drawing.mapOffset);
     p.setUniformValue("pixelRatio", static_cast<float>(drawing.pixelRatio));
     p.setUniformValue("smoothShading", drawing.smooth);
-    const bool textured = isPicture(drawing.pattern) && drawing.texture != 0;
+    const bool textured = isPicture(drawing.pattern) && drawing.pictures && !drawing.pictures->isEmpty();
     p.setUniformValue("pattern", textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0);
     p.setUniformValue("pictureHeight",
                       static_cast<float>(pictureHeight(drawing.pattern, drawing.tileHeight)));
@@ -113,9 +113,13 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
     p.setUniformValue("faceTexels", faceUnit);
     p.setUniformValue("islandTexels", islandUnit);
     p.setUniformValue("sideTexels", sideUnit);
-    p.setUniformValue("picture", pictureUnit);
-    mGl.glActiveTexture(GL_TEXTURE0 + pictureUnit);
-    mGl.glBindTexture(GL_TEXTURE_2D, textured ? drawing.texture : 0);
+    p.setUniformValue("pictures", pictureUnit);
+    p.setUniformValue("pictureTable", tableUnit);
+    p.setUniformValue("setTexels", setUnit);
+    p.setUniformValue("onlySet", drawing.onlySet);
+    if (textured)
+        drawing.pictures->bind(pictureUnit, tableUnit);
+    mSets.bind(setUnit);
     mIslands.bind(islandUnit);
     mSides.bind(sideUnit);
     mFaces.bind(faceUnit);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "views/gl/glbuffer.h"
+#include "views/gl/patterntexture.h"
 #include "views/gl/soupbuffers.h"
 
 #include <QMatrix4x4>
@@ -25,7 +26,8 @@ struct SoupDrawing
     Pattern pattern = Pattern::None; //!< pattern on the faces
     double checkerSize = 16;
     double tileHeight = 1;                   //!< of the texture, see PackingSettings::tileHeight()
-    unsigned texture = 0;                    //!< id of the 2D texture for a picture; 0: none
+    PatternTexture *pictures = nullptr;      //!< for patterns that are pictures; null: none
+    int onlySet = 1;                         //!< set of pictures of all triangles; 0: see setSets()
     double tint = 0;                         //!< share of the faces' colours over the texture
     double fillOpacity = 1;                  //!< opacity of the faces
     double lineOpacity = 1;                  //!< opacity of all lines along sides
@@ -51,6 +53,8 @@ public:
     void setGhostUvs(std::span<const float> uvs);
     //! Sets the island number of each triangle, from 1; 0 for none.
     void setIslands(std::span<const quint32> islands) { mIslands.fill(islands); }
+    //! Sets the set of pictures of each triangle, from 1; 0 for none.
+    void setSets(std::span<const quint32> sets) { mSets.fill(sets); }
     void setFaces(std::span<const FaceTexel> texels) { mFaces.fill(texels); }
     void setSides(std::span<const SideTexel> texels) { mSides.fill(texels); }
 
@@ -63,7 +67,7 @@ private:
     GlFunctions &mGl;
     std::unique_ptr<QOpenGLShaderProgram> mProgram;
     GlBuffer mVertices, mUvs, mGhostUvs;
-    GlTexelBuffer mFaces, mSides, mIslands;
+    GlTexelBuffer mFaces, mSides, mIslands, mSets;
     GLuint mArray = 0, mGhostArray = 0;
     int mCount = 0; //!< number of soup corners
 };

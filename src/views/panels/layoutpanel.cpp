@@ -34,6 +34,7 @@ constexpr double largest = 1e5;   // of a coordinate or a size, in units of the 
 constexpr double smallest = 1e-5; // of a size
 constexpr int iconSize = 20;      // logical pixels
 constexpr int actionsPerRow = 10;
+constexpr int leastFieldWidth = 84; // logical pixels; for six digits
 
 } // namespace
 
@@ -111,7 +112,7 @@ QWidget *LayoutPanel::makeNumbers()
         caption->setToolTip(tip);
         field->setToolTip(tip);
         field->setAccessibleName(name);
-        field->setMinimumWidth(0);
+        field->setMinimumWidth(leastFieldWidth);
         grid->addWidget(caption, row, column);
         grid->addWidget(field, row, column + 1);
     };
@@ -146,6 +147,7 @@ QWidget *LayoutPanel::makePivotRows()
         mCursor[axis]->setObjectName(axis == 0 ? "cursorU"_L1 : "cursorV"_L1);
         mCursor[axis]->setKeyboardTracking(false);
         mCursor[axis]->setRange(-largest, largest);
+        mCursor[axis]->setMinimumWidth(leastFieldWidth);
         connect(mCursor[axis], &QDoubleSpinBox::valueChanged, this, [this, axis](double value) {
             if (mShowing)
                 return;

@@ -11,12 +11,14 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGridLayout>
+#include <QHeaderView>
 #include <QIntValidator>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QTreeWidget>
 
 namespace autocuts {
 
@@ -42,6 +44,7 @@ PackPanel::PackPanel(const StudioContext &context, QWidget *parent)
     layout->addWidget(makePackButtons());
     layout->addWidget(makeHeading(tr("The map")));
     layout->addWidget(makeFigures());
+    layout->addWidget(makeTiles());
     layout->addStretch();
     connect(&context.workspace, &Workspace::selectionChanged, this, [this] { refreshSoon(); });
     connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
@@ -180,16 +183,50 @@ QWidget *PackPanel::makeFigures()
     auto *grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(2);
-    mEfficiency = addFigure(grid, 0, 0, tr("Efficiency"), tr("Share of the texture that islands cover"));
+    mEfficiency = addFigure(grid, 0, 0, tr("Efficiency"),
+                            tr("Share of the texture that islands cover; of all tiles in use"));
     mGutter =
         addFigure(grid, 1, 0, tr("Smallest gutter"), tr("Smallest distance between two islands, in texels"));
-    mToBorder =
-        addFigure(grid, 2, 0, tr("To the border"), tr("Distance to the border of the texture, in texels"));
-    mInside = addFigure(grid, 3, 0, tr("In the texture"), tr("Whether all islands lie in tile 1001"));
+    mToBorder = addFigure(grid, 2, 0, tr("To the border"),
+                          tr("Smallest distance of an island to the border of its tile, in texels"));
+    mInside = addFigure(grid, 3, 0, tr("In the texture"),
+                        tr("Whether all islands lie in tile 1001, or in tiles at all"));
     mEfficiency->setObjectName("efficiency"_L1);
     mGutter->setObjectName("gutter"_L1);
     grid->setColumnStretch(1, 1);
     return box;
+}
+
+//! The figures of each tile; a single first one has those of the whole map.
+QWidget *PackPanel::makeTiles()
+{
+    mTiles = new QTreeWidget;
+    mTiles->setObjectName("tiles"_L1);
+    mTiles->setAccessibleName(tr("Tiles in use"));
+    mTiles->setHeaderLabels({tr("Tile"), tr("Islands"), tr("Efficiency"), tr("px per unit")});
+    mTiles->setToolTip(tr("The UDIM tiles in which islands lie as a whole: how many, what share of the tile "
+                          "they cover, and their texel density"));
+    mTiles->setRootIsDecorated(false);
+    mTiles->setUniformRowHeights(true);
+    mTiles->setSelectionMode(QAbstractItemView::NoSelection);
+    mTiles->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    mTiles->setMaximumHeight(8 * fontMetrics().height());
+    mTiles->hide();
+    return mTiles;
+}
+
+void PackPanel::showTiles(const std::vector<metrics::TileFigures> &tiles, int textureSize)
+{
+    mTiles->clear();
+    for (const metrics::TileFigures &tile : tiles) {
+        auto *row = new QTreeWidgetItem(mTiles, {QString::number(tile.tile), countText(tile.charts),
+                                                 percentText(tile.efficiency),
+                                                 significantText(tile.density * textureSize, 4)});
+        for (int column = 1; column < mTiles->columnCount(); ++column)
+            row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    }
+    const bool onlyFirst = tiles.size() == 1 && tiles.front().tile == PackingSettings::firstTile;
+    mTiles->setVisible(!tiles.empty() && !onlyFirst);
 }
 
 //! Takes the number of one of the two fields; the other one may not follow the document yet.
@@ -259,7 +296,12 @@ void PackPanel::showFigures()
     mEfficiency->setText(percentText(metrics.packingUnit));
     mGutter->setText(texels(metrics.minGutterTexels));
     mToBorder->setText(texels(metrics.borderGutterTexels));
-    mInside->setText(!hasMap ? missingText() : metrics.inUnitSquare ? tr("yes") : tr("no"));
+    mInside->setText(!hasMap                ? missingText()
+                     : metrics.inUnitSquare ? tr("yes")
+                     : metrics.inTiles      ? tr("in other tiles")
+                                            : tr("no"));
+    showTiles(metrics.tiles, figures ? figures->textureSize : 0);
+    mTiles->setEnabled(map.figuresAreFresh());
     for (QLabel *label : {mEfficiency, mGutter, mToBorder, mInside})
         label->setEnabled(map.figuresAreFresh());
 }

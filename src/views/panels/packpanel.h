@@ -1,6 +1,7 @@
 // The packing panel.
 #pragma once
 
+#include "model/plain/uvfigures.h"
 #include "views/panels/panel.h"
 
 class QCheckBox;
@@ -10,6 +11,7 @@ class QFormLayout;
 class QLabel;
 class QPushButton;
 class QSpinBox;
+class QTreeWidget;
 
 namespace autocuts {
 
@@ -30,6 +32,8 @@ private:
     void addPlacingRows(QFormLayout *form);
     QWidget *makePackButtons();
     QWidget *makeFigures();
+    QWidget *makeTiles();
+    void showTiles(const std::vector<metrics::TileFigures> &tiles, int textureSize);
     QComboBox *makeTexels(QLatin1StringView name);
     void takeTexels(const QComboBox *field);
     void showSettings(const PackingSettings &settings);
@@ -45,6 +49,7 @@ private:
     QLabel *mTilePlace = nullptr;
     QPushButton *mPack = nullptr, *mPackSelection = nullptr;
     QLabel *mEfficiency = nullptr, *mGutter = nullptr, *mToBorder = nullptr, *mInside = nullptr;
+    QTreeWidget *mTiles = nullptr;
 };
 
 } // namespace autocuts

@@ -1,6 +1,7 @@
 #include "views/panels/viewpanel.h"
 
 #include "views/actions/actionregistry.h"
+#include "views/control/modelpictures.h"
 #include "views/gl/colormap.h"
 #include "views/gl/letteredpattern.h"
 #include "views/panels/controls.h"
@@ -16,15 +17,67 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! Toggles in two columns, or in one where there is no room for two.
+class ToggleGrid final : public QWidget
+{
+public:
+    ToggleGrid() : mGrid(new QGridLayout(this))
+    {
+        mGrid->setContentsMargins(0, 0, 0, 0);
+        mGrid->setVerticalSpacing(rowSpacing);
+    }
+    void add(QWidget *toggle)
+    {
+        mToggles.push_back(toggle);
+        mWidest = std::max(mWidest, toggle->sizeHint().width());
+        place(mColumns);
+    }
+    QSize minimumSizeHint() const override { return {mWidest, mGrid->minimumSize().height()}; }
+
+protected:
+    void resizeEvent(QResizeEvent *) override
+    {
+        const int columns = width() < 2 * mWidest + mGrid->horizontalSpacing() ? 1 : 2;
+        if (columns != mColumns)
+            place(columns);
+    }
+
+private:
+    void place(int columns)
+    {
+        mColumns = columns;
+        for (int i = 0; i < static_cast<int>(mToggles.size()); ++i)
+            mGrid->addWidget(mToggles[i], i / columns, i % columns);
+    }
+
+    QGridLayout *mGrid;
+    std::vector<QWidget *> mToggles;
+    int mColumns = 2, mWidest = 0;
+};
+
+//! Lets a choice be narrower than its longest text.
+void narrowest(QComboBox &box)
+{
+    box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box.setMinimumContentsLength(10);
+}
+
+} // namespace
 
 ViewPanel::ViewPanel(const StudioContext &context, QWidget *parent)
     : Panel(context, tr("Open a model to choose how it is shown."), parent)
@@ -42,6 +95,7 @@ ViewPanel::ViewPanel(const StudioContext &context, QWidget *parent)
     layout->addStretch();
     connect(&context.view, &ViewState::optionsChanged, this, [this] { refreshSoon(); });
     connect(&context.preferences, &Preferences::changed, this, [this] { refreshSoon(); });
+    connect(&context.pictures, &ModelPictures::changed, this, [this] { refreshSoon(); });
 }
 
 template <class Edit>
@@ -56,6 +110,7 @@ void ViewPanel::addColoringRows()
 {
     mColoring = new QComboBox;
     mColoring->setObjectName("coloring"_L1);
+    narrowest(*mColoring);
     mColoring->addItem(tr("Plain"), int(Coloring::Plain));
     mColoring->addItem(tr("Islands"), int(Coloring::Islands));
     mColoring->addItem(tr("Signed stretch"), int(Coloring::SignedStretch));
@@ -216,9 +271,11 @@ void ViewPanel::addPatternRows()
 {
     mPattern = new QComboBox;
     mPattern->setObjectName("pattern"_L1);
+    narrowest(*mPattern);
     mPattern->addItem(tr("None"), int(Pattern::None));
     mPattern->addItem(tr("Checkerboard"), int(Pattern::Checker));
     mPattern->addItem(tr("Lettered cells"), int(Pattern::Lettered));
+    mPattern->addItem(tr("Textures of the model"), int(Pattern::Materials));
     mPattern->addItem(tr("Texture"), int(Pattern::Texture));
     connect(mPattern, &QComboBox::activated, this, &ViewPanel::choosePattern);
     const QString tip = tr("What lies on the model, and behind the map");
@@ -244,6 +301,11 @@ void ViewPanel::addPatternRows()
     layout->addWidget(load);
     mTextureRow->setFocusProxy(load);
     addRow(mForm, tr("Texture"), mTextureRow, tr("Picture that is shown on the model, and behind the map"));
+    mModelTextures = new QLabel;
+    mModelTextures->setObjectName("modelTextures"_L1);
+    addRow(mForm, tr("Textures"), mModelTextures,
+           tr("Pictures that the model's file names. Behind the map lies that of the selected face, or that "
+              "of the material with the most faces"));
 }
 
 QWidget *ViewPanel::makeToggles()
@@ -280,11 +342,7 @@ QWidget *ViewPanel::makeToggles()
          tr("3D view without perspective")},
         {tr("X-ray"), &ViewOptions::xray, "view.xray", tr("See and select through the model")},
     };
-    auto *box = new QWidget;
-    auto *grid = new QGridLayout(box);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setVerticalSpacing(rowSpacing);
-    int number = 0;
+    auto *box = new ToggleGrid;
     for (const auto &[text, field, action, tip] : toggles) {
         auto *toggle = new QCheckBox(text);
         toggle->setObjectName(QLatin1StringView(action));
@@ -292,9 +350,8 @@ QWidget *ViewPanel::makeToggles()
         toggle->setIcon({});
         connect(toggle, &QCheckBox::clicked, this,
                 [this, f = field](bool on) { change([f, on](ViewOptions &options) { options.*f = on; }); });
-        grid->addWidget(toggle, number / 2, number % 2);
+        box->add(toggle);
         mToggles.emplace_back(toggle, field);
-        ++number;
     }
     return box;
 }
@@ -331,6 +388,10 @@ void ViewPanel::refresh()
     mDensityUnit->setCurrentIndex(options.densityPerCentimetre ? 1 : 0);
     mTextureName->setText(options.texturePath.isEmpty() ? tr("none")
                                                         : QFileInfo(options.texturePath).fileName());
+    const int textures = context().pictures.count();
+    mModelTextures->setText(context().pictures.isLoading() ? tr("being read...")
+                            : textures == 0                ? tr("the model names none")
+                                                           : tr("of %1 materials").arg(textures));
     for (const auto &[toggle, field] : mToggles)
         toggle->setChecked(options.*field);
     mForm->setRowVisible(mStretchClamp, options.coloring == Coloring::SignedStretch);
@@ -343,6 +404,7 @@ void ViewPanel::refresh()
     mForm->setRowVisible(mCheckerSize, options.pattern == Pattern::Checker);
     mForm->setRowVisible(mLetteredCells, options.pattern == Pattern::Lettered);
     mForm->setRowVisible(mTextureRow, options.pattern == Pattern::Texture);
+    mForm->setRowVisible(mModelTextures, options.pattern == Pattern::Materials);
     showLegend(options);
 }
 

@@ -56,6 +56,7 @@ private:
     QDoubleSpinBox *mDensityTarget = nullptr, *mCheckerSize = nullptr, *mLetteredCells = nullptr;
     QWidget *mTextureRow = nullptr;
     ElidedLabel *mTextureName = nullptr;
+    QLabel *mModelTextures = nullptr;
     std::vector<std::pair<QCheckBox *, bool ViewOptions::*>> mToggles;
 };
 

@@ -63,7 +63,7 @@ MainWindow::MainWindow(Preferences &preferences, const QString &recoveryFolder,
     : mPreferences(preferences), mQuestions(questions ? std::move(questions) : std::make_unique<Questions>()),
       mShownMap(mWorkspace), mActions(preferences), mSolver(mWorkspace, mShownMap),
       mMap(mWorkspace, mSolver, mShownMap), mFiles(mWorkspace, mSolver, preferences, recoveryFolder),
-      mTools(context())
+      mPictures(mWorkspace, mViewState), mTools(context())
 {
     mQuestions->setWindow(this);
     new DecimalKeys(this);
@@ -100,7 +100,7 @@ MainWindow::~MainWindow()
 
 StudioContext MainWindow::context()
 {
-    return {mWorkspace, mShownMap, mViewState, mPreferences, mSolver, mMap, mFiles, mActions};
+    return {mWorkspace, mShownMap, mViewState, mPreferences, mSolver, mMap, mFiles, mActions, mPictures};
 }
 
 void MainWindow::makeViews()
@@ -279,6 +279,8 @@ void MainWindow::connectMessages()
         mNotice->showNotice(tr("The solver stopped: %1").arg(message));
     });
     connect(&mFiles, &FileController::noticed, mNotice, &NoticeBar::showNotice);
+    connect(&mPictures, &ModelPictures::noticed, mNotice,
+            [this](const QString &message) { mNotice->showNotice(message); });
     connect(&mFiles, &FileController::failed, this,
             [this](const Error &error) { mQuestions->showError(error); });
 }
@@ -292,7 +294,7 @@ void MainWindow::restoreLayout()
     // On small screens the views get the larger part, too.
     resizeDocks({findChild<QDockWidget *>(QStringLiteral("view")),
                  findChild<QDockWidget *>(QStringLiteral("solver"))},
-                {std::min(290, width() * 22 / 100), std::min(340, width() * 27 / 100)}, Qt::Horizontal);
+                {std::min(290, width() * 22 / 100), std::min(370, width() * 31 / 100)}, Qt::Horizontal);
     mDefaultState = saveState();
     restoreGeometry(mPreferences.windowGeometry());
     restoreState(mPreferences.windowState());
@@ -311,6 +313,8 @@ void MainWindow::showOpened()
     const QCborMap saved = QCborValue::fromCbor(mWorkspace.document()->viewState()).toMap();
     if (saved.contains(QStringLiteral("options")))
         mViewState.setOptions(ViewOptions::fromCbor(saved.value(QStringLiteral("options")).toMap()));
+    else
+        showFoundTextures();
     mMeshView->restoreViewState(saved.value(QStringLiteral("mesh")).toMap());
     mUvView->restoreViewState(saved.value(QStringLiteral("uv")).toMap());
     mStatusBar->showText(mWorkspace.notes().isEmpty()
@@ -318,6 +322,18 @@ void MainWindow::showOpened()
                              : tr("Opened %1: see the mesh doctor").arg(mWorkspace.name()));
     if (mPreferences.values().solveOnOpen && !hasUvs(*mWorkspace.document()))
         mSolver.run();
+}
+
+//! The pattern that the user chose comes back with a model without textures.
+void MainWindow::showFoundTextures()
+{
+    ViewOptions options = mViewState.options();
+    const bool found = mPreferences.values().showTextures && mPictures.count() > 0;
+    if (found && options.pattern != Pattern::Materials)
+        mOtherPattern = std::exchange(options.pattern, Pattern::Materials);
+    else if (!found && options.pattern == Pattern::Materials)
+        options.pattern = mOtherPattern;
+    mViewState.setOptions(options);
 }
 
 QByteArray MainWindow::viewStateBytes() const

@@ -5,6 +5,7 @@
 #include "views/canvas/toolmanager.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/modelpictures.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/studiocontext.h"
@@ -63,6 +64,7 @@ private:
     void restoreLayout();
     void showTitle();
     void showOpened();
+    void showFoundTextures();
     QByteArray viewStateBytes() const;
     QImage thumbnail();
     void arrangeViews(ViewLayout layout);
@@ -76,6 +78,7 @@ private:
     SolverController mSolver;
     MapController mMap;
     FileController mFiles;
+    ModelPictures mPictures;
     ToolManager mTools;
     std::unique_ptr<StudioActions> mStudioActions;
 
@@ -85,7 +88,8 @@ private:
     UvView *mUvView = nullptr;
     StatusBar *mStatusBar = nullptr;
     QList<QDockWidget *> mDocks;
-    bool mNearOverlap = false; //!< the UV view was moved to an overlap
+    Pattern mOtherPattern = Pattern::None; //!< when the textures of a model took its place
+    bool mNearOverlap = false;             //!< the UV view was moved to an overlap
     std::unique_ptr<MenuBuilder> mMenus;
     QByteArray mDefaultState; //!< initial arrangement of the panels
 };

@@ -15,17 +15,18 @@ namespace autocuts {
 //! What the colours of the faces show, in both views.
 enum class Coloring { Plain, Islands, SignedStretch, StretchMagnitude, PaintWeights, Density, TexelWeights };
 //! The pattern on the model, by its UVs, and behind the map.
-enum class Pattern { None, Checker, Texture, Lettered };
+//! Texture is the picture that the user chose, Materials are those that the model names.
+enum class Pattern { None, Checker, Texture, Lettered, Materials };
 //! True for patterns that are drawn from a picture.
 constexpr bool isPicture(Pattern pattern)
 {
-    return pattern == Pattern::Texture || pattern == Pattern::Lettered;
+    return pattern == Pattern::Texture || pattern == Pattern::Lettered || pattern == Pattern::Materials;
 }
 
 //! Height in texture space of the picture of a pattern, where it is 1 wide. \param tileHeight of the texture
 constexpr double pictureHeight(Pattern pattern, double tileHeight)
 {
-    return pattern == Pattern::Texture ? tileHeight : 1; // lettered cells are square
+    return pattern == Pattern::Lettered ? 1 : tileHeight; // lettered cells are square
 }
 
 //! The options of both views.

@@ -5,6 +5,7 @@
 #include "views/canvas/toolcanvas.h"
 #include "views/control/workspace.h"
 #include "views/gl/colormap.h"
+#include "views/tools/mirrorimages.h"
 #include "views/tools/tooldrawing.h"
 
 #include <QKeyEvent>
@@ -59,7 +60,7 @@ PaintTool::PaintTool(const StudioContext &context, QObject *parent)
 {
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
         mGesture = 0;
-        mMirror.reset();
+        mMirror.clear();
     });
 }
 
@@ -148,9 +149,9 @@ void PaintTool::strokeTo(const ToolEvent &event)
 
 int PaintTool::mirrored(int edgePair)
 {
-    if (!mMirror)
-        mMirror.emplace(context().workspace.document()->state().scene.mesh);
-    return mMirror->mirrored(edgePair);
+    if (mMirror.empty())
+        mMirror = mirroredEdges(context().workspace.document()->mesh());
+    return mMirror[edgePair];
 }
 
 void PaintTool::lay(const std::vector<BrushTouch> &touches)

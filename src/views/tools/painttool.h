@@ -4,12 +4,10 @@
 #include "model/plain/types.h"
 #include "views/canvas/abstracttool.h"
 #include "views/tools/brush.h"
-#include "views/tools/mirrorededges.h"
 
 #include <QPointer>
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace autocuts {
@@ -65,8 +63,8 @@ private:
     //! The chosen effect, and that with the modifiers.
     Paint mPaint = Paint::KeepTogether, mShown = Paint::KeepTogether;
     bool mSymmetric = false;
-    std::optional<MirroredEdges> mMirror; //!< for the open model, made when needed
-    QPointer<ToolCanvas> mCanvas;         //!< the canvas under the mouse
+    std::vector<int> mMirror;     //!< of the edge pairs of the open model; made when needed
+    QPointer<ToolCanvas> mCanvas; //!< the canvas under the mouse
     QPointF mMouse;
     bool mColored = false; //!< this tool has changed the colouring
 

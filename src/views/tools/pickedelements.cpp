@@ -4,10 +4,10 @@
 #include "model/document/selectiontools.h"
 #include "views/canvas/scenecontent.h"
 #include "views/canvas/toolcanvas.h"
+#include "views/tools/seampath.h"
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <set>
 
 namespace autocuts {
@@ -143,29 +143,7 @@ Selection pickedGroup(const Document &document, const ToolCanvas &canvas, const 
 
 QList<int> pathBetweenEdges(const Document &document, int from, int to)
 {
-    const MeshAdjacency &adjacency = document.adjacency();
-    double shortest = std::numeric_limits<double>::infinity();
-    std::vector<int> best;
-    for (int start : adjacency.edgeVertices(from)) {
-        for (int end : adjacency.edgeVertices(to)) {
-            const std::vector<int> path = shortestPath(adjacency, start, end);
-            if (path.empty() && start != end)
-                continue;
-            double length = 0;
-            for (int edge : path)
-                length += adjacency.edgeLength(edge);
-            if (length < shortest) {
-                shortest = length;
-                best = path;
-            }
-        }
-    }
-    if (!(shortest < std::numeric_limits<double>::infinity()))
-        return {};
-    best.insert(best.end(), {from, to});
-    std::sort(best.begin(), best.end());
-    best.erase(std::unique(best.begin(), best.end()), best.end());
-    return toList(best);
+    return toList(pathBetween(document, {-1, from}, {-1, to}));
 }
 
 QList<int> pathBetweenCorners(const Document &document, int from, int to)
@@ -174,7 +152,7 @@ QList<int> pathBetweenCorners(const Document &document, int from, int to)
     const auto vertexOf = [&mesh](int corner) { return mesh.vertexWeld[mesh.cornerVertex[corner]]; };
     const MeshAdjacency &adjacency = document.adjacency();
     std::set<int> corners;
-    for (int edge : shortestPath(adjacency, vertexOf(from), vertexOf(to))) {
+    for (int edge : shortestPath(adjacency, vertexOf(from), vertexOf(to), shownEdgeFactors(document))) {
         for (int vertex : adjacency.edgeVertices(edge))
             corners.insert(adjacency.vertexCorners(vertex).begin(), adjacency.vertexCorners(vertex).end());
     }

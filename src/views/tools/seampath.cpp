@@ -35,16 +35,35 @@ PathEnd pathEnd(const Document &document, const PickResult &pick)
     return {-1, pick.edge};
 }
 
+std::vector<double> shownEdgeFactors(const Document &document)
+{
+    const std::vector<bool> &hidden = document.hidden();
+    if (hidden.empty())
+        return {};
+    const MeshAdjacency &adjacency = document.adjacency();
+    std::vector<double> factors(static_cast<std::size_t>(adjacency.edgeCount()), 1);
+    for (int edge = 0; edge < adjacency.edgeCount(); ++edge) {
+        const auto &faces = adjacency.edgeFaces(edge);
+        const bool shown = std::any_of(faces.begin(), faces.end(), [&](int face) {
+            return face >= 0 && !hidden[static_cast<std::size_t>(face)];
+        });
+        if (!shown)
+            factors[static_cast<std::size_t>(edge)] = std::numeric_limits<double>::infinity();
+    }
+    return factors;
+}
+
 std::vector<int> pathBetween(const Document &document, const PathEnd &from, const PathEnd &to)
 {
     if (from.isNone() || to.isNone())
         return {};
     const MeshAdjacency &adjacency = document.adjacency();
+    const std::vector<double> factors = shownEdgeFactors(document);
     double shortest = std::numeric_limits<double>::infinity();
     std::vector<int> best;
     for (int start : verticesOf(adjacency, from)) {
         for (int end : verticesOf(adjacency, to)) {
-            std::vector<int> path = shortestPath(adjacency, start, end);
+            std::vector<int> path = shortestPath(adjacency, start, end, factors);
             if (path.empty() && start != end)
                 continue;
             const double length = lengthOf(adjacency, path);

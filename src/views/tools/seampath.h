@@ -22,8 +22,11 @@ struct PathEnd
 //! The vertex near the mouse, or else the edge.
 PathEnd pathEnd(const Document &document, const PickResult &pick);
 
-//! The edges of the shortest path, including edges at its ends, in ascending order; empty when there is no
-//! path or an end is missing.
+//! Factors for shortestPath(), by which paths do not run through hidden faces; empty when none are hidden.
+std::vector<double> shownEdgeFactors(const Document &document);
+
+//! The edges of the shortest path that is seen, including edges at its ends, in ascending order; empty when
+//! there is no path or an end is missing.
 std::vector<int> pathBetween(const Document &document, const PathEnd &from, const PathEnd &to);
 
 } // namespace autocuts

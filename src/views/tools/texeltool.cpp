@@ -6,8 +6,10 @@
 #include "views/canvas/toolcanvas.h"
 #include "views/control/workspace.h"
 #include "views/gl/colormap.h"
+#include "views/tools/mirrorimages.h"
 #include "views/tools/tooldrawing.h"
 
+#include <QKeyEvent>
 #include <QPainter>
 #include <QWheelEvent>
 
@@ -20,16 +22,20 @@ namespace autocuts {
 TexelTool::TexelTool(const StudioContext &context, QObject *parent)
     : AbstractTool(context, QStringLiteral("texelWeight"), parent)
 {
-    connect(&context.workspace, &Workspace::documentReplaced, this, [this] { mGesture = 0; });
+    connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
+        mGesture = 0;
+        mMirror.clear();
+    });
 }
 
 QString TexelTool::hint() const
 {
-    return tr("Texel density %1 times, %2 %, hardness %3 %: Shift goes back to 1, Ctrl inverts; wheel with "
-              "Shift size, Ctrl strength, Alt hardness")
+    return tr("Texel density %1 times, %2 %, hardness %3 %%4: Shift goes back to 1, Ctrl inverts; wheel with "
+              "Shift size, Ctrl strength, Alt hardness; X symmetry")
         .arg(QString::number(mWeight, 'g', 3))
         .arg(std::lround(100 * mBrush.strength))
-        .arg(std::lround(100 * mBrush.hardness));
+        .arg(std::lround(100 * mBrush.hardness))
+        .arg(mSymmetric ? tr(", symmetric") : QString());
 }
 
 void TexelTool::activate()
@@ -102,16 +108,27 @@ void TexelTool::strokeTo(const ToolEvent &event)
     lay(touches);
 }
 
+int TexelTool::mirrored(int face)
+{
+    if (mMirror.empty())
+        mMirror = mirroredFaces(context().workspace.document()->mesh());
+    return mMirror[face];
+}
+
 void TexelTool::lay(const std::vector<FaceTouch> &touches)
 {
     std::map<int, double> painted; // new paint by face
+    const auto add = [&](int face, double effect) {
+        if (face < 0 || effect <= mEffect[face])
+            return;
+        mEffect[face] = effect;
+        painted[face] = effect;
+    };
     for (const FaceTouch &touch : touches) {
-        double &before = mEffect[static_cast<std::size_t>(touch.face)];
         const double effect = mBrush.effectAt(touch.distance);
-        if (effect <= before)
-            continue;
-        before = effect;
-        painted[touch.face] = effect;
+        add(touch.face, effect);
+        if (mSymmetric)
+            add(mirrored(touch.face), effect);
     }
     if (painted.empty())
         return;
@@ -154,6 +171,25 @@ void TexelTool::cancel()
     Q_EMIT overlayChanged();
 }
 
+bool TexelTool::wantsKey(const QKeyEvent &event) const
+{
+    return event.modifiers() == Qt::NoModifier && event.key() == Qt::Key_X;
+}
+
+bool TexelTool::keyPress(const QKeyEvent &event, ToolCanvas &canvas)
+{
+    if (!wantsKey(event))
+        return AbstractTool::keyPress(event, canvas);
+    setSymmetric(!mSymmetric);
+    return true;
+}
+
+void TexelTool::setSymmetric(bool symmetric)
+{
+    mSymmetric = symmetric;
+    tellSettings();
+}
+
 void TexelTool::tellSettings()
 {
     Q_EMIT hintChanged();
@@ -176,6 +212,9 @@ std::vector<ToolOption> TexelTool::options()
         tellSettings();
     });
     options.insert(options.end(), brush.begin(), brush.end());
+    options.push_back(ToolOption::toggle(tr("Symmetric"),
+                                         tr("Paint the mirror image, in the plane x = 0, too; X"), mSymmetric,
+                                         [this](double on) { setSymmetric(on != 0); }));
     return options;
 }
 
@@ -193,9 +232,10 @@ void TexelTool::drawOverlay(QPainter &painter, const ToolCanvas &canvas)
         return;
     drawBrush(painter, canvas, mMouse, mBrush, QColor(texelWeightColor(mShown)), 0.25 * mBrush.strength);
     drawNote(painter, canvas,
-             tr("%1 times the texels, %2 %")
+             tr("%1 times the texels, %2 %%3")
                  .arg(QString::number(mShown, 'g', 3))
-                 .arg(std::lround(100 * mBrush.strength)));
+                 .arg(std::lround(100 * mBrush.strength))
+                 .arg(mSymmetric ? tr(", symmetric about X") : QString()));
 }
 
 } // namespace autocuts

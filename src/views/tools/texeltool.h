@@ -23,6 +23,8 @@ public:
 
     const Brush &brush() const { return mBrush; }
     double weight() const { return mWeight; }
+    //! True when the mirror images of faces, in the plane x = 0, are painted too.
+    bool isSymmetric() const { return mSymmetric; }
 
     QString hint() const override;
     std::vector<ToolOption> options() override;
@@ -33,6 +35,8 @@ public:
     void move(const ToolEvent &event) override;
     void release(const ToolEvent &event) override;
     void leave() override;
+    bool wantsKey(const QKeyEvent &event) const override;
+    bool keyPress(const QKeyEvent &event, ToolCanvas &canvas) override;
     bool wheel(const QWheelEvent &event, ToolCanvas &canvas) override;
     bool isBusy() const override { return mGesture != 0; }
     void cancel() override;
@@ -43,6 +47,8 @@ private:
     //! The weight for these modifiers: Shift goes back to 1, Ctrl is the inverse.
     double weightFor(Qt::KeyboardModifiers modifiers) const;
     void tellSettings();
+    void setSymmetric(bool symmetric);
+    int mirrored(int face);
     void showBrush(const ToolEvent &event);
     void strokeTo(const ToolEvent &event);
     //! Adds the paint of some brush dabs.
@@ -52,7 +58,9 @@ private:
     double mWeight = 2, mShown = 2; //!< the chosen weight, and that with the modifiers
     QPointer<ToolCanvas> mCanvas;   //!< the canvas under the mouse
     QPointF mMouse;
-    bool mColored = false; //!< this tool has changed the colouring
+    bool mSymmetric = false;
+    std::vector<int> mMirror; //!< of the faces of the open model; made when needed
+    bool mColored = false;    //!< this tool has changed the colouring
 
     // State of the stroke.
     quint64 mGesture = 0;

@@ -29,6 +29,7 @@ const QString maxDistortionKey = QStringLiteral("values/maxDistortion");
 const QString autosaveKey = QStringLiteral("values/autosaveMinutes");
 const QString undoMemoryKey = QStringLiteral("values/undoMemoryMb");
 const QString solveOnOpenKey = QStringLiteral("values/solveOnOpen");
+const QString showTexturesKey = QStringLiteral("values/showTextures");
 const QString recentKey = QStringLiteral("files/recent");
 const QString folderKey = QStringLiteral("files/folder");
 const QString shortcutGroup = QStringLiteral("shortcuts");
@@ -111,6 +112,7 @@ PreferenceValues readValues(const QSettings &settings)
     v.undoMemoryMb =
         readInt(settings, undoMemoryKey, v.undoMemoryMb, Limits::minUndoMemoryMb, Limits::maxUndoMemoryMb);
     v.solveOnOpen = settings.value(solveOnOpenKey, v.solveOnOpen).toBool();
+    v.showTextures = settings.value(showTexturesKey, v.showTextures).toBool();
     return v;
 }
 
@@ -132,6 +134,7 @@ void writeValues(QSettings &settings, const PreferenceValues &v)
     settings.setValue(autosaveKey, v.autosaveMinutes);
     settings.setValue(undoMemoryKey, v.undoMemoryMb);
     settings.setValue(solveOnOpenKey, v.solveOnOpen);
+    settings.setValue(showTexturesKey, v.showTextures);
 }
 
 } // namespace

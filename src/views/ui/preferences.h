@@ -33,6 +33,7 @@ struct PreferenceValues
     int autosaveMinutes = 2;                  //!< 0: no autosave
     int undoMemoryMb = 400;
     bool solveOnOpen = false; //!< start solving when a model without UVs is opened
+    bool showTextures = true; //!< show the textures that a model names when it is opened
 
     bool operator==(const PreferenceValues &) const = default;
 };

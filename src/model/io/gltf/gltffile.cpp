@@ -87,17 +87,6 @@ Json parsedJson(const QByteArray &text, const std::atomic<bool> *stop)
     return json;
 }
 
-QByteArray contentOfDataUri(const std::string &uri)
-{
-    const std::size_t comma = uri.find(',');
-    if (comma == std::string::npos)
-        throw GltfError("a data URI has no data");
-    const auto data =
-        QByteArray::fromRawData(uri.data() + comma + 1, static_cast<qsizetype>(uri.size() - comma - 1));
-    const bool base64 = std::string_view(uri).substr(0, comma).ends_with(";base64");
-    return base64 ? QByteArray::fromBase64(data) : QByteArray::fromPercentEncoding(data);
-}
-
 bool isFallback(const Json &buffer)
 {
     return member(member(member(buffer, "extensions"), "EXT_meshopt_compression"), "fallback") == true;
@@ -219,6 +208,17 @@ QByteArray glbBytes(GltfDocument document)
 std::string dataUri(const QByteArray &bytes)
 {
     return "data:application/octet-stream;base64," + bytes.toBase64().toStdString();
+}
+
+QByteArray contentOfDataUri(const std::string &uri)
+{
+    const std::size_t comma = uri.find(',');
+    if (comma == std::string::npos)
+        throw GltfError("a data URI has no data");
+    const auto data =
+        QByteArray::fromRawData(uri.data() + comma + 1, static_cast<qsizetype>(uri.size() - comma - 1));
+    const bool base64 = std::string_view(uri).substr(0, comma).ends_with(";base64");
+    return base64 ? QByteArray::fromBase64(data) : QByteArray::fromPercentEncoding(data);
 }
 
 bool isDataUri(const std::string &uri)

@@ -56,6 +56,9 @@ QByteArray glbBytes(GltfDocument document);
 //! The URI that contains the bytes of a buffer.
 std::string dataUri(const QByteArray &bytes);
 
+//! The bytes in a data URI. \throws GltfError when it has none
+QByteArray contentOfDataUri(const std::string &uri);
+
 //! True for URIs that contain their data.
 bool isDataUri(const std::string &uri);
 

@@ -4,6 +4,7 @@
 #include "model/io/assimpreader.h"
 #include "model/io/gltf/gltfnodes.h"
 #include "model/io/gltf/gltfprimitive.h"
+#include "model/io/gltf/gltftextures.h"
 #include "model/io/hardedges.h"
 #include "model/io/savefile.h"
 
@@ -210,9 +211,11 @@ void SoupBuilder::fill(Scene &scene)
              Eigen::Map<const UvMatrix>(values.data(), static_cast<Eigen::Index>(corners), 2)});
     }
     const Json &materials = member(mData.json(), "materials");
+    GltfTextures textures(mData);
     for (std::size_t m = 0; materials.is_array() && m < materials.size(); ++m) {
         scene.materialNames.push_back(QString::fromStdString(nameOr(materials[m], "material", m)));
         scene.materialColors.push_back(baseColor(materials[m]));
+        scene.materialTextures.push_back(textures.ofMaterial(materials[m]));
     }
     scene.objectNames = std::move(mObjectNames);
     scene.faceMaterial = std::move(mFaceMaterial);

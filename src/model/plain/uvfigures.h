@@ -12,6 +12,15 @@ namespace autocuts::metrics {
 //! Value of a figure that does not exist (no UVs, one chart only, outside the first tile): not a number.
 inline constexpr double missingFigure = std::numeric_limits<double>::quiet_NaN();
 
+//! The figures of one UDIM tile.
+struct TileFigures
+{
+    int tile = 0;                   //!< its number, 1001 and more
+    int faces = 0, charts = 0;      //!< of the charts that lie in it
+    double density = missingFigure; //!< length in UV units of a unit of the model, by the areas
+    double efficiency = 0;          //!< the part of the tile that its charts take
+};
+
 //! Figures of a UV map. Definitions and tolerances follow an independent measuring program, so that figures
 //! can be compared. Vertices are welded where their positions are exactly equal. Polygons are split as in
 //! MeshData: by a fan from fanApex() when there is one. Of the others, those with triangles that this turns
@@ -61,14 +70,19 @@ struct UvMetrics
 
     double uvArea = 0;
     Vec2 uvMin = Vec2::Constant(missingFigure), uvMax = Vec2::Constant(missingFigure);
-    bool inUnitSquare = false;              //!< in the first tile of the texture, within 1e-6
-    double packingBox = missingFigure;      //!< UV area / area of the bounding box
-    double packingSquare = missingFigure;   //!< UV area / square of the longer side of the bounding box
-    double packingUnit = missingFigure;     //!< part of the tile's area in use; only when in it
+    bool inUnitSquare = false;            //!< in the first tile of the texture, within 1e-6
+    double packingBox = missingFigure;    //!< UV area / area of the bounding box
+    double packingSquare = missingFigure; //!< UV area / square of the longer side of the bounding box
+    //! Every chart lies in a UDIM tile, within 1e-6. Then packing and distances to the border are of the
+    //! tiles in use.
+    bool inTiles = false;
+    double packingUnit = missingFigure;     //!< part of the area of the tiles in use that charts take
     double minGutter = missingFigure;       //!< smallest UV distance between borders of different charts
     double minGutterTexels = missingFigure; //!< the same at the texture size
-    double borderGutter = missingFigure;    //!< from the bounding box to the border of the tile
+    double borderGutter = missingFigure;    //!< smallest distance of a chart to the border of its tile
     double borderGutterTexels = missingFigure;
+
+    std::vector<TileFigures> tiles; //!< the tiles in which charts lie as a whole, ascending
 
     //! Per chart, numbered as by findCharts(): symDirichlet of the chart alone, at the scale that suits it.
     std::vector<double> chartSymDirichlet;

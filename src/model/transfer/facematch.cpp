@@ -1,4 +1,4 @@
-#include "model/document/facematch.h"
+#include "model/transfer/facematch.h"
 
 #include <algorithm>
 #include <array>
@@ -133,19 +133,27 @@ void matchByPosition(const MeshData &before, const MeshData &after, double relat
 
 } // namespace
 
-FaceMatch matchFaces(const MeshData &before, const MeshData &after, double tolerance)
+FaceMatch matchFacesInPlace(const MeshData &before, const MeshData &after, double tolerance)
 {
     FaceMatch match;
     match.face.assign(static_cast<std::size_t>(before.faceCount()), -1);
     match.corner.assign(static_cast<std::size_t>(before.cornerCount()), -1);
-    match.sameTopology = before.vertexCount() == after.vertexCount() && before.faceStart == after.faceStart &&
-                         before.cornerVertex == after.cornerVertex;
-    if (match.sameTopology) {
-        std::iota(match.face.begin(), match.face.end(), 0);
-        std::iota(match.corner.begin(), match.corner.end(), 0);
-    } else {
-        matchByPosition(before, after, tolerance, match);
-    }
+    matchByPosition(before, after, tolerance, match);
+    return match;
+}
+
+FaceMatch matchFaces(const MeshData &before, const MeshData &after, double tolerance)
+{
+    const bool same = before.vertexCount() == after.vertexCount() && before.faceStart == after.faceStart &&
+                      before.cornerVertex == after.cornerVertex;
+    if (!same)
+        return matchFacesInPlace(before, after, tolerance);
+    FaceMatch match;
+    match.sameTopology = true;
+    match.face.resize(static_cast<std::size_t>(before.faceCount()));
+    match.corner.resize(static_cast<std::size_t>(before.cornerCount()));
+    std::iota(match.face.begin(), match.face.end(), 0);
+    std::iota(match.corner.begin(), match.corner.end(), 0);
     return match;
 }
 

@@ -1,4 +1,4 @@
-#include "solver/metrics/groupfigures.h"
+#include "model/plain/groupfigures.h"
 
 #include "model/plain/chart.h"
 

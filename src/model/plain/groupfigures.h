@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/plain/meshdata.h"
-#include "solver/metrics/uvfigures.h"
+#include "model/plain/uvfigures.h"
 
 namespace autocuts::metrics {
 

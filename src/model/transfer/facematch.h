@@ -18,6 +18,9 @@ struct FaceMatch
 //! Positions closer than this share of the largest coordinate are equal: text files often have six digits.
 inline constexpr double equalPositions = 2e-6;
 
+//! Finds counterparts: faces with the same corners in the same winding at the same positions, whatever their
+//! numbers.
+FaceMatch matchFacesInPlace(const MeshData &before, const MeshData &after, double tolerance = equalPositions);
 //! Finds the counterparts by the rule of relinkDocument(). \param tolerance as equalPositions
 FaceMatch matchFaces(const MeshData &before, const MeshData &after, double tolerance = equalPositions);
 

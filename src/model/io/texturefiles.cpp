@@ -1,0 +1,100 @@
+#include "model/io/texturefiles.h"
+
+#include "model/plain/packingsettings.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <optional>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+constexpr QLatin1StringView token = "<UDIM>"_L1;
+//! Numbers without <UDIM> are those of tiles only in the first ten rows, since years and sizes look alike.
+constexpr int lastPlainTile = 1100;
+//! What more tiles could hold is not looked for. Chosen by hand.
+constexpr int lastKnownTile = 2000;
+
+//! What stands before and after the number of a tile.
+struct TileName
+{
+    QString before, after;
+    int last = 0; //!< numbers above are none of tiles
+};
+
+std::optional<TileName> tileName(const QString &name)
+{
+    if (const qsizetype at = name.indexOf(token, 0, Qt::CaseInsensitive); at >= 0)
+        return TileName{name.first(at), name.sliced(at + token.size()), lastKnownTile};
+    static const QRegularExpression numbered(u"^(.*[._])(\\d{4})(\\.[^.]+)$"_s);
+    const QRegularExpressionMatch match = numbered.match(name);
+    const int number = match.captured(2).toInt();
+    if (number < PackingSettings::firstTile || number > lastPlainTile)
+        return std::nullopt;
+    return TileName{match.captured(1), match.captured(3), lastPlainTile};
+}
+
+QString withoutDots(const QString &path)
+{
+    return QDir::cleanPath(QFileInfo(path).absoluteFilePath());
+}
+
+bool isThere(const QString &path)
+{
+    if (QFileInfo(path).isFile())
+        return true;
+    return tileName(QFileInfo(path).fileName()) && !textureTiles(path).empty();
+}
+
+} // namespace
+
+std::vector<TextureTile> textureTiles(const QString &path)
+{
+    const QFileInfo file(path);
+    std::vector<TextureTile> tiles;
+    if (const std::optional<TileName> name = tileName(file.fileName())) {
+        const QStringList names = file.dir().entryList(QDir::Files, QDir::Name);
+        for (const QString &other : names) {
+            const qsizetype length = name->before.size() + 4 + name->after.size();
+            if (other.size() != length || !other.startsWith(name->before) || !other.endsWith(name->after))
+                continue;
+            bool ok = false;
+            const int number = QStringView(other).sliced(name->before.size(), 4).toInt(&ok);
+            if (ok && number >= PackingSettings::firstTile && number <= name->last)
+                tiles.push_back({number, file.dir().filePath(other)});
+        }
+    } else if (file.isFile()) {
+        tiles.push_back({0, path});
+    }
+    return tiles;
+}
+
+QString findTexture(const QString &named, const QString &modelPath)
+{
+    const QString spelled = QString(named).replace(u'\\', u'/').trimmed();
+    const QString name = QFileInfo(spelled).fileName();
+    if (name.isEmpty())
+        return {};
+    const QFileInfo model(modelPath);
+    const QDir folder = model.dir();
+    const QString parent = withoutDots(folder.filePath(u".."_s));
+    QStringList candidates;
+    const bool relative = QDir::isRelativePath(spelled) && !spelled.contains(u':');
+    if (const QString path = withoutDots(folder.filePath(spelled));
+        relative && path.startsWith(parent.endsWith(u'/') ? parent : parent + u'/'))
+        candidates << path;
+    candidates << folder.filePath(name);
+    for (const QString &usual : {u"textures"_s, u"Textures"_s, u"maps"_s, u"images"_s,
+                                 model.completeBaseName() + u".fbm"_s, u"../textures"_s})
+        candidates << folder.filePath(usual + u'/' + name);
+    const auto found = std::find_if(candidates.begin(), candidates.end(), isThere);
+    return found == candidates.end() ? QString() : QDir::cleanPath(*found);
+}
+
+} // namespace autocuts

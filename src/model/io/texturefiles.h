@@ -1,0 +1,30 @@
+// Finds the picture files that a model names, and the files of pictures that are one for each UDIM tile.
+#pragma once
+
+#include <QString>
+
+#include <vector>
+
+namespace autocuts {
+
+//! One file of a texture.
+struct TextureTile
+{
+    int tile = 0; //!< UDIM tile; 0: the picture is for all tiles
+    QString path;
+
+    bool operator==(const TextureTile &) const = default;
+};
+
+//! The files of a texture that exist. A name with <UDIM> in it, or with a number from 1001 to 1100 before its
+//! suffix, as in wood.1001.png or wood_1001.png, is that of a set with a picture for each tile.
+//! \param path as the user or findTexture() gives it
+std::vector<TextureTile> textureTiles(const QString &path);
+
+//! The path of a texture that a model names, for textureTiles(); empty when it is not there. Looked at are
+//! the name in the model's folder, with its folders where they are inside of that folder or its parent, and
+//! folders that are usual for textures: a model must not make us read files elsewhere.
+//! \param named as the model's file spells it \param modelPath the model's file
+QString findTexture(const QString &named, const QString &modelPath);
+
+} // namespace autocuts

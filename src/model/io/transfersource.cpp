@@ -1,0 +1,31 @@
+#include "model/io/transfersource.h"
+
+#include "model/io/meshfile.h"
+#include "model/io/projectfile.h"
+#include "model/plain/uvlayout.h"
+
+namespace autocuts {
+
+UvMatrix TransferSource::uv() const
+{
+    return uvSets.empty() ? emptyLayout(*mesh) : uvSets[activeSet].uv;
+}
+
+Result<TransferSource> readTransferSource(const QString &path, const std::atomic<bool> *stop,
+                                          double tileHeight)
+{
+    if (isProjectPath(path)) {
+        Result<LoadedProject> project = loadProject(path, stop);
+        if (!project)
+            return project.error();
+        Scene &scene = project->state.scene;
+        return TransferSource{scene.mesh, std::move(scene.uvSets), project->state.activeUvSet,
+                              std::move(scene.objectNames), path};
+    }
+    Result<Scene> scene = readMesh(path, stop, tileHeight);
+    if (!scene)
+        return scene.error();
+    return TransferSource{scene->mesh, std::move(scene->uvSets), 0, std::move(scene->objectNames), path};
+}
+
+} // namespace autocuts

@@ -1,0 +1,77 @@
+#include "solver/metrics/tilefigures.h"
+
+#include "model/plain/udimtiles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace autocuts::metrics {
+
+namespace {
+
+//! Sums over the charts of one tile.
+struct TileSums
+{
+    int faces = 0;
+    std::set<int> charts;
+    double uvArea = 0, target = 0;
+    double toBorder = std::numeric_limits<double>::infinity();
+};
+
+std::map<int, TileSums> sumsOf(const MeshData &mesh, const UvMatrix &uv, const ChartMap &charts,
+                               const std::vector<int> &tiles, double tileHeight)
+{
+    std::map<int, TileSums> sums;
+    for (int face = 0; face < mesh.faceCount(); ++face) {
+        if (tiles[face] == 0)
+            continue;
+        TileSums &sum = sums[tiles[face]];
+        ++sum.faces;
+        sum.charts.insert(charts.faceChart[face]);
+        const Eigen::AlignedBox2d tile = udimTile(tiles[face], tileHeight);
+        for (int c = mesh.faceStart[face]; c < mesh.faceStart[face + 1]; ++c) {
+            const Vec2 place = uv.row(c);
+            sum.toBorder =
+                std::min({sum.toBorder, (place - tile.min()).minCoeff(), (tile.max() - place).minCoeff()});
+        }
+    }
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const int tile = tiles[mesh.triangleFace[t]];
+        if (tile == 0)
+            continue;
+        const auto &[a, b, c] = mesh.triangles[t];
+        TileSums &sum = sums[tile];
+        sum.uvArea += std::abs(cross2(Vec2(uv.row(a)), Vec2(uv.row(b)), Vec2(uv.row(c)))) / 2;
+        sum.target += mesh.targetArea(t);
+    }
+    return sums;
+}
+
+} // namespace
+
+void measureTiles(const MeshData &mesh, const UvMatrix &uv, const ChartMap &charts, double tileHeight,
+                  UvMetrics &metrics)
+{
+    const std::vector<int> tiles = islandTiles(mesh, charts, uv, tileHeight);
+    double toBorder = std::numeric_limits<double>::infinity();
+    for (const auto &[tile, sum] : sumsOf(mesh, uv, charts, tiles, tileHeight)) {
+        TileFigures figures{tile, sum.faces, static_cast<int>(sum.charts.size())};
+        figures.efficiency = sum.uvArea / tileHeight;
+        if (sum.target > 0)
+            figures.density = std::sqrt(sum.uvArea / sum.target);
+        metrics.tiles.push_back(figures);
+        toBorder = std::min(toBorder, sum.toBorder);
+    }
+    metrics.inTiles = !metrics.tiles.empty();
+    for (int face = 0; metrics.inTiles && face < mesh.faceCount(); ++face)
+        metrics.inTiles = charts.faceChart[face] < 0 || tiles[face] > 0;
+    if (!metrics.inTiles)
+        return;
+    metrics.packingUnit = metrics.uvArea / (tileHeight * static_cast<double>(metrics.tiles.size()));
+    metrics.borderGutter = toBorder;
+}
+
+} // namespace autocuts::metrics

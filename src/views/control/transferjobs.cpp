@@ -1,0 +1,88 @@
+#include "views/control/transferjobs.h"
+
+#include "model/document/transferjob.h"
+#include "model/io/transfersource.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+namespace autocuts {
+
+namespace {
+
+QString translated(const char *text)
+{
+    return QCoreApplication::translate("autocuts::MapController", text);
+}
+
+Result<Done> fillSource(const TransferChoice &choice, const std::vector<UvSet> &sets, const MapInput &input,
+                        JobControl &control, TransferJob &job)
+{
+    if (choice.from == TransferChoice::From::File) {
+        const Result<TransferSource> source =
+            readTransferSource(choice.path, &control.stop(), input.packing.tileHeight());
+        if (!source)
+            return source.error();
+        job.source = source->mesh;
+        job.sourceUv = source->uv();
+        job.sourceName = choice.path;
+        return Done();
+    }
+    job.source = input.snapshot.mesh;
+    job.sourceUv = input.uv;
+    if (choice.from == TransferChoice::From::Object)
+        job.sourceObject = choice.object;
+    else if (choice.uvSet >= 0 && choice.uvSet < static_cast<int>(sets.size()))
+        job.sourceUv = sets[choice.uvSet].uv;
+    return Done();
+}
+
+MapJobResult failed(const QString &problem)
+{
+    MapJobResult result;
+    result.edit = UvEdit::Transfer;
+    result.problem = problem;
+    return result;
+}
+
+} // namespace
+
+MapJobResult transferUvsJob(const MapInput &input, const TransferChoice &choice,
+                            const std::vector<UvSet> &sets, JobControl &control)
+{
+    const QString stoppedText = translated("Cancelled: the map stays as it is");
+    TransferJob job;
+    const Result<Done> filled = fillSource(choice, sets, input, control, job);
+    if (control.stop())
+        return failed(stoppedText);
+    if (!filled)
+        return failed(filled.error().toString());
+    job.mesh = input.snapshot.mesh;
+    job.uv = input.uv;
+    job.match = choice.match;
+    if (choice.onlySelection) {
+        job.faces.assign(static_cast<std::size_t>(job.mesh->faceCount()), false);
+        for (int face : input.selectedFaces)
+            job.faces[face] = true;
+    }
+    keepLocked(job, input.marks.faceFlags);
+    const Result<TransferredUvs> made =
+        runTransfer(job, {[&control] { return control.stop().load(); },
+                          [&control](double fraction) { control.setProgress(fraction); }});
+    if (!made)
+        return failed(made.error().toString());
+    if (made->stopped)
+        return failed(stoppedText);
+    MapJobResult result;
+    result.edit = UvEdit::Transfer;
+    result.uv = made->uv;
+    result.message = translated("UVs transferred: %1").arg(made->summary());
+    if (const QStringList warnings = made->warnings(); !warnings.isEmpty()) {
+        result.problem = result.message + QStringLiteral(". ") + warnings.join(QStringLiteral(". "));
+        result.problemItems.mode = SelectionMode::Faces;
+        result.problemItems.faces = made->unmatched;
+    }
+    return result;
+}
+
+} // namespace autocuts

@@ -1,0 +1,146 @@
+#include "views/dialogs/transferdialog.h"
+
+#include "model/document/document.h"
+#include "views/ui/questions.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+using From = TransferChoice::From;
+
+TransferDialog::TransferDialog(const Document &document, const TransferChoice &last, const QString &folder,
+                               const QStringList &filters, Questions &questions)
+    : QDialog(questions.window()), mQuestions(questions), mFolder(folder), mFilters(filters),
+      mFrom(new QComboBox), mUvSet(new QComboBox), mObject(new QComboBox), mMatch(new QComboBox),
+      mFileRow(new QWidget), mPath(new QLineEdit),
+      mOnlySelection(new QCheckBox(tr("O&nly the selected faces"))), mProblem(new QLabel)
+{
+    setWindowTitle(tr("Transfer UVs"));
+    addSources(document);
+    mPath->setMinimumWidth(320);
+    mPath->setText(QDir::toNativeSeparators(last.path));
+    auto *browse = new QPushButton(tr("&Browse..."));
+    browse->setAutoDefault(false);
+    auto *row = new QHBoxLayout(mFileRow);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(mPath, 1);
+    row->addWidget(browse);
+    mFileRow->setFocusProxy(mPath);
+    mMatch->addItem(tr("The same polygons, otherwise by position"), int(transfer::UvMatch::Auto));
+    mMatch->addItem(tr("Only if the polygons are the same"), int(transfer::UvMatch::Topology));
+    mMatch->addItem(tr("By position"), int(transfer::UvMatch::Position));
+    mMatch->setCurrentIndex(std::max(0, mMatch->findData(int(last.match))));
+    mMatch->setToolTip(
+        tr("The same polygons: UVs are copied, wherever the models lie. By position: every face "
+           "takes the UVs of the nearest points of the surface, for models of another resolution; "
+           "both must lie in the same place."));
+    mOnlySelection->setEnabled(!document.selection().faces.isEmpty());
+    mOnlySelection->setChecked(last.onlySelection && mOnlySelection->isEnabled());
+    mProblem->setWordWrap(true);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    mTransfer = buttons->addButton(tr("&Transfer"), QDialogButtonBox::AcceptRole);
+    mTransfer->setDefault(true);
+    auto *form = new QFormLayout(this);
+    form->addRow(tr("&From:"), mFrom);
+    form->addRow(tr("F&ile:"), mFileRow);
+    form->addRow(tr("&UV set:"), mUvSet);
+    form->addRow(tr("&Object:"), mObject);
+    form->addRow(tr("&Match:"), mMatch);
+    form->addRow(QString(), mOnlySelection);
+    form->addRow(QString(), mProblem);
+    form->addRow(buttons);
+    for (const auto &[widget, name] :
+         std::initializer_list<std::pair<QWidget *, const char *>>{{mFrom, "from"},
+                                                                   {mPath, "path"},
+                                                                   {mUvSet, "uvSet"},
+                                                                   {mObject, "object"},
+                                                                   {mMatch, "match"},
+                                                                   {mOnlySelection, "onlySelection"},
+                                                                   {mProblem, "problem"},
+                                                                   {mTransfer, "transfer"}})
+        widget->setObjectName(QLatin1StringView(name));
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(browse, &QPushButton::clicked, this, &TransferDialog::browse);
+    connect(mFrom, &QComboBox::currentIndexChanged, this, &TransferDialog::showSource);
+    connect(mPath, &QLineEdit::textChanged, this, &TransferDialog::showSource);
+    mFrom->setCurrentIndex(std::max(0, mFrom->findData(int(last.from))));
+    mObject->setCurrentIndex(std::clamp(last.object, 0, std::max(0, mObject->count() - 1)));
+    showSource();
+}
+
+//! Offers what the document has: other UV sets, and objects where there are several.
+void TransferDialog::addSources(const Document &document)
+{
+    mFrom->addItem(tr("A file"), int(From::File));
+    const std::vector<UvSet> &sets = document.uvSets();
+    for (int i = 0; i < static_cast<int>(sets.size()); ++i) {
+        if (i != document.activeUvSet())
+            mUvSet->addItem(sets[i].name, i);
+    }
+    if (mUvSet->count() > 0)
+        mFrom->addItem(tr("Another UV set"), int(From::UvSet));
+    const std::vector<QString> &names = document.state().scene.objectNames;
+    for (int i = 0; i < static_cast<int>(names.size()); ++i)
+        mObject->addItem(names[i].isEmpty() ? tr("Object %1").arg(i + 1) : names[i], i);
+    if (mObject->count() > 1)
+        mFrom->addItem(tr("An object of this model"), int(From::Object));
+    mObject->setToolTip(tr("Its UVs go to every other object, or to those with selected faces"));
+}
+
+void TransferDialog::browse()
+{
+    const QString old = choice().path;
+    const QString path =
+        mQuestions.fileToOpen(windowTitle(), old.isEmpty() ? mFolder : QFileInfo(old).path(), mFilters);
+    if (!path.isEmpty())
+        mPath->setText(QDir::toNativeSeparators(path));
+}
+
+void TransferDialog::showSource()
+{
+    auto *form = static_cast<QFormLayout *>(layout());
+    const From from = choice().from;
+    form->setRowVisible(mFileRow, from == From::File);
+    form->setRowVisible(mUvSet, from == From::UvSet);
+    form->setRowVisible(mObject, from == From::Object);
+    mProblem->setText(problem());
+    mTransfer->setEnabled(mProblem->text().isEmpty());
+    adjustSize();
+}
+
+QString TransferDialog::problem() const
+{
+    const TransferChoice chosen = choice();
+    if (chosen.from != From::File)
+        return {};
+    if (chosen.path.isEmpty())
+        return tr("Choose a model or a session that has UVs.");
+    return QFileInfo(chosen.path).isFile() ? QString() : tr("There is no such file.");
+}
+
+TransferChoice TransferDialog::choice() const
+{
+    TransferChoice choice;
+    choice.from = From(mFrom->currentData().toInt());
+    choice.path = QDir::fromNativeSeparators(mPath->text().trimmed());
+    choice.uvSet = mUvSet->currentData().toInt();
+    choice.object = mObject->currentData().toInt();
+    choice.match = transfer::UvMatch(mMatch->currentData().toInt());
+    choice.onlySelection = mOnlySelection->isChecked();
+    return choice;
+}
+
+} // namespace autocuts

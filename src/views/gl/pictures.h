@@ -1,0 +1,37 @@
+// The pictures of textures, as the views draw them.
+#pragma once
+
+#include <QImage>
+#include <QString>
+
+#include <map>
+#include <vector>
+
+namespace autocuts {
+
+//! Some pictures, and the textures that are made of them.
+struct Pictures
+{
+    static constexpr int tilesPerRow = 10;
+
+    //! A texture: one picture that repeats, or one for each UDIM tile.
+    struct Set
+    {
+        int repeated = -1;        //!< index of the picture in all tiles; -1: there is none
+        std::map<int, int> tiles; //!< picture by the tile's place: column + 10 * row
+
+        bool isEmpty() const { return repeated < 0 && tiles.empty(); }
+        bool operator==(const Set &) const = default;
+    };
+
+    std::vector<QImage> images;
+    std::vector<Set> sets;
+
+    //! One picture that repeats; nothing when the image is null.
+    static Pictures of(const QImage &image)
+    {
+        return image.isNull() ? Pictures() : Pictures{{image}, {{0, {}}}};
+    }
+};
+
+} // namespace autocuts

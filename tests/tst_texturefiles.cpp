@@ -1,0 +1,212 @@
+// Textures that files name: OBJ, FBX, glTF and sessions; where they are looked for, and sets of tiles.
+#include "model/document/documentstate.h"
+#include "model/io/fbxreader.h"
+#include "model/io/meshfile.h"
+#include "model/io/projectfile.h"
+#include "model/io/savefile.h"
+#include "model/io/texturefiles.h"
+#include "support/fbxfiles.h"
+#include "support/gltffiles.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+const QByteArray picture("\x89PNG not really, but bytes");
+
+const QByteArray obj = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                       "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 3/3 2/2\nusemtl c\nf 2/2 1/1 3/3\n";
+
+//! A material with a texture, and what is behind it. \param content of the video; empty: no video
+QByteArray fbxWithTexture(const fbxfiles::Kind &kind, const QByteArray &property, const QByteArray &content)
+{
+    using fbxfiles::Node;
+    const auto name = [&](const QByteArray &cls, const QByteArray &text) {
+        return kind.binary ? text + QByteArray("\0\1", 2) + cls : cls + "::" + text;
+    };
+    const QByteArray file("tex\\wood.png");
+    Node objects{"Objects", {}, {}}, connections{"Connections", {}, {}};
+    std::vector<Node> mesh = fbxfiles::quads({fbxfiles::uvElement(0, "map")});
+    objects.children = {
+        {"Geometry", {std::int64_t(1), name("Geometry", ""), QByteArray("Mesh")}, mesh},
+        {"Model", {std::int64_t(2), name("Model", "m"), QByteArray("Mesh")}, {}, true},
+        {"Material", {std::int64_t(3), name("Material", "paint"), QByteArray()}, {}, true},
+        {"Texture",
+         {std::int64_t(4), name("Texture", "t"), QByteArray()},
+         {{"FileName", {QByteArray("C:\\far\\wood.png")}, {}}, {"RelativeFilename", {file}, {}}}}};
+    const auto connect = [&](const char *type, std::int64_t from, std::int64_t to,
+                             const QByteArray &to_property = {}) {
+        Node node{"C", {QByteArray(type), from, to}, {}};
+        if (!to_property.isEmpty())
+            node.values.push_back(to_property);
+        connections.children.push_back(node);
+    };
+    connect("OO", 1, 2);
+    connect("OO", 2, 0);
+    connect("OO", 3, 2);
+    connect("OP", 4, 3, property);
+    if (!content.isEmpty()) {
+        objects.children.push_back({"Video",
+                                    {std::int64_t(5), name("Video", "v"), QByteArray("Clip")},
+                                    {{"Content", {kind.binary ? content : content.toBase64()}, {}}}});
+        connect("OO", 5, 4);
+    }
+    return fbxfiles::file(kind, {objects, connections});
+}
+
+bool write(const QString &path, const QByteArray &bytes = picture)
+{
+    QDir().mkpath(QFileInfo(path).path());
+    return saveAtomically(path, bytes).ok();
+}
+
+} // namespace
+
+class TestTextureFiles : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void objNamesThem()
+    {
+        const QTemporaryDir folder;
+        QVERIFY(write(folder.filePath(u"m.obj"_s), obj));
+        QVERIFY(write(folder.filePath(u"m.mtl"_s),
+                      "newmtl a\nKd 1 0 0\nmap_Kd -s 2 2 -bm 0.5 -clamp on my wood.png\r\n"
+                      "newmtl b\nmap_Kd  maps/b.jpg\nmap_Kd second.png\nnewmtl c\nmap_Ks shine.png\n"));
+        const Scene scene = readMesh(folder.filePath(u"m.obj"_s)).value();
+        QCOMPARE(scene.materialTextures.size(), std::size_t(3));
+        QCOMPARE(scene.materialTextures[0].file, u"my wood.png"_s);
+        QCOMPARE(scene.materialTextures[1].file, u"maps/b.jpg"_s);
+        QVERIFY(scene.materialTextures[2].isEmpty());
+        // A session knows them, too.
+        const DocumentState state = DocumentState::initial(scene);
+        QVERIFY(saveProject(state, {}, folder.filePath(u"s.acproj"_s)).ok());
+        QVERIFY(loadProject(folder.filePath(u"s.acproj"_s)).value().state.scene.materialTextures ==
+                scene.materialTextures);
+    }
+
+    void gltfNamesOrHoldsThem()
+    {
+        const QTemporaryDir folder;
+        gltffiles::FileBuilder file = gltffiles::grid();
+        const int view = file.addView(picture);
+        file.json["images"] = {{{"uri", "my%20wood.png"}},
+                               {{"uri", "data:image/png;base64," + picture.toBase64().toStdString()}},
+                               {{"bufferView", view}, {"mimeType", "image/png"}, {"name", "inside"}}};
+        file.json["textures"] = {{{"source", 0}}, {{"source", 1}}, {{"source", 2}}, {{"source", 9}}};
+        for (const int texture : {0, 1, 2, 2, 3, 7})
+            file.json["materials"].push_back(
+                {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
+        file.json["materials"].push_back({{"name", "plain"}});
+        file.primitive()["material"] = 2;
+        const QString path = folder.filePath(u"m.glb"_s);
+        QVERIFY(write(path, file.glb()));
+        const Scene scene = readMesh(path).value();
+        const std::vector<SceneTexture> &textures = scene.materialTextures;
+        QCOMPARE(textures.size(), std::size_t(7));
+        QCOMPARE(textures[0].file, u"my wood.png"_s);
+        QVERIFY(textures[0].content.isEmpty());
+        QCOMPARE(textures[1].content, picture);
+        QCOMPARE(textures[2].content, picture);
+        QCOMPARE(textures[2].file, u"inside"_s);
+        QCOMPARE(textures[3].content.constData(), textures[2].content.constData()); // shared
+        for (const std::size_t broken : {4, 5, 6})
+            QVERIFY(textures[broken].isEmpty());
+        QVERIFY(saveProject(DocumentState::initial(scene), {}, folder.filePath(u"s.acproj"_s)).ok());
+        QVERIFY(loadProject(folder.filePath(u"s.acproj"_s)).value().state.scene.materialTextures == textures);
+    }
+
+    void fbxNamesOrHoldsThem_data()
+    {
+        QTest::addColumn<bool>("binary");
+        QTest::addColumn<QByteArray>("property");
+        QTest::addColumn<QByteArray>("content");
+        for (const bool binary : {true, false}) {
+            const char *kind = binary ? "binary" : "text";
+            QTest::addRow("%s, named", kind) << binary << QByteArray("DiffuseColor") << QByteArray();
+            QTest::addRow("%s, inside", kind) << binary << QByteArray("DiffuseColor") << picture;
+            QTest::addRow("%s, Maya", kind) << binary << QByteArray("Maya|baseColor") << picture;
+            QTest::addRow("%s, bump map", kind) << binary << QByteArray("NormalMap") << QByteArray();
+        }
+    }
+    void fbxNamesOrHoldsThem()
+    {
+        QFETCH(bool, binary);
+        QFETCH(QByteArray, property);
+        QFETCH(QByteArray, content);
+        const QTemporaryDir folder;
+        fbxfiles::Kind kind;
+        kind.binary = binary;
+        const QString path = folder.filePath(u"m.fbx"_s);
+        QVERIFY(write(path, fbxWithTexture(kind, property, content)));
+        const Result<Scene> read = readMesh(path);
+        QVERIFY2(read.ok(), read.ok() ? "" : qPrintable(read.error().toString()));
+        const std::vector<SceneTexture> &textures = read->materialTextures;
+        if (property == "NormalMap") {
+            QVERIFY(textures.empty());
+            return;
+        }
+        QCOMPARE(textures.size(), std::size_t(1));
+        QCOMPARE(textures[0].file, u"tex\\wood.png"_s);
+        QCOMPARE(textures[0].content, content);
+        QVERIFY(saveProject(DocumentState::initial(read.value()), {}, folder.filePath(u"s.acproj"_s)).ok());
+        QVERIFY(loadProject(folder.filePath(u"s.acproj"_s)).value().state.scene.materialTextures == textures);
+    }
+
+    void theyAreLookedForBesideTheModel()
+    {
+        const QTemporaryDir folder;
+        const auto at = [&](const char *name) { return folder.filePath(QLatin1String(name)); };
+        const QString model = at("job/model/m.obj");
+        for (const char *name :
+             {"outside.png", "job/shared/wood.png", "job/model/beside.png", "job/model/sub/inner.png",
+              "job/model/textures/usual.png", "job/model/set.1001.png", "job/model/set.1002.png"})
+            QVERIFY(write(at(name)));
+        const auto found = [&](const char *named) {
+            const QString path = findTexture(QString::fromLatin1(named), model);
+            return path.isEmpty() ? QString() : QDir(folder.path()).relativeFilePath(path);
+        };
+        QCOMPARE(found("beside.png"), u"job/model/beside.png"_s);
+        QCOMPARE(found("C:\\work\\beside.png"), u"job/model/beside.png"_s);
+        QCOMPARE(found("/somewhere/else/usual.png"), u"job/model/textures/usual.png"_s);
+        QCOMPARE(found("sub\\inner.png"), u"job/model/sub/inner.png"_s);
+        QCOMPARE(found("../shared/wood.png"), u"job/shared/wood.png"_s);
+        QCOMPARE(found("set.<UDIM>.png"), u"job/model/set.<UDIM>.png"_s);
+        QCOMPARE(found("../../outside.png"), QString()); // not from elsewhere
+        QCOMPARE(found(qPrintable(at("outside.png"))), QString());
+        for (const char *nothing : {"", "gone.png", "..", "sub", "other.<UDIM>.png", "///"})
+            QCOMPARE(found(nothing), QString());
+    }
+
+    void tilesMakeASet()
+    {
+        const QTemporaryDir folder;
+        const auto at = [&](const char *name) { return folder.filePath(QLatin1String(name)); };
+        for (const char *name : {"a.1001.png", "a.1002.png", "a.1011.png", "a.1500.png", "a.10011.png",
+                                 "ab.1003.png", "a.1004.jpg", "b_1003.png", "photo.2024.png", "plain.png"})
+            QVERIFY(write(at(name)));
+        const auto tiles = [&](const char *name) {
+            QList<int> numbers;
+            for (const TextureTile &tile : textureTiles(at(name)))
+                numbers << tile.tile;
+            return numbers;
+        };
+        QCOMPARE(tiles("a.1001.png"), (QList<int>{1001, 1002, 1011}));
+        QCOMPARE(tiles("a.1002.png"), (QList<int>{1001, 1002, 1011}));
+        QCOMPARE(tiles("a.<UDIM>.png"), (QList<int>{1001, 1002, 1011, 1500}));
+        QCOMPARE(tiles("b_1003.png"), QList<int>{1003});
+        QCOMPARE(tiles("photo.2024.png"), QList<int>{0}); // one picture
+        QCOMPARE(tiles("plain.png"), QList<int>{0});
+        QCOMPARE(tiles("gone.png"), QList<int>());
+        QCOMPARE(textureTiles(at("a.1001.png"))[1].path, at("a.1002.png"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestTextureFiles)
+#include "tst_texturefiles.moc"
