@@ -2327,6 +2327,77 @@
     </message>
 </context>
 <context>
+    <name>Transfer</name>
+    <message>
+        <source>centre %1, %2, %3, size %4</source>
+        <translation>Mitte %1, %2, %3, Größe %4</translation>
+    </message>
+    <message>
+        <source>there are no UVs to transfer</source>
+        <translation>es gibt keine UVs zum Übertragen</translation>
+    </message>
+    <message>
+        <source>Choose a source that has UVs</source>
+        <translation>Wählen Sie eine Quelle, die UVs hat</translation>
+    </message>
+    <message>
+        <source>the polygons are not the same: %1 faces in the source, %2 in the model</source>
+        <translation>die Polygone sind nicht gleich: %1 Flächen in der Quelle, %2 im Modell</translation>
+    </message>
+    <message>
+        <source>Match by position</source>
+        <translation>Ordnen Sie nach der Lage zu</translation>
+    </message>
+    <message>
+        <source>the models do not lie in one place: the source has its %1, the model its %2</source>
+        <translation>die Modelle liegen nicht an einer Stelle: die Quelle hat %1, das Modell %2</translation>
+    </message>
+    <message>
+        <source>Save both at the same place, in the same units</source>
+        <translation>Speichern Sie beide an derselben Stelle, in denselben Einheiten</translation>
+    </message>
+    <message>
+        <source>no face is to get UVs</source>
+        <translation>keine Fläche soll UVs bekommen</translation>
+    </message>
+    <message>
+        <source>Choose another part of the model, or unlock its islands</source>
+        <translation>Wählen Sie einen anderen Teil des Modells, oder entsperren Sie seine Inseln</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces are the same</source>
+        <translation>%1 von %2 Flächen sind gleich</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces matched by position, mean distance %3, largest %4</source>
+        <translation>%1 von %2 Flächen nach der Lage zugeordnet, mittlere Entfernung %3, größte %4</translation>
+    </message>
+    <message>
+        <source>length of the seams %1, in the source %2</source>
+        <translation>Länge der Nähte %1, in der Quelle %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces are too far from the source, or it has no UVs there: they keep what they had</source>
+        <translation>%1 von %2 Flächen sind zu weit von der Quelle, oder sie hat dort keine UVs: sie behalten, was sie hatten</translation>
+    </message>
+    <message>
+        <source>the source lies elsewhere: it was moved onto the model to match it</source>
+        <translation>die Quelle liegt woanders: zum Zuordnen wurde sie auf das Modell verschoben</translation>
+    </message>
+    <message>
+        <source>the surfaces are %1 % of the model&apos;s size apart: are both in the same place and pose?</source>
+        <translation>die Oberflächen liegen um %1 % der Größe des Modells auseinander: haben beide dieselbe Stelle und Haltung?</translation>
+    </message>
+    <message>
+        <source>triangles turned over in the map: %1; Finish mends them, but lays the map out anew</source>
+        <translation>in der Map umgedrehte Dreiecke: %1; Fertigstellen behebt sie, ordnet die Map aber neu an</translation>
+    </message>
+    <message>
+        <source>triangles with hardly any area in the map: %1; Finish mends them, but lays the map out anew</source>
+        <translation>Dreiecke mit kaum Flächeninhalt in der Map: %1; Fertigstellen behebt sie, ordnet die Map aber neu an</translation>
+    </message>
+</context>
+<context>
     <name>Undo Commands</name>
     <message>
         <source>Change lambda</source>
@@ -4502,6 +4573,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>%1. Larger than a tile at this density: %2; each has a tile of its own, in which it is smaller</source>
         <translation>%1. Bei dieser Dichte größer als eine Kachel: %2; jede hat eine eigene Kachel, in der sie kleiner ist</translation>
+    </message>
+    <message>
+        <source>Cancelled: the map stays as it is</source>
+        <translation>Abgebrochen: die Map bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>UVs transferred: %1</source>
+        <translation>UVs übertragen: %1</translation>
     </message>
 </context>
 <context>
