@@ -235,6 +235,22 @@ private Q_SLOTS:
         QCOMPARE(studio.preferences.values(), PreferenceValues());
     }
 
+    void dialogStoresTheLanguage()
+    {
+        test::StudioParts studio;
+        PreferencesDialog dialog(studio.preferences, studio.registry);
+        for (QComboBox *box : dialog.findChildren<QComboBox *>()) {
+            if (const int german = box->findText(u"Deutsch"_s); german >= 0) {
+                QCOMPARE(box->currentText(), u"As the system"_s);
+                box->setCurrentIndex(german);
+            }
+        }
+        QCOMPARE(studio.preferences.values().language, Language::German);
+        QCOMPARE(Preferences::language(studio.path("autocuts.ini")), Language::German);
+        dialog.reject();
+        QCOMPARE(Preferences::language(studio.path("autocuts.ini")), Language::System);
+    }
+
     void marginFitsTheTexture()
     {
         test::StudioParts studio;

@@ -101,7 +101,7 @@
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
+        <translation>Bee&amp;nden</translation>
     </message>
     <message>
         <source>Quit Autocuts</source>
@@ -1040,10 +1040,6 @@
         <translation>Nächstes &amp;Muster</translation>
     </message>
     <message>
-        <source>Change between no pattern, the checkerboard, the lettered cells and the texture</source>
-        <translation>Zwischen keinem Muster, dem Schachbrett, den beschrifteten Feldern und der Textur wechseln</translation>
-    </message>
-    <message>
         <source>&amp;Load texture...</source>
         <translation>Te&amp;xtur laden...</translation>
     </message>
@@ -1550,6 +1546,50 @@
     <message>
         <source>Painted &amp;weights</source>
         <translation>&amp;Gemalte Gewichte</translation>
+    </message>
+    <message>
+        <source>Export re&amp;port...</source>
+        <translation>&amp;Bericht exportieren...</translation>
+    </message>
+    <message>
+        <source>Write the figures of the map, of objects, materials and tiles as JSON, as the command line does</source>
+        <translation>Die Kennzahlen der Map, der Objekte, Materialien und Kacheln als JSON schreiben, wie die Kommandozeile</translation>
+    </message>
+    <message>
+        <source>Pack at a texel &amp;density...</source>
+        <translation>Mit &amp;einer Texeldichte packen...</translation>
+    </message>
+    <message>
+        <source>Give islands a texel density and pack them into as many UDIM tiles as that needs; islands that are selected, or all of them</source>
+        <translation>Inseln eine Texeldichte geben und sie in so viele UDIM-Kacheln packen, wie das braucht; die ausgewählten Inseln oder alle</translation>
+    </message>
+    <message>
+        <source>&amp;Fill the tiles in use</source>
+        <translation>&amp;Benutzte Kacheln auffüllen</translation>
+    </message>
+    <message>
+        <source>Pack the selected islands into the free room of the tiles in which the others lie, at their texel density; what does not fit gets new tiles</source>
+        <translation>Die ausgewählten Inseln mit der Texeldichte der anderen in den freien Platz von deren Kacheln packen; was nicht passt, bekommt neue Kacheln</translation>
+    </message>
+    <message>
+        <source>Transfer UVs from...</source>
+        <translation>UVs übertragen von...</translation>
+    </message>
+    <message>
+        <source>Bring the UVs of another file, UV set or object onto the model, also of another resolution</source>
+        <translation>Die UVs einer anderen Datei, eines anderen UV-Satzes oder Objekts auf das Modell bringen, auch bei anderer Auflösung</translation>
+    </message>
+    <message>
+        <source>Textures of the &amp;model</source>
+        <translation>Texturen &amp;des Modells</translation>
+    </message>
+    <message>
+        <source>On every material the picture that the model&apos;s file names for it; behind the map that of the selected face</source>
+        <translation>Auf jedem Material das Bild, das die Datei des Modells dafür nennt; hinter der Map das der ausgewählten Fläche</translation>
+    </message>
+    <message>
+        <source>Change between no pattern, the checkerboard, the lettered cells, the texture and the textures of the model</source>
+        <translation>Zwischen keinem Muster, dem Schachbrett, den beschrifteten Feldern, der Textur und den Texturen des Modells wechseln</translation>
     </message>
 </context>
 <context>
@@ -2229,6 +2269,21 @@
     </message>
 </context>
 <context>
+    <name>Pictures</name>
+    <message>
+        <source>it cannot be opened</source>
+        <translation>lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels are too many</source>
+        <translation>%1 x %2 Pixel sind zu viele</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+</context>
+<context>
     <name>Relink</name>
     <message>
         <source>%1 of %2 faces are not in the new model: their UVs are lost</source>
@@ -2261,6 +2316,85 @@
     <message>
         <source>tags of which no face is left: %1</source>
         <translation>Namen, von denen keine Fläche übrig ist: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces are not in the new model</source>
+        <translation>%1 von %2 Flächen sind nicht im neuen Modell</translation>
+    </message>
+    <message>
+        <source>%1 faces are new and have the UVs of the old model&apos;s nearest points</source>
+        <translation>neue Flächen mit den UVs der nächsten Punkte des alten Modells: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Transfer</name>
+    <message>
+        <source>centre %1, %2, %3, size %4</source>
+        <translation>Mitte %1, %2, %3, Größe %4</translation>
+    </message>
+    <message>
+        <source>there are no UVs to transfer</source>
+        <translation>es gibt keine UVs zum Übertragen</translation>
+    </message>
+    <message>
+        <source>Choose a source that has UVs</source>
+        <translation>Wählen Sie eine Quelle, die UVs hat</translation>
+    </message>
+    <message>
+        <source>the polygons are not the same: %1 faces in the source, %2 in the model</source>
+        <translation>die Polygone sind nicht gleich: %1 Flächen in der Quelle, %2 im Modell</translation>
+    </message>
+    <message>
+        <source>Match by position</source>
+        <translation>Ordnen Sie nach der Lage zu</translation>
+    </message>
+    <message>
+        <source>the models do not lie in one place: the source has its %1, the model its %2</source>
+        <translation>die Modelle liegen nicht an einer Stelle: die Quelle hat %1, das Modell %2</translation>
+    </message>
+    <message>
+        <source>Save both at the same place, in the same units</source>
+        <translation>Speichern Sie beide an derselben Stelle, in denselben Einheiten</translation>
+    </message>
+    <message>
+        <source>no face is to get UVs</source>
+        <translation>keine Fläche soll UVs bekommen</translation>
+    </message>
+    <message>
+        <source>Choose another part of the model, or unlock its islands</source>
+        <translation>Wählen Sie einen anderen Teil des Modells, oder entsperren Sie seine Inseln</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces are the same</source>
+        <translation>%1 von %2 Flächen sind gleich</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces matched by position, mean distance %3, largest %4</source>
+        <translation>%1 von %2 Flächen nach der Lage zugeordnet, mittlere Entfernung %3, größte %4</translation>
+    </message>
+    <message>
+        <source>length of the seams %1, in the source %2</source>
+        <translation>Länge der Nähte %1, in der Quelle %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces are too far from the source, or it has no UVs there: they keep what they had</source>
+        <translation>%1 von %2 Flächen sind zu weit von der Quelle, oder sie hat dort keine UVs: sie behalten, was sie hatten</translation>
+    </message>
+    <message>
+        <source>the source lies elsewhere: it was moved onto the model to match it</source>
+        <translation>die Quelle liegt woanders: zum Zuordnen wurde sie auf das Modell verschoben</translation>
+    </message>
+    <message>
+        <source>the surfaces are %1 % of the model&apos;s size apart: are both in the same place and pose?</source>
+        <translation>die Oberflächen liegen um %1 % der Größe des Modells auseinander: haben beide dieselbe Stelle und Haltung?</translation>
+    </message>
+    <message>
+        <source>triangles turned over in the map: %1; Finish mends them, but lays the map out anew</source>
+        <translation>in der Map umgedrehte Dreiecke: %1; Fertigstellen behebt sie, ordnet die Map aber neu an</translation>
+    </message>
+    <message>
+        <source>triangles with hardly any area in the map: %1; Finish mends them, but lays the map out anew</source>
+        <translation>Dreiecke mit kaum Flächeninhalt in der Map: %1; Fertigstellen behebt sie, ordnet die Map aber neu an</translation>
     </message>
 </context>
 <context>
@@ -2857,6 +2991,10 @@
         <source>Grab</source>
         <translation>Greifen</translation>
     </message>
+    <message>
+        <source>Transfer UVs</source>
+        <translation>UVs übertragen</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::AboutDialog</name>
@@ -2977,14 +3115,6 @@
         <translation>Texel je Einheit des Modells</translation>
     </message>
     <message>
-        <source>The selection has %1 texels per unit now.</source>
-        <translation>Die Auswahl hat jetzt %1 Texel je Einheit.</translation>
-    </message>
-    <message>
-        <source>The selection has no area.</source>
-        <translation>Die Auswahl hat keinen Flächeninhalt.</translation>
-    </message>
-    <message>
         <source>&amp;Set</source>
         <translation>&amp;Setzen</translation>
     </message>
@@ -2995,6 +3125,28 @@
     <message>
         <source>With a texture of %1 × %2 texels; locked islands stay.</source>
         <translation>Bei einer Textur von %1 × %2 Texeln; gesperrte Inseln bleiben.</translation>
+    </message>
+    <message>
+        <source>The islands have %1 texels per unit now.</source>
+        <translation>Die Inseln haben jetzt %1 Texel je Einheit.</translation>
+    </message>
+    <message>
+        <source>The islands have no area.</source>
+        <translation>Die Inseln haben keinen Flächeninhalt.</translation>
+    </message>
+    <message>
+        <source>Pack at a texel density</source>
+        <translation>Mit einer Texeldichte packen</translation>
+    </message>
+    <message>
+        <source>&amp;Pack</source>
+        <translation>&amp;Packen</translation>
+    </message>
+    <message>
+        <source>%1
+The islands alone fill %2 tiles; with the room between them they need more.</source>
+        <translation>%1
+Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie mehr.</translation>
     </message>
 </context>
 <context>
@@ -3478,6 +3630,26 @@
         <source>untitled</source>
         <translation>unbenannt</translation>
     </message>
+    <message>
+        <source>Export report</source>
+        <translation>Bericht exportieren</translation>
+    </message>
+    <message>
+        <source>JSON report (*.json)</source>
+        <translation>JSON-Bericht (*.json)</translation>
+    </message>
+    <message>
+        <source>Replace the pictures of %1 tiles?</source>
+        <translation>Die Bilder von %1 Kacheln ersetzen?</translation>
+    </message>
+    <message>
+        <source>Their content is lost.</source>
+        <translation>Ihr Inhalt geht verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::FileController</name>
@@ -3532,6 +3704,14 @@
     <message>
         <source>Wrote %1</source>
         <translation>%1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Wrote %1 and %2 more</source>
+        <translation>%1 und %2 weitere geschrieben</translation>
+    </message>
+    <message>
+        <source>Measuring the map</source>
+        <translation>Die Map wird gemessen</translation>
     </message>
 </context>
 <context>
@@ -4378,6 +4558,30 @@
         <source>not stitched, because %1: %2</source>
         <translation>nicht vernäht, weil %1: %2</translation>
     </message>
+    <message>
+        <source>Transferring UVs</source>
+        <translation>UVs werden übertragen</translation>
+    </message>
+    <message>
+        <source>The islands need more UDIM tiles than there are: choose a lower density or a larger texture</source>
+        <translation>Die Inseln brauchen mehr UDIM-Kacheln, als es gibt: wählen Sie eine geringere Dichte oder eine größere Textur</translation>
+    </message>
+    <message>
+        <source>Islands packed: %1, into the tiles %2</source>
+        <translation>Gepackte Inseln: %1, in die Kacheln %2</translation>
+    </message>
+    <message>
+        <source>%1. Larger than a tile at this density: %2; each has a tile of its own, in which it is smaller</source>
+        <translation>%1. Bei dieser Dichte größer als eine Kachel: %2; jede hat eine eigene Kachel, in der sie kleiner ist</translation>
+    </message>
+    <message>
+        <source>Cancelled: the map stays as it is</source>
+        <translation>Abgebrochen: die Map bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>UVs transferred: %1</source>
+        <translation>UVs übertragen: %1</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::MeshView</name>
@@ -4404,6 +4608,21 @@
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::ModelPictures</name>
+    <message>
+        <source>a picture inside of the model&apos;s file</source>
+        <translation>ein Bild in der Datei des Modells</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Textures that cannot be shown: %1</source>
+        <translation>Texturen, die sich nicht zeigen lassen: %1</translation>
     </message>
 </context>
 <context>
@@ -4697,10 +4916,6 @@
         <translation>Ausnutzung</translation>
     </message>
     <message>
-        <source>Share of the texture that islands cover</source>
-        <translation>Anteil der Textur, den Inseln bedecken</translation>
-    </message>
-    <message>
         <source>Smallest gutter</source>
         <translation>Kleinster Abstand</translation>
     </message>
@@ -4713,16 +4928,8 @@
         <translation>Zum Rand</translation>
     </message>
     <message>
-        <source>Distance to the border of the texture, in texels</source>
-        <translation>Entfernung zum Rand der Textur, in Texeln</translation>
-    </message>
-    <message>
         <source>In the texture</source>
         <translation>In der Textur</translation>
-    </message>
-    <message>
-        <source>Whether all islands lie in tile 1001</source>
-        <translation>Ob alle Inseln in der Kachel 1001 liegen</translation>
     </message>
     <message>
         <source>= %1 UV</source>
@@ -4743,6 +4950,42 @@
     <message>
         <source>no</source>
         <translation>nein</translation>
+    </message>
+    <message>
+        <source>Share of the texture that islands cover; of all tiles in use</source>
+        <translation>Anteil der Textur, den Inseln bedecken; aller benutzten Kacheln</translation>
+    </message>
+    <message>
+        <source>Smallest distance of an island to the border of its tile, in texels</source>
+        <translation>Kleinste Entfernung einer Insel zum Rand ihrer Kachel, in Texeln</translation>
+    </message>
+    <message>
+        <source>Whether all islands lie in tile 1001, or in tiles at all</source>
+        <translation>Ob alle Inseln in der Kachel 1001 liegen, oder überhaupt in Kacheln</translation>
+    </message>
+    <message>
+        <source>Tiles in use</source>
+        <translation>Benutzte Kacheln</translation>
+    </message>
+    <message>
+        <source>Tile</source>
+        <translation>Kachel</translation>
+    </message>
+    <message>
+        <source>Islands</source>
+        <translation>Inseln</translation>
+    </message>
+    <message>
+        <source>px per unit</source>
+        <translation>px je Einheit</translation>
+    </message>
+    <message>
+        <source>The UDIM tiles in which islands lie as a whole: how many, what share of the tile they cover, and their texel density</source>
+        <translation>Die UDIM-Kacheln, in denen Inseln als Ganzes liegen: wie viele, welchen Anteil der Kachel sie bedecken, und ihre Texeldichte</translation>
+    </message>
+    <message>
+        <source>in other tiles</source>
+        <translation>in anderen Kacheln</translation>
     </message>
 </context>
 <context>
@@ -5003,6 +5246,10 @@
     <message>
         <source>&amp;Joined edges:</source>
         <translation>&amp;Verbundene Kanten:</translation>
+    </message>
+    <message>
+        <source>Show the te&amp;xtures of a model when it is opened</source>
+        <translation>Te&amp;xturen eines Modells beim Öffnen zeigen</translation>
     </message>
 </context>
 <context>
@@ -6599,10 +6846,6 @@
 <context>
     <name>autocuts::TexelTool</name>
     <message>
-        <source>Texel density %1 times, %2 %, hardness %3 %: Shift goes back to 1, Ctrl inverts; wheel with Shift size, Ctrl strength, Alt hardness</source>
-        <translation>Texeldichte das %1-Fache, %2 %, Härte %3 %: Umschalt geht zurück auf 1, Strg kehrt um; Mausrad mit Umschalt Größe, Strg Stärke, Alt Härte</translation>
-    </message>
-    <message>
         <source>Texels</source>
         <translation>Texel</translation>
     </message>
@@ -6615,8 +6858,28 @@
         <translation> %</translation>
     </message>
     <message>
-        <source>%1 times the texels, %2 %</source>
-        <translation>Das %1-Fache der Texel, %2 %</translation>
+        <source>Texel density %1 times, %2 %, hardness %3 %%4: Shift goes back to 1, Ctrl inverts; wheel with Shift size, Ctrl strength, Alt hardness; X symmetry</source>
+        <translation>Texeldichte das %1-Fache, %2 %, Härte %3 %%4: Umschalt geht zurück auf 1, Strg kehrt um; Mausrad mit Umschalt Größe, Strg Stärke, Alt Härte; X Symmetrie</translation>
+    </message>
+    <message>
+        <source>, symmetric</source>
+        <translation>, symmetrisch</translation>
+    </message>
+    <message>
+        <source>Symmetric</source>
+        <translation>Symmetrisch</translation>
+    </message>
+    <message>
+        <source>Paint the mirror image, in the plane x = 0, too; X</source>
+        <translation>Auch das Spiegelbild an der Ebene x = 0 bemalen; X</translation>
+    </message>
+    <message>
+        <source>%1 times the texels, %2 %%3</source>
+        <translation>Das %1-Fache der Texel, %2 %%3</translation>
+    </message>
+    <message>
+        <source>, symmetric about X</source>
+        <translation>, symmetrisch zu X</translation>
     </message>
 </context>
 <context>
@@ -6647,6 +6910,89 @@
     <message>
         <source>Tool options</source>
         <translation>Werkzeugoptionen</translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::TransferDialog</name>
+    <message>
+        <source>O&amp;nly the selected faces</source>
+        <translation>&amp;Nur die ausgewählten Flächen</translation>
+    </message>
+    <message>
+        <source>Transfer UVs</source>
+        <translation>UVs übertragen</translation>
+    </message>
+    <message>
+        <source>&amp;Browse...</source>
+        <translation>&amp;Suchen...</translation>
+    </message>
+    <message>
+        <source>The same polygons, otherwise by position</source>
+        <translation>Gleiche Polygone, sonst nach der Lage</translation>
+    </message>
+    <message>
+        <source>Only if the polygons are the same</source>
+        <translation>Nur wenn die Polygone gleich sind</translation>
+    </message>
+    <message>
+        <source>By position</source>
+        <translation>Nach der Lage</translation>
+    </message>
+    <message>
+        <source>The same polygons: UVs are copied, wherever the models lie. By position: every face takes the UVs of the nearest points of the surface, for models of another resolution; both must lie in the same place.</source>
+        <translation>Gleiche Polygone: UVs werden kopiert, wo auch immer die Modelle liegen. Nach der Lage: jede Fläche nimmt die UVs der nächsten Punkte der Oberfläche, für Modelle anderer Auflösung; beide müssen an derselben Stelle liegen.</translation>
+    </message>
+    <message>
+        <source>&amp;Transfer</source>
+        <translation>Ü&amp;bertragen</translation>
+    </message>
+    <message>
+        <source>&amp;From:</source>
+        <translation>&amp;Von:</translation>
+    </message>
+    <message>
+        <source>F&amp;ile:</source>
+        <translation>&amp;Datei:</translation>
+    </message>
+    <message>
+        <source>&amp;UV set:</source>
+        <translation>&amp;UV-Satz:</translation>
+    </message>
+    <message>
+        <source>&amp;Object:</source>
+        <translation>&amp;Objekt:</translation>
+    </message>
+    <message>
+        <source>&amp;Match:</source>
+        <translation>&amp;Zuordnung:</translation>
+    </message>
+    <message>
+        <source>A file</source>
+        <translation>Eine Datei</translation>
+    </message>
+    <message>
+        <source>Another UV set</source>
+        <translation>Ein anderer UV-Satz</translation>
+    </message>
+    <message>
+        <source>Object %1</source>
+        <translation>Objekt %1</translation>
+    </message>
+    <message>
+        <source>An object of this model</source>
+        <translation>Ein Objekt dieses Modells</translation>
+    </message>
+    <message>
+        <source>Its UVs go to every other object, or to those with selected faces</source>
+        <translation>Seine UVs gehen an jedes andere Objekt, oder an die mit ausgewählten Flächen</translation>
+    </message>
+    <message>
+        <source>Choose a model or a session that has UVs.</source>
+        <translation>Wählen Sie ein Modell oder eine Sitzung mit UVs.</translation>
+    </message>
+    <message>
+        <source>There is no such file.</source>
+        <translation>Diese Datei gibt es nicht.</translation>
     </message>
 </context>
 <context>
@@ -7177,6 +7523,30 @@
     <message>
         <source>%1× too fine</source>
         <translation>%1× zu fein</translation>
+    </message>
+    <message>
+        <source>Textures of the model</source>
+        <translation>Texturen des Modells</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Texturen</translation>
+    </message>
+    <message>
+        <source>Pictures that the model&apos;s file names. Behind the map lies that of the selected face, or that of the material with the most faces</source>
+        <translation>Bilder, die die Datei des Modells nennt. Hinter der Map liegt das der ausgewählten Fläche, oder das des Materials mit den meisten Flächen</translation>
+    </message>
+    <message>
+        <source>being read...</source>
+        <translation>wird gelesen...</translation>
+    </message>
+    <message>
+        <source>the model names none</source>
+        <translation>das Modell nennt keine</translation>
+    </message>
+    <message>
+        <source>of %1 materials</source>
+        <translation>von %1 Materialien</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,7 @@
 #include "model/document/transferjob.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -10,6 +12,11 @@ using namespace Qt::Literals::StringLiterals;
 using transfer::UvTransfer;
 
 namespace {
+
+struct TransferTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(Transfer)
+};
 
 //! A mesh, or a part of it, with its map.
 struct Piece
@@ -67,7 +74,8 @@ std::vector<bool> facesOfObject(const MeshData &mesh, int object, std::vector<bo
 QString boxInWords(const MeshData &mesh)
 {
     const transfer::Frame frame = transfer::frameOf(mesh);
-    return u"centre %1, %2, %3, size %4"_s.arg(frame.origin.x(), 0, 'g', 4)
+    return TransferTexts::tr("centre %1, %2, %3, size %4")
+        .arg(frame.origin.x(), 0, 'g', 4)
         .arg(frame.origin.y(), 0, 'g', 4)
         .arg(frame.origin.z(), 0, 'g', 4)
         .arg(frame.size, 0, 'g', 4);
@@ -78,16 +86,18 @@ Error errorOf(UvTransfer::Status status, const TransferJob &input, const MeshDat
 {
     switch (status) {
     case UvTransfer::Status::NoUvs:
-        return {u"there are no UVs to transfer"_s, input.sourceName, 0, u"Choose a source that has UVs"_s};
+        return {TransferTexts::tr("there are no UVs to transfer"), input.sourceName, 0,
+                TransferTexts::tr("Choose a source that has UVs")};
     case UvTransfer::Status::OtherPolygons:
-        return {u"the polygons are not the same: %1 faces in the source, %2 in the model"_s
+        return {TransferTexts::tr("the polygons are not the same: %1 faces in the source, %2 in the model")
                     .arg(source.faceCount())
                     .arg(mesh.faceCount()),
-                input.sourceName, 0, u"Match by position"_s};
+                input.sourceName, 0, TransferTexts::tr("Match by position")};
     default:
-        return {u"the models do not lie in one place: the source has its %1, the model its %2"_s.arg(
-                    boxInWords(source), boxInWords(mesh)),
-                input.sourceName, 0, u"Save both at the same place, in the same units"_s};
+        return {
+            TransferTexts::tr("the models do not lie in one place: the source has its %1, the model its %2")
+                .arg(boxInWords(source), boxInWords(mesh)),
+            input.sourceName, 0, TransferTexts::tr("Save both at the same place, in the same units")};
     }
 }
 
@@ -165,8 +175,8 @@ Result<TransferredUvs> runTransfer(const TransferJob &input, const transfer::Tra
     const Piece source = pieceOf(input.source, input.sourceUv, sourceFaces);
     const std::vector<int> objects = targetObjects(input);
     if (objects.empty())
-        return Error{u"no face is to get UVs"_s, input.sourceName, 0,
-                     u"Choose another part of the model, or unlock its islands"_s};
+        return Error{TransferTexts::tr("no face is to get UVs"), input.sourceName, 0,
+                     TransferTexts::tr("Choose another part of the model, or unlock its islands")};
     std::optional<Error> problem; // of an object that was not matched
     for (std::size_t i = 0; i < objects.size(); ++i) {
         std::vector<bool> faces = wantedFaces(input);
@@ -195,13 +205,15 @@ QString TransferredUvs::summary() const
 {
     QStringList parts;
     if (figures.copied > 0)
-        parts << u"%1 of %2 faces are the same"_s.arg(figures.copied).arg(figures.faces);
+        parts << TransferTexts::tr("%1 of %2 faces are the same").arg(figures.copied).arg(figures.faces);
     if (figures.placed > 0)
-        parts << u"%1 of %2 faces matched by position, mean distance %3, largest %4"_s.arg(figures.placed)
+        parts << TransferTexts::tr("%1 of %2 faces matched by position, mean distance %3, largest %4")
+                     .arg(figures.placed)
                      .arg(figures.faces)
                      .arg(figures.meanDistance, 0, 'g', 3)
                      .arg(figures.maxDistance, 0, 'g', 3);
-    parts << u"length of the seams %1, in the source %2"_s.arg(figures.seamLength, 0, 'g', 4)
+    parts << TransferTexts::tr("length of the seams %1, in the source %2")
+                 .arg(figures.seamLength, 0, 'g', 4)
                  .arg(figures.sourceSeamLength, 0, 'g', 4);
     return parts.join(u"; "_s);
 }
@@ -210,22 +222,24 @@ QStringList TransferredUvs::warnings() const
 {
     QStringList lines;
     if (figures.unmatched() > 0)
-        lines
-            << u"%1 of %2 faces are too far from the source, or it has no UVs there: they keep what they had"_s
-                   .arg(figures.unmatched())
-                   .arg(figures.faces);
+        lines << TransferTexts::tr("%1 of %2 faces are too far from the source, or it has no UVs there: they "
+                                   "keep what they had")
+                     .arg(figures.unmatched())
+                     .arg(figures.faces);
     if (figures.moved)
-        lines << u"the source lies elsewhere: it was moved onto the model to match it"_s;
+        lines << TransferTexts::tr("the source lies elsewhere: it was moved onto the model to match it");
     if (figures.meanShare > transfer::farShare)
-        lines << u"the surfaces are %1 % of the model's size apart: are both in the same place and pose?"_s
+        lines << TransferTexts::tr(
+                     "the surfaces are %1 % of the model's size apart: are both in the same place and pose?")
                      .arg(100 * figures.meanShare, 0, 'f', 1);
     if (figures.turnedOver > 0)
-        lines << u"triangles turned over in the map: %1; Finish mends them, but lays the map out anew"_s.arg(
-            figures.turnedOver);
+        lines << TransferTexts::tr(
+                     "triangles turned over in the map: %1; Finish mends them, but lays the map out anew")
+                     .arg(figures.turnedOver);
     if (figures.collapsed > 0)
-        lines
-            << u"triangles with hardly any area in the map: %1; Finish mends them, but lays the map out anew"_s
-                   .arg(figures.collapsed);
+        lines << TransferTexts::tr("triangles with hardly any area in the map: %1; Finish mends them, but "
+                                   "lays the map out anew")
+                     .arg(figures.collapsed);
     return lines;
 }
 

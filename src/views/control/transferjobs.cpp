@@ -10,10 +10,10 @@ namespace autocuts {
 
 namespace {
 
-QString translated(const char *text)
+struct JobTexts
 {
-    return QCoreApplication::translate("autocuts::MapController", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(autocuts::MapController)
+};
 
 Result<Done> fillSource(const TransferChoice &choice, const std::vector<UvSet> &sets, const MapInput &input,
                         JobControl &control, TransferJob &job)
@@ -50,7 +50,7 @@ MapJobResult failed(const QString &problem)
 MapJobResult transferUvsJob(const MapInput &input, const TransferChoice &choice,
                             const std::vector<UvSet> &sets, JobControl &control)
 {
-    const QString stoppedText = translated("Cancelled: the map stays as it is");
+    const QString stoppedText = JobTexts::tr("Cancelled: the map stays as it is");
     TransferJob job;
     const Result<Done> filled = fillSource(choice, sets, input, control, job);
     if (control.stop())
@@ -76,7 +76,7 @@ MapJobResult transferUvsJob(const MapInput &input, const TransferChoice &choice,
     MapJobResult result;
     result.edit = UvEdit::Transfer;
     result.uv = made->uv;
-    result.message = translated("UVs transferred: %1").arg(made->summary());
+    result.message = JobTexts::tr("UVs transferred: %1").arg(made->summary());
     if (const QStringList warnings = made->warnings(); !warnings.isEmpty()) {
         result.problem = result.message + QStringLiteral(". ") + warnings.join(QStringLiteral(". "));
         result.problemItems.mode = SelectionMode::Faces;
