@@ -125,6 +125,7 @@ class TestTransferDialog : public QObject
 
 private Q_SLOTS:
     void aFileGivesItsMap();
+    void enterTransfers();
     void theDialogSaysWhatIsMissing();
     void anotherUvSet();
     void anObjectGivesToTheOthers();
@@ -135,6 +136,18 @@ private Q_SLOTS:
     void aJobIsCancelled();
     void theMenuAndThePaletteHaveIt();
 };
+
+void TestTransferDialog::enterTransfers()
+{
+    TransferSession studio;
+    studio.transfer([&](const DialogUser &user) {
+        user.type(studio.mapped);
+        QTest::keyClick(user.find<QLineEdit>("path"), Qt::Key_Return);
+        return user.dialog.result();
+    });
+    QVERIFY(studio.jobsRest());
+    QVERIFY(studio.hasExpectedMap());
+}
 
 void TestTransferDialog::aFileGivesItsMap()
 {

@@ -49,7 +49,7 @@ TransferDialog::TransferDialog(const Document &document, const TransferChoice &l
     mOnlySelection->setEnabled(!document.selection().faces.isEmpty());
     mOnlySelection->setChecked(last.onlySelection && mOnlySelection->isEnabled());
     mProblem->setWordWrap(true);
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     mTransfer = buttons->addButton(tr("&Transfer"), QDialogButtonBox::AcceptRole);
     mTransfer->setDefault(true);
     auto *form = new QFormLayout(this);
