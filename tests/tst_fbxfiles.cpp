@@ -4,6 +4,7 @@
 #include "model/io/fbxparsing.h"
 #include "model/io/fbxreader.h"
 #include "model/io/fbxrewriter.h"
+#include "model/io/fbxwriter.h"
 #include "model/io/meshfile.h"
 #include "model/io/objreader.h"
 #include "model/io/projectfile.h"
@@ -108,6 +109,7 @@ private Q_SLOTS:
     void session();
     void otherFormats();
     void newFiles();
+    void smoothingGroupsOfObjFiles();
     void oldVersionsAreWrittenPlain();
     void commaWithoutValueIsRefused();
     void mutatedFilesNeverCrash_data();
@@ -214,6 +216,24 @@ void TestFbxFiles::newFiles()
             QVERIFY(!has || again->uvSets[s].uv.row(c) == scene.uvSets[s].uv.row(c));
         }
     }
+}
+
+void TestFbxFiles::smoothingGroupsOfObjFiles()
+{
+    QByteArray strip;
+    for (const int x : {0, 1, 2, 3}) {
+        const QByteArray place = "v " + QByteArray::number(x);
+        strip += place + " 0 0\n" + place + " 1 0\n";
+    }
+    const auto written = [&](const QByteArray &faces) {
+        const Result<Scene> obj = parseObj(strip + faces, u"a.obj"_s);
+        const Result<Scene> fbx = parseFbx(fbxBytes(obj.value()), u"a.fbx"_s);
+        return std::pair(obj->hardEdges, fbx->hardEdges);
+    };
+    const auto [before, after] = written("s 7\nf 1 3 4 2\nf 3 5 6 4\ns 40\nf 5 7 8 6\n");
+    QCOMPARE(std::ranges::count(before, true), 1);
+    QCOMPARE(after, before);
+    QVERIFY(written("f 1 3 4 2\nf 3 5 6 4\nf 5 7 8 6\n").second.empty());
 }
 
 void TestFbxFiles::oldVersionsAreWrittenPlain()

@@ -1768,6 +1768,10 @@
         <source>changed UVs are rounded to single precision</source>
         <translation>geänderte UVs werden auf einfache Genauigkeit gerundet</translation>
     </message>
+    <message>
+        <source>comments, groups and material libraries of the OBJ file are lost</source>
+        <translation>Kommentare, Gruppen und Materialbibliotheken der OBJ-Datei gehen verloren</translation>
+    </message>
 </context>
 <context>
     <name>FileErrors</name>

@@ -157,8 +157,9 @@ QStringList exportLosses(const Scene &scene, const QString &format)
         return losses;
     }
     if (obj)
-        losses << LossTexts::tr(
-            "comments, groups, smoothing groups and material libraries of the OBJ file are lost");
+        losses << (isFbx ? LossTexts::tr("comments, groups and material libraries of the OBJ file are lost")
+                         : LossTexts::tr("comments, groups, smoothing groups and material libraries of the "
+                                         "OBJ file are lost"));
     if (isFbx && !assimp && !gltf) {
         if (!scene.materialNames.empty())
             losses << LossTexts::tr("of the materials only the names are written");

@@ -75,8 +75,11 @@ public:
     explicit SceneNodes(const Scene &scene) : mScene(scene), mMesh(*scene.mesh)
     {
         const auto *obj = dynamic_cast<const ObjSource *>(scene.source.get());
-        if (obj && std::ssize(obj->cornerTextureVertex) == mMesh.cornerCount())
-            mNormals = objShading(*obj).normals;
+        if (obj && std::ssize(obj->cornerTextureVertex) == mMesh.cornerCount()) {
+            FileShading shading = objShading(*obj);
+            mNormals = std::move(shading.normals);
+            setSmoothing(shading.smoothing);
+        }
         if (mNormals.rows() != mMesh.cornerCount() || !mNormals.allFinite())
             mNormals.resize(0, 3);
     }
@@ -91,6 +94,7 @@ private:
         std::vector<int> vertices;              //!< of the soup, by point
         std::vector<int> slots, materials;      //!< material slot of each face, material of each slot
     };
+    void setSmoothing(const std::vector<std::int64_t> &groups);
     Part partOf(const std::vector<int> &faces) const;
     FbxNewNode geometry(std::int64_t id, const Part &part) const;
     void addUvSets(FbxNewNode &geometry, const Part &part) const;
@@ -106,11 +110,26 @@ private:
                                   firstModel = 3'000'000'000;
     const Scene &mScene;
     const MeshData &mMesh;
-    PositionMatrix mNormals; //!< per corner; no rows when there are none
+    PositionMatrix mNormals;     //!< per corner; no rows when there are none
+    std::vector<int> mSmoothing; //!< per face: a bit for its smoothing group; empty when there are none
     FbxNewNode mObjects{"Objects", {}, {}, true};
     FbxNewNode mConnections{"Connections", {}, {}, true};
     int mCount = 0;
 };
+
+//! Gives each group a bit of its own. FBX has 32; of more groups none is written.
+void SceneNodes::setSmoothing(const std::vector<std::int64_t> &groups)
+{
+    std::map<std::int64_t, std::uint32_t> bits;
+    for (const std::int64_t group : groups) {
+        if (group > 0)
+            bits.try_emplace(group, bits.size() < 32 ? 1U << bits.size() : 0);
+    }
+    if (bits.empty() || bits.size() > 32 || std::ssize(groups) != mMesh.faceCount())
+        return;
+    for (const std::int64_t group : groups)
+        mSmoothing.push_back(group > 0 ? static_cast<int>(bits[group]) : 0);
+}
 
 SceneNodes::Part SceneNodes::partOf(const std::vector<int> &faces) const
 {
@@ -158,7 +177,7 @@ void SceneNodes::addUvSets(FbxNewNode &geometry, const Part &part) const
     }
     if (layers.empty())
         layers.push_back({"Layer", {std::int32_t(0)}, {leaf("Version", std::int32_t(100))}, true});
-    for (const char *name : {"LayerElementNormal", "LayerElementMaterial"}) {
+    for (const char *name : {"LayerElementNormal", "LayerElementSmoothing", "LayerElementMaterial"}) {
         const QByteArray wanted(name);
         if (std::ranges::find(geometry.children, wanted, &FbxNewNode::name) != geometry.children.end())
             layers[0].children.push_back(
@@ -188,6 +207,13 @@ FbxNewNode SceneNodes::geometry(std::int64_t id, const Part &part) const
     if (!normals.empty())
         node.children.push_back(layerElement("LayerElementNormal", "ByPolygonVertex", "Direct",
                                              leaf("Normals", std::move(normals))));
+    if (!mSmoothing.empty()) {
+        std::vector<int> smoothing;
+        for (const int face : part.faces)
+            smoothing.push_back(mSmoothing[face]);
+        node.children.push_back(layerElement("LayerElementSmoothing", "ByPolygon", "Direct",
+                                             leaf("Smoothing", std::move(smoothing))));
+    }
     if (!part.materials.empty())
         node.children.push_back(layerElement("LayerElementMaterial", "ByPolygon", "IndexToDirect",
                                              leaf("Materials", part.slots)));
