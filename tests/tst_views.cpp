@@ -3,7 +3,9 @@
 #include "support/canvases.h"
 #include "support/editsupport.h"
 #include "support/patience.h"
+#include "views/canvas/overlays.h"
 
+#include <QPainter>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -60,6 +62,34 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitFor([&] { return !canvases.map.jobs().isBusy(); }, test::patience));
         canvases.document().undoStack().undo();
         QVERIFY(canvases.uv.picture() != during);
+    }
+
+    //! In a narrow view, long lines are broken: nothing touches its border.
+    void messagesFitNarrowViews_data()
+    {
+        QTest::addColumn<int>("width");
+        for (const int width : {160, 240, 900})
+            QTest::addRow("%d", width) << width;
+    }
+    void messagesFitNarrowViews()
+    {
+        QFETCH(int, width);
+        QImage picture(width, 300, QImage::Format_RGB32);
+        picture.fill(Qt::black);
+        ViewColors colors = ViewColors::of({}, true);
+        colors.text = colors.dimText = Qt::red;
+        QPainter painter(&picture);
+        drawMessage(painter, picture.rect(), colors, u"All of the map is hidden"_s,
+                    {u"View > Show all hidden brings it back"_s});
+        painter.end();
+        const auto isRed = [&](int x, int y) { return QColor(picture.pixel(x, y)).red() > 150; };
+        int inside = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < width; ++x)
+                inside += isRed(x, y);
+            QVERIFY(!isRed(1, y) && !isRed(10, y) && !isRed(width - 2, y) && !isRed(width - 11, y));
+        }
+        QVERIFY(inside > 300);
     }
 
     void facesAreSelectedInBothViews_data()

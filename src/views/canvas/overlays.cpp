@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace autocuts {
 
@@ -91,29 +92,45 @@ void drawPanel(QPainter &painter, const QRectF &box, const ViewColors &colors)
 void drawMessage(QPainter &painter, const QRect &view, const ViewColors &colors, const QString &title,
                  const QStringList &lines)
 {
-    QFont large = painter.font();
+    constexpr int margin = 24, space = 4;
+    struct Text
+    {
+        QFont font;
+        QColor color;
+        QString text;
+        int height;
+    };
+    const QFont normal = painter.font();
+    QFont large = normal;
     large.setPointSizeF(large.pointSizeF() * 1.5);
     large.setWeight(QFont::DemiBold);
-    const int lineHeight = QFontMetrics(painter.font()).height() + 4;
-    const int titleHeight = QFontMetrics(large).height() + 8;
-    int width = QFontMetrics(large).horizontalAdvance(title);
+    std::vector<Text> texts{{large, colors.text, title, 0}};
     for (const QString &line : lines)
-        width = std::max(width, painter.fontMetrics().horizontalAdvance(line));
-    QRect panel(0, 0, width + 48, titleHeight + lineHeight * static_cast<int>(lines.size()) + 28);
+        texts.push_back({normal, colors.dimText, line, 0});
+    int widest = 0;
+    for (const Text &text : texts)
+        widest = std::max(widest, QFontMetrics(text.font).horizontalAdvance(text.text));
+    // Long lines are broken where the view is narrow.
+    const int width = std::min(widest + 1, view.width() - 2 * margin);
+    const int flags = Qt::AlignHCenter | Qt::TextWordWrap;
+    int height = 0;
+    for (Text &text : texts) {
+        text.height = QFontMetrics(text.font)
+                          .boundingRect(QRect(0, 0, width, view.height()), flags, text.text)
+                          .height();
+        height += text.height + space;
+    }
+    QRect panel(0, 0, width + 2 * margin, height + margin);
     panel.moveCenter(view.center());
     drawPanel(painter, panel, colors);
-    int y = panel.top() + 14;
-    const QFont normal = painter.font();
-    painter.setFont(large);
-    painter.setPen(colors.text);
-    painter.drawText(QRect(view.left(), y, view.width(), titleHeight), Qt::AlignCenter, title);
-    y += titleHeight;
-    painter.setFont(normal);
-    painter.setPen(colors.dimText);
-    for (const QString &line : lines) {
-        painter.drawText(QRect(view.left() + 12, y, view.width() - 24, lineHeight), Qt::AlignCenter, line);
-        y += lineHeight;
+    int y = panel.top() + margin / 2;
+    for (const Text &text : texts) {
+        painter.setFont(text.font);
+        painter.setPen(text.color);
+        painter.drawText(QRect(panel.left() + margin, y, width, text.height), flags, text.text);
+        y += text.height + space;
     }
+    painter.setFont(normal);
 }
 
 void drawBadge(QPainter &painter, const QRect &view, const ViewColors &colors, const QString &text)

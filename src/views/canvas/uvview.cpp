@@ -21,6 +21,22 @@ namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
 
+namespace {
+
+//! True when a hidden face has UVs.
+bool hidesUvs(const Document &document)
+{
+    const std::vector<bool> &hidden = document.hidden();
+    const MeshData &mesh = document.mesh();
+    for (int face = 0; face < std::ssize(hidden); ++face) {
+        if (hidden[face] && document.uv().row(mesh.faceStart[face]).allFinite())
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
 UvView::UvView(const StudioContext &context, ToolManager &tools, QWidget *parent)
     : Canvas(Kind::Map, context, tools, parent)
 {
@@ -195,7 +211,7 @@ void UvView::drawOverlay(QPainter &painter)
         drawRectangles(painter, document->constraints().rectangles, mCamera);
     if (document && content().uvBox().isEmpty()) {
         const JobRunner &jobs = studio().map.jobs();
-        if (!document->hidden().empty())
+        if (hidesUvs(*document))
             drawMessage(painter, rect(), colors, tr("All of the map is hidden"),
                         {tr("View > Show all hidden brings it back")});
         else if (jobs.isBusy())
