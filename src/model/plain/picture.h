@@ -1,0 +1,43 @@
+// A picture of numbers: a texture, or what a bake makes. Plain: no Qt.
+#pragma once
+
+#include "model/plain/types.h"
+
+#include <span>
+#include <vector>
+
+namespace autocuts {
+
+//! A picture. Rows run from the top: the first one is at v = 1 of its tile. Channels: 1 grey, 3 RGB, 4 RGB
+//! and alpha (not multiplied in). The values have no fixed range: whole numbers of files become 0 to 1.
+struct Picture
+{
+    Picture() = default;
+    //! All values are `value`.
+    Picture(int width, int height, int channels, float value = 0);
+
+    int width = 0, height = 0, channels = 0;
+    std::vector<float> values; //!< height x width x channels
+
+    bool isEmpty() const { return values.empty(); }
+    std::span<float> at(int x, int y) { return {values.data() + offset(x, y), std::size_t(channels)}; }
+    std::span<const float> at(int x, int y) const
+    {
+        return {values.data() + offset(x, y), std::size_t(channels)};
+    }
+
+private:
+    std::size_t offset(int x, int y) const { return (std::size_t(y) * width + x) * channels; }
+};
+
+//! The value at a UV, interpolated between the centres of the four texels around it. The picture repeats
+//! outside of [0, 1). \param out gets a value per channel
+//! \pre the picture is not empty and the UV is finite
+void sampleRepeated(const Picture &picture, const Vec2 &uv, std::span<float> out);
+
+//! The transfer function of sRGB (IEC 61966-2-1) and its inverse. Values outside of [0, 1] go on by the same
+//! formula.
+float linearFromSrgb(float value);
+float srgbFromLinear(float value);
+
+} // namespace autocuts
