@@ -5,8 +5,9 @@
 
 namespace autocuts {
 
-Picture::Picture(int width, int height, int channels, float value)
-    : width(width), height(height), channels(channels), values(std::size_t(width) * height * channels, value)
+Picture::Picture(int columns, int rows, int channelCount, float value)
+    : width(columns), height(rows), channels(channelCount),
+      values(std::size_t(columns) * rows * channelCount, value)
 {}
 
 void sampleRepeated(const Picture &picture, const Vec2 &uv, std::span<float> out)

@@ -14,7 +14,7 @@ struct Picture
 {
     Picture() = default;
     //! All values are `value`.
-    Picture(int width, int height, int channels, float value = 0);
+    Picture(int columns, int rows, int channelCount, float value = 0);
 
     int width = 0, height = 0, channels = 0;
     std::vector<float> values; //!< height x width x channels
