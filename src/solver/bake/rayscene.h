@@ -1,7 +1,7 @@
 // Finds where rays meet the triangles of a model, with Embree.
 #pragma once
 
-#include "model/plain/meshdata.h"
+#include "model/plain/shadedsurface.h"
 
 #include <limits>
 #include <memory>
@@ -23,20 +23,6 @@ struct Frame
     static Frame of(const MeshData &mesh);
     Vec3f toFrame(const Vec3 &point) const { return ((point - origin) / size).cast<float>(); }
     Vec3 fromFrame(const Vec3f &point) const { return point.cast<double>() * size + origin; }
-};
-
-//! A point of a triangle; weights of its second and third corner, in [0, 1].
-struct SurfacePoint
-{
-    int triangle = -1; //!< -1: none
-    float second = 0, third = 0;
-
-    //! The value of something that varies linearly over the triangle.
-    template <class T>
-    T between(const T &a, const T &b, const T &c) const
-    {
-        return a * (1 - second - third) + b * second + c * third;
-    }
 };
 
 //! Where a ray meets the surface first.
