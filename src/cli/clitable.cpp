@@ -1,6 +1,7 @@
 #include "cli/clitable.h"
 
 #include "cli/clivalues.h"
+#include "cli/optionmakers.h"
 
 #include <QFileInfo>
 
@@ -16,128 +17,6 @@ using Group = OptionGroup;
 using namespace Qt::Literals::StringLiterals;
 using Problem = std::optional<QString>;
 
-//! The field of the options that an option sets.
-template <class T>
-using Field = std::function<T &(CliOptions &)>;
-
-template <class T>
-Field<T> fieldOf(T CliOptions::*member)
-{
-    return [member](CliOptions &options) -> T & { return options.*member; };
-}
-
-template <class T>
-Field<T> fieldOf(T SolveSettings::*member)
-{
-    return [member](CliOptions &options) -> T & { return options.settings.*member; };
-}
-
-template <class T>
-Field<T> fieldOf(T unwrap::UnwrapOptions::*member)
-{
-    return [member](CliOptions &options) -> T & { return options.unwrap.*member; };
-}
-
-template <class T>
-Field<T> fieldOf(T PackingSettings::*member)
-{
-    return [member](CliOptions &options) -> T & { return options.unwrap.packing.*member; };
-}
-
-template <class T>
-Field<T> fieldOf(T packing::PackOptions::*member)
-{
-    return [member](CliOptions &options) -> T & { return options.unwrap.packing.*member; };
-}
-
-CliOption text(Group group, const QStringList &names, const Field<QString> &field, const QString &meaning)
-{
-    return {
-        group, names, u"FILE"_s, meaning, {}, [field](CliOptions &options, const QString &value) -> Problem {
-            field(options) = value;
-            return std::nullopt;
-        }};
-}
-
-CliOption flag(Group group, const QString &name, const Field<bool> &field, bool value, const QString &meaning)
-{
-    return {group, {name}, {}, meaning, {}, [field, value](CliOptions &options, const QString &) -> Problem {
-                field(options) = value;
-                return std::nullopt;
-            }};
-}
-
-//! A numeric option from `low` to `high`. A default outside this range means that the option is off by
-//! default, and the texts do not show it.
-template <class T>
-CliOption number(Group group, const QString &name, const QString &value, const Field<T> &field, double low,
-                 double high, const QString &meaning)
-{
-    CliOptions defaults;
-    const std::optional<double> standard = field(defaults);
-    const bool hasStandard = standard && *standard >= low && *standard <= high;
-    return {group,
-            {name},
-            value,
-            meaning,
-            hasStandard ? QString::number(*standard) : QString(),
-            [field, low, high](CliOptions &options, const QString &word) -> Problem {
-                bool ok = false;
-                const double parsed = word.toDouble(&ok);
-                if (!ok || !(parsed >= low && parsed <= high))
-                    return u"a number from %1 to %2"_s.arg(low).arg(high);
-                field(options) = parsed;
-                return std::nullopt;
-            }};
-}
-
-template <class T>
-CliOption integer(Group group, const QString &name, const Field<T> &field, int low, int high,
-                  const QString &meaning)
-{
-    CliOptions defaults;
-    return {group,
-            {name},
-            u"N"_s,
-            meaning,
-            QString::number(field(defaults)),
-            [field, low, high](CliOptions &options, const QString &word) -> Problem {
-                bool ok = false;
-                const int parsed = word.toInt(&ok);
-                if (!ok || parsed < low || parsed > high)
-                    return u"a whole number from %1 to %2"_s.arg(low).arg(high);
-                field(options) = static_cast<T>(parsed);
-                return std::nullopt;
-            }};
-}
-
-template <class T>
-CliOption choice(Group group, const QString &name, const Field<T> &field,
-                 const std::vector<std::pair<QString, T>> &words, const QString &meaning)
-{
-    CliOptions defaults;
-    QStringList known;
-    QString standard;
-    for (const auto &[word, value] : words) {
-        known << word;
-        if (value == field(defaults))
-            standard = word;
-    }
-    return {group,
-            {name},
-            known.join(QLatin1Char('|')),
-            meaning,
-            standard,
-            [field, words, known](CliOptions &options, const QString &given) -> Problem {
-                const auto found = std::find_if(words.begin(), words.end(),
-                                                [&](const auto &word) { return word.first == given; });
-                if (found == words.end())
-                    return known.join(u" or "_s);
-                field(options) = found->second;
-                return std::nullopt;
-            }};
-}
-
 Problem readLayout(CliOptions &options, const QString &value)
 {
     const QString suffix = QFileInfo(value).suffix().toLower();
@@ -145,12 +24,6 @@ Problem readLayout(CliOptions &options, const QString &value)
         return u"a .png or .svg file"_s;
     options.layout = value;
     return std::nullopt;
-}
-
-CliOption defaultingTo(CliOption option, const QString &standard)
-{
-    option.standard = standard;
-    return option;
 }
 
 std::vector<CliOption> boundOptions()
