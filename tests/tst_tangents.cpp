@@ -90,6 +90,51 @@ private Q_SLOTS:
         QVERIFY(2 * defined > data->soupCornerCount());
     }
 
+    //! Quads and triangles that bend, a crease, a mirrored triangle and one without area in the map. The
+    //! numbers are Blender's (3.4, Mesh.calc_tangents with auto smooth at 40 degrees).
+    void asInBlender()
+    {
+        const auto mesh = test::polygonMesh(
+            {{0, 0, 0},
+             {1, 0, .25},
+             {2, 0, 0},
+             {0, 1, .5},
+             {1, 1, 0},
+             {2, 1, .5},
+             {0, 2, 0},
+             {1, 2, .25},
+             {2, 2, -.5},
+             {3, 1, 0}},
+            {{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}, {4, 5, 8}, {4, 8, 7}, {2, 9, 5}, {5, 9, 8}});
+        const std::vector<Vec2> map{{0, 0},   {.25, 0},   {.5, .125},  {0, .25},   {.375, .25},
+                                    {.5, .5}, {.125, .5}, {.25, .625}, {.125, .75}};
+        UvMatrix uv(mesh->cornerCount(), 2);
+        for (int c = 0; c < mesh->cornerCount(); ++c) {
+            // Vertex 9 is where vertex 1 is in the map of one face, and vertex 5 in that of the other.
+            const int vertex = mesh->cornerVertex[c];
+            uv.row(c) = map[vertex < 9 ? vertex : c < 21 ? 1 : 5].transpose();
+        }
+        const Shaded made({mesh, uv});
+        const std::vector<std::array<float, 4>> expected{
+            {0.991880f, 0.047232f, -0.118081f, 1.f},    {0.970493f, -0.239266f, -0.029908f, 1.f},
+            {0.957442f, -0.240909f, -0.158956f, 1.f},   {0.992278f, 0.000000f, -0.124035f, 1.f},
+            {0.970493f, -0.239266f, -0.029908f, 1.f},   {0.865378f, -0.464137f, -0.188938f, 1.f},
+            {0.835549f, -0.476828f, -0.272936f, 1.f},   {0.957442f, -0.240909f, -0.158956f, 1.f},
+            {0.992278f, 0.000000f, -0.124035f, 1.f},    {0.957442f, -0.240909f, -0.158956f, 1.f},
+            {0.870666f, -0.341107f, -0.354382f, 1.f},   {0.983835f, -0.145187f, -0.104831f, 1.f},
+            {0.485071f, -0.485071f, 0.727607f, 1.f},    {0.492366f, -0.615457f, 0.615457f, 1.f},
+            {0.492366f, -0.615457f, 0.615458f, 1.f},    {-0.932307f, 0.323717f, 0.161277f, -1.f},
+            {-0.744208f, 0.248069f, 0.620174f, -1.f},   {-0.892785f, 0.270096f, 0.360532f, -1.f},
+            {-0.601618f, -0.785309f, -0.146102f, -1.f}, {-0.597022f, -0.796030f, -0.099504f, -1.f},
+            {-0.603282f, -0.785796f, -0.136293f, -1.f}, {0.492366f, -0.615457f, 0.615457f, 1.f},
+            {1.000000f, 0.000000f, 0.000000f, -1.f},    {0.492366f, -0.615457f, 0.615458f, 1.f}};
+        for (int c = 0; c < mesh->cornerCount(); ++c) {
+            const auto &[x, y, z, sign] = expected[c];
+            const float off = distance(made.at(c), {{x, y, z}, sign});
+            QVERIFY2(off < 1e-5f, qPrintable(QStringLiteral("corner %1 by %2").arg(c).arg(off)));
+        }
+    }
+
     void mirroredPartsHaveTheOtherSign()
     {
         const test::MeshPtr mesh = test::grid(8, .2);
