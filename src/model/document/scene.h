@@ -51,7 +51,7 @@ struct Scene
     //! Picture of each material's base colour. May be shorter than materialNames.
     std::vector<SceneTexture> materialTextures;
     //! Per edge pair: the file shades its two sides as separate surfaces, by smoothing groups or by normals
-    //! that differ; empty when there are no such edges.
+    //! that differ; empty when the file says nothing about shading.
     std::vector<bool> hardEdges;
     std::vector<UvSet> uvSets; //!< the first one is the active one
     std::shared_ptr<const SceneSource> source;
