@@ -17,9 +17,10 @@ namespace {
 constexpr int coarsest = 16;
 //! Paths of the coarse passes.
 constexpr int firstSamples = 8;
-//! How far points are drawn towards the middle of their triangle, so that none is right in a corner of the
-//! model, where its rays could slip through the wall beside it.
-constexpr float inset = 3e-4F;
+//! How far points are drawn towards the middle of their triangle, as a share of the model's size, so that
+//! none is right in a corner of the model, where its rays could slip through the wall beside it; and the
+//! largest share of the way.
+constexpr double inset = 1e-5, largestInset = 0.01;
 //! Share of the work that denoising is taken for.
 constexpr double denoiseShare = 0.05;
 
@@ -46,12 +47,6 @@ std::vector<Pass> passesFor(int samples)
 int samplesAlongTexel(int samples)
 {
     return samples >= 16 ? 4 : samples >= 4 ? 2 : 1;
-}
-
-SurfacePoint drawnIn(const SurfacePoint &point)
-{
-    return {point.triangle, point.second + inset * (1.0F / 3 - point.second),
-            point.third + inset * (1.0F / 3 - point.third)};
 }
 
 class LightBaker final
@@ -167,6 +162,14 @@ private:
             if (isIn(pass, x, y))
                 sample(points, x, y, pass);
         });
+    }
+
+    SurfacePoint drawnIn(const SurfacePoint &point) const
+    {
+        const double size = std::sqrt(mSurface.mesh->triangleArea[point.triangle]) / mTracer.frame().size;
+        const auto share = static_cast<float>(std::min(largestInset, inset / std::max(size, 1e-30)));
+        return {point.triangle, point.second + share * (1.0F / 3 - point.second),
+                point.third + share * (1.0F / 3 - point.third)};
     }
 
     //! Traces the paths of one texel, evenly from its points.
