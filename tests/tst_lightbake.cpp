@@ -100,7 +100,7 @@ double formFactorBelow(double x, double y, double half, double height)
            part(half + x, half + y);
 }
 
-//! The error of the worst texel, as a share of the value that it should have, or of a tenth of the largest
+//! The error of the worst texel, as a share of the value that it should have, or of a quarter of the largest
 //! one where it should have less.
 template <typename Expected>
 double worstError(const LightBakeResult &result, Expected expected)
@@ -113,7 +113,7 @@ double worstError(const LightBakeResult &result, Expected expected)
         for (int x = 0; x < size; ++x) {
             const double value = expected((x + .5) * 2 / size - 1, 1 - (y + .5) * 2 / size);
             worst = std::max(worst, std::abs(double(result.picture.at(x, y)[0]) - value) /
-                                        std::max(value, .1 * brightest));
+                                        std::max(value, .25 * brightest));
         }
     }
     return worst;
@@ -182,14 +182,16 @@ private Q_SLOTS:
     {
         QTest::addColumn<double>("height");
         QTest::addColumn<int>("samples");
-        QTest::newRow("high") << 2.0 << 1024;
-        QTest::newRow("near") << .1 << 65536;
+        QTest::addColumn<double>("tolerance");
+        QTest::newRow("high") << 2.0 << 1024 << .005;
+        QTest::newRow("near") << .1 << 16384 << .02;
     }
 
     void rectangleAboveAPlane()
     {
         QFETCH(double, height);
         QFETCH(int, samples);
+        QFETCH(double, tolerance);
         Lighting lighting;
         lighting.areas.push_back(lampAbove(height, .5, 3));
         const LightBakeResult result = bakeLight(ground(), lighting, settings(8, samples), {});
@@ -201,7 +203,7 @@ private Q_SLOTS:
             return sum / 16;
         };
         const double error = worstError(result, expected);
-        QVERIFY2(error < .01, qPrintable(QString::number(error)));
+        QVERIFY2(error < tolerance, qPrintable(QString::number(error)));
     }
 
     void facesThatShineAboveAPlane()
@@ -349,7 +351,7 @@ private Q_SLOTS:
             return sum;
         };
         const double noisy = error(false), smooth = error(true);
-        QVERIFY2(smooth < .5 * noisy, qPrintable(QStringLiteral("%1 of %2").arg(smooth).arg(noisy)));
+        QVERIFY2(smooth < .45 * noisy, qPrintable(QStringLiteral("%1 of %2").arg(smooth).arg(noisy)));
     }
 
     void previewsGrowFiner()

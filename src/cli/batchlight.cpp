@@ -2,8 +2,8 @@
 
 #include "model/document/shadedscene.h"
 #include "model/io/picturefiles.h"
+#include "model/plain/chart.h"
 #include "model/plain/udimtiles.h"
-#include "model/plain/uvseams.h"
 
 #include <QFileInfo>
 
@@ -159,7 +159,7 @@ Result<BakeOutcome> bakeLights(const CliOptions &options, const Scene &scene, co
     settings.width = texture.textureSize;
     settings.height = texture.height();
     std::vector<int> tiles = usedTiles(
-        islandTiles(*scene.mesh, uvCharts(*scene.mesh, shaded.uv), shaded.uv, texture.tileHeight()));
+        islandTiles(*scene.mesh, findCharts(*scene.mesh, shaded.uv), shaded.uv, texture.tileHeight()));
     if (tiles.empty())
         tiles.push_back(PackingSettings::firstTile);
     BakeOutcome outcome;

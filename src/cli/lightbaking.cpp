@@ -47,7 +47,7 @@ bake::Lighting LightBaking::lighting() const
     const std::vector<Color> colors = sky ? *sky : isStandard ? white : std::vector<Color>();
     if (day) {
         const bake::Vec3f towards = directionOf(sun.value_or(Vec2(0, 45)), zUp);
-        lighting.sky = bake::Sky{up, {}, {}, Color::Zero(), {}};
+        lighting.sky = bake::Sky{up, Color::Zero(), Color::Zero(), Color::Zero(), {}};
         lighting.sky->day.emplace(towards, up, static_cast<float>(turbidity), strength);
     } else if (!colors.empty()) {
         const Color zenith = strength * colors.front();

@@ -60,7 +60,7 @@ public:
           mSums(settings.width, settings.height, 3)
     {
         const std::size_t texels = std::size_t(settings.width) * settings.height;
-        mSquares.assign(texels, 0);
+        mDifferences.assign(texels, 0);
         mCounts.assign(texels, 0);
         mGuides.position.assign(texels, Vec3f::Zero());
         mGuides.normal.assign(texels, Vec3f::Zero());
@@ -195,7 +195,7 @@ private:
                 value += light.indirect;
             sum += value;
             const float luminance = value.dot(Vec3f(0.2126F, 0.7152F, 0.0722F));
-            mSquares[texel] += luminance * luminance;
+            mDifferences[texel] += i % 2 == 0 ? luminance : -luminance;
             ++mCounts[texel];
         }
     }
@@ -223,18 +223,20 @@ private:
 
     void estimateNoise(const Picture &light, LightBakeResult &result)
     {
-        double noise = 0, sum = 0;
+        double noise = 0, sum = 0, texels = 0;
         for (std::size_t i = 0; i < mCounts.size(); ++i) {
             if (mCounts[i] < 2)
                 continue;
             const float *color = light.values.data() + 3 * i;
             const float mean = 0.2126F * color[0] + 0.7152F * color[1] + 0.0722F * color[2];
             const auto count = static_cast<float>(mCounts[i]);
-            mGuides.variance[i] = std::max(0.0F, mSquares[i] / count - mean * mean) / (count - 1);
-            noise += std::sqrt(double(mGuides.variance[i]));
+            const float difference = mDifferences[i] / count;
+            mGuides.variance[i] = difference * difference;
+            noise += double(mGuides.variance[i]);
+            ++texels;
             sum += double(mean);
         }
-        result.noise = sum > 0 ? noise / sum : 0;
+        result.noise = sum > 0 ? std::sqrt(noise * texels) / sum : 0;
     }
 
     LightBakeResult result(const JobContext &job)
@@ -282,9 +284,11 @@ private:
     const JobContext &mJob;
     PathTracer mTracer;
     TexelSurface mTexels;
-    Picture mSums;               //!< of the samples
-    std::vector<float> mSquares; //!< sums of squared luminances
-    std::vector<int> mCounts;    //!< of samples
+    Picture mSums; //!< of the samples
+    //! Luminance of the even samples less that of the odd ones. Both are spread evenly themselves, so that
+    //! this shows how noisy the sum is; the variance of single samples would be far more.
+    std::vector<float> mDifferences;
+    std::vector<int> mCounts; //!< of samples
     TexelGuides mGuides;
     long long mCovered = 0;
 };

@@ -39,7 +39,7 @@ struct LightBakeResult
     Picture picture;                  //!< RGB, linear; black where nothing is near
     std::vector<std::uint8_t> filled; //!< per texel: it has a value
     long long texels = 0;             //!< inside of islands, or right beside them
-    double noise = 0; //!< before denoising: mean standard error of the texels, as a share of their mean
+    double noise = 0; //!< before denoising: standard error of the texels, as a share of their mean
 };
 
 //! Shows a map that is not finished, first coarse, then noisy. Called from one thread.

@@ -12,8 +12,11 @@ namespace {
 
 //! Steps of 1, 2, 4, 8 texels: 61 texels take part in each.
 constexpr int rounds = 4;
-//! Values that differ by as many standard deviations count a third. Chosen by hand.
-constexpr float tolerance = 3;
+//! Values that differ by as many standard errors count a third. Of 1 to 8, the one with the least error at 4
+//! to 256 samples in the room of tst_lightbake.
+constexpr float tolerance = 2.5F;
+//! Texels around one whose variance is averaged.
+constexpr int varianceReach = 2;
 //! Farther away than so many times the distance in the map is elsewhere on the surface.
 constexpr float stretch = 3;
 constexpr std::array<float, 3> spline{0.375F, 0.25F, 0.0625F}; //!< by distance from the middle
@@ -82,24 +85,23 @@ private:
     float closeness(int x, int y, int x2, int y2, float deviation) const
     {
         const float difference = std::abs(luminanceOf(mLight.at(x, y)) - luminanceOf(mLight.at(x2, y2)));
-        return std::exp(-difference / (tolerance * deviation + 1e-12F));
+        const float share = difference / (tolerance * deviation + 1e-12F);
+        return std::exp(-share * share);
     }
 
     //! The variance of single texels is noisy itself.
     float meanVariance(int x, int y) const
     {
-        constexpr std::array<float, 2> weights{2, 1};
-        float sum = 0, total = 0;
-        for (int dy = -1; dy <= 1; ++dy) {
-            for (int dx = -1; dx <= 1; ++dx) {
-                if (!isFilled(x + dx, y + dy))
-                    continue;
-                const float weight = weights[std::abs(dx)] * weights[std::abs(dy)];
-                sum += weight * mGuides.variance[indexOf(x + dx, y + dy)];
-                total += weight;
+        float sum = 0, count = 0;
+        for (int dy = -varianceReach; dy <= varianceReach; ++dy) {
+            for (int dx = -varianceReach; dx <= varianceReach; ++dx) {
+                if (isFilled(x + dx, y + dy)) {
+                    sum += mGuides.variance[indexOf(x + dx, y + dy)];
+                    ++count;
+                }
             }
         }
-        return sum / total;
+        return sum / count;
     }
 
     const Picture &mLight;
