@@ -78,7 +78,7 @@ void EditTextures::clearPayload()
 
 void EditTextures::writePayload(QCborMap &map) const
 {
-    map["sets"_L1] = toCbor(mAfter);
+    map["sets"_L1] = autocuts::toCbor(mAfter);
 }
 
 Result<std::unique_ptr<DocumentCommand>> EditTextures::fromCbor(Document &document, CborReader &reader)
