@@ -160,6 +160,7 @@ FbxObjects ObjectReader::read()
         connectTexture(values);
     }
     mObjects.materialTextures = mTextures.ofMaterials(mObjects.materialNames.size());
+    mObjects.materialSets = mTextures.setsOfMaterials(mObjects.materialNames.size());
     for (const int take : childrenOf(tree.child(0, "Takes")))
         mObjects.contents.animations = mObjects.contents.animations || tree.child(take, "Model") >= 0;
     // Names of version 6 may be those of several objects, of which connections say nothing.

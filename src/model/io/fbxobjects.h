@@ -29,6 +29,7 @@ struct FbxObjects
     std::vector<QString> materialNames;
     std::vector<QRgb> materialColors;           //!< as in Scene
     std::vector<SceneTexture> materialTextures; //!< as in Scene
+    std::vector<TextureSet> materialSets;       //!< as in Scene
     SourceContents contents;
 };
 

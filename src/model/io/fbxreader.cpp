@@ -271,6 +271,7 @@ Result<Scene> SceneBuilder::build()
     mScene.materialNames = std::move(mObjects.materialNames);
     mScene.materialColors = std::move(mObjects.materialColors);
     mScene.materialTextures = std::move(mObjects.materialTextures);
+    mScene.materialSets = std::move(mObjects.materialSets);
     PositionMatrix positions = Eigen::Map<const PositionMatrix>(
         mPositions.data(), static_cast<Eigen::Index>(mPositions.size() / 3), 3);
     mPositions = {};

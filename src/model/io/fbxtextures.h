@@ -21,6 +21,8 @@ public:
     void connect(const QByteArray &child, const QByteArray &parent, int material, std::string_view property);
     //! The pictures of the base colours. \param materials how many there are
     std::vector<SceneTexture> ofMaterials(std::size_t materials) const;
+    //! Those of the other channels.
+    std::vector<TextureSet> setsOfMaterials(std::size_t materials) const;
 
 private:
     using Contents = std::map<int, QByteArray>; //!< of videos: those with one picture share its bytes
@@ -33,6 +35,7 @@ private:
     std::map<QByteArray, int> mTextures, mVideos;          //!< nodes
     std::map<QByteArray, QByteArray> mVideoOfTexture;      //!< keys
     std::map<int, std::pair<int, QByteArray>> mOfMaterial; //!< rank of the property, and the texture
+    std::map<int, std::map<TextureChannel, QByteArray>> mSets;
 };
 
 } // namespace autocuts
