@@ -70,7 +70,9 @@ std::vector<Entry> readTable(const QString &path)
                            values[1],
                            values[2],
                            {values[3].toDouble(), values[4].toDouble()},
-                           values[5] == u"z"_s ? figures::UpAxis::Z : figures::UpAxis::Y});
+                           values[5] == u"x"_s   ? figures::UpAxis::X
+                           : values[5] == u"z"_s ? figures::UpAxis::Z
+                                                 : figures::UpAxis::Y});
     }
     return entries;
 }

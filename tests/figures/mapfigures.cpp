@@ -1,5 +1,6 @@
 #include "figures/mapfigures.h"
 
+#include "commands/changesettings.h"
 #include "figures/mapwork.h"
 #include "views/tools/painttool.h"
 
@@ -19,8 +20,7 @@ using unwrap::UnwrapQuality;
 namespace {
 
 constexpr QSize half(450, 400), third(300, 300), quarter(225, 240);
-constexpr double soupLambda = 0.02;
-constexpr double keepTogether = 100, attractCuts = 0; // painted weights at the brush's full strength
+constexpr double soupLambda = 0.02, defaultLambda = 0.05; // of the live solver
 constexpr int mostDrags = 40;
 
 void save(const FigurePage &page, const Figure &figure, const QImage &picture)
@@ -93,28 +93,36 @@ void bumpyCube(FigurePage &page, const Figure &figure)
     StudioPictures studio;
     std::vector<Column> columns;
     std::vector<QStringList> rows;
-    const auto add = [&](const QString &title) {
-        columns.push_back(columnOf(studio, title, look, third));
-        const double share = shareOnSharpEdges(studio.document());
-        columns.back().lines << percent(share) + u" on the cube's edges"_s;
-        rows.push_back(mapRow(studio, title) << percent(share));
+    const auto addRow = [&](const QString &title) {
+        rows.push_back(mapRow(studio, title) << percent(shareOnSharpEdges(studio.document())));
     };
+    const auto addColumn = [&](const QString &title) {
+        addRow(title);
+        columns.push_back(columnOf(studio, title, look, third));
+        columns.back().lines << rows.back().back() + u" of the seams on the cube's edges"_s;
+    };
+    studio.open(withSoupMap(scene, defaultLambda));
+    addRow(u"live solver alone, lambda 0.05"_s);
     studio.options().pattern = Pattern::Checker;
-    studio.open(withSoupMap(scene, 0.05));
-    add(u"live solver, defaults"_s);
     studio.open(scene);
     unwrapped(studio);
-    add(u"Unwrap, defaults"_s);
+    addColumn(u"Unwrap, defaults"_s);
+
+    SolveSettings settings = studio.open(scene).solveSettings();
+    settings.creases = CreaseMode::Off;
+    pushCommand(std::make_unique<ChangeSettings>(studio.document(), settings));
+    unwrapped(studio);
+    addColumn(u"edges not preferred"_s);
 
     studio.open(scene);
     studio.aim(third, look);
-    // The lid is to open, the edge in front to stay whole.
-    paintAlong(studio, Paint::AttractCuts, {{-1, 1, 1}, {-1, 1, -1}, {1, 1, -1}, {1, 1, 1}});
-    paintAlong(studio, Paint::KeepTogether, {{1, 0.9, 1}, {1, -1, 1}});
+    // The edges in front are to open, those of the lid's back to stay whole.
+    paintAlong(studio, Paint::AttractCuts, {{-1, 1, 1}, {1, 1, 1}, {1, -1, 1}});
+    paintAlong(studio, Paint::KeepTogether, {{1, 1, 0.6}, {1, 1, -1}, {-1, 1, -1}, {-1, 1, 0.6}});
     unwrapped(studio);
     studio.options().pattern = Pattern::None;
     studio.options().coloring = Coloring::PaintWeights;
-    add(u"painted, then Unwrap"_s);
+    addColumn(u"painted"_s);
     save(page, figure, sheetOf(columns));
     page.add(figure, described({u"bumpycube"_s, scene.mesh}),
              QStringList(mapHead) << u"seams on sharp edges"_s, rows);
@@ -122,28 +130,28 @@ void bumpyCube(FigurePage &page, const Figure &figure)
 
 void overlapRegions(FigurePage &page, const Figure &figure)
 {
-    constexpr Look look{30, 15};
-    const Scene scene = page.scene(u"organic/triceratops_param_closed.obj"_s, u"character"_s);
+    constexpr Look look{30, 10};
+    const Scene scene = page.scene(u"organic/camel_simple.obj"_s, u"character"_s);
     StudioPictures studio;
     std::vector<Column> columns;
     std::vector<QStringList> rows;
-    studio.open(withSoupMap(scene, soupLambda));
+    studio.options().selection = true;
+    studio.open(withOverlaps(scene));
     const auto add = [&](const QString &title) {
         columns.push_back(columnOf(studio, title, look, third));
         rows.push_back(mapRow(studio, title));
     };
     add(u"overlaps are hatched"_s);
     dragRegionsAway(studio, 1);
-    studio.options().selection = true;
     add(u"a region is dragged away"_s);
-    studio.options().selection = false;
     const int drags = 1 + dragRegionsAway(studio, mostDrags);
+    studio.canvases().select(SelectionMode::Faces);
     studio.runJob([&] { studio.canvases().map.pack(PackScope::All); });
     studio.options().pattern = Pattern::Checker;
     studio.options().coloring = Coloring::Islands;
     add(u"after %1 drags, packed"_s.arg(drags));
     save(page, figure, sheetOf(columns));
-    page.add(figure, described({u"triceratops_param_closed"_s, scene.mesh}), mapHead, rows);
+    page.add(figure, described({u"camel_simple"_s, scene.mesh}), mapHead, rows);
 }
 
 void irregularMesh(FigurePage &page, const Figure &figure)
@@ -159,6 +167,7 @@ void irregularMesh(FigurePage &page, const Figure &figure)
     map.pictures = {model.pictures.back()};
     model.pictures.pop_back();
     map.title = u"its map"_s;
+    map.lines << u"%1 parts that are not joined"_s.arg(componentsOf(*scene.mesh));
     save(page, figure, sheetOf({model, map}));
     page.add(figure, described({u"beetle"_s, scene.mesh}), QStringList(mapHead) << u"parts of the mesh"_s,
              {mapRow(studio, u"Unwrap"_s) << QString::number(componentsOf(*scene.mesh))});
@@ -180,12 +189,12 @@ void octopusPatches(FigurePage &page, const Figure &figure)
         rows.push_back(mapRow(studio, title)
                        << QString::number(n.singleTriangles) << QString::number(n.worstStretch, 'f', 2));
     };
-    const Scene soup = withSoupMap(scene, soupLambda);
-    studio.open(soup);
+    const Scene covered = withOverlaps(scene);
+    studio.open(covered);
     dragRegionsAway(studio, mostDrags);
     studio.runJob([&] { studio.canvases().map.pack(PackScope::All); });
     add(u"assisted: regions by hand"_s);
-    studio.open(soup);
+    studio.open(covered);
     studio.runJob([&] { studio.canvases().map.separateGreedily(); });
     add(u"the paper's greedy heuristic"_s);
     studio.open(scene);
@@ -203,8 +212,8 @@ void quadMesh(FigurePage &page, const Figure &figure)
     studio.options().wireframe = true;
     studio.open(withSoupMap(scene, soupLambda));
     const Look look{40, 10};
-    std::vector<Column> columns{columnOf(studio, u"live solver"_s, look, half)};
-    std::vector<QStringList> rows{mapRow(studio, u"live solver"_s)};
+    std::vector<Column> columns{columnOf(studio, u"live solver alone"_s, look, half)};
+    std::vector<QStringList> rows{mapRow(studio, u"live solver alone"_s)};
     studio.open(scene);
     unwrapped(studio);
     columns.push_back(columnOf(studio, u"Unwrap"_s, look, half));
@@ -215,30 +224,37 @@ void quadMesh(FigurePage &page, const Figure &figure)
 
 namespace {
 
+//! What is painted on a model of figure 17.
+enum class Painted { Nothing, FrontTogether, MiddleCut };
+
 //! A model of figure 17.
 struct Shown
 {
     const char *file, *sample, *title;
     Look look;
-    std::optional<double> paint; //!< weight of the edges that are seen
+    Painted painted = Painted::Nothing;
+    UpAxis up = UpAxis::Y;
 };
+
+QString nameOf(Painted painted)
+{
+    return painted == Painted::Nothing         ? u"no help"_s
+           : painted == Painted::FrontTogether ? u"painted: front together"_s
+                                               : u"painted: cuts at x = 0"_s;
+}
 
 } // namespace
 
 void severalModels(FigurePage &page, const Figure &figure)
 {
     const Shown models[] = {
-        {"organic/hand_1_i_f5000.obj", "character", "Hand", {25, 10}, {}},
-        {"organic/camel_simple.obj", "character", "camel, for the Elk", {35, 10}, {}},
-        {"organic/octopus.obj", "character", "Octopus", {25, 25}, {}},
-        {"organic/planck1.obj", "character", "bust, for the Moai statue", {210, 5}, {}},
-        {"organic/torus_with_holes.obj",
-         "torus",
-         "holes, for the Eight; front painted",
-         {20, 20},
-         keepTogether},
-        {"organic/girl1.obj", "character", "Girl; front painted", {20, 5}, keepTogether},
-        {"", "torus", "handles, for the Tet; painted", {30, 35}, attractCuts},
+        {"organic/hand_1_i_f5000.obj", "character", "Hand", {25, 10}},
+        {"organic/camel_simple.obj", "character", "camel, for the Elk", {35, 10}},
+        {"organic/octopus.obj", "character", "Octopus", {25, 25}},
+        {"organic/planck1.obj", "character", "bust, for the Moai", {150, 5}},
+        {"organic/torus_with_holes.obj", "torus", "torus, for the Eight", {20, 20}, Painted::FrontTogether},
+        {"organic/girl1.obj", "character", "Girl", {20, 5}, Painted::FrontTogether, UpAxis::X},
+        {"", "torus", "handles, for the Tet", {30, 35}, Painted::MiddleCut},
     };
     StudioPictures studio;
     studio.options().coloring = Coloring::Islands;
@@ -247,13 +263,16 @@ void severalModels(FigurePage &page, const Figure &figure)
     std::vector<QStringList> rows;
     for (const Shown &shown : models) {
         const Scene scene = page.scene(QString::fromUtf8(shown.file), QString::fromUtf8(shown.sample));
-        studio.open(scene);
-        if (shown.paint)
-            paintSeen(studio.document(), shown.look, *shown.paint);
+        studio.open(scene, shown.up);
+        if (shown.painted == Painted::FrontTogether)
+            keepSeenTogether(studio.document(), shown.look);
+        else if (shown.painted == Painted::MiddleCut)
+            attractCutsToMiddle(studio.document());
         unwrapped(studio);
         const QString title = QString::fromUtf8(shown.title);
-        columns.push_back(columnOf(studio, title.section(u';', 0, 0), shown.look, quarter));
-        rows.push_back(mapRow(studio, title));
+        columns.push_back(columnOf(studio, title, shown.look, quarter));
+        columns.back().lines << nameOf(shown.painted);
+        rows.push_back(mapRow(studio, title + u"; "_s + nameOf(shown.painted)));
     }
     const auto middle = columns.begin() + 4;
     save(page, figure, stacked(sheetOf({columns.begin(), middle}), sheetOf({middle, columns.end()})));

@@ -7,6 +7,7 @@
 #include "solver/definite/stitching.h"
 #include "solver/homotopy/anneal.h"
 #include "solver/homotopy/solver.h"
+#include "solver/unwrap/unwrap.h"
 
 #include <QTest>
 
@@ -24,7 +25,9 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 constexpr double sharp = std::numbers::pi / 6;
-constexpr double seenFrom = 0.15; // cosine: faces that are seen at a smaller angle count as hidden
+constexpr double togetherWeight = 100, attractingWeight = 0.1; // painted
+constexpr double bandShare = 0.03; // half the width of a painted band, of the width of the model
+constexpr double seenFrom = 0.15;  // cosine: faces that are seen at a smaller angle count as hidden
 
 //! Largest of the singular values and their inverses.
 double stretchOf(const std::array<Vec3, 3> &p, const std::array<Vec2, 3> &q)
@@ -76,23 +79,59 @@ QPoint nearPlaceOf(StudioPictures &studio, int triangle)
     return view.camera().toScreen(middle).toPoint();
 }
 
-} // namespace
-
-Scene withSoupMap(Scene scene, double lambda)
+Snapshot snapshotOf(const Scene &scene)
 {
     Snapshot snapshot;
     snapshot.mesh = scene.mesh;
-    homotopy::Solver solver;
-    solver.load(snapshot);
-    homotopy::annealSoup(solver, {.lambda = lambda}, {});
-    const SeamedMap map = definite::stitchSoup(solver.sharedSoup(), solver.snapshot(), solver.coordinates());
-    UvMatrix uv = cornerUv(solver.soup(), map);
+    return snapshot;
+}
+
+//! The scene with these UVs, moved and scaled into the first tile.
+Scene withMap(Scene scene, UvMatrix uv)
+{
     const Eigen::AlignedBox2d box = layoutBox(uv);
     const double scale = 0.96 / box.sizes().maxCoeff();
     const Eigen::RowVector2d centre = box.center();
     uv = (scale * (uv.rowwise() - centre)).rowwise() + Eigen::RowVector2d(0.5, 0.5);
     scene.uvSets = {{u"UVMap"_s, uv}};
     return scene;
+}
+
+//! Gives all edges that are chosen a painted weight.
+template <class Choose>
+void paint(Document &document, double weight, Choose choose)
+{
+    const MeshData &mesh = document.mesh();
+    IndexRanges pairs;
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        if (choose(mesh.edgePairs[e])) {
+            pairs.append(static_cast<int>(2 * e));
+            pairs.append(static_cast<int>(2 * e + 1));
+        }
+    }
+    const std::vector<double> weights(pairs.count(), weight);
+    pushCommand(std::make_unique<SetSeamWeights>(document, pairs, weights));
+}
+
+} // namespace
+
+Scene withSoupMap(Scene scene, double lambda)
+{
+    const Snapshot snapshot = snapshotOf(scene);
+    homotopy::Solver solver;
+    solver.load(snapshot);
+    homotopy::annealSoup(solver, {.lambda = lambda}, {});
+    const SeamedMap map = definite::stitchSoup(solver.sharedSoup(), solver.snapshot(), solver.coordinates());
+    return withMap(std::move(scene), cornerUv(solver.soup(), map));
+}
+
+Scene withOverlaps(Scene scene)
+{
+    unwrap::UnwrapOptions options;
+    options.quality = unwrap::UnwrapQuality::Draft;
+    options.allowOverlaps = true;
+    const unwrap::UnwrapResult result = unwrap::unwrapMesh(snapshotOf(scene), options);
+    return withMap(std::move(scene), result.uv);
 }
 
 MapNumbers numbersOf(StudioPictures &studio)
@@ -149,12 +188,11 @@ int dragRegionsAway(StudioPictures &studio, int most)
         test::Canvases::drag(canvases.uv, {place, place + QPoint(static_cast<int>(pixels), 0)});
         studio.rest();
     }
-    canvases.select(SelectionMode::Faces);
     canvases.tools.setTool(u"select"_s);
     return drags;
 }
 
-void paintSeen(Document &document, const Look &look, double weight)
+void keepSeenTogether(Document &document, const Look &look)
 {
     const MeshData &mesh = document.mesh();
     const double yaw = look.yaw * std::numbers::pi / 180, pitch = look.pitch * std::numbers::pi / 180;
@@ -165,15 +203,21 @@ void paintSeen(Document &document, const Look &look, double weight)
             p[k] = mesh.cornerPosition(mesh.cornerOfSoup(3 * t + k));
         return (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized().dot(toEye) > seenFrom;
     };
-    IndexRanges pairs;
-    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
-        if (isSeen(mesh.edgePairs[e].triangle[0]) && isSeen(mesh.edgePairs[e].triangle[1])) {
-            pairs.append(static_cast<int>(2 * e));
-            pairs.append(static_cast<int>(2 * e + 1));
-        }
-    }
-    const std::vector<double> weights(pairs.count(), weight);
-    pushCommand(std::make_unique<SetSeamWeights>(document, pairs, weights));
+    paint(document, togetherWeight,
+          [&](const EdgePair &edge) { return isSeen(edge.triangle[0]) && isSeen(edge.triangle[1]); });
+}
+
+void attractCutsToMiddle(Document &document)
+{
+    const MeshData &mesh = document.mesh();
+    const Eigen::VectorXd x = mesh.positions.col(0);
+    const double middle = 0.5 * (x.minCoeff() + x.maxCoeff());
+    const double reach = bandShare * (x.maxCoeff() - x.minCoeff());
+    const auto isNear = [&](int soupCorner) {
+        return std::abs(mesh.cornerPosition(mesh.cornerOfSoup(soupCorner)).x() - middle) < reach;
+    };
+    paint(document, attractingWeight,
+          [&](const EdgePair &edge) { return isNear(edge.corner[0][0]) && isNear(edge.corner[1][0]); });
 }
 
 double shareOnSharpEdges(const Document &document)

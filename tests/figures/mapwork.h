@@ -10,6 +10,9 @@ namespace autocuts::figures {
 //! The scene with the map of the live solver alone, as it is stitched: islands may cover themselves.
 Scene withSoupMap(Scene scene, double lambda);
 
+//! The scene with the map of a quick search that may leave overlaps.
+Scene withOverlaps(Scene scene);
+
 //! Numbers of a map that the paper's text speaks of.
 struct MapNumbers
 {
@@ -31,9 +34,10 @@ Column columnOf(StudioPictures &studio, const QString &title, const Look &look, 
 //! \returns how often; at most `most`
 int dragRegionsAway(StudioPictures &studio, int most);
 
-//! Paints all edges that a look shows, as a brush of full strength does. \param weight 100 keeps them
-//! together
-void paintSeen(Document &document, const Look &look, double weight);
+//! Paints all edges that a look shows, as a brush of full strength does: keeps them together.
+void keepSeenTogether(Document &document, const Look &look);
+//! Paints the edges near the plane through the middle at x = 0, as a brush does that attracts cuts.
+void attractCutsToMiddle(Document &document);
 
 //! Share of the length of the map's seams that runs along edges bent by more than 30 degrees.
 double shareOnSharpEdges(const Document &document);

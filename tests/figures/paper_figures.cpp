@@ -31,10 +31,12 @@ const Figure table[] = {
     {6, "figure6_bumpycube.png", "the bumpy cube, without help and painted",
      "an automatic map with default settings, cut along the edges of the cube; ZBrush misses that cut, even "
      "with painted candidate regions.",
-     "the same shape, generated. Left the live solver alone, in the middle *Unwrap*, both with default "
-     "settings; "
-     "right after strokes of the paint tool: red attracts cuts around the lid, green keeps the edge in front "
-     "together.",
+     "a cube of the same kind, generated, by *Unwrap*. Left with default settings, in the middle without the "
+     "preference for sharp edges; right after strokes of the paint tool: blue attracts cuts to the edges in "
+     "front, "
+     "green keeps the others of the lid together. The live solver alone, by which the paper cuts the cube, "
+     "does not find "
+     "its edges here.",
      bumpyCube},
     {7, "figure7_one_edge.png", "one edge cut by hand becomes a cut line (lambda 0.35)",
      "one edge is cut by force, and the cut spreads by itself.",
@@ -43,8 +45,9 @@ const Figure table[] = {
      "the user selects a maximal region that does not overlap itself and moves it away, until no overlaps "
      "are "
      "left.",
-     "the region tool, with real clicks and drags, on the stitched map of the live solver (lambda 0.02). The "
-     "paper's model is not named; this is another one.",
+     "the region tool, with real clicks and drags, on the map of a quick search that may leave overlaps, "
+     "then "
+     "*Pack*. The paper's model is not named; this is another one.",
      overlapRegions},
     {10, "figure10_irregular.png", "an irregular mesh, as in video games",
      "a car-like game mesh of many parts that are not joined, and so of numerous patches.",

@@ -15,16 +15,16 @@ namespace autocuts::figures {
 namespace {
 
 constexpr double filled = 0.9;    // share of a picture
-constexpr int gizmoMargin = 90;   // pixels on both sides: there the view draws its axes
+constexpr int margin = 90;        // pixels around a picture, where the views draw axes and legends
 constexpr int squaresAcross = 30; // of the checkerboard, along the diagonal of the model
 
 //! The mesh with another axis upwards.
-std::shared_ptr<const MeshData> turned(const MeshData &mesh)
+std::shared_ptr<const MeshData> turned(const MeshData &mesh, UpAxis up)
 {
     auto result = std::make_shared<MeshData>(mesh);
     for (Eigen::Index v = 0; v < mesh.positions.rows(); ++v) {
         const Vec3 p = mesh.positions.row(v);
-        result->positions.row(v) = Vec3(p.x(), p.z(), -p.y());
+        result->positions.row(v) = up == UpAxis::X ? Vec3(-p.y(), p.x(), p.z()) : Vec3(p.x(), p.z(), -p.y());
     }
     return result;
 }
@@ -45,11 +45,13 @@ void fit(OrbitCamera &camera, const SceneContent &content)
     for (int i = 0; i < 4; ++i) {
         Eigen::AlignedBox2d box;
         project(box);
-        const Vec2 size(camera.viewSize().width() - 2 * gizmoMargin, camera.viewSize().height());
-        const Vec2 middle = box.center() - Vec2(0.5 * camera.viewSize().width(), 0.5 * size.y());
+        const Vec2 all(camera.viewSize().width(), camera.viewSize().height());
+        const Vec2 middle = box.center() - 0.5 * all;
         const double unit = camera.unitsPerPixel();
         camera.setTarget(camera.target() + unit * (middle.x() * camera.right() - middle.y() * camera.up()));
-        camera.setDistance(camera.distance() * box.sizes().cwiseQuotient(filled * size).maxCoeff());
+        camera.setDistance(
+            camera.distance() *
+            box.sizes().cwiseQuotient(filled * (all.array() - 2 * margin).matrix()).maxCoeff());
     }
 }
 
@@ -78,8 +80,8 @@ StudioPictures::StudioPictures()
 
 Document &StudioPictures::open(Scene scene, UpAxis up)
 {
-    if (up == UpAxis::Z)
-        scene.mesh = turned(*scene.mesh);
+    if (up != UpAxis::Y)
+        scene.mesh = turned(*scene.mesh, up);
     Document &document = mCanvases.open(std::make_unique<Document>(std::move(scene)));
     rest();
     return document;
@@ -102,13 +104,13 @@ QImage StudioPictures::grab(Canvas &canvas, const QSize &size)
     QImage picture = canvas.picture();
     picture.setDevicePixelRatio(1);
     return picture.scaled(canvas.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
-        .copy((canvas.width() - size.width()) / 2, 0, size.width(), size.height())
+        .copy({{margin, margin}, size})
         .convertToFormat(QImage::Format_RGB32);
 }
 
 void StudioPictures::aim(const QSize &size, const Look &look)
 {
-    mCanvases.mesh.resize(size.width() + 2 * gizmoMargin, size.height());
+    mCanvases.mesh.resize(size + 2 * QSize(margin, margin));
     QCoreApplication::processEvents();
     OrbitCamera camera = mCanvases.mesh.camera();
     camera.setDirection(look.yaw * std::numbers::pi / 180, look.pitch * std::numbers::pi / 180);
@@ -124,12 +126,11 @@ QImage StudioPictures::model(const QSize &size, const Look &look)
 
 QImage StudioPictures::map(const QSize &size)
 {
-    mCanvases.uv.resize(size);
+    mCanvases.uv.resize(size + 2 * QSize(margin, margin));
     QCoreApplication::processEvents();
     Eigen::AlignedBox2d box(Vec2(0, 0), Vec2(1, 1));
     box.extend(layoutBox(document().uv()));
     MapCamera camera;
-    camera.setViewSize(size);
     camera.setCentre(box.center());
     camera.setScale(0.96 * std::min(size.width() / box.sizes().x(), size.height() / box.sizes().y()));
     mCanvases.uv.setCamera(camera);
