@@ -201,12 +201,12 @@ private Q_SLOTS:
         for (const CliCommand &command : cliCommands()) {
             CliOptions options;
             options.command = command.id;
-            if (makesMap(options))
+            if (canBeStopped(options))
                 making << command.name;
         }
         QCOMPARE(making, (QStringList{u"unwrap"_s, u"pack"_s, u"separate"_s, u"lightmap"_s, u"finish"_s,
                                       u"transfer"_s}));
-        QVERIFY(!makesMap({}));
+        QVERIFY(!canBeStopped({}));
     }
 
     void commandsTakeTheContractsOptions_data()

@@ -106,7 +106,7 @@ private Q_SLOTS:
     {
         const MeshPtr mesh = test::dirty(); // far from the origin
         const MeshFrame frame = MeshFrame::of(*mesh);
-        const auto vertices = soupVertices(*mesh, MeshAdjacency(*mesh), frame);
+        const auto vertices = soupVertices(*mesh, {}, frame);
         double farthest = 0;
         for (const SoupVertex &vertex : vertices) {
             const Eigen::Vector3f p(vertex.position.data()), n(vertex.normal.data());
@@ -120,12 +120,12 @@ private Q_SLOTS:
     void normalsAreSmoothButNotOverCreases()
     {
         const MeshPtr cube = test::quadCube(), sphere = test::sphere(24, 40);
-        const auto sharp = soupVertices(*cube, MeshAdjacency(*cube), MeshFrame::of(*cube));
+        const auto sharp = soupVertices(*cube, {}, MeshFrame::of(*cube));
         for (const SoupVertex &vertex : sharp) {
             const Eigen::Vector3f n(vertex.normal.data());
             QVERIFY(std::abs(n.cwiseAbs().maxCoeff() - 1) < 1e-6f);
         }
-        const auto smooth = soupVertices(*sphere, MeshAdjacency(*sphere), MeshFrame::of(*sphere));
+        const auto smooth = soupVertices(*sphere, {}, MeshFrame::of(*sphere));
         for (const SoupVertex &vertex : smooth) {
             const Eigen::Vector3f n(vertex.normal.data()), p(vertex.position.data());
             QVERIFY(n.dot(p.normalized()) > 0.99f);

@@ -1,5 +1,6 @@
 #include "cli/batch.h"
 
+#include "cli/batchbake.h"
 #include "cli/batchscope.h"
 #include "cli/clihelp.h"
 #include "cli/mapmaking.h"
@@ -15,6 +16,7 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFileInfo>
+#include <QJsonDocument>
 
 #include <algorithm>
 #include <exception>
@@ -82,7 +84,11 @@ public:
             return runMapping(&MapMaking::lightmap);
         case Command::Separate:
             return runMapping(&MapMaking::separate);
+        case Command::Bake:
+            return runBake(bakeMaps);
         case Command::Transfer:
+            if (!mOptions.bake.textures.isEmpty())
+                return runBake(carryTextures);
             return runMapping(&MapMaking::transfer);
         }
         return 1;
@@ -232,6 +238,39 @@ private:
         if (!made)
             return fail(made.error());
         return writeResults(scene.value(), made.value());
+    }
+
+    //! Makes pictures instead of a map.
+    int runBake(Result<BakeOutcome> (*bake)(const CliOptions &, const Scene &, const JobContext &))
+    {
+        const StopTimer timer(mOptions.timeLimit, mStop);
+        const Result<Scene> scene = mFiles.read(mOptions, &mStop.stop);
+        if (!scene)
+            return failReading(scene.error());
+        mFiles.mergeSettings(mOptions);
+        const JobContext job(&mStop.stop, mOptions.threads,
+                             [this](const JobProgress &progress) { mProgress.show(progress); });
+        const Result<BakeOutcome> baked = bake(mOptions, scene.value(), job);
+        mProgress.clear();
+        if (!baked)
+            return fail(baked.error());
+        for (const QString &warning : baked->warnings)
+            mErr << "autocuts-cli: warning: " << warning << Qt::endl;
+        if (!mOptions.quiet) {
+            for (const QString &file : baked->files)
+                mOut << file << '\n';
+            mOut << Qt::flush;
+        }
+        if (!mOptions.report.isEmpty()) {
+            QJsonObject report = baked->json();
+            report.insert(QStringLiteral("input"), mOptions.input);
+            report.insert(QStringLiteral("status"), statusWord(mStop, false));
+            report.insert(QStringLiteral("seconds"), double(mClock.elapsed()) / 1000);
+            if (const Result<Done> saved = saveAtomically(mOptions.report, QJsonDocument(report).toJson());
+                !saved)
+                return fail(saved.error());
+        }
+        return mStop.reason == StopReason::Interrupted ? 130 : 0;
     }
 
     int failReading(const Error &error)

@@ -4,6 +4,12 @@
 
 namespace autocuts {
 
+CliOptions::Baking::Baking()
+{
+    job.settings.maps = {{bake::MapKind::Normal, 0}, {bake::MapKind::Occlusion, 0}};
+    job.settings.grid.perSide = 2;
+}
+
 void CliOptions::packIntoTile()
 {
     const packing::PackOptions tile = packing::tileOptions(unwrap.packing);

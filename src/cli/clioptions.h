@@ -4,6 +4,7 @@
 #include "model/document/scenegroups.h"
 #include "model/plain/solvesettings.h"
 #include "model/transfer/uvtransfer.h"
+#include "solver/bake/bakejob.h"
 #include "solver/overlap/overlapseparation.h"
 #include "solver/unwrap/unwrap.h"
 
@@ -32,7 +33,8 @@ struct CliOptions
         Convert,
         Sample,
         Replay,
-        Transfer
+        Transfer,
+        Bake
     };
 
     //! What --only names: the part of the model that the command may change. Empty: all of it.
@@ -42,6 +44,19 @@ struct CliOptions
         QStringList objects, materials;
 
         bool isEmpty() const { return islands.empty() && objects.isEmpty() && materials.isEmpty(); }
+    };
+
+    //! What is baked.
+    struct Baking
+    {
+        Baking();
+
+        bake::BakeJob job; //!< without its models
+        QString high, cageFile;
+        bool byName = false;
+        QString suffix = QStringLiteral("png"); //!< of the pictures
+        std::optional<int> bits;                //!< of their numbers
+        QStringList textures;                   //!< to be carried over
     };
 
     bool hasRectangle() const { return given.contains(QStringLiteral("--into")); }
@@ -73,6 +88,7 @@ struct CliOptions
     QString fromUvSet;  //!< name, or number from 1, of a UV set of it; empty: the active one
     QString fromObject; //!< an object of it; empty: all
     transfer::UvMatch match = transfer::UvMatch::Auto;
+    Baking bake;
 };
 
 } // namespace autocuts

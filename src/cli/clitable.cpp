@@ -1,6 +1,8 @@
 #include "cli/clitable.h"
 
+#include "cli/bakeoptions.h"
 #include "cli/clivalues.h"
+#include "cli/optionmakers.h"
 
 #include <QFileInfo>
 
@@ -16,128 +18,6 @@ using Group = OptionGroup;
 using namespace Qt::Literals::StringLiterals;
 using Problem = std::optional<QString>;
 
-//! The field of the options that an option sets.
-template <class T>
-using Field = std::function<T &(CliOptions &)>;
-
-template <class T>
-Field<T> fieldOf(T CliOptions::*member)
-{
-    return [member](CliOptions &options) -> T & { return options.*member; };
-}
-
-template <class T>
-Field<T> fieldOf(T SolveSettings::*member)
-{
-    return [member](CliOptions &options) -> T & { return options.settings.*member; };
-}
-
-template <class T>
-Field<T> fieldOf(T unwrap::UnwrapOptions::*member)
-{
-    return [member](CliOptions &options) -> T & { return options.unwrap.*member; };
-}
-
-template <class T>
-Field<T> fieldOf(T PackingSettings::*member)
-{
-    return [member](CliOptions &options) -> T & { return options.unwrap.packing.*member; };
-}
-
-template <class T>
-Field<T> fieldOf(T packing::PackOptions::*member)
-{
-    return [member](CliOptions &options) -> T & { return options.unwrap.packing.*member; };
-}
-
-CliOption text(Group group, const QStringList &names, const Field<QString> &field, const QString &meaning)
-{
-    return {
-        group, names, u"FILE"_s, meaning, {}, [field](CliOptions &options, const QString &value) -> Problem {
-            field(options) = value;
-            return std::nullopt;
-        }};
-}
-
-CliOption flag(Group group, const QString &name, const Field<bool> &field, bool value, const QString &meaning)
-{
-    return {group, {name}, {}, meaning, {}, [field, value](CliOptions &options, const QString &) -> Problem {
-                field(options) = value;
-                return std::nullopt;
-            }};
-}
-
-//! A numeric option from `low` to `high`. A default outside this range means that the option is off by
-//! default, and the texts do not show it.
-template <class T>
-CliOption number(Group group, const QString &name, const QString &value, const Field<T> &field, double low,
-                 double high, const QString &meaning)
-{
-    CliOptions defaults;
-    const std::optional<double> standard = field(defaults);
-    const bool hasStandard = standard && *standard >= low && *standard <= high;
-    return {group,
-            {name},
-            value,
-            meaning,
-            hasStandard ? QString::number(*standard) : QString(),
-            [field, low, high](CliOptions &options, const QString &word) -> Problem {
-                bool ok = false;
-                const double parsed = word.toDouble(&ok);
-                if (!ok || !(parsed >= low && parsed <= high))
-                    return u"a number from %1 to %2"_s.arg(low).arg(high);
-                field(options) = parsed;
-                return std::nullopt;
-            }};
-}
-
-template <class T>
-CliOption integer(Group group, const QString &name, const Field<T> &field, int low, int high,
-                  const QString &meaning)
-{
-    CliOptions defaults;
-    return {group,
-            {name},
-            u"N"_s,
-            meaning,
-            QString::number(field(defaults)),
-            [field, low, high](CliOptions &options, const QString &word) -> Problem {
-                bool ok = false;
-                const int parsed = word.toInt(&ok);
-                if (!ok || parsed < low || parsed > high)
-                    return u"a whole number from %1 to %2"_s.arg(low).arg(high);
-                field(options) = static_cast<T>(parsed);
-                return std::nullopt;
-            }};
-}
-
-template <class T>
-CliOption choice(Group group, const QString &name, const Field<T> &field,
-                 const std::vector<std::pair<QString, T>> &words, const QString &meaning)
-{
-    CliOptions defaults;
-    QStringList known;
-    QString standard;
-    for (const auto &[word, value] : words) {
-        known << word;
-        if (value == field(defaults))
-            standard = word;
-    }
-    return {group,
-            {name},
-            known.join(QLatin1Char('|')),
-            meaning,
-            standard,
-            [field, words, known](CliOptions &options, const QString &given) -> Problem {
-                const auto found = std::find_if(words.begin(), words.end(),
-                                                [&](const auto &word) { return word.first == given; });
-                if (found == words.end())
-                    return known.join(u" or "_s);
-                field(options) = found->second;
-                return std::nullopt;
-            }};
-}
-
 Problem readLayout(CliOptions &options, const QString &value)
 {
     const QString suffix = QFileInfo(value).suffix().toLower();
@@ -145,12 +25,6 @@ Problem readLayout(CliOptions &options, const QString &value)
         return u"a .png or .svg file"_s;
     options.layout = value;
     return std::nullopt;
-}
-
-CliOption defaultingTo(CliOption option, const QString &standard)
-{
-    option.standard = standard;
-    return option;
 }
 
 std::vector<CliOption> boundOptions()
@@ -282,7 +156,7 @@ std::vector<CliOption> packingOptions()
 {
     return {
         {Group::Texture,
-         {u"--texture-size"_s},
+         {u"--texture-size"_s, u"--size"_s},
          u"N|WxH"_s,
          u"texels along each side of the texture, or its width and height; figures in texels refer to it, "
          "and distortion is that on it"_s,
@@ -362,7 +236,16 @@ std::vector<CliOption> transferringOptions()
              u"only the UVs of this object, to every object that --only names, or to all; they may lie "
              "elsewhere"_s);
     object.value = u"NAME"_s;
-    return {file, set, object,
+    CliOption textures{
+        group,
+        {u"--textures"_s},
+        u"FILES"_s,
+        u"leave the UVs of the input as they are, and make these pictures, which fit the UVs of "
+        "--from, new for them; with commas, and with <UDIM> in a name for pictures of tiles. -o "
+        "is then the folder for them; --texture-size is that of the pictures when not given"_s,
+        {},
+        readTextures};
+    return {file, set, object, textures,
             choice(group, u"--match"_s, fieldOf(&CliOptions::match),
                    {{u"auto"_s, transfer::UvMatch::Auto},
                     {u"topology"_s, transfer::UvMatch::Topology},
@@ -401,12 +284,12 @@ std::vector<CliOption> makingOptions()
          "part"_s,
          {},
          readLayout},
-        text(group, {u"--report"_s}, fieldOf(&CliOptions::report),
+        text(Group::Limiting, {u"--report"_s}, fieldOf(&CliOptions::report),
              u"write the figures of the result as JSON, also those of each object and material"_s),
-        defaultingTo(integer(group, u"--threads"_s, fieldOf(&CliOptions::threads), 1, 1024,
+        defaultingTo(integer(Group::Limiting, u"--threads"_s, fieldOf(&CliOptions::threads), 1, 1024,
                              u"threads to use; the result does not depend on it"_s),
                      u"all cores"_s),
-        number(group, u"--time-limit"_s, u"SECONDS"_s, fieldOf(&CliOptions::timeLimit), 0.001, 1e9,
+        number(Group::Limiting, u"--time-limit"_s, u"SECONDS"_s, fieldOf(&CliOptions::timeLimit), 0.001, 1e9,
                u"stop then and write the best map so far"_s),
         integer(group, u"--seed"_s, fieldOf(&SolveSettings::seed), 0, 2'000'000'000,
                 u"seed of everything random: the same command gives the same bytes"_s),
@@ -426,25 +309,28 @@ const std::vector<CliCommand> &cliCommands()
     static const std::vector<CliCommand> commands{
         {Command::Unwrap, u"unwrap"_s, u"IN"_s, Output::Needed,
          Bound | Seaming | Solving | Texture | Packing | Scope | Bordering | Tiling | UvSets | NewUvSets |
-             Making,
+             Making | Limiting,
          u"make a UV map"_s},
         {Command::Pack, u"pack"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | Placing | Scope | Bordering | Tiling | UvSets | NewUvSets | Making,
+         Texture | Packing | Placing | Scope | Bordering | Tiling | UvSets | NewUvSets | Making | Limiting,
          u"arrange the islands of an existing map anew"_s},
         {Command::Separate, u"separate"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | Separating | Scope | Bordering | Tiling | UvSets | NewUvSets | Making,
+         Texture | Packing | Separating | Scope | Bordering | Tiling | UvSets | NewUvSets | Making | Limiting,
          u"cut islands that overlap themselves, then pack"_s},
         {Command::Lightmap, u"lightmap"_s, u"IN"_s, Output::Needed,
-         Texture | Packing | UvSets | NewUvSets | Making,
+         Texture | Packing | UvSets | NewUvSets | Making | Limiting,
          u"add a UV set for lightmaps, called Lightmap: the islands of the map without overlaps, stacks "
          u"taken "
          "apart, at one texel density"_s},
         {Command::Finish, u"finish"_s, u"IN"_s, Output::Needed,
-         Bound | Seaming | Texture | Packing | Scope | Bordering | Tiling | UvSets | NewUvSets | Making,
+         Bound | Seaming | Texture | Packing | Scope | Bordering | Tiling | UvSets | NewUvSets | Making |
+             Limiting,
          u"make a half-solved map usable: seams decided, no overlaps, within the bound"_s},
         {Command::Transfer, u"transfer"_s, u"IN"_s, Output::Needed,
-         Transferring | Texture | Scope | Bordering | UvSets | NewUvSets | Making,
+         Transferring | Texture | Scope | Bordering | UvSets | NewUvSets | Making | Limiting,
          u"give the model the UVs of another file, UV set or object, also of another resolution"_s},
+        {Command::Bake, u"bake"_s, u"IN"_s, Output::Needed, Baking | Texture | UvSets | Limiting,
+         u"bake normals, occlusion and more into pictures for the UV map; -o is their folder"_s},
         {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | Scope | UvSets | Measuring,
          u"measure a map and say what is wrong with it"_s},
         {Command::Convert, u"convert"_s, u"IN"_s, Output::Needed, UvSets,
@@ -474,8 +360,8 @@ const std::vector<CliOption> &cliOptions()
              {boundOptions(), seamingOptions(), solvingOptions(), packingOptions(), scopeOptions(),
               tilingOptions(), uvSetOptions(), makingOptions(), placingOptions()})
             all.insert(all.end(), some.begin(), some.end());
-        for (CliOption &option : transferringOptions())
-            all.push_back(std::move(option));
+        for (const auto &some : {transferringOptions(), bakeOptions()})
+            all.insert(all.end(), some.begin(), some.end());
         all.push_back(separatingOption());
         all.push_back(flag(Group::Measuring, u"--json"_s, fieldOf(&CliOptions::json), true,
                            u"print the figures as JSON"_s));

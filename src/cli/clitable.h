@@ -30,6 +30,8 @@ enum class OptionGroup {
     NewUvSets = 8192,     //!< into a set of its own
     Tiling = 16384,       //!< what gets a tile of its own
     Transferring = 65536, //!< where UVs come from
+    Baking = 131072,      //!< pictures that are made
+    Limiting = 262144,    //!< time, threads and the report
     Everything = 128      //!< for all commands
 };
 Q_DECLARE_FLAGS(OptionGroups, OptionGroup)

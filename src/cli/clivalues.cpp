@@ -48,6 +48,14 @@ std::optional<QString> readTextureSize(CliOptions &options, const QString &value
     return std::nullopt;
 }
 
+std::optional<QString> readTextures(CliOptions &options, const QString &value)
+{
+    options.bake.textures = value.split(QLatin1Char(','));
+    if (options.bake.textures.contains(QString()))
+        return QStringLiteral("paths with commas between them");
+    return std::nullopt;
+}
+
 std::optional<QString> readSeamSources(CliOptions &options, const QString &value)
 {
     static const QString expected =

@@ -13,6 +13,8 @@ namespace autocuts {
 std::optional<QString> readRectangle(CliOptions &options, const QString &value);
 //! --texture-size: one number, or two with an x between them.
 std::optional<QString> readTextureSize(CliOptions &options, const QString &value);
+//! --textures: paths with commas between them.
+std::optional<QString> readTextures(CliOptions &options, const QString &value);
 //! --seams-from: a list of sources, which takes the place of an earlier one.
 std::optional<QString> readSeamSources(CliOptions &options, const QString &value);
 //! --objects and --materials: names, added to those of earlier options.

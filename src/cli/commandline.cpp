@@ -159,10 +159,10 @@ private:
 
 } // namespace
 
-bool makesMap(const CliOptions &options)
+bool canBeStopped(const CliOptions &options)
 {
     return std::any_of(cliCommands().begin(), cliCommands().end(), [&options](const CliCommand &row) {
-        return row.id == options.command && row.takes(OptionGroup::Making);
+        return row.id == options.command && row.takes(OptionGroup::Limiting);
     });
 }
 

@@ -10,7 +10,7 @@ namespace autocuts {
 //! \returns an Error for a mistake in the usage (exit code 2)
 Result<CliOptions> parseCommandLine(const QStringList &arguments);
 
-//! True when the command makes a map: these can be stopped early.
-bool makesMap(const CliOptions &options);
+//! True when the command takes long: it can be stopped early, and keeps what it has.
+bool canBeStopped(const CliOptions &options);
 
 } // namespace autocuts

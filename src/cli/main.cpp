@@ -47,7 +47,7 @@ int main(int argc, char *argv[])
         return 2;
     }
     // The other commands have nothing to save: a signal simply ends them.
-    if (autocuts::makesMap(options.value())) {
+    if (autocuts::canBeStopped(options.value())) {
         std::signal(SIGINT, interrupt);
         std::signal(SIGTERM, interrupt);
     }

@@ -8,9 +8,6 @@
 
 namespace autocuts {
 
-namespace {
-
-//! The unit normal of each polygon; zero for polygons without area.
 std::vector<Vec3> faceNormals(const MeshData &mesh)
 {
     std::vector<Vec3> normals(mesh.faceCount());
@@ -23,8 +20,6 @@ std::vector<Vec3> faceNormals(const MeshData &mesh)
     }
     return normals;
 }
-
-} // namespace
 
 std::vector<double> edgeAngles(const MeshData &mesh)
 {

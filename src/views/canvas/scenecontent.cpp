@@ -225,7 +225,7 @@ int SceneContent::refresh()
     }
     const MeshParts &own = meshParts();
     if (parts & Vertices)
-        mVertices = soupVertices(*own.mesh, document->adjacency(), own.frame);
+        mVertices = soupVertices(*own.mesh, document->state().scene.hardEdges, own.frame);
     if (parts & Uvs) {
         mUvs = soupUvs(uv());
         mUvBox = layoutBox(uv());

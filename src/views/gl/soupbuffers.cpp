@@ -1,6 +1,7 @@
 #include "views/gl/soupbuffers.h"
 
 #include "model/document/islandcolor.h"
+#include "model/plain/shadingnormals.h"
 #include "model/plain/unionfind.h"
 #include "views/gl/colormap.h"
 
@@ -12,27 +13,9 @@ namespace autocuts {
 
 namespace {
 
-//! At vertices with more corners than this, normals are averaged over all of them: comparing every two
-//! corners would take quadratic time. Chosen by hand.
-constexpr std::size_t maxCreaseCorners = 64;
-const double creaseCosine = std::cos(40 * 3.14159265358979 / 180);
-
 std::array<float, 3> toFloats(const Vec3 &v)
 {
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
-
-//! The area vector of each face, in the mesh frame.
-std::vector<Vec3> faceNormals(const MeshData &mesh, const MeshFrame &frame)
-{
-    std::vector<Vec3> normals(mesh.faceCount(), Vec3::Zero());
-    for (int t = 0; t < mesh.triangleCount(); ++t) {
-        const Vec3 a = frame.toFrame(mesh.cornerPosition(mesh.triangles[t][0]));
-        const Vec3 b = frame.toFrame(mesh.cornerPosition(mesh.triangles[t][1]));
-        const Vec3 c = frame.toFrame(mesh.cornerPosition(mesh.triangles[t][2]));
-        normals[mesh.triangleFace[t]] += (b - a).cross(c - a);
-    }
-    return normals;
 }
 
 bool hasUv(const UvMatrix &uv, int triangle)
@@ -42,27 +25,16 @@ bool hasUv(const UvMatrix &uv, int triangle)
 
 } // namespace
 
-std::vector<SoupVertex> soupVertices(const MeshData &mesh, const MeshAdjacency &adjacency,
+std::vector<SoupVertex> soupVertices(const MeshData &mesh, const std::vector<bool> &hardEdges,
                                      const MeshFrame &frame)
 {
-    const std::vector<Vec3> normals = faceNormals(mesh, frame);
-    std::vector<Vec3> cornerNormal(mesh.cornerCount());
-    for (int c = 0; c < mesh.cornerCount(); ++c) {
-        const Vec3 own = normals[adjacency.faceOfCorner(c)];
-        const auto corners = adjacency.vertexCorners(mesh.vertexWeld[mesh.cornerVertex[c]]);
-        const bool creases = corners.size() <= maxCreaseCorners;
-        Vec3 sum = Vec3::Zero();
-        for (int other : corners) {
-            const Vec3 &normal = normals[adjacency.faceOfCorner(other)];
-            if (!creases || own.dot(normal) >= creaseCosine * own.norm() * normal.norm())
-                sum += normal;
-        }
-        cornerNormal[c] = sum.stableNorm() > 0 ? sum.stableNormalized() : Vec3(Vec3::UnitY());
-    }
+    const std::vector<Eigen::Vector3f> normals = shadingNormals(mesh, hardEdges);
     std::vector<SoupVertex> vertices(mesh.soupCornerCount());
     for (int s = 0; s < mesh.soupCornerCount(); ++s) {
         const int corner = mesh.cornerOfSoup(s);
-        vertices[s] = {toFloats(frame.toFrame(mesh.cornerPosition(corner))), toFloats(cornerNormal[corner])};
+        const Eigen::Vector3f &normal = normals[corner];
+        vertices[s] = {toFloats(frame.toFrame(mesh.cornerPosition(corner))),
+                       {normal.x(), normal.y(), normal.z()}};
     }
     return vertices;
 }

@@ -50,8 +50,8 @@ struct PointVertex
     QRgb color;                    //!< bytes: blue, green, red, alpha
 };
 
-//! One per soup corner. Normals are smoothed across edges with less than 40 degrees between the face normals.
-std::vector<SoupVertex> soupVertices(const MeshData &mesh, const MeshAdjacency &adjacency,
+//! One per soup corner, with its shadingNormals(). \param hardEdges as in Scene::hardEdges
+std::vector<SoupVertex> soupVertices(const MeshData &mesh, const std::vector<bool> &hardEdges,
                                      const MeshFrame &frame);
 //! Two numbers per soup corner, noUv where the triangle has no UVs. \param uv one row per soup corner
 std::vector<float> soupUvs(const UvMatrix &uv);

@@ -1,0 +1,249 @@
+#include "cli/batchbake.h"
+
+#include "cli/bakeoptions.h"
+#include "model/document/shadedscene.h"
+#include "model/io/bakefiles.h"
+#include "model/io/pictures/picturesize.h"
+#include "model/plain/udimtiles.h"
+#include "model/plain/uvseams.h"
+#include "model/transfer/facematch.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonArray>
+
+#include <algorithm>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+QString wordOf(bake::MapKind kind)
+{
+    const auto found = std::find_if(bakedMaps().begin(), bakedMaps().end(),
+                                    [kind](const auto &known) { return known.second == kind; });
+    return found->first;
+}
+
+Result<Done> checkSize(int width, int height)
+{
+    if (width <= maxPictureSide && height <= maxPictureSide && qint64(width) * height <= maxPicturePixels)
+        return Done{};
+    return Error{u"pictures of %1 x %2 texels are too large"_s.arg(width).arg(height),
+                 {},
+                 0,
+                 u"Bake at most %1 x %1, and use UDIM tiles for more"_s.arg(maxPictureSide)};
+}
+
+Result<Done> makeFolder(const QString &folder)
+{
+    if (!QDir().mkpath(folder) || !QFileInfo(folder).isWritable())
+        return Error{u"the folder for the pictures cannot be written"_s, folder, 0,
+                     u"Check its permissions or choose another one"_s};
+    return Done{};
+}
+
+Result<Scene> readScene(const CliOptions &options, const QString &path, const QString &uvSet)
+{
+    CliOptions other = options;
+    other.input = path;
+    other.uvSet = uvSet;
+    other.newUvSet.clear();
+    return BatchFiles().read(other);
+}
+
+//! The tiles that islands lie in.
+std::vector<int> tilesOf(const Scene &scene, double tileHeight, QStringList &warnings)
+{
+    const UvMatrix &uv = scene.uvSets.front().uv;
+    const std::vector<int> ofFace = islandTiles(*scene.mesh, uvCharts(*scene.mesh, uv), uv, tileHeight);
+    std::vector<int> tiles = usedTiles(ofFace);
+    const auto outside = std::ranges::count(ofFace, 0);
+    if (outside > 0)
+        warnings
+            << u"%1 faces are without UVs or belong to islands that cross the border of their tile: what "
+               "lies outside of the baked tiles is not baked"_s.arg(outside);
+    if (tiles.empty())
+        tiles.push_back(PackingSettings::firstTile);
+    return tiles;
+}
+
+//! Prepares what every bake needs of the model that is baked into.
+Result<bake::BakeJob> jobOf(const CliOptions &options, const Scene &scene, QStringList &warnings)
+{
+    if (!scene.hasUv())
+        return Error{u"the model has no UV map to bake into"_s, options.input, 0, u"Unwrap it first"_s};
+    const PackingSettings &packing = options.unwrap.packing;
+    bake::BakeJob job = options.bake.job;
+    job.settings.grid.width = packing.textureSize;
+    job.settings.grid.height = packing.height();
+    if (const Result<Done> small = checkSize(packing.textureSize, packing.height()); !small)
+        return small.error();
+    job.low = shadedSurface(scene, packing.tileHeight());
+    job.tiles = tilesOf(scene, packing.tileHeight(), warnings);
+    return job;
+}
+
+Result<PictureDepth> depthOf(const CliOptions::Baking &options)
+{
+    const bool floats = options.suffix == u"exr"_s;
+    const int bits = options.bits.value_or(floats ? 32 : 8);
+    const bool fits = floats ? bits >= 16 : options.suffix == u"tga"_s ? bits == 8 : bits <= 16;
+    if (!fits)
+        return Error{u"%1 files have no numbers of %2 bits"_s.arg(options.suffix).arg(bits),
+                     {},
+                     0,
+                     u"Choose other --bits or another --format"_s};
+    return bits == 8 ? PictureDepth::Eight : bits == 16 ? PictureDepth::Sixteen : PictureDepth::Float;
+}
+
+Result<Done> readCage(const CliOptions &options, const Scene &scene, bake::CageSettings &cage)
+{
+    const Result<Scene> read = readScene(options, options.bake.cageFile, {});
+    if (!read)
+        return read.error();
+    const MeshData &mesh = *read->mesh;
+    if (mesh.faceStart != scene.mesh->faceStart || mesh.cornerVertex != scene.mesh->cornerVertex)
+        return Error{u"the cage has other faces than the model"_s, options.bake.cageFile, 0,
+                     u"Make it by moving the vertices of the model"_s};
+    cage.positions = mesh.positions;
+    return Done{};
+}
+
+void warnOfFaults(const bake::BakeFigures &figures, BakeOutcome &outcome)
+{
+    outcome.figures = figures;
+    if (figures.missed > 0)
+        outcome.warnings << u"%1 of %2 texels found nothing of the detailed model: a larger --cage reaches "
+                            "farther"_s.arg(figures.missed)
+                                .arg(figures.texels);
+    if (figures.overlapped > 0)
+        outcome.warnings << u"%1 of %2 texels are shared by several faces (islands that overlap or are "
+                            "stacked): they show the first one"_s.arg(figures.overlapped)
+                                .arg(figures.texels);
+}
+
+//! Writes pictures as they come.
+class PictureWriter final
+{
+public:
+    PictureWriter(BakeOutcome &outcome, PictureDepth depth) : mOutcome(outcome), mDepth(depth) {}
+
+    bool write(const Picture &picture, const QString &path)
+    {
+        if (Result<Done> written = writePicture(picture, path, mDepth); !written) {
+            mError = written.error();
+            return false;
+        }
+        mOutcome.files << path;
+        return true;
+    }
+    const std::optional<Error> &error() const { return mError; }
+
+private:
+    BakeOutcome &mOutcome;
+    PictureDepth mDepth;
+    std::optional<Error> mError;
+};
+
+} // namespace
+
+QJsonObject BakeOutcome::json() const
+{
+    return {{u"files"_s, QJsonArray::fromStringList(files)},
+            {u"texels"_s, figures.texels},
+            {u"texels_missed"_s, figures.missed},
+            {u"texels_overlapping"_s, figures.overlapped},
+            {u"notes"_s, QJsonArray::fromStringList(warnings)}};
+}
+
+Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, const JobContext &context)
+{
+    BakeOutcome outcome;
+    const Result<PictureDepth> depth = depthOf(options.bake);
+    if (!depth)
+        return depth.error();
+    Result<bake::BakeJob> job = jobOf(options, scene, outcome.warnings);
+    if (!job)
+        return job.error();
+    job->floats = options.bake.suffix == u"exr"_s;
+    if (!options.bake.high.isEmpty()) {
+        const Result<Scene> high = readScene(options, options.bake.high, {});
+        if (!high)
+            return high.error();
+        job->kind = bake::SourceKind::Detailed;
+        job->high = shadedSurface(high.value());
+        if (options.bake.byName) {
+            const QStringList alone = pairObjects(job->low, scene.objectNames, *job->high, high->objectNames);
+            if (!alone.isEmpty())
+                outcome.warnings << u"no object of the detailed model belongs to: %1"_s.arg(
+                    alone.join(u", "_s));
+        }
+        if (!options.bake.cageFile.isEmpty()) {
+            const Result<Done> cage = readCage(options, scene, job->settings.cage);
+            if (!cage)
+                return cage.error();
+        }
+    }
+    if (const Result<Done> made = makeFolder(options.output); !made)
+        return made.error();
+    PictureWriter writer(outcome, depth.value());
+    const auto sink = [&](std::size_t map, int tile, const Picture &picture) {
+        return writer.write(picture,
+                            bakedPath(options.output, options.input, wordOf(job->settings.maps[map].kind),
+                                      tile, job->tiles.size() > 1, options.bake.suffix));
+    };
+    warnOfFaults(bake::runBake(job.value(), sink, context), outcome);
+    if (writer.error())
+        return *writer.error();
+    return outcome;
+}
+
+Result<BakeOutcome> carryTextures(const CliOptions &options, const Scene &scene, const JobContext &context)
+{
+    BakeOutcome outcome;
+    Result<bake::BakeJob> prepared = jobOf(options, scene, outcome.warnings);
+    if (!prepared)
+        return prepared.error();
+    bake::BakeJob &job = prepared.value();
+    const QString from = options.from.isEmpty() ? options.input : options.from;
+    const Result<Scene> old = readScene(options, from, options.fromUvSet);
+    if (!old)
+        return old.error();
+    if (!old->hasUv())
+        return Error{u"the model has no UV map that its textures could be for"_s, from, 0, {}};
+    job.high = shadedSurface(old.value(), options.unwrap.packing.tileHeight());
+    job.kind =
+        samePolygons(*old->mesh, *scene.mesh) ? bake::SourceKind::SameTriangles : bake::SourceKind::Detailed;
+    if (const Result<Done> made = makeFolder(options.output); !made)
+        return made.error();
+    for (const QString &path : options.bake.textures) {
+        const Result<CarriedTexture> carried = readCarriedTexture(path);
+        if (!carried)
+            return carried.error();
+        const bool sized = options.given.contains(u"--texture-size"_s);
+        job.settings.grid.width = sized ? options.unwrap.packing.textureSize : carried->width;
+        job.settings.grid.height = sized ? options.unwrap.packing.height() : carried->height;
+        job.settings.maps = {{bake::MapKind::Texture, 0}};
+        job.high->textures = {carried->texture};
+        job.floats = carried->depth == PictureDepth::Float;
+        PictureWriter writer(outcome, carried->depth);
+        const auto sink = [&](std::size_t, int tile, const Picture &picture) {
+            const bool tiled = job.tiles.size() > 1 || !carried->texture.ofMaterial.front().tiles.empty();
+            return writer.write(picture, carried->newPath(options.output, tiled ? tile : 0));
+        };
+        const bake::BakeFigures figures = bake::runBake(job, sink, context);
+        if (writer.error())
+            return *writer.error();
+        if (&path == &options.bake.textures.back() || figures.stopped) {
+            warnOfFaults(figures, outcome);
+            if (figures.stopped)
+                break;
+        }
+    }
+    return outcome;
+}
+
+} // namespace autocuts

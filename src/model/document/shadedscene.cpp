@@ -1,0 +1,73 @@
+#include "model/document/shadedscene.h"
+
+#include "model/plain/shadingnormals.h"
+
+#include <QRegularExpression>
+
+#include <map>
+
+namespace autocuts {
+
+namespace {
+
+Vec3f linearColor(QRgb color)
+{
+    const auto part = [](int value) { return linearFromSrgb(static_cast<float>(value) / 255); };
+    return {part(qRed(color)), part(qGreen(color)), part(qBlue(color))};
+}
+
+QString pairedName(const QString &name)
+{
+    static const QRegularExpression ending(QStringLiteral("[ ._-](low|lo|lp|high|hi|hp)(poly)?([ ._-].*)?$"),
+                                           QRegularExpression::CaseInsensitiveOption);
+    return QString(name).remove(ending).toLower();
+}
+
+} // namespace
+
+ShadedSurface shadedSurface(const Scene &scene, double tileHeight)
+{
+    ShadedSurface surface;
+    surface.mesh = scene.mesh;
+    surface.normals = shadingNormals(*scene.mesh, scene.hardEdges);
+    surface.tileHeight = tileHeight;
+    if (scene.hasUv()) {
+        surface.uv = scene.uvSets.front().uv;
+        surface.tangents = mikkTangents(*scene.mesh, surface.uv, surface.normals);
+    }
+    surface.faceMaterial = scene.faceMaterial;
+    for (const QRgb color : scene.materialColors)
+        surface.materialColors.push_back(color == 0 ? Vec3f(Vec3f::Constant(0.8F)) : linearColor(color));
+    return surface;
+}
+
+QStringList pairObjects(ShadedSurface &low, const std::vector<QString> &lowNames, ShadedSurface &high,
+                        const std::vector<QString> &highNames)
+{
+    std::map<QString, int> groups;
+    const auto groupOf = [&](const QString &name) {
+        return groups.try_emplace(pairedName(name), static_cast<int>(groups.size())).first->second;
+    };
+    const auto groupsOf = [&](const std::vector<QString> &names) {
+        std::vector<int> result;
+        for (const QString &name : names)
+            result.push_back(groupOf(name));
+        return result;
+    };
+    const std::vector<int> ofHigh = groupsOf(highNames), ofLow = groupsOf(lowNames);
+    const auto assign = [](ShadedSurface &surface, const std::vector<int> &ofObject) {
+        surface.faceGroup.clear();
+        for (const int object : surface.mesh->faceObject)
+            surface.faceGroup.push_back(ofObject[object]);
+    };
+    assign(low, ofLow);
+    assign(high, ofHigh);
+    QStringList alone;
+    for (std::size_t i = 0; i < ofLow.size(); ++i) {
+        if (std::find(ofHigh.begin(), ofHigh.end(), ofLow[i]) == ofHigh.end())
+            alone << lowNames[i];
+    }
+    return alone;
+}
+
+} // namespace autocuts

@@ -1,0 +1,108 @@
+#include "solver/bake/bakejob.h"
+
+#include "model/plain/udimtiles.h"
+#include "solver/bake/dilation.h"
+#include "solver/bake/encoding.h"
+
+#include <algorithm>
+
+namespace autocuts::bake {
+
+namespace {
+
+Projection projectionOf(const BakeJob &job, const Frame &frame)
+{
+    switch (job.kind) {
+    case SourceKind::None:
+        return {job.low, job.low, frame};
+    case SourceKind::SameTriangles:
+        return {job.low, *job.high, frame};
+    case SourceKind::Detailed:
+        break;
+    }
+    return {job.low, *job.high, frame, job.settings.cage};
+}
+
+Encoding encodingOf(const BakeJob &job, const Frame &frame)
+{
+    Encoding encoding;
+    encoding.floats = job.floats;
+    encoding.greenDown = job.greenDown;
+    encoding.heightRange = std::max(1e-300, job.settings.cage.distance * frame.size);
+    Eigen::AlignedBox3d box;
+    for (const int vertex : job.low.mesh->cornerVertex)
+        box.extend(Vec3(job.low.mesh->positions.row(vertex)));
+    if (!box.isEmpty()) {
+        encoding.positionLow = box.min();
+        encoding.positionRange = std::max(1e-300, box.sizes().maxCoeff());
+    }
+    return encoding;
+}
+
+//! Splits the maps into passes that fit into the memory.
+std::vector<std::vector<std::size_t>> passesOf(const BakeJob &job, const ShadedSurface &source)
+{
+    const std::size_t texels = std::size_t(job.settings.grid.width) * job.settings.grid.height;
+    std::vector<std::vector<std::size_t>> passes;
+    std::size_t used = 0;
+    for (std::size_t m = 0; m < job.settings.maps.size(); ++m) {
+        const std::size_t bytes = texels * sizeof(float) * channelsOf(source, job.settings.maps[m]);
+        if (passes.empty() || used + bytes > job.memory) {
+            passes.emplace_back();
+            used = 0;
+        }
+        passes.back().push_back(m);
+        used += bytes;
+    }
+    return passes;
+}
+
+} // namespace
+
+BakeFigures runBake(const BakeJob &job, const MapSink &sink, const JobContext &context)
+{
+    BakeFigures figures;
+    const Frame frame = Frame::of(*job.low.mesh);
+    const Projection projection = projectionOf(job, frame);
+    const ShadedSurface &source = projection.source();
+    const Encoding encoding = encodingOf(job, frame);
+    const auto passes = passesOf(job, source);
+    const double parts = double(passes.size()) * double(job.tiles.size());
+    double part = 0;
+    for (const int tile : job.tiles) {
+        for (const std::vector<std::size_t> &pass : passes) {
+            BakeSettings settings = job.settings;
+            settings.grid.tile = udimTile(tile, job.low.tileHeight);
+            settings.maps.clear();
+            for (const std::size_t m : pass)
+                settings.maps.push_back(job.settings.maps[m]);
+            BakeResult baked = bakeTile(job.low, projection, frame, settings,
+                                        context.part(part / parts, (part + 1) / parts));
+            part += 1;
+            if (&pass == &passes.front()) {
+                figures.texels += baked.texels;
+                figures.missed += baked.missed;
+                figures.overlapped += baked.overlapped;
+            }
+            for (std::size_t i = 0; i < pass.size() && !context.stopped(); ++i) {
+                const MapRequest &request = settings.maps[i];
+                std::vector<std::uint8_t> filled = baked.filled;
+                dilate(baked.maps[i], filled, job.margin, context);
+                const TextureKind kind = request.kind == MapKind::Texture
+                                             ? source.textures[request.texture].kind
+                                             : TextureKind::Linear;
+                encode(baked.maps[i], request, kind, filled, encoding);
+                if (context.stopped() || !sink(pass[i], tile, baked.maps[i]))
+                    return figures;
+                baked.maps[i] = {};
+            }
+            if (context.stopped()) {
+                figures.stopped = true;
+                return figures;
+            }
+        }
+    }
+    return figures;
+}
+
+} // namespace autocuts::bake
