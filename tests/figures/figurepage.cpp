@@ -25,11 +25,16 @@ FigurePage::FigurePage(const QString &folder, const QString &meshes)
            "surface of area pi.\n";
 }
 
-Scene FigurePage::scene(const QString &file, const QString &sample) const
+QString FigurePage::meshPath(const QString &file) const
 {
     const QString path = mMeshes + QLatin1Char('/') + file;
-    const bool isThere = !mMeshes.isEmpty() && QFileInfo(path).isFile();
-    Result<Scene> scene = isThere ? readMesh(path) : makeSample(sample);
+    return !mMeshes.isEmpty() && QFileInfo(path).isFile() ? path : QString();
+}
+
+Scene FigurePage::scene(const QString &file, const QString &sample) const
+{
+    const QString path = meshPath(file);
+    Result<Scene> scene = path.isEmpty() ? makeSample(sample) : readMesh(path);
     if (!scene)
         throw std::runtime_error(scene.error().toString().toStdString());
     return std::move(scene.value());

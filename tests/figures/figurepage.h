@@ -38,6 +38,8 @@ public:
     //! \param meshes folder of organic/cathead.obj and the like; empty: the program's samples are used
     FigurePage(const QString &folder, const QString &meshes);
 
+    //! Path of a mesh of the folder; empty when it is not there.
+    QString meshPath(const QString &file) const;
     //! A mesh of the folder; the sample when it is not there. \throws std::runtime_error
     Scene scene(const QString &file, const QString &sample) const;
     Model model(const QString &file, const QString &sample) const;

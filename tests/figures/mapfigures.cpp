@@ -251,9 +251,9 @@ void severalModels(FigurePage &page, const Figure &figure)
         {"organic/hand_1_i_f5000.obj", "character", "Hand", {25, 10}},
         {"organic/camel_simple.obj", "character", "camel, for the Elk", {35, 10}},
         {"organic/octopus.obj", "character", "Octopus", {25, 25}},
-        {"organic/planck1.obj", "character", "bust, for the Moai", {150, 5}},
+        {"organic/planck1.obj", "character", "bust, for the Moai", {178, 5}},
         {"organic/torus_with_holes.obj", "torus", "torus, for the Eight", {20, 20}, Painted::FrontTogether},
-        {"organic/girl1.obj", "character", "Girl", {20, 5}, Painted::FrontTogether, UpAxis::X},
+        {"organic/girl1.obj", "character", "Girl", {70, 5}, Painted::FrontTogether, UpAxis::X},
         {"", "torus", "handles, for the Tet", {30, 35}, Painted::MiddleCut},
     };
     StudioPictures studio;

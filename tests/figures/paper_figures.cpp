@@ -2,6 +2,7 @@
 // Usage: paper_figures FOLDER [MESHES [NUMBER...]]
 // MESHES: folder of organic/cathead.obj and the like; empty or missing, the program's own samples are solved.
 // NUMBER: make only these figures, and leave the page as it is. Needs a screen.
+#include "figures/bakefigures.h"
 #include "figures/mapfigures.h"
 #include "figures/solverfigures.h"
 #include "figures/studiopictures.h"
@@ -70,7 +71,11 @@ const Figure table[] = {
     {14, "figure14_painted.png", "a painted texture set", "normal and diffuse maps, painted over a model.",
      "", nullptr},
     {15, "figure15_bake.png", "details of a fine model baked for a coarse one",
-     "the armadillo: a fine model, and a coarse one with a baked texture.", "", nullptr},
+     "the armadillo: a coarse model with a map by Autocuts, and the texture of a fine one baked for it.",
+     "another scanned figure: `autocuts-cli unwrap` of the coarse model, then `autocuts-cli bake` of normals "
+     "and "
+     "occlusion from the fine one.",
+     detailBake},
     {16, "figure16_light.png", "light in the texture", "a model lit only by its texture.", "", nullptr},
     {17, "figure17_gallery.png", "several models",
      "Hand, Elk, Octopus and Moai statue with no help; Eight and Girl with the side in front painted to have "

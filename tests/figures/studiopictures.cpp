@@ -5,6 +5,7 @@
 
 #include <QSurfaceFormat>
 #include <QTest>
+#include <QThreadPool>
 
 #include <algorithm>
 #include <cmath>
@@ -100,6 +101,7 @@ void StudioPictures::rest()
 QImage StudioPictures::grab(Canvas &canvas, const QSize &size)
 {
     mCanvases.view.setOptions(mOptions);
+    QThreadPool::globalInstance()->waitForDone(); // textures are read there
     QCoreApplication::processEvents();
     QImage picture = canvas.picture();
     picture.setDevicePixelRatio(1);
