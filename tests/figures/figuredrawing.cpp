@@ -1,4 +1,4 @@
-#include "bench/figuredrawing.h"
+#include "figures/figuredrawing.h"
 
 #include "solver/search/trianglekernel.h"
 

@@ -1,0 +1,11 @@
+// Figures of the paper with textures that are baked for a map, by the command line and the studio's views.
+#pragma once
+
+#include "figures/figurepage.h"
+
+namespace autocuts::figures {
+
+//! Figure 15. Left out without the meshes.
+void detailBake(FigurePage &page, const Figure &figure);
+
+} // namespace autocuts::figures
