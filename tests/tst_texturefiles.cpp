@@ -237,6 +237,39 @@ private Q_SLOTS:
         QCOMPARE(read->materialColors.size(), read->materialNames.size());
     }
 
+    void oldFbxFilesOfOthers_data()
+    {
+        QTest::addColumn<QStringList>("names"); // of the materials of faces, and their files
+        QTest::newRow("maya_textured_cube_6100_ascii")
+            << QStringList{u"phong1 textures\\checkerboard_diffuse.png"_s};
+        QTest::newRow("maya_shared_textures_6100_ascii") << QStringList{
+            u"Shared textures\\checkerboard_ambient.png"_s, u"Special textures\\tiny_clouds.png"_s};
+        QTest::newRow("zbrush_d20_6100_ascii") << QStringList{u"PolyMesh3D1_ncl1_2 PolyMesh3D1_TXTR.tga"_s};
+        QTest::newRow("zbrush_d20_6100_binary") << QStringList{u"PolyMesh3D1_ncl1_2 PolyMesh3D1_TXTR.tga"_s};
+        QTest::newRow("maya_absolute_texture_6100_binary")
+            << QStringList{u"lambert1 W:\\checkerboard_diffuse.png"_s};
+    }
+    void oldFbxFilesOfOthers()
+    {
+        QFETCH(QStringList, names);
+        const QByteArray meshes = qgetenv("AUTOCUTS_MESHES");
+        const QString folder = meshes.isEmpty() ? QStringLiteral(AUTOCUTS_SOURCE_DIR "/../shared/meshes")
+                                                : QString::fromLocal8Bit(meshes);
+        const QString path = folder + u"/fbx/"_s + QString::fromLatin1(QTest::currentDataTag()) + u".fbx"_s;
+        if (!QFile::exists(path))
+            QSKIP("the shared meshes are not there");
+        const Result<Scene> read = readMesh(path);
+        QVERIFY2(read.ok(), read.ok() ? "" : qPrintable(read.error().toString()));
+        QStringList found;
+        const std::vector<int> &used = read->faceMaterial;
+        for (std::size_t m = 0; m < read->materialTextures.size(); ++m) {
+            const bool isUsed = std::count(used.begin(), used.end(), static_cast<int>(m)) > 0;
+            if (isUsed && !read->materialTextures[m].isEmpty())
+                found << read->materialNames[m] + u' ' + read->materialTextures[m].file;
+        }
+        QCOMPARE(found, names);
+    }
+
     void theyAreLookedForBesideTheModel()
     {
         const QTemporaryDir folder;
