@@ -3,14 +3,10 @@
 #include "views/canvas/axisgizmo.h"
 #include "views/canvas/mapcamera.h"
 #include "views/canvas/mapgrid.h"
-#include "views/canvas/mapoverlays.h"
 #include "views/canvas/navigation.h"
 #include "views/canvas/orbitcamera.h"
-#include "views/ui/preferences.h"
 
 #include <Eigen/Geometry>
-#include <QImage>
-#include <QPainter>
 #include <QRect>
 #include <QTest>
 
@@ -196,30 +192,6 @@ private Q_SLOTS:
         const double scale = camera.scale();
         camera.frame({});
         QCOMPARE(camera.scale(), scale);
-    }
-
-    void rulersCutNoNumbers()
-    {
-        const ViewColors colors = ViewColors::of({}, true);
-        MapCamera camera;
-        const QSize size(300, 300);
-        camera.setViewSize(size);
-        const auto drawn = [&](double scale) {
-            camera.setScale(scale);
-            QImage image(size, QImage::Format_RGB32);
-            image.fill(Qt::black);
-            QPainter painter(&image);
-            drawRulers(painter, image.rect(), colors, camera, 1000);
-            return image;
-        };
-        // At the right and the upper end only marks may be, never a part of a number.
-        for (double scale = 100; scale < 200; scale += 3) {
-            const QImage image = drawn(scale);
-            for (int i = 0; i < rulerSize - 9; ++i) {
-                QCOMPARE(image.pixel(299, i), image.pixel(299, 0));
-                QCOMPARE(image.pixel(i, rulerSize), image.pixel(0, rulerSize));
-            }
-        }
     }
 
     void presetsMoveTheCamera_data()

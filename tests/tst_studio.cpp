@@ -8,6 +8,7 @@
 #include "support/studiosession.h"
 #include "views/actions/studioactions.h"
 #include "views/canvas/axisgizmo.h"
+#include "views/canvas/mapoverlays.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
 #include "views/shell/startpage.h"
@@ -22,6 +23,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPainter>
 #include <QPushButton>
 #include <QScreen>
 #include <QSignalSpy>
@@ -315,6 +317,30 @@ private Q_SLOTS:
         studio.window.resize(1300, 700);
         QTRY_COMPARE(studio.window.width(), 1300);
         QCOMPARE(view.camera().scale(), camera.scale());
+    }
+
+    void rulersCutNoNumbers()
+    {
+        const ViewColors colors = ViewColors::of({}, true);
+        MapCamera camera;
+        const QSize size(300, 300);
+        camera.setViewSize(size);
+        const auto drawn = [&](double scale) {
+            camera.setScale(scale);
+            QImage image(size, QImage::Format_RGB32);
+            image.fill(Qt::black);
+            QPainter painter(&image);
+            drawRulers(painter, image.rect(), colors, camera, 1000);
+            return image;
+        };
+        // At the right and the upper end only marks may be, never a part of a number.
+        for (double scale = 100; scale < 200; scale += 3) {
+            const QImage image = drawn(scale);
+            for (int i = 0; i < rulerSize - 9; ++i) {
+                QCOMPARE(image.pixel(299, i), image.pixel(299, 0));
+                QCOMPARE(image.pixel(i, rulerSize), image.pixel(0, rulerSize));
+            }
+        }
     }
 
     void dialogsFitOnTheScreen()

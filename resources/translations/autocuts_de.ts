@@ -2099,7 +2099,7 @@
     </message>
     <message>
         <source>So&amp;lver</source>
-        <translation>So&amp;lver</translation>
+        <translation>Solve&amp;r</translation>
     </message>
 </context>
 <context>
