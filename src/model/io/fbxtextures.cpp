@@ -100,38 +100,36 @@ QByteArray FbxTextures::contentOf(int video) const
     return content;
 }
 
-SceneTexture FbxTextures::read(const QByteArray &texture, Contents &contents) const
+SceneTexture FbxTextures::read(const QByteArray &key)
 {
-    SceneTexture result{fileOf(mTextures.at(texture)), {}};
-    const auto video = mVideoOfTexture.find(texture);
+    SceneTexture result{fileOf(mTextures.at(key)), {}};
+    const auto video = mVideoOfTexture.find(key);
     if (video == mVideoOfTexture.end())
         return result;
     const int node = mVideos.at(video->second);
     if (result.file.isEmpty())
         result.file = fileOf(node);
-    const auto [content, isNew] = contents.try_emplace(node);
+    const auto [content, isNew] = mContents.try_emplace(node);
     if (isNew)
         content->second = contentOf(node);
     result.content = content->second;
     return result;
 }
 
-std::vector<SceneTexture> FbxTextures::ofMaterials(std::size_t materials) const
+std::vector<SceneTexture> FbxTextures::ofMaterials(std::size_t materials)
 {
     std::vector<SceneTexture> textures(mOfMaterial.empty() ? 0 : materials);
-    Contents contents;
     for (const auto &[material, texture] : mOfMaterial)
-        textures[static_cast<std::size_t>(material)] = read(texture.second, contents);
+        textures[static_cast<std::size_t>(material)] = read(texture.second);
     return textures;
 }
 
-std::vector<TextureSet> FbxTextures::setsOfMaterials(std::size_t materials) const
+std::vector<TextureSet> FbxTextures::setsOfMaterials(std::size_t materials)
 {
     std::vector<TextureSet> sets(mSets.empty() ? 0 : materials);
-    Contents contents;
     for (const auto &[material, channels] : mSets) {
         for (const auto &[channel, texture] : channels)
-            sets[static_cast<std::size_t>(material)][channel].picture = read(texture, contents);
+            sets[static_cast<std::size_t>(material)][channel].picture = read(texture);
     }
     return sets;
 }

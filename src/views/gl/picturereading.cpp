@@ -122,8 +122,7 @@ public:
         }
         for (const TextureTile &file : files) {
             const PictureRequest one{file.path, {}, {}};
-            const int image =
-                stopped() ? -1 : take(readImage(one, mLongest, PictureNumbers::Color, problem));
+            const int image = stopped() ? -1 : take(readImage(one, mLongest, PictureNumbers::Color, problem));
             if (file.tile == 0)
                 set.repeated = image;
             else if (image >= 0)
@@ -169,7 +168,8 @@ QImage readImage(const PictureRequest &request, int longest, PictureNumbers numb
 int longestSide(std::size_t images)
 {
     const double room = pixelBudget / static_cast<double>(std::clamp<std::size_t>(images, 1, maxPictures));
-    return std::clamp(static_cast<int>(std::exp2(std::floor(std::log2(std::sqrt(room))))), 256, maxPictureSide);
+    return std::clamp(static_cast<int>(std::exp2(std::floor(std::log2(std::sqrt(room))))), 256,
+                      maxPictureSide);
 }
 
 Pictures readPictures(const std::vector<PictureRequest> &requests, QStringList &problems,

@@ -37,7 +37,8 @@ std::array<uchar, 256> tableOf(Channel channel, const ChannelPicture &entry)
         if (channel == Channel::Roughness && entry.flipped)
             value = 1 - value;
         const auto factor = static_cast<float>(entry.factor);
-        value = isColor(channel) && factor != 1 ? srgbFromLinear(linearFromSrgb(value) * factor) : value * factor;
+        value =
+            isColor(channel) && factor != 1 ? srgbFromLinear(linearFromSrgb(value) * factor) : value * factor;
         table[static_cast<std::size_t>(i)] =
             value > 0 ? static_cast<uchar>(std::lround(std::min(value, 1.0F) * 255)) : uchar(0);
     }
@@ -313,8 +314,7 @@ private:
             mRead.try_emplace({file->path, wanted.picture.content.constData(), numbers});
         if (isNew) {
             QString problem;
-            found->second =
-                readImage({file->path, wanted.picture.content, {}}, mLongest, numbers, problem);
+            found->second = readImage({file->path, wanted.picture.content, {}}, mLongest, numbers, problem);
             if (!problem.isEmpty() && !stopped())
                 addProblem(wanted, problem);
         }
