@@ -1,7 +1,7 @@
 // The command line's bakes: its files and report, carried textures, and its mistakes.
-#include "cli/bakeoptions.h"
 #include "model/io/meshfile.h"
 #include "model/io/picturefiles.h"
+#include "solver/bake/bakemaps.h"
 #include "support/cliruns.h"
 #include "support/mappedmodels.h"
 
@@ -78,8 +78,8 @@ void TestCliBake::initTestCase()
 void TestCliBake::everyMap()
 {
     QStringList words;
-    for (const auto &map : bakedMaps())
-        words << map.first;
+    for (const auto &map : bake::mapNames())
+        words << QString::fromLatin1(map.first.data(), std::ssize(map.first));
     const test::CliRun run = runInProcess({u"bake"_s, at("low.obj"), u"--high"_s, at("high.obj"), u"-o"_s,
                                            at("maps"), u"--maps"_s, words.join(u','), u"--size"_s, u"64"_s,
                                            u"--rays"_s, u"8"_s, u"--report"_s, at("report.json")});

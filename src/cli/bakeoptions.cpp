@@ -35,13 +35,14 @@ Field<T> ofBaking(T CliOptions::Baking::*member)
 std::optional<QString> readMaps(CliOptions &options, const QString &value)
 {
     std::vector<bake::MapRequest> maps;
+    const auto names = bake::mapNames();
     for (const QString &word : value.split(u',')) {
-        const auto found = std::find_if(bakedMaps().begin(), bakedMaps().end(),
-                                        [&](const auto &known) { return known.first == word; });
-        if (found == bakedMaps().end()) {
+        const auto found = std::ranges::find_if(
+            names, [name = word.toStdString()](const auto &known) { return known.first == name; });
+        if (found == names.end()) {
             QStringList words;
-            for (const auto &known : bakedMaps())
-                words << known.first;
+            for (const auto &known : names)
+                words << QString::fromLatin1(known.first.data(), std::ssize(known.first));
             return u"some of %1, with commas"_s.arg(words.join(u", "_s));
         }
         const bake::MapRequest request{found->second, 0};
@@ -70,18 +71,6 @@ CliOption ofValue(CliOption option, const QString &value)
 }
 
 } // namespace
-
-const std::vector<std::pair<QString, bake::MapKind>> &bakedMaps()
-{
-    using enum bake::MapKind;
-    static const std::vector<std::pair<QString, bake::MapKind>> maps{
-        {u"normal"_s, Normal},          {u"object-normal"_s, ObjectNormal},
-        {u"ao"_s, Occlusion},           {u"bent-normal"_s, BentNormal},
-        {u"curvature"_s, Curvature},    {u"thickness"_s, Thickness},
-        {u"position"_s, Position},      {u"color"_s, Color},
-        {u"material-id"_s, MaterialId}, {u"height"_s, Height}};
-    return maps;
-}
 
 std::vector<CliOption> bakeOptions()
 {

@@ -7,7 +7,4 @@ namespace autocuts {
 
 std::vector<CliOption> bakeOptions();
 
-//! The word for a map in options and file names, and the map.
-const std::vector<std::pair<QString, bake::MapKind>> &bakedMaps();
-
 } // namespace autocuts

@@ -1,6 +1,5 @@
 #include "cli/batchbake.h"
 
-#include "cli/bakeoptions.h"
 #include "model/document/shadedscene.h"
 #include "model/io/bakefiles.h"
 #include "model/io/pictures/picturesize.h"
@@ -19,13 +18,6 @@ namespace autocuts {
 using namespace Qt::Literals::StringLiterals;
 
 namespace {
-
-QString wordOf(bake::MapKind kind)
-{
-    const auto found = std::find_if(bakedMaps().begin(), bakedMaps().end(),
-                                    [kind](const auto &known) { return known.second == kind; });
-    return found->first;
-}
 
 Result<Done> checkSize(int width, int height)
 {
@@ -54,22 +46,6 @@ Result<Scene> readScene(const CliOptions &options, const QString &path, const QS
     return BatchFiles().read(other);
 }
 
-//! The tiles that islands lie in.
-std::vector<int> tilesOf(const Scene &scene, double tileHeight, QStringList &warnings)
-{
-    const UvMatrix &uv = scene.uvSets.front().uv;
-    const std::vector<int> ofFace = islandTiles(*scene.mesh, findCharts(*scene.mesh, uv), uv, tileHeight);
-    std::vector<int> tiles = usedTiles(ofFace);
-    const auto outside = std::ranges::count(ofFace, 0);
-    if (outside > 0)
-        warnings
-            << u"%1 faces are without UVs or belong to islands that cross the border of their tile: what "
-               "lies outside of the baked tiles is not baked"_s.arg(outside);
-    if (tiles.empty())
-        tiles.push_back(PackingSettings::firstTile);
-    return tiles;
-}
-
 //! Prepares what every bake needs of the model that is baked into.
 Result<bake::BakeJob> jobOf(const CliOptions &options, const Scene &scene, QStringList &warnings)
 {
@@ -82,7 +58,12 @@ Result<bake::BakeJob> jobOf(const CliOptions &options, const Scene &scene, QStri
     if (const Result<Done> small = checkSize(packing.textureSize, packing.height()); !small)
         return small.error();
     job.low = shadedSurface(scene, packing.tileHeight());
-    job.tiles = tilesOf(scene, packing.tileHeight(), warnings);
+    const BakedTiles tiles = tilesToBake(*scene.mesh, job.low.uv, packing.tileHeight());
+    job.tiles = tiles.numbers;
+    if (tiles.facesOutside > 0)
+        warnings
+            << u"%1 faces are without UVs or belong to islands that cross the border of their tile: what "
+               "lies outside of the baked tiles is not baked"_s.arg(tiles.facesOutside);
     return job;
 }
 
@@ -191,9 +172,9 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, cons
         return made.error();
     PictureWriter writer(outcome, depth.value());
     const auto sink = [&](std::size_t map, int tile, const Picture &picture) {
-        return writer.write(picture,
-                            bakedPath(options.output, options.input, wordOf(job->settings.maps[map].kind),
-                                      tile, job->tiles.size() > 1, options.bake.suffix));
+        return writer.write(picture, bakedPath(options.output, options.input,
+                                               QLatin1StringView(bake::nameOf(job->settings.maps[map].kind)),
+                                               tile, job->tiles.size() > 1, options.bake.suffix));
     };
     warnOfFaults(bake::runBake(job.value(), sink, context), outcome);
     if (writer.error())

@@ -94,4 +94,14 @@ std::vector<int> udimTiles(const MeshData &mesh, const UvMatrix &uv, double tile
     return tiles;
 }
 
+BakedTiles tilesToBake(const MeshData &mesh, const UvMatrix &uv, double tileHeight)
+{
+    constexpr int firstTile = 1001;
+    const std::vector<int> ofFace = islandTiles(mesh, findCharts(mesh, uv), uv, tileHeight);
+    BakedTiles tiles{usedTiles(ofFace), static_cast<int>(std::count(ofFace.begin(), ofFace.end(), 0))};
+    if (tiles.numbers.empty())
+        tiles.numbers.push_back(firstTile);
+    return tiles;
+}
+
 } // namespace autocuts

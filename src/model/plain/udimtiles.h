@@ -31,4 +31,12 @@ std::vector<int> usedTiles(const std::vector<int> &tiles, const std::vector<bool
 //! made of tiles: an island crosses the border of its tile, or lies where no tile is.
 std::vector<int> udimTiles(const MeshData &mesh, const UvMatrix &uv, double tileHeight);
 
+//! The tiles that a bake fills.
+struct BakedTiles
+{
+    std::vector<int> numbers; //!< ascending; 1001 when no island lies in a tile
+    int facesOutside = 0;     //!< without UVs, or of islands that cross the border of their tile
+};
+BakedTiles tilesToBake(const MeshData &mesh, const UvMatrix &uv, double tileHeight);
+
 } // namespace autocuts

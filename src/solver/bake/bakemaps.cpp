@@ -73,6 +73,32 @@ bool sampleTexture(const ShadedSurface &surface, int texture, const SurfacePoint
 
 } // namespace
 
+std::span<const std::pair<std::string_view, MapKind>> mapNames()
+{
+    using enum MapKind;
+    static constexpr std::array<std::pair<std::string_view, MapKind>, 10> names{{
+        {"normal", Normal},
+        {"object-normal", ObjectNormal},
+        {"ao", Occlusion},
+        {"bent-normal", BentNormal},
+        {"curvature", Curvature},
+        {"thickness", Thickness},
+        {"position", Position},
+        {"color", Color},
+        {"material-id", MaterialId},
+        {"height", Height},
+    }};
+    return names;
+}
+
+std::string_view nameOf(MapKind kind)
+{
+    const auto names = mapNames();
+    const auto found =
+        std::ranges::find_if(names, [kind](const auto &known) { return known.second == kind; });
+    return found == names.end() ? std::string_view() : found->first;
+}
+
 int channelsOf(const ShadedSurface &source, const MapRequest &request)
 {
     switch (request.kind) {

@@ -5,6 +5,7 @@
 #include "solver/bake/sampling.h"
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace autocuts::bake {
@@ -51,6 +52,10 @@ constexpr bool isDirection(MapKind kind)
 {
     return kind == MapKind::Normal || kind == MapKind::ObjectNormal || kind == MapKind::BentNormal;
 }
+//! The name of each map that is not a texture, in options and names of files.
+std::span<const std::pair<std::string_view, MapKind>> mapNames();
+std::string_view nameOf(MapKind kind);
+
 int channelsOf(const ShadedSurface &source, const MapRequest &request);
 
 //! Finds out about single points.

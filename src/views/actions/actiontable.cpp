@@ -375,6 +375,11 @@ constexpr std::array toolTable{
                QT_TRANSLATE_NOOP("Actions", "Bring the UVs of another file, UV set or object onto the model, "
                                             "also of another resolution"),
                NeedsDocument | NeedsIdle},
+    ActionInfo{"uv.bake", "UV", QT_TRANSLATE_NOOP("Actions", "Bake..."), "texture", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Bake normals, occlusion and more into pictures for the map, from a "
+                                 "detailed model or from this one"),
+               NeedsDocument | NeedsIdle},
     ActionInfo{"uv.cancel", "UV", QT_TRANSLATE_NOOP("Actions", "Cancel job"), "cancel", "Esc",
                QT_TRANSLATE_NOOP("Actions", "End the running job and keep what it has"), NeedsJob, false, "",
                true},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "views/actions/actionstates.h"
+#include "views/actions/bakeactions.h"
 #include "views/actions/editactions.h"
 #include "views/actions/fileactions.h"
 #include "views/actions/helpactions.h"
@@ -24,8 +25,8 @@ public:
     StudioActions(const StudioContext &context, Questions &questions, const QString &recoveryFolder)
         : mFile(context, questions), mEdit(context, questions), mSelect(context, questions), mHide(context),
           mUv(context), mUvSets(context), mIslands(context, questions), mTexelWeights(context, questions),
-          mTransfer(context, questions), mView(context, questions), mHelp(context, questions, recoveryFolder),
-          mStates(context)
+          mTransfer(context, questions), mBake(context, questions), mView(context, questions),
+          mHelp(context, questions, recoveryFolder), mStates(context)
     {}
 
     FileActions &file() { return mFile; }
@@ -42,6 +43,7 @@ private:
     IslandActions mIslands;
     TexelWeightActions mTexelWeights;
     TransferActions mTransfer;
+    BakeActions mBake;
     ViewActions mView;
     HelpActions mHelp;
     ActionStates mStates;

@@ -5,6 +5,7 @@
 #include "model/document/makesnapshot.h"
 #include "solver/metrics/uvoverlaps.h"
 #include "solver/overlap/overlapseparation.h"
+#include "views/control/bakejobs.h"
 #include "views/control/mapjobs.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/transferjobs.h"
@@ -318,6 +319,18 @@ void MapController::transferUvs(const TransferChoice &choice)
              [choice, sets = document->uvSets()](const MapInput &input, JobControl &control) {
                  return transferUvsJob(input, choice, sets, control);
              });
+}
+
+void MapController::bake(const BakeChoice &choice)
+{
+    const Document *document = mWorkspace.document();
+    if (!document || document->uvSets().empty())
+        return;
+    Scene scene = document->state().scene;
+    std::swap(scene.uvSets.front(), scene.uvSets[document->activeUvSet()]);
+    startJob(tr("Baking"), [choice, scene](const MapInput &input, JobControl &control) {
+        return bakeJob(scene, input.packing, choice, control);
+    });
 }
 
 void MapController::equalizeDensity()

@@ -28,6 +28,7 @@ struct MapInput;
 struct MapJobResult;
 struct PackTarget;
 struct TransferChoice;
+struct BakeChoice;
 
 //! The figures of the document's map.
 struct MapFigures
@@ -99,6 +100,8 @@ public Q_SLOTS:
     void addLightmapSet();
     //! Brings the UVs of another file, UV set or object onto the model.
     void transferUvs(const autocuts::TransferChoice &choice);
+    //! Bakes pictures for the map and writes them; the map stays as it is.
+    void bake(const autocuts::BakeChoice &choice);
     //! Gives every island the same texel density. \pre no job is running
     void equalizeDensity();
     //! Minimises the distortion of the selected faces while all others stay. Pins and locks are respected.

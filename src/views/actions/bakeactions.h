@@ -1,0 +1,30 @@
+// The action that bakes.
+#pragma once
+
+#include "views/control/bakechoice.h"
+#include "views/control/studiocontext.h"
+
+#include <QObject>
+
+namespace autocuts {
+
+class Document;
+class Questions;
+
+//! Asks what is to be baked, and starts the job.
+class BakeActions final : public QObject
+{
+    Q_OBJECT
+
+public:
+    BakeActions(const StudioContext &context, Questions &questions, QObject *parent = nullptr);
+
+private:
+    void ask(const Document &document);
+
+    StudioContext mContext;
+    Questions &mQuestions;
+    BakeChoice mChoice; //!< the one last made
+};
+
+} // namespace autocuts

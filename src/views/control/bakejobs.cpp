@@ -1,0 +1,147 @@
+#include "views/control/bakejobs.h"
+
+#include "model/document/shadedscene.h"
+#include "model/io/bakefiles.h"
+#include "model/io/meshfile.h"
+#include "model/io/projectfile.h"
+#include "model/plain/udimtiles.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QThread>
+
+#include <algorithm>
+
+namespace autocuts {
+
+namespace {
+
+struct JobTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(autocuts::MapController)
+};
+
+Result<Scene> readDetailed(const QString &path, const std::atomic<bool> &stop)
+{
+    if (!isProjectPath(path))
+        return readMesh(path, &stop);
+    Result<LoadedProject> project = loadProject(path, &stop);
+    if (!project)
+        return project.error();
+    return std::move(project->state.scene);
+}
+
+PictureDepth depthOf(int bits)
+{
+    return bits == 8 ? PictureDepth::Eight : bits == 16 ? PictureDepth::Sixteen : PictureDepth::Float;
+}
+
+} // namespace
+
+QStringList bakeMapNames()
+{
+    QStringList names;
+    for (const auto &[name, kind] : bake::mapNames())
+        names << QString::fromLatin1(name.data(), std::ssize(name));
+    return names;
+}
+
+Result<bake::BakeJob> makeBakeJob(const Scene &scene, const PackingSettings &packing,
+                                  const BakeChoice &choice, const std::atomic<bool> &stop,
+                                  QStringList &warnings)
+{
+    bake::BakeJob job;
+    for (const auto &[name, kind] : bake::mapNames()) {
+        if (choice.maps.contains(QLatin1StringView(name)))
+            job.settings.maps.push_back({kind, 0});
+    }
+    job.settings.grid.width = packing.textureSize;
+    job.settings.grid.height = packing.height();
+    job.settings.grid.perSide = choice.samplesPerSide;
+    job.settings.rays.rays = choice.rays;
+    job.settings.cage.distance = choice.cage;
+    job.settings.cage.direction = static_cast<bake::CageDirection>(choice.direction);
+    job.margin = choice.dilation;
+    job.greenDown = choice.greenDown;
+    job.floats = choice.suffix == QLatin1String("exr");
+    job.low = shadedSurface(scene, packing.tileHeight());
+    if (job.low.uv.rows() > 0) {
+        const BakedTiles tiles = tilesToBake(*scene.mesh, job.low.uv, packing.tileHeight());
+        job.tiles = tiles.numbers;
+        if (tiles.facesOutside > 0)
+            warnings << JobTexts::tr(
+                "%n faces are not baked: they have no UVs, or their islands cross the border "
+                "of a tile",
+                nullptr, tiles.facesOutside);
+    }
+    if (choice.high.isEmpty())
+        return job;
+    const Result<Scene> high = readDetailed(choice.high, stop);
+    if (!high)
+        return high.error();
+    job.kind = bake::SourceKind::Detailed;
+    job.high = shadedSurface(high.value());
+    if (choice.byName) {
+        const QStringList alone = pairObjects(job.low, scene.objectNames, *job.high, high->objectNames);
+        if (!alone.isEmpty())
+            warnings << JobTexts::tr("No object of the detailed model belongs to: %1")
+                            .arg(alone.join(QStringLiteral(", ")));
+    }
+    return job;
+}
+
+MapJobResult bakeJob(const Scene &scene, const PackingSettings &packing, const BakeChoice &choice,
+                     JobControl &control)
+{
+    MapJobResult result;
+    QStringList warnings;
+    const Result<bake::BakeJob> job = makeBakeJob(scene, packing, choice, control.stop(), warnings);
+    if (!job) {
+        result.problem =
+            control.stop() ? JobTexts::tr("Cancelled: nothing was baked") : job.error().toString();
+        return result;
+    }
+    QStringList written;
+    const auto sink = [&](std::size_t map, int tile, const Picture &picture) {
+        const QString path = bakedPath(choice.folder, scene.path,
+                                       QLatin1StringView(bake::nameOf(job->settings.maps[map].kind)), tile,
+                                       job->tiles.size() > 1, choice.suffix);
+        const Result<Done> saved = writePicture(picture, path, depthOf(choice.bits));
+        if (!saved) {
+            result.problem = saved.error().toString();
+            return false;
+        }
+        written << path;
+        return true;
+    };
+    const JobContext context(
+        &control.stop(), std::max(1, QThread::idealThreadCount()),
+        [&control](const JobProgress &progress) { control.setProgress(progress.fraction); });
+    const bake::BakeFigures figures = bake::runBake(job.value(), sink, context);
+    if (!result.problem.isEmpty())
+        return result;
+    const QString folder = QDir::toNativeSeparators(choice.folder);
+    if (figures.stopped) {
+        result.problem = written.isEmpty() ? JobTexts::tr("Cancelled: nothing was baked")
+                                           : JobTexts::tr("Cancelled: %n pictures were finished in %1",
+                                                          nullptr, static_cast<int>(written.size()))
+                                                 .arg(folder);
+        return result;
+    }
+    result.message =
+        JobTexts::tr("Baked %n pictures into %1", nullptr, static_cast<int>(written.size())).arg(folder);
+    const auto percent = [&](long long texels) { return 100 * double(texels) / double(figures.texels); };
+    if (figures.missed > 0)
+        warnings << JobTexts::tr(
+                        "%1 % of the texels found nothing of the detailed model: a larger cage reaches "
+                        "farther")
+                        .arg(percent(figures.missed), 0, 'f', 1);
+    if (figures.overlapped > 0)
+        warnings << JobTexts::tr("%1 % of the texels are shared by several faces and show the first one")
+                        .arg(percent(figures.overlapped), 0, 'f', 1);
+    if (!warnings.isEmpty())
+        result.problem = result.message + QStringLiteral(". ") + warnings.join(QStringLiteral(". "));
+    return result;
+}
+
+} // namespace autocuts

@@ -1,0 +1,55 @@
+// The dialog that asks what is to be baked.
+#pragma once
+
+#include "views/control/bakechoice.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+class QSpinBox;
+
+namespace autocuts {
+
+class Document;
+class Questions;
+
+//! Asks for a detailed model, the maps and their quality, and a folder.
+class BakeDialog final : public QDialog
+{
+    Q_OBJECT
+
+public:
+    //! \param last what was chosen last time \param filters of the detailed model's file
+    BakeDialog(const Document &document, const BakeChoice &last, const QStringList &filters,
+               Questions &questions);
+
+    BakeChoice choice() const;
+
+private:
+    QWidget *pathRow(QLineEdit *edit, QPushButton *browse);
+    void addMaps(const QStringList &chosen);
+    void browseDetailed();
+    void browseFolder();
+    void showState();
+    QString problem() const;
+
+    bool mHasUv;
+    Questions &mQuestions;
+    QStringList mFilters;
+    QLineEdit *mHigh, *mFolder;
+    QListWidget *mMaps;
+    QComboBox *mSamples, *mDirection, *mFormat;
+    QSpinBox *mRays, *mDilation;
+    QDoubleSpinBox *mCage;
+    QCheckBox *mByName, *mGreenDown;
+    QLabel *mProblem;
+    QPushButton *mBake;
+};
+
+} // namespace autocuts

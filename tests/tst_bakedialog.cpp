@@ -1,0 +1,269 @@
+// Baking in the studio: the dialog by mouse and keys, the job, its files, Cancel, and a solve that runs.
+#include "commands/changesettings.h"
+#include "model/io/meshfile.h"
+#include "model/io/picturefiles.h"
+#include "support/mappedmodels.h"
+#include "support/studiosession.h"
+#include "views/control/bakechoice.h"
+#include "views/control/filecontroller.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/workspace.h"
+#include "views/dialogs/bakedialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+
+using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
+using test::MappedModel;
+using test::StudioSession;
+
+namespace {
+
+//! The dialog, used by events.
+struct DialogUser
+{
+    QDialog &dialog;
+
+    template <class Widget>
+    Widget *find(const char *name) const
+    {
+        return dialog.findChild<Widget *>(QLatin1StringView(name));
+    }
+    void type(const char *name, const QString &text) const
+    {
+        auto *edit = find<QLineEdit>(name);
+        QTest::mouseClick(edit, Qt::LeftButton);
+        edit->selectAll();
+        QTest::keyClicks(edit, text);
+    }
+    //! Ticks or clears a map by the space bar.
+    void toggle(int row) const
+    {
+        auto *maps = find<QListWidget>("maps");
+        maps->setFocus();
+        maps->setCurrentRow(row);
+        QTest::keyClick(maps, Qt::Key_Space);
+    }
+    QString problem() const { return find<QLabel>("problem")->text(); }
+    int bake() const
+    {
+        QTest::mouseClick(find<QPushButton>("bake"), Qt::LeftButton);
+        return dialog.result();
+    }
+};
+
+//! A studio with a box, and a larger box to bake from.
+struct BakeSession : StudioSession
+{
+    QString low = folder.filePath(u"low.obj"_s), high = folder.filePath(u"high.obj"_s);
+    QSignalSpy done{&context.map, &MapController::done}, failed{&context.map, &MapController::failed};
+
+    BakeSession()
+    {
+        write(low, test::mapped(test::box(4), test::boxMap()));
+        write(high, {test::box(9, Vec3(2.02, 2.02, 2.02)), UvMatrix(0, 2)});
+        context.files.open(low);
+        jobsRest();
+        setTexture(64);
+    }
+    void setTexture(int size)
+    {
+        PackingSettings packing = document()->packingSettings();
+        packing.setTexture(size, size);
+        pushCommand(std::make_unique<ChangeSettings>(*document(), packing));
+    }
+    static void write(const QString &path, const MappedModel &model)
+    {
+        Scene scene;
+        scene.mesh = model.mesh;
+        scene.objectNames = {u"box"_s};
+        scene.faceMaterial.assign(static_cast<std::size_t>(model.mesh->faceCount()), -1);
+        if (model.uv.rows() > 0)
+            scene.uvSets = {{u"UVMap"_s, model.uv}};
+        QVERIFY(writeMesh(scene, path).ok());
+    }
+    void bake(const std::function<int(const DialogUser &)> &user)
+    {
+        answers->onDialog = [&](QDialog &dialog) {
+            dialog.open();
+            [[maybe_unused]] const bool seen = QTest::qWaitForWindowExposed(&dialog);
+            QApplication::setActiveWindow(&dialog);
+            return user({dialog});
+        };
+        action("uv.bake")->trigger();
+        answers->onDialog = nullptr;
+        QApplication::setActiveWindow(&window);
+    }
+    QString file(const char *name) const { return folder.filePath(QString::fromUtf8(name)); }
+};
+
+} // namespace
+
+class TestBakeDialog : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void picturesAreBaked();
+    void everyChoiceIsKept();
+    void problemsAreSaid();
+    void cancelEndsIt();
+    void faultsAreSaid();
+    void everyMapHasATitle();
+};
+
+void TestBakeDialog::picturesAreBaked()
+{
+    BakeSession session;
+    const DocumentState before = session.document()->state();
+    session.bake([&](const DialogUser &user) {
+        user.type("high", session.high);
+        user.toggle(9); // height
+        return user.bake();
+    });
+    QVERIFY(session.jobsRest());
+    QCOMPARE(session.failed.count(), 0);
+    QCOMPARE(session.done.count(), 1);
+    QVERIFY(session.done.last().first().toString().contains(u"3 pictures"_s));
+    QVERIFY(session.document()->state() == before); // the map is as it was
+    for (const char *name : {"low_normal.png", "low_ao.png", "low_height.png"}) {
+        const Result<Picture> picture = readPicture(session.file(name));
+        QVERIFY2(picture.ok(), name);
+        QCOMPARE(picture->width, 64);
+    }
+    const Result<Picture> height = readPicture(session.file("low_height.png"));
+    QVERIFY(std::abs(height->at(12, 51)[0] - (0.5 + 0.5 * 0.01 / (0.02 * std::sqrt(12.0)))) < 0.01);
+}
+
+void TestBakeDialog::everyChoiceIsKept()
+{
+    BakeSession session;
+    BakeChoice first;
+    session.bake([&](const DialogUser &user) {
+        user.type("high", session.high);
+        user.toggle(0);
+        user.toggle(4);
+        for (const char *name : {"samples", "direction", "format"})
+            QTest::keyClick(user.find<QComboBox>(name), Qt::Key_Down);
+        user.find<QSpinBox>("rays")->setValue(5);
+        user.find<QSpinBox>("dilation")->setValue(3);
+        user.find<QDoubleSpinBox>("cage")->setValue(7);
+        QTest::mouseClick(user.find<QCheckBox>("byName"), Qt::LeftButton, {}, {8, 8});
+        QTest::mouseClick(user.find<QCheckBox>("greenDown"), Qt::LeftButton, {}, {8, 8});
+        first = static_cast<BakeDialog &>(user.dialog).choice();
+        return user.bake();
+    });
+    QVERIFY(session.jobsRest());
+    QCOMPARE(first.maps, (QStringList{u"ao"_s, u"curvature"_s}));
+    QCOMPARE(first.samplesPerSide, 4);
+    QCOMPARE(first.rays, 5);
+    QCOMPARE(first.dilation, 3);
+    QCOMPARE(first.cage, 0.07);
+    QVERIFY(first.byName && first.greenDown);
+    QVERIFY(first.direction == BakeChoice::Direction::Shading);
+    QCOMPARE(first.bits, 16);
+    session.bake([&](const DialogUser &user) {
+        const BakeChoice second = static_cast<BakeDialog &>(user.dialog).choice();
+        [&] { QVERIFY(second == first); }();
+        QTest::keyClick(&user.dialog, Qt::Key_Escape);
+        return user.dialog.result();
+    });
+    QVERIFY(QFile::exists(session.file("low_curvature.png")));
+    QVERIFY(!QFile::exists(session.file("low_normal.png")));
+}
+
+void TestBakeDialog::problemsAreSaid()
+{
+    BakeSession session;
+    session.bake([&](const DialogUser &user) {
+        auto *bake = user.find<QPushButton>("bake");
+        [&] {
+            QVERIFY(bake->isEnabled());
+            QVERIFY(!user.find<QDoubleSpinBox>("cage")->isEnabled()); // there is nothing to look for
+            user.type("high", u"/nowhere/x.obj"_s);
+            QVERIFY(!bake->isEnabled() && user.problem().contains(u"no such"_s));
+            user.type("high", session.high);
+            QVERIFY(bake->isEnabled() && user.find<QDoubleSpinBox>("cage")->isEnabled());
+            user.toggle(0);
+            user.toggle(2);
+            QVERIFY(!bake->isEnabled() && user.problem().contains(u"at least one"_s));
+            user.toggle(2);
+            user.type("folder", u"/nowhere"_s);
+            QVERIFY(!bake->isEnabled() && user.problem().contains(u"folder"_s));
+            session.answers->filesToOpen = {session.folder.path()};
+            QTest::mouseClick(user.find<QPushButton>("browseFolder"), Qt::LeftButton);
+            QVERIFY(bake->isEnabled());
+        }();
+        return 0;
+    });
+    BakeSession bare;
+    bare.context.files.open(bare.high);
+    QVERIFY(bare.jobsRest());
+    bare.bake([&](const DialogUser &user) {
+        [&] { QVERIFY(user.problem().contains(u"no UVs"_s)); }();
+        return 0;
+    });
+}
+
+void TestBakeDialog::cancelEndsIt()
+{
+    BakeSession session;
+    session.setTexture(4096);
+    session.bake([&](const DialogUser &user) {
+        user.find<QSpinBox>("rays")->setValue(65536);
+        return user.bake();
+    });
+    QTRY_VERIFY(session.context.map.jobs().progress() > 0);
+    session.press(Qt::Key_Escape);
+    QVERIFY(session.jobsRest());
+    QCOMPARE(session.failed.count(), 1);
+    QVERIFY(session.failed.last().first().toString().contains(u"nothing was baked"_s));
+    QVERIFY(!QFile::exists(session.file("low_ao.png")));
+}
+
+void TestBakeDialog::faultsAreSaid()
+{
+    BakeSession session;
+    QFile broken(session.high);
+    QVERIFY(broken.open(QIODevice::WriteOnly));
+    broken.write("f 1 2 3\n");
+    broken.close();
+    session.bake([&](const DialogUser &user) {
+        user.type("high", session.high);
+        return user.bake();
+    });
+    QVERIFY(session.jobsRest());
+    QCOMPARE(session.failed.count(), 1);
+    QVERIFY(session.failed.last().first().toString().contains(u"high.obj"_s));
+    session.write(session.high, {test::box(2, Vec3(3, 3, 3)), UvMatrix(0, 2)}); // out of reach
+    session.bake([&](const DialogUser &user) { return user.bake(); });
+    QVERIFY(session.jobsRest());
+    QVERIFY(session.failed.last().first().toString().contains(u"larger cage"_s));
+}
+
+void TestBakeDialog::everyMapHasATitle()
+{
+    BakeSession session;
+    session.bake([&](const DialogUser &user) {
+        [&] { QCOMPARE(user.find<QListWidget>("maps")->count(), bakeMapNames().size()); }();
+        BakeChoice all = static_cast<BakeDialog &>(user.dialog).choice();
+        for (int i = 0; i < bakeMapNames().size(); ++i) {
+            if (!all.maps.contains(bakeMapNames()[i]))
+                user.toggle(i);
+        }
+        all = static_cast<BakeDialog &>(user.dialog).choice();
+        [&] { QCOMPARE(all.maps, bakeMapNames()); }();
+        return 0;
+    });
+}
+
+QTEST_MAIN(TestBakeDialog)
+#include "tst_bakedialog.moc"
