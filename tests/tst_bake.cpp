@@ -2,6 +2,7 @@
 #include "model/plain/shadingnormals.h"
 #include "solver/bake/bakejob.h"
 #include "solver/bake/dilation.h"
+#include "solver/bake/surfacesamples.h"
 #include "support/mappedmodels.h"
 
 #include <QTest>
@@ -118,6 +119,8 @@ private Q_SLOTS:
     void wholeNumbersAreEncoded();
     void seamsAreNotSeen_data();
     void seamsAreNotSeen();
+    void surfaceSamplesFollowTheMap_data();
+    void surfaceSamplesFollowTheMap();
     void threadsGiveTheSame();
     void passesGiveTheSame();
     void stopped();
@@ -720,6 +723,53 @@ void TestBake::seamsAreNotSeen()
     }
     QVERIFY(count >= 40);
     QVERIFY2(255 * sum / count <= 2, qPrintable(QString::number(255 * sum / count)));
+}
+
+void TestBake::surfaceSamplesFollowTheMap_data()
+{
+    QTest::addColumn<int>("map");
+    QTest::newRow("normal") << int(MapKind::Normal);
+    QTest::newRow("object normal") << int(MapKind::ObjectNormal);
+    QTest::newRow("position") << int(MapKind::Position);
+    QTest::newRow("height") << int(MapKind::Height);
+}
+
+//! What was traced once and is laid into a map is what a bake into that map finds, in any map.
+void TestBake::surfaceSamplesFollowTheMap()
+{
+    QFETCH(int, map);
+    BakeJob job = busyJob();
+    job.settings.maps = {{static_cast<MapKind>(map), 0}};
+    job.settings.grid.width = job.settings.grid.height = 128;
+    job.settings.grid.perSide = 1;
+    job.margin = 0;
+    job.floats = false;
+    const Frame frame = Frame::of(*job.low.mesh);
+    const Projection projection(job.low, *job.high, frame, job.settings.cage);
+    const SurfaceSamples samples(job.low, projection, frame, job.settings.maps[0], job.settings.rays,
+                                 encodingOf(job, frame), 200000, JobContext(nullptr, 2));
+    QVERIFY(samples.isComplete());
+    QCOMPARE(samples.missed(), 0);
+    for (const double angle : {0.0, 0.7}) {
+        for (Eigen::Index i = 0; i < job.low.uv.rows(); ++i) {
+            const Vec2 at = Vec2(job.low.uv.row(i)) - Vec2(0.5, 0.5);
+            job.low.uv.row(i) = (0.7 * (Eigen::Rotation2Dd(angle) * at) + Vec2(0.5, 0.5)).transpose();
+        }
+        job.low.tangents = mikkTangents(*job.low.mesh, job.low.uv, job.low.normals);
+        const Picture wanted = only(job);
+        const Picture laid = samples.lay(job.low, job.settings.grid, JobContext(nullptr, 2));
+        double sum = 0;
+        int apart = 0;
+        for (std::size_t i = 0; i < wanted.values.size(); ++i) {
+            sum += std::abs(wanted.values[i] - laid.values[i]);
+            apart += std::abs(wanted.values[i] - laid.values[i]) > 0.1F;
+        }
+        QVERIFY2(255 * sum / double(wanted.values.size()) < 1,
+                 qPrintable(QString::number(255 * sum / double(wanted.values.size()))));
+        QVERIFY(apart < 200);
+        const TexelGrid &grid = job.settings.grid;
+        QVERIFY(samples.lay(job.low, grid, {}).values == laid.values);
+    }
 }
 
 void TestBake::threadsGiveTheSame()

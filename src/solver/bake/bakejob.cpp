@@ -23,22 +23,6 @@ Projection projectionOf(const BakeJob &job, const Frame &frame)
     return {job.low, *job.high, frame, job.settings.cage};
 }
 
-Encoding encodingOf(const BakeJob &job, const Frame &frame)
-{
-    Encoding encoding;
-    encoding.floats = job.floats;
-    encoding.greenDown = job.greenDown;
-    encoding.heightRange = std::max(1e-300, job.settings.cage.distance * frame.size);
-    Eigen::AlignedBox3d box;
-    for (const int vertex : job.low.mesh->cornerVertex)
-        box.extend(Vec3(job.low.mesh->positions.row(vertex)));
-    if (!box.isEmpty()) {
-        encoding.positionLow = box.min();
-        encoding.positionRange = std::max(1e-300, box.sizes().maxCoeff());
-    }
-    return encoding;
-}
-
 //! Splits the maps into passes that fit into the memory.
 std::vector<std::vector<std::size_t>> passesOf(const BakeJob &job, const ShadedSurface &source)
 {
@@ -58,6 +42,22 @@ std::vector<std::vector<std::size_t>> passesOf(const BakeJob &job, const ShadedS
 }
 
 } // namespace
+
+Encoding encodingOf(const BakeJob &job, const Frame &frame)
+{
+    Encoding encoding;
+    encoding.floats = job.floats;
+    encoding.greenDown = job.greenDown;
+    encoding.heightRange = std::max(1e-300, job.settings.cage.distance * frame.size);
+    Eigen::AlignedBox3d box;
+    for (const int vertex : job.low.mesh->cornerVertex)
+        box.extend(Vec3(job.low.mesh->positions.row(vertex)));
+    if (!box.isEmpty()) {
+        encoding.positionLow = box.min();
+        encoding.positionRange = std::max(1e-300, box.sizes().maxCoeff());
+    }
+    return encoding;
+}
 
 BakeFigures runBake(const BakeJob &job, const MapSink &sink, const JobContext &context)
 {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/bake/baker.h"
+#include "solver/bake/encoding.h"
 
 #include <functional>
 #include <optional>
@@ -31,6 +32,9 @@ struct BakeJob
     //! 8192 texels stay within 4 GB.
     std::size_t memory = std::size_t(1) << 30;
 };
+
+//! How the values of a bake become numbers of files.
+Encoding encodingOf(const BakeJob &job, const Frame &frame);
 
 //! The counts of a whole bake.
 struct BakeFigures
