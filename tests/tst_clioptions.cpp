@@ -205,7 +205,7 @@ private Q_SLOTS:
                 making << command.name;
         }
         QCOMPARE(making, (QStringList{u"unwrap"_s, u"pack"_s, u"separate"_s, u"lightmap"_s, u"finish"_s,
-                                      u"transfer"_s}));
+                                      u"transfer"_s, u"bake"_s, u"lightbake"_s}));
         QVERIFY(!canBeStopped({}));
     }
 
@@ -236,9 +236,16 @@ private Q_SLOTS:
                                 << common + words(u"--max-distortion --seams --seams-from --per --density"_s);
         QTest::newRow("transfer")
             << u"transfer"_s
-            << words(u"-o --from --from-uv-set --from-object --match --texture-size --only --objects "
+            << words(u"-o --from --from-uv-set --from-object --textures --match --texture-size --only "
+                     u"--objects "
                      u"--materials "
                      "--border --uv-set --new-uv-set --layout --report --threads --time-limit --seed"_s);
+        QTest::newRow("lightbake")
+            << u"lightbake"_s
+            << words(u"-o --sun --sun-strength --sun-angle --sun-color --sky --sky-strength --turbidity "
+                     "--area-light --emit --up --albedo --albedo-uv-set --bounces --samples --no-direct "
+                     "--no-indirect --values --no-denoise --dilation --bits --texture-size --uv-set --report "
+                     "--threads --time-limit"_s);
         QTest::newRow("check") << u"check"_s
                                << words(u"--texture-size --json --uv-set --only --objects --materials"_s);
         QTest::newRow("convert") << u"convert"_s << QStringList{u"-o"_s, u"--uv-set"_s};
@@ -286,7 +293,7 @@ private Q_SLOTS:
             QCOMPARE(given.match, standard.match);
             ++checked;
         }
-        QCOMPARE(checked, 22);
+        QCOMPARE(checked, 42);
     }
 
     void helpSaysAllInItsWidth()

@@ -32,7 +32,7 @@ const std::vector<Layer> layers{
     {"commands", {""}, {"model"}},
     {"solver",
      {"base", "energy", "linear", "newton", "overlap", "metrics", "preference", "packing", "search",
-      "homotopy", "definite", "straight", "multires", "unwrap", "live"},
+      "homotopy", "definite", "straight", "multires", "unwrap", "bake", "live"},
      {"model/plain"}},
     {"cli", {""}, {"model", "commands", "solver"}},
     // Only views/control may include solver/: see mayInclude().

@@ -1,7 +1,9 @@
 // The options of the command that bakes.
 #pragma once
 
-#include "cli/clitable.h"
+#include "cli/clioption.h"
+
+#include <vector>
 
 namespace autocuts {
 

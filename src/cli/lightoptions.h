@@ -1,7 +1,9 @@
 // The options of the command that bakes light.
 #pragma once
 
-#include "cli/clitable.h"
+#include "cli/clioption.h"
+
+#include <vector>
 
 namespace autocuts {
 

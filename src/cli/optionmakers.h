@@ -1,11 +1,12 @@
 // Makes rows of the table of options.
 #pragma once
 
-#include "cli/clitable.h"
+#include "cli/clioption.h"
 
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace autocuts {
 

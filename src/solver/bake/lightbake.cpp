@@ -106,7 +106,7 @@ private:
         return count;
     }
 
-    //! Calls work(rows, index in the rows, x, y) for the texels with a point of the surface, on all threads.
+    //! Calls work(points of the texel, x, y) for the texels with a point of the surface, on all threads.
     template <class Work>
     void forTexels(const JobContext &job, Work work) const
     {
