@@ -3,6 +3,7 @@
 #include "support/canvases.h"
 #include "support/editsupport.h"
 #include "support/patience.h"
+#include "views/canvas/mapoverlays.h"
 #include "views/canvas/overlays.h"
 
 #include <QPainter>
