@@ -213,6 +213,7 @@ private Q_SLOTS:
     void stacksAndGroups()
     {
         IslandBench bench;
+        QVERIFY(bench.table()->isColumnHidden(IslandTable::Stack)); // nothing is stacked
         QVERIFY(bench.clickRow(0));
         QVERIFY(bench.clickRow(1, Qt::ShiftModifier));
         click(bench.panel, "stack");
@@ -222,6 +223,7 @@ private Q_SLOTS:
         QCOMPARE(bench.flags(1).group, 1);
         QVERIFY(test::isUpToDate(bench.panel));
         QCOMPARE(bench.text(0, IslandTable::Stack), QStringLiteral("1"));
+        QVERIFY(!bench.table()->isColumnHidden(IslandTable::Stack));
         QCOMPARE(bench.text(1, IslandTable::Group), QStringLiteral("1"));
         click(bench.panel, "unstack");
         click(bench.panel, "ungroup");

@@ -2269,7 +2269,7 @@
     </message>
     <message>
         <source>attract cuts</source>
-        <translation>Schnitte anziehen</translation>
+        <translation>schneiden</translation>
     </message>
     <message>
         <source>keep together</source>

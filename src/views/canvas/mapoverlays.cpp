@@ -94,6 +94,8 @@ void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &color
             const QString name = QString::number(PackingSettings::firstTile + column + 10 * row);
             const QRectF room(corner.x() + 3, corner.y() - metrics.height() - 5,
                               metrics.horizontalAdvance(name) + 6, metrics.height() + 2);
+            if (!QRectF(view).contains(room))
+                continue;
             painter.fillRect(room, colors.panel); // islands may lie below
             painter.drawText(room, Qt::AlignCenter, name);
         }

@@ -18,7 +18,7 @@ class Document;
 //! Of the rulers, in logical pixels.
 inline constexpr int rulerSize = 18;
 
-//! Draws the UDIM numbers of the visible tiles that are large enough.
+//! Draws the UDIM numbers of the visible tiles that are large enough, where the view does not cut them.
 void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,
                    double tileHeight);
 //! Draws rulers at the upper and left side, in texels from the corner of tile 1001. Numbers that the view

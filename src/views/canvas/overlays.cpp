@@ -149,8 +149,7 @@ void drawBadge(QPainter &painter, const QRect &view, const ViewColors &colors, c
 void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const ViewOptions &options,
                 bool colorBlind, double rightDensity)
 {
-    const int width = std::min(230, view.width() - 40);
-    if (options.coloring == Coloring::Plain || options.coloring == Coloring::Islands || width < 120)
+    if (options.coloring == Coloring::Plain || options.coloring == Coloring::Islands)
         return;
     const Legend legend =
         options.coloring == Coloring::SignedStretch      ? stretchLegend(options, colorBlind)
@@ -158,7 +157,13 @@ void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, 
         : options.coloring == Coloring::Density          ? densityLegend(options, colorBlind, rightDensity)
         : options.coloring == Coloring::TexelWeights     ? texelWeightLegend(colorBlind)
                                                          : paintLegend(colors);
-    const int lineHeight = painter.fontMetrics().height();
+    const QFontMetrics metrics = painter.fontMetrics();
+    const int needed =
+        44 + metrics.horizontalAdvance(legend.low + legend.middle + legend.high); // with room between them
+    const int width = std::min(std::max(230, needed), view.width() - 40);
+    if (width < 120)
+        return;
+    const int lineHeight = metrics.height();
     const QRectF panel(view.right() - width - 12, view.bottom() - 2 * lineHeight - 38, width,
                        2 * lineHeight + 26);
     drawPanel(painter, panel, colors);

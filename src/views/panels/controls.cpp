@@ -8,6 +8,8 @@
 #include <QPainter>
 #include <QPushButton>
 
+#include <algorithm>
+
 namespace autocuts {
 
 namespace {
@@ -44,7 +46,10 @@ QLabel *addRow(QFormLayout *form, const QString &label, QWidget *field, const QS
     auto *caption = number ? new ScrubLabel(label, number) : new QLabel(label);
     caption->setBuddy(field);
     caption->setToolTip(tip);
-    caption->setMinimumWidth(caption->fontMetrics().horizontalAdvance(QStringLiteral("Distortion__")));
+    // The same in all forms, unless the text needs more.
+    caption->setMinimumWidth(
+        std::max(caption->fontMetrics().horizontalAdvance(QStringLiteral("Distortion__")),
+                 caption->sizeHint().width()));
     field->setToolTip(tip);
     if (field->accessibleName().isEmpty())
         field->setAccessibleName(label);

@@ -96,6 +96,13 @@ void IslandPanel::makeTable()
         const int textWidth = mView->fontMetrics().horizontalAdvance(widest[column]);
         header->resizeSection(column, std::max(titleWidth, textWidth) + 4);
     }
+    hideEmptyColumns();
+}
+
+void IslandPanel::hideEmptyColumns()
+{
+    for (const int column : {IslandTable::Stack, IslandTable::Group})
+        mView->setColumnHidden(column, !mTable->hasTexts(column));
 }
 
 QWidget *IslandPanel::makeMarkButtons()
@@ -199,8 +206,7 @@ void IslandPanel::refresh()
         static const std::vector<double> unknown;
         mTable->setFigures(islandFigures(
             *document(), map.figuresAreFresh() ? map.figures()->metrics.chartSymDirichlet : unknown));
-        for (const int column : {IslandTable::Stack, IslandTable::Group})
-            mView->setColumnHidden(column, !mTable->hasTexts(column));
+        hideEmptyColumns();
         mFiguresStale = false;
     }
     selectRows(*document());

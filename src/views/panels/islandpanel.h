@@ -32,6 +32,7 @@ protected:
 
 private:
     void makeTable();
+    void hideEmptyColumns();
     QWidget *makeMarkButtons();
     QWidget *makeDensityRow();
     void documentChanged(const ChangeEvent &event);

@@ -148,7 +148,7 @@ void ScenePanel::makeTable()
     header->setHighlightSections(false);
     header->setMinimumSectionSize(20);
     const std::array<QLatin1StringView, SceneTable::ColumnCount> widest{
-        "MM"_L1, "MMMMMMMMM"_L1, "000000"_L1, "Islands_"_L1, "00.000"_L1, "px/unit_"_L1, "00.0 %"_L1};
+        "MM"_L1, "MMMMMMM"_L1, "000000"_L1, "Islands_"_L1, "00.000"_L1, "px/unit_"_L1, "00.0 %"_L1};
     for (int column = 0; column < SceneTable::ColumnCount; ++column)
         header->resizeSection(column, mView->fontMetrics().horizontalAdvance(widest[column]) + 8);
     // Sorted by the file's order until a header is clicked.

@@ -316,9 +316,9 @@ void MainWindow::restoreLayout()
             left->setVisible(dockWidgetArea(left) != Qt::LeftDockWidgetArea);
     }
     resizeDocks({dock("view"), dock("solver")},
-                {std::min(290, width() * 22 / 100), std::min(370, width() * 38 / 100)}, Qt::Horizontal);
+                {std::min(290, width() * 22 / 100), std::min(370, width() * 40 / 100)}, Qt::Horizontal);
     // What the Unwrap panel needs while its advanced part is folded; the panels below get the rest.
-    const int unwrapHeight = std::min(490, height() * 60 / 100);
+    const int unwrapHeight = std::min(490, height() * 65 / 100);
     resizeDocks({dock("solver"), dock("islands")}, {unwrapHeight, height() - unwrapHeight}, Qt::Vertical);
     mDefaultState = saveState();
     restoreGeometry(mPreferences.windowGeometry());
