@@ -184,6 +184,11 @@ private Q_SLOTS:
         QVERIFY(view.contains(camera.toScreen(Vec2(2, 3))));
         QVERIFY(view.contains(camera.toScreen(Vec2(2.5, 7))));
         QVERIFY(camera.toScreen(Vec2(2, 3)).y() - camera.toScreen(Vec2(2, 7)).y() > 200);
+        // In what the rulers leave free.
+        camera.frame({Vec2(0, 0), Vec2(1, 1)}, {30, 20, 0, 0});
+        const QPointF middle = camera.toScreen(Vec2(0.5, 0.5));
+        QVERIFY(std::abs(middle.x() - 365) < 1e-9 && std::abs(middle.y() - 160) < 1e-9);
+        QVERIFY(camera.toScreen(Vec2(0, 1)).y() > 20);
         const double scale = camera.scale();
         camera.frame({});
         QCOMPARE(camera.scale(), scale);

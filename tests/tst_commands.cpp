@@ -151,7 +151,7 @@ void TestCommands::everyIdIsCovered()
         ids.insert(c.make(*document)->id());
     }
     // All but ReplaceModel, which is never in a journal.
-    QCOMPARE(ids.size(), std::size_t(CommandId::HideFaces) - 1);
+    QCOMPARE(ids.size(), std::size_t(CommandId::EditTextures) - 1);
 }
 
 QTEST_GUILESS_MAIN(TestCommands)

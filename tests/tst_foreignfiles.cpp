@@ -2,11 +2,13 @@
 // scene comes over. Collada as others write it.
 #include "model/io/assimpprocess.h"
 #include "model/io/assimpstream.h"
+#include "model/io/assimptextures.h"
 #include "model/io/meshfile.h"
 #include "model/io/objreader.h"
 #include "model/io/savefile.h"
 
 #include <QFile>
+#include <QImage>
 #include <QStringEncoder>
 #include <QTemporaryDir>
 #include <QTest>
@@ -288,6 +290,8 @@ private Q_SLOTS:
     void damagedStreams();
     void largeClaimsTakeNoMemory();
     void deepNodesAreRefused();
+    void picturesInside();
+    void packedPictureOfABlendFile();
     void limitsGrowWithTheFile();
     void colladaOfOthers_data();
     void colladaOfOthers();
@@ -483,6 +487,52 @@ void TestForeignFiles::deepNodesAreRefused()
         last = last->mChildren[0];
     }
     QVERIFY_THROWS_EXCEPTION(std::runtime_error, streamOf(scene));
+}
+
+//! Of picture files and of plain texels, by number and by name; damaged sizes and numbers are no pictures.
+void TestForeignFiles::picturesInside()
+{
+    const QByteArray file("a picture file");
+    aiScene scene;
+    scene.mNumTextures = 3;
+    scene.mTextures = new aiTexture *[3];
+    for (unsigned t = 0; t < 3; ++t) {
+        aiTexture &texture = *(scene.mTextures[t] = new aiTexture);
+        texture.pcData = new aiTexel[6]();
+    }
+    scene.mTextures[0]->mWidth = static_cast<unsigned>(file.size());
+    std::copy(file.begin(), file.end(), reinterpret_cast<char *>(scene.mTextures[0]->pcData));
+    scene.mTextures[0]->mFilename = aiString("folder/wood.png");
+    scene.mTextures[1]->mWidth = 3;
+    scene.mTextures[1]->mHeight = 2;
+    scene.mTextures[1]->pcData[2] = {30, 20, 10, 255};
+    scene.mTextures[2]->mWidth = scene.mTextures[2]->mHeight = 1U << 31;
+    AssimpTextures textures(scene);
+    const auto named = [&](const char *name) {
+        aiMaterial material;
+        const aiString path(name);
+        material.AddProperty(&path, AI_MATKEY_TEXTURE(aiTextureType_DIFFUSE, 0));
+        return textures.ofMaterial(material);
+    };
+    QCOMPARE(named("*0").content, file);
+    QCOMPARE(named("*0").file, u"folder/wood.png"_s);
+    QCOMPARE(named("C:\\x\\wood.png").content.constData(), named("*0").content.constData()); // shared
+    QCOMPARE(QImage::fromData(named("*1").content).size(), QSize(3, 2));
+    QCOMPARE(QImage::fromData(named("*1").content).pixel(2, 0), qRgb(10, 20, 30));
+    for (const char *broken : {"*2", "*3", "*-1"})
+        QVERIFY2(named(broken).content.isEmpty(), broken);
+    QCOMPARE(named("iron.png").file, u"iron.png"_s);
+    QVERIFY(named("iron.png").content.isEmpty());
+}
+
+void TestForeignFiles::packedPictureOfABlendFile()
+{
+    const QString path = u"/usr/share/assimp/models/BLEND/TexturedPlane_ImageUvPacked_248.blend"_s;
+    if (!QFile::exists(path))
+        QSKIP("Debian's package assimp-testmodels is not there");
+    const Result<Scene> scene = readMesh(path);
+    QVERIFY2(scene.ok(), scene.ok() ? "" : qPrintable(scene.error().toString()));
+    QVERIFY(!QImage::fromData(scene->materialTextures.at(0).content).isNull());
 }
 
 void TestForeignFiles::limitsGrowWithTheFile()

@@ -259,7 +259,7 @@ private Q_SLOTS:
         QFETCH(QString, expected);
         const Scene scene = quadRow(before);
         QCOMPARE(sides(*scene.mesh, scene.hardEdges), expected);
-        QCOMPARE(scene.hardEdges.empty(), expected.isEmpty());
+        QCOMPARE(scene.hardEdges.empty(), !before.join(QString()).contains(u"s "_s));
     }
 
     void normalsOfObjFiles()

@@ -8,10 +8,12 @@
 #include "support/studiosession.h"
 #include "views/actions/studioactions.h"
 #include "views/canvas/axisgizmo.h"
+#include "views/canvas/mapoverlays.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
 #include "views/shell/startpage.h"
 #include "views/shell/statusbar.h"
+#include "views/ui/dialogsize.h"
 
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -21,14 +23,23 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPainter>
 #include <QPushButton>
 #include <QScreen>
 #include <QSignalSpy>
+#include <QToolBar>
 
 using namespace autocuts;
 using namespace autocuts::homotopy;
 using namespace autocuts::metrics;
 using test::StudioSession;
+
+namespace {
+
+//! Of a menu, separators included: with more it gets a second column on a screen of 1280 x 800.
+constexpr int mostRows = 42;
+
+} // namespace
 
 class TestStudio : public QObject
 {
@@ -212,8 +223,12 @@ private Q_SLOTS:
             auto *const menu = qobject_cast<QMenu *>(QApplication::activePopupWidget());
             return menu && menu->objectName() == QLatin1String("contextMenu") ? menu : nullptr;
         };
+        // As an entry of its own, or one menu deeper.
         const auto offers = [&](QMenu *menu, const char *id) {
-            return menu->actions().contains(studio.action(id));
+            const QList<QMenu *> submenus = menu->findChildren<QMenu *>() << menu;
+            return std::any_of(submenus.begin(), submenus.end(), [&](const QMenu *submenu) {
+                return submenu->actions().contains(studio.action(id));
+            });
         };
         // Edges: the one under the mouse is selected.
         studio.action("select.edges")->trigger();
@@ -238,6 +253,14 @@ private Q_SLOTS:
         QVERIFY(menu);
         QCOMPARE(studio.document()->selection().faces.size(), all);
         menu->close();
+        // With a map there is the most to offer.
+        studio.context.map.unwrap(unwrap::UnwrapQuality::Draft);
+        QVERIFY(studio.jobsRest());
+        menu = openMenu();
+        QVERIFY(menu);
+        QVERIFY(offers(menu, "uv.packSelection") && offers(menu, "uv.lock"));
+        QVERIFY2(menu->actions().size() <= mostRows, qPrintable(QString::number(menu->actions().size())));
+        menu->close();
         // A drag with the right button is none.
         QTest::mousePress(view, Qt::RightButton, {}, view->rect().center());
         QTest::mouseMove(view, view->rect().center() + QPoint(60, 0));
@@ -245,22 +268,110 @@ private Q_SLOTS:
         QVERIFY(!QApplication::activePopupWidget());
     }
 
+    void menusFitOnSmallScreens()
+    {
+        const StudioSession studio;
+        for (const QMenu *menu : studio.window.menuBar()->findChildren<QMenu *>()) {
+            const qsizetype rows = menu->actions().size();
+            QVERIFY2(rows <= mostRows, qPrintable(menu->objectName() + QString::number(rows)));
+        }
+    }
+
+    void nothingIsHiddenInNarrowWindows()
+    {
+        StudioSession studio;
+        auto *const bar = studio.window.findChild<QToolBar *>(QStringLiteral("mainToolBar"));
+        auto *const options = studio.window.findChild<QToolBar *>(QStringLiteral("toolOptionsBar"));
+        studio.action("file.sample.bumpycube")->trigger();
+        studio.action("tool.paint")->trigger();
+        for (const int width : {1000, 1600, 1000}) {
+            studio.window.resize(width, 700);
+            QTRY_COMPARE(studio.window.width(), width);
+            QTRY_COMPARE(studio.window.toolBarBreak(options), width < 1200);
+            QTRY_VERIFY(bar->width() >= bar->sizeHint().width());
+            QTRY_VERIFY(options->width() >= options->sizeHint().width());
+        }
+        // Not in turns with the tools.
+        studio.action("tool.select")->trigger();
+        QVERIFY(studio.window.toolBarBreak(options));
+    }
+
+    void theWholeMapStaysInView()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        UvView &view = studio.window.uvView();
+        const auto isSeen = [&](const Vec2 &place) {
+            return QRectF(view.rect()).contains(view.camera().toScreen(place));
+        };
+        studio.window.resize(1500, 800);
+        QTRY_COMPARE(studio.window.width(), 1500);
+        studio.action("view.frameAll")->trigger();
+        studio.window.resize(1100, 600);
+        QTRY_COMPARE(studio.window.width(), 1100);
+        QTRY_VERIFY(isSeen(Vec2(0, 0)) && isSeen(Vec2(1, 1)));
+        // A view that the user moved stays.
+        MapCamera camera = view.camera();
+        camera.setScale(3 * camera.scale());
+        view.setCamera(camera);
+        studio.window.resize(1300, 700);
+        QTRY_COMPARE(studio.window.width(), 1300);
+        QCOMPARE(view.camera().scale(), camera.scale());
+    }
+
+    void rulersCutNoNumbers()
+    {
+        const ViewColors colors = ViewColors::of({}, true);
+        MapCamera camera;
+        const QSize size(300, 300);
+        camera.setViewSize(size);
+        const auto drawn = [&](double scale) {
+            camera.setScale(scale);
+            QImage image(size, QImage::Format_RGB32);
+            image.fill(Qt::black);
+            QPainter painter(&image);
+            drawRulers(painter, image.rect(), colors, camera, 1000);
+            return image;
+        };
+        // At the right and the upper end only marks may be, never a part of a number.
+        for (double scale = 100; scale < 200; scale += 3) {
+            const QImage image = drawn(scale);
+            for (int i = 0; i < rulerSize - 9; ++i) {
+                QCOMPARE(image.pixel(299, i), image.pixel(299, 0));
+                QCOMPARE(image.pixel(i, rulerSize), image.pixel(0, rulerSize));
+            }
+        }
+    }
+
+    void dialogsFitOnTheScreen()
+    {
+        QWidget dialog;
+        const QSize screen = dialog.screen()->availableSize();
+        resizeOnScreen(dialog, {100000, 300});
+        QVERIFY(dialog.width() < screen.width());
+        QCOMPARE(dialog.height(), 300);
+    }
+
     void anActionIsFoundByName()
     {
         StudioSession studio;
         studio.action("file.sample.bumpycube")->trigger();
         int shown = 0;
+        bool uniform = true;
         studio.answers->onDialog = [&](QDialog &dialog) {
             auto *const field = dialog.findChild<QLineEdit *>();
             auto *const list = dialog.findChild<QListWidget *>();
             dialog.show();
             QTest::keyClicks(field, QStringLiteral("sel all"));
             shown = list->count();
+            for (int row = 1; row < shown; ++row)
+                uniform = uniform && list->sizeHintForRow(row) == list->sizeHintForRow(0);
             QTest::keyClick(field, Qt::Key_Return);
             return dialog.result();
         };
         studio.press(Qt::Key_F3);
         QVERIFY(shown >= 1 && shown < 10);
+        QVERIFY(uniform);
         QVERIFY(!studio.document()->selection().isEmpty());
         // What cannot be run now is not run.
         studio.answers->onDialog = [&](QDialog &dialog) {

@@ -59,6 +59,43 @@ QByteArray fbxWithTexture(const fbxfiles::Kind &kind, const QByteArray &property
     return fbxfiles::file(kind, {objects, connections});
 }
 
+//! A file of version 6: two quads of a model with two textures. \param ids of the textures of the quads, or
+//! one for both \param materials how many the model has: none or one
+QByteArray oldFbx(bool binary, const std::vector<std::int32_t> &ids, int materials)
+{
+    using fbxfiles::Node;
+    const fbxfiles::Kind kind{.binary = binary, .version = 6100};
+    const auto name = [&](const QByteArray &cls, const QByteArray &text) {
+        return binary ? text + QByteArray("\0\1", 2) + cls : cls + "::" + text;
+    };
+    Node objects{"Objects", {}, {}}, connections{"Connections", {}, {}};
+    const auto connect = [&](const QByteArray &from, const QByteArray &to) {
+        connections.children.push_back({"Connect", {QByteArray("OO"), from, to}, {}});
+    };
+    const std::vector<Node> mesh = fbxfiles::quads(
+        {fbxfiles::uvElement(0, "map"),
+         fbxfiles::layerElement("LayerElementTexture", 0, "", ids.size() == 1 ? "AllSame" : "ByPolygon",
+                                "IndexToDirect", {{"TextureId", {ids}, {}}})});
+    const QByteArray model = name("Model", "m");
+    objects.children.push_back({"Model", {model, QByteArray("Mesh")}, mesh});
+    connect(model, name("Model", "Scene"));
+    if (materials > 0) {
+        objects.children.push_back({"Material", {name("Material", "paint"), QByteArray()}, {}, true});
+        connect(name("Material", "paint"), model);
+    }
+    for (const char *texture : {"wood", "iron"}) {
+        objects.children.push_back({"Texture",
+                                    {name("Texture", texture), QByteArray()},
+                                    {{"RelativeFilename", {QByteArray(texture) + ".png"}, {}}}});
+        connect(name("Texture", texture), model);
+    }
+    objects.children.push_back({"Video",
+                                {name("Video", "v"), QByteArray("Clip")},
+                                {{"Content", {binary ? picture : picture.toBase64()}, {}}}});
+    connect(name("Video", "v"), name("Texture", "iron"));
+    return fbxfiles::file(kind, {objects, connections});
+}
+
 bool write(const QString &path, const QByteArray &bytes = picture)
 {
     QDir().mkpath(QFileInfo(path).path());
@@ -157,6 +194,80 @@ private Q_SLOTS:
         QCOMPARE(textures[0].content, content);
         QVERIFY(saveProject(DocumentState::initial(read.value()), {}, folder.filePath(u"s.acproj"_s)).ok());
         QVERIFY(loadProject(folder.filePath(u"s.acproj"_s)).value().state.scene.materialTextures == textures);
+    }
+
+    void oldFbxHasThemOnModels_data()
+    {
+        QTest::addColumn<bool>("binary");
+        QTest::addColumn<std::vector<int>>("ids");
+        QTest::addColumn<int>("materials");
+        QTest::addColumn<QStringList>("names"); // of the two faces: material and file
+        for (const bool binary : {true, false}) {
+            const auto add = [&](const char *what, const std::vector<int> &ids, int materials,
+                                 const QStringList &names) {
+                QTest::addRow("%s, %s", binary ? "binary" : "text", what)
+                    << binary << ids << materials << names;
+            };
+            add("all same", {1}, 1, {u"paint iron.png"_s, u"paint iron.png"_s});
+            add("by polygon", {0, 1}, 1, {u"paint wood.png"_s, u"paint_iron iron.png"_s});
+            add("one plain", {0, -1}, 1, {u"paint wood.png"_s, u"paint_plain "_s});
+            add("first plain", {-1, 0}, 1, {u"paint "_s, u"paint_wood wood.png"_s});
+            add("damaged", {7, -5}, 1, {u"paint "_s, u"paint "_s});
+            add("no material", {1, -1}, 0, {u"iron iron.png"_s, u""_s});
+        }
+    }
+    void oldFbxHasThemOnModels()
+    {
+        QFETCH(bool, binary);
+        QFETCH(std::vector<int>, ids);
+        QFETCH(int, materials);
+        QFETCH(QStringList, names);
+        const Result<Scene> read = parseFbx(oldFbx(binary, ids, materials), u"m.fbx"_s);
+        QVERIFY2(read.ok(), read.ok() ? "" : qPrintable(read.error().toString()));
+        QStringList found;
+        for (const int material : read->faceMaterial) {
+            const auto m = static_cast<std::size_t>(material);
+            const SceneTexture texture = material >= 0 && m < read->materialTextures.size()
+                                             ? read->materialTextures[m]
+                                             : SceneTexture();
+            found << (material < 0 ? QString() : read->materialNames.at(m) + u' ' + texture.file);
+            QCOMPARE(texture.content, texture.file == u"iron.png" ? picture : QByteArray());
+        }
+        QCOMPARE(found, names);
+        QCOMPARE(read->materialColors.size(), read->materialNames.size());
+    }
+
+    void oldFbxFilesOfOthers_data()
+    {
+        QTest::addColumn<QStringList>("names"); // of the materials of faces, and their files
+        QTest::newRow("maya_textured_cube_6100_ascii")
+            << QStringList{u"phong1 textures\\checkerboard_diffuse.png"_s};
+        QTest::newRow("maya_shared_textures_6100_ascii") << QStringList{
+            u"Shared textures\\checkerboard_ambient.png"_s, u"Special textures\\tiny_clouds.png"_s};
+        QTest::newRow("zbrush_d20_6100_ascii") << QStringList{u"PolyMesh3D1_ncl1_2 PolyMesh3D1_TXTR.tga"_s};
+        QTest::newRow("zbrush_d20_6100_binary") << QStringList{u"PolyMesh3D1_ncl1_2 PolyMesh3D1_TXTR.tga"_s};
+        QTest::newRow("maya_absolute_texture_6100_binary")
+            << QStringList{u"lambert1 W:\\checkerboard_diffuse.png"_s};
+    }
+    void oldFbxFilesOfOthers()
+    {
+        QFETCH(QStringList, names);
+        const QByteArray meshes = qgetenv("AUTOCUTS_MESHES");
+        const QString folder = meshes.isEmpty() ? QStringLiteral(AUTOCUTS_SOURCE_DIR "/../shared/meshes")
+                                                : QString::fromLocal8Bit(meshes);
+        const QString path = folder + u"/fbx/"_s + QString::fromLatin1(QTest::currentDataTag()) + u".fbx"_s;
+        if (!QFile::exists(path))
+            QSKIP("the shared meshes are not there");
+        const Result<Scene> read = readMesh(path);
+        QVERIFY2(read.ok(), read.ok() ? "" : qPrintable(read.error().toString()));
+        QStringList found;
+        const std::vector<int> &used = read->faceMaterial;
+        for (std::size_t m = 0; m < read->materialTextures.size(); ++m) {
+            const bool isUsed = std::count(used.begin(), used.end(), static_cast<int>(m)) > 0;
+            if (isUsed && !read->materialTextures[m].isEmpty())
+                found << read->materialNames[m] + u' ' + read->materialTextures[m].file;
+        }
+        QCOMPARE(found, names);
     }
 
     void theyAreLookedForBesideTheModel()

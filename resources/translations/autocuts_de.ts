@@ -1975,6 +1975,10 @@
         <source>D %1, seams %2, islands: %3</source>
         <translation>D %1, Nähte %2, Inseln: %3</translation>
     </message>
+    <message>
+        <source>Texel densities differ.</source>
+        <translation>Die Texeldichten sind verschieden.</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -2092,6 +2096,10 @@
     <message>
         <source>He&amp;lp</source>
         <translation>Hi&amp;lfe</translation>
+    </message>
+    <message>
+        <source>So&amp;lver</source>
+        <translation>Solve&amp;r</translation>
     </message>
 </context>
 <context>
@@ -4586,6 +4594,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>UVs transferred: %1</source>
         <translation>UVs übertragen: %1</translation>
     </message>
+    <message>
+        <source>Map for lightmaps, edges cut: %1</source>
+        <translation>Map für Lightmaps, geschnittene Kanten: %1</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::MeshView</name>
@@ -5007,14 +5019,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Radieren</translation>
     </message>
     <message>
-        <source>%1, %2 %, hardness %3 %%4: 1-3 choose, Shift erases, Ctrl inverts; wheel with Shift size, Ctrl strength, Alt hardness; X symmetry</source>
-        <translation>%1, %2 %, Härte %3 %%4: 1-3 wählen, Umschalt radiert, Strg kehrt um; Mausrad mit Umschalt Größe, Strg Stärke, Alt Härte; X Symmetrie</translation>
-    </message>
-    <message>
-        <source>, symmetric</source>
-        <translation>, symmetrisch</translation>
-    </message>
-    <message>
         <source>Paint</source>
         <translation>Malen</translation>
     </message>
@@ -5037,6 +5041,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>, symmetric about X</source>
         <translation>, symmetrisch zu X</translation>
+    </message>
+    <message>
+        <source>%1: 1-3 choose, Shift erases, Ctrl inverts; wheel with Shift size, Ctrl strength, Alt hardness; X symmetry</source>
+        <translation>%1: 1-3 wählen, Umschalt radiert, Strg kehrt um; Mausrad mit Umschalt Größe, Strg Stärke, Alt Härte; X Symmetrie</translation>
     </message>
 </context>
 <context>
@@ -6255,12 +6263,12 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Greifen: ziehen, was unter dem Pinsel ist, Umschalt entspannt</translation>
     </message>
     <message>
-        <source>%1; wheel with Shift size, Ctrl strength, Alt hardness (%2 %, %3 %)</source>
-        <translation>%1; Mausrad mit Umschalt Größe, Strg Stärke, Alt Härte (%2 %, %3 %)</translation>
-    </message>
-    <message>
         <source>%1, %2 %</source>
         <translation>%1, %2 %</translation>
+    </message>
+    <message>
+        <source>%1; wheel with Shift size, Ctrl strength, Alt hardness</source>
+        <translation>%1; Mausrad mit Umschalt Größe, Strg Stärke, Alt Härte</translation>
     </message>
 </context>
 <context>
@@ -6862,14 +6870,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation> %</translation>
     </message>
     <message>
-        <source>Texel density %1 times, %2 %, hardness %3 %%4: Shift goes back to 1, Ctrl inverts; wheel with Shift size, Ctrl strength, Alt hardness; X symmetry</source>
-        <translation>Texeldichte das %1-Fache, %2 %, Härte %3 %%4: Umschalt geht zurück auf 1, Strg kehrt um; Mausrad mit Umschalt Größe, Strg Stärke, Alt Härte; X Symmetrie</translation>
-    </message>
-    <message>
-        <source>, symmetric</source>
-        <translation>, symmetrisch</translation>
-    </message>
-    <message>
         <source>Symmetric</source>
         <translation>Symmetrisch</translation>
     </message>
@@ -6884,6 +6884,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>, symmetric about X</source>
         <translation>, symmetrisch zu X</translation>
+    </message>
+    <message>
+        <source>Texel density %1 times: Shift goes back to 1, Ctrl inverts; wheel with Shift size, Ctrl strength, Alt hardness; X symmetry</source>
+        <translation>Texeldichte das %1-Fache: Umschalt geht zurück auf 1, Strg kehrt um; Mausrad mit Umschalt Größe, Strg Stärke, Alt Härte; X Symmetrie</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #include "cli/batch.h"
 
 #include "cli/batchbake.h"
+#include "cli/batchlight.h"
 #include "cli/batchscope.h"
 #include "cli/clihelp.h"
 #include "cli/mapmaking.h"
@@ -86,6 +87,8 @@ public:
             return runMapping(&MapMaking::separate);
         case Command::Bake:
             return runBake(bakeMaps);
+        case Command::LightBake:
+            return runBake(bakeLights);
         case Command::Transfer:
             if (!mOptions.bake.textures.isEmpty())
                 return runBake(carryTextures);

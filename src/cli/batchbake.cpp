@@ -4,8 +4,8 @@
 #include "model/document/shadedscene.h"
 #include "model/io/bakefiles.h"
 #include "model/io/pictures/picturesize.h"
+#include "model/plain/chart.h"
 #include "model/plain/udimtiles.h"
-#include "model/plain/uvseams.h"
 #include "model/transfer/facematch.h"
 
 #include <QDir>
@@ -58,7 +58,7 @@ Result<Scene> readScene(const CliOptions &options, const QString &path, const QS
 std::vector<int> tilesOf(const Scene &scene, double tileHeight, QStringList &warnings)
 {
     const UvMatrix &uv = scene.uvSets.front().uv;
-    const std::vector<int> ofFace = islandTiles(*scene.mesh, uvCharts(*scene.mesh, uv), uv, tileHeight);
+    const std::vector<int> ofFace = islandTiles(*scene.mesh, findCharts(*scene.mesh, uv), uv, tileHeight);
     std::vector<int> tiles = usedTiles(ofFace);
     const auto outside = std::ranges::count(ofFace, 0);
     if (outside > 0)

@@ -1,6 +1,7 @@
 // The options of the command line program.
 #pragma once
 
+#include "cli/lightbaking.h"
 #include "model/document/scenegroups.h"
 #include "model/plain/solvesettings.h"
 #include "model/transfer/uvtransfer.h"
@@ -34,7 +35,8 @@ struct CliOptions
         Sample,
         Replay,
         Transfer,
-        Bake
+        Bake,
+        LightBake
     };
 
     //! What --only names: the part of the model that the command may change. Empty: all of it.
@@ -89,6 +91,7 @@ struct CliOptions
     QString fromObject; //!< an object of it; empty: all
     transfer::UvMatch match = transfer::UvMatch::Auto;
     Baking bake;
+    LightBaking light;
 };
 
 } // namespace autocuts

@@ -2,6 +2,7 @@
 
 #include "cli/bakeoptions.h"
 #include "cli/clivalues.h"
+#include "cli/lightoptions.h"
 #include "cli/optionmakers.h"
 
 #include <QFileInfo>
@@ -331,6 +332,10 @@ const std::vector<CliCommand> &cliCommands()
          u"give the model the UVs of another file, UV set or object, also of another resolution"_s},
         {Command::Bake, u"bake"_s, u"IN"_s, Output::Needed, Baking | Texture | UvSets | Limiting,
          u"bake normals, occlusion and more into pictures for the UV map; -o is their folder"_s},
+        {Command::LightBake, u"lightbake"_s, u"IN"_s, Output::Needed, Lighting | Texture | UvSets | Limiting,
+         u"bake the light of suns, skies, area lights and shining faces into a picture (exr, png, tif or "
+         u"tga) "
+         "for the UV map"_s},
         {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | Scope | UvSets | Measuring,
          u"measure a map and say what is wrong with it"_s},
         {Command::Convert, u"convert"_s, u"IN"_s, Output::Needed, UvSets,
@@ -360,7 +365,7 @@ const std::vector<CliOption> &cliOptions()
              {boundOptions(), seamingOptions(), solvingOptions(), packingOptions(), scopeOptions(),
               tilingOptions(), uvSetOptions(), makingOptions(), placingOptions()})
             all.insert(all.end(), some.begin(), some.end());
-        for (const auto &some : {transferringOptions(), bakeOptions()})
+        for (const auto &some : {transferringOptions(), bakeOptions(), lightOptions()})
             all.insert(all.end(), some.begin(), some.end());
         all.push_back(separatingOption());
         all.push_back(flag(Group::Measuring, u"--json"_s, fieldOf(&CliOptions::json), true,

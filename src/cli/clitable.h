@@ -32,6 +32,7 @@ enum class OptionGroup {
     Transferring = 65536, //!< where UVs come from
     Baking = 131072,      //!< pictures that are made
     Limiting = 262144,    //!< time, threads and the report
+    Lighting = 524288,    //!< light that is baked
     Everything = 128      //!< for all commands
 };
 Q_DECLARE_FLAGS(OptionGroups, OptionGroup)

@@ -84,12 +84,17 @@ private:
         const qsizetype equals =
             argument.startsWith(QLatin1String("--")) ? argument.indexOf(QLatin1Char('=')) : -1;
         const QString name = argument.left(equals);
-        const auto option = std::find_if(cliOptions().begin(), cliOptions().end(),
-                                         [&](const CliOption &row) { return row.names.contains(name); });
-        if (option == cliOptions().end())
-            return usageError(QStringLiteral("unknown option %1").arg(name));
-        if (!command.takes(option->group))
-            return usageError(QStringLiteral("%1 does not belong to this command").arg(name));
+        const auto isNamed = [&](const CliOption &row) { return row.names.contains(name); };
+        // Options of several groups may share a name.
+        const auto option = std::find_if(cliOptions().begin(), cliOptions().end(), [&](const CliOption &row) {
+            return isNamed(row) && command.takes(row.group);
+        });
+        if (option == cliOptions().end()) {
+            const bool isKnown = std::any_of(cliOptions().begin(), cliOptions().end(), isNamed);
+            return usageError((isKnown ? QStringLiteral("%1 does not belong to this command")
+                                       : QStringLiteral("unknown option %1"))
+                                  .arg(name));
+        }
         QString value;
         if (option->value.isEmpty()) {
             if (equals >= 0)

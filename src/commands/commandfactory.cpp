@@ -5,6 +5,7 @@
 #include "commands/editmapseams.h"
 #include "commands/editpins.h"
 #include "commands/editrectangles.h"
+#include "commands/edittextures.h"
 #include "commands/edituvsets.h"
 #include "commands/hidefaces.h"
 #include "commands/keepstraight.h"
@@ -25,7 +26,7 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
 {
     CborReader reader(map);
     const auto id =
-        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::HideFaces)));
+        static_cast<CommandId>(reader.integer("id"_L1, 0, static_cast<int>(CommandId::EditTextures)));
     switch (id) {
     case CommandId::SetSeamState:
         return SetSeamState::fromCbor(document, reader);
@@ -63,6 +64,8 @@ Result<std::unique_ptr<DocumentCommand>> makeCommand(const QCborMap &map, Docume
         return SetTexelWeights::fromCbor(document, reader);
     case CommandId::HideFaces:
         return HideFaces::fromCbor(document, reader);
+    case CommandId::EditTextures:
+        return EditTextures::fromCbor(document, reader);
     case CommandId::ReplaceModel: // never in a journal
         break;
     }

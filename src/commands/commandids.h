@@ -22,7 +22,8 @@ enum class CommandId {
     ReplaceModel = 16,
     KeepStraight = 17,
     SetTexelWeights = 18,
-    HideFaces = 19
+    HideFaces = 19,
+    EditTextures = 20
 };
 
 } // namespace autocuts

@@ -167,6 +167,11 @@ void DocumentCommand::setHiddenFaces(const QList<int> &faces)
     mDocument.setHiddenFaces(faces);
 }
 
+void DocumentCommand::setTextureSets(const std::vector<TextureSet> &sets)
+{
+    mDocument.setTextureSets(sets);
+}
+
 void DocumentCommand::setSolveSettings(const SolveSettings &settings)
 {
     mDocument.setSolveSettings(settings);

@@ -83,6 +83,7 @@ protected:
     void setTexelWeights(const IndexRanges &faces, std::span<const double> values);
     void setTag(const QString &name, const QList<int> &faces);
     void setHiddenFaces(const QList<int> &faces);
+    void setTextureSets(const std::vector<TextureSet> &sets);
     void setSolveSettings(const SolveSettings &settings);
     void setPackingSettings(const PackingSettings &settings);
     void insertUvSet(int index, UvSet set, double scale);

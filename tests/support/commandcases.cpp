@@ -1,6 +1,7 @@
 #include "support/commandcases.h"
 
 #include "commands/editmapseams.h"
+#include "commands/edittextures.h"
 #include "commands/edituvsets.h"
 #include "commands/hidefaces.h"
 #include "commands/islandtransform.h"
@@ -128,6 +129,17 @@ Make tag(QString name, std::vector<int> islands, bool on)
 Make hide(QList<int> faces)
 {
     return [=](Document &d) { return HideFaces::change(d, faces, true); };
+}
+
+//! A picture of normals for the faces without a material; none for an empty name.
+Make textures(const QString &file)
+{
+    return [=](Document &d) {
+        TextureSet set;
+        if (!file.isEmpty())
+            set[TextureChannel::Normal] = {{file, {}}, -1, true, 0.5};
+        return EditTextures::ofMaterial(d, -1, set);
+    };
 }
 
 Make reset(int parts)
@@ -472,6 +484,11 @@ std::vector<Case> markCases()
          {u"texels 15-15"_s},
          texelWeights(0, 0, 2)},
         {"hide", hide({0, 1, 7}), "Hide 3 faces", {u"hidden"_s}, hide({})},
+        {"textures",
+         textures(u"/pictures/wood_Normal.<UDIM>.png"_s),
+         "Add 1 texture",
+         {u"textures"_s},
+         textures({})},
         {"untag", tag(u"skin"_s, {0}, false), "Untag 1 island", {u"tag skin"_s}, tag(u"metal"_s, {0}, false)},
     };
 }

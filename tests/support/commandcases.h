@@ -50,6 +50,7 @@ Make flags(SetIslandFlags::Edit edit, std::vector<int> islands);
 Make tag(QString name, std::vector<int> islands, bool on);
 Make texelWeights(int firstFace, int count, double weight);
 Make hide(QList<int> faces);
+Make textures(const QString &file);
 Make reset(int parts);
 Eigen::Affine2d moved(double u, double v);
 

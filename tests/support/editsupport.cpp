@@ -105,6 +105,8 @@ QString eventText(const ChangeEvent &event)
         return u"tag %1"_s.arg(static_cast<const TagEvent &>(event).name);
     case ChangeEvent::Type::Hidden:
         return u"hidden"_s;
+    case ChangeEvent::Type::Textures:
+        return u"textures"_s;
     case ChangeEvent::Type::SolveSettings:
         return u"solve %1"_s.arg(static_cast<const SolveSettingsEvent &>(event).properties);
     case ChangeEvent::Type::PackingSettings:

@@ -126,6 +126,11 @@ QCborMap CborReader::map(QLatin1StringView key)
     return value(key, QCborValue::Map).toMap();
 }
 
+QCborArray CborReader::array(QLatin1StringView key)
+{
+    return value(key, QCborValue::Array).toArray();
+}
+
 QByteArray packedIntegers(std::span<const int> values)
 {
     QByteArray bytes(static_cast<qsizetype>(4 * values.size()), Qt::Uninitialized);

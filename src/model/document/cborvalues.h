@@ -7,6 +7,7 @@
 #include "model/plain/packingsettings.h"
 #include "model/plain/solvesettings.h"
 
+#include <QCborArray>
 #include <QCborMap>
 
 #include <span>
@@ -49,6 +50,7 @@ public:
     //! An array of maps.
     std::vector<QCborMap> maps(QLatin1StringView key);
     QCborMap map(QLatin1StringView key);
+    QCborArray array(QLatin1StringView key);
 
 private:
     QCborValue value(QLatin1StringView key, QCborValue::Type type);

@@ -23,7 +23,8 @@ struct ChangeEvent
         Hidden,
         SolveSettings,
         PackingSettings,
-        TexelWeight
+        TexelWeight,
+        Textures
     };
 
     const Type type;
@@ -132,6 +133,12 @@ struct TagEvent final : ChangeEvent
 struct HiddenEvent final : ChangeEvent
 {
     HiddenEvent() : ChangeEvent(Type::Hidden) {}
+};
+
+//! The user's texture sets changed.
+struct TexturesEvent final : ChangeEvent
+{
+    TexturesEvent() : ChangeEvent(Type::Textures) {}
 };
 
 //! Settings of the solver changed.

@@ -73,6 +73,7 @@ void Document::announce(const ChangeEvent &event)
     case ChangeEvent::Type::PackingSettings:
         mToken.layout = newRevision();
         break;
+    case ChangeEvent::Type::Textures:
     case ChangeEvent::Type::Hidden: // no result depends on it
         break;
     }
@@ -146,6 +147,14 @@ void Document::setHiddenFaces(const QList<int> &faces)
     findHidden();
     announce(HiddenEvent());
     setSelection(mState.selection);
+}
+
+void Document::setTextureSets(const std::vector<TextureSet> &sets)
+{
+    if (sets == mState.textureSets)
+        return;
+    mState.textureSets = sets;
+    announce(TexturesEvent());
 }
 
 QString Document::validate() const

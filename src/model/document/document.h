@@ -101,6 +101,8 @@ private:
     void setTag(const QString &name, const QList<int> &faces);
     //! Also takes the hidden elements out of the selection.
     void setHiddenFaces(const QList<int> &faces);
+    //! \pre they are valid, see DocumentState::textureSets
+    void setTextureSets(const std::vector<TextureSet> &sets);
     void setSolveSettings(const SolveSettings &settings);
     void setPackingSettings(const PackingSettings &settings);
     void insertUvSet(int index, UvSet set, double scale);

@@ -28,8 +28,8 @@ bool sameScene(const Scene &a, const Scene &b)
     return a.path == b.path && a.format == b.format && sameMesh(a.mesh, b.mesh) &&
            a.objectNames == b.objectNames && a.materialNames == b.materialNames &&
            a.faceMaterial == b.faceMaterial && a.materialColors == b.materialColors &&
-           a.materialTextures == b.materialTextures && a.hardEdges == b.hardEdges &&
-           sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes;
+           a.materialTextures == b.materialTextures && a.materialSets == b.materialSets &&
+           a.hardEdges == b.hardEdges && sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes;
 }
 
 QString validateMaterials(const Scene &scene)
@@ -41,6 +41,9 @@ QString validateMaterials(const Scene &scene)
         return QStringLiteral("There are more colours than materials");
     if (scene.materialTextures.size() > scene.materialNames.size())
         return QStringLiteral("There are more textures than materials");
+    if (const QString problem = validateTextureSets(scene.materialSets, scene.materialNames.size());
+        !problem.isEmpty())
+        return problem;
     const auto exists = [&](int m) { return m >= -1 && m < static_cast<int>(scene.materialNames.size()); };
     if (!std::all_of(materials.begin(), materials.end(), exists))
         return QStringLiteral("A face has an unknown material");
@@ -105,12 +108,19 @@ QString DocumentState::validate() const
     if (!isIndexSet(hiddenFaces, mesh.faceCount()))
         return QStringLiteral("The hidden faces do not fit the mesh");
     for (const QString &problem :
-         {validateMaterials(scene), validateUvSets(*this), seams.validate(mesh), constraints.validate(mesh),
-          marks.validate(mesh), selection.validate(mesh)}) {
+         {validateMaterials(scene), validateTextureSets(textureSets, scene.materialNames.size() + 1),
+          validateUvSets(*this), seams.validate(mesh), constraints.validate(mesh), marks.validate(mesh),
+          selection.validate(mesh)}) {
         if (!problem.isEmpty())
             return problem;
     }
     return {};
+}
+
+TextureSet DocumentState::textureSet(int material) const
+{
+    const auto place = static_cast<std::size_t>(material + 1);
+    return overlaid(scene.fileSet(material), place < textureSets.size() ? textureSets[place] : TextureSet());
 }
 
 bool operator==(const DocumentState &a, const DocumentState &b)
@@ -118,8 +128,8 @@ bool operator==(const DocumentState &a, const DocumentState &b)
     return sameScene(a.scene, b.scene) && a.activeUvSet == b.activeUvSet && a.uvScales == b.uvScales &&
            a.seams == b.seams && a.constraints == b.constraints && a.marks == b.marks &&
            a.texelWeights == b.texelWeights && a.hiddenFaces == b.hiddenFaces &&
-           a.solveSettings == b.solveSettings && a.packingSettings == b.packingSettings &&
-           a.selection == b.selection && a.viewState == b.viewState;
+           a.textureSets == b.textureSets && a.solveSettings == b.solveSettings &&
+           a.packingSettings == b.packingSettings && a.selection == b.selection && a.viewState == b.viewState;
 }
 
 QString uniqueUvSetName(const std::vector<UvSet> &sets, const QString &wanted)

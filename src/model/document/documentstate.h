@@ -34,6 +34,9 @@ struct DocumentState
     std::vector<double> texelWeights;
     //! Faces that the views neither show nor select, strictly ascending. Jobs work on them as on all others.
     QList<int> hiddenFaces;
+    //! The pictures that the user chose, in place of those of the model's file: first of the faces without a
+    //! material, then of each material. May be shorter; the last one is not empty.
+    std::vector<TextureSet> textureSets;
     SolveSettings solveSettings;
     PackingSettings packingSettings;
     Selection selection;  //!< restored by undo, but changing it is not an edit
@@ -43,6 +46,9 @@ struct DocumentState
     //! \pre scene.mesh is not null
     static DocumentState initial(Scene scene);
 
+    //! The pictures of a material, those of the user in place of those of the file. \param material -1: of
+    //! the faces without one
+    TextureSet textureSet(int material) const;
     //! Returns an empty string, or the first invariant that does not hold. Does not repeat
     //! MeshData::validate().
     QString validate() const;

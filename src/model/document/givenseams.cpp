@@ -73,6 +73,7 @@ bool changesGivenSeams(const ChangeEvent &event)
     case ChangeEvent::Type::IslandFlag:
     case ChangeEvent::Type::Tag:
     case ChangeEvent::Type::Hidden:
+    case ChangeEvent::Type::Textures:
     case ChangeEvent::Type::PackingSettings:
     case ChangeEvent::Type::TexelWeight:
         return false;

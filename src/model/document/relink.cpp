@@ -53,6 +53,7 @@ public:
         carryMarks();
         carryTexelWeights();
         mTo.hiddenFaces = counterparts(mFrom.hiddenFaces, mMatch.face);
+        carryTextureSets();
         mTo.solveSettings = mFrom.solveSettings;
         mTo.packingSettings = mFrom.packingSettings;
         mTo.viewState = mFrom.viewState;
@@ -63,6 +64,20 @@ public:
     }
 
 private:
+    //! Texture sets go with the names of their materials.
+    void carryTextureSets()
+    {
+        const std::vector<QString> &from = mFrom.scene.materialNames, &to = mTo.scene.materialNames;
+        mTo.textureSets.assign(to.size() + 1, {});
+        for (std::size_t set = 0; set < mFrom.textureSets.size(); ++set) {
+            const auto found = set == 0 ? to.end() : std::find(to.begin(), to.end(), from[set - 1]);
+            if (set == 0)
+                mTo.textureSets[0] = mFrom.textureSets[0];
+            else if (found != to.end())
+                mTo.textureSets[static_cast<std::size_t>(found - to.begin()) + 1] = mFrom.textureSets[set];
+        }
+        mTo.textureSets = withoutEmptyEnd(std::move(mTo.textureSets));
+    }
     static QList<int> counterparts(const QList<int> &indices, const std::vector<int> &match)
     {
         QList<int> result;

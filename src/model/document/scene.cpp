@@ -14,4 +14,13 @@ bool Scene::hasUv() const
     return false;
 }
 
+TextureSet Scene::fileSet(int material) const
+{
+    const auto place = static_cast<std::size_t>(material);
+    TextureSet set = material >= 0 && place < materialSets.size() ? materialSets[place] : TextureSet();
+    if (material >= 0 && place < materialTextures.size() && !materialTextures[place].isEmpty())
+        set[TextureChannel::BaseColor].picture = materialTextures[place];
+    return set;
+}
+
 } // namespace autocuts

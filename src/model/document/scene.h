@@ -1,6 +1,7 @@
 // A loaded model: its polygons, objects, materials and UV sets, and the data that saving must preserve.
 #pragma once
 
+#include "model/document/texturesets.h"
 #include "model/plain/meshdata.h"
 
 #include <QByteArray>
@@ -17,16 +18,6 @@ struct UvSet
 {
     QString name;
     UvMatrix uv;
-};
-
-//! The picture of a material's base colour, as the file names or holds it.
-struct SceneTexture
-{
-    QString file;       //!< name or path as the file spells it; empty where it has none
-    QByteArray content; //!< the bytes of a picture inside of the model's file; empty for one of its own
-
-    bool isEmpty() const { return file.isEmpty() && content.isEmpty(); }
-    bool operator==(const SceneTexture &) const = default;
 };
 
 //! Data read besides the geometry that must be written back on saving. One subclass per family of file
@@ -50,8 +41,10 @@ struct Scene
     std::vector<QRgb> materialColors;
     //! Picture of each material's base colour. May be shorter than materialNames.
     std::vector<SceneTexture> materialTextures;
+    //! What else the file says of each material; without its base colour. May be shorter than materialNames.
+    std::vector<TextureSet> materialSets;
     //! Per edge pair: the file shades its two sides as separate surfaces, by smoothing groups or by normals
-    //! that differ; empty when there are no such edges.
+    //! that differ; empty when the file says nothing about shading.
     std::vector<bool> hardEdges;
     std::vector<UvSet> uvSets; //!< the first one is the active one
     std::shared_ptr<const SceneSource> source;
@@ -59,6 +52,8 @@ struct Scene
 
     //! True when at least one corner of the active UV set has a finite UV.
     bool hasUv() const;
+    //! All that the file says of a material; empty for -1.
+    TextureSet fileSet(int material) const;
 };
 
 } // namespace autocuts

@@ -3,6 +3,7 @@
 #include "model/document/materialcolor.h"
 #include "model/io/assimpprocess.h"
 #include "model/io/assimpscene.h"
+#include "model/io/assimptextures.h"
 #include "model/io/hardedges.h"
 
 #include <QDir>
@@ -48,17 +49,6 @@ QRgb diffuseColor(const aiMaterial &material)
     return material.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS
                ? materialColor(color.r, color.g, color.b)
                : 0;
-}
-
-//! The picture of the base colour; empty where the file names none.
-QString diffuseTexture(const aiMaterial &material)
-{
-    aiString path;
-    for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
-        if (material.GetTexture(type, 0, &path) == AI_SUCCESS && path.length > 0 && path.data[0] != '*')
-            return QString::fromUtf8(path.C_Str());
-    }
-    return {};
 }
 
 //! Collects the meshes of all nodes into one polygon soup.
@@ -242,10 +232,11 @@ bool SoupBuilder::build(Scene &scene, AssimpSource &source)
         scene.notes.push_back(
             QStringLiteral("%1 point(s) and line(s) left out: they cannot be unwrapped").arg(mSkippedFaces));
     fillUvSets(scene);
+    AssimpTextures textures(mAi);
     for (unsigned m = 0; m < mAi.mNumMaterials; ++m) {
         scene.materialNames.push_back(toName(mAi.mMaterials[m]->GetName()));
         scene.materialColors.push_back(diffuseColor(*mAi.mMaterials[m]));
-        scene.materialTextures.push_back({diffuseTexture(*mAi.mMaterials[m]), {}});
+        scene.materialTextures.push_back(textures.ofMaterial(*mAi.mMaterials[m]));
     }
     scene.objectNames = std::move(mObjectNames);
     scene.faceMaterial = std::move(mFaceMaterial);

@@ -36,11 +36,11 @@ public:
     FbxObjects read();
 
 private:
-    enum class Class { Model, Geometry, Material };
+    enum class Class { Model, Geometry, Material, Texture };
     struct Entry
     {
         Class kind;
-        int index; //!< of a model or a material; the node of a geometry
+        int index; //!< of a model, a material or a texture; the node of a geometry
     };
 
     void readObject(int node);
@@ -51,6 +51,7 @@ private:
     const FbxTree &mTree;
     FbxObjects mObjects;
     FbxTextures mTextures;
+    std::vector<QByteArray> mTextureKeys; //!< of FbxObjects::textures
     std::map<QByteArray, Entry> mEntries; //!< the first object of each key
 };
 
@@ -100,6 +101,10 @@ void ObjectReader::readObject(int node)
         mEntries.try_emplace(key, Entry{Class::Material, static_cast<int>(mObjects.materialNames.size())});
         mObjects.materialNames.push_back(objectName(mTree, called));
         mObjects.materialColors.push_back(diffuseColor(mTree, node));
+    } else if (name == "Texture") {
+        mTextureKeys.push_back(key);
+        mEntries.try_emplace(key, Entry{Class::Texture, static_cast<int>(mObjects.textures.size())});
+        mObjects.textures.push_back({objectName(mTree, called), {}});
     }
     mTextures.addObject(name, key, node);
 }
@@ -136,7 +141,10 @@ void ObjectReader::connect(const FbxValue &child, const FbxValue &parent)
     if (!toModel)
         return;
     FbxModel &model = mObjects.models[static_cast<std::size_t>(to->second.index)];
-    (entry.kind == Class::Geometry ? model.geometries : model.materials).push_back(entry.index);
+    std::vector<int> &list = entry.kind == Class::Geometry   ? model.geometries
+                             : entry.kind == Class::Material ? model.materials
+                                                             : model.textures;
+    list.push_back(entry.index);
 }
 
 FbxObjects ObjectReader::read()
@@ -160,6 +168,12 @@ FbxObjects ObjectReader::read()
         connectTexture(values);
     }
     mObjects.materialTextures = mTextures.ofMaterials(mObjects.materialNames.size());
+    mObjects.materialSets = mTextures.setsOfMaterials(mObjects.materialNames.size());
+    for (const FbxModel &model : mObjects.models) {
+        for (const int t : model.textures)
+            mObjects.textures[static_cast<std::size_t>(t)].picture =
+                mTextures.read(mTextureKeys[static_cast<std::size_t>(t)]);
+    }
     for (const int take : childrenOf(tree.child(0, "Takes")))
         mObjects.contents.animations = mObjects.contents.animations || tree.child(take, "Model") >= 0;
     // Names of version 6 may be those of several objects, of which connections say nothing.

@@ -21,6 +21,14 @@ struct FbxModel
     bool connected = false;      //!< the file puts it into the scene
     std::vector<int> geometries; //!< nodes; of version 6 the node of the model itself
     std::vector<int> materials;  //!< indices into FbxObjects::materialNames, in the order of the slots
+    std::vector<int> textures;   //!< of version 6: indices into FbxObjects::textures, as TextureId counts
+};
+
+//! A texture of the file.
+struct FbxTexture
+{
+    QString name;
+    SceneTexture picture; //!< empty when no model has it: those of materials are in materialTextures
 };
 
 struct FbxObjects
@@ -29,6 +37,8 @@ struct FbxObjects
     std::vector<QString> materialNames;
     std::vector<QRgb> materialColors;           //!< as in Scene
     std::vector<SceneTexture> materialTextures; //!< as in Scene
+    std::vector<TextureSet> materialSets;       //!< as in Scene
+    std::vector<FbxTexture> textures;
     SourceContents contents;
 };
 

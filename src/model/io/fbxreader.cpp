@@ -1,6 +1,7 @@
 #include "model/io/fbxreader.h"
 
 #include "model/io/fbxgeometry.h"
+#include "model/io/fbxmaterials.h"
 #include "model/io/fbxobjects.h"
 #include "model/io/fbxparsing.h"
 #include "model/io/fbxshading.h"
@@ -42,7 +43,6 @@ private:
     bool addPoints(const FbxGeometry &geometry, const FbxModel &model, const Eigen::Affine3d &transform);
     void addFaces(std::size_t use, const FbxModel &model, int firstVertex, bool mirrored);
     std::optional<std::size_t> useOf(int node);
-    std::vector<int> materialSlots(const FbxGeometry &geometry) const;
     void joinSets();
     bool readUvs();
     void addNotes();
@@ -65,7 +65,8 @@ private:
     std::shared_ptr<FbxSource> mSource;
     FbxObjects mObjects;
     FbxGeometries mGeometries;
-    std::vector<std::vector<int>> mSlots; //!< material slots by geometry and polygon
+    std::vector<FbxFaceSlots> mSlots; //!< by geometry
+    std::optional<FbxMaterials> mMaterials;
     std::map<int, std::size_t> mUseOfNode;
     std::optional<Error> mError;
     Scene mScene;
@@ -84,7 +85,7 @@ std::optional<std::size_t> SceneBuilder::useOf(int node)
         return {};
     mUseOfNode.emplace(node, mGeometries.size());
     mSource->uses.push_back({node, static_cast<int>(geometry->faces.size()), {}, {}});
-    mSlots.push_back(materialSlots(*geometry));
+    mSlots.push_back(readFbxFaceSlots(mTree, *geometry));
     mGeometries.push_back(std::move(*geometry));
     return mGeometries.size() - 1;
 }
@@ -102,25 +103,10 @@ bool SceneBuilder::addPoints(const FbxGeometry &geometry, const FbxModel &model,
     return true;
 }
 
-//! The material slot of each polygon.
-std::vector<int> SceneBuilder::materialSlots(const FbxGeometry &geometry) const
-{
-    std::vector<int> result(static_cast<std::size_t>(geometry.polygonCount()), 0);
-    const int element = mTree.child(geometry.node, "LayerElementMaterial");
-    const auto slots = mTree.integers(mTree.child(element, "Materials"));
-    if (!slots || slots->empty())
-        return result;
-    if (mTree.text(mTree.child(element, "MappingInformationType")) == "AllSame")
-        std::fill(result.begin(), result.end(), slots->front());
-    else if (slots->size() >= result.size())
-        std::copy_n(slots->begin(), result.size(), result.begin());
-    return result;
-}
-
 void SceneBuilder::addFaces(std::size_t use, const FbxModel &model, int firstVertex, bool mirrored)
 {
     const FbxGeometry &geometry = mGeometries[use];
-    const std::vector<int> &slots = mSlots[use];
+    const FbxFaceSlots &slots = mSlots[use];
     for (const int face : geometry.faces) {
         const auto begin = geometry.cornerPoint.begin() + geometry.polygonStart[face];
         const auto end = geometry.cornerPoint.begin() + geometry.polygonStart[face + 1];
@@ -131,9 +117,7 @@ void SceneBuilder::addFaces(std::size_t use, const FbxModel &model, int firstVer
             std::reverse(mCornerVertex.begin() + first, mCornerVertex.end());
         mFaceStart.push_back(static_cast<int>(mCornerVertex.size()));
         mFaceObject.push_back(static_cast<int>(mScene.objectNames.size()));
-        const int slot = slots[face];
-        mScene.faceMaterial.push_back(slot >= 0 && slot < std::ssize(model.materials) ? model.materials[slot]
-                                                                                      : -1);
+        mScene.faceMaterial.push_back(mMaterials->of(model, slots.materials[face], slots.textures[face]));
     }
 }
 
@@ -257,6 +241,7 @@ void SceneBuilder::addNotes()
 Result<Scene> SceneBuilder::build()
 {
     mObjects = readFbxObjects(mTree);
+    mMaterials.emplace(mObjects);
     const std::vector<Eigen::Affine3d> transforms = fbxTransforms(mTree, mObjects);
     for (std::size_t m = 0; m < mObjects.models.size(); ++m) {
         if (mObjects.models[m].connected && !addModel(mObjects.models[m], transforms[m]))
@@ -271,6 +256,7 @@ Result<Scene> SceneBuilder::build()
     mScene.materialNames = std::move(mObjects.materialNames);
     mScene.materialColors = std::move(mObjects.materialColors);
     mScene.materialTextures = std::move(mObjects.materialTextures);
+    mScene.materialSets = std::move(mObjects.materialSets);
     PositionMatrix positions = Eigen::Map<const PositionMatrix>(
         mPositions.data(), static_cast<Eigen::Index>(mPositions.size() / 3), 3);
     mPositions = {};

@@ -36,6 +36,7 @@ private:
     FileShading mShading;
     std::vector<int> mPairBySide;            //!< made when it is needed
     std::vector<std::optional<int>> mGroups; //!< per face; empty when there are none
+    bool mSmoothingRead = false;
     std::vector<bool> mHard;
 };
 
@@ -74,6 +75,7 @@ void ShadingReader::readEdgeSmoothing(int element, const FbxGeometry &geometry, 
     const auto edges = mTree.integers(mTree.child(geometry.node, "Edges"));
     if (!smooth || !edges || smooth->size() < edges->size())
         return;
+    mSmoothingRead = true;
     std::vector<int> next(static_cast<std::size_t>(geometry.cornerCount()));
     for (int f = 0; f < geometry.polygonCount(); ++f) {
         for (int c = geometry.polygonStart[f]; c < geometry.polygonStart[f + 1]; ++c)
@@ -97,6 +99,7 @@ void ShadingReader::readGroups(int element, const FbxGeometry &geometry, const F
     const auto groups = mTree.integers(mTree.child(element, "Smoothing"));
     if (!groups || std::ssize(*groups) < geometry.polygonCount())
         return;
+    mSmoothingRead = true;
     mGroups.resize(static_cast<std::size_t>(mMesh.faceCount()));
     for (const FbxUse::Instance &instance : use.instances) {
         for (std::size_t i = 0; i < geometry.faces.size(); ++i)
@@ -137,7 +140,7 @@ std::vector<bool> ShadingReader::read()
     const std::vector<bool> byNormals = hardEdges(mMesh, mShading);
     for (std::size_t e = 0; e < byNormals.size(); ++e)
         mHard[e] = mHard[e] || byNormals[e];
-    if (std::find(mHard.begin(), mHard.end(), true) == mHard.end())
+    if (!mSmoothingRead && !saysAnything(mShading))
         mHard.clear();
     return mHard;
 }

@@ -20,12 +20,13 @@ public:
     //! \param material -1 when the parent is none \param property empty for connections between objects
     void connect(const QByteArray &child, const QByteArray &parent, int material, std::string_view property);
     //! The pictures of the base colours. \param materials how many there are
-    std::vector<SceneTexture> ofMaterials(std::size_t materials) const;
+    std::vector<SceneTexture> ofMaterials(std::size_t materials);
+    //! Those of the other channels.
+    std::vector<TextureSet> setsOfMaterials(std::size_t materials);
+    //! \param key of a texture
+    SceneTexture read(const QByteArray &key);
 
 private:
-    using Contents = std::map<int, QByteArray>; //!< of videos: those with one picture share its bytes
-
-    SceneTexture read(const QByteArray &texture, Contents &contents) const;
     QString fileOf(int node) const;
     QByteArray contentOf(int video) const;
 
@@ -33,6 +34,8 @@ private:
     std::map<QByteArray, int> mTextures, mVideos;          //!< nodes
     std::map<QByteArray, QByteArray> mVideoOfTexture;      //!< keys
     std::map<int, std::pair<int, QByteArray>> mOfMaterial; //!< rank of the property, and the texture
+    std::map<int, std::map<TextureChannel, QByteArray>> mSets;
+    std::map<int, QByteArray> mContents; //!< of videos: those with one picture share its bytes
 };
 
 } // namespace autocuts

@@ -22,8 +22,18 @@ bool differ(const Vec3 &a, const Vec3 &b)
 
 } // namespace
 
+bool saysAnything(const FileShading &shading)
+{
+    return std::ranges::any_of(shading.smoothing,
+                               [](std::int64_t group) { return group != FileShading::unsaid; }) ||
+           std::any_of(shading.normals.rowwise().begin(), shading.normals.rowwise().end(),
+                       [](const auto &normal) { return normal.allFinite() && !normal.isZero(0); });
+}
+
 std::vector<bool> hardEdges(const MeshData &mesh, const FileShading &shading)
 {
+    if (!saysAnything(shading))
+        return {};
     const auto groupsDiffer = [&](const EdgePair &pair) {
         const auto group = [&](int side) {
             return shading.smoothing[mesh.triangleFace[pair.triangle[side]]];
@@ -40,8 +50,6 @@ std::vector<bool> hardEdges(const MeshData &mesh, const FileShading &shading)
         hard[e] = !pair.diagonal &&
                   (groupsDiffer(pair) || normalsDiffer(pair.corner[0]) || normalsDiffer(pair.corner[1]));
     }
-    if (std::find(hard.begin(), hard.end(), true) == hard.end())
-        hard.clear();
     return hard;
 }
 

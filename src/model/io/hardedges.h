@@ -18,10 +18,13 @@ struct FileShading
     std::vector<std::int64_t> smoothing;
 };
 
+//! True when the file gives a normal or a smoothing group.
+bool saysAnything(const FileShading &shading);
+
 //! The edges that the file does not shade smoothly: between two smoothing groups, at faces for which
 //! smoothing is off, and where the normals of the two sides differ by more than a degree at one end. (Where a
 //! hard edge ends inside a smooth surface, they agree at that end.) \returns one entry per edge pair; empty
-//! when there are no such edges
+//! when the file says nothing
 std::vector<bool> hardEdges(const MeshData &mesh, const FileShading &shading);
 
 } // namespace autocuts

@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -55,7 +56,19 @@ struct Material
 {
     std::optional<QRgb> color;
     QString texture;
+    TextureSet set;
 };
+
+//! Keywords of the other maps; roughness, metalness and norm are of the extension for physically based
+//! materials (D. McKerracher, "Physically-Based Rendering (PBR) extension to MTL").
+constexpr std::pair<const char *, TextureChannel> mapKeywords[] = {
+    {"map_Pr", TextureChannel::Roughness}, {"map_Pm", TextureChannel::Metalness},
+    {"norm", TextureChannel::Normal},      {"map_Kn", TextureChannel::Normal},
+    {"map_Ke", TextureChannel::Emission},  {"map_Bump", TextureChannel::Normal},
+    {"map_bump", TextureChannel::Normal},  {"bump", TextureChannel::Normal},
+    {"disp", TextureChannel::Height}};
+constexpr std::pair<const char *, TextureChannel> numberKeywords[] = {{"Pr", TextureChannel::Roughness},
+                                                                      {"Pm", TextureChannel::Metalness}};
 
 //! The next word; it is taken from the text.
 QByteArrayView takeWord(QByteArrayView &text)
@@ -89,6 +102,22 @@ QString fileOfMap(QByteArrayView text)
     return QString::fromUtf8(text);
 }
 
+void readChannel(QByteArrayView line, TextureSet &set)
+{
+    for (const auto &[keyword, channel] : numberKeywords) {
+        if (const auto number = restAfter(line, keyword); number && !set.contains(channel))
+            set[channel].factor = std::clamp(number->toByteArray().toDouble(), 0.0, 1.0);
+    }
+    for (const auto &[keyword, channel] : mapKeywords) {
+        const auto map = restAfter(line, keyword);
+        if (!map)
+            continue;
+        if (ChannelPicture &entry = set[channel]; entry.picture.isEmpty())
+            entry = {
+                {fileOfMap(*map), {}}, -1, false, 1}; // the number of a channel with a map does not count
+    }
+}
+
 void readMaterialFile(QByteArrayView bytes, std::map<QString, Material> &materials)
 {
     QString name;
@@ -101,6 +130,8 @@ void readMaterialFile(QByteArrayView bytes, std::map<QString, Material> &materia
         } else if (const auto map = restAfter(line, "map_Kd")) {
             if (Material &material = materials[name]; material.texture.isEmpty())
                 material.texture = fileOfMap(*map);
+        } else {
+            readChannel(line, materials[name].set);
         }
     });
 }
@@ -127,6 +158,7 @@ void readMaterials(QByteArrayView bytes, const QString &path, Scene &scene)
         const Material &material = materials[name];
         scene.materialColors.push_back(material.color.value_or(0));
         scene.materialTextures.push_back({material.texture, {}});
+        scene.materialSets.push_back(material.set);
     }
 }
 

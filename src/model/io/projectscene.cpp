@@ -97,6 +97,23 @@ std::vector<SceneTexture> readTextures(const QCborMap &map, std::vector<SceneTex
     return inFile;
 }
 
+//! The same for what else the file says of materials.
+std::vector<TextureSet> readSets(const QCborMap &map, std::vector<TextureSet> inFile, std::size_t materials)
+{
+    if (!map.contains("materialSets"_L1)) // of an older program, or without any
+        return inFile.size() > materials ? std::vector<TextureSet>() : inFile;
+    auto sets = readTextureSets(map.value("materialSets"_L1).toArray(), materials);
+    if (!sets)
+        return {};
+    for (std::size_t m = 0; m < std::min(sets->size(), inFile.size()); ++m) {
+        for (auto &[channel, entry] : (*sets)[m]) {
+            if (const auto found = inFile[m].find(channel); found != inFile[m].end())
+                entry.picture.content = found->second.picture.content;
+        }
+    }
+    return *sets;
+}
+
 //! Numbers of vertices, faces and corners, to detect a model that was read differently.
 QByteArray countsOf(const MeshData &mesh)
 {
@@ -116,6 +133,8 @@ QCborMap sceneMap(const Scene &scene)
         map["materialColors"_L1] = colorArray(scene.materialColors);
     if (!scene.materialTextures.empty())
         map["materialTextures"_L1] = textureArray(scene.materialTextures);
+    if (!scene.materialSets.empty())
+        map["materialSets"_L1] = toCbor(scene.materialSets);
     return map;
 }
 
@@ -152,6 +171,7 @@ bool readNames(const QCborMap &map, Scene &scene)
     scene.materialNames = std::move(named.materialNames);
     scene.materialColors = readColors(map, scene.materialNames.size());
     scene.materialTextures = readTextures(map, std::move(scene.materialTextures), scene.materialNames.size());
+    scene.materialSets = readSets(map, std::move(scene.materialSets), scene.materialNames.size());
     scene.faceMaterial = *faceMaterial;
     scene.notes = std::move(named.notes);
     return true;
@@ -277,6 +297,7 @@ bool addGltf(Scene &scene, const QByteArray &part, const QString &path)
         return false;
     scene.source = whole->source;
     scene.materialTextures = whole->materialTextures;
+    scene.materialSets = whole->materialSets;
     return true;
 }
 

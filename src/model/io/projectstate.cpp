@@ -233,6 +233,15 @@ bool readTexelWeights(CborReader &reader, DocumentState &state)
     return true;
 }
 
+bool readTextures(CborReader &reader, DocumentState &state)
+{
+    const auto sets = readTextureSets(reader.array("sets"_L1), state.scene.materialNames.size() + 1);
+    if (reader.failed() || !sets)
+        return false;
+    state.textureSets = withoutEmptyEnd(*sets);
+    return true;
+}
+
 bool readSettings(CborReader &reader, DocumentState &state)
 {
     CborReader solve(reader.map("solve"_L1));
@@ -355,6 +364,8 @@ PartMap statePartsOf(const DocumentState &state, StateScope scope)
     parts["marks"] = cborBytes(marksMap(state));
     if (!state.texelWeights.empty())
         parts["texelWeights"] = cborBytes(texelWeightsMap(state.texelWeights));
+    if (!state.textureSets.empty())
+        parts["textures"] = cborBytes({{"sets"_L1, toCbor(state.textureSets)}});
     parts["settings"] =
         cborBytes({{"solve"_L1, toCbor(state.solveSettings)}, {"packing"_L1, toCbor(state.packingSettings)}});
     if (scope == StateScope::Session) {
@@ -384,6 +395,8 @@ LostParts readStateParts(const PartMap &parts, StateScope scope, DocumentState &
     read("marks", u"the marks of the islands"_s, readMarks);
     if (parts.contains("texelWeights")) // only where faces have one
         read("texelWeights", u"the painted texel density"_s, readTexelWeights);
+    if (parts.contains("textures")) // only where the user chose some
+        read("textures", u"the texture sets"_s, readTextures);
     read("settings", u"the settings"_s, readSettings);
     if (scope == StateScope::Journal)
         return lost;

@@ -3,6 +3,7 @@
 #include "views/actions/actionregistry.h"
 #include "views/actions/actiontree.h"
 #include "views/actions/menubuilder.h"
+#include "views/ui/dialogsize.h"
 
 #include <QCoreApplication>
 #include <QKeyEvent>
@@ -55,6 +56,10 @@ ActionPalette::ActionPalette(const ActionRegistry &actions, QWidget *parent)
     mSearch->installEventFilter(this);
     mFound->setFocusPolicy(Qt::NoFocus);
     mFound->setAlternatingRowColors(true);
+    mFound->setUniformItemSizes(true);
+    QPixmap nothing(32, 32);
+    nothing.fill(Qt::transparent);
+    mNoIcon = nothing;
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(mSearch);
     layout->addWidget(mFound, 1);
@@ -62,7 +67,7 @@ ActionPalette::ActionPalette(const ActionRegistry &actions, QWidget *parent)
     connect(mSearch, &QLineEdit::returnPressed, this, &ActionPalette::accept);
     connect(mFound, &QListWidget::itemClicked, this, &ActionPalette::accept);
     search({});
-    resize(520, 420);
+    resizeOnScreen(*this, {520, 420});
 }
 
 QAction *ActionPalette::chosen() const
@@ -118,7 +123,8 @@ void ActionPalette::search(const QString &text)
             line += QStringLiteral("   %1").arg(menu);
         if (!keys.isEmpty())
             line += QStringLiteral("   [%1]").arg(keys);
-        auto *item = new QListWidgetItem(match.action->icon(), line, mFound);
+        auto *item =
+            new QListWidgetItem(match.action->icon().isNull() ? mNoIcon : match.action->icon(), line, mFound);
         item->setData(actionRole, QVariant::fromValue(static_cast<void *>(match.action)));
         item->setToolTip(QCoreApplication::translate("Actions", info.tip));
         if (!match.action->isEnabled())

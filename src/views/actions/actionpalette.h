@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QIcon>
 
 class QAction;
 class QLineEdit;
@@ -31,6 +32,7 @@ private:
     const ActionRegistry &mActions;
     QLineEdit *mSearch;
     QListWidget *mFound;
+    QIcon mNoIcon; //!< of actions without one, so that all names begin in one column
 };
 
 } // namespace autocuts

@@ -3,6 +3,7 @@
 #include "model/plain/packingsettings.h"
 #include "views/actions/shortcutspage.h"
 #include "views/ui/colorbutton.h"
+#include "views/ui/dialogsize.h"
 #include "views/ui/icons.h"
 
 #include <QCheckBox>
@@ -94,7 +95,7 @@ PreferencesDialog::PreferencesDialog(Preferences &preferences, ActionRegistry &a
     showValues(mOriginal);
     connectAll();
     showPage(Page::General);
-    resize(800, 600);
+    resizeOnScreen(*this, {800, 600});
 }
 
 void PreferencesDialog::addPage(const QString &title, const QString &iconName, QWidget *page)

@@ -2,6 +2,7 @@
 
 #include "views/actions/actionregistry.h"
 #include "views/actions/actiontree.h"
+#include "views/ui/dialogsize.h"
 
 #include <QDialogButtonBox>
 #include <QHeaderView>
@@ -31,7 +32,7 @@ ShortcutListDialog::ShortcutListDialog(const ActionRegistry &actions, QWidget *p
     layout->addWidget(search);
     layout->addWidget(mList, 1);
     layout->addWidget(buttons);
-    resize(840, 640);
+    resizeOnScreen(*this, {960, 640});
 }
 
 void ShortcutListDialog::fill(const ActionRegistry &actions)

@@ -32,13 +32,15 @@ void MapCamera::zoom(double factor, const QPointF &pixel)
     setCentre(mCentre + fixed - toUv(pixel));
 }
 
-void MapCamera::frame(const Eigen::AlignedBox2d &box)
+void MapCamera::frame(const Eigen::AlignedBox2d &box, const QMarginsF &covered)
 {
     if (box.isEmpty())
         return;
-    setCentre(box.center());
     const Vec2 size = box.sizes().cwiseMax(1e-6);
-    setScale(0.86 * std::min(mSize.width() / size.x(), mSize.height() / size.y()));
+    const QSizeF free = mSize.shrunkBy(covered);
+    setScale(0.86 * std::min(free.width() / size.x(), free.height() / size.y()));
+    const Vec2 shift(covered.right() - covered.left(), covered.top() - covered.bottom());
+    setCentre(box.center() + 0.5 / mScale * shift);
 }
 
 Vec2 MapCamera::toUv(const QPointF &pixel) const

@@ -4,6 +4,7 @@
 #include "model/plain/types.h"
 
 #include <Eigen/Geometry>
+#include <QMarginsF>
 #include <QPointF>
 #include <QSizeF>
 
@@ -29,8 +30,8 @@ public:
     void pan(const QPointF &pixels);
     //! Zooms around a pixel. \param factor above 1 zooms in
     void zoom(double factor, const QPointF &pixel);
-    //! Shows a box with a margin around it.
-    void frame(const Eigen::AlignedBox2d &box);
+    //! Shows a box with a margin around it. \param covered what lies over the sides of the view
+    void frame(const Eigen::AlignedBox2d &box, const QMarginsF &covered = {});
 
     Vec2 toUv(const QPointF &pixel) const;
     QPointF toScreen(const Vec2 &uv) const;

@@ -15,8 +15,6 @@ namespace autocuts {
 
 namespace {
 
-constexpr int rulerSize = 18;
-
 struct MapOverlays
 {
     Q_DECLARE_TR_FUNCTIONS(MapOverlays)
@@ -86,14 +84,18 @@ void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &color
     const Vec2 low = camera.toUv(view.bottomLeft()).cwiseQuotient(tile),
                high = camera.toUv(view.topRight()).cwiseQuotient(tile);
     constexpr int rows = (PackingSettings::lastTile - PackingSettings::firstTile) / 10;
+    const QFontMetricsF metrics = painter.fontMetrics();
     painter.setPen(colors.dimText);
     for (int row = std::max(0, static_cast<int>(std::floor(std::min(low.y(), 1e6))));
          row <= std::min<double>(rows, high.y()); ++row) {
         for (int column = std::clamp(static_cast<int>(std::floor(low.x())), 0, 10);
              column < 10 && column <= high.x(); ++column) {
             const QPointF corner = camera.toScreen(Vec2(column, row).cwiseProduct(tile));
-            painter.drawText(corner + QPointF(6, -6),
-                             QString::number(PackingSettings::firstTile + column + 10 * row));
+            const QString name = QString::number(PackingSettings::firstTile + column + 10 * row);
+            const QRectF room(corner.x() + 3, corner.y() - metrics.height() - 5,
+                              metrics.horizontalAdvance(name) + 6, metrics.height() + 2);
+            painter.fillRect(room, colors.panel); // islands may lie below
+            painter.drawText(room, Qt::AlignCenter, name);
         }
     }
 }
@@ -105,6 +107,7 @@ void drawRulers(QPainter &painter, const QRect &view, const ViewColors &colors, 
     QFont font = before;
     font.setPointSizeF(font.pointSizeF() * 0.8);
     painter.setFont(font);
+    const QFontMetricsF metrics = painter.fontMetrics();
     painter.fillRect(QRect(view.left(), view.top(), view.width(), rulerSize), colors.panel);
     painter.fillRect(QRect(view.left(), view.top() + rulerSize, rulerSize, view.height() - rulerSize),
                      colors.panel);
@@ -120,7 +123,8 @@ void drawRulers(QPainter &painter, const QRect &view, const ViewColors &colors, 
             painter.drawLine(place, from, place, rulerSize - 1);
         else
             painter.drawLine(from, place, rulerSize - 1, place);
-        if (m.text.isEmpty())
+        const double length = metrics.horizontalAdvance(m.text) + 3;
+        if (m.text.isEmpty() || (horizontal ? place + length > view.right() : place - length < rulerSize))
             return;
         painter.setPen(colors.text);
         if (horizontal) {

@@ -15,10 +15,14 @@ namespace autocuts {
 
 class Document;
 
+//! Of the rulers, in logical pixels.
+inline constexpr int rulerSize = 18;
+
 //! Draws the UDIM numbers of the visible tiles that are large enough.
 void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,
                    double tileHeight);
-//! Draws rulers at the upper and left side, in texels from the corner of tile 1001.
+//! Draws rulers at the upper and left side, in texels from the corner of tile 1001. Numbers that the view
+//! would cut are left out.
 void drawRulers(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,
                 int textureSize);
 //! Draws outlines and names of rectangles; hard ones with a thick line, soft ones dashed.

@@ -102,6 +102,7 @@ void SceneContent::documentChanged(const ChangeEvent &event)
     case ChangeEvent::Type::UvSet:
     case ChangeEvent::Type::IslandFlag:
     case ChangeEvent::Type::Tag:
+    case ChangeEvent::Type::Textures: // ModelPictures reads them
         break;
     case ChangeEvent::Type::Hidden:
         mShownUv.resize(0, 2);

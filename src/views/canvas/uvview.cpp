@@ -55,7 +55,7 @@ void UvView::setCamera(const MapCamera &camera)
 {
     mCamera = camera;
     mCamera.setViewSize(size());
-    mFrameWhenSized = false;
+    mFramesAll = false;
     update();
 }
 
@@ -86,12 +86,18 @@ PackingSettings UvView::packing() const
     return settings;
 }
 
+QMarginsF UvView::covered() const
+{
+    return studio().view.options().rulers ? QMarginsF(rulerSize, rulerSize, 0, 0) : QMarginsF();
+}
+
 void UvView::frameAll()
 {
     Eigen::AlignedBox2d box(Vec2(0, 0), Vec2(1, packing().tileHeight()));
     if (content().mesh())
         box.extend(layoutBox(content().uv()));
-    mCamera.frame(box);
+    mCamera.frame(box, covered());
+    mFramesAll = true;
     update();
 }
 
@@ -105,7 +111,8 @@ void UvView::frameSelection()
     }
     if (box.isEmpty())
         return frameAll();
-    mCamera.frame(box);
+    mCamera.frame(box, covered());
+    mFramesAll = false;
     update();
 }
 
@@ -124,7 +131,7 @@ void UvView::restoreViewState(const QCborMap &state)
         return;
     mCamera.setCentre(centre);
     mCamera.setScale(scale);
-    mFrameWhenSized = false;
+    mFramesAll = false;
     update();
 }
 
@@ -239,6 +246,7 @@ void UvView::drawOverlay(QPainter &painter)
 
 void UvView::navigate(Navigation navigation, const QPointF &pixels, const QPointF &start)
 {
+    mFramesAll = false;
     if (navigation == Navigation::Zoom)
         mCamera.zoom(dragZoomFactor(pixels.x() - pixels.y()), start);
     else // no rotation in the UV view
@@ -247,13 +255,14 @@ void UvView::navigate(Navigation navigation, const QPointF &pixels, const QPoint
 
 void UvView::zoomAt(double factor, const QPointF &pixel)
 {
+    mFramesAll = false;
     mCamera.zoom(factor, pixel);
 }
 
 void UvView::viewResized()
 {
     mCamera.setViewSize(size());
-    if (std::exchange(mFrameWhenSized, false))
+    if (mFramesAll)
         frameAll();
 }
 

@@ -40,9 +40,11 @@ private:
     //! The texture of the document, or of new sessions.
     PackingSettings packing() const;
     void drawPaper(GlResources &gl);
+    //! What the rulers cover.
+    QMarginsF covered() const;
 
     MapCamera mCamera;
-    bool mFrameWhenSized = true; //!< it was framed before the view had its size
+    bool mFramesAll = true; //!< shows everything, also when its size changes, until the camera is moved
 };
 
 } // namespace autocuts

@@ -388,7 +388,11 @@ MapJobResult lightmapJob(const MapInput &input, JobControl &control)
 {
     packing::PackOptions options = packing::tileOptions(input.packing);
     options.keepScale = false;
-    return separated(input, unwrap::makeLightmap(input.snapshot, options, contextOf(control)));
+    const unwrap::SeparateResult made = unwrap::makeLightmap(input.snapshot, options, contextOf(control));
+    MapJobResult result = separated(input, made);
+    if (made.outcome == unwrap::SeparateResult::Outcome::Done)
+        result.message = JobTexts::tr("Map for lightmaps, edges cut: %1").arg(made.newSeams);
+    return result;
 }
 
 MapJobResult equalizeJob(const MapInput &input, JobControl &control)

@@ -4,6 +4,7 @@
 #include "views/canvas/meshview.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
+#include "views/ui/dialogsize.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
 
@@ -84,7 +85,7 @@ PreviewDialog::PreviewDialog(const StudioContext &context, Questions &questions)
       mSize(new QComboBox), mSeams(new QCheckBox(tr("&Seams"))), mRemark(new QLabel)
 {
     setWindowTitle(tr("Texture preview"));
-    mView->setMinimumSize(480, 420);
+    mView->setMinimumSize(320, 240);
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(makeControls());
     layout->addWidget(mView, 1);
@@ -97,7 +98,7 @@ PreviewDialog::PreviewDialog(const StudioContext &context, Questions &questions)
     connect(mSize, &QComboBox::currentIndexChanged, this, &PreviewDialog::refresh);
     connect(mSeams, &QCheckBox::toggled, this, &PreviewDialog::refresh);
     connect(&mJobs, &JobRunner::failed, mRemark, &QLabel::setText);
-    resize(900, 760);
+    resizeOnScreen(*this, {900, 760});
     refresh();
 }
 

@@ -1,6 +1,7 @@
 #include "views/dialogs/recoverydialog.h"
 
 #include "model/io/projectfile.h"
+#include "views/ui/dialogsize.h"
 #include "views/ui/icons.h"
 #include "views/ui/questions.h"
 
@@ -73,7 +74,7 @@ RecoveryDialog::RecoveryDialog(std::vector<RecoverableSession> sessions, Questio
     connect(mDiscard, &QPushButton::clicked, this, &RecoveryDialog::discard);
     connect(mList, &QTreeWidget::itemActivated, this, &RecoveryDialog::accept);
     fill();
-    resize(720, 360);
+    resizeOnScreen(*this, {720, 360});
 }
 
 void RecoveryDialog::fill()

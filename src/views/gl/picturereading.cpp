@@ -1,5 +1,10 @@
 #include "views/gl/picturereading.h"
 
+#include "model/io/picturefiles.h"
+#include "model/io/pictures/exrpictures.h"
+#include "model/io/pictures/hdrpictures.h"
+#include "model/io/pictures/picturesize.h"
+#include "model/io/pictures/tgapictures.h"
 #include "model/io/texturefiles.h"
 #include "model/plain/packingsettings.h"
 
@@ -10,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace autocuts {
 
@@ -25,8 +31,46 @@ QString text(const char *source)
     return QCoreApplication::translate("Pictures", source);
 }
 
-//! The picture, no longer than that many pixels; null with a problem.
-QImage readPicture(QIODevice &device, int longest, QString &problem)
+//! The image of float numbers.
+QImage toImage(const Picture &picture, PictureNumbers numbers)
+{
+    const bool grey = picture.channels == 1;
+    QImage image(picture.width, picture.height, grey ? QImage::Format_Grayscale8 : QImage::Format_RGBA8888);
+    for (int y = 0; y < image.height(); ++y) {
+        uchar *out = image.scanLine(y);
+        for (int x = 0; x < image.width(); ++x) {
+            const auto pixel = picture.at(x, y);
+            for (int k = 0; k < (grey ? 1 : 4); ++k) {
+                float value = k < picture.channels ? pixel[static_cast<std::size_t>(k)] : 1;
+                if (numbers == PictureNumbers::Color && k < 3)
+                    value = srgbFromLinear(value);
+                // NaN becomes 0, too
+                *out++ = value > 0 ? static_cast<uchar>(std::lround(std::min(value, 1.0F) * 255)) : uchar(0);
+            }
+        }
+    }
+    return image;
+}
+
+//! Formats that Qt does not read, or only a part of; nothing for others.
+std::optional<QImage> readByOurselves(QIODevice &device, const PictureRequest &request,
+                                      PictureNumbers numbers, QString &problem)
+{
+    const QByteArray head = device.peek(32);
+    const bool targa = request.path.endsWith(QStringLiteral(".tga"), Qt::CaseInsensitive);
+    if (!isExr(head) && !isHdr(head) && !(targa && isTga(head)))
+        return std::nullopt;
+    const Result<DecodedPicture> decoded = decodePicture(device.readAll(), request.path);
+    if (!decoded) {
+        problem = decoded.error().message;
+        return QImage();
+    }
+    const bool floats = decoded->depth == PictureDepth::Float;
+    return toImage(decoded->picture, floats ? numbers : PictureNumbers::Plain);
+}
+
+QImage readFrom(QIODevice &device, const PictureRequest &request, int longest, PictureNumbers numbers,
+                QString &problem)
 {
     // Qt's own limit of 128 MB would refuse usual textures; ours are checked before anything is decoded.
     static const bool limited = (QImageReader::setAllocationLimit(1100), true);
@@ -35,23 +79,28 @@ QImage readPicture(QIODevice &device, int longest, QString &problem)
         problem = text(QT_TRANSLATE_NOOP("Pictures", "it cannot be opened"));
         return {};
     }
-    QImageReader reader(&device);
-    reader.setDecideFormatFromContent(true);
-    reader.setAutoTransform(true);
-    const QSize size = reader.size();
-    if (!size.isEmpty() && (std::max(size.width(), size.height()) > maxPictureSide ||
-                            qint64(size.width()) * size.height() > maxPicturePixels)) {
-        problem = text(QT_TRANSLATE_NOOP("Pictures", "%1 x %2 pixels are too many"))
-                      .arg(size.width())
-                      .arg(size.height());
-        return {};
+    QImage image;
+    if (const auto own = readByOurselves(device, request, numbers, problem)) {
+        image = *own;
+    } else {
+        QImageReader reader(&device);
+        reader.setDecideFormatFromContent(true);
+        reader.setAutoTransform(true);
+        const QSize size = reader.size();
+        if (!size.isEmpty() && (std::max(size.width(), size.height()) > maxPictureSide ||
+                                qint64(size.width()) * size.height() > maxPicturePixels)) {
+            problem = text(QT_TRANSLATE_NOOP("Pictures", "%1 x %2 pixels are too many"))
+                          .arg(size.width())
+                          .arg(size.height());
+            return {};
+        }
+        if (std::max(size.width(), size.height()) > longest)
+            reader.setScaledSize(size.scaled(longest, longest, Qt::KeepAspectRatio).expandedTo({1, 1}));
+        image = reader.read();
+        if (image.isNull())
+            problem = reader.errorString();
     }
-    if (std::max(size.width(), size.height()) > longest)
-        reader.setScaledSize(size.scaled(longest, longest, Qt::KeepAspectRatio).expandedTo({1, 1}));
-    QImage image = reader.read();
-    if (image.isNull())
-        problem = reader.errorString();
-    else if (std::max(image.width(), image.height()) > longest)
+    if (std::max(image.width(), image.height()) > longest)
         image = image.scaled(longest, longest, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     return image;
 }
@@ -69,13 +118,11 @@ public:
         Pictures::Set &set = mPictures.sets.emplace_back();
         QString problem;
         if (!request.content.isEmpty()) {
-            QByteArray bytes = request.content;
-            QBuffer buffer(&bytes);
-            set.repeated = take(readPicture(buffer, mLongest, problem));
+            set.repeated = take(readImage(request, mLongest, PictureNumbers::Color, problem));
         }
         for (const TextureTile &file : files) {
-            QFile picture(file.path);
-            const int image = stopped() ? -1 : take(readPicture(picture, mLongest, problem));
+            const PictureRequest one{file.path, {}, {}};
+            const int image = stopped() ? -1 : take(readImage(one, mLongest, PictureNumbers::Color, problem));
             if (file.tile == 0)
                 set.repeated = image;
             else if (image >= 0)
@@ -107,6 +154,24 @@ private:
 
 } // namespace
 
+QImage readImage(const PictureRequest &request, int longest, PictureNumbers numbers, QString &problem)
+{
+    if (request.content.isEmpty()) {
+        QFile file(request.path);
+        return readFrom(file, request, longest, numbers, problem);
+    }
+    QByteArray bytes = request.content;
+    QBuffer buffer(&bytes);
+    return readFrom(buffer, request, longest, numbers, problem);
+}
+
+int longestSide(std::size_t images)
+{
+    const double room = pixelBudget / static_cast<double>(std::clamp<std::size_t>(images, 1, maxPictures));
+    return std::clamp(static_cast<int>(std::exp2(std::floor(std::log2(std::sqrt(room))))), 256,
+                      maxPictureSide);
+}
+
 Pictures readPictures(const std::vector<PictureRequest> &requests, QStringList &problems,
                       const std::atomic<bool> *stop)
 {
@@ -117,10 +182,7 @@ Pictures readPictures(const std::vector<PictureRequest> &requests, QStringList &
                                                                              : textureTiles(request.path));
         count += std::max<std::size_t>(1, files.back().size());
     }
-    const double room = pixelBudget / static_cast<double>(std::clamp<std::size_t>(count, 1, maxPictures));
-    const int longest =
-        std::clamp(static_cast<int>(std::exp2(std::floor(std::log2(std::sqrt(room))))), 256, maxPictureSide);
-    Reading reading(longest, problems, stop);
+    Reading reading(longestSide(count), problems, stop);
     for (std::size_t r = 0; r < requests.size(); ++r)
         reading.add(requests[r], files[r]);
     return reading.result();

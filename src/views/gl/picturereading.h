@@ -18,9 +18,15 @@ struct PictureRequest
     QString name;       //!< for messages
 };
 
-//! Longest side and most pixels of a picture that is read; chosen by hand.
-inline constexpr int maxPictureSide = 16384;
-inline constexpr qint64 maxPicturePixels = qint64(16384) * 16384;
+//! What the numbers of a float picture become in an image of 8 bits: sRGB, or what they are.
+enum class PictureNumbers { Color, Plain };
+
+//! The picture of a file or a content, no longer than that many pixels; null with a problem. Also OpenEXR,
+//! Radiance HDR and TGA.
+QImage readImage(const PictureRequest &request, int longest, PictureNumbers numbers, QString &problem);
+
+//! The longest side for that many images, all of which together fit into memory.
+int longestSide(std::size_t images);
 
 //! Reads all textures; takes long. Pictures are scaled down where together they would take more than 512 MB.
 //! \param problems gets a line for each texture that cannot be shown, with its reason

@@ -24,13 +24,17 @@ struct Pictures
         bool operator==(const Set &) const = default;
     };
 
+    //! Images of each picture, one after another; `repeated` and `tiles` name the first one. 1: a colour. 3:
+    //! a texture set, all of one size: base colour and height; x and y of the normal, roughness, metalness;
+    //! emission and occlusion. Colours are sRGB.
+    int layers = 1;
     std::vector<QImage> images;
     std::vector<Set> sets;
 
     //! One picture that repeats; nothing when the image is null.
     static Pictures of(const QImage &image)
     {
-        return image.isNull() ? Pictures() : Pictures{{image}, {{0, {}}}};
+        return image.isNull() ? Pictures() : Pictures{1, {image}, {{0, {}}}};
     }
 };
 

@@ -45,6 +45,8 @@ QString iconName(int commandId)
         return u"preferences"_s;
     case CommandId::HideFaces:
         return u"hide"_s;
+    case CommandId::EditTextures:
+        return u"texture"_s;
     case CommandId::ReplaceModel:
         return u"relink"_s;
     case CommandId::Reset:

@@ -199,6 +199,8 @@ void IslandPanel::refresh()
         static const std::vector<double> unknown;
         mTable->setFigures(islandFigures(
             *document(), map.figuresAreFresh() ? map.figures()->metrics.chartSymDirichlet : unknown));
+        for (const int column : {IslandTable::Stack, IslandTable::Group})
+            mView->setColumnHidden(column, !mTable->hasTexts(column));
         mFiguresStale = false;
     }
     selectRows(*document());

@@ -33,6 +33,15 @@ void IslandTable::setFigures(std::vector<IslandFigures> figures)
         Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
 }
 
+bool IslandTable::hasTexts(int column) const
+{
+    for (std::size_t i = 0; i < mFigures.size(); ++i) {
+        if (!text(mFigures[i], static_cast<int>(i), column).isEmpty())
+            return true;
+    }
+    return false;
+}
+
 int IslandTable::rowCount(const QModelIndex &parent) const
 {
     return parent.isValid() ? 0 : static_cast<int>(mFigures.size());

@@ -19,6 +19,8 @@ public:
     explicit IslandTable(QObject *parent = nullptr) : QAbstractTableModel(parent) {}
 
     void setFigures(std::vector<IslandFigures> figures);
+    //! Whether any row has a text in the column.
+    bool hasTexts(int column) const;
     const std::vector<IslandFigures> &figures() const { return mFigures; }
 
     int rowCount(const QModelIndex &parent = {}) const override;

@@ -1,8 +1,12 @@
 #include "views/panels/mapoutcome.h"
 
+#include "model/document/document.h"
+#include "views/control/islandfigures.h"
 #include "views/panels/numbertext.h"
 
 #include <QCoreApplication>
+
+#include <cmath>
 
 namespace autocuts {
 
@@ -18,16 +22,30 @@ struct OutcomeTexts
     Q_DECLARE_TR_FUNCTIONS(MapOutcome)
 };
 
+//! The distortion of the islands each at its own scale. It is what unwrapping can change: packing into tiles
+//! by objects, and the user, give islands different sizes, which the distortion of the whole map counts.
+double distortionOfShapes(const Document &document, const metrics::UvMetrics &m)
+{
+    double area = 0, sum = 0;
+    for (const IslandFigures &island : islandFigures(document, m.chartSymDirichlet)) {
+        if (!std::isfinite(island.distortion))
+            continue;
+        area += island.areaShare;
+        sum += island.areaShare * island.distortion;
+    }
+    return area > 0 ? sum / area : m.symDirichlet;
+}
+
 } // namespace
 
-MapOutcome outcomeOf(const MapFigures &figures, double bound)
+MapOutcome outcomeOf(const Document &document, const MapFigures &figures, double bound)
 {
     const metrics::UvMetrics &m = figures.metrics;
     if (m.charts == 0)
         return {OutcomeTexts::tr("No map yet"), "uv.unwrap"};
     const QString what =
-        OutcomeTexts::tr("D %1, seams %2, islands: %3")
-            .arg(fixedText(m.symDirichlet, 3), fixedText(m.seamNorm, 2), countText(m.charts));
+        figureLine(OutcomeTexts::tr("D %1, seams %2, islands: %3")
+                       .arg(fixedText(m.symDirichlet, 3), fixedText(m.seamNorm, 2), countText(m.charts)));
     const auto outcome = [&](const char *verdict, const char *next) {
         return MapOutcome{what + QStringLiteral(". ") + OutcomeTexts::tr(verdict), next};
     };
@@ -35,8 +53,12 @@ MapOutcome outcomeOf(const MapFigures &figures, double bound)
         return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Triangles are flipped."), "uv.unwrap");
     if (m.overlapPairs > 0)
         return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Faces overlap."), "uv.separate");
-    if (m.symDirichlet > bound)
-        return outcome(QT_TRANSLATE_NOOP("MapOutcome", "More stretch than allowed."), "uv.unwrap");
+    if (m.symDirichlet > bound) {
+        if (distortionOfShapes(document, m) > bound)
+            return outcome(QT_TRANSLATE_NOOP("MapOutcome", "More stretch than allowed."), "uv.unwrap");
+        if (m.tiles.size() < 2)
+            return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Texel densities differ."), "uv.density");
+    }
     if (m.minGutterTexels < fewestGutterTexels || m.uvMin.minCoeff() < -tolerance)
         return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Not packed."), "uv.pack");
     return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Ready."), "file.exportMesh");

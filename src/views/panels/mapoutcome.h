@@ -7,6 +7,8 @@
 
 namespace autocuts {
 
+class Document;
+
 //! One line for the user, and the id of the action that comes next; empty without one.
 struct MapOutcome
 {
@@ -14,7 +16,7 @@ struct MapOutcome
     const char *nextAction = "";
 };
 
-//! \param bound on the distortion D
-MapOutcome outcomeOf(const MapFigures &figures, double bound);
+//! \param figures of the document's map \param bound on the distortion D
+MapOutcome outcomeOf(const Document &document, const MapFigures &figures, double bound);
 
 } // namespace autocuts

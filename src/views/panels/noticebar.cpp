@@ -25,7 +25,7 @@ NoticeBar::NoticeBar(Workspace &workspace, QWidget *parent)
     mSelect->setText(tr("Select them"));
     mSelect->setToolTip(tr("Select what the message is about"));
     mClose->setObjectName("noticeClose"_L1);
-    mClose->setIcon(icon(u"clear"_s));
+    mClose->setIcon(icon(u"cancel"_s));
     mClose->setToolTip(tr("Close this message"));
     mClose->setAutoRaise(true);
     auto *picture = new QLabel;

@@ -37,4 +37,10 @@ QString percentText(double share)
                                 : missingText();
 }
 
+QString figureLine(QString text)
+{
+    text.replace(QLatin1Char(' '), QChar::Nbsp);
+    return text.replace(QStringLiteral(",\u00a0"), QStringLiteral(", "));
+}
+
 } // namespace autocuts

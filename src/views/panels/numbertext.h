@@ -15,5 +15,7 @@ QString significantText(double value, int digits);
 QString countText(qint64 count);
 //! A share in [0, 1] as a percentage with one decimal; a dash when it is not finite.
 QString percentText(double share);
+//! Figures with captions, such as "seams 18.7, islands: 46", that lines break after commas only.
+QString figureLine(QString text);
 
 } // namespace autocuts

@@ -78,6 +78,7 @@ void PackPanel::addTextureRows(QFormLayout *form)
     mTextureHeight = makeTexels("textureHeight"_L1);
     mTextureHeight->setAccessibleName(tr("Height of the texture"));
     QWidget *sides = makeRow({mTextureSize, new QLabel(u"\u00d7"_s), mTextureHeight});
+    static_cast<QHBoxLayout *>(sides->layout())->setStretch(1, 0); // of the sign between them
     sides->setFocusProxy(mTextureSize);
     const QString tip =
         tr("Width and height of the texture in texels; choose or type numbers. Islands keep their "

@@ -99,8 +99,14 @@ void Panel::explain(QWidget *widget, const QString &tip, std::initializer_list<c
     for (const QAction *action : actions)
         connect(action, &QAction::changed, widget, show);
     show();
-    if (auto *button = qobject_cast<QAbstractButton *>(widget))
-        button->setIcon(actions.front()->icon());
+    auto *button = qobject_cast<QAbstractButton *>(widget);
+    if (!button)
+        return;
+    button->setIcon(actions.front()->icon());
+    // makeButton() leaves room for the text alone.
+    if (!button->icon().isNull() && button->minimumWidth() > 0)
+        button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) +
+                                button->iconSize().width() + 14);
 }
 
 void Panel::showEvent(QShowEvent *event)

@@ -37,8 +37,9 @@ constexpr int smallestDelta = -24, largestDelta = 2; //!< exponents of two
 
 QString liveText(const unwrap::LiveMapResult &map)
 {
-    return SolverPanel::tr("Live map: D %1, seams %2, islands: %3")
-        .arg(fixedText(map.distortion, 3), fixedText(map.seamLength, 2), countText(map.islands));
+    return figureLine(
+        SolverPanel::tr("Live map: D %1, seams %2, islands: %3")
+            .arg(fixedText(map.distortion, 3), fixedText(map.seamLength, 2), countText(map.islands)));
 }
 
 } // namespace
@@ -68,6 +69,7 @@ QWidget *SolverPanel::makeUnwrapForm()
     mUnwrap = new UnwrapForm;
     explain(mUnwrap->button(), tr("Make a packed map automatically, within the stretch that is allowed"),
             {"uv.unwrap"});
+    mUnwrap->button()->setIcon(accentIcon(u"unwrap"_s));
     connect(mUnwrap, &UnwrapForm::edited, this, &SolverPanel::applyEdit);
     connect(mUnwrap, &UnwrapForm::unwrapRequested, &context().map,
             [this](unwrap::UnwrapQuality quality) { context().map.unwrap(quality); });
@@ -348,7 +350,7 @@ void SolverPanel::showOutcome(const SolveSettings &settings)
     else if (context().solver.isRunning() && context().solver.map())
         outcome = {liveText(*context().solver.map()), "uv.run"};
     else if (document() && map.figures() && map.figuresAreFresh() && !map.jobs().isBusy())
-        outcome = outcomeOf(*map.figures(), settings.maxDistortion);
+        outcome = outcomeOf(*document(), *map.figures(), settings.maxDistortion);
     mOutcome->setText(outcome.text);
     mNextAction = outcome.nextAction;
     mNext->setVisible(*mNextAction != '\0');

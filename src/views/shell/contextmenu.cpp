@@ -1,6 +1,7 @@
 #include "views/shell/contextmenu.h"
 
 #include "views/actions/actionregistry.h"
+#include "views/actions/menubuilder.h"
 #include "views/control/studiocontext.h"
 #include "views/control/workspace.h"
 #include "views/tools/pickedelements.h"
@@ -8,16 +9,19 @@
 #include <QMenu>
 
 #include <algorithm>
+#include <memory>
+#include <span>
 
 namespace autocuts {
 
 namespace {
 
-// nullptr is a separator.
-constexpr const char *edgeIds[] = {
-    "uv.cut", "uv.join",         "uv.clearSteering",   nullptr, "uv.rip",        "uv.stitch",
-    nullptr,  "uv.keepStraight", "uv.releaseStraight", nullptr, "uv.straighten", "uv.orientEdges",
-    nullptr,  "select.loop"};
+// nullptr is a separator; what names a submenu is not the id of an action.
+constexpr const char *edgeIds[] = {"uv.cut", "uv.join",         "uv.clearSteering",
+                                   nullptr,  "uv.rip",          "uv.stitch",
+                                   nullptr,  "uv.keepStraight", "uv.releaseStraight",
+                                   nullptr,  "uv.straighten",   "uv.orientEdges",
+                                   nullptr,  "select.loop",     nullptr};
 constexpr const char *faceIds[] = {"uv.unwrapSelection",
                                    "uv.runSelection",
                                    "uv.finishSelection",
@@ -30,40 +34,59 @@ constexpr const char *faceIds[] = {"uv.unwrapSelection",
                                    "uv.mirrorU",
                                    "uv.mirrorV",
                                    nullptr,
-                                   "uv.lock",
-                                   "uv.unlock",
-                                   "uv.keepOrientation",
-                                   "uv.freeOrientation",
-                                   "uv.group",
-                                   "uv.ungroup",
-                                   "uv.stack",
-                                   "uv.unstack",
-                                   "uv.stackCopies",
-                                   "uv.unstackCopies",
-                                   nullptr,
-                                   "uv.texelWeight",
-                                   "uv.clearTexelWeight",
+                                   "UV/Islands",
+                                   "UV/Texel density",
                                    nullptr,
                                    "uv.cut",
                                    "uv.join",
                                    "uv.rip",
-                                   nullptr,
-                                   "select.island",
-                                   "select.similar",
-                                   "select.linked"};
-constexpr const char *cornerIds[] = {"uv.pin", "uv.unpin", nullptr, "select.island", "select.linked"};
-constexpr const char *mapIds[] = {"uv.unwrap", "uv.finish", "uv.pack", "uv.separate"};
-constexpr const char *generalIds[] = {nullptr,           "select.all",    "select.none", "select.invert",
-                                      "select.grow",     "select.shrink", nullptr,       "view.hide",
-                                      "view.hideOthers", "view.showAll",  nullptr,       "view.frameSelected",
-                                      "view.frameAll"};
+                                   nullptr};
+constexpr const char *cornerIds[] = {"uv.pin", "uv.unpin", nullptr};
+constexpr const char *mapIds[] = {"uv.unwrap", "uv.finish", "uv.pack", "uv.separate", nullptr};
+constexpr const char *generalIds[] = {"Select",       nullptr, "view.hide",          "view.hideOthers",
+                                      "view.showAll", nullptr, "view.frameSelected", "view.frameAll"};
 
-template <std::size_t Count>
-void addEnabled(QMenu &menu, const ActionRegistry &actions, const char *const (&ids)[Count])
+constexpr const char *islandIds[] = {"uv.lock",  "uv.unlock",  "uv.keepOrientation", "uv.freeOrientation",
+                                     nullptr,    "uv.group",   "uv.ungroup",         nullptr,
+                                     "uv.stack", "uv.unstack", "uv.stackCopies",     "uv.unstackCopies"};
+constexpr const char *densityIds[] = {"uv.texelWeight", "uv.clearTexelWeight"};
+constexpr const char *selectIds[] = {"select.island", "select.similar", "select.linked",
+                                     nullptr,         "select.all",     "select.none",
+                                     "select.invert", "select.grow",    "select.shrink"};
+
+struct Submenu
+{
+    const char *path;
+    std::span<const char *const> ids;
+};
+constexpr Submenu submenus[] = {
+    {"UV/Islands", islandIds}, {"UV/Texel density", densityIds}, {"Select", selectIds}};
+
+void addEnabled(QMenu &menu, const ActionRegistry &actions, std::span<const char *const> ids);
+
+//! Adds a submenu unless nothing in it is enabled. False when the id is none.
+bool addSubmenu(QMenu &menu, const ActionRegistry &actions, const char *id)
+{
+    const auto *const found =
+        std::find_if(std::begin(submenus), std::end(submenus),
+                     [&](const Submenu &entry) { return QLatin1String(entry.path) == QLatin1String(id); });
+    if (found == std::end(submenus))
+        return false;
+    auto made = std::make_unique<QMenu>(menuTitle(QLatin1String(id)), &menu);
+    made->setToolTipsVisible(true);
+    addEnabled(*made, actions, found->ids);
+    if (!made->isEmpty())
+        menu.addMenu(made.release());
+    return true;
+}
+
+void addEnabled(QMenu &menu, const ActionRegistry &actions, std::span<const char *const> ids)
 {
     for (const char *id : ids) {
         if (!id)
             menu.addSeparator();
+        else if (addSubmenu(menu, actions, id))
+            continue;
         else if (QAction *action = actions.action(id); action->isEnabled())
             menu.addAction(action);
     }

@@ -48,6 +48,8 @@ namespace autocuts {
 namespace {
 
 constexpr int thumbnailSize = 256; //!< pixels of the longer side
+//! Pixels; in narrower windows the panels on the left begin closed (View > Panels opens them).
+constexpr int leastForBothSides = 1100;
 
 //! The path when a drag has exactly one file; empty otherwise.
 QString draggedFile(const QMimeData &data)
@@ -172,7 +174,7 @@ void MainWindow::makePanels()
     connect(doctorPanel, &DoctorPanel::frameSelectionRequested, mActions.action("view.frameSelected"),
             &QAction::trigger);
     QDockWidget *uvSets = add("uvSets", tr("UV sets"), new UvSetPanel(studio), Qt::LeftDockWidgetArea);
-    QDockWidget *solver = add("solver", tr("Unwrap"), new SolverPanel(studio), Qt::RightDockWidgetArea);
+    add("solver", tr("Unwrap"), new SolverPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *islands = add("islands", tr("Islands"), new IslandPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *arranging = add("layout", tr("Layout"), new LayoutPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *seams = add("seams", tr("Seams"), new SeamPanel(studio), Qt::RightDockWidgetArea);
@@ -200,7 +202,6 @@ void MainWindow::makePanels()
     tabifyDockWidget(packing, overlaps);
     islands->raise();
     resizeDocks({view, history}, {560, 340}, Qt::Vertical);
-    resizeDocks({solver, islands}, {600, 320}, Qt::Vertical);
 
     mStatusBar = new StatusBar(studio, this);
     setStatusBar(mStatusBar);
@@ -216,16 +217,17 @@ void MainWindow::makeMenus()
     for (QDockWidget *dock : mDocks)
         panels->insertAction(before, dock->toggleViewAction());
 
-    auto *bar = addToolBar(tr("Main tool bar"));
+    QToolBar *const bar = mMainBar = addToolBar(tr("Main tool bar"));
     bar->setObjectName(QStringLiteral("mainToolBar"));
     bar->setMovable(false);
     fillToolBar(mActions, *bar);
     panels->insertAction(before, bar->toggleViewAction());
-    auto *options = new ToolOptionBar(context(), mTools);
+    QToolBar *const options = mOptionBar = new ToolOptionBar(context(), mTools);
     options->setObjectName(QStringLiteral("toolOptionsBar"));
     options->setMovable(false);
     addToolBar(options);
     panels->insertAction(before, options->toggleViewAction());
+    connect(&mTools, &ToolManager::toolChanged, this, &MainWindow::arrangeToolBars);
     panels->insertAction(before, makeToolBar()->toggleViewAction());
     // Added to the window so that all shortcuts work wherever the focus is, also when the menu bar is hidden.
     addActions(QList<QAction *>(mActions.actions().begin(), mActions.actions().end()));
@@ -233,6 +235,22 @@ void MainWindow::makeMenus()
             [this] { restoreState(mDefaultState); });
     connect(mActions.action("view.fullScreen"), &QAction::toggled, this,
             [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
+}
+
+//! The options get a row of their own in a window too narrow for those of a tool that was used, so that
+//! nothing is hidden and the views do not jump with every tool.
+void MainWindow::arrangeToolBars()
+{
+    if (!mOptionBar)
+        return;
+    mWidestOptions = std::max(mWidestOptions, mOptionBar->sizeHint().width());
+    const bool fits = mMainBar->sizeHint().width() + mWidestOptions <= width();
+    if (fits == !toolBarBreak(mOptionBar))
+        return;
+    if (fits)
+        removeToolBarBreak(mOptionBar);
+    else
+        insertToolBarBreak(mOptionBar);
 }
 
 //! The tool bar beside the views. An action "tool.x" activates the tool "x".
@@ -291,10 +309,17 @@ void MainWindow::restoreLayout()
     layout()->activate();
     // As large as the screen allows, with room for the frame of the window.
     resize(QSize(1680, 960).boundedTo(0.94 * screen()->availableSize()));
+    const auto dock = [this](const char *name) { return findChild<QDockWidget *>(QLatin1String(name)); };
     // On small screens the views get the larger part, too.
-    resizeDocks({findChild<QDockWidget *>(QStringLiteral("view")),
-                 findChild<QDockWidget *>(QStringLiteral("solver"))},
-                {std::min(290, width() * 22 / 100), std::min(370, width() * 31 / 100)}, Qt::Horizontal);
+    if (width() < leastForBothSides) {
+        for (QDockWidget *left : mDocks)
+            left->setVisible(dockWidgetArea(left) != Qt::LeftDockWidgetArea);
+    }
+    resizeDocks({dock("view"), dock("solver")},
+                {std::min(290, width() * 22 / 100), std::min(370, width() * 38 / 100)}, Qt::Horizontal);
+    // What the Unwrap panel needs while its advanced part is folded; the panels below get the rest.
+    const int unwrapHeight = std::min(490, height() * 60 / 100);
+    resizeDocks({dock("solver"), dock("islands")}, {unwrapHeight, height() - unwrapHeight}, Qt::Vertical);
     mDefaultState = saveState();
     restoreGeometry(mPreferences.windowGeometry());
     restoreState(mPreferences.windowState());
@@ -368,6 +393,12 @@ void MainWindow::closeEvent(QCloseEvent *event)
     mPreferences.setWindowLayout(saveGeometry(), saveState());
     mFiles.close();
     event->accept();
+}
+
+void MainWindow::resizeEvent(QResizeEvent *event)
+{
+    QMainWindow::resizeEvent(event);
+    arrangeToolBars();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent *event)

@@ -51,6 +51,7 @@ public:
 
 protected:
     void closeEvent(QCloseEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
 
@@ -60,6 +61,7 @@ private:
     void showMenu(Canvas &canvas, const QPointF &pixel);
     void makeMenus();
     QToolBar *makeToolBar();
+    void arrangeToolBars();
     void connectMessages();
     void restoreLayout();
     void showTitle();
@@ -87,6 +89,8 @@ private:
     MeshView *mMeshView = nullptr;
     UvView *mUvView = nullptr;
     StatusBar *mStatusBar = nullptr;
+    QToolBar *mMainBar = nullptr, *mOptionBar = nullptr;
+    int mWidestOptions = 0; //!< of the tools used so far, in pixels
     QList<QDockWidget *> mDocks;
     Pattern mOtherPattern = Pattern::None; //!< when the textures of a model took its place
     bool mNearOverlap = false;             //!< the UV view was moved to an overlap

@@ -119,7 +119,7 @@ QWidget *StartPage::makeOpening()
         QPushButton *const button = makeButton(
             primary ? tr("Open a model or a session...") : action->iconText(), QLatin1StringView(id));
         button->setProperty("primary", primary);
-        button->setIcon(action->icon());
+        button->setIcon(primary ? accentIcon(QStringLiteral("open")) : action->icon());
         button->setMinimumWidth(button->minimumWidth() + (primary ? 60 : 0));
         button->setToolTip(action->toolTip());
         connect(button, &QPushButton::clicked, action, &QAction::trigger);

@@ -35,7 +35,8 @@ void ToolOptionBar::build()
     const QAction *action = mContext.actions.action(("tool." + mTools.tool()->id().toLatin1()).constData());
     auto *box = new QWidget;
     auto *layout = new QHBoxLayout(box);
-    layout->setContentsMargins(8, 0, 8, 0);
+    layout->setContentsMargins(8, 0, 0, 0);
+    layout->setSpacing(4);
     auto *name = new QLabel(actionTitle(mContext.actions.info(action)));
     QFont bold = name->font();
     bold.setBold(true);

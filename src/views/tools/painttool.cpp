@@ -66,13 +66,10 @@ PaintTool::PaintTool(const StudioContext &context, QObject *parent)
 
 QString PaintTool::hint() const
 {
-    return tr("%1, %2 %, hardness %3 %%4: 1-3 choose, Shift erases, Ctrl inverts; wheel with Shift size, "
-              "Ctrl "
-              "strength, Alt hardness; X symmetry")
-        .arg(nameOf(mPaint))
-        .arg(std::lround(100 * mBrush.strength))
-        .arg(std::lround(100 * mBrush.hardness))
-        .arg(mSymmetric ? tr(", symmetric") : QString());
+    return tr("%1: 1-3 choose, Shift erases, Ctrl inverts; wheel with Shift size, Ctrl strength, Alt "
+              "hardness; "
+              "X symmetry")
+        .arg(nameOf(mPaint));
 }
 
 void PaintTool::activate()

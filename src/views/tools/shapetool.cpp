@@ -64,10 +64,7 @@ QString ShapeTool::hint() const
                          : mKind == ShapeBrush::Pinch
                              ? tr("Pinch: stroke to draw the map together, Ctrl apart, Shift relaxes")
                              : tr("Grab: drag what is under the brush, Shift relaxes");
-    return tr("%1; wheel with Shift size, Ctrl strength, Alt hardness (%2 %, %3 %)")
-        .arg(what)
-        .arg(std::lround(100 * mBrush.strength))
-        .arg(std::lround(100 * mBrush.hardness));
+    return tr("%1; wheel with Shift size, Ctrl strength, Alt hardness").arg(what);
 }
 
 void ShapeTool::deactivate()

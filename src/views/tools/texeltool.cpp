@@ -30,12 +30,10 @@ TexelTool::TexelTool(const StudioContext &context, QObject *parent)
 
 QString TexelTool::hint() const
 {
-    return tr("Texel density %1 times, %2 %, hardness %3 %%4: Shift goes back to 1, Ctrl inverts; wheel with "
-              "Shift size, Ctrl strength, Alt hardness; X symmetry")
-        .arg(QString::number(mWeight, 'g', 3))
-        .arg(std::lround(100 * mBrush.strength))
-        .arg(std::lround(100 * mBrush.hardness))
-        .arg(mSymmetric ? tr(", symmetric") : QString());
+    return tr("Texel density %1 times: Shift goes back to 1, Ctrl inverts; wheel with Shift size, Ctrl "
+              "strength, "
+              "Alt hardness; X symmetry")
+        .arg(QString::number(mWeight, 'g', 3));
 }
 
 void TexelTool::activate()

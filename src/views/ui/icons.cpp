@@ -40,14 +40,17 @@ QColor tint(QIcon::Mode mode)
     }
 }
 
+enum class IconColors { Text, Accent, File };
+
 //! Paints an SVG file at any size.
 class SvgIconEngine final : public QIconEngine
 {
 public:
-    //! \param tinted false: use the colours of the file
-    SvgIconEngine(const QString &file, bool tinted) : mFile(file), mTinted(tinted) {}
+    SvgIconEngine(const QString &file, IconColors colors)
+        : mFile(file), mTinted(colors != IconColors::File), mColors(colors)
+    {}
 
-    QIconEngine *clone() const override { return new SvgIconEngine(mFile, mTinted); }
+    QIconEngine *clone() const override { return new SvgIconEngine(mFile, mColors); }
     QString key() const override { return QStringLiteral("autocuts-svg"); }
 
     void paint(QPainter *painter, const QRect &rect, QIcon::Mode mode, QIcon::State state) override
@@ -64,7 +67,8 @@ public:
     //! \param size in device pixels
     QPixmap scaledPixmap(const QSize &size, QIcon::Mode mode, QIcon::State, qreal ratio) override
     {
-        const QColor color = mTinted ? tint(mode) : QColor();
+        const bool onAccent = mColors == IconColors::Accent && mode != QIcon::Disabled;
+        const QColor color = mTinted ? tint(onAccent ? QIcon::Selected : mode) : QColor();
         const QString key = QStringLiteral("%1|%2x%3|%4|%5")
                                 .arg(mFile)
                                 .arg(size.width())
@@ -102,20 +106,30 @@ private:
 
     QString mFile;
     bool mTinted;
+    IconColors mColors;
 };
+
+QIcon iconIn(IconColors colors, const QString &name)
+{
+    const QString file = iconFile(name);
+    return QFile::exists(file) ? QIcon(new SvgIconEngine(file, colors)) : QIcon();
+}
 
 } // namespace
 
 QIcon icon(const QString &name)
 {
-    const QString file = iconFile(name);
-    return QFile::exists(file) ? QIcon(new SvgIconEngine(file, true)) : QIcon();
+    return iconIn(IconColors::Text, name);
+}
+
+QIcon accentIcon(const QString &name)
+{
+    return iconIn(IconColors::Accent, name);
 }
 
 QIcon coloredIcon(const QString &name)
 {
-    const QString file = iconFile(name);
-    return QFile::exists(file) ? QIcon(new SvgIconEngine(file, false)) : QIcon();
+    return iconIn(IconColors::File, name);
 }
 
 QIcon applicationIcon()

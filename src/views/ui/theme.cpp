@@ -4,11 +4,14 @@
 #include "views/ui/icons.h"
 
 #include <QApplication>
+#include <QListView>
 #include <QPainter>
 #include <QPalette>
 #include <QProxyStyle>
 #include <QStyleOption>
 #include <QToolTip>
+
+#include <algorithm>
 
 namespace autocuts {
 
@@ -131,6 +134,18 @@ public:
         QProxyStyle::drawControl(element, &light, painter, widget);
     }
 
+    //! Lists get rows as high as those of tables and menus, and push buttons some room beside their texts.
+    QSize sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &content,
+                           const QWidget *widget) const override
+    {
+        QSize size = QProxyStyle::sizeFromContents(type, option, content, widget);
+        if (type == CT_PushButton)
+            size.rwidth() += 12;
+        else if (type == CT_ItemViewItem && option && qobject_cast<const QListView *>(widget))
+            size.setHeight(std::max(size.height(), option->fontMetrics.height() + 8));
+        return size;
+    }
+
     QIcon standardIcon(StandardPixmap pixmap, const QStyleOption *option,
                        const QWidget *widget) const override
     {
@@ -143,6 +158,11 @@ public:
             return coloredIcon(QStringLiteral("dialog-information"));
         case SP_MessageBoxCritical:
             return coloredIcon(QStringLiteral("dialog-error"));
+        // The style's own are black.
+        case SP_ToolBarHorizontalExtensionButton:
+            return icon(QStringLiteral("more-right"));
+        case SP_ToolBarVerticalExtensionButton:
+            return icon(QStringLiteral("more-down"));
         default:
             return QProxyStyle::standardIcon(pixmap, option, widget);
         }

@@ -216,6 +216,7 @@ void SoupBuilder::fill(Scene &scene)
         scene.materialNames.push_back(QString::fromStdString(nameOr(materials[m], "material", m)));
         scene.materialColors.push_back(baseColor(materials[m]));
         scene.materialTextures.push_back(textures.ofMaterial(materials[m]));
+        scene.materialSets.push_back(textures.setOfMaterial(materials[m]));
     }
     scene.objectNames = std::move(mObjectNames);
     scene.faceMaterial = std::move(mFaceMaterial);

@@ -4,12 +4,23 @@
 
 #include <QUrl>
 
+#include <algorithm>
+#include <cmath>
+
 namespace autocuts {
 
 namespace {
 
 //! What all pictures of a file may have together: its buffer views may overlap. Chosen by hand.
 constexpr qsizetype maxBytes = qsizetype(512) << 20;
+
+//! A number from 0 to 100; otherwise the default.
+double numberIn(const Json &object, const char *key, double byDefault)
+{
+    const Json &value = member(object, key);
+    const double number = value.is_number() ? value.get<double>() : byDefault;
+    return number >= 0 && number <= 100 ? number : byDefault;
+}
 
 } // namespace
 
@@ -41,16 +52,13 @@ SceneTexture GltfTextures::readImage(const Json &image)
     return {name, bytes.toByteArray()};
 }
 
-SceneTexture GltfTextures::ofMaterial(const Json &material)
+//! \param info of a texture, as materials have them
+SceneTexture GltfTextures::pictureOf(const Json &info)
 {
-    const Json *info = &member(member(material, "pbrMetallicRoughness"), "baseColorTexture");
-    if (!info->is_object())
-        info = &member(member(member(material, "extensions"), "KHR_materials_pbrSpecularGlossiness"),
-                       "diffuseTexture");
-    if (!info->is_object())
+    if (!info.is_object())
         return {};
     try {
-        const Json &texture = element(mData.json(), "textures", requiredNumber(*info, "index"));
+        const Json &texture = element(mData.json(), "textures", requiredNumber(info, "index"));
         const std::size_t number = imageNumber(texture);
         const auto found = mImages.find(number);
         if (found != mImages.end())
@@ -59,6 +67,44 @@ SceneTexture GltfTextures::ofMaterial(const Json &material)
     } catch (const GltfError &) {
         return {};
     }
+}
+
+SceneTexture GltfTextures::ofMaterial(const Json &material)
+{
+    const Json *info = &member(member(material, "pbrMetallicRoughness"), "baseColorTexture");
+    if (!info->is_object())
+        info = &member(member(member(material, "extensions"), "KHR_materials_pbrSpecularGlossiness"),
+                       "diffuseTexture");
+    return pictureOf(*info);
+}
+
+TextureSet GltfTextures::setOfMaterial(const Json &material)
+{
+    const Json &metallic = member(material, "pbrMetallicRoughness");
+    const Json &extensions = member(material, "extensions");
+    TextureSet set;
+    // A material without a word about it is not taken for metal, which it would be by the specification.
+    if (metallic.is_object()) {
+        const SceneTexture packed = pictureOf(member(metallic, "metallicRoughnessTexture"));
+        set[TextureChannel::Roughness] = {packed, 1, false, numberIn(metallic, "roughnessFactor", 1)};
+        set[TextureChannel::Metalness] = {packed, 2, false, numberIn(metallic, "metallicFactor", 1)};
+    }
+    const auto add = [&](TextureChannel channel, const Json &info, int component, double factor) {
+        if (const SceneTexture picture = pictureOf(info); !picture.isEmpty())
+            set[channel] = {picture, component, false, factor};
+    };
+    const Json &normal = member(material, "normalTexture");
+    add(TextureChannel::Normal, normal, -1, numberIn(normal, "scale", 1));
+    add(TextureChannel::Occlusion, member(material, "occlusionTexture"), 0, 1);
+    double emission = 0;
+    if (const Json &factor = member(material, "emissiveFactor"); factor.is_array()) {
+        for (const Json &value : factor)
+            emission = std::max(emission, value.is_number() ? value.get<double>() : 0.0);
+    }
+    emission *= numberIn(member(extensions, "KHR_materials_emissive_strength"), "emissiveStrength", 1);
+    if (emission > 0 && std::isfinite(emission))
+        add(TextureChannel::Emission, member(material, "emissiveTexture"), -1, std::min(emission, 100.0));
+    return set;
 }
 
 } // namespace autocuts

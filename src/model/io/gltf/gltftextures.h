@@ -18,8 +18,11 @@ public:
     //! The picture of the base colour: a file beside the model, or bytes from a buffer or a data URI. Empty
     //! where there is none, or where the file contradicts itself.
     SceneTexture ofMaterial(const Json &material);
+    //! All else of the metallic-roughness model: roughness, metalness, normals, occlusion, emission.
+    TextureSet setOfMaterial(const Json &material);
 
 private:
+    SceneTexture pictureOf(const Json &info);
     std::size_t imageNumber(const Json &texture) const;
     SceneTexture readImage(const Json &image);
 

@@ -1,0 +1,12 @@
+// Bakes light into a picture.
+#pragma once
+
+#include "cli/batchbake.h"
+
+namespace autocuts {
+
+//! Bakes the lights of the options into the UV map of a scene, and writes the picture; after a stop, what
+//! there is of it. With several tiles, the number of each stands before the suffix.
+Result<BakeOutcome> bakeLights(const CliOptions &options, const Scene &scene, const JobContext &job);
+
+} // namespace autocuts

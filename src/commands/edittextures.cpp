@@ -1,0 +1,92 @@
+#include "commands/edittextures.h"
+
+#include "commands/commandreading.h"
+
+#include <algorithm>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+int pictureCount(const std::vector<TextureSet> &sets)
+{
+    std::size_t count = 0;
+    for (const TextureSet &set : sets)
+        count += set.size();
+    return static_cast<int>(count);
+}
+
+std::size_t mostSets(const Document &document)
+{
+    return document.state().scene.materialNames.size() + 1;
+}
+
+} // namespace
+
+EditTextures::EditTextures(Document &document, std::vector<TextureSet> sets)
+    : DocumentCommand(document), mBefore(document.state().textureSets),
+      mAfter(withoutEmptyEnd(std::move(sets)))
+{
+    if (!validateTextureSets(mAfter, mostSets(document)).isEmpty())
+        mAfter = mBefore;
+    for (TextureSet &set : mAfter) {
+        for (auto &[channel, entry] : set)
+            entry.picture.content.clear();
+    }
+}
+
+std::unique_ptr<EditTextures> EditTextures::ofMaterial(Document &document, int material, TextureSet set)
+{
+    std::vector<TextureSet> sets = document.state().textureSets;
+    const auto place = static_cast<std::size_t>(std::max(material, -1) + 1);
+    if (place < mostSets(document)) {
+        sets.resize(std::max(sets.size(), place + 1));
+        sets[place] = std::move(set);
+    }
+    return std::make_unique<EditTextures>(document, std::move(sets));
+}
+
+QString EditTextures::label() const
+{
+    const int more = pictureCount(mAfter) - pictureCount(mBefore);
+    if (mAfter.empty())
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Remove all chosen textures"));
+    return more > 0 ? countedText(QT_TRANSLATE_NOOP("Undo Commands", "Add %n texture"),
+                                  QT_TRANSLATE_NOOP("Undo Commands", "Add %n textures"), more)
+                    : plainText(QT_TRANSLATE_NOOP("Undo Commands", "Change textures"));
+}
+
+qint64 EditTextures::payloadBytes() const
+{
+    qint64 bytes = 0;
+    for (const std::vector<TextureSet> *sets : {&mBefore, &mAfter}) {
+        for (const TextureSet &set : *sets) {
+            for (const auto &[channel, entry] : set)
+                bytes += qint64(sizeof(entry)) + 2 * entry.picture.file.size();
+        }
+    }
+    return bytes;
+}
+
+void EditTextures::clearPayload()
+{
+    mBefore.clear();
+    mAfter.clear();
+}
+
+void EditTextures::writePayload(QCborMap &map) const
+{
+    map["sets"_L1] = autocuts::toCbor(mAfter);
+}
+
+Result<std::unique_ptr<DocumentCommand>> EditTextures::fromCbor(Document &document, CborReader &reader)
+{
+    const auto sets = readTextureSets(reader.array("sets"_L1), mostSets(document));
+    if (reader.failed() || !sets)
+        return damagedCommand();
+    return std::unique_ptr<DocumentCommand>(std::make_unique<EditTextures>(document, *sets));
+}
+
+} // namespace autocuts

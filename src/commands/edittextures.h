@@ -1,0 +1,37 @@
+// The command that chooses the pictures of materials.
+#pragma once
+
+#include "commands/documentcommand.h"
+#include "model/document/cborvalues.h"
+#include "model/document/result.h"
+
+namespace autocuts {
+
+//! Replaces the user's texture sets.
+class EditTextures final : public DocumentCommand
+{
+public:
+    //! \param sets as DocumentState::textureSets; sets that are not valid change nothing. Contents are left
+    //! out
+    EditTextures(Document &document, std::vector<TextureSet> sets);
+
+    //! Gives a material other pictures. \param material -1: the faces without one
+    static std::unique_ptr<EditTextures> ofMaterial(Document &document, int material, TextureSet set);
+
+    CommandId commandId() const override { return CommandId::EditTextures; }
+    bool hasAnyChanges() const override { return mBefore != mAfter; }
+    static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
+
+protected:
+    void apply() override { setTextureSets(mAfter); }
+    void revert() override { setTextureSets(mBefore); }
+    void writePayload(QCborMap &map) const override;
+    QString label() const override;
+    qint64 payloadBytes() const override;
+    void clearPayload() override;
+
+private:
+    std::vector<TextureSet> mBefore, mAfter;
+};
+
+} // namespace autocuts

@@ -1,0 +1,799 @@
+// The baker: which points texels show, padding, rays to a detailed model, and each map against its formula.
+#include "model/plain/shadingnormals.h"
+#include "solver/bake/bakejob.h"
+#include "solver/bake/dilation.h"
+#include "support/mappedmodels.h"
+
+#include <QTest>
+
+#include <atomic>
+#include <cmath>
+#include <numbers>
+
+using namespace autocuts;
+using namespace autocuts::bake;
+using test::MappedModel;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+ShadedSurface surfaceOf(const MappedModel &model)
+{
+    ShadedSurface surface;
+    surface.mesh = model.mesh;
+    surface.uv = model.uv;
+    surface.normals = shadingNormals(*model.mesh, {});
+    if (model.uv.rows() > 0)
+        surface.tangents = mikkTangents(*model.mesh, model.uv, surface.normals);
+    return surface;
+}
+
+//! A square of side `size` around the origin in the plane z = 0, seen from above; its map is the whole tile.
+MappedModel plane(double size = 1)
+{
+    const double h = size / 2;
+    return test::mapped(
+        test::polygonMesh({{-h, -h, 0}, {h, -h, 0}, {h, h, 0}, {-h, h, 0}}, {{0, 1, 2, 3}}),
+        [=](const Vec3 &p, const Vec3 &) { return Vec2(p.x() / size + 0.5, p.y() / size + 0.5); });
+}
+
+BakeJob jobFor(const MappedModel &low, std::vector<MapRequest> maps, int size = 16)
+{
+    BakeJob job;
+    job.low = surfaceOf(low);
+    job.settings.maps = std::move(maps);
+    job.settings.grid.width = job.settings.grid.height = size;
+    job.floats = true;
+    return job;
+}
+
+void setDetailed(BakeJob &job, const test::MeshPtr &mesh, double cage)
+{
+    job.high = surfaceOf({mesh, {}});
+    job.kind = SourceKind::Detailed;
+    job.settings.cage.distance = cage;
+}
+
+struct Baked
+{
+    std::vector<Picture> maps;
+    BakeFigures figures;
+};
+
+Baked baked(const BakeJob &job, int threads = 1)
+{
+    Baked result;
+    result.maps.resize(job.settings.maps.size());
+    result.figures = runBake(
+        job,
+        [&](std::size_t map, int, const Picture &picture) {
+            result.maps[map] = picture;
+            return true;
+        },
+        JobContext(nullptr, threads));
+    return result;
+}
+
+Picture only(const BakeJob &job)
+{
+    return baked(job).maps.front();
+}
+
+Vec3f directionAt(const Picture &picture, int x, int y)
+{
+    const auto texel = picture.at(x, y);
+    return 2 * Vec3f(texel[0], texel[1], texel[2]) - Vec3f::Ones();
+}
+
+} // namespace
+
+class TestBake : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void texelsShowTheirPoints();
+    void texelsBesideIslandsShowTheNearestPoint();
+    void overlapsAreCounted();
+    void sharedSidesAreNoOverlaps();
+    void dilationTakesTheNearest();
+    void detailedNormals_data();
+    void detailedNormals();
+    void cageDirections();
+    void cageOfItsOwn();
+    void facesBehindAreNotMet();
+    void whatIsOutOfReachIsMissed();
+    void groupsSeeTheirOwn();
+    void heights();
+    void occlusionBesideAWall();
+    void bentNormalsLeanAway();
+    void curvatureOfSpheres_data();
+    void curvatureOfSpheres();
+    void thicknessOfASlab();
+    void positionsAndMaterials();
+    void texturesAreCarried();
+    void carriedNormalsTurn();
+    void tilesAreBaked();
+    void wholeNumbersAreEncoded();
+    void seamsAreNotSeen_data();
+    void seamsAreNotSeen();
+    void threadsGiveTheSame();
+    void passesGiveTheSame();
+    void stopped();
+    void damagedModels();
+};
+
+void TestBake::texelsShowTheirPoints()
+{
+    const MappedModel low = plane(2);
+    const TexelSurface texels(*low.mesh, low.uv, {8, 4, {Vec2::Zero(), Vec2::Ones()}, 2});
+    const ShadedSurface surface = surfaceOf(low);
+    QCOMPARE(texels.bandCount(), 1);
+    TexelRows rows;
+    texels.makeBand(0, rows);
+    QCOMPARE(rows.points.size(), std::size_t(8 * 4 * 4));
+    for (int y = 0; y < 4; ++y) {
+        for (int x = 0; x < 8; ++x) {
+            QVERIFY(rows.inside[y * 8 + x]);
+            for (int s = 0; s < 4; ++s) {
+                const Vec3 at = surface.position(rows.points[(y * 8 + x) * 4 + s]);
+                const double u = (x + 0.25 + 0.5 * (s % 2)) / 8, v = 1 - (y + 0.25 + 0.5 * (s / 2)) / 4.0;
+                QVERIFY((at - Vec3(2 * u - 1, 2 * v - 1, 0)).norm() < 1e-6);
+            }
+        }
+    }
+}
+
+void TestBake::texelsBesideIslandsShowTheNearestPoint()
+{
+    MappedModel low = plane();
+    low.uv *= 0.5; // the lower left quarter
+    const TexelSurface texels(*low.mesh, low.uv, {8, 8, {Vec2::Zero(), Vec2::Ones()}, 1});
+    const ShadedSurface surface = surfaceOf(low);
+    TexelRows rows;
+    texels.makeBand(0, rows); // rows 0 to 3, above the island
+    const auto pointAt = [&](int x, int y) { return rows.points[y * 8 + x]; };
+    QVERIFY(!rows.inside[3 * 8 + 1]);
+    QVERIFY((surface.position(pointAt(1, 3)) - Vec3(-0.5 + 1.5 / 4, 0.5, 0)).norm() < 1e-6);
+    QVERIFY((surface.position(pointAt(4, 3)) - Vec3(0.5, 0.5, 0)).norm() < 1e-6); // its corner
+    QCOMPARE(pointAt(1, 1).triangle, -1);
+    QCOMPARE(pointAt(6, 3).triangle, -1);
+    texels.makeBand(1, rows);
+    QVERIFY(rows.inside[1]);
+    QVERIFY(!rows.inside[4]);
+}
+
+void TestBake::overlapsAreCounted()
+{
+    const MappedModel two = test::mapped(
+        test::polygonMesh(
+            {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+            {{0, 1, 2, 3}, {4, 5, 6, 7}}),
+        [](const Vec3 &p, const Vec3 &) { return Vec2(p.x() * 0.5 + p.z() * 0.25, p.y()); });
+    const Baked result = baked(jobFor(two, {{MapKind::Position, 0}}, 8));
+    QCOMPARE(result.figures.texels, 6 * 8);
+    QCOMPARE(result.figures.overlapped, 2 * 8);
+    QCOMPARE(result.maps[0].at(3, 0)[2], 0.0F); // the first face counts
+    QCOMPARE(result.maps[0].at(5, 0)[2], 1.0F);
+}
+
+void TestBake::sharedSidesAreNoOverlaps()
+{
+    const MappedModel grid =
+        test::mapped(test::grid(7), [](const Vec3 &p, const Vec3 &) { return p.head<2>(); });
+    BakeJob job = jobFor(grid, {{MapKind::Position, 0}}, 14); // samples lie on diagonals
+    job.settings.grid.perSide = 2;
+    const Baked result = baked(job);
+    QCOMPARE(result.figures.overlapped, 0);
+    QCOMPARE(result.figures.texels, 14 * 14);
+}
+
+void TestBake::dilationTakesTheNearest()
+{
+    constexpr int size = 40, margin = 7;
+    Picture picture(size, size, 1);
+    std::vector<std::uint8_t> filled(size * size, 0);
+    std::vector<std::array<int, 2>> seeds;
+    unsigned state = 1;
+    for (int i = 0; i < 25; ++i) {
+        state = state * 1664525 + 1013904223;
+        const int x = static_cast<int>((state >> 8) % size), y = static_cast<int>((state >> 20) % size);
+        if (filled[y * size + x])
+            continue;
+        seeds.push_back({x, y});
+        filled[y * size + x] = 1;
+        picture.at(x, y)[0] = static_cast<float>(seeds.size());
+    }
+    const Picture before = picture;
+    dilate(picture, filled, margin, JobContext(nullptr, 2));
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+            int best = margin * margin + 1;
+            for (const auto &seed : seeds)
+                best = std::min(best, (seed[0] - x) * (seed[0] - x) + (seed[1] - y) * (seed[1] - y));
+            QCOMPARE(filled[y * size + x] != 0, best <= margin * margin);
+            if (!filled[y * size + x])
+                continue;
+            const auto &from = seeds[static_cast<std::size_t>(picture.at(x, y)[0]) - 1];
+            QCOMPARE((from[0] - x) * (from[0] - x) + (from[1] - y) * (from[1] - y), best);
+            if (best == 0)
+                QCOMPARE(picture.at(x, y)[0], before.at(x, y)[0]);
+        }
+    }
+}
+
+void TestBake::detailedNormals_data()
+{
+    QTest::addColumn<double>("angle");
+    QTest::addColumn<bool>("mirrored");
+    QTest::newRow("flat") << 0.0 << false;
+    QTest::newRow("tilted") << 20.0 << false;
+    QTest::newRow("mirrored map") << 20.0 << true;
+}
+
+void TestBake::detailedNormals()
+{
+    QFETCH(double, angle);
+    QFETCH(bool, mirrored);
+    MappedModel low = plane();
+    if (mirrored)
+        low.uv.col(0) = (1 - low.uv.col(0).array()).eval();
+    // A large plane through the origin, turned about y.
+    const double c = std::cos(angle * pi / 180), s = std::sin(angle * pi / 180);
+    const test::MeshPtr high = test::polygonMesh(
+        {{-2 * c, -2, 2 * s}, {2 * c, -2, -2 * s}, {2 * c, 2, -2 * s}, {-2 * c, 2, 2 * s}}, {{0, 1, 2, 3}});
+    BakeJob job = jobFor(low, {{MapKind::Normal, 0}, {MapKind::ObjectNormal, 0}}, 8);
+    setDetailed(job, high, 0.5);
+    const Baked result = baked(job);
+    QCOMPARE(result.figures.missed, 0);
+    const Vec3f inSpace(static_cast<float>(s), 0, static_cast<float>(c));
+    const Vec3f inMap(mirrored ? -inSpace.x() : inSpace.x(), 0, inSpace.z());
+    for (int i = 0; i < 64; ++i) {
+        QVERIFY((directionAt(result.maps[0], i % 8, i / 8) - inMap).norm() < 1e-4F);
+        QVERIFY((directionAt(result.maps[1], i % 8, i / 8) - inSpace).norm() < 1e-4F);
+    }
+    job.greenDown = true;
+    setDetailed(job, test::polygonMesh({{-2, -2, -1}, {2, -2, -1}, {2, 2, 1}, {-2, 2, 1}}, {{0, 1, 2, 3}}),
+                0.9);
+    const Vec3f down = directionAt(only(job), 4, 4);
+    QVERIFY(down.y() > 0.4F); // the surface rises towards +y: green up would be negative
+}
+
+//! A ridge whose sides meet at a right angle, below a plane that is its detailed model: where rays of each
+//! kind arrive.
+void TestBake::cageDirections()
+{
+    const auto ridge =
+        test::polygonMesh({{-1, -1, 0}, {0, -1, 1}, {1, -1, 0}, {-1, 1, 0}, {0, 1, 1}, {1, 1, 0}},
+                          {{0, 1, 4, 3}, {1, 2, 5, 4}});
+    const MappedModel low = test::mapped(
+        ridge, [](const Vec3 &p, const Vec3 &) { return Vec2(p.x() / 2 + 0.5, p.y() / 2 + 0.5); });
+    // A roof above it, parallel to the sides.
+    const auto roof = test::polygonMesh(
+        {{-2, -2, -0.8}, {0, -2, 1.2}, {2, -2, -0.8}, {-2, 2, -0.8}, {0, 2, 1.2}, {2, 2, -0.8}},
+        {{0, 1, 4, 3}, {1, 2, 5, 4}});
+    const auto shift = [&](CageDirection direction, int x) {
+        BakeJob job = jobFor(low, {{MapKind::Position, 0}}, 64);
+        setDetailed(job, roof, 0.1);
+        job.settings.cage.direction = direction;
+        const auto texel = only(job).at(x, 32);
+        const double lowX = (x + 0.5) / 32 - 1;
+        // How far the ray ran along the side, away from the ridge.
+        const Vec3 moved = Vec3(texel[0], 0, texel[2]) - Vec3(lowX, 0, 1 - std::abs(lowX));
+        return moved.dot(Vec3(lowX < 0 ? -1 : 1, 0, -1).normalized());
+    };
+    // In the middle of a side, and beside the ridge. (At the borders normals are those of the side.)
+    QVERIFY(shift(CageDirection::Smoothed, 48) < -0.02);
+    QVERIFY(shift(CageDirection::Smoothed, 33) < -0.1);
+    QVERIFY(std::abs(shift(CageDirection::Shading, 48)) < 1e-4);
+    QVERIFY(std::abs(shift(CageDirection::Shading, 33)) < 1e-4);
+    QVERIFY(std::abs(shift(CageDirection::Corrected, 48)) < 1e-4);
+    QVERIFY(shift(CageDirection::Corrected, 33) < -0.1);
+}
+
+void TestBake::cageOfItsOwn()
+{
+    BakeJob job = jobFor(plane(), {{MapKind::Position, 0}}, 8);
+    setDetailed(job, test::polygonMesh({{-5, -5, 1}, {5, -5, 1}, {5, 5, 1}, {-5, 5, 1}}, {{0, 1, 2, 3}}),
+                0.01);
+    QCOMPARE(baked(job).figures.missed, 64);
+    PositionMatrix cage = job.low.mesh->positions;
+    cage.rowwise() += Eigen::RowVector3d(2, 0, 2); // aslant
+    job.settings.cage.positions = cage;
+    const Baked result = baked(job);
+    QCOMPARE(result.figures.missed, 0);
+    const auto texel = result.maps[0].at(0, 7);
+    QVERIFY((Vec3f(texel[0], texel[1], texel[2]) - Vec3f(-0.4375F + 1, -0.4375F, 1)).norm() < 1e-4F);
+}
+
+void TestBake::facesBehindAreNotMet()
+{
+    // Two layers above the plane: the outer one faces down, the inner one up.
+    const auto layers = test::polygonMesh({{-1, -1, 0.2},
+                                           {-1, 1, 0.2},
+                                           {1, 1, 0.2},
+                                           {1, -1, 0.2},
+                                           {-1, -1, 0.1},
+                                           {1, -1, 0.1},
+                                           {1, 1, 0.1},
+                                           {-1, 1, 0.1}},
+                                          {{0, 1, 2, 3}, {4, 5, 6, 7}});
+    BakeJob job = jobFor(plane(), {{MapKind::Position, 0}}, 4);
+    setDetailed(job, layers, 0.3);
+    QVERIFY(std::abs(only(job).at(1, 1)[2] - 0.1F) < 1e-5F);
+}
+
+void TestBake::whatIsOutOfReachIsMissed()
+{
+    // It covers the left half only.
+    BakeJob job = jobFor(plane(), {{MapKind::Occlusion, 0}}, 8);
+    job.margin = 0;
+    setDetailed(job,
+                test::polygonMesh({{-1, -1, 0.1}, {0, -1, 0.1}, {0, 1, 0.1}, {-1, 1, 0.1}}, {{0, 1, 2, 3}}),
+                0.1);
+    const Baked result = baked(job);
+    QCOMPARE(result.figures.texels, 64);
+    QCOMPARE(result.figures.missed, 32);
+}
+
+void TestBake::groupsSeeTheirOwn()
+{
+    const auto twoSheets = [](double first, double second) {
+        return test::polygonMesh({{-1, -1, first},
+                                  {1, -1, first},
+                                  {1, 1, first},
+                                  {-1, 1, first},
+                                  {-1, -1, second},
+                                  {1, -1, second},
+                                  {1, 1, second},
+                                  {-1, 1, second}},
+                                 {{0, 1, 2, 3}, {4, 5, 6, 7}});
+    };
+    BakeJob job = jobFor(test::mapped(twoSheets(0, 0.05),
+                                      [](const Vec3 &p, const Vec3 &) {
+                                          return Vec2(p.x() / 4 + (p.z() > 0 ? 0.75 : 0.25), p.y() / 2 + 0.5);
+                                      }),
+                         {{MapKind::Height, 0}}, 8);
+    setDetailed(job, twoSheets(0.01, 0.08), 0.1);
+    QVERIFY(std::abs(only(job).at(1, 1)[0] - 0.08F) < 1e-4F); // the outer sheet hides the inner one
+    job.low.faceGroup = job.high->faceGroup = {0, 1};
+    const Picture apart = only(job);
+    QVERIFY(std::abs(apart.at(1, 1)[0] - 0.01F) < 1e-4F);
+    QVERIFY(std::abs(apart.at(6, 1)[0] - 0.03F) < 1e-4F);
+    job.low.faceGroup = {0, 2}; // nobody is of group 2
+    QCOMPARE(baked(job).figures.missed, 32);
+    job.high->faceGroup = {0, 3};
+    QCOMPARE(baked(job).figures.missed, 32);
+}
+
+void TestBake::heights()
+{
+    BakeJob job = jobFor(plane(10), {{MapKind::Height, 0}}, 4);
+    const auto sheet = [](double z) {
+        return test::polygonMesh({{-9, -9, z}, {9, -9, z}, {9, 9, z}, {-9, 9, z}}, {{0, 1, 2, 3}});
+    };
+    for (const double z : {0.5, -0.75}) {
+        setDetailed(job, sheet(z), 0.1);
+        job.floats = true;
+        QVERIFY(std::abs(only(job).at(2, 2)[0] - z) < 1e-4);
+        job.floats = false; // 1 is the height of the cage
+        QVERIFY(std::abs(only(job).at(2, 2)[0] - (0.5 + 0.5 * z / (0.1 * std::sqrt(200.0)))) < 1e-4);
+    }
+}
+
+//! The floor beside a wall of infinite length: (1 + cos a) / 2 with the elevation a of the wall's top.
+void TestBake::occlusionBesideAWall()
+{
+    MappedModel room;
+    constexpr double far = 1000;
+    room.mesh =
+        test::polygonMesh({{0, -far, 0}, {2, -far, 0}, {2, far, 0}, {0, far, 0}, {0, -far, 1}, {0, far, 1}},
+                          {{0, 1, 2, 3}, {0, 3, 5, 4}});
+    // The map shows the floor's middle only.
+    room = test::mapped(room.mesh, [](const Vec3 &p, const Vec3 &centre) {
+        return centre.z() > 0 ? Vec2(9, 9) : Vec2(p.x() / 2, p.y() + 0.5);
+    });
+    BakeJob job = jobFor(room, {{MapKind::Occlusion, 0}}, 16);
+    job.settings.rays.rays = 4096;
+    const Picture picture = only(job);
+    for (const int x : {1, 4, 12}) {
+        const double distance = (x + 0.5) / 8, elevation = std::atan2(1.0, distance);
+        QVERIFY2(std::abs(picture.at(x, 8)[0] - (1 + std::cos(elevation)) / 2) < 0.01,
+                 qPrintable(QString::number(picture.at(x, 8)[0])));
+    }
+    job.settings.rays.reach = 1e-6;
+    QCOMPARE(only(job).at(4, 8)[0], 1.0F);
+}
+
+void TestBake::bentNormalsLeanAway()
+{
+    MappedModel room;
+    room.mesh = test::polygonMesh({{0, -9, 0}, {2, -9, 0}, {2, 9, 0}, {0, 9, 0}, {0, -9, 1}, {0, 9, 1}},
+                                  {{0, 1, 2, 3}, {0, 3, 5, 4}});
+    room = test::mapped(room.mesh, [](const Vec3 &p, const Vec3 &centre) {
+        return centre.z() > 0 ? Vec2(9, 9) : Vec2(p.x() / 2, p.y() / 2 + 0.5);
+    });
+    BakeJob job = jobFor(room, {{MapKind::BentNormal, 0}}, 16);
+    job.settings.rays.rays = 1024;
+    const Picture picture = only(job);
+    const Vec3f close = directionAt(picture, 1, 8), away = directionAt(picture, 15, 8);
+    QVERIFY(close.x() > 0.3F);
+    QVERIFY(away.x() < close.x());
+    QVERIFY(std::abs(close.y()) < 0.05F);
+    QVERIFY(std::abs(close.norm() - 1) < 1e-3F);
+}
+
+void TestBake::curvatureOfSpheres_data()
+{
+    QTest::addColumn<bool>("inside");
+    QTest::newRow("convex") << false;
+    QTest::newRow("concave") << true;
+}
+
+void TestBake::curvatureOfSpheres()
+{
+    QFETCH(bool, inside);
+    test::MeshPtr mesh = test::sphere(64, 128);
+    if (inside) {
+        std::vector<std::vector<int>> faces;
+        std::vector<Vec3> points;
+        for (int v = 0; v < mesh->vertexCount(); ++v)
+            points.push_back(mesh->positions.row(v));
+        for (int f = 0; f < mesh->faceCount(); ++f)
+            faces.emplace_back(mesh->cornerVertex.rbegin() + (mesh->cornerCount() - mesh->faceStart[f + 1]),
+                               mesh->cornerVertex.rbegin() + (mesh->cornerCount() - mesh->faceStart[f]));
+        mesh = test::polygonMesh(points, faces);
+    }
+    const MappedModel ball = test::mapped(mesh, [](const Vec3 &p, const Vec3 &centre) {
+        return centre.z() > 0 ? Vec2(p.head<2>() / 2 + Vec2(0.5, 0.5)) : Vec2(9, 9);
+    });
+    BakeJob job = jobFor(ball, {{MapKind::Curvature, 0}}, 8);
+    job.settings.rays.rays = 8192;
+    const double radius = 0.5; // of the ball around the point; the sphere has radius 1
+    job.settings.rays.curvatureRadius = radius / Frame::of(*mesh).size;
+    const double curvature = only(job).at(3, 4)[0];
+    QVERIFY2(std::abs(curvature - (inside ? -radius : radius)) < 0.03,
+             qPrintable(QString::number(curvature)));
+    job.floats = false;
+    QVERIFY(std::abs(only(job).at(3, 4)[0] - (0.5 + 0.5 * curvature)) < 1e-6);
+}
+
+void TestBake::thicknessOfASlab()
+{
+    // A box of 20 x 20 x 1; the map shows the middle of its top.
+    const MappedModel slab =
+        test::mapped(test::box(1, Vec3(20, 20, 1)), [](const Vec3 &p, const Vec3 &centre) {
+            return centre.z() > 0.4 ? Vec2(p.x() + 0.5, p.y() + 0.5) : Vec2(99, 99);
+        });
+    BakeJob job = jobFor(slab, {{MapKind::Thickness, 0}}, 4);
+    job.settings.rays.rays = 8192;
+    const double limit = 4;
+    job.settings.rays.thicknessLimit = limit / Frame::of(*slab.mesh).size;
+    // The mean of min(1 / c, limit) / limit over directions with density 2 c of their cosine c.
+    const double expected = (2 / limit) * (1 - 1 / limit) + 1 / (limit * limit);
+    QVERIFY(std::abs(only(job).at(2, 2)[0] - expected) < 0.01);
+}
+
+void TestBake::positionsAndMaterials()
+{
+    BakeJob job =
+        jobFor(plane(4), {{MapKind::Position, 0}, {MapKind::MaterialId, 0}, {MapKind::Color, 0}}, 4);
+    job.low.faceMaterial = {0};
+    job.low.materialColors = {{0.25F, 0.5F, 1}};
+    const Baked floats = baked(job);
+    QVERIFY(
+        (Vec3f(floats.maps[0].at(0, 0)[0], floats.maps[0].at(0, 0)[1], 0) - Vec3f(-1.5F, 1.5F, 0)).norm() <
+        1e-5F);
+    QCOMPARE(floats.maps[2].at(1, 1)[0], 0.25F);
+    job.floats = false;
+    const Baked whole = baked(job);
+    QVERIFY(std::abs(whole.maps[0].at(0, 0)[0] - 0.125F) < 1e-5F);
+    QCOMPARE(whole.maps[2].at(1, 1)[0], srgbFromLinear(0.25F));
+    const auto id = whole.maps[1].at(1, 1);
+    job.low.faceMaterial = {1};
+    const Picture other = baked(job).maps[1];
+    QVERIFY(std::abs(other.at(1, 1)[0] - id[0]) + std::abs(other.at(1, 1)[1] - id[1]) > 0.2F);
+    job.low.vertexColors.assign(4, Vec3f(0.1F, 0.2F, 0.3F));
+    job.floats = true;
+    QVERIFY(std::abs(baked(job).maps[2].at(1, 1)[2] - 0.3F) < 1e-6F);
+}
+
+namespace {
+
+//! A smooth picture.
+std::shared_ptr<const Picture> waves(int size)
+{
+    auto picture = std::make_shared<Picture>(size, size, 3);
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+            const double u = (x + 0.5) / size, v = (y + 0.5) / size;
+            picture->at(x, y)[0] = static_cast<float>(0.5 + 0.4 * std::sin(20 * u + 3));
+            picture->at(x, y)[1] = static_cast<float>(0.5 + 0.4 * std::sin(24 * v));
+            picture->at(x, y)[2] = static_cast<float>(0.5 + 0.4 * std::sin(16 * (u + v)));
+        }
+    }
+    return picture;
+}
+
+BakeJob carryingJob(const MappedModel &from, const MappedModel &to, std::shared_ptr<const Picture> picture,
+                    TextureKind kind)
+{
+    BakeJob job = jobFor(to, {{MapKind::Texture, 0}}, picture->width);
+    job.high = surfaceOf(from);
+    job.high->textures = {{kind, {{{}, std::move(picture)}}}};
+    job.kind = SourceKind::SameTriangles;
+    job.floats = false;
+    job.settings.grid.perSide = 2;
+    return job;
+}
+
+} // namespace
+
+//! To another map and back.
+void TestBake::texturesAreCarried()
+{
+    const test::MeshPtr mesh = test::box(6);
+    const MappedModel first =
+        test::mapped(mesh, [](const Vec3 &p, const Vec3 &c) { return Vec2(1.5 * test::boxMap()(p, c)); });
+    const MappedModel second = test::mapped(mesh, [&](const Vec3 &p, const Vec3 &c) {
+        const Vec2 uv = 1.5 * test::boxMap()(p, c);
+        return Vec2(0.98 - 0.9 * uv.y(), 0.03 + 0.9 * uv.x()); // turned by a right angle, and smaller
+    });
+    for (const TextureKind kind : {TextureKind::Srgb, TextureKind::Linear}) {
+        const auto picture = waves(512);
+        const auto there = std::make_shared<const Picture>(only(carryingJob(first, second, picture, kind)));
+        const BakeJob back = carryingJob(second, first, there, kind);
+        const Picture again = only(back);
+        // Where the first map has islands.
+        const TexelSurface texels(*mesh, first.uv, {512, 512, {Vec2::Zero(), Vec2::Ones()}, 1});
+        double squared = 0;
+        long long count = 0;
+        TexelRows rows;
+        for (int band = 0; band < texels.bandCount(); ++band) {
+            texels.makeBand(band, rows);
+            for (int i = 0; i < rows.count * 512; ++i) {
+                if (!rows.inside[i])
+                    continue;
+                for (int k = 0; k < 3; ++k) {
+                    const int x = i % 512, y = rows.first + i / 512;
+                    squared += std::pow(again.at(x, y)[k] - picture->at(x, y)[k], 2);
+                    ++count;
+                }
+            }
+        }
+        QVERIFY(count > 100000);
+        const double psnr = -10 * std::log10(squared / double(count));
+        QVERIFY2(psnr > 45, qPrintable(QString::number(psnr)));
+    }
+}
+
+//! When an island is turned, so are the directions in its normal map.
+void TestBake::carriedNormalsTurn()
+{
+    const MappedModel first = plane();
+    MappedModel turned = first, mirrored = first;
+    for (Eigen::Index i = 0; i < first.uv.rows(); ++i) {
+        turned.uv.row(i) = Eigen::RowVector2d(1 - first.uv(i, 1), first.uv(i, 0));
+        mirrored.uv.row(i) = Eigen::RowVector2d(1 - first.uv(i, 0), first.uv(i, 1));
+    }
+    const Vec3f normal = Vec3f(0.6F, 0.2F, 0.7F).normalized();
+    auto picture = std::make_shared<Picture>(8, 8, 3);
+    for (int i = 0; i < 64; ++i) {
+        for (int k = 0; k < 3; ++k)
+            picture->at(i % 8, i / 8)[k] = 0.5F + 0.5F * normal[k];
+    }
+    const auto carried = [&](const MappedModel &to, TextureKind kind) {
+        return directionAt(only(carryingJob(first, to, picture, kind)), 3, 3);
+    };
+    const float x = normal.x(), y = normal.y(), z = normal.z();
+    QVERIFY((carried(first, TextureKind::Normal) - normal).norm() < 1e-3F);
+    // u of the first map runs along v of the turned one, v against u.
+    QVERIFY((carried(turned, TextureKind::Normal) - Vec3f(-y, x, z)).norm() < 1e-3F);
+    QVERIFY((carried(mirrored, TextureKind::Normal) - Vec3f(-x, y, z)).norm() < 1e-3F);
+    QVERIFY((carried(turned, TextureKind::NormalDirectX) - Vec3f(y, -x, z)).norm() < 1e-3F);
+}
+
+void TestBake::tilesAreBaked()
+{
+    MappedModel low = plane(2);
+    low.uv.col(0).array() += 1; // tile 1002
+    low.uv.col(1).array() += 1; // tile 1012
+    BakeJob job = jobFor(low, {{MapKind::Position, 0}}, 4);
+    job.margin = 0;
+    job.tiles = {1001, 1012};
+    std::map<int, Picture> pictures;
+    runBake(job,
+            [&](std::size_t, int tile, const Picture &picture) {
+                pictures[tile] = picture;
+                return true;
+            },
+            {});
+    QCOMPARE(pictures.size(), std::size_t(2));
+    QVERIFY(std::abs(pictures[1012].at(0, 0)[0] + 0.75F) < 1e-5F);
+    QCOMPARE(pictures[1001].at(0, 3)[0], 0.0F);
+    job.low.tileHeight = 0.5; // of a texture that is wider than high
+    job.low.uv.col(1) *= 0.5;
+    job.settings.grid.height = 2;
+    job.tiles = {1012};
+    const Picture wide = only(job);
+    QVERIFY(std::abs(wide.at(0, 0)[1] - 0.5F) < 1e-5F);
+}
+
+void TestBake::wholeNumbersAreEncoded()
+{
+    BakeJob job =
+        jobFor(plane(), {{MapKind::Normal, 0}, {MapKind::Occlusion, 0}, {MapKind::Curvature, 0}}, 8);
+    job.low.uv *= 0.5;
+    job.margin = 0;
+    job.floats = false;
+    const Baked result = baked(job);
+    for (const Picture &picture : result.maps) {
+        for (const float value : picture.values)
+            QVERIFY(value >= 0 && value <= 1);
+    }
+    // The background is flat and open.
+    QVERIFY((directionAt(result.maps[0], 7, 0) - Vec3f::UnitZ()).norm() < 1e-6F);
+    QCOMPARE(result.maps[1].at(7, 0)[0], 1.0F);
+    QCOMPARE(result.maps[2].at(7, 0)[0], 0.5F);
+}
+
+namespace {
+
+BakeJob busyJob()
+{
+    const MappedModel low = test::mapped(test::sphere(6, 8), test::halvesMap);
+    MappedModel fitted = low;
+    const Eigen::RowVector2d least = low.uv.colwise().minCoeff(), size = low.uv.colwise().maxCoeff() - least;
+    fitted.uv = ((low.uv.rowwise() - least).array().rowwise() / (1.05 * size).array()).matrix();
+    BakeJob job = jobFor(
+        fitted,
+        {{MapKind::Normal, 0}, {MapKind::Occlusion, 0}, {MapKind::Curvature, 0}, {MapKind::Position, 0}}, 64);
+    setDetailed(job, test::sphere(40, 60), 0.2);
+    job.settings.grid.perSide = 2;
+    job.settings.rays.rays = 32;
+    return job;
+}
+
+} // namespace
+
+void TestBake::seamsAreNotSeen_data()
+{
+    QTest::addColumn<int>("map");
+    QTest::newRow("normal") << int(MapKind::Normal);
+    QTest::newRow("object normal") << int(MapKind::ObjectNormal);
+    QTest::newRow("height") << int(MapKind::Height);
+}
+
+//! The baked surface at the seams, drawn from both sides with numbers of eight bits.
+void TestBake::seamsAreNotSeen()
+{
+    QFETCH(int, map);
+    const auto kind = static_cast<MapKind>(map);
+    BakeJob job = busyJob();
+    test::MeshPtr ball = test::sphere(120, 160);
+    std::vector<Vec3> points;
+    for (int v = 0; v < ball->vertexCount(); ++v) {
+        const Vec3 p = ball->positions.row(v);
+        points.push_back(p * (1 + 0.02 * std::sin(9 * p.x()) * std::sin(9 * p.y()) * std::sin(9 * p.z())));
+    }
+    std::vector<std::vector<int>> faces;
+    for (int f = 0; f < ball->faceCount(); ++f)
+        faces.emplace_back(ball->cornerVertex.begin() + ball->faceStart[f],
+                           ball->cornerVertex.begin() + ball->faceStart[f + 1]);
+    setDetailed(job, test::polygonMesh(points, faces), 0.2);
+    job.settings.maps = {{kind, 0}};
+    job.settings.grid.width = job.settings.grid.height = 2048;
+    job.settings.grid.perSide = 1;
+    job.margin = 4;
+    job.floats = false;
+    Picture picture = baked(job, 2).maps.front();
+    for (float &value : picture.values)
+        value = std::round(value * 255) / 255;
+    const ShadedSurface &low = job.low;
+    const auto drawn = [&](int triangle, int first, int second, double t) {
+        std::array<float, 3> weights{};
+        weights[first % 3] = static_cast<float>(1 - t);
+        weights[second % 3] = static_cast<float>(t);
+        const SurfacePoint point{triangle, weights[1], weights[2]};
+        std::array<float, 3> value{};
+        sampleRepeated(picture, low.uvAt(point), std::span(value).first(std::size_t(picture.channels)));
+        if (kind != MapKind::Normal)
+            return Vec3f(value[0], value[1], value[2]);
+        const Vec3f inMap = 2 * Vec3f(value[0], value[1], value[2]) - Vec3f::Ones();
+        return Vec3f(0.5F * ((low.tangentFrame(point) * inMap).normalized() + Vec3f::Ones()));
+    };
+    double sum = 0;
+    int count = 0;
+    for (const EdgePair &pair : low.mesh->edgePairs) {
+        const auto uvOf = [&](int end, int which) {
+            return Vec2(low.uv.row(low.mesh->cornerOfSoup(pair.corner[end][which])));
+        };
+        if ((uvOf(0, 0) - uvOf(0, 1)).norm() < 1e-9 && (uvOf(1, 0) - uvOf(1, 1)).norm() < 1e-9)
+            continue;
+        for (const double t : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+            const Vec3f one = drawn(pair.triangle[0], pair.corner[0][0], pair.corner[1][0], t);
+            const Vec3f other = drawn(pair.triangle[1], pair.corner[0][1], pair.corner[1][1], t);
+            sum += (one - other).cwiseAbs().sum() / picture.channels;
+            ++count;
+        }
+    }
+    QVERIFY(count >= 40);
+    QVERIFY2(255 * sum / count <= 2, qPrintable(QString::number(255 * sum / count)));
+}
+
+void TestBake::threadsGiveTheSame()
+{
+    const BakeJob job = busyJob();
+    const Baked one = baked(job, 1), three = baked(job, 3);
+    for (std::size_t m = 0; m < one.maps.size(); ++m)
+        QVERIFY(one.maps[m].values == three.maps[m].values);
+    QCOMPARE(one.figures.texels, three.figures.texels);
+    QVERIFY(one.figures.texels > 1500);
+    QCOMPARE(one.figures.missed, 0);
+}
+
+void TestBake::passesGiveTheSame()
+{
+    BakeJob job = busyJob();
+    job.settings.maps.erase(job.settings.maps.begin() + 1); // how rays spread depends on the maps of a pass
+    const Baked one = baked(job);
+    job.memory = 1;
+    const Baked three = baked(job);
+    QVERIFY(one.maps[0].values == three.maps[0].values);
+    QVERIFY(one.maps[2].values == three.maps[2].values);
+    QCOMPARE(one.figures.texels, three.figures.texels);
+}
+
+void TestBake::stopped()
+{
+    BakeJob job = busyJob();
+    std::atomic<bool> stop = false;
+    int given = 0;
+    const BakeFigures figures = runBake(
+        job,
+        [&](std::size_t, int, const Picture &) {
+            ++given;
+            return true;
+        },
+        JobContext(&stop, 2, [&](const JobProgress &progress) {
+            if (progress.fraction > 0.3)
+                stop = true;
+        }));
+    QVERIFY(figures.stopped);
+    QCOMPARE(given, 0);
+}
+
+void TestBake::damagedModels()
+{
+    // Everything that is wrong with meshes and maps: no value is NaN.
+    for (const char *name : {"dirty", "cube", "torus"}) {
+        MappedModel low = test::mapped(test::meshNamed(QString::fromLatin1(name)),
+                                       [](const Vec3 &p, const Vec3 &) { return Vec2(p.x(), p.y()); });
+        low.uv.row(0).setConstant(std::numeric_limits<double>::quiet_NaN());
+        low.uv.row(3).setConstant(1e300);
+        BakeJob job = jobFor(low,
+                             {{MapKind::Normal, 0},
+                              {MapKind::BentNormal, 0},
+                              {MapKind::Curvature, 0},
+                              {MapKind::Thickness, 0},
+                              {MapKind::Position, 0},
+                              {MapKind::Height, 0}},
+                             16);
+        setDetailed(job, low.mesh, 0.05);
+        for (const CageDirection direction :
+             {CageDirection::Smoothed, CageDirection::Shading, CageDirection::Corrected}) {
+            job.settings.cage.direction = direction;
+            for (const Picture &picture : baked(job).maps) {
+                for (const float value : picture.values)
+                    QVERIFY(std::isfinite(value));
+            }
+        }
+    }
+    BakeJob empty = jobFor(plane(), {{MapKind::Normal, 0}}, 4);
+    setDetailed(empty, test::polygonMesh({}, {}), 0.1);
+    QCOMPARE(baked(empty).figures.missed, 16);
+}
+
+QTEST_APPLESS_MAIN(TestBake)
+#include "tst_bake.moc"

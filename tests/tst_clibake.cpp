@@ -1,0 +1,270 @@
+// The command line's bakes: its files and report, carried textures, and its mistakes.
+#include "cli/bakeoptions.h"
+#include "model/io/meshfile.h"
+#include "model/io/picturefiles.h"
+#include "support/cliruns.h"
+#include "support/mappedmodels.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include <cmath>
+
+using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
+using test::MappedModel;
+using test::runInProcess;
+
+namespace {
+
+//! A box whose sides are islands.
+MappedModel mappedBox(double turned = 0)
+{
+    return test::mapped(test::box(4), [turned](const Vec3 &p, const Vec3 &centre) {
+        const Vec2 uv = test::boxMap()(p, centre);
+        return turned == 0 ? uv : Vec2(1 - uv.y(), uv.x());
+    });
+}
+
+Scene sceneOf(const MappedModel &model, const QString &name)
+{
+    Scene scene;
+    scene.mesh = model.mesh;
+    scene.objectNames = {name};
+    scene.faceMaterial.assign(static_cast<std::size_t>(model.mesh->faceCount()), -1);
+    if (model.uv.rows() > 0)
+        scene.uvSets = {{u"UVMap"_s, model.uv}};
+    return scene;
+}
+
+} // namespace
+
+class TestCliBake : public QObject, private test::OwnFolder
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void everyMap();
+    void depths_data();
+    void depths();
+    void namesArePaired();
+    void aCageFile();
+    void tilesAreFiles();
+    void texturesAreCarried();
+    void whatWasMissedIsSaid();
+    void mistakes_data();
+    void mistakes();
+    void aTimeLimitKeepsWhatIsFinished();
+};
+
+void TestCliBake::initTestCase()
+{
+    QVERIFY(writeMesh(sceneOf(mappedBox(), u"lid_low"_s), at("low.obj")).ok());
+    QVERIFY(writeMesh(sceneOf(mappedBox(1), u"lid_low"_s), at("turned.obj")).ok());
+    QVERIFY(writeMesh(sceneOf({test::box(9, Vec3(2.02, 2.02, 2.02)), UvMatrix(0, 2)}, u"Lid_high"_s),
+                      at("high.obj"))
+                .ok());
+    QVERIFY(writeMesh(sceneOf({test::box(4, Vec3(2.2, 2.2, 2.2)), UvMatrix(0, 2)}, u"cage"_s), at("cage.obj"))
+                .ok());
+    QVERIFY(writeMesh(sceneOf({test::box(4), UvMatrix(0, 2)}, u"plain"_s), at("plain.obj")).ok());
+    file("file.txt", "not a folder");
+}
+
+void TestCliBake::everyMap()
+{
+    QStringList words;
+    for (const auto &map : bakedMaps())
+        words << map.first;
+    const test::CliRun run = runInProcess({u"bake"_s, at("low.obj"), u"--high"_s, at("high.obj"), u"-o"_s,
+                                           at("maps"), u"--maps"_s, words.join(u','), u"--size"_s, u"64"_s,
+                                           u"--rays"_s, u"8"_s, u"--report"_s, at("report.json")});
+    QVERIFY2(run.code == 0, qPrintable(run.err));
+    QVERIFY2(run.err.isEmpty(), qPrintable(run.err));
+    const QJsonObject report = QJsonDocument::fromJson(test::readBytes(at("report.json"))).object();
+    QCOMPARE(report.value(u"status"_s).toString(), u"done"_s);
+    QCOMPARE(report.value(u"files"_s).toArray().size(), words.size());
+    QCOMPARE(report.value(u"texels_missed"_s).toInt(-1), 0);
+    QVERIFY(report.value(u"texels"_s).toInt() > 500);
+    for (const QString &word : words) {
+        const QString path = at("maps") + u"/low_"_s + word + u".png"_s;
+        QVERIFY2(run.out.contains(path), qPrintable(path));
+        const Result<Picture> picture = readPicture(path);
+        QVERIFY2(picture.ok(), qPrintable(path));
+        QCOMPARE(picture->width, 64);
+        QCOMPARE(picture->height, 64);
+    }
+    // The high box is .01 away from the low one, in the middle of the sides.
+    const Result<Picture> height = readPicture(at("maps/low_height.png"));
+    const double expected = 0.5 + 0.5 * 0.01 / (0.02 * std::sqrt(12.0));
+    QVERIFY(std::abs(height->at(12, 51)[0] - expected) < 0.01);
+}
+
+void TestCliBake::depths_data()
+{
+    QTest::addColumn<QString>("format");
+    QTest::addColumn<QString>("bits");
+    QTest::addColumn<double>("tolerance");
+    QTest::newRow("png 8") << u"png"_s << u"8"_s << 0.5 / 255;
+    QTest::newRow("png 16") << u"png"_s << u"16"_s << 0.5 / 65535;
+    QTest::newRow("tif 16") << u"tif"_s << u"16"_s << 0.5 / 65535;
+    QTest::newRow("tga") << u"tga"_s << u"8"_s << 0.5 / 255;
+    QTest::newRow("exr 16") << u"exr"_s << u"16"_s << 0.001;
+    QTest::newRow("exr 32") << u"exr"_s << u"32"_s << 1e-6;
+}
+
+void TestCliBake::depths()
+{
+    QFETCH(QString, format);
+    QFETCH(QString, bits);
+    QFETCH(double, tolerance);
+    const test::CliRun run =
+        runInProcess({u"bake"_s, at("low.obj"), u"-o"_s, at("depths"), u"--maps"_s, u"position"_s,
+                      u"--size"_s, u"32"_s, u"--format"_s, format, u"--bits"_s, bits});
+    QVERIFY2(run.code == 0, qPrintable(run.err));
+    const Result<Picture> picture = readPicture(at("depths/low_position.") + format);
+    QVERIFY2(picture.ok(), qPrintable(picture.ok() ? QString() : picture.error().toString()));
+    // The middle of the texel in the first side's corner.
+    const auto texel = picture->at(4, 27);
+    const bool floats = format == u"exr"_s;
+    bool found = false;
+    for (int k = 0; k < 3; ++k)
+        found |= std::abs(std::abs(floats ? texel[k] : 2 * texel[k] - 1) - 1) <= 2 * tolerance;
+    QVERIFY(found);
+}
+
+void TestCliBake::namesArePaired()
+{
+    const QStringList bake{u"bake"_s,   at("low.obj"), u"-o"_s, at("named"),    u"--maps"_s,
+                           u"height"_s, u"--size"_s,   u"32"_s, u"--by-name"_s, u"--high"_s};
+    const test::CliRun paired = runInProcess(bake + QStringList{at("high.obj")});
+    QVERIFY2(paired.code == 0 && paired.err.isEmpty(), qPrintable(paired.err));
+    const test::CliRun alone = runInProcess(bake + QStringList{at("plain.obj")});
+    QCOMPARE(alone.code, 0);
+    QVERIFY2(alone.err.contains(u"belongs to: lid_low"_s), qPrintable(alone.err));
+    QVERIFY(alone.err.contains(u"found nothing"_s));
+}
+
+void TestCliBake::aCageFile()
+{
+    const QStringList bake{u"bake"_s,   at("low.obj"), u"-o"_s,     at("caged"), u"--high"_s, at("high.obj"),
+                           u"--maps"_s, u"normal"_s,   u"--size"_s, u"32"_s,     u"--cage"_s, u"0.000001"_s};
+    QVERIFY(runInProcess(bake).err.contains(u"found nothing"_s));
+    const test::CliRun caged = runInProcess(bake + QStringList{u"--cage-file"_s, at("cage.obj")});
+    QVERIFY2(caged.code == 0 && caged.err.isEmpty(), qPrintable(caged.err));
+    const test::CliRun other = runInProcess(bake + QStringList{u"--cage-file"_s, at("high.obj")});
+    QCOMPARE(other.code, 1);
+    QVERIFY(other.err.contains(u"other faces than the model"_s));
+}
+
+void TestCliBake::tilesAreFiles()
+{
+    MappedModel model = mappedBox();
+    const MeshData &mesh = *model.mesh;
+    for (int c = mesh.cornerCount() / 2; c < mesh.cornerCount(); ++c)
+        model.uv(c, 0) += 1; // three sides into the next tile
+    QVERIFY(writeMesh(sceneOf(model, u"box"_s), at("tiles.obj")).ok());
+    const test::CliRun run = runInProcess({u"bake"_s, at("tiles.obj"), u"-o"_s, at("tiled"), u"--maps"_s,
+                                           u"object-normal"_s, u"--size"_s, u"32"_s});
+    QVERIFY2(run.code == 0, qPrintable(run.err));
+    QVERIFY(QFileInfo::exists(at("tiled/tiles_object-normal.1001.png")));
+    QVERIFY(QFileInfo::exists(at("tiled/tiles_object-normal.1002.png")));
+}
+
+void TestCliBake::texturesAreCarried()
+{
+    Picture picture(64, 64, 3);
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            picture.at(x, y)[0] = static_cast<float>(x) / 63;
+            picture.at(x, y)[1] = static_cast<float>(y) / 63;
+        }
+    }
+    QVERIFY(writePicture(picture, at("box_color.png"), PictureDepth::Eight).ok());
+    QVERIFY(writePicture(picture, at("box_roughness.tif"), PictureDepth::Sixteen).ok());
+    const test::CliRun run =
+        runInProcess({u"transfer"_s, at("turned.obj"), u"--from"_s, at("low.obj"), u"--textures"_s,
+                      at("box_color.png") + u',' + at("box_roughness.tif"), u"-o"_s, at("carried")});
+    QVERIFY2(run.code == 0, qPrintable(run.err));
+    for (const char *name : {"carried/box_color.png", "carried/box_roughness.tif"}) {
+        const Result<Picture> carried = readPicture(at(name));
+        QVERIFY(carried.ok());
+        QCOMPARE(carried->width, 64);
+        // The islands are turned by a right angle about the middle of the tile.
+        for (const auto &[x, y] : {std::pair(12, 50), std::pair(30, 52)}) {
+            const auto before = picture.at(x, y);
+            const auto after = carried->at(y, 63 - x);
+            QVERIFY(std::abs(before[0] - after[0]) < 0.02F && std::abs(before[1] - after[1]) < 0.02F);
+        }
+    }
+    const QString roughness = at("carried/box_roughness.tif");
+    QCOMPARE(decodePicture(test::readBytes(roughness), roughness)->depth, PictureDepth::Sixteen);
+}
+
+void TestCliBake::whatWasMissedIsSaid()
+{
+    const test::CliRun run = runInProcess({u"bake"_s, at("low.obj"), u"--high"_s, at("high.obj"), u"-o"_s,
+                                           at("missed"), u"--size"_s, u"32"_s, u"--cage"_s, u"0.0001"_s});
+    QCOMPARE(run.code, 0);
+    QVERIFY2(run.err.contains(u"texels found nothing of the detailed model"_s), qPrintable(run.err));
+}
+
+void TestCliBake::mistakes_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QString>("message");
+    QTest::newRow("no UVs") << QStringList{at("plain.obj"), u"-o"_s, at("x")} << 1
+                            << u"no UV map to bake into"_s;
+    QTest::newRow("no output") << QStringList{at("low.obj")} << 2 << u"-o"_s;
+    QTest::newRow("no such model") << QStringList{at("none.obj"), u"-o"_s, at("x")} << 1 << u"none.obj"_s;
+    QTest::newRow("no such detailed model")
+        << QStringList{at("low.obj"), u"--high"_s, at("none.obj"), u"-o"_s, at("x")} << 1 << u"none.obj"_s;
+    QTest::newRow("unknown map") << QStringList{at("low.obj"), u"-o"_s, at("x"), u"--maps"_s,
+                                                u"normal,shine"_s}
+                                 << 2 << u"thickness"_s;
+    QTest::newRow("samples") << QStringList{at("low.obj"), u"-o"_s, at("x"), u"--samples"_s, u"5"_s} << 2
+                             << u"1, 4, 9"_s;
+    QTest::newRow("huge") << QStringList{at("low.obj"), u"-o"_s, at("x"), u"--size"_s, u"60000"_s} << 1
+                          << u"too large"_s;
+    QTest::newRow("larger than any") << QStringList{at("low.obj"), u"-o"_s, at("x"), u"--size"_s, u"100000"_s}
+                                     << 2 << u"65536"_s;
+    QTest::newRow("bits") << QStringList{at("low.obj"), u"-o"_s, at("x"), u"--bits"_s, u"32"_s} << 1
+                          << u"no numbers of 32 bits"_s;
+    QTest::newRow("a file as folder")
+        << QStringList{at("low.obj"), u"-o"_s, at("file.txt"), u"--size"_s, u"16"_s} << 1
+        << u"cannot be written"_s;
+    QTest::newRow("broken detailed model")
+        << QStringList{at("low.obj"), u"--high"_s, at("file.txt"), u"-o"_s, at("x")} << 1 << u"file.txt"_s;
+}
+
+void TestCliBake::mistakes()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(int, code);
+    QFETCH(QString, message);
+    const test::CliRun run = test::runInProcess(QStringList{u"bake"_s} + arguments);
+    QCOMPARE(run.code, code);
+    QVERIFY2(run.err.contains(message), qPrintable(run.err));
+    QVERIFY(!QFileInfo::exists(at("x/low_normal.png")));
+    QCOMPARE(test::readBytes(at("file.txt")), QByteArray("not a folder"));
+}
+
+void TestCliBake::aTimeLimitKeepsWhatIsFinished()
+{
+    const test::CliRun run =
+        runInProcess({u"bake"_s, at("low.obj"), u"-o"_s, at("limited"), u"--size"_s, u"2048"_s, u"--rays"_s,
+                      u"65536"_s, u"--time-limit"_s, u"0.2"_s, u"--report"_s, at("limited.json")});
+    QVERIFY2(run.code == 0, qPrintable(run.err));
+    const QJsonObject report = QJsonDocument::fromJson(test::readBytes(at("limited.json"))).object();
+    QCOMPARE(report.value(u"status"_s).toString(), u"time_limit"_s);
+    QCOMPARE(report.value(u"files"_s).toArray().size(), 0);
+    QVERIFY(QDir(at("limited")).isEmpty());
+}
+
+QTEST_GUILESS_MAIN(TestCliBake)
+#include "tst_clibake.moc"
