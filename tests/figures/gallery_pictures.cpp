@@ -58,6 +58,12 @@ QByteArray contentOf(const QString &path)
     return file.readAll();
 }
 
+figures::UpAxis upAxisOf(const QString &text)
+{
+    using enum figures::UpAxis;
+    return text == u"x"_s ? X : text == u"z"_s ? Z : text == u"-y"_s ? MinusY : Y;
+}
+
 std::vector<Entry> readTable(const QString &path)
 {
     std::vector<Entry> entries;
@@ -70,9 +76,7 @@ std::vector<Entry> readTable(const QString &path)
                            values[1],
                            values[2],
                            {values[3].toDouble(), values[4].toDouble()},
-                           values[5] == u"x"_s   ? figures::UpAxis::X
-                           : values[5] == u"z"_s ? figures::UpAxis::Z
-                                                 : figures::UpAxis::Y});
+                           upAxisOf(values[5])});
     }
     return entries;
 }
