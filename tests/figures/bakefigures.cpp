@@ -37,13 +37,32 @@ Scene read(const QString &path)
     return std::move(scene.value());
 }
 
-Column columnOf(StudioPictures &studio, const QString &title, const QString &line)
+Column columnOf(const QImage &picture, const QString &title, const QString &line)
 {
     Column column;
-    column.pictures = {studio.model(upright, look)};
+    column.pictures = {picture};
     column.title = title;
     column.lines << line;
     return column;
+}
+
+//! A picture file, in the size of a column.
+QImage textureOf(const QString &path, const QSize &size)
+{
+    return QImage(path)
+        .scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+        .convertToFormat(QImage::Format_RGB32);
+}
+
+void save(const FigurePage &page, const Figure &figure, const std::vector<Column> &columns)
+{
+    if (!saveSmall(sheetOf(columns), page.pathOf(figure)))
+        throw std::runtime_error("cannot write " + page.pathOf(figure).toStdString());
+}
+
+QString trianglesOf(const Document &document)
+{
+    return QLocale(QLocale::English).toString(document.mesh().triangleCount());
 }
 
 } // namespace
@@ -59,30 +78,45 @@ void detailBake(FigurePage &page, const Figure &figure)
     run({u"unwrap"_s, coarse, u"-o"_s, mapped});
     run({u"bake"_s, mapped, u"--high"_s, fine, u"-o"_s, maps, u"--texture-size"_s, u"1024"_s, u"--maps"_s,
          u"normal,ao"_s});
-    const auto triangles = [](const Document &document) {
-        return QLocale(QLocale::English).toString(document.mesh().triangleCount()) + u" triangles"_s;
-    };
     StudioPictures studio;
     studio.options().seams = false;
     std::vector<Column> columns;
-    const QString ofFine = triangles(studio.open(read(fine)));
-    columns.push_back(columnOf(studio, u"fine"_s, ofFine));
-    const QString ofCoarse = triangles(studio.open(read(mapped)));
-    columns.push_back(columnOf(studio, u"coarse"_s, ofCoarse));
+    const QString ofFine = trianglesOf(studio.open(read(fine)));
+    columns.push_back(columnOf(studio.model(upright, look), u"fine"_s, ofFine + u" triangles"_s));
+    const QString ofCoarse = trianglesOf(studio.open(read(mapped)));
+    columns.push_back(columnOf(studio.model(upright, look), u"coarse"_s, ofCoarse + u" triangles"_s));
     studio.options().pattern = Pattern::Texture;
     studio.options().texturePath = maps + u"/lucy_ao.png"_s;
-    columns.push_back(columnOf(studio, u"with occlusion"_s, u"of the fine one"_s));
-    Column normals;
-    normals.pictures = {QImage(maps + u"/lucy_normal.png"_s)
-                            .scaled(square, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
-                            .convertToFormat(QImage::Format_RGB32)};
-    normals.title = u"its normal map"_s;
-    normals.lines << u"tangent space, 1024 x 1024"_s;
-    columns.push_back(normals);
-    if (!saveSmall(sheetOf(columns), page.pathOf(figure)))
-        throw std::runtime_error("cannot write " + page.pathOf(figure).toStdString());
-    page.add(figure, u"lucy"_s, {QString(), u"triangles"_s},
-             {{u"fine"_s, ofFine.section(u' ', 0, 0)}, {u"coarse"_s, ofCoarse.section(u' ', 0, 0)}});
+    columns.push_back(columnOf(studio.model(upright, look), u"with occlusion"_s, u"of the fine one"_s));
+    columns.push_back(columnOf(textureOf(maps + u"/lucy_normal.png"_s, square), u"its normal map"_s,
+                               u"tangent space, 1024 x 1024"_s));
+    save(page, figure, columns);
+    page.add(figure, u"lucy, in two resolutions"_s, {QString(), u"triangles"_s},
+             {{u"fine"_s, ofFine}, {u"coarse"_s, ofCoarse}});
+}
+
+void lightBake(FigurePage &page, const Figure &figure)
+{
+    constexpr QSize size(300, 300);
+    constexpr Look fromAbove{30, 25};
+    const QTemporaryDir folder;
+    const QString plain = folder.filePath(u"plain.obj"_s), mapped = folder.filePath(u"machine.obj"_s);
+    const QString light = folder.filePath(u"light.png"_s);
+    run({u"sample"_s, u"machine"_s, u"-o"_s, plain});
+    run({u"unwrap"_s, plain, u"-o"_s, mapped});
+    run({u"lightbake"_s, mapped, u"-o"_s, light, u"--sun"_s, u"150,35"_s, u"--sky"_s, u"day"_s, u"--albedo"_s,
+         u"0.7"_s, u"--values"_s, u"lit"_s, u"--texture-size"_s, u"768"_s, u"--samples"_s, u"32"_s});
+    StudioPictures studio;
+    studio.options().seams = false;
+    const QString triangles = trianglesOf(studio.open(read(mapped)));
+    std::vector<Column> columns{
+        columnOf(studio.model(size, fromAbove), u"without"_s, triangles + u" triangles"_s)};
+    studio.options().pattern = Pattern::Texture;
+    studio.options().texturePath = light;
+    columns.push_back(columnOf(studio.model(size, fromAbove), u"with its light texture"_s, u"sun and sky"_s));
+    columns.push_back(columnOf(textureOf(light, size), u"the texture"_s, u"768 x 768"_s));
+    save(page, figure, columns);
+    page.add(figure, u"the sample machine"_s, {QString(), u"triangles"_s}, {{u"machine"_s, triangles}});
 }
 
 } // namespace autocuts::figures

@@ -7,5 +7,7 @@ namespace autocuts::figures {
 
 //! Figure 15. Left out without the meshes.
 void detailBake(FigurePage &page, const Figure &figure);
+//! Figure 16.
+void lightBake(FigurePage &page, const Figure &figure);
 
 } // namespace autocuts::figures

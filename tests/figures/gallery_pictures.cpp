@@ -58,6 +58,12 @@ QByteArray contentOf(const QString &path)
     return file.readAll();
 }
 
+figures::UpAxis upAxisOf(const QString &text)
+{
+    using enum figures::UpAxis;
+    return text == u"x"_s ? X : text == u"z"_s ? Z : text == u"-y"_s ? MinusY : Y;
+}
+
 std::vector<Entry> readTable(const QString &path)
 {
     std::vector<Entry> entries;
@@ -70,9 +76,7 @@ std::vector<Entry> readTable(const QString &path)
                            values[1],
                            values[2],
                            {values[3].toDouble(), values[4].toDouble()},
-                           values[5] == u"x"_s   ? figures::UpAxis::X
-                           : values[5] == u"z"_s ? figures::UpAxis::Z
-                                                 : figures::UpAxis::Y});
+                           upAxisOf(values[5])});
     }
     return entries;
 }
@@ -114,8 +118,8 @@ public:
                           c.toString(numbers.seamLength, 'f', 2))
                      .arg(numbers.islands)
                      .arg(c.toString(numbers.efficiency, 'f', 3), c.toString(numbers.seconds, 'f', 1));
-        mPictures << u"## %1\n\n![%2: the model with a checkerboard, and its map](gallery/%1.png)\n"_s.arg(
-            entry.name, sentence(entry.kind));
+        mPictures << u"## %1\n\n![%2, %3: the model with a checkerboard, and its map](gallery/%1.png)\n"_s
+                         .arg(entry.name, sentence(entry.name), entry.kind);
     }
 
     void writePage()
@@ -124,14 +128,16 @@ public:
         if (!page.open(QIODevice::WriteOnly))
             throw failure(u"cannot write "_s + page.fileName());
         QTextStream(&page)
-            << "# Gallery\n\n`scripts/gallery` makes this page: maps by `autocuts-cli unwrap` with no "
-               "option, so "
-               "of standard quality\nwith a mean distortion D of at most 4.1 (4 is none), drawn by the "
-               "studio's "
-               "views. Red lines are seams; each\nisland has the same colour on the model and in the map. "
-               "The "
-               "seam length is for a surface of area pi, the\nefficiency the covered part of the texture. "
-               "Seconds are CPU time of all threads, files included.\n\n"
+            << "# Gallery\n\n"
+               "`scripts/gallery` makes this page: maps by `autocuts-cli unwrap` with no option, so of "
+               "standard\n"
+               "quality with a mean distortion D of at most 4.1 (4 is none), drawn by the studio's views. "
+               "Red\n"
+               "lines are seams; each island has the same colour on the model and in the map. The seam "
+               "length is\n"
+               "for a surface of area pi, the efficiency the covered part of the texture. Seconds are CPU "
+               "time of\n"
+               "all threads, files included; on a machine that others use at the same time they are more.\n\n"
                "| model | kind | triangles | D | seam length | islands | efficiency | CPU s |\n"
                "|---|---|---|---|---|---|---|---|\n"
             << mRows.join(u'\n') << "\n\n"

@@ -51,7 +51,9 @@ const Figure table[] = {
      "*Pack*. The paper's model is not named; this is another one.",
      overlapRegions},
     {10, "figure10_irregular.png", "an irregular mesh, as in video games",
-     "a car-like game mesh of many parts that are not joined, and so of numerous patches.",
+     "a \"video game style\" mesh that looks like one surface and consists of many parts that are not "
+     "joined, and "
+     "so of numerous patches.",
      "*Unwrap* with default settings on another irregular mesh.", irregularMesh},
     {11, "figure11_octopus.png", "the octopus beside Sorkine et al. 2002",
      "three maps of the octopus: that of Sorkine et al. 2002 for a distortion bound of 3 and an "
@@ -60,7 +62,7 @@ const Figure table[] = {
      "the assisted one, and the greedy heuristic of the paper. It gives no other numbers.",
      "the octopus again. Left the region tool, in the middle *Separate overlaps* in the paper's greedy way, "
      "both "
-     "on the stitched map of the live solver (lambda 0.02); right *Unwrap*. Worst stretch is the measure of "
+     "on the map of a quick search that may leave overlaps; right *Unwrap*. Worst stretch is the measure of "
      "Sorkine et al.: the largest stretch or shrinking of a triangle in any direction.",
      octopusPatches},
     {12, "figure12_quads.png", "quads stay whole", "a mesh of quads; cuts never run through them.",
@@ -76,7 +78,11 @@ const Figure table[] = {
      "and "
      "occlusion from the fine one.",
      detailBake},
-    {16, "figure16_light.png", "light in the texture", "a model lit only by its texture.", "", nullptr},
+    {16, "figure16_light.png", "light in the texture", "a model that is lit only by its baked texture.",
+     "`autocuts-cli lightbake` of a sun and a day sky into the map of *Unwrap*. The studio's own soft light "
+     "falls "
+     "on the model besides.",
+     lightBake},
     {17, "figure17_gallery.png", "several models",
      "Hand, Elk, Octopus and Moai statue with no help; Eight and Girl with the side in front painted to have "
      "no "

@@ -19,14 +19,27 @@ constexpr double filled = 0.9;    // share of a picture
 constexpr int margin = 90;        // pixels around a picture, where the views draw axes and legends
 constexpr int squaresAcross = 30; // of the checkerboard, along the diagonal of the model
 
+Vec3 turned(const Vec3 &p, UpAxis up)
+{
+    switch (up) {
+    case UpAxis::X:
+        return {-p.y(), p.x(), p.z()};
+    case UpAxis::Y:
+        return p;
+    case UpAxis::Z:
+        return {p.x(), p.z(), -p.y()};
+    case UpAxis::MinusY:
+        return {-p.x(), -p.y(), p.z()};
+    }
+    return p;
+}
+
 //! The mesh with another axis upwards.
 std::shared_ptr<const MeshData> turned(const MeshData &mesh, UpAxis up)
 {
     auto result = std::make_shared<MeshData>(mesh);
-    for (Eigen::Index v = 0; v < mesh.positions.rows(); ++v) {
-        const Vec3 p = mesh.positions.row(v);
-        result->positions.row(v) = up == UpAxis::X ? Vec3(-p.y(), p.x(), p.z()) : Vec3(p.x(), p.z(), -p.y());
-    }
+    for (Eigen::Index v = 0; v < mesh.positions.rows(); ++v)
+        result->positions.row(v) = turned(Vec3(mesh.positions.row(v)), up);
     return result;
 }
 

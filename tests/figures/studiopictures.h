@@ -9,7 +9,7 @@ namespace autocuts::figures {
 void prepareViews();
 
 //! The axis of a mesh that points up.
-enum class UpAxis { X, Y, Z };
+enum class UpAxis { X, Y, Z, MinusY };
 
 //! From where a model is seen, degrees: from the front, the camera moves to the right and upwards.
 struct Look
