@@ -11,7 +11,8 @@ namespace autocuts {
 class EditTextures final : public DocumentCommand
 {
 public:
-    //! \param sets as DocumentState::textureSets; sets that are not valid change nothing. Contents are left out
+    //! \param sets as DocumentState::textureSets; sets that are not valid change nothing. Contents are left
+    //! out
     EditTextures(Document &document, std::vector<TextureSet> sets);
 
     //! Gives a material other pictures. \param material -1: the faces without one

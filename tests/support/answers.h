@@ -35,6 +35,10 @@ public:
     {
         return filesToOpen.isEmpty() ? QString() : filesToOpen.takeFirst();
     }
+    QString folderToOpen(const QString &, const QString &) override
+    {
+        return filesToOpen.isEmpty() ? QString() : filesToOpen.takeFirst();
+    }
     QString fileToSave(const QString &, const QString &, const QStringList &) override
     {
         return filesToSave.isEmpty() ? QString() : filesToSave.takeFirst();

@@ -484,7 +484,11 @@ std::vector<Case> markCases()
          {u"texels 15-15"_s},
          texelWeights(0, 0, 2)},
         {"hide", hide({0, 1, 7}), "Hide 3 faces", {u"hidden"_s}, hide({})},
-        {"textures", textures(u"/pictures/wood_Normal.<UDIM>.png"_s), "Add 1 texture", {u"textures"_s}, textures({})},
+        {"textures",
+         textures(u"/pictures/wood_Normal.<UDIM>.png"_s),
+         "Add 1 texture",
+         {u"textures"_s},
+         textures({})},
         {"untag", tag(u"skin"_s, {0}, false), "Untag 1 island", {u"tag skin"_s}, tag(u"metal"_s, {0}, false)},
     };
 }

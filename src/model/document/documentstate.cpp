@@ -28,8 +28,8 @@ bool sameScene(const Scene &a, const Scene &b)
     return a.path == b.path && a.format == b.format && sameMesh(a.mesh, b.mesh) &&
            a.objectNames == b.objectNames && a.materialNames == b.materialNames &&
            a.faceMaterial == b.faceMaterial && a.materialColors == b.materialColors &&
-           a.materialTextures == b.materialTextures && a.materialSets == b.materialSets && a.hardEdges == b.hardEdges &&
-           sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes;
+           a.materialTextures == b.materialTextures && a.materialSets == b.materialSets &&
+           a.hardEdges == b.hardEdges && sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes;
 }
 
 QString validateMaterials(const Scene &scene)
@@ -108,8 +108,9 @@ QString DocumentState::validate() const
     if (!isIndexSet(hiddenFaces, mesh.faceCount()))
         return QStringLiteral("The hidden faces do not fit the mesh");
     for (const QString &problem :
-         {validateMaterials(scene), validateTextureSets(textureSets, scene.materialNames.size() + 1), validateUvSets(*this), seams.validate(mesh), constraints.validate(mesh),
-          marks.validate(mesh), selection.validate(mesh)}) {
+         {validateMaterials(scene), validateTextureSets(textureSets, scene.materialNames.size() + 1),
+          validateUvSets(*this), seams.validate(mesh), constraints.validate(mesh), marks.validate(mesh),
+          selection.validate(mesh)}) {
         if (!problem.isEmpty())
             return problem;
     }
@@ -119,16 +120,23 @@ QString DocumentState::validate() const
 TextureSet DocumentState::textureSet(int material) const
 {
     const auto place = static_cast<std::size_t>(material + 1);
-    return overlaid(scene.fileSet(material), place < textureSets.size() ? textureSets[place] : TextureSet());
+    const TextureSet file = scene.fileSet(material);
+    TextureSet own = place < textureSets.size() ? textureSets[place] : TextureSet();
+    for (auto &[channel, entry] : own) {
+        const auto found = file.find(channel);
+        if (entry.fromModel)
+            entry.picture = found == file.end() ? SceneTexture() : found->second.picture;
+    }
+    return overlaid(file, own);
 }
 
 bool operator==(const DocumentState &a, const DocumentState &b)
 {
     return sameScene(a.scene, b.scene) && a.activeUvSet == b.activeUvSet && a.uvScales == b.uvScales &&
            a.seams == b.seams && a.constraints == b.constraints && a.marks == b.marks &&
-           a.texelWeights == b.texelWeights && a.hiddenFaces == b.hiddenFaces && a.textureSets == b.textureSets &&
-           a.solveSettings == b.solveSettings && a.packingSettings == b.packingSettings &&
-           a.selection == b.selection && a.viewState == b.viewState;
+           a.texelWeights == b.texelWeights && a.hiddenFaces == b.hiddenFaces &&
+           a.textureSets == b.textureSets && a.solveSettings == b.solveSettings &&
+           a.packingSettings == b.packingSettings && a.selection == b.selection && a.viewState == b.viewState;
 }
 
 QString uniqueUvSetName(const std::vector<UvSet> &sets, const QString &wanted)

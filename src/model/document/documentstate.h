@@ -46,8 +46,8 @@ struct DocumentState
     //! \pre scene.mesh is not null
     static DocumentState initial(Scene scene);
 
-    //! The pictures of a material, those of the user in place of those of the file. \param material -1: of the
-    //! faces without one
+    //! The pictures of a material, those of the user in place of those of the file. \param material -1: of
+    //! the faces without one
     TextureSet textureSet(int material) const;
     //! Returns an empty string, or the first invariant that does not hold. Does not repeat
     //! MeshData::validate().

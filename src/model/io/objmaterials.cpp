@@ -113,7 +113,8 @@ void readChannel(QByteArrayView line, TextureSet &set)
         if (!map)
             continue;
         if (ChannelPicture &entry = set[channel]; entry.picture.isEmpty())
-            entry = {{fileOfMap(*map), {}}, -1, false, 1}; // the number of a channel with a map does not count
+            entry = {
+                {fileOfMap(*map), {}}, -1, false, 1}; // the number of a channel with a map does not count
     }
 }
 

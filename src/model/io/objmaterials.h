@@ -7,9 +7,10 @@
 
 namespace autocuts {
 
-//! Fills in Scene::materialColors, materialTextures and materialSets from the diffuse colours (Kd) and their pictures
-//! (map_Kd), and from those of the other channels, in the material files that the OBJ file names and that lie in its folder. Files that are missing
-//! or too large are left out. \param bytes the OBJ file \param path of that file
+//! Fills in Scene::materialColors, materialTextures and materialSets from the diffuse colours (Kd) and their
+//! pictures (map_Kd), and from those of the other channels, in the material files that the OBJ file names and
+//! that lie in its folder. Files that are missing or too large are left out. \param bytes the OBJ file \param
+//! path of that file
 void readMaterials(QByteArrayView bytes, const QString &path, Scene &scene);
 
 } // namespace autocuts

@@ -35,8 +35,9 @@ const std::map<QString, std::vector<Part>> &channelNames()
             for (const QString &word : QString::fromLatin1(words).split(u' '))
                 result[word] = {{channel, -1, flipped}};
         };
-        add(Channel::BaseColor, "basecolor basecolour base albedo alb diffuse diffusecolor diff dif color colour "
-                                "col bc d");
+        add(Channel::BaseColor,
+            "basecolor basecolour base albedo alb diffuse diffusecolor diff dif color colour "
+            "col bc d");
         add(Channel::Roughness, "roughness rough rgh");
         add(Channel::Roughness, "gloss glossiness smoothness", true);
         add(Channel::Metalness, "metallic metalness metal met");
@@ -61,9 +62,9 @@ const std::map<QString, std::vector<Part>> &channelNames()
 //! Words after the name of a channel that say something else: sizes, colour spaces, kinds of files.
 bool saysNothing(const QString &word)
 {
-    static const QRegularExpression pattern(
-        u"^(\\d{1,2}k|256|512|1024|2048|4096|8192|srgb|raw|linear|lin|acescg|utility|jpg|png|exr|tif|bit|8bit|"
-        u"16bit|32bit|map|tex|texture)$"_s);
+    static const QRegularExpression pattern(u"^(\\d{1,2}k|256|512|1024|2048|4096|8192|srgb|raw|linear|lin|"
+                                            u"acescg|utility|jpg|png|exr|tif|bit|8bit|"
+                                            u"16bit|32bit|map|tex|texture)$"_s);
     return pattern.match(word.toLower()).hasMatch();
 }
 

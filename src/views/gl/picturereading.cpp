@@ -52,13 +52,19 @@ QImage toImage(const Picture &picture, PictureNumbers numbers)
     return image;
 }
 
-//! Formats that Qt does not read, or only a part of; nothing for others.
+//! Formats that Qt does not read, or only a part of.
+bool isOurs(QIODevice &device, const QString &path)
+{
+    const QByteArray head = device.peek(32);
+    const bool targa = path.endsWith(QStringLiteral(".tga"), Qt::CaseInsensitive);
+    return isExr(head) || isHdr(head) || (targa && isTga(head));
+}
+
+//! Nothing for formats that Qt reads.
 std::optional<QImage> readByOurselves(QIODevice &device, const PictureRequest &request,
                                       PictureNumbers numbers, QString &problem)
 {
-    const QByteArray head = device.peek(32);
-    const bool targa = request.path.endsWith(QStringLiteral(".tga"), Qt::CaseInsensitive);
-    if (!isExr(head) && !isHdr(head) && !(targa && isTga(head)))
+    if (!isOurs(device, request.path))
         return std::nullopt;
     const Result<DecodedPicture> decoded = decodePicture(device.readAll(), request.path);
     if (!decoded) {
@@ -122,8 +128,7 @@ public:
         }
         for (const TextureTile &file : files) {
             const PictureRequest one{file.path, {}, {}};
-            const int image =
-                stopped() ? -1 : take(readImage(one, mLongest, PictureNumbers::Color, problem));
+            const int image = stopped() ? -1 : take(readImage(one, mLongest, PictureNumbers::Color, problem));
             if (file.tile == 0)
                 set.repeated = image;
             else if (image >= 0)
@@ -166,10 +171,20 @@ QImage readImage(const PictureRequest &request, int longest, PictureNumbers numb
     return readFrom(buffer, request, longest, numbers, problem);
 }
 
+QString pictureProblem(const QString &path)
+{
+    QFile file(path);
+    if (file.open(QIODevice::ReadOnly) && isOurs(file, path))
+        return {};
+    QImageReader reader(path);
+    return reader.canRead() ? QString() : reader.errorString();
+}
+
 int longestSide(std::size_t images)
 {
     const double room = pixelBudget / static_cast<double>(std::clamp<std::size_t>(images, 1, maxPictures));
-    return std::clamp(static_cast<int>(std::exp2(std::floor(std::log2(std::sqrt(room))))), 256, maxPictureSide);
+    return std::clamp(static_cast<int>(std::exp2(std::floor(std::log2(std::sqrt(room))))), 256,
+                      maxPictureSide);
 }
 
 Pictures readPictures(const std::vector<PictureRequest> &requests, QStringList &problems,

@@ -24,8 +24,8 @@ struct Pictures
         bool operator==(const Set &) const = default;
     };
 
-    //! Images of each picture, one after another; `repeated` and `tiles` name the first one. 1: a colour. 3: a
-    //! texture set, all of one size: base colour and height; x and y of the normal, roughness, metalness;
+    //! Images of each picture, one after another; `repeated` and `tiles` name the first one. 1: a colour. 3:
+    //! a texture set, all of one size: base colour and height; x and y of the normal, roughness, metalness;
     //! emission and occlusion. Colours are sRGB.
     int layers = 1;
     std::vector<QImage> images;

@@ -62,6 +62,14 @@ QString Questions::fileToOpen(const QString &title, const QString &folder, const
     return run(dialog) == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
+QString Questions::folderToOpen(const QString &title, const QString &folder)
+{
+    QFileDialog dialog(mWindow, title, folder);
+    dialog.setFileMode(QFileDialog::Directory);
+    dialog.setOption(QFileDialog::ShowDirsOnly, false); // the pictures in it are seen
+    return run(dialog) == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
 QString Questions::fileToSave(const QString &title, const QString &path, const QStringList &filters)
 {
     const QFileInfo proposed(path);

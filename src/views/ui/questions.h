@@ -35,6 +35,8 @@ public:
     //! \param filters as for QFileDialog
     //! \returns an empty string when the user cancelled
     virtual QString fileToOpen(const QString &title, const QString &folder, const QStringList &filters);
+    //! \returns an empty string when the user cancelled
+    virtual QString folderToOpen(const QString &title, const QString &folder);
     //! Asks before an existing file is replaced. \param path the proposed path
     virtual QString fileToSave(const QString &title, const QString &path, const QStringList &filters);
     //! Shows one of the program's own dialogs. \returns the result of QDialog::exec()
