@@ -10,6 +10,9 @@ uniform mat4 toFrame; // from the clip space to the frame of the mesh
 uniform float groundHeight, gridStep;
 uniform float pixelRatio;
 uniform bool grid;
+uniform bool surroundings; // are shown
+
+#include "light.glsl"
 
 float line(float place, float width)
 {
@@ -20,10 +23,12 @@ void main()
 {
     float t = smoothstep(-1.1, 1.1, place.y + 0.15 * place.x * place.x);
     color = mix(bottomColor, topColor, t);
-    if (!grid)
-        return;
     vec4 nearPoint = toFrame * vec4(place, -1, 1), farPoint = toFrame * vec4(place, 1, 1);
     vec3 from = nearPoint.xyz / nearPoint.w, to = farPoint.xyz / farPoint.w;
+    if (surroundings) // a little out of focus, so that the model stands out
+        color = vec4(onScreen(reflectedLight(normalize(to - from), 0.22)), 1);
+    if (!grid)
+        return;
     float slope = to.y - from.y;
     float s = (groundHeight - from.y) / (abs(slope) < 1e-9 ? 1e-9 : slope);
     vec2 ground = (from + s * (to - from)).xz;

@@ -18,7 +18,8 @@ uniform float tint; // share of the face colour over a picture
 uniform float pictureHeight; // of the picture in texture space, where it is 1 wide
 uniform float pixelRatio, checkerSize, fillOpacity, lineOpacity;
 uniform bool onPicture; // in the map, a picture lies behind
-uniform int pattern; // 0 none, 1 checker, 2 picture
+uniform int pattern; // 0 none, 1 checker, 2 picture, 3 texture sets under light
+uniform bool unlit;  // colours are shown as they are
 uniform ivec2 hoverTriangles, hoverSides;
 uniform uint hoverIsland;
 uniform vec4 sideColors[9];
@@ -26,6 +27,7 @@ uniform float sideHalfWidths[8];
 uniform vec4 selectionColor, hoverColor, overlapColor, flippedColor;
 
 #include "picture.glsl"
+#include "physical.glsl"
 
 const uint selectedMark = 1u, overlapMark = 2u, flippedMark = 4u, withoutUvMark = 8u;
 const uint wireStyle = 1u, seamStyle = 3u, givenStyle = 7u;
@@ -41,12 +43,55 @@ float checker(vec2 place)
     return mix(sharp, 0.5, smoothstep(0.5, 1.2, max(width.x, width.y)));
 }
 
+int setOfTriangle()
+{
+    return onlySet > 0 ? onlySet : numberOf(texelFetch(setTexels, gl_PrimitiveID));
+}
+
+// What the texture set says, or the colour of the face where there is none.
+Material materialAt(vec3 face, uint marks)
+{
+    Material m = Material(linearColor(face), 0.6, 0.0, 1.0, vec3(0), vec3(0, 0, 1));
+    vec2 place = texturePlace / vec2(1.0, pictureHeight);
+    vec2 dx = dFdx(place), dy = dFdy(place);
+    int set = setOfTriangle();
+    int layer = set > 0 && (marks & withoutUvMark) == 0u ? layerAt(set - 1, place) : -1;
+    vec3 mapped = vec3(0, 0, 1);
+    if (layer >= 0) {
+        vec3 base = textureGrad(pictures, vec3(fract(place), layer), dx, dy).rgb;
+        vec4 shape = textureGrad(pictures, vec3(fract(place), layer + 1), dx, dy);
+        vec4 glow = textureGrad(pictures, vec3(fract(place), layer + 2), dx, dy);
+        m.base = linearColor(mix(base, face, tint));
+        m.roughness = max(shape.b, 0.03);
+        m.metalness = shape.a;
+        m.emission = linearColor(glow.rgb);
+        m.occlusion = glow.a;
+        mapped = normalOf(shape.rg);
+    }
+    m.normal = mappedNormal(eyeNormal, mapped, texturePlace);
+    return m;
+}
+
+vec3 physical(vec3 face, uint marks)
+{
+    Material m = materialAt(face, marks);
+    bool perspective = projectionMatrix[3][3] == 0.0;
+    vec3 toEye = perspective ? -normalize(eyePosition) : vec3(0, 0, 1);
+    vec3 n = normalize(eyeNormal);
+    if (!gl_FrontFacing) {
+        n = -n;
+        m.normal = -m.normal;
+    }
+    vec3 result = onScreen(shaded(m, n, toEye));
+    return gl_FrontFacing ? result : mix(result, vec3(0.20, 0.17, 0.19), 0.62);
+}
+
 vec3 surface(vec3 face, uint marks)
 {
     if (pattern == 0 || (marks & withoutUvMark) != 0u)
         return face;
     if (pattern == 2) {
-        int set = onlySet > 0 ? onlySet : numberOf(texelFetch(setTexels, gl_PrimitiveID));
+        int set = setOfTriangle();
         vec4 picture = set > 0 ? pictureAt(set - 1, texturePlace / vec2(1.0, pictureHeight)) : vec4(0);
         return mix(face, mix(picture.rgb, face, tint), picture.a);
     }
@@ -118,8 +163,14 @@ vec4 withRim(vec4 below, vec4 line, float halfWidth, float inside)
 void main()
 {
     uvec4 face = texelFetch(faceTexels, gl_PrimitiveID);
-    vec3 base = surface(vec3(face.rgb) / 255.0, face.a);
-    vec4 result = asMap ? vec4(base, fillOpacity) : vec4(lit(base), fillOpacity);
+    vec3 faceColor = vec3(face.rgb) / 255.0;
+    vec4 result = vec4(0, 0, 0, fillOpacity);
+    if (pattern == 3) {
+        result.rgb = physical(faceColor, face.a);
+    } else {
+        vec3 base = surface(faceColor, face.a);
+        result.rgb = asMap || unlit ? base : lit(base);
+    }
     result = marked(result, face.a);
 
     // Height of the triangle over each side, and distance to it, in pixels. Side k is opposite corner k + 2.

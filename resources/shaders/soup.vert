@@ -4,6 +4,9 @@
 layout(location = 0) in vec3 position; // in the frame of the mesh
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
+layout(location = 3) in vec4 tangent;
+
+uniform bool hasTangents;
 
 uniform usamplerBuffer faceTexels; // per triangle: red, green, blue, marks
 uniform bool asMap;
@@ -13,6 +16,7 @@ uniform vec2 mapScale, mapOffset;
 noperspective out vec3 barycentric; // linear on the screen: its gradient gives distances in pixels
 out vec3 eyePosition, eyeNormal;
 out vec2 texturePlace;
+out vec4 eyeTangent;
 
 const float noUv = 1e29; // corners without UV have more
 const uint hiddenMark = 16u;
@@ -36,6 +40,7 @@ void main()
     vec4 eye = viewMatrix * vec4(position, 1);
     eyePosition = eye.xyz;
     eyeNormal = mat3(viewMatrix) * normal;
+    eyeTangent = vec4(mat3(viewMatrix) * tangent.xyz, hasTangents ? tangent.w : 0.0);
     bool shown = (marksOfFace() & hiddenMark) == 0u;
     if (shown && !asMap)
         gl_Position = projectionMatrix * eye;

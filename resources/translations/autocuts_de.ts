@@ -1591,6 +1591,14 @@
         <source>Change between no pattern, the checkerboard, the lettered cells, the texture and the textures of the model</source>
         <translation>Zwischen keinem Muster, dem Schachbrett, den beschrifteten Feldern, der Textur und den Texturen des Modells wechseln</translation>
     </message>
+    <message>
+        <source>Texture sets in &amp;light</source>
+        <translation>Textursätze im &amp;Licht</translation>
+    </message>
+    <message>
+        <source>All channels of the materials&apos; textures, physically based, in the light of surroundings; see the panel Textures</source>
+        <translation>Alle Kanäle der Texturen der Materialien, physikalisch basiert, im Licht einer Umgebung; siehe das Bedienfeld Texturen</translation>
+    </message>
 </context>
 <context>
     <name>Brush</name>
@@ -2281,6 +2289,109 @@
     </message>
 </context>
 <context>
+    <name>PictureFiles</name>
+    <message>
+        <source>the picture cannot be written (%1)</source>
+        <translation>das Bild lässt sich nicht schreiben (%1)</translation>
+    </message>
+    <message>
+        <source>OpenEXR files have no whole numbers of 8 bits</source>
+        <translation>OpenEXR-Dateien haben keine ganzen Zahlen von 8 Bit</translation>
+    </message>
+    <message>
+        <source>Choose 16 bits or float numbers, or a .png file</source>
+        <translation>Wählen Sie 16 Bit oder Gleitkommazahlen, oder eine .png-Datei</translation>
+    </message>
+    <message>
+        <source>pictures cannot be written in the format &quot;%1&quot;</source>
+        <translation>Bilder lassen sich nicht im Format „%1“ schreiben</translation>
+    </message>
+    <message>
+        <source>Choose a file name that ends in .png, .tif, .jpg, .tga or .exr</source>
+        <translation>Wählen Sie einen Dateinamen, der auf .png, .tif, .jpg, .tga oder .exr endet</translation>
+    </message>
+    <message>
+        <source>.%1 files have no numbers of 16 bits</source>
+        <translation>.%1-Dateien haben keine Zahlen von 16 Bit</translation>
+    </message>
+    <message>
+        <source>.%1 files have no float numbers</source>
+        <translation>.%1-Dateien haben keine Gleitkommazahlen</translation>
+    </message>
+    <message>
+        <source>Choose a .png, .tif or .exr file, or 8 bits</source>
+        <translation>Wählen Sie eine .png-, .tif- oder .exr-Datei, oder 8 Bit</translation>
+    </message>
+    <message>
+        <source>Choose an .exr file, or 8 or 16 bits</source>
+        <translation>Wählen Sie eine .exr-Datei, oder 8 oder 16 Bit</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for the picture</source>
+        <translation>für das Bild reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>Close other programs, or scale the picture down</source>
+        <translation>Schließen Sie andere Programme, oder verkleinern Sie das Bild</translation>
+    </message>
+    <message>
+        <source>the picture has %1 bytes, the limit is %2</source>
+        <translation>das Bild hat %1 Bytes, die Grenze ist %2</translation>
+    </message>
+    <message>
+        <source>Scale the picture down to sides of %1 pixels at most</source>
+        <translation>Verkleinern Sie das Bild auf Seiten von höchstens %1 Pixeln</translation>
+    </message>
+    <message>
+        <source>the picture has no pixels</source>
+        <translation>das Bild hat keine Pixel</translation>
+    </message>
+    <message>
+        <source>it has several depths at a pixel</source>
+        <translation>es hat mehrere Tiefen an einem Pixel</translation>
+    </message>
+    <message>
+        <source>it has too many channels</source>
+        <translation>es hat zu viele Kanäle</translation>
+    </message>
+    <message>
+        <source>it has no channels</source>
+        <translation>es hat keine Kanäle</translation>
+    </message>
+    <message>
+        <source>its colours are not RGBE</source>
+        <translation>seine Farben sind nicht RGBE</translation>
+    </message>
+    <message>
+        <source>it is too short</source>
+        <translation>es ist zu kurz</translation>
+    </message>
+    <message>
+        <source>line %1 is damaged</source>
+        <translation>Zeile %1 ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Save it again in the program that it comes from</source>
+        <translation>Speichern Sie es noch einmal in dem Programm, aus dem es kommt</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels are too many</source>
+        <translation>%1 x %2 Pixel sind zu viele</translation>
+    </message>
+    <message>
+        <source>the picture is damaged, or its format is not known</source>
+        <translation>das Bild ist beschädigt, oder sein Format ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the picture cannot be read (%1)</source>
+        <translation>das Bild lässt sich nicht lesen (%1)</translation>
+    </message>
+    <message>
+        <source>a colour is not in its palette</source>
+        <translation>eine Farbe fehlt in seiner Palette</translation>
+    </message>
+</context>
+<context>
     <name>Pictures</name>
     <message>
         <source>it cannot be opened</source>
@@ -2336,6 +2447,37 @@
     <message>
         <source>%1 faces are new and have the UVs of the old model&apos;s nearest points</source>
         <translation>neue Flächen mit den UVs der nächsten Punkte des alten Modells: %1</translation>
+    </message>
+</context>
+<context>
+    <name>TextureChannels</name>
+    <message>
+        <source>Base colour</source>
+        <translation>Grundfarbe</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Metalness</source>
+        <translation>Metall</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normalen</translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>Verdeckung</translation>
+    </message>
+    <message>
+        <source>Emission</source>
+        <translation>Leuchten</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
     </message>
 </context>
 <context>
@@ -3006,6 +3148,22 @@
     <message>
         <source>Transfer UVs</source>
         <translation>UVs übertragen</translation>
+    </message>
+    <message>
+        <source>Remove all chosen textures</source>
+        <translation>Alle gewählten Texturen entfernen</translation>
+    </message>
+    <message>
+        <source>Add %n texture</source>
+        <translation>%n Textur hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add %n textures</source>
+        <translation>%n Texturen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change textures</source>
+        <translation>Texturen ändern</translation>
     </message>
 </context>
 <context>
@@ -4163,6 +4321,93 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     </message>
 </context>
 <context>
+    <name>autocuts::LightForm</name>
+    <message>
+        <source>Load…</source>
+        <translation>Laden …</translation>
+    </message>
+    <message>
+        <source>Visible behind the model</source>
+        <translation>Hinter dem Modell sichtbar</translation>
+    </message>
+    <message>
+        <source>All, in light</source>
+        <translation>Alle, im Licht</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>All channels under light, or one of them as it is; it also lies behind the map</source>
+        <translation>Alle Kanäle im Licht, oder einer davon, wie er ist; er liegt auch hinter der Map</translation>
+    </message>
+    <message>
+        <source>Studio</source>
+        <translation>Studio</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Himmel</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Choose a panorama, .hdr or .exr, whose light falls on the model</source>
+        <translation>Ein Panorama wählen, .hdr oder .exr, dessen Licht auf das Modell fällt</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>What is around the model and lights it</source>
+        <translation>Was das Modell umgibt und beleuchtet</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Turns the light about the vertical</source>
+        <translation>Dreht das Licht um die Senkrechte</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>Brightness in stops: each one doubles the light</source>
+        <translation>Helligkeit in Blendenstufen: jede verdoppelt das Licht</translation>
+    </message>
+    <message>
+        <source>Shows the surroundings as the background of the 3D view</source>
+        <translation>Zeigt die Umgebung als Hintergrund der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Load surroundings</source>
+        <translation>Umgebung laden</translation>
+    </message>
+    <message>
+        <source>Panoramas (*.hdr *.exr)</source>
+        <translation>Panoramen (*.hdr *.exr)</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
     <name>autocuts::LivePacker</name>
     <message>
         <source>Packing</source>
@@ -4242,6 +4487,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Opened %1: see the mesh doctor</source>
         <translation>%1 geöffnet: siehe Mesh-Doktor</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Texturen</translation>
     </message>
 </context>
 <context>
@@ -5598,6 +5847,13 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     </message>
 </context>
 <context>
+    <name>autocuts::SceneLight</name>
+    <message>
+        <source>The surroundings cannot be shown: %1</source>
+        <translation>Die Umgebung lässt sich nicht zeigen: %1</translation>
+    </message>
+</context>
+<context>
     <name>autocuts::ScenePanel</name>
     <message>
         <source>Open a model to see its objects and materials.</source>
@@ -6914,6 +7170,145 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     </message>
 </context>
 <context>
+    <name>autocuts::TexturePanel</name>
+    <message>
+        <source>Open a model to give it textures.</source>
+        <translation>Öffnen Sie ein Modell, um ihm Texturen zu geben.</translation>
+    </message>
+    <message>
+        <source>Normals for DirectX</source>
+        <translation>Normalen für DirectX</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>The material whose pictures are listed; that of the selected face comes by itself</source>
+        <translation>Das Material, dessen Bilder aufgeführt sind; das der ausgewählten Fläche kommt von selbst</translation>
+    </message>
+    <message>
+        <source>In the views</source>
+        <translation>In den Ansichten</translation>
+    </message>
+    <message>
+        <source>Pictures of the material</source>
+        <translation>Bilder des Materials</translation>
+    </message>
+    <message>
+        <source>A double-click chooses another picture</source>
+        <translation>Ein Doppelklick wählt ein anderes Bild</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Load folder…</source>
+        <translation>Ordner laden …</translation>
+    </message>
+    <message>
+        <source>Finds the pictures of all materials by their names, such as wood_BaseColor.png, wood_Roughness.png or wood_Normal.1001.png</source>
+        <translation>Findet die Bilder aller Materialien an ihren Namen, etwa wood_BaseColor.png, wood_Roughness.png oder wood_Normal.1001.png</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Laden …</translation>
+    </message>
+    <message>
+        <source>Chooses the picture of the marked channel</source>
+        <translation>Wählt das Bild des markierten Kanals</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>The marked channel loses its picture, or gets back that of the model&apos;s file</source>
+        <translation>Der markierte Kanal verliert sein Bild, oder bekommt das aus der Datei des Modells zurück</translation>
+    </message>
+    <message>
+        <source>The green of the normal map points down, as DirectX has it; otherwise up, as in OpenGL. The wrong one makes bumps look like dents</source>
+        <translation>Das Grün der Normalen zeigt nach unten, wie bei DirectX; sonst nach oben, wie bei OpenGL. Mit dem falschen sehen Beulen wie Dellen aus</translation>
+    </message>
+    <message>
+        <source>Material %1</source>
+        <translation>Material %1</translation>
+    </message>
+    <message>
+        <source>Faces without a material</source>
+        <translation>Flächen ohne Material</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>in the model&apos;s file</source>
+        <translation>in der Datei des Modells</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>alpha</source>
+        <translation>Alpha</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Load a folder of textures</source>
+        <translation>Einen Ordner mit Texturen laden</translation>
+    </message>
+    <message>
+        <source>no picture in the folder has the name of a channel</source>
+        <translation>kein Bild in dem Ordner trägt den Namen eines Kanals</translation>
+    </message>
+    <message>
+        <source>no picture in the folder has the name of a material: %1</source>
+        <translation>kein Bild in dem Ordner trägt den Namen eines Materials: %1</translation>
+    </message>
+    <message>
+        <source>Names such as %1_BaseColor.png, %1_Roughness.png and %1_Normal.png are understood</source>
+        <translation>Namen wie %1_BaseColor.png, %1_Roughness.png und %1_Normal.png werden verstanden</translation>
+    </message>
+    <message>
+        <source>%1; left out: %2</source>
+        <translation>%1; ausgelassen: %2</translation>
+    </message>
+    <message>
+        <source>Load a picture: %1</source>
+        <translation>Ein Bild laden: %1</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Channels found: %1</source>
+        <translation>Gefundene Kanäle: %1</translation>
+    </message>
+</context>
+<context>
     <name>autocuts::ToolOptionBar</name>
     <message>
         <source>Tool options</source>
@@ -7555,6 +7950,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>of %1 materials</source>
         <translation>von %1 Materialien</translation>
+    </message>
+    <message>
+        <source>Texture sets in light</source>
+        <translation>Textursätze im Licht</translation>
     </message>
 </context>
 <context>

@@ -120,7 +120,14 @@ QString DocumentState::validate() const
 TextureSet DocumentState::textureSet(int material) const
 {
     const auto place = static_cast<std::size_t>(material + 1);
-    return overlaid(scene.fileSet(material), place < textureSets.size() ? textureSets[place] : TextureSet());
+    const TextureSet file = scene.fileSet(material);
+    TextureSet own = place < textureSets.size() ? textureSets[place] : TextureSet();
+    for (auto &[channel, entry] : own) {
+        const auto found = file.find(channel);
+        if (entry.fromModel)
+            entry.picture = found == file.end() ? SceneTexture() : found->second.picture;
+    }
+    return overlaid(file, own);
 }
 
 bool operator==(const DocumentState &a, const DocumentState &b)

@@ -74,7 +74,8 @@ QCborArray toCbor(const std::vector<TextureSet> &sets)
                                      {"file"_L1, entry.picture.file},
                                      {"component"_L1, entry.component},
                                      {"flipped"_L1, entry.flipped},
-                                     {"factor"_L1, entry.factor}});
+                                     {"factor"_L1, entry.factor},
+                                     {"fromModel"_L1, entry.fromModel}});
         array.append(channels);
     }
     return array;
@@ -94,7 +95,8 @@ std::optional<std::vector<TextureSet>> readTextureSets(const QCborArray &array, 
             const ChannelPicture picture{{map["file"_L1].toString(), {}},
                                          static_cast<int>(std::clamp<qint64>(component, -2, 4)),
                                          map["flipped"_L1].toBool(),
-                                         map["factor"_L1].toDouble(1)};
+                                         map["factor"_L1].toDouble(1),
+                                         map["fromModel"_L1].toBool()};
             if (channel < 0 || channel >= textureChannelCount || !isValid(picture))
                 return std::nullopt;
             set.emplace(static_cast<TextureChannel>(channel), picture);

@@ -37,6 +37,8 @@ struct ChannelPicture
     //! Normal: green points down, as in DirectX. Roughness: the picture is its opposite, gloss.
     bool flipped = false;
     double factor = 1; //!< that its values are multiplied by
+    //! Of a set of the user: the picture is the one that the model's file has for this channel.
+    bool fromModel = false;
 
     bool operator==(const ChannelPicture &) const = default;
 };

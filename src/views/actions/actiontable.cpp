@@ -449,6 +449,12 @@ constexpr std::array viewTable{
                                  "On every material the picture that the model's file names for it; behind "
                                  "the map that of the selected face"),
                0, true, "pattern"},
+    ActionInfo{"view.pattern.physical", "View/Pattern",
+               QT_TRANSLATE_NOOP("Actions", "Texture sets in &light"), "texture", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "All channels of the materials' textures, physically based, in the light of "
+                                 "surroundings; see the panel Textures"),
+               0, true, "pattern"},
     ActionInfo{"view.texture", "View", QT_TRANSLATE_NOOP("Actions", "Next pa&ttern"), "checker", "T",
                QT_TRANSLATE_NOOP("Actions",
                                  "Change between no pattern, the checkerboard, the lettered cells, "

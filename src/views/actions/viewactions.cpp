@@ -1,15 +1,16 @@
 #include "views/actions/viewactions.h"
 
+#include "model/io/picturefiles.h"
 #include "views/actions/choice.h"
 #include "views/control/modelpictures.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/previewdialog.h"
+#include "views/gl/picturereading.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
 
 #include <QFileInfo>
-#include <QImageReader>
 
 namespace autocuts {
 
@@ -43,11 +44,10 @@ constexpr Choice<Coloring> colorings[] = {{"view.coloring.plain", Coloring::Plai
                                           {"view.coloring.paint", Coloring::PaintWeights},
                                           {"view.coloring.density", Coloring::Density},
                                           {"view.coloring.texelWeights", Coloring::TexelWeights}};
-constexpr Choice<Pattern> patterns[] = {{"view.pattern.none", Pattern::None},
-                                        {"view.pattern.checker", Pattern::Checker},
-                                        {"view.pattern.lettered", Pattern::Lettered},
-                                        {"view.pattern.texture", Pattern::Texture},
-                                        {"view.pattern.materials", Pattern::Materials}};
+constexpr Choice<Pattern> patterns[] = {
+    {"view.pattern.none", Pattern::None},           {"view.pattern.checker", Pattern::Checker},
+    {"view.pattern.lettered", Pattern::Lettered},   {"view.pattern.texture", Pattern::Texture},
+    {"view.pattern.materials", Pattern::Materials}, {"view.pattern.physical", Pattern::Physical}};
 constexpr Choice<ViewLayout> layouts[] = {{"view.both", ViewLayout::Both},
                                           {"view.maximize3d", ViewLayout::Only3d},
                                           {"view.maximizeUv", ViewLayout::OnlyUv}};
@@ -60,8 +60,8 @@ constexpr Choice<ViewSide> sides[] = {
 QStringList imageFilters()
 {
     QStringList globs;
-    for (const QByteArray &format : QImageReader::supportedImageFormats())
-        globs << QStringLiteral("*.") + QString::fromLatin1(format);
+    for (const QString &suffix : pictureSuffixes())
+        globs << QStringLiteral("*.") + suffix;
     return {ViewActions::tr("Pictures (%1)").arg(globs.join(QLatin1Char(' '))),
             ViewActions::tr("All files (*)")};
 }
@@ -149,9 +149,8 @@ void ViewActions::askTexture()
 
 void ViewActions::loadTexture(const QString &path)
 {
-    QImageReader reader(path);
-    if (!reader.canRead()) {
-        mQuestions.showError({tr("The texture cannot be read: %1").arg(reader.errorString()), path, 0,
+    if (const QString problem = pictureProblem(path); !problem.isEmpty()) {
+        mQuestions.showError({tr("The texture cannot be read: %1").arg(problem), path, 0,
                               tr("Choose a PNG, JPEG or TIFF file")});
         showOptions();
         return;
@@ -195,7 +194,10 @@ void ViewActions::nextPattern()
         options.pattern = Pattern::Lettered;
     else if (options.pattern == Pattern::Lettered && !options.texturePath.isEmpty())
         options.pattern = Pattern::Texture;
-    else if (options.pattern != Pattern::Materials && mContext.pictures.count() > 0)
+    else if (options.pattern == Pattern::Materials && mContext.pictures.hasSets())
+        options.pattern = Pattern::Physical;
+    else if (options.pattern != Pattern::Materials && options.pattern != Pattern::Physical &&
+             mContext.pictures.count() > 0)
         options.pattern = Pattern::Materials;
     else
         options.pattern = Pattern::None;

@@ -46,7 +46,7 @@ Canvas::Canvas(Kind kind, const StudioContext &context, ToolManager &tools, QWid
         update();
     });
     connect(&context.pictures, &ModelPictures::changed, this, [this] {
-        mTextureStale |= mPictured == Pattern::Materials;
+        mTextureStale |= mPictured == Pattern::Materials || mPictured == Pattern::Physical;
         update();
     });
     connect(&tools, &ToolManager::overlayChanged, this, qOverload<>(&QWidget::update));
@@ -87,6 +87,7 @@ void Canvas::initializeGL()
         return;
     }
     mTextureStale = true;
+    mEnvironment.reset();
     mContextGone =
         connect(QOpenGLWidget::context(), &QOpenGLContext::aboutToBeDestroyed, this, &Canvas::releaseGl);
     mContent.markAll();
@@ -119,7 +120,7 @@ void Canvas::choosePicture()
 
 int Canvas::onlySet() const
 {
-    return mPictured == Pattern::Materials ? 0 : 1;
+    return mPictured == Pattern::Materials || mPictured == Pattern::Physical ? 0 : 1;
 }
 
 void Canvas::uploadPictures()
@@ -136,15 +137,31 @@ void Canvas::uploadPictures()
         mGl->pictures.setPictures(Pictures::of(letteredPattern(mLetteredCells)));
         break;
     case Pattern::Materials:
+    case Pattern::Physical:
         mGl->pictures.setPictures(studio().pictures.pictures());
         mGl->soup.setSets(studio().pictures.triangleSets());
         break;
     }
 }
 
+//! What only the 3D view needs for texture sets.
+void Canvas::uploadForLight()
+{
+    if (kind() != Kind::Model || mPictured != Pattern::Physical)
+        return;
+    const ModelPictures &pictures = studio().pictures;
+    if (const auto &environment = pictures.light().environment(); environment != mEnvironment) {
+        mEnvironment = environment;
+        mGl->environment.set(*environment);
+    }
+    if (mContent.mesh() && pictures.haveNormals() && std::exchange(mTangentsStale, false))
+        mGl->soup.setTangents(mContent.tangents());
+}
+
 void Canvas::upload()
 {
     const int parts = mContent.refresh();
+    mTangentsStale |= (parts & (SceneContent::Vertices | SceneContent::Uvs)) != 0;
     if (parts & SceneContent::Vertices)
         mGl->soup.setVertices(mContent.vertices());
     if (parts & SceneContent::Uvs) {
@@ -161,6 +178,7 @@ void Canvas::upload()
         mGl->points.setPoints(mContent.points());
     if (std::exchange(mTextureStale, false))
         uploadPictures();
+    uploadForLight();
 }
 
 void Canvas::paintGL()

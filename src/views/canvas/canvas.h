@@ -15,6 +15,8 @@ class QPainter;
 
 namespace autocuts {
 
+struct Environment;
+
 class ToolManager;
 struct GlResources;
 struct ToolEvent;
@@ -90,6 +92,7 @@ private:
     void upload();
     void choosePicture();
     void uploadPictures();
+    void uploadForLight();
     void updateCursor();
     void placeCursor(const QPointF &pixel);
     void endLostGestures(Qt::MouseButtons held);
@@ -98,11 +101,12 @@ private:
     ToolManager &mTools;
     SceneContent mContent;
     TextureFile mTexture;
-    bool mTextureStale = true;
-    Pattern mPictured = Pattern::None; //!< of the pictures in graphics memory
-    int mLetteredCells = 0;            //!< of the lettered pattern
-    std::unique_ptr<GlResources> mGl;  //!< null before the first paint, and when OpenGL is not available
-    QString mGlError;                  //!< why OpenGL is not available
+    bool mTextureStale = true, mTangentsStale = true;
+    std::shared_ptr<const Environment> mEnvironment; //!< in graphics memory
+    Pattern mPictured = Pattern::None;               //!< of the pictures in graphics memory
+    int mLetteredCells = 0;                          //!< of the lettered pattern
+    std::unique_ptr<GlResources> mGl; //!< null before the first paint, and when OpenGL is not available
+    QString mGlError;                 //!< why OpenGL is not available
     QMetaObject::Connection mContextGone;
     Navigation mNavigation = Navigation::None;
     Qt::MouseButton mNavigationButton = Qt::NoButton;

@@ -12,7 +12,8 @@ namespace autocuts {
 struct GlResources
 {
     explicit GlResources(GlFunctions &functions)
-        : gl(functions), backdrop(functions), soup(functions), points(functions), pictures(functions)
+        : gl(functions), backdrop(functions), soup(functions), points(functions), pictures(functions),
+          environment(functions)
     {}
 
     GlFunctions &gl;
@@ -20,6 +21,7 @@ struct GlResources
     SoupRenderer soup;
     PointRenderer points;
     PatternTexture pictures;
+    EnvironmentTexture environment;
 };
 
 } // namespace autocuts

@@ -27,6 +27,14 @@ QMatrix4x4 toQt(const Eigen::Matrix4d &m)
     return result;
 }
 
+//! Turns the light about the vertical.
+QMatrix4x4 lightTurn(double degrees)
+{
+    QMatrix4x4 turn;
+    turn.rotate(static_cast<float>(degrees), 0, 1, 0);
+    return turn;
+}
+
 } // namespace
 
 MeshView::MeshView(const StudioContext &context, ToolManager &tools, QWidget *parent)
@@ -155,6 +163,11 @@ void MeshView::drawScene(GlResources &gl)
     room.clipMatrix = toQt(mCamera.projectionMatrix(6) * mCamera.viewMatrix());
     room.pixelRatio = devicePixelRatioF();
     room.grid = options.grid;
+    const QMatrix4x4 toEnvironment = lightTurn(options.lightTurn);
+    const bool lit = options.pattern == Pattern::Physical && options.shownChannel < 0;
+    room.environment = lit && options.showSurroundings ? &gl.environment : nullptr;
+    room.toEnvironment = toEnvironment;
+    room.exposure = options.exposure;
     room.groundHeight = content().mesh() ? content().frame().lower.y() : 0;
     gl.backdrop.draw(room, content().colors());
     if (!content().mesh())
@@ -167,6 +180,11 @@ void MeshView::drawScene(GlResources &gl)
     drawing.tileHeight = studio().workspace.document()->packingSettings().tileHeight();
     drawing.pictures = &gl.pictures;
     drawing.onlySet = onlySet();
+    drawing.shownChannel = std::max(options.shownChannel, 0);
+    drawing.environment = lit ? &gl.environment : nullptr;
+    // The view turns directions without changing their lengths.
+    drawing.toEnvironment = toEnvironment * QMatrix4x4(drawing.view.normalMatrix()).transposed();
+    drawing.exposure = options.exposure;
     drawing.tint = options.coloring == Coloring::Plain ? 0 : 0.5;
     const HoverParts hover = hoverParts();
     drawing.hoverTriangles = hover.triangles;

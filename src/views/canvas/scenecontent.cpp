@@ -2,6 +2,8 @@
 
 #include "model/document/givenseams.h"
 #include "model/plain/flippedtriangles.h"
+#include "model/plain/shadingnormals.h"
+#include "model/plain/tangents.h"
 #include "model/plain/uvlayout.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
@@ -13,6 +15,13 @@
 
 namespace autocuts {
 
+namespace {
+
+//! They are made on the thread of the window, after each edit of the map. Chosen by hand.
+constexpr int mostTangentTriangles = 200000;
+
+} // namespace
+
 //! Data made once per mesh.
 struct SceneContent::MeshParts
 {
@@ -23,7 +32,8 @@ struct SceneContent::MeshParts
     std::shared_ptr<const MeshData> mesh;
     MeshFrame frame;
     SoupTopology topology;
-    mutable std::optional<StretchMeter> meter; //!< made when a heat-map is first shown
+    mutable std::vector<Eigen::Vector3f> normals; //!< of corners; made when tangents are first asked for
+    mutable std::optional<StretchMeter> meter;    //!< made when a heat-map is first shown
 };
 
 SceneContent::SceneContent(const StudioContext &context, bool asMap, QObject *parent)
@@ -201,6 +211,22 @@ const UvMatrix &SceneContent::uv() const
         }
     }
     return mShownUv;
+}
+
+std::vector<float> SceneContent::tangents() const
+{
+    const Document &document = *mContext.workspace.document();
+    if (mContext.shownMap.isLive() || document.mesh().triangleCount() > mostTangentTriangles)
+        return {};
+    const MeshParts &own = meshParts();
+    if (own.normals.empty())
+        own.normals = shadingNormals(*own.mesh, document.state().scene.hardEdges);
+    std::vector<float> result;
+    result.reserve(static_cast<std::size_t>(4 * document.mesh().soupCornerCount()));
+    for (const Tangent &tangent : mikkTangents(*own.mesh, document.uv(), own.normals))
+        result.insert(result.end(),
+                      {tangent.direction.x(), tangent.direction.y(), tangent.direction.z(), tangent.sign});
+    return result;
 }
 
 bool SceneContent::isHidden(int soupCorner) const

@@ -48,6 +48,9 @@ public:
 
     const std::vector<SoupVertex> &vertices() const { return mVertices; }
     const std::vector<float> &uvs() const { return mUvs; }
+    //! Tangents for normal maps, three numbers for each soup corner and the side of the bitangent. Empty for
+    //! a live map, and for so many triangles that they would take long. \pre mesh()
+    std::vector<float> tangents() const;
     //! What shines through a live map in the UV view: the ghost of the shown map or, behind the soup, the map
     //! that closing its gaps would give. Empty otherwise.
     const std::vector<float> &ghostUvs() const { return mGhostUvs; }

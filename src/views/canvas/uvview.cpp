@@ -144,6 +144,7 @@ void UvView::drawPaper(GlResources &gl)
     paper.pattern = options.pattern;
     paper.checkerSize = options.checkerSize;
     paper.pictures = &gl.pictures;
+    paper.shownChannel = std::max(options.shownChannel, 0);
     if (onlySet() == 0)
         paper.pictureSet = studio().pictures.shownSet();
     if (paper.pictureSet < 0)
@@ -179,6 +180,7 @@ void UvView::drawScene(GlResources &gl)
     drawing.tileHeight = packing().tileHeight();
     drawing.pictures = &gl.pictures;
     drawing.onlySet = onlySet();
+    drawing.shownChannel = std::max(options.shownChannel, 0);
     drawing.tint = plain ? 0 : 0.5;
     const HoverParts hover = hoverParts();
     drawing.hoverTriangles = hover.triangles;

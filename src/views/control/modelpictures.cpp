@@ -3,9 +3,10 @@
 #include "model/io/texturefiles.h"
 #include "views/control/workspace.h"
 #include "views/gl/picturereading.h"
-#include "views/state/viewstate.h"
+#include "views/gl/texturelayers.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
 #include <QPointer>
 #include <QThreadPool>
@@ -19,47 +20,158 @@ namespace {
 
 //! More are only counted in a message.
 constexpr qsizetype mostListed = 3;
+//! Files and folders that are watched; more are not. Chosen by hand.
+constexpr qsizetype mostWatched = 1000;
+//! After the last change of a file, before it is read. Chosen by hand.
+constexpr int settleMs = 250;
 
-//! What is to be read for the materials, each picture once.
-struct Wanted
+QString shownName(const SceneTexture &texture)
 {
-    std::vector<PictureRequest> requests; //!< names in place of paths
-    std::vector<int> setOfMaterial;
-};
+    const QString name = QFileInfo(QString(texture.file).replace(u'\\', u'/')).fileName();
+    return name.isEmpty() ? ModelPictures::tr("a picture inside of the model's file") : name;
+}
 
-Wanted wantedBy(const Scene &scene)
+//! Which channels of a material are the user's own: their paths are taken as they are.
+bool isChosen(const DocumentState &state, int material, TextureChannel channel)
 {
-    Wanted wanted;
-    std::map<std::pair<QString, const char *>, int> known;
-    for (const SceneTexture &texture : scene.materialTextures) {
-        if (texture.isEmpty()) {
-            wanted.setOfMaterial.push_back(-1);
-            continue;
-        }
-        const char *bytes = texture.content.isEmpty() ? nullptr : texture.content.constData();
-        const auto [found, isNew] =
-            known.try_emplace({texture.file, bytes}, static_cast<int>(wanted.requests.size()));
-        wanted.setOfMaterial.push_back(found->second);
-        if (!isNew)
-            continue;
-        const QString name = QFileInfo(QString(texture.file).replace(u'\\', u'/')).fileName();
-        wanted.requests.push_back(
-            {texture.file, texture.content,
-             name.isEmpty() ? ModelPictures::tr("a picture inside of the model's file") : name});
-    }
-    return wanted;
+    const auto place = static_cast<std::size_t>(material + 1);
+    if (place >= state.textureSets.size())
+        return false;
+    const auto found = state.textureSets[place].find(channel);
+    return found != state.textureSets[place].end() && !found->second.fromModel;
+}
+
+//! A path for textureTiles(). What was chosen may have moved with the model.
+QString resolved(const QString &file, bool chosen, const QString &modelPath)
+{
+    if (file.isEmpty() || (chosen && !textureTiles(file).empty()))
+        return file;
+    const QString found = findTexture(file, modelPath);
+    return found.isEmpty() && chosen ? file : found;
 }
 
 } // namespace
 
+//! What is to be read, each set once. Names are in place of paths.
+struct ModelPictures::Wanted
+{
+    std::vector<TextureSetRequest> sets;
+    std::vector<std::map<TextureChannel, bool>>
+        chosen; //!< of each set: the channels, and whether of the user
+    std::vector<int> setOfMaterial;
+    bool onlyColors = false;
+
+    static Wanted by(const DocumentState &state, bool onlyColors);
+    void resolve(const QString &modelPath);
+    QStringList paths() const;
+    std::vector<PictureRequest> colors() const;
+};
+
+struct ModelPictures::Loaded
+{
+    Pictures pictures;
+    QStringList problems, paths;
+    std::vector<FileState> states;
+    std::vector<int> setOfMaterial;
+    bool haveNormals = false;
+};
+
+ModelPictures::Wanted ModelPictures::Wanted::by(const DocumentState &state, bool onlyColors)
+{
+    Wanted wanted;
+    wanted.onlyColors = onlyColors;
+    std::vector<TextureSet> known;
+    std::vector<QRgb> knownColors;
+    const Scene &scene = state.scene;
+    for (int material = -1; material < std::ssize(scene.materialNames); ++material) {
+        TextureSet set = state.textureSet(material);
+        if (onlyColors)
+            std::erase_if(set, [](const auto &entry) { return entry.first != TextureChannel::BaseColor; });
+        const auto place = static_cast<std::size_t>(material);
+        const QRgb color =
+            material >= 0 && place < scene.materialColors.size() ? scene.materialColors[place] : 0;
+        const bool any = std::any_of(set.begin(), set.end(),
+                                     [](const auto &entry) { return !entry.second.picture.isEmpty(); });
+        if (!any) {
+            wanted.setOfMaterial.push_back(-1);
+            continue;
+        }
+        std::size_t same = 0;
+        while (same < known.size() && !(known[same] == set && (onlyColors || knownColors[same] == color)))
+            ++same;
+        wanted.setOfMaterial.push_back(static_cast<int>(same));
+        if (same < known.size())
+            continue;
+        known.push_back(set);
+        knownColors.push_back(color);
+        TextureSetRequest &request = wanted.sets.emplace_back();
+        auto &chosen = wanted.chosen.emplace_back();
+        request.color = color;
+        for (const auto &[channel, entry] : set) {
+            const SceneTexture &picture = entry.picture;
+            request.channels[channel] = {
+                {picture.file, picture.content, picture.isEmpty() ? QString() : shownName(picture)}, entry};
+            chosen[channel] = isChosen(state, material, channel);
+        }
+    }
+    return wanted;
+}
+
+//! Finds the files; on the thread that reads them.
+void ModelPictures::Wanted::resolve(const QString &modelPath)
+{
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+        for (auto &[channel, wanted] : sets[s].channels)
+            wanted.picture.path = wanted.picture.content.isEmpty()
+                                      ? resolved(wanted.picture.path, chosen[s].at(channel), modelPath)
+                                      : QString();
+    }
+}
+
+QStringList ModelPictures::Wanted::paths() const
+{
+    QStringList result;
+    for (const TextureSetRequest &set : sets) {
+        for (const auto &[channel, wanted] : set.channels) {
+            if (!wanted.picture.path.isEmpty())
+                result << wanted.picture.path;
+        }
+    }
+    result.removeDuplicates();
+    return result;
+}
+
+std::vector<PictureRequest> ModelPictures::Wanted::colors() const
+{
+    std::vector<PictureRequest> result;
+    for (const TextureSetRequest &set : sets)
+        result.push_back(set.channels.at(TextureChannel::BaseColor).picture);
+    return result;
+}
+
 ModelPictures::ModelPictures(const Workspace &workspace, const ViewState &view, QObject *parent)
-    : QObject(parent), mWorkspace(workspace), mView(view)
+    : QObject(parent), mWorkspace(workspace), mView(view), mLight(view)
 {
     connect(&workspace, &Workspace::documentReplaced, this, [this] {
         forget();
         loadIfShown();
     });
+    connect(&workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
+        if (event.type != ChangeEvent::Type::Textures)
+            return;
+        mStale = true;
+        loadIfShown();
+        Q_EMIT changed();
+    });
     connect(&view, &ViewState::optionsChanged, this, &ModelPictures::loadIfShown);
+    connect(&mLight, &SceneLight::changed, this, &ModelPictures::changed);
+    connect(&mLight, &SceneLight::noticed, this, &ModelPictures::noticed);
+    mLookTimer.setSingleShot(true);
+    mLookTimer.setInterval(settleMs);
+    connect(&mLookTimer, &QTimer::timeout, this, &ModelPictures::lookForChanges);
+    const auto lookSoon = [this] { mLookTimer.start(); };
+    connect(&mWatcher, &QFileSystemWatcher::fileChanged, this, lookSoon);
+    connect(&mWatcher, &QFileSystemWatcher::directoryChanged, this, lookSoon);
 }
 
 ModelPictures::~ModelPictures()
@@ -71,11 +183,25 @@ ModelPictures::~ModelPictures()
 int ModelPictures::count() const
 {
     const Document *document = mWorkspace.document();
-    if (!document)
-        return 0;
-    const std::vector<SceneTexture> &textures = document->state().scene.materialTextures;
-    return static_cast<int>(std::count_if(textures.begin(), textures.end(),
-                                          [](const SceneTexture &texture) { return !texture.isEmpty(); }));
+    int result = 0;
+    for (int m = -1; document && m < std::ssize(document->state().scene.materialNames); ++m) {
+        const TextureSet set = document->state().textureSet(m);
+        result += std::any_of(set.begin(), set.end(),
+                              [](const auto &entry) { return !entry.second.picture.isEmpty(); });
+    }
+    return result;
+}
+
+bool ModelPictures::hasSets() const
+{
+    const Document *document = mWorkspace.document();
+    for (int m = -1; document && m < std::ssize(document->state().scene.materialNames); ++m) {
+        for (const auto &[channel, entry] : document->state().textureSet(m)) {
+            if (channel != TextureChannel::BaseColor && !entry.picture.isEmpty())
+                return true;
+        }
+    }
+    return false;
 }
 
 void ModelPictures::forget()
@@ -87,40 +213,60 @@ void ModelPictures::forget()
     mPictures = {};
     mSetOfMaterial.clear();
     mCommonSet = -1;
+    mHaveNormals = false;
+    mProblems.clear();
+    mPaths.clear();
+    watch({});
     Q_EMIT changed();
 }
 
 void ModelPictures::loadIfShown()
 {
     const Document *document = mWorkspace.document();
-    if (!document || mView.options().pattern != Pattern::Materials || mMesh || count() == 0)
+    const Pattern pattern = mView.options().pattern;
+    if (!document || (pattern != Pattern::Materials && pattern != Pattern::Physical))
         return;
     const Scene &scene = document->state().scene;
+    if (mMesh == scene.mesh && mPattern == pattern && !mStale)
+        return;
+    if (mLoading)
+        *mLoading = true;
+    if (mPattern != pattern)
+        mPictures = {}; // of another kind
     mMesh = scene.mesh;
-    Wanted wanted = wantedBy(scene);
-    mSetOfMaterial = std::move(wanted.setOfMaterial);
+    mPattern = pattern;
+    mStale = false;
     mLoading = std::make_shared<std::atomic<bool>>(false);
-    // The result is passed to the GUI thread, and ignored there when another model was opened meanwhile.
-    QThreadPool::globalInstance()->start([requests = std::move(wanted.requests), path = scene.path,
-                                          stop = mLoading, self = QPointer<ModelPictures>(this)]() mutable {
-        for (PictureRequest &request : requests)
-            request.path = findTexture(request.path, path);
-        QStringList problems;
-        const Pictures pictures = readPictures(requests, problems, stop.get());
-        QMetaObject::invokeMethod(
-            QCoreApplication::instance(),
-            [self, stop, pictures, problems] {
-                if (self && self->mLoading == stop)
-                    self->takeOver(pictures, problems);
-            },
-            Qt::QueuedConnection);
-    });
+    // The result is passed to the GUI thread, and ignored there when something else is wanted meanwhile.
+    QThreadPool::globalInstance()->start(
+        [wanted = Wanted::by(document->state(), pattern == Pattern::Materials), path = scene.path,
+         stop = mLoading, self = QPointer<ModelPictures>(this)]() mutable {
+            Loaded loaded;
+            loaded.setOfMaterial = wanted.setOfMaterial;
+            wanted.resolve(path);
+            loaded.paths = wanted.paths();
+            loaded.states = statesOf(loaded.paths); // before they are read: a later change is seen then
+            loaded.pictures = wanted.onlyColors ? readPictures(wanted.colors(), loaded.problems, stop.get())
+                                                : readTextureSets(wanted.sets, loaded.problems, stop.get());
+            for (const TextureSetRequest &set : wanted.sets)
+                loaded.haveNormals = loaded.haveNormals || set.channels.contains(TextureChannel::Normal) ||
+                                     set.channels.contains(TextureChannel::Height);
+            QMetaObject::invokeMethod(
+                QCoreApplication::instance(),
+                [self, stop, loaded] {
+                    if (self && self->mLoading == stop)
+                        self->takeOver(loaded);
+                },
+                Qt::QueuedConnection);
+        });
 }
 
-void ModelPictures::takeOver(const Pictures &pictures, const QStringList &problems)
+void ModelPictures::takeOver(const Loaded &loaded)
 {
     mLoading.reset();
-    mPictures = pictures;
+    mPictures = loaded.pictures;
+    mSetOfMaterial = loaded.setOfMaterial;
+    mHaveNormals = loaded.haveNormals;
     for (int &set : mSetOfMaterial) {
         if (set >= 0 && mPictures.sets[static_cast<std::size_t>(set)].isEmpty())
             set = -1;
@@ -132,13 +278,71 @@ void ModelPictures::takeOver(const Pictures &pictures, const QStringList &proble
     const auto most = std::max_element(faces.begin(), faces.end(),
                                        [](const auto &a, const auto &b) { return a.second < b.second; });
     mCommonSet = most == faces.end() ? -1 : most->first;
+    mPaths = loaded.paths;
+    mStates = loaded.states;
+    watch(mPaths);
     Q_EMIT changed();
+    tellProblems(loaded.problems);
+    mLookTimer.start(); // for what changed before it was watched
+}
+
+void ModelPictures::tellProblems(const QStringList &problems)
+{
+    if (problems == mProblems)
+        return;
+    mProblems = problems;
     if (problems.isEmpty())
         return;
     QStringList listed = problems.mid(0, mostListed);
     if (const qsizetype more = problems.size() - listed.size(); more > 0)
         listed << tr("and %1 more").arg(more);
     Q_EMIT noticed(tr("Textures that cannot be shown: %1").arg(listed.join(QStringLiteral(", "))));
+}
+
+//! Also the folders are watched: many programs delete a file, or move it away, before they write the new one.
+void ModelPictures::watch(const QStringList &paths)
+{
+    if (const QStringList old = mWatcher.files() + mWatcher.directories(); !old.isEmpty())
+        mWatcher.removePaths(old);
+    QStringList watched;
+    for (const QString &path : paths) {
+        if (const QString folder = QFileInfo(path).absolutePath(); QFileInfo(folder).isDir())
+            watched << folder;
+        for (const TextureTile &tile : textureTiles(path))
+            watched << tile.path;
+    }
+    watched.removeDuplicates();
+    if (watched = watched.mid(0, mostWatched); !watched.isEmpty())
+        mWatcher.addPaths(watched);
+}
+
+std::vector<ModelPictures::FileState> ModelPictures::statesOf(const QStringList &paths)
+{
+    std::vector<FileState> states;
+    for (const QString &path : paths) {
+        for (const TextureTile &tile : textureTiles(path)) {
+            const QFileInfo info(tile.path);
+            states.push_back({tile.path, info.lastModified(), info.size()});
+        }
+    }
+    return states;
+}
+
+void ModelPictures::lookForChanges()
+{
+    if (mLoading || mPaths.isEmpty())
+        return;
+    watch(mPaths); // a file that was replaced is no longer watched
+    if (statesOf(mPaths) == mStates)
+        return;
+    mStale = true;
+    loadIfShown();
+}
+
+int ModelPictures::setOfMaterial(int material) const
+{
+    const auto place = static_cast<std::size_t>(material + 1);
+    return material >= -1 && place < mSetOfMaterial.size() ? mSetOfMaterial[place] : -1;
 }
 
 int ModelPictures::setOfFace(int face) const
@@ -148,10 +352,7 @@ int ModelPictures::setOfFace(int face) const
         return -1;
     const std::vector<int> &materials = document->state().scene.faceMaterial;
     const auto place = static_cast<std::size_t>(face);
-    const int material = place < materials.size() ? materials[place] : -1;
-    return material < 0 || material >= std::ssize(mSetOfMaterial)
-               ? -1
-               : mSetOfMaterial[static_cast<std::size_t>(material)];
+    return setOfMaterial(place < materials.size() ? materials[place] : -1);
 }
 
 std::vector<quint32> ModelPictures::triangleSets() const
@@ -172,6 +373,16 @@ int ModelPictures::shownSet() const
     if (!document || document->selection().faces.isEmpty())
         return mCommonSet;
     return setOfFace(document->selection().faces.first());
+}
+
+QImage ModelPictures::thumbnail(int material, TextureChannel channel, int side) const
+{
+    const int number = setOfMaterial(material);
+    if (number < 0 || number >= std::ssize(mPictures.sets))
+        return {};
+    const Pictures::Set &set = mPictures.sets[static_cast<std::size_t>(number)];
+    const int first = set.repeated >= 0 ? set.repeated : set.tiles.empty() ? -1 : set.tiles.begin()->second;
+    return first < 0 ? QImage() : channelImage(mPictures, first, channel, side);
 }
 
 } // namespace autocuts

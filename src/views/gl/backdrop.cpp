@@ -35,6 +35,11 @@ void Backdrop::draw(const RoomDrawing &drawing, const ViewColors &colors)
     mRoom->setUniformValue("gridStep", static_cast<float>(drawing.gridStep));
     mRoom->setUniformValue("pixelRatio", static_cast<float>(drawing.pixelRatio));
     mRoom->setUniformValue("grid", drawing.grid);
+    const bool seen = drawing.environment && !drawing.environment->isEmpty();
+    mRoom->setUniformValue("surroundings", seen);
+    mRoom->setUniformValue("environment", pictureUnit);
+    if (seen)
+        drawing.environment->use(*mRoom, pictureUnit, drawing.toEnvironment, drawing.exposure);
     fillView();
     mRoom->release();
 }
@@ -70,6 +75,8 @@ void Backdrop::draw(const PaperDrawing &drawing, const ViewColors &colors)
     p.setUniformValue("pictures", pictureUnit);
     p.setUniformValue("pictureTable", tableUnit);
     p.setUniformValue("pictureSet", drawing.pictureSet);
+    p.setUniformValue("shownChannel", drawing.shownChannel);
+    p.setUniformValue("pictureLayers", drawing.pictures ? drawing.pictures->layers() : 1);
     if (textured)
         drawing.pictures->bind(pictureUnit, tableUnit);
     mGl.glActiveTexture(GL_TEXTURE0);

@@ -1,6 +1,7 @@
 // Draws the backgrounds of the 3D view and of the UV view.
 #pragma once
 
+#include "views/gl/environmenttexture.h"
 #include "views/gl/glfunctions.h"
 #include "views/gl/patterntexture.h"
 #include "views/gl/viewcolors.h"
@@ -22,6 +23,9 @@ struct RoomDrawing
     double gridStep = 0.2;   //!< in the mesh frame
     double pixelRatio = 1;
     bool grid = true;
+    EnvironmentTexture *environment = nullptr; //!< is seen; null: a soft gradient
+    QMatrix4x4 toEnvironment;                  //!< turns directions from the mesh frame
+    double exposure = 0;                       //!< in stops
 };
 
 //! The background of the UV view. Positions are in screen pixels from the lower left corner of the view.
@@ -39,6 +43,7 @@ struct PaperDrawing
     double checkerSize = 16;
     PatternTexture *pictures = nullptr; //!< null: none
     int pictureSet = 0;                 //!< of them
+    int shownChannel = 0;               //!< of texture sets, as TextureChannel
     double patternStrength = 1;         //!< 0: the pattern is not seen
     double lineWidth = 1;
 };

@@ -60,6 +60,7 @@ QSize sizeOf(const std::vector<QImage> &images, int layers, int largest)
 void PatternTexture::setPictures(const Pictures &pictures)
 {
     mTexture.reset();
+    mLayers = pictures.layers;
     if (pictures.images.empty())
         return;
     GLint largest = 1024, mostLayers = 256;

@@ -20,6 +20,8 @@ public:
     //! Pictures of different sizes are scaled to one size, and too large ones to what there is room for.
     void setPictures(const Pictures &pictures);
     bool isEmpty() const { return !mTexture; }
+    //! As in Pictures.
+    int layers() const { return mLayers; }
     //! Binds the pictures and the table to two texture units.
     void bind(int pictureUnit, int tableUnit);
 
@@ -27,6 +29,7 @@ private:
     GlFunctions &mGl;
     GlTexelBuffer mTable;
     std::unique_ptr<QOpenGLTexture> mTexture;
+    int mLayers = 1;
 };
 
 } // namespace autocuts

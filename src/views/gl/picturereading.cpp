@@ -52,13 +52,19 @@ QImage toImage(const Picture &picture, PictureNumbers numbers)
     return image;
 }
 
-//! Formats that Qt does not read, or only a part of; nothing for others.
+//! Formats that Qt does not read, or only a part of.
+bool isOurs(QIODevice &device, const QString &path)
+{
+    const QByteArray head = device.peek(32);
+    const bool targa = path.endsWith(QStringLiteral(".tga"), Qt::CaseInsensitive);
+    return isExr(head) || isHdr(head) || (targa && isTga(head));
+}
+
+//! Nothing for formats that Qt reads.
 std::optional<QImage> readByOurselves(QIODevice &device, const PictureRequest &request,
                                       PictureNumbers numbers, QString &problem)
 {
-    const QByteArray head = device.peek(32);
-    const bool targa = request.path.endsWith(QStringLiteral(".tga"), Qt::CaseInsensitive);
-    if (!isExr(head) && !isHdr(head) && !(targa && isTga(head)))
+    if (!isOurs(device, request.path))
         return std::nullopt;
     const Result<DecodedPicture> decoded = decodePicture(device.readAll(), request.path);
     if (!decoded) {
@@ -163,6 +169,15 @@ QImage readImage(const PictureRequest &request, int longest, PictureNumbers numb
     QByteArray bytes = request.content;
     QBuffer buffer(&bytes);
     return readFrom(buffer, request, longest, numbers, problem);
+}
+
+QString pictureProblem(const QString &path)
+{
+    QFile file(path);
+    if (file.open(QIODevice::ReadOnly) && isOurs(file, path))
+        return {};
+    QImageReader reader(path);
+    return reader.canRead() ? QString() : reader.errorString();
 }
 
 int longestSide(std::size_t images)

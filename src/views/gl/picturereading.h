@@ -25,6 +25,9 @@ enum class PictureNumbers { Color, Plain };
 //! Radiance HDR and TGA.
 QImage readImage(const PictureRequest &request, int longest, PictureNumbers numbers, QString &problem);
 
+//! Why a file cannot be a picture, by its first bytes; empty when it can be one.
+QString pictureProblem(const QString &path);
+
 //! The longest side for that many images, all of which together fit into memory.
 int longestSide(std::size_t images);
 

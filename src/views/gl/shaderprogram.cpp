@@ -17,7 +17,7 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-//! The text of a shader, with the file that a line #include "NAME" names in its place.
+//! The text of a shader, with the files that lines #include "NAME" name in their places.
 QByteArray shaderText(const QString &name)
 {
     QFile file(u":/shaders/%1"_s.arg(name));
@@ -25,7 +25,7 @@ QByteArray shaderText(const QString &name)
         throw std::runtime_error((name + u" is missing"_s).toStdString());
     QByteArray text = file.readAll();
     constexpr QByteArrayView include = "#include \"";
-    if (const qsizetype begin = text.indexOf(include); begin >= 0) {
+    for (qsizetype begin = text.indexOf(include); begin >= 0; begin = text.indexOf(include)) {
         const qsizetype nameBegin = begin + include.size(), end = text.indexOf('"', nameBegin);
         const QByteArray included = shaderText(QString::fromLatin1(text.mid(nameBegin, end - nameBegin)));
         text.replace(begin, end + 1 - begin, included);

@@ -8,7 +8,8 @@ namespace autocuts {
 
 namespace {
 
-constexpr int faceUnit = 0, sideUnit = 1, pictureUnit = 2, islandUnit = 3, tableUnit = 4, setUnit = 5;
+constexpr int faceUnit = 0, sideUnit = 1, pictureUnit = 2, islandUnit = 3, tableUnit = 4, setUnit = 5,
+              environmentUnit = 6;
 
 QVector4D toVector(const QColor &color)
 {
@@ -19,7 +20,7 @@ QVector4D toVector(const QColor &color)
 
 SoupRenderer::SoupRenderer(GlFunctions &gl)
     : mGl(gl), mProgram(makeShaderProgram(QStringLiteral("soup"), QStringLiteral("soup"))), mVertices(gl),
-      mUvs(gl), mGhostUvs(gl), mFaces(gl), mSides(gl), mIslands(gl), mSets(gl)
+      mUvs(gl), mGhostUvs(gl), mTangents(gl), mFaces(gl), mSides(gl), mIslands(gl), mSets(gl)
 {
     mArray = makeArray(mUvs);
     mGhostArray = makeArray(mGhostUvs);
@@ -45,6 +46,8 @@ GLuint SoupRenderer::makeArray(GlBuffer &uvs)
     uvs.bind(GL_ARRAY_BUFFER);
     mGl.glEnableVertexAttribArray(2);
     mGl.glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    mTangents.bind(GL_ARRAY_BUFFER);
+    mGl.glVertexAttribPointer(3, 4, GL_FLOAT, GL_FALSE, 0, nullptr); // enabled when there are some
     mGl.glBindVertexArray(0);
     return array;
 }
@@ -63,6 +66,12 @@ void SoupRenderer::setUvs(std::span<const float> uvs)
 void SoupRenderer::setGhostUvs(std::span<const float> uvs)
 {
     mGhostUvs.fill(uvs, GL_STREAM_DRAW);
+}
+
+void SoupRenderer::setTangents(std::span<const float> tangents)
+{
+    mTangents.fill(tangents, GL_DYNAMIC_DRAW);
+    mHasTangents = !tangents.empty();
 }
 
 void SoupRenderer::setStyles(const SoupDrawing &drawing, const ViewColors &colors)
@@ -97,9 +106,16 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
     p.setUniformValue("pixelRatio", static_cast<float>(drawing.pixelRatio));
     p.setUniformValue("smoothShading", drawing.smooth);
     const bool textured = isPicture(drawing.pattern) && drawing.pictures && !drawing.pictures->isEmpty();
-    p.setUniformValue("pattern", textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0);
+    const bool physical = textured && drawing.environment && !drawing.environment->isEmpty();
+    p.setUniformValue("pattern", physical ? 3 : textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0);
     p.setUniformValue("pictureHeight",
                       static_cast<float>(pictureHeight(drawing.pattern, drawing.tileHeight)));
+    p.setUniformValue("unlit", drawing.pattern == Pattern::Physical);
+    p.setUniformValue("shownChannel", drawing.shownChannel);
+    p.setUniformValue("pictureLayers", drawing.pictures ? drawing.pictures->layers() : 1);
+    p.setUniformValue("environment", environmentUnit);
+    if (physical)
+        drawing.environment->use(p, environmentUnit, drawing.toEnvironment, drawing.exposure);
     p.setUniformValue("checkerSize", static_cast<float>(drawing.checkerSize));
     p.setUniformValue("tint", static_cast<float>(drawing.tint));
     p.setUniformValue("fillOpacity", static_cast<float>(drawing.fillOpacity));
@@ -125,6 +141,12 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
     mFaces.bind(faceUnit);
     mGl.glActiveTexture(GL_TEXTURE0);
     mGl.glBindVertexArray(drawing.ghost ? mGhostArray : mArray);
+    const bool tangents = mHasTangents && physical;
+    p.setUniformValue("hasTangents", tangents);
+    if (tangents)
+        mGl.glEnableVertexAttribArray(3);
+    else
+        mGl.glDisableVertexAttribArray(3);
     mGl.glDrawArrays(GL_TRIANGLES, 0, mCount);
     mGl.glBindVertexArray(0);
     p.release();

@@ -1,6 +1,7 @@
 // Draws the triangle soup with all its lines in one pass, in 3D or in UV space.
 #pragma once
 
+#include "views/gl/environmenttexture.h"
 #include "views/gl/glbuffer.h"
 #include "views/gl/patterntexture.h"
 #include "views/gl/soupbuffers.h"
@@ -25,16 +26,20 @@ struct SoupDrawing
     bool smooth = false;
     Pattern pattern = Pattern::None; //!< pattern on the faces
     double checkerSize = 16;
-    double tileHeight = 1;                   //!< of the texture, see PackingSettings::tileHeight()
-    PatternTexture *pictures = nullptr;      //!< for patterns that are pictures; null: none
-    int onlySet = 1;                         //!< set of pictures of all triangles; 0: see setSets()
-    double tint = 0;                         //!< share of the faces' colours over the texture
-    double fillOpacity = 1;                  //!< opacity of the faces
-    double lineOpacity = 1;                  //!< opacity of all lines along sides
-    bool onPicture = false;                  //!< in the map: a picture lies behind the islands
-    std::array<int, 2> hoverTriangles{0, 0}; //!< range of triangles under the mouse: first and end
-    unsigned hoverIsland = 0;                //!< number of the island under the mouse; 0 for none
-    std::array<int, 2> hoverSides{-1, -1};   //!< the sides of the edge under the mouse
+    double tileHeight = 1;                     //!< of the texture, see PackingSettings::tileHeight()
+    PatternTexture *pictures = nullptr;        //!< for patterns that are pictures; null: none
+    int onlySet = 1;                           //!< set of pictures of all triangles; 0: see setSets()
+    int shownChannel = 0;                      //!< of texture sets, as TextureChannel
+    EnvironmentTexture *environment = nullptr; //!< texture sets are shown in its light; null: without light
+    QMatrix4x4 toEnvironment;                  //!< turns directions from eye space
+    double exposure = 0;                       //!< in stops
+    double tint = 0;                           //!< share of the faces' colours over the texture
+    double fillOpacity = 1;                    //!< opacity of the faces
+    double lineOpacity = 1;                    //!< opacity of all lines along sides
+    bool onPicture = false;                    //!< in the map: a picture lies behind the islands
+    std::array<int, 2> hoverTriangles{0, 0};   //!< range of triangles under the mouse: first and end
+    unsigned hoverIsland = 0;                  //!< number of the island under the mouse; 0 for none
+    std::array<int, 2> hoverSides{-1, -1};     //!< the sides of the edge under the mouse
 };
 
 //! Owns the buffers in graphics memory. The context must be current in all functions.
@@ -51,6 +56,8 @@ public:
     void setUvs(std::span<const float> uvs);
     //! Sets the ghost UVs, which are drawn for SoupDrawing::ghost.
     void setGhostUvs(std::span<const float> uvs);
+    //! Sets the tangents, three numbers for each soup corner and the side of the bitangent; empty for none.
+    void setTangents(std::span<const float> tangents);
     //! Sets the island number of each triangle, from 1; 0 for none.
     void setIslands(std::span<const quint32> islands) { mIslands.fill(islands); }
     //! Sets the set of pictures of each triangle, from 1; 0 for none.
@@ -66,9 +73,10 @@ private:
 
     GlFunctions &mGl;
     std::unique_ptr<QOpenGLShaderProgram> mProgram;
-    GlBuffer mVertices, mUvs, mGhostUvs;
+    GlBuffer mVertices, mUvs, mGhostUvs, mTangents;
     GlTexelBuffer mFaces, mSides, mIslands, mSets;
     GLuint mArray = 0, mGhostArray = 0;
+    bool mHasTangents = false;
     int mCount = 0; //!< number of soup corners
 };
 

@@ -71,6 +71,28 @@ uchar normalByte(float value)
     return static_cast<uchar>(std::lround(std::clamp(value, -1.0F, 1.0F) * 127 + 128));
 }
 
+//! Layer and place in its pixels.
+std::pair<int, int> placeOf(Channel channel)
+{
+    switch (channel) {
+    case Channel::BaseColor:
+        return {0, 0};
+    case Channel::Height:
+        return {0, 3};
+    case Channel::Normal:
+        return {1, 0};
+    case Channel::Roughness:
+        return {1, 2};
+    case Channel::Metalness:
+        return {1, 3};
+    case Channel::Emission:
+        return {2, 0};
+    case Channel::Occlusion:
+        break;
+    }
+    return {2, 3};
+}
+
 //! A tile of a set: images of its channels, then the layers that are packed from them.
 class Packer
 {
@@ -120,28 +142,6 @@ public:
     }
 
 private:
-    //! Layer and place in its pixels.
-    static std::pair<int, int> placeOf(Channel channel)
-    {
-        switch (channel) {
-        case Channel::BaseColor:
-            return {0, 0};
-        case Channel::Height:
-            return {0, 3};
-        case Channel::Normal:
-            return {1, 0};
-        case Channel::Roughness:
-            return {1, 2};
-        case Channel::Metalness:
-            return {1, 3};
-        case Channel::Emission:
-            return {2, 0};
-        case Channel::Occlusion:
-            break;
-        }
-        return {2, 3};
-    }
-
     void setConstants()
     {
         for (const Channel channel :
@@ -346,6 +346,33 @@ Pictures readTextureSets(const std::vector<TextureSetRequest> &requests, QString
     for (std::size_t r = 0; r < requests.size(); ++r)
         reading.add(requests[r], files[r]);
     return reading.result();
+}
+
+QImage channelImage(const Pictures &pictures, int first, TextureChannel channel, int side)
+{
+    const auto [layer, place] = placeOf(channel);
+    const bool color = channel == Channel::BaseColor || (pictures.layers == layerCount && isColor(channel));
+    const auto number = static_cast<std::size_t>(first + layer);
+    if ((pictures.layers == 1 && channel != Channel::BaseColor) || number >= pictures.images.size())
+        return {};
+    const QImage &image = pictures.images[number];
+    QImage result(side, side, QImage::Format_RGB32);
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const int column = x * image.width() / side, row = y * image.height() / side;
+            if (pictures.layers == 1) {
+                result.setPixel(x, y, image.pixel(column, row));
+                continue;
+            }
+            const uchar *pixel = image.constScanLine(row) + 4 * column;
+            const int grey = pixel[place];
+            result.setPixel(x, y,
+                            color                        ? qRgb(pixel[0], pixel[1], pixel[2])
+                            : channel == Channel::Normal ? qRgb(pixel[0], pixel[1], 255)
+                                                         : qRgb(grey, grey, grey));
+        }
+    }
+    return result;
 }
 
 } // namespace autocuts

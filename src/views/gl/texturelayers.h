@@ -28,4 +28,8 @@ struct TextureSetRequest
 Pictures readTextureSets(const std::vector<TextureSetRequest> &requests, QStringList &problems,
                          const std::atomic<bool> *stop = nullptr);
 
+//! A small picture of one channel. \param first the first image of a picture \returns null for channels that
+//! the pictures do not have
+QImage channelImage(const Pictures &pictures, int first, TextureChannel channel, int side);
+
 } // namespace autocuts

@@ -277,6 +277,7 @@ void ViewPanel::addPatternRows()
     mPattern->addItem(tr("Lettered cells"), int(Pattern::Lettered));
     mPattern->addItem(tr("Textures of the model"), int(Pattern::Materials));
     mPattern->addItem(tr("Texture"), int(Pattern::Texture));
+    mPattern->addItem(tr("Texture sets in light"), int(Pattern::Physical));
     connect(mPattern, &QComboBox::activated, this, &ViewPanel::choosePattern);
     const QString tip = tr("What lies on the model, and behind the map");
     QLabel *label = addRow(mForm, tr("Pattern"), mPattern, tip);
@@ -404,7 +405,8 @@ void ViewPanel::refresh()
     mForm->setRowVisible(mCheckerSize, options.pattern == Pattern::Checker);
     mForm->setRowVisible(mLetteredCells, options.pattern == Pattern::Lettered);
     mForm->setRowVisible(mTextureRow, options.pattern == Pattern::Texture);
-    mForm->setRowVisible(mModelTextures, options.pattern == Pattern::Materials);
+    mForm->setRowVisible(mModelTextures,
+                         options.pattern == Pattern::Materials || options.pattern == Pattern::Physical);
     showLegend(options);
 }
 

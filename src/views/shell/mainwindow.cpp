@@ -15,6 +15,7 @@
 #include "views/panels/scenepanel.h"
 #include "views/panels/seampanel.h"
 #include "views/panels/solverpanel.h"
+#include "views/panels/texturepanel.h"
 #include "views/panels/uvsetpanel.h"
 #include "views/panels/viewpanel.h"
 #include "views/shell/contextmenu.h"
@@ -179,6 +180,10 @@ void MainWindow::makePanels()
     QDockWidget *arranging = add("layout", tr("Layout"), new LayoutPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *seams = add("seams", tr("Seams"), new SeamPanel(studio), Qt::RightDockWidgetArea);
     QDockWidget *packing = add("packing", tr("Packing"), new PackPanel(studio), Qt::RightDockWidgetArea);
+    auto *texturePanel = new TexturePanel(studio, *mQuestions);
+    QDockWidget *textures = add("textures", tr("Textures"), texturePanel, Qt::LeftDockWidgetArea);
+    connect(texturePanel, &TexturePanel::said, this,
+            [this](const QString &message) { mStatusBar->showText(message); });
     auto *overlapPanel = new OverlapPanel(studio);
     QDockWidget *overlaps = add("overlaps", tr("Overlaps"), overlapPanel, Qt::RightDockWidgetArea);
     connect(overlapPanel, &OverlapPanel::frameSelectionRequested, this, [this] {
@@ -192,6 +197,7 @@ void MainWindow::makePanels()
     });
 
     tabifyDockWidget(view, scene);
+    tabifyDockWidget(scene, textures);
     view->raise();
     tabifyDockWidget(history, uvSets);
     tabifyDockWidget(uvSets, doctor);
@@ -354,9 +360,12 @@ void MainWindow::showFoundTextures()
 {
     ViewOptions options = mViewState.options();
     const bool found = mPreferences.values().showTextures && mPictures.count() > 0;
-    if (found && options.pattern != Pattern::Materials)
-        mOtherPattern = std::exchange(options.pattern, Pattern::Materials);
-    else if (!found && options.pattern == Pattern::Materials)
+    const bool shown = options.pattern == Pattern::Materials || options.pattern == Pattern::Physical;
+    if (found && !shown)
+        mOtherPattern = options.pattern;
+    if (found)
+        options.pattern = mPictures.hasSets() ? Pattern::Physical : Pattern::Materials;
+    else if (shown)
         options.pattern = mOtherPattern;
     mViewState.setOptions(options);
 }

@@ -27,6 +27,7 @@ void visitFlags(Options &options, Visit visit)
     visit("orthographic"_L1, options.orthographic);
     visit("xray"_L1, options.xray);
     visit("densityPerCentimetre"_L1, options.densityPerCentimetre);
+    visit("showSurroundings"_L1, options.showSurroundings);
 }
 
 template <typename Options, typename Visit>
@@ -40,6 +41,8 @@ void visitNumbers(Options &options, Visit visit)
     visit("densityClamp"_L1, options.densityClamp, 0.01, 20.0);
     visit("densityTolerance"_L1, options.densityTolerance, 0.0, 1.0);
     visit("unitCentimetres"_L1, options.unitCentimetres, 1e-6, 1e9);
+    visit("exposure"_L1, options.exposure, -10.0, 10.0);
+    visit("lightTurn"_L1, options.lightTurn, -180.0, 180.0);
 }
 
 template <typename Enum>
@@ -60,6 +63,9 @@ QCborMap ViewOptions::toCbor() const
     visitFlags(*this, [&map](QLatin1StringView key, bool value) { map[key] = value; });
     visitNumbers(*this, [&map](QLatin1StringView key, double value, double, double) { map[key] = value; });
     map[u"texturePath"_s] = texturePath;
+    map[u"surroundings"_s] = static_cast<qint64>(surroundings);
+    map[u"surroundingsPath"_s] = surroundingsPath;
+    map[u"shownChannel"_s] = shownChannel;
     return map;
 }
 
@@ -67,13 +73,17 @@ ViewOptions ViewOptions::fromCbor(const QCborMap &map)
 {
     ViewOptions options;
     readEnum(map[u"coloring"_s], Coloring::TexelWeights, options.coloring);
-    readEnum(map[u"pattern"_s], Pattern::Materials, options.pattern);
+    readEnum(map[u"pattern"_s], Pattern::Physical, options.pattern);
     visitFlags(options, [&map](QLatin1StringView key, bool &value) { value = map[key].toBool(value); });
     visitNumbers(options, [&map](QLatin1StringView key, double &value, double low, double high) {
         const double number = map[key].toDouble(value);
         if (number >= low && number <= high)
             value = number;
     });
+    readEnum(map[u"surroundings"_s], Surroundings::File, options.surroundings);
+    options.surroundingsPath = map[u"surroundingsPath"_s].toString();
+    if (const qint64 channel = map[u"shownChannel"_s].toInteger(-1); channel >= -1 && channel <= 6)
+        options.shownChannel = static_cast<int>(channel);
     options.texturePath = map[u"texturePath"_s].toString();
     return options;
 }

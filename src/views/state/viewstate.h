@@ -15,12 +15,16 @@ namespace autocuts {
 //! What the colours of the faces show, in both views.
 enum class Coloring { Plain, Islands, SignedStretch, StretchMagnitude, PaintWeights, Density, TexelWeights };
 //! The pattern on the model, by its UVs, and behind the map.
-//! Texture is the picture that the user chose, Materials are those that the model names.
-enum class Pattern { None, Checker, Texture, Lettered, Materials };
+//! Texture is the picture that the user chose, Materials are the base colours of all materials, Physical are
+//! their texture sets, under light in the 3D view.
+enum class Pattern { None, Checker, Texture, Lettered, Materials, Physical };
+//! What is around the model in the light of which texture sets are shown.
+enum class Surroundings { Studio, Sky, File };
 //! True for patterns that are drawn from a picture.
 constexpr bool isPicture(Pattern pattern)
 {
-    return pattern == Pattern::Texture || pattern == Pattern::Lettered || pattern == Pattern::Materials;
+    return pattern == Pattern::Texture || pattern == Pattern::Lettered || pattern == Pattern::Materials ||
+           pattern == Pattern::Physical;
 }
 
 //! Height in texture space of the picture of a pattern, where it is 1 wide. \param tileHeight of the texture
@@ -64,7 +68,13 @@ struct ViewOptions
     bool densityPerCentimetre =
         false;                    //!< densities are shown as px/cm, otherwise as px per unit of the model
     double unitCentimetres = 100; //!< length of a unit of the model; metres by default
-    QString texturePath;          //!< image file; empty for none
+    Surroundings surroundings = Surroundings::Studio;
+    bool showSurroundings = false; //!< behind the model
+    double exposure = 0;           //!< of texture sets under light, in stops
+    double lightTurn = 0;          //!< the surroundings are turned about the vertical by this, in degrees
+    int shownChannel = -1;         //!< TextureChannel that is shown without light; -1: all under light
+    QString surroundingsPath;      //!< panorama for Surroundings::File
+    QString texturePath;           //!< image file; empty for none
 
     bool operator==(const ViewOptions &) const = default;
     QCborMap toCbor() const;

@@ -1,0 +1,317 @@
+#include "views/panels/texturepanel.h"
+
+#include "commands/edittextures.h"
+#include "model/io/picturefiles.h"
+#include "model/io/texturenames.h"
+#include "views/control/modelpictures.h"
+#include "views/control/workspace.h"
+#include "views/panels/controls.h"
+#include "views/panels/lightform.h"
+#include "views/panels/texturenaming.h"
+#include "views/ui/preferences.h"
+#include "views/ui/questions.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+constexpr int thumbnailSide = 32;
+
+} // namespace
+
+TexturePanel::TexturePanel(const StudioContext &context, Questions &questions, QWidget *parent)
+    : Panel(context, tr("Open a model to give it textures."), parent), mQuestions(questions),
+      mMaterial(new QComboBox), mList(new QTreeWidget), mDirectX(new QCheckBox(tr("Normals for DirectX"))),
+      mLight(new LightForm(context.view, context.preferences, questions))
+{
+    auto *layout = new QVBoxLayout(content());
+    layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
+    layout->setSpacing(rowSpacing + 2);
+    mMaterial->setObjectName("textureMaterial"_L1);
+    mMaterial->setAccessibleName(tr("Material"));
+    mMaterial->setToolTip(
+        tr("The material whose pictures are listed; that of the selected face comes by itself"));
+    mMaterial->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    mMaterial->setMinimumContentsLength(10);
+    layout->addWidget(mMaterial);
+    makeList();
+    layout->addWidget(mList, 1);
+    layout->addWidget(makeButtons());
+    layout->addWidget(mDirectX);
+    layout->addWidget(makeHeading(tr("In the views")));
+    layout->addWidget(mLight);
+
+    connect(mMaterial, &QComboBox::activated, this, [this] { fillChannels(); });
+    connect(&context.workspace, &Workspace::documentReplaced, this, [this] { refreshSoon(); });
+    connect(&context.workspace, &Workspace::changed, this, [this](const ChangeEvent &event) {
+        if (event.type == ChangeEvent::Type::Textures || event.type == ChangeEvent::Type::Model)
+            refreshSoon();
+    });
+    connect(&context.workspace, &Workspace::selectionChanged, this, &TexturePanel::followSelection);
+    connect(&context.pictures, &ModelPictures::changed, this, [this] { refreshSoon(); });
+    connect(&context.view, &ViewState::optionsChanged, this, [this] { refreshSoon(); });
+}
+
+void TexturePanel::makeList()
+{
+    mList->setObjectName("channels"_L1);
+    mList->setAccessibleName(tr("Pictures of the material"));
+    mList->setToolTip(tr("A double-click chooses another picture"));
+    mList->setHeaderLabels({tr("Channel"), tr("Picture")});
+    mList->setRootIsDecorated(false);
+    mList->setUniformRowHeights(true);
+    mList->setIconSize({thumbnailSide, thumbnailSide});
+    mList->setMinimumHeight(3 * thumbnailSide);
+    mList->header()->setStretchLastSection(true);
+    mList->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    for (int channel = 0; channel < textureChannelCount; ++channel)
+        new QTreeWidgetItem(mList, {channelName(TextureChannel(channel))});
+    mList->setCurrentItem(mList->topLevelItem(0));
+    connect(mList, &QTreeWidget::itemDoubleClicked, this, &TexturePanel::loadPicture);
+    connect(mList, &QTreeWidget::currentItemChanged, this, &TexturePanel::refreshButtons);
+}
+
+QWidget *TexturePanel::makeButtons()
+{
+    mLoadFolder = makeButton(tr("Load folder…"), "loadTextureFolder"_L1);
+    mLoadFolder->setToolTip(tr(
+        "Finds the pictures of all materials by their names, such as wood_BaseColor.png, wood_Roughness.png "
+        "or wood_Normal.1001.png"));
+    connect(mLoadFolder, &QPushButton::clicked, this, &TexturePanel::loadFolder);
+    mLoad = makeButton(tr("Load…"), "loadChannel"_L1);
+    mLoad->setToolTip(tr("Chooses the picture of the marked channel"));
+    connect(mLoad, &QPushButton::clicked, this, &TexturePanel::loadPicture);
+    mRemove = makeButton(tr("Remove"), "removeChannel"_L1);
+    mRemove->setToolTip(tr("The marked channel loses its picture, or gets back that of the model's file"));
+    connect(mRemove, &QPushButton::clicked, this, &TexturePanel::removePicture);
+    mDirectX->setObjectName("directX"_L1);
+    mDirectX->setToolTip(tr("The green of the normal map points down, as DirectX has it; otherwise up, as in "
+                            "OpenGL. The wrong one makes bumps look like dents"));
+    connect(mDirectX, &QCheckBox::clicked, this, &TexturePanel::setDirectX);
+    return makeRow({mLoadFolder, mLoad, mRemove}, RowWidths::AsNeeded);
+}
+
+int TexturePanel::material() const
+{
+    return mMaterial->count() == 0 ? -1 : mMaterial->currentData().toInt();
+}
+
+TextureChannel TexturePanel::channel() const
+{
+    return TextureChannel(std::max(0, mList->indexOfTopLevelItem(mList->currentItem())));
+}
+
+void TexturePanel::refresh()
+{
+    fillMaterials();
+    fillChannels();
+    mLight->refresh();
+}
+
+void TexturePanel::fillMaterials()
+{
+    const int shown = material();
+    const QSignalBlocker blocker(mMaterial);
+    mMaterial->clear();
+    if (!document())
+        return;
+    const Scene &scene = document()->state().scene;
+    for (int m = 0; m < std::ssize(scene.materialNames); ++m) {
+        const QString &name = scene.materialNames[static_cast<std::size_t>(m)];
+        mMaterial->addItem(name.isEmpty() ? tr("Material %1").arg(m + 1) : name, m);
+    }
+    const std::vector<int> &faces = scene.faceMaterial;
+    if (faces.empty() || std::find(faces.begin(), faces.end(), -1) != faces.end())
+        mMaterial->addItem(tr("Faces without a material"), -1);
+    mMaterial->setCurrentIndex(std::max(0, mMaterial->findData(shown)));
+    mMaterial->setEnabled(mMaterial->count() > 1);
+}
+
+QString TexturePanel::fileText(const TextureSet &set, TextureChannel wanted) const
+{
+    const auto found = set.find(wanted);
+    if (found == set.end() || found->second.picture.isEmpty())
+        return tr("none");
+    const ChannelPicture &entry = found->second;
+    const QString name = QFileInfo(QString(entry.picture.file).replace(u'\\', u'/')).fileName();
+    const QString shown = !entry.picture.content.isEmpty() ? tr("in the model's file") : name;
+    const QStringList parts{tr("red"), tr("green"), tr("blue"), tr("alpha")};
+    return entry.component < 0 ? shown : tr("%1, %2").arg(shown, parts[entry.component]);
+}
+
+void TexturePanel::fillChannels()
+{
+    const TextureSet set = document() ? document()->state().textureSet(material()) : TextureSet();
+    for (int c = 0; c < textureChannelCount; ++c) {
+        const auto each = TextureChannel(c);
+        QTreeWidgetItem *item = mList->topLevelItem(c);
+        const auto found = set.find(each);
+        const bool has = found != set.end() && !found->second.picture.isEmpty();
+        item->setText(1, fileText(set, each));
+        item->setToolTip(1, has ? found->second.picture.file : QString());
+        item->setForeground(1, palette().brush(has ? QPalette::Active : QPalette::Disabled, QPalette::Text));
+        QImage picture = has ? context().pictures.thumbnail(material(), each, thumbnailSide) : QImage();
+        if (picture.isNull()) {
+            picture = QImage(thumbnailSide, thumbnailSide, QImage::Format_ARGB32);
+            picture.fill(Qt::transparent);
+        }
+        item->setIcon(0, QPixmap::fromImage(picture));
+    }
+    refreshButtons();
+}
+
+void TexturePanel::refreshButtons()
+{
+    const TextureSet set = document() ? document()->state().textureSet(material()) : TextureSet();
+    const auto found = set.find(channel());
+    mRemove->setEnabled(found != set.end() && !found->second.picture.isEmpty());
+    const auto normal = set.find(TextureChannel::Normal);
+    const bool has = normal != set.end() && !normal->second.picture.isEmpty();
+    mDirectX->setEnabled(has);
+    mDirectX->setChecked(has && normal->second.flipped);
+}
+
+//! The material of the first selected face.
+void TexturePanel::followSelection()
+{
+    if (!document() || document()->selection().faces.isEmpty())
+        return;
+    const std::vector<int> &materials = document()->state().scene.faceMaterial;
+    const auto face = static_cast<std::size_t>(document()->selection().faces.first());
+    const int index = mMaterial->findData(face < materials.size() ? materials[face] : -1);
+    if (index < 0 || index == mMaterial->currentIndex())
+        return;
+    mMaterial->setCurrentIndex(index);
+    fillChannels();
+}
+
+QString TexturePanel::folderToStart() const
+{
+    const QString model = document()->state().scene.path;
+    return model.isEmpty() ? context().preferences.lastFolder() : QFileInfo(model).absolutePath();
+}
+
+void TexturePanel::loadFolder()
+{
+    if (!document())
+        return;
+    const QString folder = mQuestions.folderToOpen(tr("Load a folder of textures"), folderToStart());
+    if (folder.isEmpty() || !document())
+        return;
+    const FolderTextures found = texturesInFolder(folder, document()->state().scene);
+    if (found.pictures == 0) {
+        mQuestions.showError(
+            {found.left.isEmpty() ? tr("no picture in the folder has the name of a channel")
+                                  : tr("no picture in the folder has the name of a material: %1")
+                                        .arg(found.left.join(u", "_s)),
+             folder, 0,
+             tr("Names such as %1_BaseColor.png, %1_Roughness.png and %1_Normal.png are understood")
+                 .arg(mMaterial->currentText())});
+        return;
+    }
+    std::vector<TextureSet> sets = document()->state().textureSets;
+    sets.resize(std::max(sets.size(), found.sets.size()));
+    for (std::size_t s = 0; s < found.sets.size(); ++s)
+        sets[s] = overlaid(sets[s], found.sets[s]);
+    pushCommand(std::make_unique<EditTextures>(*document(), std::move(sets)));
+    showSets();
+    QString message = tr("Channels found: %1").arg(found.pictures);
+    if (!found.left.isEmpty())
+        message = tr("%1; left out: %2").arg(message, found.left.join(u", "_s));
+    Q_EMIT said(message);
+}
+
+void TexturePanel::loadPicture()
+{
+    if (!document())
+        return;
+    QStringList globs;
+    for (const QString &suffix : pictureSuffixes())
+        globs << u"*."_s + suffix;
+    const TextureChannel wanted = channel();
+    const QString path =
+        mQuestions.fileToOpen(tr("Load a picture: %1").arg(channelName(wanted)), folderToStart(),
+                              {tr("Pictures (%1)").arg(globs.join(u' ')), tr("All files (*)")});
+    if (path.isEmpty() || !document())
+        return;
+    ChannelPicture picture;
+    picture.picture.file = path;
+    // The name tells of tiles, of packed channels and of normals for DirectX.
+    if (const auto named = textureOfName(QFileInfo(path).fileName())) {
+        if (const auto found = named->channels.find(wanted); found != named->channels.end()) {
+            picture = found->second;
+            picture.picture.file = QFileInfo(path).dir().absoluteFilePath(named->file);
+        }
+    }
+    changeOwn(wanted, picture);
+    showSets();
+}
+
+void TexturePanel::removePicture()
+{
+    if (!document())
+        return;
+    const TextureChannel wanted = channel();
+    const std::vector<TextureSet> &sets = document()->state().textureSets;
+    const auto place = static_cast<std::size_t>(material() + 1);
+    const bool own = place < sets.size() && sets[place].contains(wanted) && !sets[place].at(wanted).fromModel;
+    if (own)
+        changeOwn(wanted, std::nullopt);
+    else
+        changeOwn(wanted, ChannelPicture{{}, -1, false, neutralValue(wanted), false});
+}
+
+void TexturePanel::setDirectX(bool on)
+{
+    if (!document())
+        return;
+    const TextureSet set = document()->state().textureSet(material());
+    const auto found = set.find(TextureChannel::Normal);
+    if (found == set.end())
+        return;
+    ChannelPicture picture = found->second;
+    const std::vector<TextureSet> &sets = document()->state().textureSets;
+    const auto place = static_cast<std::size_t>(material() + 1);
+    if (place >= sets.size() || !sets[place].contains(TextureChannel::Normal))
+        picture.fromModel = true;
+    if (picture.fromModel)
+        picture.picture = {};
+    picture.flipped = on;
+    changeOwn(TextureChannel::Normal, picture);
+}
+
+void TexturePanel::changeOwn(TextureChannel wanted, const std::optional<ChannelPicture> &picture)
+{
+    const std::vector<TextureSet> &sets = document()->state().textureSets;
+    const auto place = static_cast<std::size_t>(material() + 1);
+    TextureSet set = place < sets.size() ? sets[place] : TextureSet();
+    if (picture)
+        set[wanted] = *picture;
+    else
+        set.erase(wanted);
+    pushCommand(EditTextures::ofMaterial(*document(), material(), std::move(set)));
+    refreshSoon();
+}
+
+void TexturePanel::showSets()
+{
+    ViewOptions options = context().view.options();
+    options.pattern = Pattern::Physical;
+    context().view.setOptions(options);
+}
+
+} // namespace autocuts
