@@ -6,9 +6,12 @@
 #include "support/studiosession.h"
 #include "views/control/bakechoice.h"
 #include "views/control/filecontroller.h"
+#include "views/control/livebake.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/bakedialog.h"
+#include "views/canvas/meshview.h"
+#include "views/state/viewstate.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -118,6 +121,8 @@ private Q_SLOTS:
     void cancelEndsIt();
     void faultsAreSaid();
     void everyMapHasATitle();
+    void liveBakesFollowTheMap();
+    void liveBakesEnd();
 };
 
 void TestBakeDialog::picturesAreBaked()
@@ -263,6 +268,79 @@ void TestBakeDialog::everyMapHasATitle()
         [&] { QCOMPARE(all.maps, bakeMapNames()); }();
         return 0;
     });
+}
+
+void TestBakeDialog::liveBakesFollowTheMap()
+{
+    BakeSession session;
+    LiveBake &live = session.context.liveBake;
+    const QImage modelBefore = session.window.meshView().grab().toImage();
+    session.bake([&](const DialogUser &user) {
+        user.type("high", session.high);
+        user.toggle(0);
+        QTest::mouseClick(user.find<QPushButton>("live"), Qt::LeftButton);
+        return user.dialog.result();
+    });
+    QVERIFY(live.isOn());
+    QCOMPARE(live.map(), u"ao"_s);
+    QVERIFY(session.context.view.options().pattern == Pattern::Baked);
+    QTRY_VERIFY_WITH_TIMEOUT(!live.isRefining() && live.updates() >= 3, 60000);
+    QVERIFY(!QFile::exists(session.file("low_ao.png")));
+    QVERIFY(session.window.meshView().grab().toImage() != modelBefore);
+    const QImage first = live.pictures().images.front();
+    QCOMPARE(first.width(), LiveBake::size);
+    // The islands take another place.
+    const int updates = live.updates();
+    session.context.map.pack(PackScope::All);
+    QVERIFY(session.jobsRest());
+    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > updates, 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(live.pictures().images.front() != first, 30000);
+    const QImage packed = live.pictures().images.front();
+    session.press(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(live.pictures().images.front() == first, 30000);
+    session.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(live.pictures().images.front() == packed, 30000);
+    // It goes on while a solve runs.
+    const int before = live.updates();
+    session.press(Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > before + 2, 60000);
+    session.press(Qt::Key_Space);
+    QVERIFY(session.jobsRest());
+    QVERIFY(live.isOn());
+}
+
+void TestBakeDialog::liveBakesEnd()
+{
+    BakeSession session;
+    LiveBake &live = session.context.liveBake;
+    const auto begin = [&] {
+        session.bake([&](const DialogUser &user) {
+            QTest::mouseClick(user.find<QPushButton>("live"), Qt::LeftButton);
+            return user.dialog.result();
+        });
+        QVERIFY(live.isOn());
+    };
+    begin();
+    session.action("view.pattern.checker")->trigger();
+    QVERIFY(!live.isOn() && live.pictures().images.empty());
+    begin();
+    session.context.files.open(session.high);
+    QVERIFY(session.jobsRest());
+    QVERIFY(!live.isOn());
+    // A model without UVs: what is there is shown when there is a map.
+    begin();
+    session.context.map.unwrap(unwrap::UnwrapQuality::Draft);
+    QVERIFY(session.jobsRest());
+    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 0 && !live.isRefining(), 60000);
+    // What cannot be read.
+    session.bake([&](const DialogUser &user) {
+        QFile(session.low).resize(3);
+        user.type("high", session.low);
+        QTest::mouseClick(user.find<QPushButton>("live"), Qt::LeftButton);
+        return user.dialog.result();
+    });
+    QTRY_VERIFY(!live.isOn());
+    QVERIFY(session.failed.last().first().toString().contains(u"low.obj"_s));
 }
 
 QTEST_MAIN(TestBakeDialog)

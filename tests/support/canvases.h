@@ -7,6 +7,7 @@
 #include "views/canvas/uvview.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/livebake.h"
 #include "views/control/modelpictures.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
@@ -57,6 +58,7 @@ public:
     FileController files;
     ActionRegistry actions;
     ModelPictures pictures;
+    LiveBake liveBake;
     const StudioContext context;
     ToolManager tools;
     MeshView mesh;

@@ -5,6 +5,7 @@
 #include "views/actions/actionregistry.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/livebake.h"
 #include "views/control/modelpictures.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
@@ -38,7 +39,8 @@ struct PanelBench
     FileController files{workspace, solver, preferences, folder.path()};
     ActionRegistry actions{preferences};
     ModelPictures pictures{workspace, view};
-    StudioContext context{workspace, shownMap, view, preferences, solver, map, files, actions, pictures};
+    LiveBake liveBake{workspace, shownMap};
+    StudioContext context{workspace, shownMap, view, preferences, solver, map, files, actions, pictures, liveBake};
 
     Document &document() { return *workspace.document(); }
     UndoStack &stack() { return document().undoStack(); }

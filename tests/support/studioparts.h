@@ -6,6 +6,7 @@
 #include "views/actions/studioactions.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/livebake.h"
 #include "views/control/modelpictures.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
@@ -31,7 +32,8 @@ struct StudioParts
     MapController map{workspace, solver, shownMap};
     FileController files{workspace, solver, preferences, path("recovery")};
     ModelPictures pictures{workspace, view};
-    StudioContext context{workspace, shownMap, view, preferences, solver, map, files, registry, pictures};
+    LiveBake liveBake{workspace, shownMap};
+    StudioContext context{workspace, shownMap, view, preferences, solver, map, files, registry, pictures, liveBake};
     Answers answers;
     StudioActions actions{context, answers, path("recovery")};
 

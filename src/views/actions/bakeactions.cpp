@@ -2,10 +2,12 @@
 
 #include "views/actions/actionregistry.h"
 #include "views/actions/fileactions.h"
+#include "views/control/livebake.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/bakedialog.h"
 #include "views/ui/preferences.h"
+#include "views/state/viewstate.h"
 #include "views/ui/questions.h"
 
 #include <QAction>
@@ -20,6 +22,11 @@ BakeActions::BakeActions(const StudioContext &context, Questions &questions, QOb
         if (const Document *document = mContext.workspace.document())
             ask(*document);
     });
+    connect(&context.liveBake, &LiveBake::failed, &context.map, &MapController::failed);
+    connect(&context.view, &ViewState::optionsChanged, this, [this] {
+        if (mContext.view.options().pattern != Pattern::Baked)
+            mContext.liveBake.stop();
+    });
 }
 
 void BakeActions::ask(const Document &document)
@@ -29,10 +36,22 @@ void BakeActions::ask(const Document &document)
         mChoice.folder = model.isEmpty() ? mContext.preferences.lastFolder() : QFileInfo(model).path();
     }
     BakeDialog dialog(document, mChoice, openFilters(), mQuestions);
-    if (mQuestions.run(dialog) != QDialog::Accepted)
+    const int answer = mQuestions.run(dialog);
+    if (answer == QDialog::Rejected)
         return;
     mChoice = dialog.choice();
-    mContext.map.bake(mChoice);
+    if (answer == BakeDialog::Live)
+        showLive();
+    else
+        mContext.map.bake(mChoice);
+}
+
+void BakeActions::showLive()
+{
+    mContext.liveBake.start(mChoice, mChoice.maps.first());
+    ViewOptions options = mContext.view.options();
+    options.pattern = Pattern::Baked;
+    mContext.view.setOptions(options);
 }
 
 } // namespace autocuts

@@ -21,6 +21,7 @@ public:
 
 private:
     void ask(const Document &document);
+    void showLive();
 
     StudioContext mContext;
     Questions &mQuestions;

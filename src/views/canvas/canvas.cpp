@@ -3,6 +3,7 @@
 #include "views/canvas/glresources.h"
 #include "views/canvas/overlays.h"
 #include "views/canvas/toolmanager.h"
+#include "views/control/livebake.h"
 #include "views/control/modelpictures.h"
 #include "views/control/workspace.h"
 #include "views/gl/letteredpattern.h"
@@ -47,6 +48,10 @@ Canvas::Canvas(Kind kind, const StudioContext &context, ToolManager &tools, QWid
     });
     connect(&context.pictures, &ModelPictures::changed, this, [this] {
         mTextureStale |= mPictured == Pattern::Materials || mPictured == Pattern::Physical;
+        update();
+    });
+    connect(&context.liveBake, &LiveBake::changed, this, [this] {
+        mTextureStale |= mPictured == Pattern::Baked;
         update();
     });
     connect(&tools, &ToolManager::overlayChanged, this, qOverload<>(&QWidget::update));
@@ -132,6 +137,9 @@ void Canvas::uploadPictures()
         break;
     case Pattern::Texture:
         mGl->pictures.setPictures(mTexture.pictures());
+        break;
+    case Pattern::Baked:
+        mGl->pictures.setPictures(studio().liveBake.pictures());
         break;
     case Pattern::Lettered:
         mGl->pictures.setPictures(Pictures::of(letteredPattern(mLetteredCells)));

@@ -5,6 +5,7 @@ namespace autocuts {
 
 class ActionRegistry;
 class FileController;
+class LiveBake;
 class MapController;
 class ModelPictures;
 class Preferences;
@@ -25,6 +26,7 @@ struct StudioContext
     FileController &files;
     ActionRegistry &actions;
     ModelPictures &pictures;
+    LiveBake &liveBake;
 };
 
 } // namespace autocuts

@@ -107,6 +107,10 @@ BakeDialog::BakeDialog(const Document &document, const BakeChoice &last, const Q
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     mBake = buttons->addButton(tr("Ba&ke"), QDialogButtonBox::AcceptRole);
     mBake->setDefault(true);
+    mLive = buttons->addButton(tr("Show li&ve"), QDialogButtonBox::ActionRole);
+    mLive->setAutoDefault(false);
+    mLive->setToolTip(tr("Show the first chosen map in both views, also while the UVs change; no files are written"));
+    connect(mLive, &QPushButton::clicked, this, [this] { done(Live); });
     auto *form = new QFormLayout(this);
     form->addRow(tr("De&tailed model:"), pathRow(mHigh, browseHigh));
     form->addRow(tr("&Maps:"), mMaps);
@@ -136,7 +140,7 @@ BakeDialog::BakeDialog(const Document &document, const BakeChoice &last, const Q
                                                                    {mFolder, "folder"},
                                                                    {browseFolder, "browseFolder"},
                                                                    {mProblem, "problem"},
-                                                                   {mBake, "bake"}})
+                                                                   {mBake, "bake"}, {mLive, "live"}})
         widget->setObjectName(QLatin1StringView(name));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -193,21 +197,26 @@ void BakeDialog::showState()
     const bool detailed = !choice().high.isEmpty();
     for (QWidget *widget : std::initializer_list<QWidget *>{mCage, mDirection, mByName})
         widget->setEnabled(detailed);
-    mProblem->setText(problem());
+    const QString source = sourceProblem(), target = targetProblem();
+    mProblem->setText(source.isEmpty() ? target : source);
     mBake->setEnabled(mProblem->text().isEmpty());
+    mLive->setEnabled(source.isEmpty());
 }
 
-QString BakeDialog::problem() const
+QString BakeDialog::sourceProblem() const
 {
     const BakeChoice chosen = choice();
-    if (!mHasUv)
-        return tr("The model has no UVs: unwrap it first.");
     if (!chosen.high.isEmpty() && !QFileInfo(chosen.high).isFile())
         return tr("There is no such detailed model.");
-    if (chosen.maps.isEmpty())
-        return tr("Choose at least one map.");
-    const QFileInfo folder(chosen.folder);
-    if (chosen.folder.isEmpty() || !folder.isDir())
+    return chosen.maps.isEmpty() ? tr("Choose at least one map.") : QString();
+}
+
+QString BakeDialog::targetProblem() const
+{
+    if (!mHasUv)
+        return tr("The model has no UVs: unwrap it first.");
+    const QFileInfo folder(choice().folder);
+    if (choice().folder.isEmpty() || !folder.isDir())
         return tr("Choose a folder for the pictures.");
     return folder.isWritable() ? QString() : tr("The folder cannot be written.");
 }

@@ -25,6 +25,9 @@ class BakeDialog final : public QDialog
     Q_OBJECT
 
 public:
+    //! A result besides those of QDialog: the first chosen map is to follow the map while it changes.
+    static constexpr int Live = 2;
+
     //! \param last what was chosen last time \param filters of the detailed model's file
     BakeDialog(const Document &document, const BakeChoice &last, const QStringList &filters,
                Questions &questions);
@@ -37,7 +40,8 @@ private:
     void browseDetailed();
     void browseFolder();
     void showState();
-    QString problem() const;
+    QString sourceProblem() const;
+    QString targetProblem() const;
 
     bool mHasUv;
     Questions &mQuestions;
@@ -49,7 +53,7 @@ private:
     QDoubleSpinBox *mCage;
     QCheckBox *mByName, *mGreenDown;
     QLabel *mProblem;
-    QPushButton *mBake;
+    QPushButton *mBake, *mLive;
 };
 
 } // namespace autocuts

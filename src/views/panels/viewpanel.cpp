@@ -1,6 +1,7 @@
 #include "views/panels/viewpanel.h"
 
 #include "views/actions/actionregistry.h"
+#include "views/control/livebake.h"
 #include "views/control/modelpictures.h"
 #include "views/gl/colormap.h"
 #include "views/gl/letteredpattern.h"
@@ -278,6 +279,7 @@ void ViewPanel::addPatternRows()
     mPattern->addItem(tr("Textures of the model"), int(Pattern::Materials));
     mPattern->addItem(tr("Texture"), int(Pattern::Texture));
     mPattern->addItem(tr("Texture sets in light"), int(Pattern::Physical));
+    mPattern->addItem(tr("Live bake"), int(Pattern::Baked));
     connect(mPattern, &QComboBox::activated, this, &ViewPanel::choosePattern);
     const QString tip = tr("What lies on the model, and behind the map");
     QLabel *label = addRow(mForm, tr("Pattern"), mPattern, tip);
@@ -363,6 +365,11 @@ void ViewPanel::choosePattern()
     if (pattern == Pattern::Texture && context().view.options().texturePath.isEmpty()) {
         // No texture yet: ask for one. The box is reset when none is chosen.
         context().actions.action("view.loadTexture")->trigger();
+        refreshSoon();
+        return;
+    }
+    if (pattern == Pattern::Baked && !context().liveBake.isOn()) {
+        context().actions.action("uv.bake")->trigger();
         refreshSoon();
         return;
     }

@@ -66,7 +66,7 @@ MainWindow::MainWindow(Preferences &preferences, const QString &recoveryFolder,
     : mPreferences(preferences), mQuestions(questions ? std::move(questions) : std::make_unique<Questions>()),
       mShownMap(mWorkspace), mActions(preferences), mSolver(mWorkspace, mShownMap),
       mMap(mWorkspace, mSolver, mShownMap), mFiles(mWorkspace, mSolver, preferences, recoveryFolder),
-      mPictures(mWorkspace, mViewState), mTools(context())
+      mPictures(mWorkspace, mViewState), mLiveBake(mWorkspace, mShownMap), mTools(context())
 {
     mQuestions->setWindow(this);
     new DecimalKeys(this);
@@ -103,7 +103,7 @@ MainWindow::~MainWindow()
 
 StudioContext MainWindow::context()
 {
-    return {mWorkspace, mShownMap, mViewState, mPreferences, mSolver, mMap, mFiles, mActions, mPictures};
+    return {mWorkspace, mShownMap, mViewState, mPreferences, mSolver, mMap, mFiles, mActions, mPictures, mLiveBake};
 }
 
 void MainWindow::makeViews()

@@ -5,6 +5,7 @@
 #include "views/canvas/toolmanager.h"
 #include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
+#include "views/control/livebake.h"
 #include "views/control/modelpictures.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
@@ -81,6 +82,7 @@ private:
     MapController mMap;
     FileController mFiles;
     ModelPictures mPictures;
+    LiveBake mLiveBake;
     ToolManager mTools;
     std::unique_ptr<StudioActions> mStudioActions;
 

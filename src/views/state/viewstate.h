@@ -16,15 +16,16 @@ namespace autocuts {
 enum class Coloring { Plain, Islands, SignedStretch, StretchMagnitude, PaintWeights, Density, TexelWeights };
 //! The pattern on the model, by its UVs, and behind the map.
 //! Texture is the picture that the user chose, Materials are the base colours of all materials, Physical are
-//! their texture sets, under light in the 3D view.
-enum class Pattern { None, Checker, Texture, Lettered, Materials, Physical };
+//! their texture sets, under light in the 3D view, Baked is a bake that follows
+//! the map (LiveBake).
+enum class Pattern { None, Checker, Texture, Lettered, Materials, Physical, Baked };
 //! What is around the model in the light of which texture sets are shown.
 enum class Surroundings { Studio, Sky, File };
 //! True for patterns that are drawn from a picture.
 constexpr bool isPicture(Pattern pattern)
 {
     return pattern == Pattern::Texture || pattern == Pattern::Lettered || pattern == Pattern::Materials ||
-           pattern == Pattern::Physical;
+           pattern == Pattern::Physical || pattern == Pattern::Baked;
 }
 
 //! Height in texture space of the picture of a pattern, where it is 1 wide. \param tileHeight of the texture
