@@ -4,13 +4,13 @@
 #include "model/io/picturefiles.h"
 #include "support/mappedmodels.h"
 #include "support/studiosession.h"
+#include "views/canvas/meshview.h"
 #include "views/control/bakechoice.h"
 #include "views/control/filecontroller.h"
 #include "views/control/livebake.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/bakedialog.h"
-#include "views/canvas/meshview.h"
 #include "views/state/viewstate.h"
 
 #include <QCheckBox>
@@ -229,7 +229,7 @@ void TestBakeDialog::cancelEndsIt()
     QTRY_VERIFY(session.context.map.jobs().progress() > 0);
     session.press(Qt::Key_Escape);
     QVERIFY(session.jobsRest());
-    QCOMPARE(session.failed.count(), 1);
+    QTRY_COMPARE(session.failed.count(), 1);
     QVERIFY(session.failed.last().first().toString().contains(u"nothing was baked"_s));
     QVERIFY(!QFile::exists(session.file("low_ao.png")));
 }
@@ -278,14 +278,16 @@ void TestBakeDialog::liveBakesFollowTheMap()
     session.bake([&](const DialogUser &user) {
         user.type("high", session.high);
         user.toggle(0);
+        user.toggle(2);
+        user.toggle(1); // normals of the model's space
         QTest::mouseClick(user.find<QPushButton>("live"), Qt::LeftButton);
         return user.dialog.result();
     });
     QVERIFY(live.isOn());
-    QCOMPARE(live.map(), u"ao"_s);
+    QCOMPARE(live.map(), u"object-normal"_s);
     QVERIFY(session.context.view.options().pattern == Pattern::Baked);
     QTRY_VERIFY_WITH_TIMEOUT(!live.isRefining() && live.updates() >= 3, 60000);
-    QVERIFY(!QFile::exists(session.file("low_ao.png")));
+    QVERIFY(!QFile::exists(session.file("low_object-normal.png")));
     QVERIFY(session.window.meshView().grab().toImage() != modelBefore);
     const QImage first = live.pictures().images.front();
     QCOMPARE(first.width(), LiveBake::size);

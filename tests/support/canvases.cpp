@@ -12,8 +12,9 @@ Canvases::Canvases()
     : preferences(folder.filePath(QStringLiteral("preferences.ini"))), shown(workspace),
       solver(workspace, shown), map(workspace, solver, shown),
       files(workspace, solver, preferences, folder.filePath(QStringLiteral("recovery"))),
-      actions(preferences), pictures(workspace, view), liveBake(workspace, shown), context{workspace, shown, view,    preferences, solver,
-                                                               map,       files, actions, pictures, liveBake},
+      actions(preferences), pictures(workspace, view),
+      liveBake(workspace, shown), context{workspace, shown, view,    preferences, solver,
+                                          map,       files, actions, pictures,    liveBake},
       tools(context), mesh(context, tools), uv(context, tools)
 {
     addStudioTools(tools, context);

@@ -4,8 +4,8 @@
 #include "model/document/document.h"
 #include "views/actions/actionregistry.h"
 #include "views/control/filecontroller.h"
-#include "views/control/mapcontroller.h"
 #include "views/control/livebake.h"
+#include "views/control/mapcontroller.h"
 #include "views/control/modelpictures.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
@@ -40,7 +40,8 @@ struct PanelBench
     ActionRegistry actions{preferences};
     ModelPictures pictures{workspace, view};
     LiveBake liveBake{workspace, shownMap};
-    StudioContext context{workspace, shownMap, view, preferences, solver, map, files, actions, pictures, liveBake};
+    StudioContext context{workspace, shownMap, view,    preferences, solver,
+                          map,       files,    actions, pictures,    liveBake};
 
     Document &document() { return *workspace.document(); }
     UndoStack &stack() { return document().undoStack(); }

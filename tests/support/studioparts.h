@@ -5,8 +5,8 @@
 #include "views/actions/actionregistry.h"
 #include "views/actions/studioactions.h"
 #include "views/control/filecontroller.h"
-#include "views/control/mapcontroller.h"
 #include "views/control/livebake.h"
+#include "views/control/mapcontroller.h"
 #include "views/control/modelpictures.h"
 #include "views/control/shownmap.h"
 #include "views/control/solvercontroller.h"
@@ -33,7 +33,8 @@ struct StudioParts
     FileController files{workspace, solver, preferences, path("recovery")};
     ModelPictures pictures{workspace, view};
     LiveBake liveBake{workspace, shownMap};
-    StudioContext context{workspace, shownMap, view, preferences, solver, map, files, registry, pictures, liveBake};
+    StudioContext context{workspace, shownMap, view,     preferences, solver,
+                          map,       files,    registry, pictures,    liveBake};
     Answers answers;
     StudioActions actions{context, answers, path("recovery")};
 

@@ -54,7 +54,7 @@ private:
         Texel texel;
         const int width = mSettings.grid.width;
         for (int i = 0; i < rows.count * width; ++i) {
-            if (i % 64 == 0 && mJob.stopped())
+            if (mJob.stopped())
                 return;
             const int x = i % width, y = rows.first + i / width;
             const bool any = bakeTexel(rows, i, x, y, texel);

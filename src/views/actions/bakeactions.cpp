@@ -6,8 +6,8 @@
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/bakedialog.h"
-#include "views/ui/preferences.h"
 #include "views/state/viewstate.h"
+#include "views/ui/preferences.h"
 #include "views/ui/questions.h"
 
 #include <QAction>
@@ -22,7 +22,8 @@ BakeActions::BakeActions(const StudioContext &context, Questions &questions, QOb
         if (const Document *document = mContext.workspace.document())
             ask(*document);
     });
-    connect(&context.liveBake, &LiveBake::failed, &context.map, &MapController::failed);
+    connect(&context.liveBake, &LiveBake::failed, &context.map,
+            [map = &context.map](const QString &message) { Q_EMIT map->failed(message); });
     connect(&context.view, &ViewState::optionsChanged, this, [this] {
         if (mContext.view.options().pattern != Pattern::Baked)
             mContext.liveBake.stop();

@@ -109,7 +109,8 @@ BakeDialog::BakeDialog(const Document &document, const BakeChoice &last, const Q
     mBake->setDefault(true);
     mLive = buttons->addButton(tr("Show li&ve"), QDialogButtonBox::ActionRole);
     mLive->setAutoDefault(false);
-    mLive->setToolTip(tr("Show the first chosen map in both views, also while the UVs change; no files are written"));
+    mLive->setToolTip(
+        tr("Show the first chosen map in both views, also while the UVs change; no files are written"));
     connect(mLive, &QPushButton::clicked, this, [this] { done(Live); });
     auto *form = new QFormLayout(this);
     form->addRow(tr("De&tailed model:"), pathRow(mHigh, browseHigh));
@@ -140,7 +141,8 @@ BakeDialog::BakeDialog(const Document &document, const BakeChoice &last, const Q
                                                                    {mFolder, "folder"},
                                                                    {browseFolder, "browseFolder"},
                                                                    {mProblem, "problem"},
-                                                                   {mBake, "bake"}, {mLive, "live"}})
+                                                                   {mBake, "bake"},
+                                                                   {mLive, "live"}})
         widget->setObjectName(QLatin1StringView(name));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -79,8 +79,9 @@ QString drawLayout(const MeshData &mesh, const UvMatrix &uv, const LayoutOptions
 PreviewDialog::PreviewDialog(const StudioContext &context, Questions &questions)
     : QDialog(questions.window()), mContext(context), mQuestions(questions),
       mTexturePath(context.view.options().texturePath),
-      mViewContext{context.workspace, context.shownMap, mState,          context.preferences, context.solver,
-                   context.map,       context.files,    context.actions, context.pictures},
+      mViewContext{context.workspace, context.shownMap, mState,        context.preferences,
+                   context.solver,    context.map,      context.files, context.actions,
+                   context.pictures,  context.liveBake},
       mTools(mViewContext), mView(new MeshView(mViewContext, mTools)), mPicture(new QComboBox),
       mSize(new QComboBox), mSeams(new QCheckBox(tr("&Seams"))), mRemark(new QLabel)
 {

@@ -103,7 +103,8 @@ MainWindow::~MainWindow()
 
 StudioContext MainWindow::context()
 {
-    return {mWorkspace, mShownMap, mViewState, mPreferences, mSolver, mMap, mFiles, mActions, mPictures, mLiveBake};
+    return {mWorkspace, mShownMap, mViewState, mPreferences, mSolver,
+            mMap,       mFiles,    mActions,   mPictures,    mLiveBake};
 }
 
 void MainWindow::makeViews()
