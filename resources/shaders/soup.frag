@@ -134,11 +134,13 @@ vec4 marked(vec4 face, uint marks)
     }
     if ((marks & selectedMark) != 0u)
         face = vec4(mix(face.rgb, selectionColor.rgb, 0.6), max(face.a, 0.5));
-    if ((marks & flippedMark) != 0u) {
+    // In light they would hide the textures, which often lie mirrored and one over another; the map shows them.
+    bool problems = pattern != 3;
+    if (problems && (marks & flippedMark) != 0u) {
         face = vec4(mix(face.rgb, flippedColor.rgb, 0.55), max(face.a, 0.6));
         face = mix(face, vec4(flippedColor.rgb, 1), stripes(vec2(0.7071, -0.7071), 7.0));
     }
-    if ((marks & overlapMark) != 0u)
+    if (problems && (marks & overlapMark) != 0u)
         face = mix(face, vec4(overlapColor.rgb, 1), 0.75 * stripes(vec2(0.7071, 0.7071), 9.0));
     if (hovered)
         face = vec4(mix(face.rgb, hoverColor.rgb, 0.32), max(face.a, 0.42));
