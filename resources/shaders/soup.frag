@@ -188,6 +188,8 @@ void main()
             vec4 line = sideColors[texel.r];
             if (texel.r == wireStyle) // where triangles are a few pixels high, lines would cover all
                 line.a *= smoothstep(1.5 * pixelRatio, 9.0 * pixelRatio, heights[opposite]);
+            if (texel.r == wireStyle && pattern == 3) // textures in light are to be seen
+                line.a *= 0.3;
             if (texel.r == wireStyle && asMap && dot(result.rgb, vec3(0.3, 0.6, 0.1)) * result.a > 0.45)
                 line.rgb = vec3(0.1); // a pale line would not be seen on a bright face
             result = withRim(result, line, sideHalfWidths[texel.r], inside);
