@@ -134,11 +134,13 @@ vec4 marked(vec4 face, uint marks)
     }
     if ((marks & selectedMark) != 0u)
         face = vec4(mix(face.rgb, selectionColor.rgb, 0.6), max(face.a, 0.5));
-    if ((marks & flippedMark) != 0u) {
+    // In light they would hide the textures, which often lie mirrored and one over another; the map shows them.
+    bool problems = pattern != 3;
+    if (problems && (marks & flippedMark) != 0u) {
         face = vec4(mix(face.rgb, flippedColor.rgb, 0.55), max(face.a, 0.6));
         face = mix(face, vec4(flippedColor.rgb, 1), stripes(vec2(0.7071, -0.7071), 7.0));
     }
-    if ((marks & overlapMark) != 0u)
+    if (problems && (marks & overlapMark) != 0u)
         face = mix(face, vec4(overlapColor.rgb, 1), 0.75 * stripes(vec2(0.7071, 0.7071), 9.0));
     if (hovered)
         face = vec4(mix(face.rgb, hoverColor.rgb, 0.32), max(face.a, 0.42));
@@ -186,6 +188,8 @@ void main()
             vec4 line = sideColors[texel.r];
             if (texel.r == wireStyle) // where triangles are a few pixels high, lines would cover all
                 line.a *= smoothstep(1.5 * pixelRatio, 9.0 * pixelRatio, heights[opposite]);
+            if (texel.r == wireStyle && pattern == 3) // textures in light are to be seen
+                line.a *= 0.3;
             if (texel.r == wireStyle && asMap && dot(result.rgb, vec3(0.3, 0.6, 0.1)) * result.a > 0.45)
                 line.rgb = vec3(0.1); // a pale line would not be seen on a bright face
             result = withRim(result, line, sideHalfWidths[texel.r], inside);

@@ -1592,8 +1592,8 @@
         <translation>Zwischen keinem Muster, dem Schachbrett, den beschrifteten Feldern, der Textur und den Texturen des Modells wechseln</translation>
     </message>
     <message>
-        <source>Texture sets in &amp;light</source>
-        <translation>Textursätze im &amp;Licht</translation>
+        <source>Texture &amp;sets in light</source>
+        <translation>Te&amp;xtursätze im Licht</translation>
     </message>
     <message>
         <source>All channels of the materials&apos; textures, physically based, in the light of surroundings; see the panel Textures</source>

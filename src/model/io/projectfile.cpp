@@ -37,9 +37,9 @@ bool isModel(const QByteArray &name)
 bool isKnown(const QByteArray &name)
 {
     static const std::set<QByteArray> names{
-        "scene",        "obj",         "fbx",       "gltf",        "polygons",    "uvSets",
-        "seams",        "constraints", "marks",     "settings",    "selection",   "view",
-        "journalStart", "journal",     "thumbnail", "sessionPath", "texelWeights"};
+        "scene",        "obj",         "fbx",       "gltf",        "polygons",     "uvSets",
+        "seams",        "constraints", "marks",     "settings",    "selection",    "view",
+        "journalStart", "journal",     "thumbnail", "sessionPath", "texelWeights", "textures"};
     return names.contains(name) || isUvPart(name);
 }
 
@@ -151,6 +151,8 @@ Result<LoadedProject> parse(const QByteArray &bytes, const QString &path, const 
     project.lost += lost.names;
     if (std::find(damaged.begin(), damaged.end(), "texelWeights") != damaged.end())
         project.lost << u"the painted texel density"_s; // not every session has it
+    if (std::find(damaged.begin(), damaged.end(), "textures") != damaged.end())
+        project.lost << u"the texture sets"_s;
     if (container->version == 1 && !hasNumbersOfVersion1(*project.state.scene.mesh) &&
         parts.erase("journal") > 0) {
         parts.erase("journalStart");

@@ -450,7 +450,7 @@ constexpr std::array viewTable{
                                  "the map that of the selected face"),
                0, true, "pattern"},
     ActionInfo{"view.pattern.physical", "View/Pattern",
-               QT_TRANSLATE_NOOP("Actions", "Texture sets in &light"), "texture", "",
+               QT_TRANSLATE_NOOP("Actions", "Texture &sets in light"), "texture", "",
                QT_TRANSLATE_NOOP("Actions",
                                  "All channels of the materials' textures, physically based, in the light of "
                                  "surroundings; see the panel Textures"),

@@ -277,9 +277,9 @@ void ViewPanel::addPatternRows()
     mPattern->addItem(tr("Checkerboard"), int(Pattern::Checker));
     mPattern->addItem(tr("Lettered cells"), int(Pattern::Lettered));
     mPattern->addItem(tr("Textures of the model"), int(Pattern::Materials));
-    mPattern->addItem(tr("Texture"), int(Pattern::Texture));
     mPattern->addItem(tr("Texture sets in light"), int(Pattern::Physical));
     mPattern->addItem(tr("Live bake"), int(Pattern::Baked));
+    mPattern->addItem(tr("Texture"), int(Pattern::Texture));
     connect(mPattern, &QComboBox::activated, this, &ViewPanel::choosePattern);
     const QString tip = tr("What lies on the model, and behind the map");
     QLabel *label = addRow(mForm, tr("Pattern"), mPattern, tip);
