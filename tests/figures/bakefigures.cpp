@@ -104,8 +104,10 @@ void lightBake(FigurePage &page, const Figure &figure)
     const QString light = folder.filePath(u"light.png"_s);
     run({u"sample"_s, u"machine"_s, u"-o"_s, plain});
     run({u"unwrap"_s, plain, u"-o"_s, mapped});
-    run({u"lightbake"_s, mapped, u"-o"_s, light, u"--sun"_s, u"150,35"_s, u"--sky"_s, u"day"_s, u"--albedo"_s,
-         u"0.7"_s, u"--values"_s, u"lit"_s, u"--texture-size"_s, u"768"_s, u"--samples"_s, u"32"_s});
+    run({u"lightbake"_s,      mapped,    u"-o"_s,          light,         u"--sun"_s,    u"150,35"_s,
+         u"--sun-strength"_s, u"2.6"_s,  u"--sun-color"_s, u"1,.92,.8"_s, u"--sky"_s,    u"day"_s,
+         u"--sky-strength"_s, u"0.14"_s, u"--albedo"_s,    u"0.7"_s,      u"--values"_s, u"lit"_s,
+         u"--texture-size"_s, u"768"_s,  u"--samples"_s,   u"64"_s});
     StudioPictures studio;
     studio.options().seams = false;
     const QString triangles = trianglesOf(studio.open(read(mapped)));
