@@ -1599,6 +1599,14 @@
         <source>All channels of the materials&apos; textures, physically based, in the light of surroundings; see the panel Textures</source>
         <translation>Alle Kanäle der Texturen der Materialien, physikalisch basiert, im Licht einer Umgebung; siehe das Bedienfeld Texturen</translation>
     </message>
+    <message>
+        <source>Bake...</source>
+        <translation>Backen...</translation>
+    </message>
+    <message>
+        <source>Bake normals, occlusion and more into pictures for the map, from a detailed model or from this one</source>
+        <translation>Normalen, Verdeckung und mehr in Bilder für die UV-Map backen, von einem detaillierten Modell oder von diesem</translation>
+    </message>
 </context>
 <context>
     <name>Brush</name>
@@ -3218,6 +3226,221 @@
     <message>
         <source>Words of an action&apos;s name or menu</source>
         <translation>Wörter aus dem Namen oder dem Menü einer Aktion</translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::BakeDialog</name>
+    <message>
+        <source>Normals (tangent space)</source>
+        <translation>Normalen (Tangentenraum)</translation>
+    </message>
+    <message>
+        <source>MikkTSpace, as Blender and game engines use it</source>
+        <translation>MikkTSpace, wie in Blender und Spiele-Engines</translation>
+    </message>
+    <message>
+        <source>Normals (object space)</source>
+        <translation>Normalen (Objektraum)</translation>
+    </message>
+    <message>
+        <source>Ambient occlusion</source>
+        <translation>Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>Bent normals</source>
+        <translation>Gebogene Normalen</translation>
+    </message>
+    <message>
+        <source>The mean direction from which light arrives</source>
+        <translation>Die mittlere Richtung, aus der Licht kommt</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Krümmung</translation>
+    </message>
+    <message>
+        <source>Bright on edges, dark in grooves</source>
+        <translation>Hell an Kanten, dunkel in Rillen</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Of the materials</source>
+        <translation>Der Materialien</translation>
+    </message>
+    <message>
+        <source>Material ID</source>
+        <translation>Material-ID</translation>
+    </message>
+    <message>
+        <source>A colour for each material</source>
+        <translation>Eine Farbe für jedes Material</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Of the detailed model above this one</source>
+        <translation>Des detaillierten Modells über diesem</translation>
+    </message>
+    <message>
+        <source>&amp;Objects see those of the same name only</source>
+        <translation>&amp;Objekte sehen nur solche mit gleichem Namen</translation>
+    </message>
+    <message>
+        <source>Green points &amp;down (DirectX)</source>
+        <translation>Grün zeigt nach &amp;unten (DirectX)</translation>
+    </message>
+    <message>
+        <source>Bake</source>
+        <translation>Backen</translation>
+    </message>
+    <message>
+        <source>&amp;Browse...</source>
+        <translation>&amp;Durchsuchen...</translation>
+    </message>
+    <message>
+        <source>B&amp;rowse...</source>
+        <translation>Durch&amp;suchen...</translation>
+    </message>
+    <message>
+        <source>None: this model itself</source>
+        <translation>Keines: dieses Modell selbst</translation>
+    </message>
+    <message>
+        <source>Places in each texel that are baked and averaged</source>
+        <translation>Stellen in jedem Texel, die gebacken und gemittelt werden</translation>
+    </message>
+    <message>
+        <source>For occlusion, bent normals, curvature and thickness, in each texel</source>
+        <translation>Für Verdeckung, gebogene Normalen, Krümmung und Dicke, in jedem Texel</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How far the detailed model is looked for, outside and inside of the surface; 100 % is the diagonal of the model</source>
+        <translation>Wie weit nach dem detaillierten Modell gesucht wird, außerhalb und innerhalb der Fläche; 100 % ist die Diagonale des Modells</translation>
+    </message>
+    <message>
+        <source>Smooth: no gaps at edges</source>
+        <translation>Glatt: keine Lücken an Kanten</translation>
+    </message>
+    <message>
+        <source>Along the shading normals</source>
+        <translation>Entlang der Normalen der Schattierung</translation>
+    </message>
+    <message>
+        <source>Smooth at edges, straight elsewhere</source>
+        <translation>Glatt an Kanten, sonst gerade</translation>
+    </message>
+    <message>
+        <source>In which direction the detailed model is looked for</source>
+        <translation>In welcher Richtung nach dem detaillierten Modell gesucht wird</translation>
+    </message>
+    <message>
+        <source>Endings such as _low and _high do not count</source>
+        <translation>Endungen wie _low und _high zählen nicht</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Texels around islands that are filled with the nearest value</source>
+        <translation>Texel um die Inseln, die mit dem nächsten Wert gefüllt werden</translation>
+    </message>
+    <message>
+        <source>%1, %2 bits</source>
+        <translation>%1, %2 Bit</translation>
+    </message>
+    <message>
+        <source>Ba&amp;ke</source>
+        <translation>&amp;Backen</translation>
+    </message>
+    <message>
+        <source>Show li&amp;ve</source>
+        <translation>&amp;Live zeigen</translation>
+    </message>
+    <message>
+        <source>Show the first chosen map in both views, also while the UVs change; no files are written</source>
+        <translation>Die erste gewählte Karte in beiden Ansichten zeigen, auch während sich die UVs ändern; es werden keine Dateien geschrieben</translation>
+    </message>
+    <message>
+        <source>De&amp;tailed model:</source>
+        <translation>De&amp;tailliertes Modell:</translation>
+    </message>
+    <message>
+        <source>&amp;Maps:</source>
+        <translation>&amp;Karten:</translation>
+    </message>
+    <message>
+        <source>Sam&amp;ples per texel:</source>
+        <translation>&amp;Proben pro Texel:</translation>
+    </message>
+    <message>
+        <source>Ra&amp;ys per texel:</source>
+        <translation>St&amp;rahlen pro Texel:</translation>
+    </message>
+    <message>
+        <source>C&amp;age:</source>
+        <translation>Kä&amp;fig:</translation>
+    </message>
+    <message>
+        <source>D&amp;irection:</source>
+        <translation>R&amp;ichtung:</translation>
+    </message>
+    <message>
+        <source>Di&amp;lation:</source>
+        <translation>R&amp;and:</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>For&amp;mat:</translation>
+    </message>
+    <message>
+        <source>Detailed model</source>
+        <translation>Detailliertes Modell</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures</source>
+        <translation>Ordner für die Bilder</translation>
+    </message>
+    <message>
+        <source>There is no such detailed model.</source>
+        <translation>Das detaillierte Modell gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Choose at least one map.</source>
+        <translation>Mindestens eine Karte wählen.</translation>
+    </message>
+    <message>
+        <source>The model has no UVs: unwrap it first.</source>
+        <translation>Das Modell hat keine UVs: zuerst abwickeln.</translation>
+    </message>
+    <message>
+        <source>Choose a folder for the pictures.</source>
+        <translation>Einen Ordner für die Bilder wählen.</translation>
+    </message>
+    <message>
+        <source>The folder cannot be written.</source>
+        <translation>In den Ordner kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Fold&amp;er:</source>
+        <translation>Ord&amp;ner:</translation>
     </message>
 </context>
 <context>
@@ -4846,6 +5069,47 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Map for lightmaps, edges cut: %1</source>
         <translation>Map für Lightmaps, geschnittene Kanten: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces are not baked: they have no UVs, or their islands cross the border of a tile</source>
+        <translation>
+            <numerusform>%n Fläche wird nicht gebacken: Sie hat keine UVs, oder ihre Insel liegt über dem Rand einer Kachel</numerusform>
+            <numerusform>%n Flächen werden nicht gebacken: Sie haben keine UVs, oder ihre Inseln liegen über dem Rand einer Kachel</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No object of the detailed model belongs to: %1</source>
+        <translation>Kein Objekt des detaillierten Modells gehört zu: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was baked</source>
+        <translation>Abgebrochen: es wurde nichts gebacken</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cancelled: %n pictures were finished in %1</source>
+        <translation>
+            <numerusform>Abgebrochen: %n Bild wurde fertig, in %1</numerusform>
+            <numerusform>Abgebrochen: %n Bilder wurden fertig, in %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Baked %n pictures into %1</source>
+        <translation>
+            <numerusform>%n Bild gebacken, in %1</numerusform>
+            <numerusform>%n Bilder gebacken, in %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 % of the texels found nothing of the detailed model: a larger cage reaches farther</source>
+        <translation>%1 % der Texel fanden nichts vom detaillierten Modell: ein größerer Käfig reicht weiter</translation>
+    </message>
+    <message>
+        <source>%1 % of the texels are shared by several faces and show the first one</source>
+        <translation>%1 % der Texel gehören mehreren Flächen und zeigen die erste</translation>
+    </message>
+    <message>
+        <source>Baking</source>
+        <translation>Backen</translation>
     </message>
 </context>
 <context>
@@ -7954,6 +8218,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Texture sets in light</source>
         <translation>Textursätze im Licht</translation>
+    </message>
+    <message>
+        <source>Live bake</source>
+        <translation>Live-Backen</translation>
     </message>
 </context>
 <context>

@@ -123,7 +123,7 @@ BakeDialog::BakeDialog(const Document &document, const BakeChoice &last, const Q
     form->addRow(QString(), mGreenDown);
     form->addRow(tr("Di&lation:"), mDilation);
     form->addRow(tr("&Format:"), mFormat);
-    form->addRow(tr("Folde&r:"), pathRow(mFolder, browseFolder));
+    form->addRow(tr("Fold&er:"), pathRow(mFolder, browseFolder));
     form->addRow(QString(), mProblem);
     form->addRow(buttons);
     for (const auto &[widget, name] :
