@@ -1,0 +1,94 @@
+// How often a bake follows the map while the map changes without a pause.
+//
+//   bench_livebake MESH [SECONDS]
+//
+// Prints a line of JSON per map: how long the first picture and all samples took, then updates per second
+// while a solve runs, with both views drawn and with drawing left out, because software OpenGL says nothing
+// about a real machine.
+#include "support/studiosession.h"
+#include "views/canvas/meshview.h"
+#include "views/canvas/uvview.h"
+#include "views/control/filecontroller.h"
+#include "views/control/livebake.h"
+#include "views/control/mapcontroller.h"
+#include "views/control/shownmap.h"
+#include "views/control/solvercontroller.h"
+#include "views/control/workspace.h"
+#include "views/state/viewstate.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTextStream>
+
+using namespace autocuts;
+
+namespace {
+
+constexpr int patience = 600'000; // milliseconds
+
+//! Pictures per second while the solver runs.
+double rateOf(test::StudioSession &studio, double seconds, int &changes)
+{
+    LiveBake &live = studio.context.liveBake;
+    const auto counting =
+        QObject::connect(&studio.context.shownMap, &ShownMap::changed, [&changes] { ++changes; });
+    studio.press(Qt::Key_Space);
+    QElapsedTimer clock;
+    clock.start();
+    const int before = live.updates();
+    QTest::qWait(int(1e3 * seconds));
+    const double rate = (live.updates() - before) / (1e-3 * double(clock.elapsed()));
+    studio.press(Qt::Key_Space);
+    studio.solverRests();
+    QObject::disconnect(counting);
+    return rate;
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    QApplication application(argc, argv);
+    QTextStream out(stdout);
+    if (argc < 2) {
+        out << "bench_livebake MESH [SECONDS]\n";
+        return 2;
+    }
+    const double seconds = argc > 2 ? QString::fromLocal8Bit(argv[2]).toDouble() : 5;
+    for (const char *map : {"ao", "normal"}) {
+        test::StudioSession studio;
+        studio.context.files.open(QString::fromLocal8Bit(argv[1]));
+        studio.jobsRest();
+        LiveBake &live = studio.context.liveBake;
+        QElapsedTimer clock;
+        clock.start();
+        studio.press(Qt::Key_Space); // a first map
+        if (!QTest::qWaitFor([&] { return studio.context.shownMap.isLive(); }, patience))
+            return 1;
+        studio.press(Qt::Key_Space);
+        studio.solverRests();
+        clock.restart();
+        live.start({}, QString::fromLatin1(map));
+        if (!QTest::qWaitFor([&] { return live.updates() > 0; }, patience))
+            return 1;
+        const qint64 first = clock.elapsed();
+        if (!QTest::qWaitFor([&] { return !live.isRefining(); }, patience))
+            return 1;
+        const qint64 all = clock.elapsed();
+        ViewOptions options = studio.context.view.options();
+        options.pattern = Pattern::Baked;
+        studio.context.view.setOptions(options);
+        int drawnChanges = 0, changes = 0;
+        const double drawn = rateOf(studio, seconds, drawnChanges);
+        studio.window.meshView().setUpdatesEnabled(false);
+        studio.window.uvView().setUpdatesEnabled(false);
+        studio.action("uv.restart")->trigger();
+        studio.solverRests();
+        const double hidden = rateOf(studio, seconds, changes);
+        out << "{\"map\": \"" << map << "\", \"triangles\": " << studio.document()->mesh().triangleCount()
+            << ", \"first_ms\": " << first << ", \"all_ms\": " << all << ", \"updates_per_s\": " << drawn
+            << ", \"maps_per_s\": " << drawnChanges / seconds << ", \"updates_per_s_undrawn\": " << hidden
+            << ", \"maps_per_s_undrawn\": " << changes / seconds << "}" << Qt::endl;
+    }
+    return 0;
+}
