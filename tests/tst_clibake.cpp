@@ -56,6 +56,7 @@ private Q_SLOTS:
     void aCageFile();
     void tilesAreFiles();
     void texturesAreCarried();
+    void colorsOfTextures();
     void whatWasMissedIsSaid();
     void mistakes_data();
     void mistakes();
@@ -203,6 +204,37 @@ void TestCliBake::texturesAreCarried()
     }
     const QString roughness = at("carried/box_roughness.tif");
     QCOMPARE(decodePicture(test::readBytes(roughness), roughness)->depth, PictureDepth::Sixteen);
+}
+
+//! The textures of the detailed model come through its own UVs; materials without one have their colour.
+void TestCliBake::colorsOfTextures()
+{
+    Picture halves(64, 64, 3);
+    for (int i = 0; i < 64 * 64; ++i)
+        halves.at(i % 64, i / 64)[i % 64 < 32 ? 0 : 2] = 1; // red, blue
+    QVERIFY(writePicture(halves, at("halves.png"), PictureDepth::Eight).ok());
+    file("colored.mtl",
+         "newmtl painted\nmap_Kd halves.png\nnewmtl plain\nKd 0 1 0\nnewmtl lost\nmap_Kd gone.png\n");
+    file("colored.obj", "mtllib colored.mtl\n"
+                        "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 3 0 0\nv 3 1 0\nv 4 0 0\nv 4 1 0\n"
+                        "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                        "usemtl painted\nf 1/1 2/2 3/3 4/4\nusemtl plain\nf 2/1 5/2 6/3 3/4\n"
+                        "usemtl lost\nf 5/1 7/2 8/3 6/4\n");
+    file("sheet.obj",
+         "v 0 0 0\nv 4 0 0\nv 4 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 0.25\nvt 0 0.25\nf 1/1 2/2 3/3 4/4\n");
+    const test::CliRun run =
+        runInProcess({u"bake"_s, at("sheet.obj"), u"--high"_s, at("colored.obj"), u"-o"_s, at("colored"),
+                      u"--maps"_s, u"color"_s, u"--size"_s, u"64"_s});
+    QVERIFY2(run.code == 0, qPrintable(run.err));
+    QVERIFY2(run.err.contains(u"cannot be read: gone.png"_s), qPrintable(run.err));
+    const Result<Picture> picture = readPicture(at("colored/sheet_color.png"));
+    QVERIFY(picture.ok());
+    const auto at = [&](int x) {
+        return Vec3(picture->at(x, 56)[0], picture->at(x, 56)[1], picture->at(x, 56)[2]);
+    };
+    QVERIFY((at(8) - Vec3(1, 0, 0)).norm() < 0.01);
+    QVERIFY((at(24) - Vec3(0, 0, 1)).norm() < 0.01);
+    QVERIFY((at(40) - Vec3(0, 1, 0)).norm() < 0.01);
 }
 
 void TestCliBake::whatWasMissedIsSaid()

@@ -3275,10 +3275,6 @@
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>Of the materials</source>
-        <translation>Der Materialien</translation>
-    </message>
-    <message>
         <source>Material ID</source>
         <translation>Material-ID</translation>
     </message>
@@ -3441,6 +3437,10 @@
     <message>
         <source>Fold&amp;er:</source>
         <translation>Ord&amp;ner:</translation>
+    </message>
+    <message>
+        <source>Of textures and materials</source>
+        <translation>Von Texturen und Materialien</translation>
     </message>
 </context>
 <context>
@@ -5110,6 +5110,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Baking</source>
         <translation>Backen</translation>
+    </message>
+    <message>
+        <source>Textures that cannot be read: %1</source>
+        <translation>Texturen, die nicht gelesen werden können: %1</translation>
     </message>
 </context>
 <context>

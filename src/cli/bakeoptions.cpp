@@ -81,7 +81,7 @@ std::vector<CliOption> bakeOptions()
          {u"--maps"_s},
          u"LIST"_s,
          u"what to bake, with commas: normal (tangent space, MikkTSpace), object-normal, ao (occlusion), "
-         "bent-normal, curvature, thickness, position, color (of textures, vertices or materials), "
+         "bent-normal, curvature, thickness, position, color (of textures or materials), "
          "material-id, height"_s,
          u"normal,ao"_s,
          readMaps},

@@ -93,6 +93,19 @@ Result<Done> readCage(const CliOptions &options, const Scene &scene, bake::CageS
     return Done{};
 }
 
+//! Reads the textures that a map of colours needs.
+void addColors(const Scene &scene, const bake::BakeJob &job, ShadedSurface &surface, QStringList &warnings)
+{
+    const auto isColor = [](const bake::MapRequest &map) { return map.kind == bake::MapKind::Color; };
+    if (std::ranges::none_of(job.settings.maps, isColor))
+        return;
+    QStringList missing;
+    if (std::optional<SurfaceTexture> colors = readBaseColors(scene, missing))
+        surface.textures.push_back(std::move(*colors));
+    if (!missing.isEmpty())
+        warnings << u"textures that cannot be read: %1"_s.arg(missing.join(u", "_s));
+}
+
 void warnOfFaults(const bake::BakeFigures &figures, BakeOutcome &outcome)
 {
     outcome.figures = figures;
@@ -156,6 +169,7 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, cons
             return high.error();
         job->kind = bake::SourceKind::Detailed;
         job->high = shadedSurface(high.value());
+        addColors(high.value(), job.value(), *job->high, outcome.warnings);
         if (options.bake.byName) {
             const QStringList alone = pairObjects(job->low, scene.objectNames, *job->high, high->objectNames);
             if (!alone.isEmpty())
@@ -168,6 +182,8 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, cons
                 return cage.error();
         }
     }
+    if (options.bake.high.isEmpty())
+        addColors(scene, job.value(), job->low, outcome.warnings);
     if (const Result<Done> made = makeFolder(options.output); !made)
         return made.error();
     PictureWriter writer(outcome, depth.value());

@@ -52,14 +52,31 @@ TextureKind textureKindOf(const QString &path, PictureDepth depth)
     return TextureKind::Srgb;
 }
 
-Result<CarriedTexture> readCarriedTexture(const QString &path)
+namespace {
+
+//! The pictures of a texture, and what is common to them.
+struct ReadPictures
 {
-    CarriedTexture result;
-    result.path = path;
+    TiledPicture pictures;
+    PictureDepth depth = PictureDepth::Eight;
+    int width = 0, height = 0; //!< of the largest
+
+    void add(DecodedPicture decoded, int tile)
+    {
+        depth = std::max(depth, decoded.depth);
+        width = std::max(width, decoded.picture.width);
+        height = std::max(height, decoded.picture.height);
+        auto picture = std::make_shared<const Picture>(std::move(decoded.picture));
+        (tile == 0 ? pictures.repeated : pictures.tiles[tile]) = std::move(picture);
+    }
+};
+
+Result<ReadPictures> readTiles(const QString &path)
+{
     const std::vector<TextureTile> tiles = textureTiles(path);
     if (tiles.empty())
         return Error{u"there is no such picture"_s, path, 0, u"Check its name"_s};
-    TiledPicture pictures;
+    ReadPictures result;
     for (const TextureTile &tile : tiles) {
         const Result<QByteArray> bytes = loadPictureFile(tile.path);
         if (!bytes)
@@ -67,14 +84,61 @@ Result<CarriedTexture> readCarriedTexture(const QString &path)
         Result<DecodedPicture> decoded = decodePicture(bytes.value(), tile.path);
         if (!decoded)
             return decoded.error();
-        result.depth = std::max(result.depth, decoded->depth);
-        result.width = std::max(result.width, decoded->picture.width);
-        result.height = std::max(result.height, decoded->picture.height);
-        auto picture = std::make_shared<const Picture>(std::move(decoded->picture));
-        (tile.tile == 0 ? pictures.repeated : pictures.tiles[tile.tile]) = std::move(picture);
+        result.add(std::move(decoded).value(), tile.tile);
     }
+    return result;
+}
+
+Result<ReadPictures> readSceneTexture(const SceneTexture &texture, const QString &modelPath)
+{
+    if (texture.content.isEmpty())
+        return readTiles(findTexture(texture.file, modelPath));
+    Result<DecodedPicture> decoded = decodePicture(texture.content, texture.file);
+    if (!decoded)
+        return decoded.error();
+    ReadPictures result;
+    result.add(std::move(decoded).value(), 0);
+    return result;
+}
+
+} // namespace
+
+std::optional<SurfaceTexture> readBaseColors(const Scene &scene, QStringList &missing)
+{
+    SurfaceTexture texture;
+    bool found = false, floats = true;
+    for (const SceneTexture &one : scene.materialTextures) {
+        texture.ofMaterial.emplace_back();
+        if (one.isEmpty())
+            continue;
+        Result<ReadPictures> pictures = readSceneTexture(one, scene.path);
+        if (!pictures) {
+            missing << one.file;
+            continue;
+        }
+        found = true;
+        floats = floats && pictures->depth == PictureDepth::Float;
+        texture.ofMaterial.back() = std::move(pictures->pictures);
+    }
+    if (!found)
+        return std::nullopt;
+    texture.kind = floats ? TextureKind::Linear : TextureKind::Srgb;
+    texture.ofMaterial.emplace_back(); // faces without a material
+    return texture;
+}
+
+Result<CarriedTexture> readCarriedTexture(const QString &path)
+{
+    Result<ReadPictures> read = readTiles(path);
+    if (!read)
+        return read.error();
+    CarriedTexture result;
+    result.path = path;
+    result.depth = read->depth;
+    result.width = read->width;
+    result.height = read->height;
     result.texture.kind = textureKindOf(path, result.depth);
-    result.texture.ofMaterial.push_back(std::move(pictures));
+    result.texture.ofMaterial.push_back(std::move(read->pictures));
     return result;
 }
 

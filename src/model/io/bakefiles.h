@@ -1,11 +1,14 @@
 // The files of a bake: the pictures it makes, and the textures it carries over.
 #pragma once
 
+#include "model/document/scene.h"
 #include "model/io/picturefiles.h"
 #include "model/plain/shadedsurface.h"
 
 #include <QString>
 #include <QStringList>
+
+#include <optional>
 
 namespace autocuts {
 
@@ -31,5 +34,10 @@ TextureKind textureKindOf(const QString &path, PictureDepth depth);
 
 //! Reads the files of a texture for all materials. Takes long.
 Result<CarriedTexture> readCarriedTexture(const QString &path);
+
+//! Reads the pictures of the materials' base colours, as Scene::materialTextures names them. Takes long.
+//! \param missing gets the names of those that cannot be read
+//! \returns nothing where no material has one that can be read
+std::optional<SurfaceTexture> readBaseColors(const Scene &scene, QStringList &missing);
 
 } // namespace autocuts

@@ -46,7 +46,7 @@ constexpr MapTitle titles[]{
     {"thickness", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Thickness"), ""},
     {"position", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Position"), ""},
     {"color", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Colour"),
-     QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Of the materials")},
+     QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Of textures and materials")},
     {"material-id", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Material ID"),
      QT_TRANSLATE_NOOP("autocuts::BakeDialog", "A colour for each material")},
     {"height", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Height"),
