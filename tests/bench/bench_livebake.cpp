@@ -19,6 +19,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QTextStream>
+#include <QTimer>
 
 using namespace autocuts;
 
@@ -26,21 +27,29 @@ namespace {
 
 constexpr int patience = 600'000; // milliseconds
 
-//! Pictures per second while the solver runs.
-double rateOf(test::StudioSession &studio, double seconds, int &changes)
+//! Pictures per second while the solver runs, and the shown map moves 50 times a second.
+double rateOf(test::StudioSession &studio, double seconds)
 {
     LiveBake &live = studio.context.liveBake;
-    const auto counting =
-        QObject::connect(&studio.context.shownMap, &ShownMap::changed, [&changes] { ++changes; });
+    ShownMap &shown = studio.context.shownMap;
+    studio.action("uv.restart")->trigger();
     studio.press(Qt::Key_Space);
+    QTimer mover;
+    int moves = 0;
+    QObject::connect(&mover, &QTimer::timeout, [&] {
+        UvMatrix uv = shown.uv();
+        uv.array() += moves++ % 2 == 0 ? 0.001 : -0.001;
+        shown.showMap(std::move(uv), shown.separation());
+    });
+    mover.start(20);
     QElapsedTimer clock;
     clock.start();
     const int before = live.updates();
     QTest::qWait(int(1e3 * seconds));
     const double rate = (live.updates() - before) / (1e-3 * double(clock.elapsed()));
+    mover.stop();
     studio.press(Qt::Key_Space);
     studio.solverRests();
-    QObject::disconnect(counting);
     return rate;
 }
 
@@ -78,17 +87,13 @@ int main(int argc, char **argv)
         ViewOptions options = studio.context.view.options();
         options.pattern = Pattern::Baked;
         studio.context.view.setOptions(options);
-        int drawnChanges = 0, changes = 0;
-        const double drawn = rateOf(studio, seconds, drawnChanges);
+        const double drawn = rateOf(studio, seconds);
         studio.window.meshView().setUpdatesEnabled(false);
         studio.window.uvView().setUpdatesEnabled(false);
-        studio.action("uv.restart")->trigger();
-        studio.solverRests();
-        const double hidden = rateOf(studio, seconds, changes);
+        const double hidden = rateOf(studio, seconds);
         out << "{\"map\": \"" << map << "\", \"triangles\": " << studio.document()->mesh().triangleCount()
             << ", \"first_ms\": " << first << ", \"all_ms\": " << all << ", \"updates_per_s\": " << drawn
-            << ", \"maps_per_s\": " << drawnChanges / seconds << ", \"updates_per_s_undrawn\": " << hidden
-            << ", \"maps_per_s_undrawn\": " << changes / seconds << "}" << Qt::endl;
+            << ", \"updates_per_s_undrawn\": " << hidden << "}" << Qt::endl;
     }
     return 0;
 }
