@@ -3,8 +3,8 @@
 //   bench_livebake MESH [SECONDS]
 //
 // Prints a line of JSON per map: how long the first picture and all samples took, then updates per second
-// while a solve runs, with both views drawn and with drawing left out, because software OpenGL says nothing
-// about a real machine.
+// while a solve runs and the map moves, with both views drawn and with drawing left out, because software
+// OpenGL says nothing about a real machine.
 #include "support/studiosession.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"

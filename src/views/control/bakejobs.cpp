@@ -144,13 +144,15 @@ MapJobResult bakeJob(const Scene &scene, const PackingSettings &packing, const B
     }
     result.message =
         JobTexts::tr("Baked %n pictures into %1", nullptr, static_cast<int>(written.size())).arg(folder);
+    // Single texels at borders are not worth a word.
+    constexpr double fewestPercent = 0.1;
     const auto percent = [&](long long texels) { return 100 * double(texels) / double(figures.texels); };
-    if (figures.missed > 0)
-        warnings << JobTexts::tr(
-                        "%1 % of the texels found nothing of the detailed model: a larger cage reaches "
-                        "farther")
-                        .arg(percent(figures.missed), 0, 'f', 1);
-    if (figures.overlapped > 0)
+    if (percent(figures.missed) >= fewestPercent)
+        warnings
+            << JobTexts::tr(
+                   "%1 % of the texels found nothing of the detailed model: a larger cage reaches farther")
+                   .arg(percent(figures.missed), 0, 'f', 1);
+    if (percent(figures.overlapped) >= fewestPercent)
         warnings << JobTexts::tr("%1 % of the texels are shared by several faces and show the first one")
                         .arg(percent(figures.overlapped), 0, 'f', 1);
     if (!warnings.isEmpty())
