@@ -1,9 +1,7 @@
 // The baker: which points texels show, padding, rays to a detailed model, and each map against its formula.
-#include "model/plain/shadingnormals.h"
-#include "solver/bake/bakejob.h"
 #include "solver/bake/dilation.h"
 #include "solver/bake/surfacesamples.h"
-#include "support/mappedmodels.h"
+#include "support/bakejobs.h"
 
 #include <QTest>
 
@@ -13,79 +11,11 @@
 
 using namespace autocuts;
 using namespace autocuts::bake;
-using test::MappedModel;
+using namespace autocuts::test;
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-ShadedSurface surfaceOf(const MappedModel &model)
-{
-    ShadedSurface surface;
-    surface.mesh = model.mesh;
-    surface.uv = model.uv;
-    surface.normals = shadingNormals(*model.mesh, {});
-    if (model.uv.rows() > 0)
-        surface.tangents = mikkTangents(*model.mesh, model.uv, surface.normals);
-    return surface;
-}
-
-//! A square of side `size` around the origin in the plane z = 0, seen from above; its map is the whole tile.
-MappedModel plane(double size = 1)
-{
-    const double h = size / 2;
-    return test::mapped(
-        test::polygonMesh({{-h, -h, 0}, {h, -h, 0}, {h, h, 0}, {-h, h, 0}}, {{0, 1, 2, 3}}),
-        [=](const Vec3 &p, const Vec3 &) { return Vec2(p.x() / size + 0.5, p.y() / size + 0.5); });
-}
-
-BakeJob jobFor(const MappedModel &low, std::vector<MapRequest> maps, int size = 16)
-{
-    BakeJob job;
-    job.low = surfaceOf(low);
-    job.settings.maps = std::move(maps);
-    job.settings.grid.width = job.settings.grid.height = size;
-    job.floats = true;
-    return job;
-}
-
-void setDetailed(BakeJob &job, const test::MeshPtr &mesh, double cage)
-{
-    job.high = surfaceOf({mesh, {}});
-    job.kind = SourceKind::Detailed;
-    job.settings.cage.distance = cage;
-}
-
-struct Baked
-{
-    std::vector<Picture> maps;
-    BakeFigures figures;
-};
-
-Baked baked(const BakeJob &job, int threads = 1)
-{
-    Baked result;
-    result.maps.resize(job.settings.maps.size());
-    result.figures = runBake(
-        job,
-        [&](std::size_t map, int, const Picture &picture) {
-            result.maps[map] = picture;
-            return true;
-        },
-        JobContext(nullptr, threads));
-    return result;
-}
-
-Picture only(const BakeJob &job)
-{
-    return baked(job).maps.front();
-}
-
-Vec3f directionAt(const Picture &picture, int x, int y)
-{
-    const auto texel = picture.at(x, y);
-    return 2 * Vec3f(texel[0], texel[1], texel[2]) - Vec3f::Ones();
-}
 
 } // namespace
 
@@ -117,8 +47,6 @@ private Q_SLOTS:
     void carriedNormalsTurn();
     void tilesAreBaked();
     void wholeNumbersAreEncoded();
-    void seamsAreNotSeen_data();
-    void seamsAreNotSeen();
     void surfaceSamplesFollowTheMap_data();
     void surfaceSamplesFollowTheMap();
     void threadsGiveTheSame();
@@ -639,90 +567,6 @@ void TestBake::wholeNumbersAreEncoded()
     QVERIFY((directionAt(result.maps[0], 7, 0) - Vec3f::UnitZ()).norm() < 1e-6F);
     QCOMPARE(result.maps[1].at(7, 0)[0], 1.0F);
     QCOMPARE(result.maps[2].at(7, 0)[0], 0.5F);
-}
-
-namespace {
-
-BakeJob busyJob()
-{
-    const MappedModel low = test::mapped(test::sphere(6, 8), test::halvesMap);
-    MappedModel fitted = low;
-    const Eigen::RowVector2d least = low.uv.colwise().minCoeff(), size = low.uv.colwise().maxCoeff() - least;
-    fitted.uv = ((low.uv.rowwise() - least).array().rowwise() / (1.05 * size).array()).matrix();
-    BakeJob job = jobFor(
-        fitted,
-        {{MapKind::Normal, 0}, {MapKind::Occlusion, 0}, {MapKind::Curvature, 0}, {MapKind::Position, 0}}, 64);
-    setDetailed(job, test::sphere(40, 60), 0.2);
-    job.settings.grid.perSide = 2;
-    job.settings.rays.rays = 32;
-    return job;
-}
-
-} // namespace
-
-void TestBake::seamsAreNotSeen_data()
-{
-    QTest::addColumn<int>("map");
-    QTest::newRow("normal") << int(MapKind::Normal);
-    QTest::newRow("object normal") << int(MapKind::ObjectNormal);
-    QTest::newRow("height") << int(MapKind::Height);
-}
-
-//! The baked surface at the seams, drawn from both sides with numbers of eight bits.
-void TestBake::seamsAreNotSeen()
-{
-    QFETCH(int, map);
-    const auto kind = static_cast<MapKind>(map);
-    BakeJob job = busyJob();
-    test::MeshPtr ball = test::sphere(120, 160);
-    std::vector<Vec3> points;
-    for (int v = 0; v < ball->vertexCount(); ++v) {
-        const Vec3 p = ball->positions.row(v);
-        points.push_back(p * (1 + 0.02 * std::sin(9 * p.x()) * std::sin(9 * p.y()) * std::sin(9 * p.z())));
-    }
-    std::vector<std::vector<int>> faces;
-    for (int f = 0; f < ball->faceCount(); ++f)
-        faces.emplace_back(ball->cornerVertex.begin() + ball->faceStart[f],
-                           ball->cornerVertex.begin() + ball->faceStart[f + 1]);
-    setDetailed(job, test::polygonMesh(points, faces), 0.2);
-    job.settings.maps = {{kind, 0}};
-    job.settings.grid.width = job.settings.grid.height = 2048;
-    job.settings.grid.perSide = 1;
-    job.margin = 4;
-    job.floats = false;
-    Picture picture = baked(job, 2).maps.front();
-    for (float &value : picture.values)
-        value = std::round(value * 255) / 255;
-    const ShadedSurface &low = job.low;
-    const auto drawn = [&](int triangle, int first, int second, double t) {
-        std::array<float, 3> weights{};
-        weights[first % 3] = static_cast<float>(1 - t);
-        weights[second % 3] = static_cast<float>(t);
-        const SurfacePoint point{triangle, weights[1], weights[2]};
-        std::array<float, 3> value{};
-        sampleRepeated(picture, low.uvAt(point), std::span(value).first(std::size_t(picture.channels)));
-        if (kind != MapKind::Normal)
-            return Vec3f(value[0], value[1], value[2]);
-        const Vec3f inMap = 2 * Vec3f(value[0], value[1], value[2]) - Vec3f::Ones();
-        return Vec3f(0.5F * ((low.tangentFrame(point) * inMap).normalized() + Vec3f::Ones()));
-    };
-    double sum = 0;
-    int count = 0;
-    for (const EdgePair &pair : low.mesh->edgePairs) {
-        const auto uvOf = [&](int end, int which) {
-            return Vec2(low.uv.row(low.mesh->cornerOfSoup(pair.corner[end][which])));
-        };
-        if ((uvOf(0, 0) - uvOf(0, 1)).norm() < 1e-9 && (uvOf(1, 0) - uvOf(1, 1)).norm() < 1e-9)
-            continue;
-        for (const double t : {0.1, 0.3, 0.5, 0.7, 0.9}) {
-            const Vec3f one = drawn(pair.triangle[0], pair.corner[0][0], pair.corner[1][0], t);
-            const Vec3f other = drawn(pair.triangle[1], pair.corner[0][1], pair.corner[1][1], t);
-            sum += (one - other).cwiseAbs().sum() / picture.channels;
-            ++count;
-        }
-    }
-    QVERIFY(count >= 40);
-    QVERIFY2(255 * sum / count <= 2, qPrintable(QString::number(255 * sum / count)));
 }
 
 void TestBake::surfaceSamplesFollowTheMap_data()

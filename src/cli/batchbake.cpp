@@ -146,10 +146,14 @@ private:
 
 QJsonObject BakeOutcome::json() const
 {
+    QJsonObject seams;
+    for (const auto &[map, difference] : seamDifferences)
+        seams.insert(map, difference);
     return {{u"files"_s, QJsonArray::fromStringList(files)},
             {u"texels"_s, figures.texels},
             {u"texels_missed"_s, figures.missed},
             {u"texels_overlapping"_s, figures.overlapped},
+            {u"seam_differences"_s, seams},
             {u"notes"_s, QJsonArray::fromStringList(warnings)}};
 }
 
@@ -193,6 +197,11 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, cons
                                                tile, job->tiles.size() > 1, options.bake.suffix));
     };
     warnOfFaults(bake::runBake(job.value(), sink, context), outcome);
+    for (std::size_t m = 0; m < job->settings.maps.size(); ++m) {
+        if (const std::optional<double> mean = outcome.figures.seams[m].mean())
+            outcome.seamDifferences[QLatin1StringView(bake::nameOf(job->settings.maps[m].kind))] =
+                255 * *mean;
+    }
     if (writer.error())
         return *writer.error();
     return outcome;

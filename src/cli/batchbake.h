@@ -8,6 +8,8 @@
 
 #include <QJsonObject>
 
+#include <map>
+
 namespace autocuts {
 
 //! What was baked, for the user.
@@ -16,6 +18,9 @@ struct BakeOutcome
     bake::BakeFigures figures;
     QStringList files; //!< written, in the order of their making
     QStringList warnings;
+    //! By the names of the maps: the mean difference across seams, see bake::SeamDifference; 255 is the whole
+    //! range.
+    std::map<QString, double> seamDifferences;
 
     QJsonObject json() const;
 };

@@ -3,6 +3,7 @@
 
 #include "model/plain/types.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,21 @@ struct Picture
 private:
     std::size_t offset(int x, int y) const { return (std::size_t(y) * width + x) * channels; }
 };
+
+//! The four texels whose centres surround a place, and how far it is from the upper left one.
+struct TexelBlend
+{
+    std::array<std::size_t, 4> texel{}; //!< upper left, upper right, lower left, lower right; row by row
+    float right = 0, down = 0;          //!< in texels, in [0, 1)
+
+    std::array<float, 4> weights() const
+    {
+        return {(1 - right) * (1 - down), right * (1 - down), (1 - right) * down, right * down};
+    }
+};
+
+//! The texels around a finite UV of a picture that repeats outside of [0, 1).
+TexelBlend blendAt(int width, int height, const Vec2 &uv);
 
 //! The value at a UV, interpolated between the centres of the four texels around it. The picture repeats
 //! outside of [0, 1). \param out gets a value per channel

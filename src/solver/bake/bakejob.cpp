@@ -3,6 +3,7 @@
 #include "model/plain/udimtiles.h"
 #include "solver/bake/dilation.h"
 #include "solver/bake/encoding.h"
+#include "solver/bake/seamevening.h"
 
 #include <algorithm>
 
@@ -41,6 +42,30 @@ std::vector<std::vector<std::size_t>> passesOf(const BakeJob &job, const ShadedS
     return passes;
 }
 
+//! Maps whose values go on across seams. Colours may end at one by right, and IDs have no mean.
+constexpr bool isEvened(MapKind kind)
+{
+    return kind != MapKind::Color && kind != MapKind::MaterialId && kind != MapKind::Texture;
+}
+
+//! Makes of what was found a picture for a file.
+void finishMap(const BakeJob &job, const Eigen::AlignedBox2d &tile, const MapRequest &request,
+               TextureKind kind, std::vector<std::uint8_t> filled, const Encoding &encoding, Picture &picture,
+               SeamDifference &difference, const JobContext &context)
+{
+    if (isEvened(request.kind))
+        evenSeams(job.low, tile, isInTangentSpace(request.kind), filled, picture, context);
+    dilate(picture, filled, job.margin, context);
+    encode(picture, request, kind, filled, encoding);
+    if (context.stopped() || job.floats || request.kind == MapKind::MaterialId)
+        return;
+    const bool isTexture = kind == TextureKind::Normal || kind == TextureKind::NormalDirectX;
+    compareSides(job.low, tile, picture,
+                 isTexture || isInTangentSpace(request.kind) ? SeamValues::TangentNormals
+                                                             : SeamValues::Numbers,
+                 isTexture ? kind == TextureKind::NormalDirectX : job.greenDown, difference);
+}
+
 } // namespace
 
 Encoding encodingOf(const BakeJob &job, const Frame &frame)
@@ -62,6 +87,7 @@ Encoding encodingOf(const BakeJob &job, const Frame &frame)
 BakeFigures runBake(const BakeJob &job, const MapSink &sink, const JobContext &context)
 {
     BakeFigures figures;
+    figures.seams.resize(job.settings.maps.size());
     const Frame frame = Frame::of(*job.low.mesh);
     const Projection projection = projectionOf(job, frame);
     const ShadedSurface &source = projection.source();
@@ -86,13 +112,12 @@ BakeFigures runBake(const BakeJob &job, const MapSink &sink, const JobContext &c
             }
             for (std::size_t i = 0; i < pass.size() && !context.stopped(); ++i) {
                 const MapRequest &request = settings.maps[i];
-                std::vector<std::uint8_t> filled = baked.filled;
-                dilate(baked.maps[i], filled, job.margin, context);
                 const TextureKind kind = request.kind == MapKind::Texture
                                              ? source.textures[request.texture].kind
                                              : TextureKind::Linear;
-                encode(baked.maps[i], request, kind, filled, encoding);
-                if (context.stopped() || !sink(pass[i], tile, baked.maps[i]))
+                finishMap(job, settings.grid.tile, request, kind, baked.filled, encoding, baked.maps[i],
+                          figures.seams[pass[i]], context);
+                if (!context.stopped() && !sink(pass[i], tile, baked.maps[i]))
                     return figures;
                 baked.maps[i] = {};
             }

@@ -3,6 +3,7 @@
 
 #include "solver/bake/baker.h"
 #include "solver/bake/encoding.h"
+#include "solver/bake/seamplaces.h"
 
 #include <functional>
 #include <optional>
@@ -41,6 +42,8 @@ struct BakeFigures
 {
     bool stopped = false;
     long long texels = 0, missed = 0, overlapped = 0; //!< see BakeResult
+    //! As BakeSettings::maps; of all tiles. Not compared: files of floating point numbers and material IDs.
+    std::vector<SeamDifference> seams;
 };
 
 //! Receives a finished map: its number in BakeSettings::maps and its tile. Returns false to end the bake.

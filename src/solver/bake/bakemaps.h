@@ -52,6 +52,10 @@ constexpr bool isDirection(MapKind kind)
 {
     return kind == MapKind::Normal || kind == MapKind::ObjectNormal || kind == MapKind::BentNormal;
 }
+constexpr bool isInTangentSpace(MapKind kind)
+{
+    return kind == MapKind::Normal || kind == MapKind::BentNormal;
+}
 //! The name of each map that is not a texture, in options and names of files.
 std::span<const std::pair<std::string_view, MapKind>> mapNames();
 std::string_view nameOf(MapKind kind);

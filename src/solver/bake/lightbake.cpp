@@ -2,6 +2,7 @@
 
 #include "solver/bake/dilation.h"
 #include "solver/bake/lightdenoise.h"
+#include "solver/bake/seamevening.h"
 #include "solver/base/parallel.h"
 
 #include <algorithm>
@@ -249,6 +250,7 @@ private:
         estimateNoise(result.picture, result);
         if (mSettings.denoise)
             denoiseLight(result.picture, std::move(mGuides), job);
+        evenLight(result, job);
         if (mSettings.value == LightValue::Irradiance) {
             for (float &value : result.picture.values)
                 value *= std::numbers::pi_v<float>;
@@ -257,6 +259,15 @@ private:
         }
         dilate(result.picture, result.filled, mSettings.margin, job);
         return result;
+    }
+
+    void evenLight(LightBakeResult &result, const JobContext &job) const
+    {
+        ShadedSurface shape;
+        shape.mesh = mSurface.mesh;
+        shape.uv = mSurface.uv;
+        shape.normals = mSurface.normals;
+        evenSeams(shape, mSettings.tile, false, result.filled, result.picture, job);
     }
 
     //! Makes of the light that arrives what leaves.
