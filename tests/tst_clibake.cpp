@@ -57,6 +57,8 @@ private Q_SLOTS:
     void tilesAreFiles();
     void texturesAreCarried();
     void colorsOfTextures();
+    void colorsOfVertices_data();
+    void colorsOfVertices();
     void whatWasMissedIsSaid();
     void mistakes_data();
     void mistakes();
@@ -235,6 +237,52 @@ void TestCliBake::colorsOfTextures()
     QVERIFY((at(8) - Vec3(1, 0, 0)).norm() < 0.01);
     QVERIFY((at(24) - Vec3(0, 0, 1)).norm() < 0.01);
     QVERIFY((at(40) - Vec3(0, 1, 0)).norm() < 0.01);
+}
+
+void TestCliBake::colorsOfVertices_data()
+{
+    QTest::addColumn<QString>("from");
+    QTest::addColumn<QList<double>>("left");  // with a texture
+    QTest::addColumn<QList<double>>("right"); // without
+    const QList<double> texture{1, 0, 0}, vertices{0.2, 0.4, 0.6}, material{0, 1, 0};
+    QTest::newRow("auto") << u"auto"_s << texture << vertices;
+    QTest::newRow("textures") << u"textures"_s << texture << material;
+    QTest::newRow("vertices") << u"vertices"_s << vertices << vertices;
+    QTest::newRow("materials") << u"materials"_s << material << material;
+}
+
+void TestCliBake::colorsOfVertices()
+{
+    QFETCH(QString, from);
+    QFETCH(QList<double>, left);
+    QFETCH(QList<double>, right);
+    Picture red(4, 4, 3);
+    for (int i = 0; i < 16; ++i)
+        red.at(i % 4, i / 4)[0] = 1;
+    QVERIFY(writePicture(red, at("red.png"), PictureDepth::Eight).ok());
+    file("both.mtl", "newmtl painted\nKd 0 1 0\nmap_Kd red.png\nnewmtl plain\nKd 0 1 0\n");
+    QByteArray text = "mtllib both.mtl\n";
+    for (const char *place : {"0 0 0", "2 0 0", "2 1 0", "0 1 0", "4 0 0", "4 1 0"})
+        text += QByteArray("v ") + place + " .2 .4 .6\n";
+    file("both.obj", text + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl painted\nf 1/1 2/2 3/3 4/4\n"
+                            "usemtl plain\nf 2/1 5/2 6/3 3/4\n");
+    file("sheet.obj",
+         "v 0 0 0\nv 4 0 0\nv 4 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 0.25\nvt 0 0.25\nf 1/1 2/2 3/3 4/4\n");
+    const QStringList bake{u"bake"_s,  at("sheet.obj"), u"-o"_s, at("both"),        u"--maps"_s,
+                           u"color"_s, u"--size"_s,     u"64"_s, u"--color-from"_s, from};
+    const test::CliRun run = runInProcess(bake + QStringList{u"--high"_s, at("both.obj")});
+    QVERIFY2(run.code == 0 && run.err.isEmpty(), qPrintable(run.err));
+    const Result<Picture> picture = readPicture(at("both/sheet_color.png"));
+    QVERIFY(picture.ok());
+    for (int k = 0; k < 3; ++k) {
+        QVERIFY(std::abs(picture->at(16, 56)[std::size_t(k)] - left[k]) < 0.01);
+        QVERIFY(std::abs(picture->at(48, 56)[std::size_t(k)] - right[k]) < 0.01);
+    }
+    // A model without any of them.
+    const test::CliRun without =
+        runInProcess(bake + QStringList{u"--high"_s, at("high.obj"), u"--cage"_s, u"1"_s});
+    QCOMPARE(without.code, 0);
+    QCOMPARE(without.err.contains(u"--color-from names"_s), from != u"auto"_s);
 }
 
 void TestCliBake::whatWasMissedIsSaid()

@@ -1607,6 +1607,14 @@
         <source>Bake normals, occlusion and more into pictures for the map, from a detailed model or from this one</source>
         <translation>Normalen, Verdeckung und mehr in Bilder für die UV-Map backen, von einem detaillierten Modell oder von diesem</translation>
     </message>
+    <message>
+        <source>&amp;Vertex colours</source>
+        <translation>&amp;Vertexfarben</translation>
+    </message>
+    <message>
+        <source>The colours that the model&apos;s file gives its vertices</source>
+        <translation>Die Farben, die die Datei des Modells seinen Vertices gibt</translation>
+    </message>
 </context>
 <context>
     <name>Brush</name>
@@ -1787,6 +1795,10 @@
     <message>
         <source>comments, groups and material libraries of the OBJ file are lost</source>
         <translation>Kommentare, Gruppen und Materialbibliotheken der OBJ-Datei gehen verloren</translation>
+    </message>
+    <message>
+        <source>vertex colours are lost</source>
+        <translation>Vertexfarben gehen verloren</translation>
     </message>
 </context>
 <context>
@@ -3439,8 +3451,8 @@
         <translation>Ord&amp;ner:</translation>
     </message>
     <message>
-        <source>Of textures and materials</source>
-        <translation>Von Texturen und Materialien</translation>
+        <source>From textures where there are any, else vertex colours, else the colours of materials</source>
+        <translation>Aus Texturen, wo es welche gibt, sonst Vertexfarben, sonst die Farben der Materialien</translation>
     </message>
 </context>
 <context>
@@ -8226,6 +8238,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Live bake</source>
         <translation>Live-Backen</translation>
+    </message>
+    <message>
+        <source>Vertex colours</source>
+        <translation>Vertexfarben</translation>
     </message>
 </context>
 <context>

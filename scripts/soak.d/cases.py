@@ -5,9 +5,11 @@ import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import bakes
 import mutations
 import oddmeshes
 import sessions
+from bakes import pick
 
 FORMATS = ["obj", "ply", "stl", "off", "gltf", "glb", "fbx", "dae", "3ds", "blend", "acproj"]
 # CPU seconds in which a job ends after an interrupt, besides those for the files.
@@ -23,11 +25,6 @@ class Finding:
     input: Path = None
     again: object = None  # called with other bytes of the input: whether the cause is the same; None: not repeatable
     notes: list = field(default_factory=list)
-
-
-def pick(rng, *pairs):
-    """Some of the options: each (probability, option, ...) on its own."""
-    return [word for chance, *words in pairs if rng.random() < chance for word in words]
 
 
 def job_options(rng):
@@ -187,6 +184,59 @@ class Cases:
             return Finding(faults[0], arguments, run, self.folder / "in.obj", None,
                            faults[1:] + ["%.2f s, %.2f CPU s after the signal" % (run.late, run.late_cpu)])
         return None
+
+    def bake_arguments(self, rng):
+        """Writes the files of a bake into its folder. Returns its arguments, the last of which is the output."""
+        write = lambda name: self.write(name, b"\n".join(bakes.mesh(rng, True)) + b"\n").name
+        write("in.obj")
+        kind = rng.choice(["bake", "bake", "lightbake", "transfer"])
+        suffix, data = bakes.picture(rng)
+        picture = self.write("picture." + suffix, data).name
+        if kind == "lightbake":
+            options = [picture if word == "picture" else word for word in bakes.light_options(rng, rng.random() < 0.5)]
+            return [kind, "in.obj", *options, "--threads", "1", "-o", "out." + rng.choice(sorted(bakes.BEGINNINGS))]
+        if kind == "transfer":
+            options = ["--from", write("old.obj"), "--textures", picture]
+            return [kind, "in.obj", *options, *pick(rng, (.5, "--size", bakes.size(rng))), "--threads", "1", "-o", "out"]
+        options = bakes.bake_options(rng) + pick(rng, (.5, "--high", write("high.obj")), (.2, "--cage-file", "in.obj"))
+        if rng.random() < 0.3:
+            self.write("in.mtl", b"newmtl m\nKd 1 .5 0\nmap_Kd " + picture.encode() + b"\n")
+            source = self.folder / "in.obj"
+            source.write_bytes(b"mtllib in.mtl\nusemtl m\n" + source.read_bytes())
+        return [kind, "in.obj", *options, "--threads", "1", "-o", "out"]
+
+    def bake(self, rng):
+        """A bake of odd models and pictures, some interrupted: whole pictures or none, and no old one lost."""
+        arguments = self.bake_arguments(rng)
+        output = self.folder / arguments[-1]
+        names = [path.name for path in self.folder.iterdir()]
+        interrupt = {"send": signal.SIGINT, "after": 0.3 * rng.random()} if rng.random() < 0.2 else {}
+        source = self.folder / "in.obj"
+
+        def attempt():
+            run = self.program.run(arguments, **interrupt)
+            faults = self.program.faults(run)
+            written = list(output.rglob("*")) if output.is_dir() else [output] if output.exists() else []
+            faults += ["a broken picture is left: " + Path(n).suffix for n in bakes.broken_files(output)] if (
+                output.is_dir()) else []
+            if run.code == 0 and not written and not interrupt and "--time-limit" not in arguments:
+                faults.append("no output in spite of success")
+            if run.code in (1, 2) and written:
+                faults.append("a failed bake left pictures")
+            more = {p.name for p in self.folder.iterdir()} - {*names, output.name, "stdout", "stderr"}
+            if more - {output.stem + ".1001" + output.suffix}:
+                faults.append("other files are left")
+            return faults, run
+
+        faults, run = attempt()
+        if not faults:
+            return None
+
+        def again(data):
+            source.write_bytes(data)
+            return faults[0] in attempt()[0]
+
+        return Finding(faults[0], arguments, run, source, None if interrupt else again, faults[1:])
 
     def large_output(self, rng):
         """(arguments, output, its bytes before, its bytes after success)"""

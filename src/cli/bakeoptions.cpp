@@ -81,8 +81,8 @@ std::vector<CliOption> bakeOptions()
          {u"--maps"_s},
          u"LIST"_s,
          u"what to bake, with commas: normal (tangent space, MikkTSpace), object-normal, ao (occlusion), "
-         "bent-normal, curvature, thickness, position, color (of textures or materials), "
-         "material-id, height"_s,
+         "bent-normal, curvature, thickness, position, color, material-id, "
+         "height"_s,
          u"normal,ao"_s,
          readMaps},
         {group,
@@ -128,6 +128,13 @@ std::vector<CliOption> bakeOptions()
             "8, and 32 for exr"_s),
         flag(group, u"--directx"_s, ofJob(&bake::BakeJob::greenDown), true,
              u"tangent space normals with green down, as DirectX programs want them"_s),
+        choice(group, u"--color-from"_s, ofBaking(&CliOptions::Baking::colorFrom),
+               {{u"auto"_s, ColorSource::Auto},
+                {u"textures"_s, ColorSource::Textures},
+                {u"vertices"_s, ColorSource::Vertices},
+                {u"materials"_s, ColorSource::Materials}},
+               u"what color shows: textures of base colours, vertex colours, or colours of materials; auto "
+               "takes, at each place, the first of them that the model has"_s),
     };
 }
 

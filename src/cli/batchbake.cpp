@@ -93,15 +93,17 @@ Result<Done> readCage(const CliOptions &options, const Scene &scene, bake::CageS
     return Done{};
 }
 
-//! Reads the textures that a map of colours needs.
-void addColors(const Scene &scene, const bake::BakeJob &job, ShadedSurface &surface, QStringList &warnings)
+//! Gives the surface the colours that a map of colours needs.
+void takeColors(const CliOptions &options, const Scene &scene, ShadedSurface &surface, QStringList &warnings)
 {
     const auto isColor = [](const bake::MapRequest &map) { return map.kind == bake::MapKind::Color; };
-    if (std::ranges::none_of(job.settings.maps, isColor))
+    if (std::ranges::none_of(options.bake.job.settings.maps, isColor))
         return;
     QStringList missing;
-    if (std::optional<SurfaceTexture> colors = readBaseColors(scene, missing))
-        surface.textures.push_back(std::move(*colors));
+    if (!addColors(scene, options.bake.colorFrom, surface, missing))
+        warnings
+            << u"the model has no colours of the kind that --color-from names: those of its materials are "
+               "baked"_s;
     if (!missing.isEmpty())
         warnings << u"textures that cannot be read: %1"_s.arg(missing.join(u", "_s));
 }
@@ -173,7 +175,7 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, cons
             return high.error();
         job->kind = bake::SourceKind::Detailed;
         job->high = shadedSurface(high.value());
-        addColors(high.value(), job.value(), *job->high, outcome.warnings);
+        takeColors(options, high.value(), *job->high, outcome.warnings);
         if (options.bake.byName) {
             const QStringList alone = pairObjects(job->low, scene.objectNames, *job->high, high->objectNames);
             if (!alone.isEmpty())
@@ -187,7 +189,7 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, cons
         }
     }
     if (options.bake.high.isEmpty())
-        addColors(scene, job.value(), job->low, outcome.warnings);
+        takeColors(options, scene, job->low, outcome.warnings);
     if (const Result<Done> made = makeFolder(options.output); !made)
         return made.error();
     PictureWriter writer(outcome, depth.value());

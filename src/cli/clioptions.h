@@ -3,6 +3,7 @@
 
 #include "cli/lightbaking.h"
 #include "model/document/scenegroups.h"
+#include "model/io/bakefiles.h"
 #include "model/plain/solvesettings.h"
 #include "model/transfer/uvtransfer.h"
 #include "solver/bake/bakejob.h"
@@ -59,6 +60,7 @@ struct CliOptions
         QString suffix = QStringLiteral("png"); //!< of the pictures
         std::optional<int> bits;                //!< of their numbers
         QStringList textures;                   //!< to be carried over
+        ColorSource colorFrom = ColorSource::Auto;
     };
 
     bool hasRectangle() const { return given.contains(QStringLiteral("--into")); }

@@ -23,13 +23,19 @@ bool sameUvSets(const std::vector<UvSet> &a, const std::vector<UvSet> &b)
     });
 }
 
+bool sameColors(const std::shared_ptr<const CornerColors> &a, const std::shared_ptr<const CornerColors> &b)
+{
+    return a == b || (a && b && *a == *b);
+}
+
 bool sameScene(const Scene &a, const Scene &b)
 {
     return a.path == b.path && a.format == b.format && sameMesh(a.mesh, b.mesh) &&
            a.objectNames == b.objectNames && a.materialNames == b.materialNames &&
            a.faceMaterial == b.faceMaterial && a.materialColors == b.materialColors &&
            a.materialTextures == b.materialTextures && a.materialSets == b.materialSets &&
-           a.hardEdges == b.hardEdges && sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes;
+           a.hardEdges == b.hardEdges && sameColors(a.cornerColors, b.cornerColors) &&
+           sameUvSets(a.uvSets, b.uvSets) && a.notes == b.notes;
 }
 
 QString validateMaterials(const Scene &scene)
@@ -99,6 +105,8 @@ QString DocumentState::validate() const
     const MeshData &mesh = *scene.mesh;
     if (!scene.hardEdges.empty() && scene.hardEdges.size() != mesh.edgePairs.size())
         return QStringLiteral("The hard edges do not fit the mesh");
+    if (scene.cornerColors && std::ssize(*scene.cornerColors) != mesh.cornerCount())
+        return QStringLiteral("The vertex colours do not fit the mesh");
     if (!areTexelWeights(texelWeights, mesh.faceCount()))
         return QStringLiteral("The painted texel density is damaged");
     if (!isValid(solveSettings))

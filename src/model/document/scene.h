@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/document/texturesets.h"
+#include "model/plain/cornercolors.h"
 #include "model/plain/meshdata.h"
 
 #include <QByteArray>
@@ -46,6 +47,9 @@ struct Scene
     //! Per edge pair: the file shades its two sides as separate surfaces, by smoothing groups or by normals
     //! that differ; empty when the file says nothing about shading.
     std::vector<bool> hardEdges;
+    //! Per corner: the vertex colours of the file; null when it has none. glTF has them in linear light,
+    //! other files in sRGB.
+    std::shared_ptr<const CornerColors> cornerColors;
     std::vector<UvSet> uvSets; //!< the first one is the active one
     std::shared_ptr<const SceneSource> source;
     std::vector<QString> notes; //!< what the reader skipped or repaired, one line each

@@ -35,6 +35,7 @@ ShadedSurface shadedSurface(const Scene &scene, double tileHeight)
         surface.uv = scene.uvSets.front().uv;
         surface.tangents = mikkTangents(*scene.mesh, surface.uv, surface.normals);
     }
+    surface.cornerColors = scene.cornerColors;
     surface.faceMaterial = scene.faceMaterial;
     for (const QRgb color : scene.materialColors)
         surface.materialColors.push_back(color == 0 ? Vec3f(Vec3f::Constant(0.8F)) : linearColor(color));

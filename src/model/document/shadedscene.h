@@ -8,8 +8,9 @@
 
 namespace autocuts {
 
-//! Normals, UVs of the first set and the tangents they give, and colours of materials; no textures. Takes
-//! long for large models. \param tileHeight of the texture that the UVs are for, see tilescaling.h
+//! Normals, UVs of the first set and the tangents they give, and colours of vertices and materials; no
+//! textures. Takes long for large models. \param tileHeight of the texture that the UVs are for, see
+//! tilescaling.h
 ShadedSurface shadedSurface(const Scene &scene, double tileHeight = 1);
 
 //! Lets objects of both models see each other that have the same name, without regard to case and to endings

@@ -68,6 +68,7 @@ private:
     bool addFaces(const aiNode &node, const aiMesh &mesh, int firstVertex, bool mirrored);
     void fillUvSets(Scene &scene) const;
     FileShading shading() const;
+    CornerColors colors() const;
     //! The name of the node; of its first mesh when the node has none.
     QString objectName(const aiNode &node) const
     {
@@ -222,6 +223,22 @@ FileShading SoupBuilder::shading() const
     return result;
 }
 
+CornerColors SoupBuilder::colors() const
+{
+    CornerColors result;
+    for (const AssimpPiece &piece : mPieces) {
+        const aiMesh &mesh = *mAi.mMeshes[piece.mesh];
+        if (!mesh.HasVertexColors(0))
+            continue;
+        result.resize(mCornerVertex.size());
+        for (int c = mFaceStart[piece.firstFace]; c < mFaceStart[piece.firstFace + piece.faceCount]; ++c) {
+            const aiColor4D &color = mesh.mColors[0][mCornerVertex[c] - piece.firstVertex];
+            result[static_cast<std::size_t>(c)] = CornerColor::fromSrgb(color.r, color.g, color.b);
+        }
+    }
+    return result;
+}
+
 bool SoupBuilder::build(Scene &scene, AssimpSource &source)
 {
     if (!addNode(*mAi.mRootNode, Eigen::Matrix4d::Identity()))
@@ -241,6 +258,7 @@ bool SoupBuilder::build(Scene &scene, AssimpSource &source)
     scene.objectNames = std::move(mObjectNames);
     scene.faceMaterial = std::move(mFaceMaterial);
     const FileShading said = shading(); // while the faces are here
+    scene.cornerColors = sharedColors(colors(), mCornerVertex.size());
     PositionMatrix positions = Eigen::Map<const PositionMatrix>(
         mPositions.data(), static_cast<Eigen::Index>(mPositions.size() / 3), 3);
     scene.mesh = MeshData::build(std::move(positions), std::move(mFaceStart), std::move(mCornerVertex),

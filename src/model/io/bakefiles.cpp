@@ -127,6 +127,28 @@ std::optional<SurfaceTexture> readBaseColors(const Scene &scene, QStringList &mi
     return texture;
 }
 
+bool addColors(const Scene &scene, ColorSource from, ShadedSurface &surface, QStringList &missing)
+{
+    const bool anything = from == ColorSource::Auto;
+    if (!anything && from != ColorSource::Vertices)
+        surface.cornerColors = nullptr;
+    if (anything || from == ColorSource::Textures) {
+        if (std::optional<SurfaceTexture> colors = readBaseColors(scene, missing))
+            surface.textures.push_back(std::move(*colors));
+    }
+    switch (from) {
+    case ColorSource::Textures:
+        return !surface.textures.empty();
+    case ColorSource::Vertices:
+        return surface.cornerColors != nullptr;
+    case ColorSource::Materials:
+        return std::ranges::any_of(scene.materialColors, [](QRgb color) { return color != 0; });
+    case ColorSource::Auto:
+        break;
+    }
+    return true;
+}
+
 Result<CarriedTexture> readCarriedTexture(const QString &path)
 {
     Result<ReadPictures> read = readTiles(path);

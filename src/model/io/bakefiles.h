@@ -35,6 +35,14 @@ TextureKind textureKindOf(const QString &path, PictureDepth depth);
 //! Reads the files of a texture for all materials. Takes long.
 Result<CarriedTexture> readCarriedTexture(const QString &path);
 
+//! Where the colours of a map come from. Auto: at each point the first of them that the model has.
+enum class ColorSource { Auto, Textures, Vertices, Materials };
+
+//! Leaves a surface with the colours that are to be baked, and reads its textures if they are among them.
+//! Takes long. \param surface shadedSurface() of the scene \param missing gets the names of pictures that
+//! cannot be read \returns false where the model has no colours of the wanted kind
+bool addColors(const Scene &scene, ColorSource from, ShadedSurface &surface, QStringList &missing);
+
 //! Reads the pictures of the materials' base colours, as Scene::materialTextures names them. Takes long.
 //! \param missing gets the names of those that cannot be read
 //! \returns nothing where no material has one that can be read

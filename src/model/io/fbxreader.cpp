@@ -1,5 +1,6 @@
 #include "model/io/fbxreader.h"
 
+#include "model/io/fbxcolors.h"
 #include "model/io/fbxgeometry.h"
 #include "model/io/fbxmaterials.h"
 #include "model/io/fbxobjects.h"
@@ -73,6 +74,7 @@ private:
     std::vector<double> mPositions;
     std::vector<int> mFaceStart{0}, mCornerVertex, mFaceObject;
     int mDamaged = 0; //!< geometries
+    int mDamagedColors = 0;
 };
 
 //! The geometry of a node, read when it is used for the first time; nothing when it is damaged.
@@ -230,6 +232,9 @@ void SceneBuilder::addNotes()
             u"%1 face(s) left out: their vertices are damaged, or fewer than three differ"_s.arg(faces));
     if (mDamaged > 0)
         notes.push_back(u"%1 mesh(es) left out: their data are damaged"_s.arg(mDamaged));
+    if (mDamagedColors > 0)
+        notes.push_back(
+            u"the vertex colours of %1 mesh(es) left out: their data are damaged"_s.arg(mDamagedColors));
     if (repeated > 0)
         notes.push_back(
             u"%1 object(s) share a mesh with another object: the file holds one map for both"_s.arg(
@@ -266,6 +271,7 @@ Result<Scene> SceneBuilder::build()
     if (!readUvs() || cancelled())
         return *mError;
     mScene.hardEdges = fbxHardEdges(mTree, *mScene.mesh, *mSource, mGeometries);
+    mScene.cornerColors = fbxCornerColors(mTree, *mScene.mesh, *mSource, mGeometries, mDamagedColors);
     addNotes();
     mSource->bytes = mTree.bytes;
     mSource->version = mTree.version;

@@ -6,6 +6,7 @@
 #include "model/io/savefile.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -62,6 +63,7 @@ public:
 private:
     bool readLine(const ObjScanner &scanner);
     bool readVertex(std::string_view arguments);
+    void readVertexColor(std::string_view rest);
     bool readTextureVertex(std::string_view arguments);
     bool readFace(const ObjScanner &scanner);
     bool readCorner(std::string_view word);
@@ -70,6 +72,7 @@ private:
     bool dropSmallFace(const ObjScanner &scanner, std::size_t begin);
     bool checkCompleteness();
     void addNotes(Scene &scene) const;
+    CornerColors cornerColors() const;
     Scene makeScene();
 
     bool fail(const QString &message, const QString &remedy)
@@ -92,6 +95,11 @@ private:
     int mFaceLines = 0;
     int mFirstSkippedLine = 0;
     int mNonFiniteUvs = 0, mUvsWithDepth = 0;
+    //! Three numbers per vertex, not finite where it has no colour; they end at the last one with a colour.
+    std::vector<float> mVertexColors;
+    bool mHasByteColors = false; //!< a number is above 1
+    bool mHasShares = false;     //!< a number is between whole numbers
+    int mBrokenColors = 0;
     ForwardReference mForwardVertex, mForwardTextureVertex;
 };
 
@@ -102,7 +110,6 @@ QString exportAgain()
 
 bool ObjParser::readVertex(std::string_view arguments)
 {
-    // Values after the three coordinates (a weight or a colour) are ignored here; saving preserves them.
     std::string_view word;
     for (int k = 0; k < 3; ++k) {
         double value = 0;
@@ -120,7 +127,34 @@ bool ObjParser::readVertex(std::string_view arguments)
     if (mPositions.size() / 3 > maxElements)
         return fail(QStringLiteral("the file has too many vertices"),
                     QStringLiteral("Split the model into several files"));
+    readVertexColor(arguments);
     return true;
+}
+
+//! Reads what follows the coordinates of the newest vertex: nothing, a weight, or a colour. Saving preserves
+//! it.
+void ObjParser::readVertexColor(std::string_view rest)
+{
+    std::string_view word;
+    std::array<double, 3> color{};
+    std::size_t count = 0;
+    bool good = true;
+    while (count < 3 && nextWord(rest, word)) {
+        double &value = color[count++];
+        good = good && parseNumber(word, value) && std::isfinite(value) && value >= 0;
+    }
+    if (count < 2)
+        return;
+    if (count < 3 || !good) {
+        ++mBrokenColors;
+        return;
+    }
+    mVertexColors.resize(mPositions.size() - 3, std::numeric_limits<float>::quiet_NaN());
+    for (const double value : color) {
+        mVertexColors.push_back(static_cast<float>(value));
+        mHasByteColors = mHasByteColors || value > 1;
+        mHasShares = mHasShares || value != std::floor(value);
+    }
 }
 
 bool ObjParser::readTextureVertex(std::string_view arguments)
@@ -282,11 +316,32 @@ void ObjParser::addNotes(Scene &scene) const
     if (mNonFiniteUvs > 0)
         scene.notes.push_back(QStringLiteral("%1 texture vertices are not finite: their corners have no UV")
                                   .arg(mNonFiniteUvs));
+    if (mBrokenColors > 0)
+        scene.notes.push_back(
+            QStringLiteral("%1 vertex colours left out: they are not three numbers from 0 on")
+                .arg(mBrokenColors));
     if (mUvsWithDepth > 0)
         scene.notes.push_back(
             QStringLiteral("%1 texture vertices have a third coordinate, which is lost when the "
                            "UVs are changed")
                 .arg(mUvsWithDepth));
+}
+
+//! Numbers go from 0 to 1; in files that have whole numbers only, and one above 1, to 255.
+CornerColors ObjParser::cornerColors() const
+{
+    CornerColors colors;
+    if (mVertexColors.empty())
+        return colors;
+    const double share = mHasByteColors && !mHasShares ? 1 / 255.0 : 1;
+    colors.resize(mCornerVertex.size());
+    for (std::size_t c = 0; c < colors.size(); ++c) {
+        const std::size_t first = 3 * static_cast<std::size_t>(mCornerVertex[c]);
+        if (first < mVertexColors.size())
+            colors[c] = CornerColor::fromSrgb(share * mVertexColors[first], share * mVertexColors[first + 1],
+                                              share * mVertexColors[first + 2]);
+    }
+    return colors;
 }
 
 Scene ObjParser::makeScene()
@@ -301,6 +356,8 @@ Scene ObjParser::makeScene()
     scene.objectNames = mObjects.take();
     scene.materialNames = mMaterials.take();
     scene.faceMaterial = std::move(mFaceMaterial);
+    scene.cornerColors = sharedColors(cornerColors(), mCornerVertex.size());
+    mVertexColors = {};
     PositionMatrix positions = Eigen::Map<const PositionMatrix>(
         mPositions.data(), static_cast<Eigen::Index>(mPositions.size() / 3), 3);
     mPositions = {};

@@ -10,7 +10,8 @@
 
 namespace autocuts {
 
-//! Reads polygons, objects (o), materials (usemtl), the colours in the files of its materials and UVs.
+//! Reads polygons, objects (o), materials (usemtl), the colours in the files of its materials, UVs and vertex
+//! colours (three numbers behind a vertex).
 //! Everything else stays in the ObjSource of the scene. The scene has one UV set, or none when no face uses a
 //! vt. The row of a corner is not finite when its vt is missing or not finite. Faces of fewer than three
 //! different vertices are left out and mentioned in the notes. Errors name the line: wrong indices,

@@ -205,6 +205,37 @@ bool readHardSides(const QByteArray &bits, Scene &scene)
     return true;
 }
 
+//! Two integers for each corner: red and green, then blue and whether the colour is known.
+QByteArray packedColors(const CornerColors &colors)
+{
+    std::vector<int> integers;
+    integers.reserve(2 * colors.size());
+    for (const CornerColor &color : colors) {
+        integers.push_back(static_cast<int>(color.linear[0] | unsigned(color.linear[1]) << 16));
+        integers.push_back(static_cast<int>(color.linear[2] | unsigned(color.known) << 16));
+    }
+    return packedArray(integers);
+}
+
+//! Reads packedColors(); null when they are damaged.
+std::shared_ptr<const CornerColors> unpackedColors(const QByteArray &bytes, int corners)
+{
+    const auto integers = unpackedIntegers(bytes, 2 * qsizetype(corners));
+    if (!integers)
+        return nullptr;
+    CornerColors colors(static_cast<std::size_t>(corners));
+    for (std::size_t c = 0; c < colors.size(); ++c) {
+        const auto first = static_cast<unsigned>((*integers)[2 * c]);
+        const auto second = static_cast<unsigned>((*integers)[2 * c + 1]);
+        colors[c].known = (second >> 16 & 1) != 0;
+        if (colors[c].known)
+            colors[c].linear = {static_cast<std::uint16_t>(first & 0xffff),
+                                static_cast<std::uint16_t>(first >> 16),
+                                static_cast<std::uint16_t>(second & 0xffff)};
+    }
+    return std::make_shared<const CornerColors>(std::move(colors));
+}
+
 QCborMap polygonsMap(const Scene &scene)
 {
     const MeshData &mesh = *scene.mesh;
@@ -219,6 +250,8 @@ QCborMap polygonsMap(const Scene &scene)
                  {"faceObjects"_L1, packedArray(mesh.faceObject)}};
     if (!scene.hardEdges.empty())
         map["hardSides"_L1] = hardSides(scene);
+    if (scene.cornerColors && !gltfSourceOf(scene))
+        map["cornerColors"_L1] = packedColors(*scene.cornerColors);
     return map;
 }
 
@@ -249,7 +282,7 @@ std::vector<int> startsOf(const std::vector<int> &sizes, std::size_t cornerCount
     return starts;
 }
 
-Result<Scene> readPolygons(const QByteArray &part, const QString &path)
+Result<Scene> readPolygons(const QByteArray &part, const QString &path, QStringList &lost)
 {
     CborReader reader(parsedMap(part).value_or(QCborMap()));
     const auto integers = [&](QLatin1StringView key) {
@@ -274,6 +307,11 @@ Result<Scene> readPolygons(const QByteArray &part, const QString &path)
         MeshData::build(std::move(matrix), std::move(starts), std::move(*corners), std::move(*objects));
     if (reader.contains("hardSides"_L1) && !readHardSides(reader.bytes("hardSides"_L1), scene))
         return damagedModel(path);
+    if (reader.contains("cornerColors"_L1)) {
+        scene.cornerColors = unpackedColors(reader.bytes("cornerColors"_L1), scene.mesh->cornerCount());
+        if (!scene.cornerColors)
+            lost << u"the vertex colours"_s;
+    }
     return scene;
 }
 
@@ -296,6 +334,7 @@ bool addGltf(Scene &scene, const QByteArray &part, const QString &path)
         whole->mesh->positions.rows() != mesh.positions.rows() || whole->mesh->positions != mesh.positions)
         return false;
     scene.source = whole->source;
+    scene.cornerColors = whole->cornerColors;
     scene.materialTextures = whole->materialTextures;
     scene.materialSets = whole->materialSets;
     return true;
@@ -315,7 +354,7 @@ Result<Scene> readModel(const PartMap &parts, const QString &path, QStringList &
         return parseFbx(fbx->second, path);
     if (polygons == parts.end())
         return gltf == parts.end() ? damagedModel(path) : readGltfPart(gltf->second, path);
-    Result<Scene> scene = readPolygons(polygons->second, path);
+    Result<Scene> scene = readPolygons(polygons->second, path, lost);
     if (scene && gltf != parts.end() && !addGltf(scene.value(), gltf->second, path))
         lost << u"the glTF file"_s;
     return scene;
@@ -384,10 +423,10 @@ QStringList sessionLosses(const Scene &scene)
 {
     if (objSourceOf(scene) || fbxSourceOf(scene) || gltfSourceOf(scene) || !scene.source)
         return {};
-    return {
-        u"the session holds the polygons, objects, materials' names and UV sets of the %1 file, but not its "
-        "normals, colours, textures, bones, animations and hierarchy: to keep those, save the map in a "
-        "model file as well"_s.arg(scene.format)};
+    return {u"the session holds the polygons, objects, materials' names, vertex colours and UV sets of the "
+            u"%1 file, but "
+            "not its normals, textures, bones, animations and hierarchy: to keep those, save the map in a "
+            "model file as well"_s.arg(scene.format)};
 }
 
 } // namespace autocuts

@@ -1,6 +1,7 @@
 // A model with all that its look depends on: normals, UVs, colours and textures. Plain: no Qt.
 #pragma once
 
+#include "model/plain/cornercolors.h"
 #include "model/plain/picture.h"
 #include "model/plain/tangents.h"
 
@@ -57,13 +58,13 @@ struct SurfaceTexture
 struct ShadedSurface
 {
     std::shared_ptr<const MeshData> mesh;
-    UvMatrix uv;                       //!< per corner, texture space; no rows: without UVs
-    double tileHeight = 1;             //!< of that texture space, see udimtiles.h
-    std::vector<Vec3f> normals;        //!< shading normals, per corner
-    std::vector<Tangent> tangents;     //!< per soup corner; empty: no tangent space is needed
-    std::vector<Vec3f> vertexColors;   //!< linear; empty: none
-    std::vector<int> faceMaterial;     //!< -1 for none; empty: none have one
-    std::vector<Vec3f> materialColors; //!< linear
+    UvMatrix uv;                                      //!< per corner, texture space; no rows: without UVs
+    double tileHeight = 1;                            //!< of that texture space, see udimtiles.h
+    std::vector<Vec3f> normals;                       //!< shading normals, per corner
+    std::vector<Tangent> tangents;                    //!< per soup corner; empty: no tangent space is needed
+    std::shared_ptr<const CornerColors> cornerColors; //!< vertex colours, per corner; null: none
+    std::vector<int> faceMaterial;                    //!< -1 for none; empty: none have one
+    std::vector<Vec3f> materialColors;                //!< linear
     std::vector<SurfaceTexture> textures;
     std::vector<int> faceGroup; //!< who sees whom, see bake::Projection; empty: all are of group 0
 

@@ -31,12 +31,13 @@ void put(const Vec3f &value, std::span<float> out)
 
 Vec3f baseColor(const ShadedSurface &surface, const SurfacePoint &point)
 {
-    const int material = surface.materialOf(point.triangle);
-    if (!surface.vertexColors.empty()) {
+    if (surface.cornerColors) {
         const auto &corners = surface.mesh->triangles[point.triangle];
-        const auto at = [&](int k) { return surface.vertexColors[surface.mesh->cornerVertex[corners[k]]]; };
-        return point.between<Vec3f>(at(0), at(1), at(2));
+        const auto at = [&](int k) -> const CornerColor & { return (*surface.cornerColors)[corners[k]]; };
+        if (at(0).known && at(1).known && at(2).known)
+            return point.between<Vec3f>(at(0).value(), at(1).value(), at(2).value());
     }
+    const int material = surface.materialOf(point.triangle);
     if (material >= 0 && material < std::ssize(surface.materialColors))
         return surface.materialColors[material];
     return Vec3f::Ones();
@@ -244,7 +245,7 @@ void MapProbe::probe(const MapRequest &request, const SurfacePoint &at, const So
         break;
     case MapKind::Color: {
         std::array<float, 4> value{};
-        if (surface.vertexColors.empty() && sampleTexture(surface, 0, source.point, value)) {
+        if (sampleTexture(surface, 0, source.point, value)) {
             const bool isSrgb = surface.textures[0].kind == TextureKind::Srgb;
             for (int k = 0; k < 3; ++k)
                 out[k] = isSrgb ? linearFromSrgb(value[k]) : value[k];

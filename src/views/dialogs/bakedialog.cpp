@@ -46,7 +46,9 @@ constexpr MapTitle titles[]{
     {"thickness", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Thickness"), ""},
     {"position", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Position"), ""},
     {"color", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Colour"),
-     QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Of textures and materials")},
+     QT_TRANSLATE_NOOP(
+         "autocuts::BakeDialog",
+         "From textures where there are any, else vertex colours, else the colours of materials")},
     {"material-id", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Material ID"),
      QT_TRANSLATE_NOOP("autocuts::BakeDialog", "A colour for each material")},
     {"height", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Height"),

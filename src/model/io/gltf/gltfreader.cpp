@@ -46,6 +46,7 @@ private:
                       const Eigen::Matrix4d &transform);
     void addNormals(const GltfPrimitive &primitive, bool mirrored);
     void addUvs(const GltfPrimitive &primitive, bool mirrored);
+    void addColors(const GltfPrimitive &primitive, bool mirrored);
     void addNotes(Scene &scene) const;
     void fill(Scene &scene);
     template <typename Add>
@@ -61,11 +62,12 @@ private:
     std::vector<double> mPositions, mNormals; //!< of vertices, of corners
     std::vector<int> mFaceStart{0}, mCornerVertex, mFaceObject, mFaceMaterial;
     std::map<int, std::vector<double>>
-        mUvs; //!< by texture coordinate set; they end at the last corner with UV
+        mUvs;             //!< by texture coordinate set; they end at the last corner with UV
+    CornerColors mColors; //!< they end at the last corner with one
     std::vector<QString> mObjectNames;
     std::vector<GltfPiece> mPieces;
     std::set<std::size_t> mMeshes, mInstancedMeshes;
-    std::size_t mSkippedFaces = 0, mBrokenTriangles = 0;
+    std::size_t mSkippedFaces = 0, mBrokenTriangles = 0, mBrokenColors = 0;
 };
 
 //! Calls add(vertex of the primitive) for the corners in the order of the soup.
@@ -124,6 +126,25 @@ void SoupBuilder::addUvs(const GltfPrimitive &primitive, bool mirrored)
     }
 }
 
+//! Whole numbers are normalized, even where the file forgets to say so.
+void SoupBuilder::addColors(const GltfPrimitive &primitive, bool mirrored)
+{
+    const auto found = primitive.attributes.find("COLOR_0");
+    if (found == primitive.attributes.end())
+        return;
+    GltfElements colors = found->second;
+    if (colors.isMatrix || colors.components < 3 || colors.components > 4) {
+        ++mBrokenColors;
+        return;
+    }
+    colors.normalized = true;
+    mColors.resize(mCornerVertex.size() - primitive.corners.size());
+    eachCorner(primitive, mirrored, [&](std::uint32_t vertex) {
+        mColors.push_back(CornerColor::fromLinear(colors.value(vertex, 0), colors.value(vertex, 1),
+                                                  colors.value(vertex, 2)));
+    });
+}
+
 void SoupBuilder::addPrimitive(const GltfMeshNode &node, std::size_t number, const Json &json)
 {
     if (!hasTriangles(json)) {
@@ -150,6 +171,7 @@ void SoupBuilder::addPrimitive(const GltfMeshNode &node, std::size_t number, con
     });
     addNormals(primitive, mirrored);
     addUvs(primitive, mirrored);
+    addColors(primitive, mirrored);
     const std::size_t faces = primitive.corners.size() / 3;
     mPieces.push_back(
         {node.mesh, number, static_cast<int>(mFaceObject.size()), static_cast<int>(faces), mirrored});
@@ -185,6 +207,11 @@ void SoupBuilder::addNotes(Scene &scene) const
     if (mBrokenTriangles > 0)
         scene.notes.push_back(QStringLiteral("%1 triangle(s) left out: they name vertices that are not there")
                                   .arg(mBrokenTriangles));
+    if (mBrokenColors > 0)
+        scene.notes.push_back(
+            QStringLiteral(
+                "the vertex colours of %1 mesh part(s) left out: they are not of three or four numbers")
+                .arg(mBrokenColors));
     if (!mInstancedMeshes.empty())
         scene.notes.push_back(QStringLiteral("%1 mesh(es) appear at several nodes and have one map in the "
                                              "file: saved as glTF, that of the first node is used")
@@ -218,6 +245,7 @@ void SoupBuilder::fill(Scene &scene)
         scene.materialTextures.push_back(textures.ofMaterial(materials[m]));
         scene.materialSets.push_back(textures.setOfMaterial(materials[m]));
     }
+    scene.cornerColors = sharedColors(std::move(mColors), corners);
     scene.objectNames = std::move(mObjectNames);
     scene.faceMaterial = std::move(mFaceMaterial);
     PositionMatrix positions = Eigen::Map<const PositionMatrix>(

@@ -1,0 +1,40 @@
+#include "model/plain/cornercolors.h"
+
+#include "model/plain/picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autocuts {
+
+namespace {
+
+std::uint16_t packed(double value)
+{
+    return static_cast<std::uint16_t>(std::lround(65535 * std::clamp(value, 0.0, 1.0)));
+}
+
+} // namespace
+
+CornerColor CornerColor::fromLinear(double red, double green, double blue)
+{
+    if (!std::isfinite(red) || !std::isfinite(green) || !std::isfinite(blue))
+        return {};
+    return {{packed(red), packed(green), packed(blue)}, true};
+}
+
+CornerColor CornerColor::fromSrgb(double red, double green, double blue)
+{
+    const auto part = [](double value) { return linearFromSrgb(static_cast<float>(value)); };
+    return fromLinear(part(red), part(green), part(blue));
+}
+
+std::shared_ptr<const CornerColors> sharedColors(CornerColors colors, std::size_t corners)
+{
+    if (std::ranges::none_of(colors, &CornerColor::known))
+        return nullptr;
+    colors.resize(corners);
+    return std::make_shared<const CornerColors>(std::move(colors));
+}
+
+} // namespace autocuts
