@@ -137,7 +137,8 @@ QString pathOf(const QString &output, int tile, bool several)
 
 } // namespace
 
-Result<BakeOutcome> bakeLights(const CliOptions &options, const Scene &scene, const JobContext &job)
+Result<BakeOutcome> bakeLights(const CliOptions &options, const Scene &scene, const std::atomic<bool> &,
+                               const JobContext &job)
 {
     const PackingSettings &texture = options.unwrap.packing;
     if (!scene.hasUv())
