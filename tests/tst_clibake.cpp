@@ -63,6 +63,7 @@ private Q_SLOTS:
     void mistakes_data();
     void mistakes();
     void aTimeLimitKeepsWhatIsFinished();
+    void aTimeLimitEndsTheReading();
 };
 
 void TestCliBake::initTestCase()
@@ -344,6 +345,15 @@ void TestCliBake::aTimeLimitKeepsWhatIsFinished()
     QCOMPARE(report.value(u"status"_s).toString(), u"time_limit"_s);
     QCOMPARE(report.value(u"files"_s).toArray().size(), 0);
     QVERIFY(QDir(at("limited")).isEmpty());
+}
+
+void TestCliBake::aTimeLimitEndsTheReading()
+{
+    const QString high = file("sheet.obj", test::sheetObj(600));
+    const test::CliRun run = runInProcess({u"bake"_s, at("low.obj"), u"--high"_s, high, u"-o"_s, at("unread"),
+                                           u"--size"_s, u"16"_s, u"--time-limit"_s, u"0.02"_s});
+    QCOMPARE(run.code, 1);
+    QVERIFY2(run.err.contains(u"before the model was read"_s), qPrintable(run.err));
 }
 
 QTEST_GUILESS_MAIN(TestCliBake)

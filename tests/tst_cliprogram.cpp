@@ -199,6 +199,19 @@ private Q_SLOTS:
         QCOMPARE(process.exitCode(), 1);
         QVERIFY(process.readAllStandardError().contains("--time-limit"));
         QVERIFY(!QFileInfo::exists(at("read_uv.obj")));
+
+        // The detailed model of a bake.
+        const QString low =
+            file("low.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+        process.start(program(), {QStringLiteral("bake"), low, QStringLiteral("--high"), in,
+                                  QStringLiteral("-o"), at("read_maps")});
+        QVERIFY(process.waitForStarted());
+        QVERIFY(QTest::qWaitFor([&] { return catchesSignal(process.processId(), SIGINT); }, 60'000));
+        QTest::qWait(200); // the simple model is read
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(120'000));
+        QCOMPARE(process.exitCode(), 130);
+        QVERIFY(process.readAllStandardError().contains("before the model was read"));
     }
 
     void badInputIsExplained_data()

@@ -244,7 +244,8 @@ private:
     }
 
     //! Makes pictures instead of a map.
-    int runBake(Result<BakeOutcome> (*bake)(const CliOptions &, const Scene &, const JobContext &))
+    int runBake(Result<BakeOutcome> (*bake)(const CliOptions &, const Scene &, const std::atomic<bool> &,
+                                            const JobContext &))
     {
         const StopTimer timer(mOptions.timeLimit, mStop);
         const Result<Scene> scene = mFiles.read(mOptions, &mStop.stop);
@@ -253,10 +254,10 @@ private:
         mFiles.mergeSettings(mOptions);
         const JobContext job(&mStop.stop, mOptions.threads,
                              [this](const JobProgress &progress) { mProgress.show(progress); });
-        const Result<BakeOutcome> baked = bake(mOptions, scene.value(), job);
+        const Result<BakeOutcome> baked = bake(mOptions, scene.value(), mStop.stop, job);
         mProgress.clear();
         if (!baked)
-            return fail(baked.error());
+            return failReading(baked.error());
         for (const QString &warning : baked->warnings)
             mErr << "autocuts-cli: warning: " << warning << Qt::endl;
         if (!mOptions.quiet) {

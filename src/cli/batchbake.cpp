@@ -37,13 +37,15 @@ Result<Done> makeFolder(const QString &folder)
     return Done{};
 }
 
-Result<Scene> readScene(const CliOptions &options, const QString &path, const QString &uvSet)
+Result<Scene> readScene(const CliOptions &options, const QString &path, const QString &uvSet,
+                        const std::atomic<bool> &stop)
 {
     CliOptions other = options;
+    other.command = CliOptions::Command::Bake; // that a stop ends the reading
     other.input = path;
     other.uvSet = uvSet;
     other.newUvSet.clear();
-    return BatchFiles().read(other);
+    return BatchFiles().read(other, &stop);
 }
 
 //! Prepares what every bake needs of the model that is baked into.
@@ -80,9 +82,10 @@ Result<PictureDepth> depthOf(const CliOptions::Baking &options)
     return bits == 8 ? PictureDepth::Eight : bits == 16 ? PictureDepth::Sixteen : PictureDepth::Float;
 }
 
-Result<Done> readCage(const CliOptions &options, const Scene &scene, bake::CageSettings &cage)
+Result<Done> readCage(const CliOptions &options, const Scene &scene, const std::atomic<bool> &stop,
+                      bake::CageSettings &cage)
 {
-    const Result<Scene> read = readScene(options, options.bake.cageFile, {});
+    const Result<Scene> read = readScene(options, options.bake.cageFile, {}, stop);
     if (!read)
         return read.error();
     const MeshData &mesh = *read->mesh;
@@ -159,7 +162,8 @@ QJsonObject BakeOutcome::json() const
             {u"notes"_s, QJsonArray::fromStringList(warnings)}};
 }
 
-Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, const JobContext &context)
+Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, const std::atomic<bool> &stop,
+                             const JobContext &context)
 {
     BakeOutcome outcome;
     const Result<PictureDepth> depth = depthOf(options.bake);
@@ -170,7 +174,7 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, cons
         return job.error();
     job->floats = options.bake.suffix == u"exr"_s;
     if (!options.bake.high.isEmpty()) {
-        const Result<Scene> high = readScene(options, options.bake.high, {});
+        const Result<Scene> high = readScene(options, options.bake.high, {}, stop);
         if (!high)
             return high.error();
         job->kind = bake::SourceKind::Detailed;
@@ -183,7 +187,7 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, cons
                     alone.join(u", "_s));
         }
         if (!options.bake.cageFile.isEmpty()) {
-            const Result<Done> cage = readCage(options, scene, job->settings.cage);
+            const Result<Done> cage = readCage(options, scene, stop, job->settings.cage);
             if (!cage)
                 return cage.error();
         }
@@ -209,7 +213,8 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, cons
     return outcome;
 }
 
-Result<BakeOutcome> carryTextures(const CliOptions &options, const Scene &scene, const JobContext &context)
+Result<BakeOutcome> carryTextures(const CliOptions &options, const Scene &scene,
+                                  const std::atomic<bool> &stop, const JobContext &context)
 {
     BakeOutcome outcome;
     Result<bake::BakeJob> prepared = jobOf(options, scene, outcome.warnings);
@@ -217,7 +222,7 @@ Result<BakeOutcome> carryTextures(const CliOptions &options, const Scene &scene,
         return prepared.error();
     bake::BakeJob &job = prepared.value();
     const QString from = options.from.isEmpty() ? options.input : options.from;
-    const Result<Scene> old = readScene(options, from, options.fromUvSet);
+    const Result<Scene> old = readScene(options, from, options.fromUvSet, stop);
     if (!old)
         return old.error();
     if (!old->hasUv())

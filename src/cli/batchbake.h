@@ -26,10 +26,12 @@ struct BakeOutcome
 };
 
 //! Bakes the maps of the options into the UV map of a scene. Files that are finished before a stop stay.
-//! \param scene what `files` has read
-Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, const JobContext &job);
+//! \param stop that of the job, which also ends the reading of further files
+Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, const std::atomic<bool> &stop,
+                             const JobContext &job);
 
-//! Makes the textures of the options new for the UV map of a scene.
-Result<BakeOutcome> carryTextures(const CliOptions &options, const Scene &scene, const JobContext &job);
+//! Makes the textures of the options new for the UV map of a scene. \param stop as above
+Result<BakeOutcome> carryTextures(const CliOptions &options, const Scene &scene,
+                                  const std::atomic<bool> &stop, const JobContext &job);
 
 } // namespace autocuts

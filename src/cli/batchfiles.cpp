@@ -62,7 +62,7 @@ QString setsInWords(const std::vector<UvSet> &sets)
 
 Result<Scene> BatchFiles::read(const CliOptions &options, const std::atomic<bool> *stop)
 {
-    if (const Result<Done> found = readFile(options.input, options.unwrap.packing.tileHeight(), stop); !found)
+    if (const Result<Done> found = readFile(options, stop); !found)
         return found.error();
     if (const Result<Done> chosen = chooseUvSet(options); !chosen)
         return chosen.error();
@@ -71,18 +71,23 @@ Result<Scene> BatchFiles::read(const CliOptions &options, const std::atomic<bool
     return scene;
 }
 
-Result<Done> BatchFiles::readFile(const QString &path, double tileHeight, const std::atomic<bool> *stop)
+Result<Done> BatchFiles::readFile(const CliOptions &options, const std::atomic<bool> *stop)
 {
+    const QString &path = options.input;
+    // Where a map is made, OBJ files and sessions are read to their end, which is soon, so that even then
+    // there is one.
+    const bool baking =
+        options.command == CliOptions::Command::Bake || options.command == CliOptions::Command::LightBake;
     if (!isProjectPath(path)) {
-        // OBJ files and sessions are read to their end, which is soon, so that even then there is a map.
         const bool isObj = path.endsWith(QLatin1String(".obj"), Qt::CaseInsensitive);
-        Result<Scene> scene = readMesh(path, isObj ? nullptr : stop, tileHeight);
+        Result<Scene> scene =
+            readMesh(path, isObj && !baking ? nullptr : stop, options.unwrap.packing.tileHeight());
         if (!scene)
             return scene.error();
         mOriginal = std::move(scene).value();
         return Done();
     }
-    Result<LoadedProject> project = loadProject(path);
+    Result<LoadedProject> project = loadProject(path, baking ? stop : nullptr);
     if (!project)
         return project.error();
     mNotes = project->notes;

@@ -53,7 +53,7 @@ public:
     static QStringList losses(const Scene &scene, const QString &path);
 
 private:
-    Result<Done> readFile(const QString &path, double tileHeight, const std::atomic<bool> *stop);
+    Result<Done> readFile(const CliOptions &options, const std::atomic<bool> *stop);
     Result<Done> chooseUvSet(const CliOptions &options);
     Scene activeFirst() const;
     Result<Done> writeSession(const Scene &scene, const CliOptions &options);

@@ -7,8 +7,14 @@ namespace autocuts {
 namespace {
 
 constexpr auto group = OptionGroup::Lighting;
-using Color = LightBaking::Color;
+using Color = Vec3f;
 using Problem = std::optional<QString>;
+
+template <class T>
+Field<T> ofLights(T LightPlan::*member)
+{
+    return [member](CliOptions &options) -> T & { return options.light.lights.*member; };
+}
 
 template <class T>
 Field<T> ofLight(T LightBaking::*member)
@@ -52,7 +58,7 @@ Problem readSun(CliOptions &options, const QString &value)
     const std::vector<double> angles = numbersOf(value, u',', 2);
     if (angles.empty() || std::abs(angles[1]) > 90)
         return u"an azimuth and an elevation in degrees, as in 135,40"_s;
-    options.light.sun = Vec2(angles[0], angles[1]);
+    options.light.lights.sun = Vec2(angles[0], angles[1]);
     return std::nullopt;
 }
 
@@ -61,7 +67,7 @@ Problem readSunColor(CliOptions &options, const QString &value)
     const std::optional<Color> color = colorOf(value);
     if (!color)
         return u"a colour such as 1,.9,.8"_s;
-    options.light.sunColor = *color;
+    options.light.lights.sunColor = *color;
     return std::nullopt;
 }
 
@@ -75,8 +81,8 @@ Problem readSky(CliOptions &options, const QString &value)
             return u"one to three colours such as .3,.5,.9/1, or day, or none"_s;
         colors.push_back(*color);
     }
-    options.light.day = value == u"day";
-    options.light.sky = colors;
+    options.light.lights.day = value == u"day";
+    options.light.lights.sky = colors;
     return std::nullopt;
 }
 
@@ -93,7 +99,8 @@ Problem readArea(CliOptions &options, const QString &value)
         !(size[1] > 0) || !color)
         return u"its centre, a point that it shines at, its size and its colour, as in "
                "0,3,0:0,0,0:2x1:10,9,8"_s;
-    options.light.areas.push_back({Vec3(centre.data()), Vec3(target.data()), {size[0], size[1]}, *color});
+    options.light.lights.areas.push_back(
+        {Vec3(centre.data()), Vec3(target.data()), {size[0], size[1]}, *color});
     return std::nullopt;
 }
 
@@ -103,7 +110,7 @@ Problem readEmission(CliOptions &options, const QString &value)
     const std::optional<Color> color = colon > 0 ? colorOf(value.mid(colon + 1)) : std::nullopt;
     if (!color)
         return u"the name of a material and a colour, as in Lamp:10,9,8"_s;
-    options.light.emission.emplace_back(value.left(colon), *color);
+    options.light.surface.emission.emplace_back(value.left(colon), *color);
     return std::nullopt;
 }
 
@@ -112,8 +119,8 @@ Problem readAlbedo(CliOptions &options, const QString &value)
     const std::optional<Color> color = colorOf(value);
     if (color && color->maxCoeff() > 1)
         return u"a colour from 0 to 1, or a picture"_s;
-    options.light.albedo = color;
-    options.light.albedoFile = color ? QString() : value;
+    options.light.surface.albedo = color;
+    options.light.surface.albedoFile = color ? QString() : value;
     return std::nullopt;
 }
 
@@ -129,9 +136,9 @@ std::vector<CliOption> lampOptions()
         row(u"--sun"_s, u"AZIMUTH,ELEVATION"_s,
             u"a sun; degrees, the azimuth clockwise from north, which is -z, or y where z is up"_s, {},
             readSun),
-        number(group, u"--sun-strength"_s, u"X"_s, ofLight(&LightBaking::sunStrength), 0, 1e9,
+        number(group, u"--sun-strength"_s, u"X"_s, ofLights(&LightPlan::sunStrength), 0, 1e9,
                u"light of the sun on a surface that faces it (irradiance)"_s),
-        number(group, u"--sun-angle"_s, u"DEGREES"_s, ofLight(&LightBaking::sunAngle), 0, 90,
+        number(group, u"--sun-angle"_s, u"DEGREES"_s, ofLights(&LightPlan::sunAngle), 0, 90,
                u"diameter of the sun; a larger one makes softer shadows"_s),
         row(u"--sun-color"_s, u"R,G,B"_s, u"linear, as all colours here; one number is a grey"_s, u"1"_s,
             readSunColor),
@@ -139,9 +146,9 @@ std::vector<CliOption> lampOptions()
             u"light from all around (radiance): one colour, or those of zenith, horizon and ground; day: a "
             "clear sky with the place of --sun; when not given, 1 without other lights and none with them"_s,
             {}, readSky),
-        number(group, u"--sky-strength"_s, u"X"_s, ofLight(&LightBaking::skyStrength), 0, 1e9,
+        number(group, u"--sky-strength"_s, u"X"_s, ofLights(&LightPlan::skyStrength), 0, 1e9,
                u"factor on the colours of the sky; for day, the luminance of the zenith"_s),
-        number(group, u"--turbidity"_s, u"X"_s, ofLight(&LightBaking::turbidity), 2, 10,
+        number(group, u"--turbidity"_s, u"X"_s, ofLights(&LightPlan::turbidity), 2, 10,
                u"haze of --sky day: 2 is clear, 10 hazy"_s),
         row(u"--area-light"_s, u"X,Y,Z:X,Y,Z:WxH:R,G,B"_s,
             u"a rectangle that shines: its centre, a point that it faces, width and height, and radiance; "
@@ -149,14 +156,16 @@ std::vector<CliOption> lampOptions()
             {}, readArea),
         row(u"--emit"_s, u"MATERIAL:R,G,B"_s,
             u"the faces of this material shine (radiance); may be given several times"_s, {}, readEmission),
-        choice(group, u"--up"_s, ofLight(&LightBaking::zUp), {{u"y"_s, false}, {u"z"_s, true}},
+        choice(group, u"--up"_s, ofLights(&LightPlan::zUp), {{u"y"_s, false}, {u"z"_s, true}},
                u"the axis that points to the zenith"_s),
     };
 }
 
 std::vector<CliOption> surfaceOptions()
 {
-    CliOption set = text(group, {u"--albedo-uv-set"_s}, ofLight(&LightBaking::albedoUvSet),
+    CliOption set = text(group, {u"--albedo-uv-set"_s}, Field<QString>([](CliOptions &options) -> QString & {
+                             return options.light.surface.albedoUvSet;
+                         }),
                          u"UV set of the picture of --albedo, by name or number; when not given, that of "
                          "the light map"_s);
     set.value = u"SET"_s;

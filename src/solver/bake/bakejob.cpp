@@ -11,17 +11,17 @@ namespace autocuts::bake {
 
 namespace {
 
-Projection projectionOf(const BakeJob &job, const Frame &frame)
+Projection projectionOf(const BakeJob &job, const Frame &frame, const JobContext &context)
 {
     switch (job.kind) {
     case SourceKind::None:
-        return {job.low, job.low, frame};
+        return {job.low, job.low, frame, context};
     case SourceKind::SameTriangles:
-        return {job.low, *job.high, frame};
+        return {job.low, *job.high, frame, context};
     case SourceKind::Detailed:
         break;
     }
-    return {job.low, *job.high, frame, job.settings.cage};
+    return {job.low, *job.high, frame, job.settings.cage, context};
 }
 
 //! Splits the maps into passes that fit into the memory.
@@ -89,7 +89,7 @@ BakeFigures runBake(const BakeJob &job, const MapSink &sink, const JobContext &c
     BakeFigures figures;
     figures.seams.resize(job.settings.maps.size());
     const Frame frame = Frame::of(*job.low.mesh);
-    const Projection projection = projectionOf(job, frame);
+    const Projection projection = projectionOf(job, frame, context);
     const ShadedSurface &source = projection.source();
     const Encoding encoding = encodingOf(job, frame);
     const auto passes = passesOf(job, source);

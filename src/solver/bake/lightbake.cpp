@@ -55,7 +55,8 @@ class LightBaker final
 public:
     LightBaker(const LitSurface &surface, const Lighting &lighting, const LightBakeSettings &settings,
                const JobContext &job)
-        : mSurface(surface), mSettings(settings), mJob(job), mTracer(surface, lighting, settings.bounces),
+        : mSurface(surface), mSettings(settings), mJob(job),
+          mTracer(surface, lighting, settings.bounces, job),
           mTexels(*surface.mesh, surface.uv,
                   {settings.width, settings.height, settings.tile, samplesAlongTexel(settings.samples)}),
           mSums(settings.width, settings.height, 3)
@@ -68,11 +69,16 @@ public:
         mGuides.size.assign(texels, 0);
         mGuides.filled.assign(texels, 0);
         mGuides.variance.assign(texels, 0);
+        if (settings.value == LightValue::Lit) {
+            mAlbedo.assign(texels, Vec3f::Zero());
+            mShining.assign(texels, Vec3f::Zero());
+        }
     }
 
     LightBakeResult bake(const LightPreview &preview)
     {
-        findTexels();
+        if (!mJob.stopped())
+            findTexels();
         const double end = mSettings.denoise ? 1 - denoiseShare : 1;
         const double all = std::max(1.0, double(mCovered) * mSettings.samples);
         double before = 0;
@@ -139,8 +145,25 @@ private:
             mGuides.normal[texel] = mTracer.normalAt(*first);
             mGuides.size[texel] = texelSize(first->triangle);
             mGuides.filled[texel] = 1;
+            if (mSettings.value == LightValue::Lit)
+                findColors(points, texel);
         });
         mCovered = std::ranges::count(mGuides.filled, std::uint8_t(1));
+    }
+
+    void findColors(std::span<const SurfacePoint> points, std::size_t texel)
+    {
+        float count = 0;
+        for (const SurfacePoint &point : points) {
+            if (point.triangle < 0)
+                continue;
+            mAlbedo[texel] += mSurface.albedo(point);
+            if (!mSurface.emission.empty())
+                mShining[texel] += mSurface.emission[mSurface.mesh->triangleFace[point.triangle]];
+            ++count;
+        }
+        mAlbedo[texel] /= count;
+        mShining[texel] /= count;
     }
 
     //! The longest side of a texel on a triangle, in the frame.
@@ -206,19 +229,21 @@ private:
     Picture finished() const
     {
         Picture light(mSettings.width, mSettings.height, 3);
-        for (int y = 0; y < light.height; ++y) {
+        parallelFor(light.height, mJob.threads(), [&](int y) {
             for (int x = 0; x < light.width; ++x) {
+                if (!mGuides.filled[indexOf(x, y)])
+                    continue;
                 int step = 1;
-                const auto count = [&] { return mCounts[indexOf(x - x % step, y - y % step)]; };
+                const auto count = [&] { return mCounts[indexOf(x & ~(step - 1), y & ~(step - 1))]; };
                 while (count() == 0 && step < coarsest)
                     step *= 2;
-                if (!mGuides.filled[indexOf(x, y)] || count() == 0)
+                if (count() == 0)
                     continue;
-                const auto from = mSums.at(x - x % step, y - y % step);
+                const auto from = mSums.at(x & ~(step - 1), y & ~(step - 1));
                 std::ranges::transform(from, light.at(x, y).begin(),
                                        [&](float sum) { return sum / static_cast<float>(count()); });
             }
-        }
+        });
         return light;
     }
 
@@ -244,20 +269,25 @@ private:
     {
         LightBakeResult result;
         result.stopped = job.stopped();
-        result.picture = finished();
         result.texels = mCovered;
+        if (std::ranges::all_of(mCounts, [](int count) { return count == 0; }) && result.stopped)
+            return result;
+        result.picture = finished();
         result.filled = mGuides.filled;
         estimateNoise(result.picture, result);
-        if (mSettings.denoise)
+        if (mSettings.denoise && !result.stopped)
             denoiseLight(result.picture, std::move(mGuides), job);
-        evenLight(result, job);
+        if (!job.stopped())
+            evenLight(result, job);
+        result.stopped = job.stopped();
         if (mSettings.value == LightValue::Irradiance) {
             for (float &value : result.picture.values)
                 value *= std::numbers::pi_v<float>;
         } else if (mSettings.value == LightValue::Lit) {
             reflect(result.picture);
         }
-        dilate(result.picture, result.filled, mSettings.margin, job);
+        // Without its margin, what there is after a stop would have dark seams.
+        dilate(result.picture, result.filled, mSettings.margin, job.unstoppable());
         return result;
     }
 
@@ -273,21 +303,10 @@ private:
     //! Makes of the light that arrives what leaves.
     void reflect(Picture &light) const
     {
-        const JobContext whole = mJob.unstoppable().quiet();
-        forTexels(whole, [&](std::span<const SurfacePoint> points, int x, int y) {
-            Vec3f albedo = Vec3f::Zero(), shining = Vec3f::Zero();
-            float count = 0;
-            for (const SurfacePoint &point : points) {
-                if (point.triangle < 0)
-                    continue;
-                albedo += mSurface.albedo(point);
-                if (!mSurface.emission.empty())
-                    shining += mSurface.emission[mSurface.mesh->triangleFace[point.triangle]];
-                ++count;
-            }
-            Eigen::Map<Vec3f> color(light.at(x, y).data());
-            color = color.cwiseProduct(albedo / count) + shining / count;
-        });
+        for (std::size_t i = 0; i < mAlbedo.size(); ++i) {
+            Eigen::Map<Vec3f> color(light.values.data() + 3 * i);
+            color = color.cwiseProduct(mAlbedo[i]) + mShining[i];
+        }
     }
 
     const LitSurface &mSurface;
@@ -301,6 +320,7 @@ private:
     std::vector<float> mDifferences;
     std::vector<int> mCounts; //!< of samples
     TexelGuides mGuides;
+    std::vector<Vec3f> mAlbedo, mShining; //!< per texel, means; empty where LightValue needs none
     long long mCovered = 0;
 };
 

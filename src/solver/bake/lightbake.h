@@ -35,8 +35,9 @@ struct LightBakeSettings
 //! A light map.
 struct LightBakeResult
 {
-    bool stopped = false;             //!< then it has fewer samples, and is coarse where there are none yet
-    Picture picture;                  //!< RGB, linear; black where nothing is near
+    bool stopped = false; //!< then it has fewer samples, and is coarse where there are none yet
+    //! RGB, linear; black where nothing is near. Empty when it was stopped before there was anything.
+    Picture picture;
     std::vector<std::uint8_t> filled; //!< per texel: it has a value
     long long texels = 0;             //!< inside of islands, or right beside them
     double noise = 0; //!< before denoising: standard error of the texels, as a share of their mean

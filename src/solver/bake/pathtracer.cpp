@@ -31,9 +31,10 @@ float weightOf(float own, float other)
 
 } // namespace
 
-PathTracer::PathTracer(const LitSurface &surface, const Lighting &lighting, int bounces)
+PathTracer::PathTracer(const LitSurface &surface, const Lighting &lighting, int bounces,
+                       const JobContext &job)
     : mSurface(surface), mSuns(lighting.suns), mSky(lighting.sky), mBounces(bounces),
-      mFrame(Frame::of(*surface.mesh)), mRays(*surface.mesh, mFrame)
+      mFrame(Frame::of(*surface.mesh)), mRays(*surface.mesh, mFrame, {}, job)
 {
     addEmitters(lighting);
 }

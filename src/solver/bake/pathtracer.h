@@ -1,23 +1,13 @@
 // Follows light backwards from points of a surface.
 #pragma once
 
+#include "model/plain/litsurface.h"
 #include "solver/bake/lighting.h"
 #include "solver/bake/scrambledpoints.h"
 
-#include <functional>
-
 namespace autocuts::bake {
 
-//! The model that light falls on. All of it reflects diffusely, on both sides.
-struct LitSurface
-{
-    std::shared_ptr<const MeshData> mesh;
-    UvMatrix uv;                //!< the map into which light is baked: per corner, texture space
-    std::vector<Vec3f> normals; //!< shading normals, per corner
-    //! The share of light that a point reflects, linear, in [0, 1]. Called from several threads.
-    std::function<Vec3f(const SurfacePoint &)> albedo;
-    std::vector<Vec3f> emission; //!< radiance of each face, to both sides; empty: none shines
-};
+using autocuts::LitSurface;
 
 //! Light that arrives at a point, divided by pi: what a white surface there reflects.
 struct ArrivingLight
@@ -31,8 +21,8 @@ class PathTracer final
 {
 public:
     //! \param surface must outlive this \param bounces how often light is reflected at most, before it
-    //! arrives at the surface
-    PathTracer(const LitSurface &surface, const Lighting &lighting, int bounces);
+    //! arrives at the surface \param job see RayScene
+    PathTracer(const LitSurface &surface, const Lighting &lighting, int bounces, const JobContext &job = {});
 
     //! One path from a point: an estimate of the arriving light. \param sample number of the path
     ArrivingLight trace(const SurfacePoint &at, const ScrambledPoints &points, std::uint32_t sample) const;

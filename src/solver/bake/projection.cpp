@@ -47,25 +47,26 @@ std::vector<Vec3f> smoothNormals(const MeshData &mesh)
 
 } // namespace
 
-Projection::Projection(const ShadedSurface &low, const ShadedSurface &same, const Frame &frame)
+Projection::Projection(const ShadedSurface &low, const ShadedSurface &same, const Frame &frame,
+                       const JobContext &job)
     : mLow(low), mHigh(same), mFrame(frame)
 {
-    prepareRays(same);
+    prepareRays(same, job);
 }
 
 Projection::Projection(const ShadedSurface &low, const ShadedSurface &high, const Frame &frame,
-                       const CageSettings &cage)
+                       const CageSettings &cage, const JobContext &job)
     : mLow(low), mHigh(high), mFrame(frame), mSame(false), mDistance(static_cast<float>(cage.distance)),
       mDirection(cage.direction)
 {
-    prepareRays(high);
+    prepareRays(high, job);
     prepareDirections(cage);
 }
 
-void Projection::prepareRays(const ShadedSurface &surface)
+void Projection::prepareRays(const ShadedSurface &surface, const JobContext &job)
 {
     if (surface.faceGroup.empty()) {
-        mRays.emplace_back(*surface.mesh, mFrame);
+        mRays.emplace_back(*surface.mesh, mFrame, std::span<const int>(), job);
         return;
     }
     std::vector<std::vector<int>> groups(
@@ -75,7 +76,7 @@ void Projection::prepareRays(const ShadedSurface &surface)
     for (const std::vector<int> &triangles : groups) {
         // An empty list would stand for all triangles.
         mRays.push_back(triangles.empty() ? RayScene(MeshData(), mFrame)
-                                          : RayScene(*surface.mesh, mFrame, triangles));
+                                          : RayScene(*surface.mesh, mFrame, triangles, job));
     }
 }
 

@@ -37,19 +37,20 @@ struct Source
 class Projection final
 {
 public:
-    //! The same triangles, with other UVs and textures or with the same ones.
-    Projection(const ShadedSurface &low, const ShadedSurface &same, const Frame &frame);
+    //! The same triangles, with other UVs and textures or with the same ones. \param job see RayScene
+    Projection(const ShadedSurface &low, const ShadedSurface &same, const Frame &frame,
+               const JobContext &job = {});
     //! Faces of the simple model see faces of the detailed one that have the same group. Groups are numbered
     //! from 0.
     Projection(const ShadedSurface &low, const ShadedSurface &high, const Frame &frame,
-               const CageSettings &cage);
+               const CageSettings &cage, const JobContext &job = {});
 
     //! The model that is baked from.
     const ShadedSurface &source() const { return mHigh; }
     Source find(const SurfacePoint &low) const;
 
 private:
-    void prepareRays(const ShadedSurface &surface);
+    void prepareRays(const ShadedSurface &surface, const JobContext &job);
     void prepareDirections(const CageSettings &cage);
     Vec3f direction(const SurfacePoint &low) const;
 

@@ -13,6 +13,7 @@ struct RayScene::Embree
 {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
+    bool isReady = false; //!< otherwise the scene was not finished
 
     ~Embree()
     {
@@ -50,6 +51,12 @@ void keepFacing(const RTCFilterFunctionNArguments *arguments)
         arguments->valid[0] = 0;
 }
 
+//! Ends the making of a tree with the job.
+bool goesOn(void *job, double)
+{
+    return !static_cast<const JobContext *>(job)->stopped();
+}
+
 RayHit traced(RTCScene scene, RTCIntersectContext &context, RTCRayHit &ray, const std::vector<int> &triangles)
 {
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -81,7 +88,8 @@ Frame Frame::of(const MeshData &mesh)
     return frame;
 }
 
-RayScene::RayScene(const MeshData &mesh, const Frame &frame, std::span<const int> triangles)
+RayScene::RayScene(const MeshData &mesh, const Frame &frame, std::span<const int> triangles,
+                   const JobContext &job)
     : mEmbree(std::make_unique<Embree>()), mTriangles(triangles.begin(), triangles.end())
 {
     // One thread: the tree is the same on any machine.
@@ -113,7 +121,11 @@ RayScene::RayScene(const MeshData &mesh, const Frame &frame, std::span<const int
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(mEmbree->scene, geometry);
     rtcReleaseGeometry(geometry);
+    JobContext watched = job.quiet();
+    rtcSetSceneProgressMonitorFunction(mEmbree->scene, goesOn, &watched);
     rtcCommitScene(mEmbree->scene);
+    rtcSetSceneProgressMonitorFunction(mEmbree->scene, nullptr, nullptr);
+    mEmbree->isReady = !watched.stopped();
 }
 
 RayScene::~RayScene() = default;
@@ -122,6 +134,8 @@ RayScene &RayScene::operator=(RayScene &&) noexcept = default;
 
 RayHit RayScene::nearest(const Vec3f &origin, const Vec3f &direction, float from, float to) const
 {
+    if (!mEmbree->isReady)
+        return {};
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRayHit ray{rayOf(origin, direction, from, to), {}};
@@ -130,6 +144,8 @@ RayHit RayScene::nearest(const Vec3f &origin, const Vec3f &direction, float from
 
 RayHit RayScene::nearestFacing(const Vec3f &origin, const Vec3f &direction, float from, float to) const
 {
+    if (!mEmbree->isReady)
+        return {};
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.filter = keepFacing;
@@ -139,6 +155,8 @@ RayHit RayScene::nearestFacing(const Vec3f &origin, const Vec3f &direction, floa
 
 bool RayScene::isBlocked(const Vec3f &origin, const Vec3f &direction, float from, float to) const
 {
+    if (!mEmbree->isReady)
+        return false;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRay ray = rayOf(origin, direction, from, to);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/plain/shadedsurface.h"
+#include "solver/base/jobcontext.h"
 
 #include <limits>
 #include <memory>
@@ -39,8 +40,10 @@ inline constexpr float endless = std::numeric_limits<float>::infinity();
 class RayScene final
 {
 public:
-    //! \param triangles of the mesh; empty: all
-    RayScene(const MeshData &mesh, const Frame &frame, std::span<const int> triangles = {});
+    //! \param triangles of the mesh; empty: all \param job when it is stopped before the end, no ray meets
+    //! anything
+    RayScene(const MeshData &mesh, const Frame &frame, std::span<const int> triangles = {},
+             const JobContext &job = {});
     ~RayScene();
     RayScene(RayScene &&) noexcept;
     RayScene &operator=(RayScene &&) noexcept;

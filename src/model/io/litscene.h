@@ -1,0 +1,43 @@
+// What a light bake needs of a scene, and where its pictures go.
+#pragma once
+
+#include "model/document/scene.h"
+#include "model/io/picturefiles.h"
+#include "model/plain/litsurface.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace autocuts {
+
+//! What reflects and what shines. Colours are linear.
+struct LitSceneOptions
+{
+    std::vector<std::pair<QString, Vec3f>> emission; //!< radiance of materials
+    std::optional<Vec3f> albedo;                     //!< of all faces
+    //! A picture of it, and the UV set that it is for; no set: that of the light map. Neither a picture nor a
+    //! colour: the colours of the materials.
+    QString albedoFile, albedoUvSet;
+
+    bool operator==(const LitSceneOptions &) const = default;
+};
+
+//! Takes long for large models. \param scene its first UV set is the one that is baked into. Errors: no
+//! UVs, no such material, no such UV set, a picture that cannot be read.
+Result<LitSurface> litSurface(const Scene &scene, const LitSceneOptions &options);
+
+//! Sides of light maps. A bake keeps about 60 bytes per texel.
+inline constexpr int maxLightMapSide = 8192;
+
+//! Whether a light map may go to a path. \param bits of each number: 16 and 32 for exr, 8 and 16 for png and
+//! tif, 8 for tga; not set: 32 and 8
+Result<PictureDepth> lightMapDepth(const QString &path, std::optional<int> bits);
+
+//! Where the light map of a tile goes: with several tiles, the number stands before the suffix.
+QString lightMapPath(const QString &path, int tile, bool several);
+
+//! Writes a light map; into whole numbers in sRGB. \param picture linear
+Result<Done> writeLightMap(Picture picture, const QString &path, PictureDepth depth);
+
+} // namespace autocuts
