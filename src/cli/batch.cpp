@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <new>
 
 namespace autocuts {
@@ -91,7 +92,9 @@ public:
             return runBake(bakeLights);
         case Command::Transfer:
             if (!mOptions.bake.textures.isEmpty())
-                return runBake(carryTextures);
+                return runBake([this](const CliOptions &options, const Scene &scene, const JobContext &job) {
+                    return carryTextures(options, mFiles, scene, job);
+                });
             return runMapping(&MapMaking::transfer);
         }
         return 1;
@@ -244,7 +247,8 @@ private:
     }
 
     //! Makes pictures instead of a map.
-    int runBake(Result<BakeOutcome> (*bake)(const CliOptions &, const Scene &, const JobContext &))
+    int runBake(
+        const std::function<Result<BakeOutcome>(const CliOptions &, const Scene &, const JobContext &)> &bake)
     {
         const StopTimer timer(mOptions.timeLimit, mStop);
         const Result<Scene> scene = mFiles.read(mOptions, &mStop.stop);

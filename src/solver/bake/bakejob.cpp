@@ -16,7 +16,9 @@ Projection projectionOf(const BakeJob &job, const Frame &frame)
     case SourceKind::None:
         return {job.low, job.low, frame};
     case SourceKind::SameTriangles:
-        return {job.low, *job.high, frame};
+        return {job.low, *job.high, frame, std::ranges::any_of(job.settings.maps, [](const MapRequest &map) {
+                    return sendsRays(map.kind);
+                })};
     case SourceKind::Detailed:
         break;
     }
