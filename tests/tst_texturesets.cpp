@@ -74,6 +74,7 @@ private Q_SLOTS:
         add("wood_arm_2k.jpg", "wood", "1 1 0,2 2 0,4 0 0");
         add("Default_metalRoughness.jpg", "Default", "1 1 0,2 2 0");
         add("wood_Glossiness.png", "wood", "1 -1 1");
+        add("wood_BaseColor_uv2.1001.png", "wood", "0 -1 0");
         add("albedo.png", "", "0 -1 0");
         add("holiday.png", "", "");
         add("render_2024.png", "", "");

@@ -1615,6 +1615,14 @@
         <source>The colours that the model&apos;s file gives its vertices</source>
         <translation>Die Farben, die die Datei des Modells seinen Vertices gibt</translation>
     </message>
+    <message>
+        <source>Carry textures over...</source>
+        <translation>Texturen übertragen...</translation>
+    </message>
+    <message>
+        <source>Make the textures of all materials new for this map, as files, from the map that they were made for</source>
+        <translation>Die Texturen aller Materialien für diese UV-Map neu machen, als Dateien, aus der UV-Map, für die sie gemacht sind</translation>
+    </message>
 </context>
 <context>
     <name>Brush</name>
@@ -1649,6 +1657,37 @@
     <message>
         <source>Share of the brush with full strength; Alt+wheel</source>
         <translation>Anteil des Pinsels mit voller Stärke; Alt+Mausrad</translation>
+    </message>
+</context>
+<context>
+    <name>CarriedTextures</name>
+    <message>
+        <source>the folder for the pictures cannot be written</source>
+        <translation>in den Ordner für die Bilder kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Check its permissions or choose another one</source>
+        <translation>Seine Rechte prüfen oder einen anderen wählen</translation>
+    </message>
+    <message>
+        <source>the picture cannot be put in its place: %1</source>
+        <translation>das Bild kann nicht an seinen Platz gebracht werden: %1</translation>
+    </message>
+    <message>
+        <source>Choose another folder or another ending of the names</source>
+        <translation>Einen anderen Ordner oder eine andere Endung der Namen wählen</translation>
+    </message>
+    <message>
+        <source>there are no pictures that could be carried over</source>
+        <translation>es gibt keine Bilder, die übertragen werden könnten</translation>
+    </message>
+    <message>
+        <source>Check the textures of the materials</source>
+        <translation>Die Texturen der Materialien prüfen</translation>
+    </message>
+    <message>
+        <source>the new picture would overwrite the one it is made from</source>
+        <translation>das neue Bild würde das überschreiben, aus dem es gemacht wird</translation>
     </message>
 </context>
 <context>
@@ -3185,6 +3224,10 @@
         <source>Change textures</source>
         <translation>Texturen ändern</translation>
     </message>
+    <message>
+        <source>Carry textures over</source>
+        <translation>Texturen übertragen</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::AboutDialog</name>
@@ -3464,6 +3507,223 @@
     <message>
         <source>No 3D graphics</source>
         <translation>Keine 3D-Grafik</translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::CarryDialog</name>
+    <message>
+        <source>Base colour</source>
+        <translation>Grundfarbe</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Metalness</source>
+        <translation>Metall</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normalen</translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>Verdeckung</translation>
+    </message>
+    <message>
+        <source>Emission</source>
+        <translation>Leuchten</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>No material</source>
+        <translation>Kein Material</translation>
+    </message>
+    <message>
+        <source>Carry textures over</source>
+        <translation>Texturen übertragen</translation>
+    </message>
+    <message>
+        <source>Goes to the end of the names, so that the old pictures stay</source>
+        <translation>Kommt an das Ende der Namen, damit die alten Bilder bleiben</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Texels around islands that are filled with the nearest value</source>
+        <translation>Texel um die Inseln, die mit dem nächsten Wert gefüllt werden</translation>
+    </message>
+    <message>
+        <source>The map they were made for</source>
+        <translation>Die UV-Map, für die sie gemacht sind</translation>
+    </message>
+    <message>
+        <source>The map as it was when the model was opened, the first textures were chosen, or they were last carried over</source>
+        <translation>Die UV-Map, wie sie war, als das Modell geöffnet, die ersten Texturen gewählt oder sie zuletzt übertragen wurden</translation>
+    </message>
+    <message>
+        <source>Another UV set</source>
+        <translation>Ein anderer UV-Satz</translation>
+    </message>
+    <message>
+        <source>The map of a file</source>
+        <translation>Die UV-Map einer Datei</translation>
+    </message>
+    <message>
+        <source>For which map the textures are as they are now</source>
+        <translation>Zu welcher UV-Map die Texturen passen, wie sie jetzt sind</translation>
+    </message>
+    <message>
+        <source>As the old pictures</source>
+        <translation>Wie die alten Bilder</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>JPEG pictures become PNG: they would lose by being compressed again</source>
+        <translation>JPEG-Bilder werden PNG: sie würden verlieren, wenn man sie noch einmal komprimiert</translation>
+    </message>
+    <message>
+        <source>&amp;Browse...</source>
+        <translation>D&amp;urchsuchen...</translation>
+    </message>
+    <message>
+        <source>B&amp;rowse...</source>
+        <translation>Durch&amp;suchen...</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Shown as</source>
+        <translation>Gezeigt als</translation>
+    </message>
+    <message>
+        <source>Old picture</source>
+        <translation>Altes Bild</translation>
+    </message>
+    <message>
+        <source>New file</source>
+        <translation>Neue Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Carry over</source>
+        <translation>Ü&amp;bertragen</translation>
+    </message>
+    <message>
+        <source>Textures &amp;fit:</source>
+        <translation>Texturen &amp;passen zu:</translation>
+    </message>
+    <message>
+        <source>UV &amp;set:</source>
+        <translation>U&amp;V-Satz:</translation>
+    </message>
+    <message>
+        <source>F&amp;ile:</source>
+        <translation>&amp;Datei:</translation>
+    </message>
+    <message>
+        <source>Fold&amp;er:</source>
+        <translation>Ord&amp;ner:</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze:</source>
+        <translation>&amp;Größe:</translation>
+    </message>
+    <message>
+        <source>For&amp;mat:</source>
+        <translation>For&amp;mat:</translation>
+    </message>
+    <message>
+        <source>Di&amp;lation:</source>
+        <translation>R&amp;and:</translation>
+    </message>
+    <message>
+        <source>Model with the map of the textures</source>
+        <translation>Modell mit der UV-Map der Texturen</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures</source>
+        <translation>Ordner für die Bilder</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of the new files exist already and would be replaced.</source>
+        <translation>
+            <numerusform>%n der neuen Dateien gibt es schon; sie würde ersetzt.</numerusform>
+            <numerusform>%n der neuen Dateien gibt es schon; sie würden ersetzt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pictures that are not there stay as they are: %1.</source>
+        <translation>Bilder, die nicht da sind, bleiben, wie sie sind: %1.</translation>
+    </message>
+    <message>
+        <source>in the model&apos;s file</source>
+        <translation>in der Datei des Modells</translation>
+    </message>
+    <message>
+        <source>not there</source>
+        <translation>nicht da</translation>
+    </message>
+    <message>
+        <source>The model has no UVs: unwrap it first.</source>
+        <translation>Das Modell hat keine UVs: zuerst abwickeln.</translation>
+    </message>
+    <message>
+        <source>There is no such file.</source>
+        <translation>Diese Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The model has no textures: choose some in the Textures panel.</source>
+        <translation>Das Modell hat keine Texturen: im Bedienfeld Texturen welche wählen.</translation>
+    </message>
+    <message>
+        <source>The textures are not there: %1.</source>
+        <translation>Die Texturen sind nicht da: %1.</translation>
+    </message>
+    <message>
+        <source>Choose a folder for the pictures.</source>
+        <translation>Einen Ordner für die Bilder wählen.</translation>
+    </message>
+    <message>
+        <source>The folder cannot be written.</source>
+        <translation>In den Ordner kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The ending has a sign that names of files cannot have.</source>
+        <translation>Die Endung hat ein Zeichen, das in Namen von Dateien nicht erlaubt ist.</translation>
+    </message>
+    <message>
+        <source>%1 would overwrite the picture it is made from: choose another ending or folder.</source>
+        <translation>%1 würde das Bild überschreiben, aus dem es gemacht wird: eine andere Endung oder einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message numerus="yes">
+        <source>Replace %n pictures? Undo does not bring them back.</source>
+        <translation>
+            <numerusform>%n Bild ersetzen? Rückgängig bringt es nicht zurück.</numerusform>
+            <numerusform>%n Bilder ersetzen? Rückgängig bringt sie nicht zurück.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>E&amp;nding of names:</source>
+        <translation>&amp;Endung der Namen:</translation>
     </message>
 </context>
 <context>
@@ -5126,6 +5386,64 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Textures that cannot be read: %1</source>
         <translation>Texturen, die nicht gelesen werden können: %1</translation>
+    </message>
+    <message>
+        <source>the history does not know for which map the textures are</source>
+        <translation>der Verlauf weiß nicht, zu welcher UV-Map die Texturen gehören</translation>
+    </message>
+    <message>
+        <source>Choose the file or the UV set that has it</source>
+        <translation>Die Datei oder den UV-Satz wählen, der sie hat</translation>
+    </message>
+    <message>
+        <source>Pictures that are not there: %1</source>
+        <translation>Bilder, die nicht da sind: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces get nothing: they have no UVs, or their islands cross the border of a tile</source>
+        <translation>
+            <numerusform>%n Fläche bekommt nichts: sie hat keine UVs, oder ihre Insel kreuzt den Rand einer Kachel</numerusform>
+            <numerusform>%n Flächen bekommen nichts: sie haben keine UVs, oder ihre Inseln kreuzen den Rand einer Kachel</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 % of the texels found nothing of the other model</source>
+        <translation>%1 % der Texel fanden nichts vom anderen Modell</translation>
+    </message>
+    <message>
+        <source>Cancelled: no picture was written</source>
+        <translation>Abgebrochen: kein Bild wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>The other model has no UVs</source>
+        <translation>Das andere Modell hat keine UVs</translation>
+    </message>
+    <message>
+        <source>The textures fit this map already</source>
+        <translation>Die Texturen passen schon zu dieser UV-Map</translation>
+    </message>
+    <message numerus="yes">
+        <source>Carried %n pictures over into %1</source>
+        <translation>
+            <numerusform>%n Bild nach %1 übertragen</numerusform>
+            <numerusform>%n Bilder nach %1 übertragen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>. The textures fit the map before: UV &gt; Carry textures over... makes them new for this one</source>
+        <translation>. Die Texturen passen zur UV-Map davor: UV &gt; Texturen übertragen... macht sie neu für diese</translation>
+    </message>
+    <message>
+        <source>The map or its textures were edited meanwhile: the new pictures are written, but not shown</source>
+        <translation>Die UV-Map oder ihre Texturen wurden inzwischen bearbeitet: die neuen Bilder sind geschrieben, werden aber nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>Carrying textures over</source>
+        <translation>Texturen werden übertragen</translation>
+    </message>
+    <message>
+        <source>As far as the history knows, the textures fit this map already: choose the file or the UV set that they are for</source>
+        <translation>Soweit der Verlauf weiß, passen die Texturen schon zu dieser UV-Map: die Datei oder den UV-Satz wählen, zu dem sie gehören</translation>
     </message>
 </context>
 <context>

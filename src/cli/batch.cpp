@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <new>
 
 namespace autocuts {
@@ -91,7 +92,10 @@ public:
             return runBake(bakeLights);
         case Command::Transfer:
             if (!mOptions.bake.textures.isEmpty())
-                return runBake(carryTextures);
+                return runBake([this](const CliOptions &options, const Scene &scene,
+                                      const std::atomic<bool> &stop, const JobContext &job) {
+                    return carryTextures(options, mFiles, scene, stop, job);
+                });
             return runMapping(&MapMaking::transfer);
         }
         return 1;
@@ -244,8 +248,8 @@ private:
     }
 
     //! Makes pictures instead of a map.
-    int runBake(Result<BakeOutcome> (*bake)(const CliOptions &, const Scene &, const std::atomic<bool> &,
-                                            const JobContext &))
+    int runBake(const std::function<Result<BakeOutcome>(const CliOptions &, const Scene &,
+                                                        const std::atomic<bool> &, const JobContext &)> &bake)
     {
         const StopTimer timer(mOptions.timeLimit, mStop);
         const Result<Scene> scene = mFiles.read(mOptions, &mStop.stop);

@@ -1,11 +1,14 @@
 #include "cli/batchbake.h"
 
+#include "model/document/carriedsurface.h"
 #include "model/document/shadedscene.h"
 #include "model/io/bakefiles.h"
+#include "model/io/carriedtextures.h"
 #include "model/io/pictures/picturesize.h"
+#include "model/io/texturefiles.h"
 #include "model/plain/chart.h"
 #include "model/plain/udimtiles.h"
-#include "model/transfer/facematch.h"
+#include "solver/bake/carrying.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -37,15 +40,22 @@ Result<Done> makeFolder(const QString &folder)
     return Done{};
 }
 
+//! \param files gets what it reads
 Result<Scene> readScene(const CliOptions &options, const QString &path, const QString &uvSet,
-                        const std::atomic<bool> &stop)
+                        BatchFiles &files, const std::atomic<bool> &stop)
 {
     CliOptions other = options;
     other.command = CliOptions::Command::Bake; // that a stop ends the reading
     other.input = path;
     other.uvSet = uvSet;
     other.newUvSet.clear();
-    return BatchFiles().read(other, &stop);
+    return files.read(other, &stop);
+}
+
+Result<Scene> readScene(const CliOptions &options, const QString &path, const std::atomic<bool> &stop)
+{
+    BatchFiles files;
+    return readScene(options, path, {}, files, stop);
 }
 
 //! Prepares what every bake needs of the model that is baked into.
@@ -85,7 +95,7 @@ Result<PictureDepth> depthOf(const CliOptions::Baking &options)
 Result<Done> readCage(const CliOptions &options, const Scene &scene, const std::atomic<bool> &stop,
                       bake::CageSettings &cage)
 {
-    const Result<Scene> read = readScene(options, options.bake.cageFile, {}, stop);
+    const Result<Scene> read = readScene(options, options.bake.cageFile, stop);
     if (!read)
         return read.error();
     const MeshData &mesh = *read->mesh;
@@ -174,7 +184,7 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, cons
         return job.error();
     job->floats = options.bake.suffix == u"exr"_s;
     if (!options.bake.high.isEmpty()) {
-        const Result<Scene> high = readScene(options, options.bake.high, {}, stop);
+        const Result<Scene> high = readScene(options, options.bake.high, stop);
         if (!high)
             return high.error();
         job->kind = bake::SourceKind::Detailed;
@@ -213,49 +223,91 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, cons
     return outcome;
 }
 
-Result<BakeOutcome> carryTextures(const CliOptions &options, const Scene &scene,
+namespace {
+
+//! The materials of an old model on the faces of the new one.
+std::vector<int> materialsOf(const Scene &old, const Scene &scene)
+{
+    if (samePolygons(*old.mesh, *scene.mesh))
+        return old.faceMaterial;
+    std::vector<int> materials;
+    for (const int material : scene.faceMaterial) {
+        const QString name = material < 0 ? QString() : scene.materialNames[std::size_t(material)];
+        const auto found = std::ranges::find(old.materialNames, name);
+        const int only = old.materialNames.size() == 1 ? 0 : -1;
+        materials.push_back(found == old.materialNames.end() ? only : int(found - old.materialNames.begin()));
+    }
+    return materials;
+}
+
+//! A model whose texture sets are carried over: the new one, or the old one where the new one has none.
+DocumentState texturedModel(const Scene &scene, const BatchFiles &files, const Scene &old,
+                            const BatchFiles &oldFiles)
+{
+    DocumentState state;
+    state.scene = scene;
+    state.textureSets = files.textureSets();
+    if (hasTextures(state))
+        return state;
+    state.scene = old;
+    state.scene.faceMaterial = materialsOf(old, scene);
+    state.textureSets = oldFiles.textureSets();
+    return state;
+}
+
+} // namespace
+
+Result<BakeOutcome> carryTextures(const CliOptions &options, const BatchFiles &files, const Scene &scene,
                                   const std::atomic<bool> &stop, const JobContext &context)
 {
     BakeOutcome outcome;
-    Result<bake::BakeJob> prepared = jobOf(options, scene, outcome.warnings);
+    const Result<bake::BakeJob> prepared = jobOf(options, scene, outcome.warnings);
     if (!prepared)
         return prepared.error();
-    bake::BakeJob &job = prepared.value();
     const QString from = options.from.isEmpty() ? options.input : options.from;
-    const Result<Scene> old = readScene(options, from, options.fromUvSet, stop);
+    BatchFiles oldFiles;
+    const Result<Scene> old = readScene(options, from, options.fromUvSet, oldFiles, stop);
     if (!old)
         return old.error();
     if (!old->hasUv())
         return Error{u"the model has no UV map that its textures could be for"_s, from, 0, {}};
-    job.high = shadedSurface(old.value(), options.unwrap.packing.tileHeight());
-    job.kind =
-        samePolygons(*old->mesh, *scene.mesh) ? bake::SourceKind::SameTriangles : bake::SourceKind::Detailed;
     if (const Result<Done> made = makeFolder(options.output); !made)
         return made.error();
-    for (const QString &path : options.bake.textures) {
-        const Result<CarriedTexture> carried = readCarriedTexture(path);
-        if (!carried)
-            return carried.error();
-        const bool sized = options.given.contains(u"--texture-size"_s);
-        job.settings.grid.width = sized ? options.unwrap.packing.textureSize : carried->width;
-        job.settings.grid.height = sized ? options.unwrap.packing.height() : carried->height;
-        job.settings.maps = {{bake::MapKind::Texture, 0}};
-        job.high->textures = {carried->texture};
-        job.floats = carried->depth == PictureDepth::Float;
-        PictureWriter writer(outcome, carried->depth);
-        const auto sink = [&](std::size_t, int tile, const Picture &picture) {
-            const bool tiled = job.tiles.size() > 1 || !carried->texture.ofMaterial.front().tiles.empty();
-            return writer.write(picture, carried->newPath(options.output, tiled ? tile : 0));
-        };
-        const bake::BakeFigures figures = bake::runBake(job, sink, context);
-        if (writer.error())
-            return *writer.error();
-        if (&path == &options.bake.textures.back() || figures.stopped) {
-            warnOfFaults(figures, outcome);
-            if (figures.stopped)
-                break;
-        }
-    }
+    const DocumentState state = texturedModel(scene, files, old.value(), oldFiles);
+    const CarryTarget target{options.output, {}, prepared->tiles.size() > 1, {}};
+    const CarryPlan plan = options.bake.textures == QStringList{u"all"_s}
+                               ? planCarrying(state, target)
+                               : planCarrying(options.bake.textures, target);
+    if (!plan.missing.isEmpty() && plan.pictures.empty())
+        return Error{u"there is no such picture"_s, plan.missing.front(), 0, u"Check its name"_s};
+    if (!plan.missing.isEmpty())
+        outcome.warnings << u"textures that cannot be read: %1"_s.arg(plan.missing.join(u", "_s));
+
+    CarriedSurface source = carriedSurface(old.value(), scene, options.unwrap.packing.tileHeight());
+    const bake::CarryModel model{prepared->low, std::move(source.surface), source.sameTriangles,
+                                 prepared->settings.cage, prepared->margin};
+    const bool sized = options.given.contains(u"--texture-size"_s);
+    const double count = double(plan.pictures.size());
+    int done = 0;
+    bake::BakeFigures figures;
+    const auto bake = [&](const CarrySource &picture, const auto &sink) {
+        const bake::CarryTexture texture{picture.picture,
+                                         picture.kind,
+                                         picture.faces,
+                                         sized ? options.unwrap.packing.textureSize : picture.width,
+                                         sized ? options.unwrap.packing.height() : picture.height,
+                                         picture.depth == PictureDepth::Float};
+        figures = bake::carryTexture(model, texture, sink, context.part(done / count, (done + 1) / count));
+    };
+    const Result<CarriedFiles> carried =
+        carryPictures(plan, state.scene.faceMaterial, bake,
+                      {[&context] { return context.stopped(); }, [&done](int pictures) { done = pictures; }});
+    if (!carried)
+        return carried.error();
+    outcome.files = carried->files;
+    for (const QString &problem : carried->problems)
+        outcome.warnings << problem;
+    warnOfFaults(figures, outcome);
     return outcome;
 }
 

@@ -30,8 +30,9 @@ struct BakeOutcome
 Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, const std::atomic<bool> &stop,
                              const JobContext &job);
 
-//! Makes the textures of the options new for the UV map of a scene. \param stop as above
-Result<BakeOutcome> carryTextures(const CliOptions &options, const Scene &scene,
+//! Makes the textures of the options new for the UV map of a scene. \param files that have read it
+//! \param stop as above
+Result<BakeOutcome> carryTextures(const CliOptions &options, const BatchFiles &files, const Scene &scene,
                                   const std::atomic<bool> &stop, const JobContext &job);
 
 } // namespace autocuts

@@ -128,6 +128,11 @@ const std::vector<UvSet> &BatchFiles::uvSets() const
     return mDocument ? mDocument->uvSets() : mOriginal.uvSets;
 }
 
+std::vector<TextureSet> BatchFiles::textureSets() const
+{
+    return mDocument ? mDocument->state().textureSets : std::vector<TextureSet>();
+}
+
 Result<int> BatchFiles::findUvSet(const std::vector<UvSet> &sets, const QString &word, const QString &path)
 {
     const auto named =

@@ -240,10 +240,11 @@ std::vector<CliOption> transferringOptions()
     CliOption textures{
         group,
         {u"--textures"_s},
-        u"FILES"_s,
+        u"FILES|all"_s,
         u"leave the UVs of the input as they are, and make these pictures, which fit the UVs of "
-        "--from, new for them; with commas, and with <UDIM> in a name for pictures of tiles. -o "
-        "is then the folder for them; --texture-size is that of the pictures when not given"_s,
+        "--from, new for them; with commas, and with <UDIM> in a name for pictures of tiles; all: the "
+        "textures of all materials, or those of --from where the input has none. -o is then the folder for "
+        "them; --texture-size is that of the pictures when not given, JPEG pictures become PNG"_s,
         {},
         readTextures};
     return {file, set, object, textures,

@@ -1,6 +1,7 @@
 #include "commands/edittextures.h"
 
 #include "commands/commandreading.h"
+#include "model/io/texturefiles.h"
 
 #include <algorithm>
 
@@ -27,7 +28,7 @@ std::size_t mostSets(const Document &document)
 
 EditTextures::EditTextures(Document &document, std::vector<TextureSet> sets)
     : DocumentCommand(document), mBefore(document.state().textureSets),
-      mAfter(withoutEmptyEnd(std::move(sets)))
+      mAfter(withoutEmptyEnd(std::move(sets))), mIsFirst(!hasTextures(document.state()))
 {
     if (!validateTextureSets(mAfter, mostSets(document)).isEmpty())
         mAfter = mBefore;
@@ -48,8 +49,17 @@ std::unique_ptr<EditTextures> EditTextures::ofMaterial(Document &document, int m
     return std::make_unique<EditTextures>(document, std::move(sets));
 }
 
+std::unique_ptr<EditTextures> EditTextures::carried(Document &document, std::vector<TextureSet> sets)
+{
+    auto command = std::make_unique<EditTextures>(document, std::move(sets));
+    command->mCarried = true;
+    return command;
+}
+
 QString EditTextures::label() const
 {
+    if (mCarried)
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Carry textures over"));
     const int more = pictureCount(mAfter) - pictureCount(mBefore);
     if (mAfter.empty())
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Remove all chosen textures"));
@@ -79,6 +89,8 @@ void EditTextures::clearPayload()
 void EditTextures::writePayload(QCborMap &map) const
 {
     map["sets"_L1] = autocuts::toCbor(mAfter);
+    if (mCarried)
+        map["carried"_L1] = true;
 }
 
 Result<std::unique_ptr<DocumentCommand>> EditTextures::fromCbor(Document &document, CborReader &reader)
@@ -86,7 +98,9 @@ Result<std::unique_ptr<DocumentCommand>> EditTextures::fromCbor(Document &docume
     const auto sets = readTextureSets(reader.array("sets"_L1), mostSets(document));
     if (reader.failed() || !sets)
         return damagedCommand();
-    return std::unique_ptr<DocumentCommand>(std::make_unique<EditTextures>(document, *sets));
+    return std::unique_ptr<DocumentCommand>(reader.contains("carried"_L1)
+                                                ? carried(document, *sets)
+                                                : std::make_unique<EditTextures>(document, *sets));
 }
 
 } // namespace autocuts

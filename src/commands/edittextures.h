@@ -18,6 +18,12 @@ public:
     //! Gives a material other pictures. \param material -1: the faces without one
     static std::unique_ptr<EditTextures> ofMaterial(Document &document, int material, TextureSet set);
 
+    //! The same for pictures that were made for the active map.
+    static std::unique_ptr<EditTextures> carried(Document &document, std::vector<TextureSet> sets);
+    //! True when the pictures that it leaves are for the map that is active now: they were made for it, or
+    //! there were none before.
+    bool fitsMap() const { return mCarried || mIsFirst; }
+
     CommandId commandId() const override { return CommandId::EditTextures; }
     bool hasAnyChanges() const override { return mBefore != mAfter; }
     static Result<std::unique_ptr<DocumentCommand>> fromCbor(Document &document, CborReader &reader);
@@ -32,6 +38,8 @@ protected:
 
 private:
     std::vector<TextureSet> mBefore, mAfter;
+    bool mCarried = false;
+    bool mIsFirst = false; //!< there were no pictures before
 };
 
 } // namespace autocuts

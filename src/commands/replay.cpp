@@ -2,6 +2,7 @@
 
 #include "commands/commandfactory.h"
 #include "commands/commandreading.h"
+#include "commands/edittextures.h"
 #include "model/io/deflate.h"
 
 #include <QtEndian>
@@ -49,7 +50,9 @@ QByteArray journalEntry(const QCborMap &command)
     return compressedEntry(command.toCborValue().toCbor());
 }
 
-Result<std::unique_ptr<Document>> replay(const Journal &journal)
+Result<std::unique_ptr<Document>>
+replay(const Journal &journal,
+       const std::function<void(const Document &, const DocumentCommand &next)> &before)
 {
     auto document = std::make_unique<Document>(journal.initial);
     // Nothing is going to be undone.
@@ -61,9 +64,26 @@ Result<std::unique_ptr<Document>> replay(const Journal &journal)
         Result<std::unique_ptr<DocumentCommand>> command = makeCommand(*map, *document);
         if (!command)
             return atCommand(i, command.error());
+        if (before)
+            before(*document, *command.value());
         pushCommand(std::move(command).value());
     }
     return document;
+}
+
+std::optional<UvMatrix> mapOfTextures(const Journal &journal)
+{
+    const DocumentState &initial = journal.initial;
+    if (initial.activeUvSet >= std::ssize(initial.scene.uvSets))
+        return std::nullopt;
+    UvMatrix map = initial.scene.uvSets[std::size_t(initial.activeUvSet)].uv;
+    const auto replayed = replay(journal, [&map](const Document &document, const DocumentCommand &next) {
+        if (next.commandId() == CommandId::EditTextures && static_cast<const EditTextures &>(next).fitsMap())
+            map = document.uv();
+    });
+    if (!replayed || !map.array().isFinite().any())
+        return std::nullopt;
+    return map;
 }
 
 bool sameWork(const DocumentState &a, const DocumentState &b)

@@ -5,6 +5,9 @@
 #include "model/document/journal.h"
 #include "model/document/result.h"
 
+#include <functional>
+#include <optional>
+
 namespace autocuts {
 
 //! The journal entry of a command's description. \param command CBOR
@@ -12,8 +15,15 @@ QByteArray compressedEntry(const QByteArray &command);
 QByteArray journalEntry(const QCborMap &command);
 
 //! A document in the journal's initial state, after executing all its commands. An Error names the first
-//! command that is damaged or does not fit.
-Result<std::unique_ptr<Document>> replay(const Journal &journal);
+//! command that is damaged or does not fit. \param before called before each command is done; may be empty
+Result<std::unique_ptr<Document>>
+replay(const Journal &journal,
+       const std::function<void(const Document &, const DocumentCommand &next)> &before = {});
+
+//! The map that a document's textures are for, as far as its journal tells: the active one at the beginning
+//! of the journal, or when the first textures were chosen, or when they were carried over to it. Nothing
+//! where that was no map, or the journal is damaged. Takes long.
+std::optional<UvMatrix> mapOfTextures(const Journal &journal);
 
 //! True when the states are equal, ignoring selection and view state, which a journal does not contain.
 bool sameWork(const DocumentState &a, const DocumentState &b);

@@ -20,18 +20,6 @@ QString bakedPath(const QString &folder, const QString &modelPath, const QString
                                               : name + u'.' + suffix);
 }
 
-QString CarriedTexture::newPath(const QString &folder, int tile) const
-{
-    QString name = QFileInfo(path).fileName();
-    if (name.contains(u"<UDIM>"_s)) {
-        name.replace(u"<UDIM>"_s, QString::number(tile));
-    } else if (tile > 0) {
-        const QFileInfo info(name);
-        name = u"%1.%2.%3"_s.arg(info.completeBaseName()).arg(tile).arg(info.suffix());
-    }
-    return QDir(folder).filePath(name);
-}
-
 TextureKind textureKindOf(const QString &path, PictureDepth depth)
 {
     const QString name = QFileInfo(path).completeBaseName().toLower();
@@ -54,22 +42,14 @@ TextureKind textureKindOf(const QString &path, PictureDepth depth)
 
 namespace {
 
-//! The pictures of a texture, and what is common to them.
-struct ReadPictures
+void add(ReadPictures &read, DecodedPicture decoded, int tile)
 {
-    TiledPicture pictures;
-    PictureDepth depth = PictureDepth::Eight;
-    int width = 0, height = 0; //!< of the largest
-
-    void add(DecodedPicture decoded, int tile)
-    {
-        depth = std::max(depth, decoded.depth);
-        width = std::max(width, decoded.picture.width);
-        height = std::max(height, decoded.picture.height);
-        auto picture = std::make_shared<const Picture>(std::move(decoded.picture));
-        (tile == 0 ? pictures.repeated : pictures.tiles[tile]) = std::move(picture);
-    }
-};
+    read.depth = std::max(read.depth, decoded.depth);
+    read.width = std::max(read.width, decoded.picture.width);
+    read.height = std::max(read.height, decoded.picture.height);
+    auto picture = std::make_shared<const Picture>(std::move(decoded.picture));
+    (tile == 0 ? read.pictures.repeated : read.pictures.tiles[tile]) = std::move(picture);
+}
 
 Result<ReadPictures> readTiles(const QString &path)
 {
@@ -84,24 +64,24 @@ Result<ReadPictures> readTiles(const QString &path)
         Result<DecodedPicture> decoded = decodePicture(bytes.value(), tile.path);
         if (!decoded)
             return decoded.error();
-        result.add(std::move(decoded).value(), tile.tile);
+        add(result, std::move(decoded).value(), tile.tile);
     }
     return result;
 }
 
-Result<ReadPictures> readSceneTexture(const SceneTexture &texture, const QString &modelPath)
+} // namespace
+
+Result<ReadPictures> readPictures(const SceneTexture &texture)
 {
     if (texture.content.isEmpty())
-        return readTiles(findTexture(texture.file, modelPath));
+        return readTiles(texture.file);
     Result<DecodedPicture> decoded = decodePicture(texture.content, texture.file);
     if (!decoded)
         return decoded.error();
     ReadPictures result;
-    result.add(std::move(decoded).value(), 0);
+    add(result, std::move(decoded).value(), 0);
     return result;
 }
-
-} // namespace
 
 std::optional<SurfaceTexture> readBaseColors(const Scene &scene, QStringList &missing)
 {
@@ -111,7 +91,8 @@ std::optional<SurfaceTexture> readBaseColors(const Scene &scene, QStringList &mi
         texture.ofMaterial.emplace_back();
         if (one.isEmpty())
             continue;
-        Result<ReadPictures> pictures = readSceneTexture(one, scene.path);
+        Result<ReadPictures> pictures =
+            readPictures(one.content.isEmpty() ? SceneTexture{findTexture(one.file, scene.path), {}} : one);
         if (!pictures) {
             missing << one.file;
             continue;
@@ -147,21 +128,6 @@ bool addColors(const Scene &scene, ColorSource from, ShadedSurface &surface, QSt
         break;
     }
     return true;
-}
-
-Result<CarriedTexture> readCarriedTexture(const QString &path)
-{
-    Result<ReadPictures> read = readTiles(path);
-    if (!read)
-        return read.error();
-    CarriedTexture result;
-    result.path = path;
-    result.depth = read->depth;
-    result.width = read->width;
-    result.height = read->height;
-    result.texture.kind = textureKindOf(path, result.depth);
-    result.texture.ofMaterial.push_back(std::move(read->pictures));
-    return result;
 }
 
 } // namespace autocuts

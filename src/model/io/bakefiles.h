@@ -1,4 +1,4 @@
-// The files of a bake: the pictures it makes, and the textures it carries over.
+// The files of a bake: the pictures it makes, and those it reads.
 #pragma once
 
 #include "model/document/scene.h"
@@ -16,24 +16,20 @@ namespace autocuts {
 QString bakedPath(const QString &folder, const QString &modelPath, const QString &map, int tile,
                   bool severalTiles, const QString &suffix);
 
-//! A texture that is to be carried over to other UVs.
-struct CarriedTexture
+//! The pictures of a texture, and what is common to them.
+struct ReadPictures
 {
-    QString path; //!< may have <UDIM> in it
-    SurfaceTexture texture;
-    PictureDepth depth = PictureDepth::Eight; //!< of its files
-    int width = 0, height = 0;                //!< of its largest picture
-
-    //! Where its new version goes: the name of the file in a folder. \param tile 0: it is one for all tiles
-    QString newPath(const QString &folder, int tile) const;
+    TiledPicture pictures;
+    PictureDepth depth = PictureDepth::Eight; //!< the largest
+    int width = 0, height = 0;                //!< of the largest
 };
+
+//! Reads a content, or the files of a path as textureTiles() takes it. Takes long.
+Result<ReadPictures> readPictures(const SceneTexture &texture);
 
 //! What a texture holds, judged by words in its name ("normal", "roughness", "ao") and, where it has none, by
 //! its depth: pictures of floating point numbers are linear.
 TextureKind textureKindOf(const QString &path, PictureDepth depth);
-
-//! Reads the files of a texture for all materials. Takes long.
-Result<CarriedTexture> readCarriedTexture(const QString &path);
 
 //! Where the colours of a map come from. Auto: at each point the first of them that the model has.
 enum class ColorSource { Auto, Textures, Vertices, Materials };

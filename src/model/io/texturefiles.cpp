@@ -1,5 +1,6 @@
 #include "model/io/texturefiles.h"
 
+#include "model/document/documentstate.h"
 #include "model/plain/packingsettings.h"
 
 #include <QDir>
@@ -95,6 +96,33 @@ QString findTexture(const QString &named, const QString &modelPath)
         candidates << folder.filePath(usual + u'/' + name);
     const auto found = std::find_if(candidates.begin(), candidates.end(), isThere);
     return found == candidates.end() ? QString() : QDir::cleanPath(*found);
+}
+
+bool hasTextures(const DocumentState &state)
+{
+    for (int material = -1; material < std::ssize(state.scene.materialNames); ++material) {
+        const TextureSet set = state.textureSet(material);
+        if (std::ranges::any_of(set, [](const auto &entry) { return !entry.second.picture.isEmpty(); }))
+            return true;
+    }
+    return false;
+}
+
+bool isChosenTexture(const DocumentState &state, int material, TextureChannel channel)
+{
+    const auto place = static_cast<std::size_t>(material + 1);
+    if (place >= state.textureSets.size())
+        return false;
+    const auto found = state.textureSets[place].find(channel);
+    return found != state.textureSets[place].end() && !found->second.fromModel;
+}
+
+QString texturePath(const QString &file, bool chosen, const QString &modelPath)
+{
+    if (file.isEmpty() || (chosen && !textureTiles(file).empty()))
+        return file;
+    const QString found = findTexture(file, modelPath);
+    return found.isEmpty() && chosen ? file : found;
 }
 
 } // namespace autocuts

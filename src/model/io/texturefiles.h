@@ -1,11 +1,15 @@
 // Finds the picture files that a model names, and the files of pictures that are one for each UDIM tile.
 #pragma once
 
+#include "model/document/texturesets.h"
+
 #include <QString>
 
 #include <vector>
 
 namespace autocuts {
+
+struct DocumentState;
 
 //! One file of a texture.
 struct TextureTile
@@ -26,5 +30,16 @@ std::vector<TextureTile> textureTiles(const QString &path);
 //! folders that are usual for textures: a model must not make us read files elsewhere.
 //! \param named as the model's file spells it \param modelPath the model's file
 QString findTexture(const QString &named, const QString &modelPath);
+
+//! True when a material has a picture, whether it is there or not.
+bool hasTextures(const DocumentState &state);
+
+//! True when the picture of a channel is the user's own: its path is taken as it is. \param material -1: of
+//! the faces without one
+bool isChosenTexture(const DocumentState &state, int material, TextureChannel channel);
+
+//! The path of a picture, for textureTiles(). What was chosen may have moved with the model. \param chosen
+//! see isChosenTexture()
+QString texturePath(const QString &file, bool chosen, const QString &modelPath);
 
 } // namespace autocuts

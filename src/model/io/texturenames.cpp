@@ -59,12 +59,13 @@ const std::map<QString, std::vector<Part>> &channelNames()
     return names;
 }
 
-//! Words after the name of a channel that say something else: sizes, colour spaces, kinds of files.
+//! Words after the name of a channel that say something else: sizes, colour spaces, kinds of files, maps that
+//! textures were carried over to.
 bool saysNothing(const QString &word)
 {
     static const QRegularExpression pattern(u"^(\\d{1,2}k|256|512|1024|2048|4096|8192|srgb|raw|linear|lin|"
                                             u"acescg|utility|jpg|png|exr|tif|bit|8bit|"
-                                            u"16bit|32bit|map|tex|texture)$"_s);
+                                            u"16bit|32bit|map|tex|texture|uv\\d*)$"_s);
     return pattern.match(word.toLower()).hasMatch();
 }
 

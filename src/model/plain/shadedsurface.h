@@ -52,6 +52,8 @@ struct SurfaceTexture
 {
     TextureKind kind = TextureKind::Linear;
     std::vector<TiledPicture> ofMaterial; //!< by material; the last one is for faces without a material
+    //! Per triangle of the model, see sampleSharply(); empty: 1.
+    std::vector<float> stretch{};
 };
 
 //! A model that is baked into, or from.

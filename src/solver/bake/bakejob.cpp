@@ -17,7 +17,9 @@ Projection projectionOf(const BakeJob &job, const Frame &frame, const JobContext
     case SourceKind::None:
         return {job.low, job.low, frame, context};
     case SourceKind::SameTriangles:
-        return {job.low, *job.high, frame, context};
+        return {job.low, *job.high, frame, context,
+                std::ranges::any_of(job.settings.maps,
+                                    [](const MapRequest &map) { return sendsRays(map.kind); })};
     case SourceKind::Detailed:
         break;
     }

@@ -1,5 +1,7 @@
 #include "solver/bake/bakemaps.h"
 
+#include "model/plain/sharpsampling.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -43,6 +45,11 @@ Vec3f baseColor(const ShadedSurface &surface, const SurfacePoint &point)
     return Vec3f::Ones();
 }
 
+enum class Sampling {
+    Soft, //!< sampleRepeated()
+    Sharp //!< sampleSharply()
+};
+
 const TiledPicture *pictureOf(const ShadedSurface &surface, int texture, int triangle)
 {
     if (texture >= std::ssize(surface.textures) || surface.textures[texture].ofMaterial.empty())
@@ -54,7 +61,7 @@ const TiledPicture *pictureOf(const ShadedSurface &surface, int texture, int tri
 }
 
 //! Samples the picture of a texture at a point. Returns false where there is none.
-bool sampleTexture(const ShadedSurface &surface, int texture, const SurfacePoint &point,
+bool sampleTexture(const ShadedSurface &surface, int texture, const SurfacePoint &point, Sampling sampling,
                    std::span<float, 4> out)
 {
     const TiledPicture *pictures = pictureOf(surface, texture, point.triangle);
@@ -66,7 +73,12 @@ bool sampleTexture(const ShadedSurface &surface, int texture, const SurfacePoint
     if (!picture || picture->isEmpty())
         return false;
     out[3] = 1;
-    sampleRepeated(*picture, uv, out.first(std::size_t(picture->channels)));
+    const auto values = out.first(std::size_t(picture->channels));
+    const std::vector<float> &stretch = surface.textures[texture].stretch;
+    if (sampling == Sampling::Soft)
+        sampleRepeated(*picture, uv, values);
+    else
+        sampleSharply(*picture, uv, stretch.empty() ? 1 : stretch[point.triangle], values);
     if (picture->channels == 1)
         out[1] = out[2] = out[0];
     return true;
@@ -195,7 +207,7 @@ void MapProbe::texture(const MapRequest &request, const SurfacePoint &at, const 
     const TextureKind kind = surface.textures[request.texture].kind;
     const bool isNormal = kind == TextureKind::Normal || kind == TextureKind::NormalDirectX;
     std::array<float, 4> value{0, 0, 0, 1};
-    const bool found = sampleTexture(surface, request.texture, source.point, value);
+    const bool found = sampleTexture(surface, request.texture, source.point, Sampling::Sharp, value);
     if (isNormal) {
         // From one tangent space to the other.
         Vec3f normal = found ? Vec3f(2 * value[0] - 1, 2 * value[1] - 1, 2 * value[2] - 1) : Vec3f::UnitZ();
@@ -245,7 +257,7 @@ void MapProbe::probe(const MapRequest &request, const SurfacePoint &at, const So
         break;
     case MapKind::Color: {
         std::array<float, 4> value{};
-        if (sampleTexture(surface, 0, source.point, value)) {
+        if (sampleTexture(surface, 0, source.point, Sampling::Soft, value)) {
             const bool isSrgb = surface.textures[0].kind == TextureKind::Srgb;
             for (int k = 0; k < 3; ++k)
                 out[k] = isSrgb ? linearFromSrgb(value[k]) : value[k];

@@ -48,10 +48,11 @@ std::vector<Vec3f> smoothNormals(const MeshData &mesh)
 } // namespace
 
 Projection::Projection(const ShadedSurface &low, const ShadedSurface &same, const Frame &frame,
-                       const JobContext &job)
+                       const JobContext &job, bool withRays)
     : mLow(low), mHigh(same), mFrame(frame)
 {
-    prepareRays(same, job);
+    if (withRays)
+        prepareRays(same, job);
 }
 
 Projection::Projection(const ShadedSurface &low, const ShadedSurface &high, const Frame &frame,
@@ -115,7 +116,7 @@ Source Projection::find(const SurfacePoint &low) const
 {
     const std::size_t group = static_cast<std::size_t>(mLow.groupOf(low.triangle));
     if (mSame)
-        return {&mHigh, &mRays[group], low, 0};
+        return {&mHigh, mRays.empty() ? nullptr : &mRays[group], low, 0};
     if (group >= mRays.size())
         return {};
     const Vec3f position = mFrame.toFrame(mLow.position(low));

@@ -28,7 +28,7 @@ struct CageSettings
 struct Source
 {
     const ShadedSurface *surface = nullptr; //!< null: there is none
-    const RayScene *rays = nullptr;         //!< of the model around it, for further rays
+    const RayScene *rays = nullptr;         //!< of the model around it, for further rays; null without them
     SurfacePoint point;
     float height = 0; //!< above the simple model, in the frame
 };
@@ -38,8 +38,9 @@ class Projection final
 {
 public:
     //! The same triangles, with other UVs and textures or with the same ones. \param job see RayScene
+    //! \param withRays the maps look around, see Source::rays
     Projection(const ShadedSurface &low, const ShadedSurface &same, const Frame &frame,
-               const JobContext &job = {});
+               const JobContext &job = {}, bool withRays = true);
     //! Faces of the simple model see faces of the detailed one that have the same group. Groups are numbered
     //! from 0.
     Projection(const ShadedSurface &low, const ShadedSurface &high, const Frame &frame,

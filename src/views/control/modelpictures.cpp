@@ -31,25 +31,6 @@ QString shownName(const SceneTexture &texture)
     return name.isEmpty() ? ModelPictures::tr("a picture inside of the model's file") : name;
 }
 
-//! Which channels of a material are the user's own: their paths are taken as they are.
-bool isChosen(const DocumentState &state, int material, TextureChannel channel)
-{
-    const auto place = static_cast<std::size_t>(material + 1);
-    if (place >= state.textureSets.size())
-        return false;
-    const auto found = state.textureSets[place].find(channel);
-    return found != state.textureSets[place].end() && !found->second.fromModel;
-}
-
-//! A path for textureTiles(). What was chosen may have moved with the model.
-QString resolved(const QString &file, bool chosen, const QString &modelPath)
-{
-    if (file.isEmpty() || (chosen && !textureTiles(file).empty()))
-        return file;
-    const QString found = findTexture(file, modelPath);
-    return found.isEmpty() && chosen ? file : found;
-}
-
 } // namespace
 
 //! What is to be read, each set once. Names are in place of paths.
@@ -111,7 +92,7 @@ ModelPictures::Wanted ModelPictures::Wanted::by(const DocumentState &state, bool
             const SceneTexture &picture = entry.picture;
             request.channels[channel] = {
                 {picture.file, picture.content, picture.isEmpty() ? QString() : shownName(picture)}, entry};
-            chosen[channel] = isChosen(state, material, channel);
+            chosen[channel] = isChosenTexture(state, material, channel);
         }
     }
     return wanted;
@@ -123,7 +104,7 @@ void ModelPictures::Wanted::resolve(const QString &modelPath)
     for (std::size_t s = 0; s < sets.size(); ++s) {
         for (auto &[channel, wanted] : sets[s].channels)
             wanted.picture.path = wanted.picture.content.isEmpty()
-                                      ? resolved(wanted.picture.path, chosen[s].at(channel), modelPath)
+                                      ? texturePath(wanted.picture.path, chosen[s].at(channel), modelPath)
                                       : QString();
     }
 }

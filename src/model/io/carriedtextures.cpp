@@ -1,0 +1,391 @@
+#include "model/io/carriedtextures.h"
+
+#include "model/io/bakefiles.h"
+#include "model/io/texturefiles.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+struct CarryTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(CarriedTextures)
+};
+
+constexpr QLatin1StringView tileToken = "<UDIM>"_L1;
+
+//! The names of channels in new files, as texturenames.h understands them.
+QString nameOf(const std::vector<TextureChannel> &channels)
+{
+    using enum TextureChannel;
+    if (channels.size() == 3 && channels.front() == Roughness)
+        return u"ORM"_s;
+    if (channels.size() > 1)
+        return u"MetallicRoughness"_s;
+    switch (channels.empty() ? BaseColor : channels.front()) {
+    case BaseColor:
+        return u"BaseColor"_s;
+    case Roughness:
+        return u"Roughness"_s;
+    case Metalness:
+        return u"Metallic"_s;
+    case Normal:
+        return u"Normal"_s;
+    case Occlusion:
+        return u"AO"_s;
+    case Emission:
+        return u"Emissive"_s;
+    case Height:
+        return u"Height"_s;
+    }
+    return {};
+}
+
+TextureKind kindOf(TextureChannel channel, const ChannelPicture &picture)
+{
+    if (channel == TextureChannel::Normal)
+        return picture.flipped ? TextureKind::NormalDirectX : TextureKind::Normal;
+    const bool color = channel == TextureChannel::BaseColor || channel == TextureChannel::Emission;
+    return color ? TextureKind::Srgb : TextureKind::Linear;
+}
+
+//! The number of a tile before the suffix of a name, with the sign before it.
+const QRegularExpression &tileNumber()
+{
+    static const QRegularExpression number(u"[._]1\\d{3}$"_s);
+    return number;
+}
+
+QString withoutSigns(QString name)
+{
+    static const QRegularExpression signs(u"[^\\w .-]"_s, QRegularExpression::UseUnicodePropertiesOption);
+    return name.replace(signs, u"_"_s);
+}
+
+//! The suffix of a file that is written for a source.
+QString formatOf(const SceneTexture &source, const QString &wanted)
+{
+    if (!wanted.isEmpty())
+        return wanted;
+    const QString suffix = QFileInfo(source.file).suffix().toLower();
+    if (QStringList{u"png"_s, u"tif"_s, u"tiff"_s, u"tga"_s, u"exr"_s}.contains(suffix))
+        return suffix;
+    return suffix == "hdr"_L1 ? u"exr"_s : u"png"_s;
+}
+
+bool isTiled(const SceneTexture &source)
+{
+    const std::vector<TextureTile> tiles = textureTiles(source.file);
+    return source.content.isEmpty() && !tiles.empty() && tiles.front().tile != 0;
+}
+
+//! The name of a new file, without its folder. \param fallback of pictures without a name
+QString newName(const SceneTexture &source, const QString &fallback, const CarryTarget &target)
+{
+    const bool wasTiled = isTiled(source);
+    QString stem = QFileInfo(QString(source.file).replace(u'\\', u'/')).completeBaseName();
+    stem.remove(u"."_s + tileToken).remove(u"_"_s + tileToken).remove(tileToken);
+    if (wasTiled)
+        stem.remove(tileNumber());
+    if (stem.isEmpty() || !source.content.isEmpty())
+        stem = fallback;
+    static const QRegularExpression number(u"\\d+$"_s);
+    const QString word = QString(target.suffix).remove(number);
+    if (!word.isEmpty())
+        stem.remove(QRegularExpression(QRegularExpression::escape(word) + u"\\d*$"_s));
+    const QString tile = wasTiled || target.tiled ? u"."_s + tileToken : QString();
+    return withoutSigns(stem + target.suffix) + tile + u'.' + formatOf(source, target.format);
+}
+
+QString ofTile(QString path, int tile)
+{
+    return path.replace(tileToken, QString::number(tile));
+}
+
+//! Gives the pictures names that differ.
+void nameFiles(CarryPlan &plan, const std::vector<QString> &fallbacks, const CarryTarget &target)
+{
+    std::set<QString> taken;
+    for (std::size_t i = 0; i < plan.pictures.size(); ++i) {
+        CarriedPicture &picture = plan.pictures[i];
+        const QString name = newName(picture.source, fallbacks[i], target);
+        QString free = name;
+        for (int number = 2; !taken.insert(free.toLower()).second; ++number)
+            free = QString(name).insert(name.indexOf(u'.'), u'_' + QString::number(number));
+        picture.newFile = QDir(target.folder).filePath(free);
+    }
+}
+
+//! The materials that faces have, ascending; -1 for those without one.
+std::vector<int> usedMaterials(const Scene &scene)
+{
+    if (scene.faceMaterial.empty())
+        return {-1};
+    const std::set<int> used(scene.faceMaterial.begin(), scene.faceMaterial.end());
+    return {used.begin(), used.end()};
+}
+
+QString fallbackName(const Scene &scene, const CarriedPicture &picture)
+{
+    QStringList words{scene.path.isEmpty() ? u"model"_s : QFileInfo(scene.path).completeBaseName()};
+    const int material = picture.materials.front();
+    if (scene.materialNames.size() > 1 && material >= 0)
+        words << scene.materialNames[static_cast<std::size_t>(material)];
+    return (words << nameOf(picture.channels)).join(u'_');
+}
+
+} // namespace
+
+QStringList CarryPlan::existingFiles() const
+{
+    QStringList files;
+    for (const CarriedPicture &picture : pictures) {
+        for (const TextureTile &tile : textureTiles(picture.newFile))
+            files << tile.path;
+    }
+    files.removeDuplicates();
+    return files;
+}
+
+QString CarryPlan::overwrittenSource() const
+{
+    const auto filesOf = [](const QString &path) {
+        QStringList files{QFileInfo(path).absoluteFilePath()};
+        for (const TextureTile &tile : textureTiles(path))
+            files << QFileInfo(tile.path).canonicalFilePath();
+        return files;
+    };
+    QStringList sources;
+    for (const CarriedPicture &picture : pictures) {
+        if (picture.source.content.isEmpty())
+            sources += filesOf(picture.source.file);
+    }
+    for (const CarriedPicture &picture : pictures) {
+        for (const QString &file : filesOf(picture.newFile)) {
+            if (sources.contains(file))
+                return file;
+        }
+    }
+    return {};
+}
+
+CarryPlan planCarrying(const DocumentState &state, const CarryTarget &target)
+{
+    CarryPlan plan;
+    for (const int material : usedMaterials(state.scene)) {
+        for (const auto &[channel, entry] : state.textureSet(material)) {
+            SceneTexture source = entry.picture;
+            if (source.isEmpty())
+                continue;
+            if (source.content.isEmpty()) {
+                source.file =
+                    texturePath(source.file, isChosenTexture(state, material, channel), state.scene.path);
+                if (textureTiles(source.file).empty()) {
+                    plan.missing << QFileInfo(QString(entry.picture.file).replace(u'\\', u'/')).fileName();
+                    continue;
+                }
+            }
+            const TextureKind kind = kindOf(channel, entry);
+            auto same = std::ranges::find_if(plan.pictures, [&](const CarriedPicture &known) {
+                return known.kind == kind && known.source == source;
+            });
+            if (same == plan.pictures.end())
+                same = plan.pictures.insert(same, {source, kind, {}, {}, {}});
+            if (same->materials.empty() || same->materials.back() != material)
+                same->materials.push_back(material);
+            if (std::ranges::find(same->channels, channel) == same->channels.end())
+                same->channels.push_back(channel);
+        }
+    }
+    plan.missing.removeDuplicates();
+    std::vector<QString> fallbacks;
+    for (const CarriedPicture &picture : plan.pictures)
+        fallbacks.push_back(fallbackName(state.scene, picture));
+    nameFiles(plan, fallbacks, target);
+    return plan;
+}
+
+CarryPlan planCarrying(const QStringList &files, const CarryTarget &target)
+{
+    CarryPlan plan;
+    for (const QString &file : files) {
+        if (textureTiles(file).empty())
+            plan.missing << file;
+        else
+            plan.pictures.push_back({{file, {}}, textureKindOf(file, PictureDepth::Eight), {}, {}, {}});
+    }
+    nameFiles(plan, std::vector<QString>(plan.pictures.size()), target);
+    return plan;
+}
+
+QString freeSuffix(const DocumentState &state, CarryTarget target)
+{
+    for (int number = 2;; ++number) {
+        target.suffix = u"_uv%1"_s.arg(number);
+        const CarryPlan plan = planCarrying(state, target);
+        if (plan.existingFiles().isEmpty())
+            return target.suffix;
+    }
+}
+
+std::vector<TextureSet> carriedSets(const DocumentState &state, const CarryPlan &plan)
+{
+    std::vector<TextureSet> sets = state.textureSets;
+    for (const CarriedPicture &picture : plan.pictures) {
+        for (const int material : picture.materials) {
+            const auto place = static_cast<std::size_t>(material + 1);
+            sets.resize(std::max(sets.size(), place + 1));
+            for (const auto &[channel, entry] : state.textureSet(material)) {
+                SceneTexture source = entry.picture;
+                if (source.content.isEmpty())
+                    source.file =
+                        texturePath(source.file, isChosenTexture(state, material, channel), state.scene.path);
+                if (!(source == picture.source) || kindOf(channel, entry) != picture.kind)
+                    continue;
+                ChannelPicture fresh = entry;
+                fresh.picture = {picture.newFile, {}};
+                fresh.fromModel = false;
+                sets[place][channel] = fresh;
+            }
+        }
+    }
+    return sets;
+}
+
+namespace {
+
+//! Writes pictures into a folder of their own, which then take the places of others together.
+class PendingFiles final
+{
+public:
+    explicit PendingFiles(const QString &folder) : mFolder(QDir(folder).filePath(u".carried-XXXXXX"_s)) {}
+
+    Result<Done> write(const Picture &picture, const QString &path, PictureDepth depth)
+    {
+        if (!mFolder.isValid())
+            return Error{CarryTexts::tr("the folder for the pictures cannot be written"),
+                         QFileInfo(path).path(), 0,
+                         CarryTexts::tr("Check its permissions or choose another one")};
+        const QString pending = mFolder.filePath(QFileInfo(path).fileName());
+        Result<Done> written = writePicture(picture, pending, depth);
+        if (written)
+            mFiles.emplace_back(pending, path);
+        return written;
+    }
+
+    Result<QStringList> moveToPlaces()
+    {
+        QStringList moved;
+        for (const auto &[pending, path] : mFiles) {
+            std::error_code problem;
+            std::filesystem::rename(pending.toStdU16String(), path.toStdU16String(), problem);
+            if (problem)
+                return Error{CarryTexts::tr("the picture cannot be put in its place: %1")
+                                 .arg(QString::fromStdString(problem.message())),
+                             path, 0, CarryTexts::tr("Choose another folder or another ending of the names")};
+            moved << path;
+        }
+        return moved;
+    }
+
+private:
+    QTemporaryDir mFolder;
+    std::vector<std::pair<QString, QString>> mFiles;
+};
+
+//! What a file of this kind can hold of a depth.
+PictureDepth depthFor(const QString &path, PictureDepth depth)
+{
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    if (suffix == "exr"_L1)
+        return depth == PictureDepth::Float ? depth : PictureDepth::Sixteen;
+    if (suffix == "tga"_L1 || suffix == "jpg"_L1 || suffix == "jpeg"_L1)
+        return PictureDepth::Eight;
+    return std::min(depth, PictureDepth::Sixteen);
+}
+
+Result<CarrySource> readSource(const CarriedPicture &picture, const std::vector<int> &faceMaterial)
+{
+    Result<ReadPictures> read = readPictures(picture.source);
+    if (!read)
+        return read.error();
+    CarrySource source;
+    source.picture = std::move(read->pictures);
+    source.depth = read->depth;
+    source.width = read->width;
+    source.height = read->height;
+    source.kind = picture.kind == TextureKind::Srgb && source.depth == PictureDepth::Float
+                      ? TextureKind::Linear
+                      : picture.kind;
+    if (!picture.materials.empty()) {
+        for (const int material : faceMaterial)
+            source.faces.push_back(std::ranges::binary_search(picture.materials, material));
+    }
+    return source;
+}
+
+} // namespace
+
+Result<CarriedFiles> carryPictures(const CarryPlan &plan, const std::vector<int> &faceMaterial,
+                                   const CarryBaker &bake, const CarryControl &control)
+{
+    CarriedFiles result;
+    if (plan.pictures.empty())
+        return Error{CarryTexts::tr("there are no pictures that could be carried over"),
+                     {},
+                     0,
+                     CarryTexts::tr("Check the textures of the materials")};
+    if (const QString source = plan.overwrittenSource(); !source.isEmpty())
+        return Error{CarryTexts::tr("the new picture would overwrite the one it is made from"), source, 0,
+                     CarryTexts::tr("Choose another folder or another ending of the names")};
+    PendingFiles files(QFileInfo(plan.pictures.front().newFile).path());
+    std::optional<Error> firstProblem, failure;
+    for (std::size_t i = 0; i < plan.pictures.size() && !control.stopped(); ++i) {
+        CarriedPicture picture = plan.pictures[i];
+        const Result<CarrySource> source = readSource(picture, faceMaterial);
+        if (!source) {
+            result.problems << source.error().toString();
+            if (!firstProblem)
+                firstProblem = source.error();
+            continue;
+        }
+        const QFileInfo info(picture.newFile);
+        if (source->depth == PictureDepth::Float && info.suffix() != "exr"_L1)
+            picture.newFile = info.dir().filePath(info.completeBaseName() + u".exr"_s);
+        const PictureDepth depth = depthFor(picture.newFile, source->depth);
+        bake(source.value(), [&](int tile, const Picture &made) {
+            const Result<Done> written = files.write(made, ofTile(picture.newFile, tile), depth);
+            if (!written)
+                failure = written.error();
+            return written.ok();
+        });
+        if (failure)
+            return *failure;
+        result.plan.pictures.push_back(picture);
+        control.pictureDone(static_cast<int>(i) + 1);
+    }
+    if ((result.stopped = control.stopped()))
+        return result;
+    if (result.plan.pictures.empty())
+        return *firstProblem;
+    Result<QStringList> moved = files.moveToPlaces();
+    if (!moved)
+        return moved.error();
+    result.files = moved.value();
+    return result;
+}
+
+} // namespace autocuts
