@@ -24,7 +24,8 @@ struct BakeOutcome
 //! \param scene what `files` has read
 Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, const JobContext &job);
 
-//! Makes the textures of the options new for the UV map of a scene. \param files that have read it
+//! Makes the textures of the options new for the UV map of a scene. After a stop no file was written. \param
+//! files that have read it
 Result<BakeOutcome> carryTextures(const CliOptions &options, const BatchFiles &files, const Scene &scene,
                                   const JobContext &job);
 
