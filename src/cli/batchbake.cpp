@@ -305,6 +305,8 @@ Result<BakeOutcome> carryTextures(const CliOptions &options, const BatchFiles &f
     if (!carried)
         return carried.error();
     outcome.files = carried->files;
+    if (carried->stopped)
+        outcome.warnings << u"stopped before all pictures were finished: none was written"_s;
     for (const QString &problem : carried->problems)
         outcome.warnings << problem;
     warnOfFaults(figures, outcome);

@@ -30,8 +30,8 @@ struct BakeOutcome
 Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, const std::atomic<bool> &stop,
                              const JobContext &job);
 
-//! Makes the textures of the options new for the UV map of a scene. \param files that have read it
-//! \param stop as above
+//! Makes the textures of the options new for the UV map of a scene. After a stop no file was written.
+//! \param files that have read it \param stop as above
 Result<BakeOutcome> carryTextures(const CliOptions &options, const BatchFiles &files, const Scene &scene,
                                   const std::atomic<bool> &stop, const JobContext &job);
 

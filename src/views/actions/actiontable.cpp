@@ -380,6 +380,12 @@ constexpr std::array toolTable{
                                  "Bake normals, occlusion and more into pictures for the map, from a "
                                  "detailed model or from this one"),
                NeedsDocument | NeedsIdle},
+    ActionInfo{"uv.carryTextures", "UV", QT_TRANSLATE_NOOP("Actions", "Carry textures over..."), "texture",
+               "",
+               QT_TRANSLATE_NOOP(
+                   "Actions", "Make the textures of all materials new for this map, as files, from the map "
+                              "that they were made for"),
+               NeedsDocument | NeedsIdle},
     ActionInfo{"uv.cancel", "UV", QT_TRANSLATE_NOOP("Actions", "Cancel job"), "cancel", "Esc",
                QT_TRANSLATE_NOOP("Actions", "End the running job and keep what it has"), NeedsJob, false, "",
                true},

@@ -6,6 +6,7 @@
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/bakedialog.h"
+#include "views/dialogs/carrydialog.h"
 #include "views/state/viewstate.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
@@ -21,6 +22,10 @@ BakeActions::BakeActions(const StudioContext &context, Questions &questions, QOb
     connect(context.actions.action("uv.bake"), &QAction::triggered, this, [this] {
         if (const Document *document = mContext.workspace.document())
             ask(*document);
+    });
+    connect(context.actions.action("uv.carryTextures"), &QAction::triggered, this, [this] {
+        if (const Document *document = mContext.workspace.document())
+            askCarrying(*document);
     });
     connect(&context.liveBake, &LiveBake::failed, &context.map,
             [map = &context.map](const QString &message) { Q_EMIT map->failed(message); });
@@ -45,6 +50,19 @@ void BakeActions::ask(const Document &document)
         showLive();
     else
         mContext.map.bake(mChoice);
+}
+
+void BakeActions::askCarrying(const Document &document)
+{
+    CarryDialog dialog(document, mCarryChoice, openFilters(), mQuestions);
+    if (mQuestions.run(dialog) != QDialog::Accepted)
+        return;
+    const CarryChoice choice = dialog.choice();
+    mCarryChoice = CarryChoice();
+    mCarryChoice.format = choice.format;
+    mCarryChoice.size = choice.size;
+    mCarryChoice.margin = choice.margin;
+    mContext.map.carryTextures(choice);
 }
 
 void BakeActions::showLive()

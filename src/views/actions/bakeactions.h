@@ -1,7 +1,8 @@
-// The action that bakes.
+// The actions that bake and carry textures over.
 #pragma once
 
 #include "views/control/bakechoice.h"
+#include "views/control/carrychoice.h"
 #include "views/control/studiocontext.h"
 
 #include <QObject>
@@ -11,7 +12,7 @@ namespace autocuts {
 class Document;
 class Questions;
 
-//! Asks what is to be baked, and starts the job.
+//! Asks what is to be baked or carried over, and starts the job.
 class BakeActions final : public QObject
 {
     Q_OBJECT
@@ -22,10 +23,12 @@ public:
 private:
     void ask(const Document &document);
     void showLive();
+    void askCarrying(const Document &document);
 
     StudioContext mContext;
     Questions &mQuestions;
-    BakeChoice mChoice; //!< the one last made
+    BakeChoice mChoice;       //!< the one last made
+    CarryChoice mCarryChoice; //!< likewise, without what belongs to a model
 };
 
 } // namespace autocuts

@@ -1,11 +1,14 @@
 #include "views/control/mapcontroller.h"
 
+#include "commands/edittextures.h"
 #include "commands/edituvsets.h"
 #include "commands/newmap.h"
 #include "model/document/makesnapshot.h"
+#include "model/io/texturefiles.h"
 #include "solver/metrics/uvoverlaps.h"
 #include "solver/overlap/overlapseparation.h"
 #include "views/control/bakejobs.h"
+#include "views/control/carryjobs.h"
 #include "views/control/mapjobs.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/transferjobs.h"
@@ -177,20 +180,43 @@ void MapController::applyResult(const MapJobResult &result)
         mPricesToken = result.token;
         Q_EMIT pricesChanged();
     }
+    QString hint;
     if (result.uv.rows() > 0) {
         if (!mWorkspace.hasMapOf(result.token)) {
             Q_EMIT failed(tr("The map was edited meanwhile: the result was not used"));
             return;
         }
-        if (!pushMap(result) && result.seams) {
+        const bool hadMap = hasUvs(*mWorkspace.document());
+        const bool changed = pushMap(result);
+        if (changed && hadMap && hasTextures(mWorkspace.document()->state()))
+            hint =
+                tr(". The textures fit the map before: UV > Carry textures over... makes them new for this "
+                   "one");
+        if (!changed && result.seams) {
             Q_EMIT done(tr("Nothing to do: the edges are cut already"));
             return;
         }
     }
+    if (result.textures && !pushTextures(result))
+        return;
     if (!result.problem.isEmpty())
-        Q_EMIT failed(result.problem, result.problemItems);
+        Q_EMIT failed(result.problem + hint, result.problemItems);
     else
-        Q_EMIT done(result.message);
+        Q_EMIT done(result.message + hint);
+}
+
+//! Returns false, and says why, when they do not belong to the document any more.
+bool MapController::pushTextures(const MapJobResult &result)
+{
+    Document &document = *mWorkspace.document();
+    if (!mWorkspace.hasMapOf(result.token) || document.state().textureSets != result.textures->before) {
+        Q_EMIT failed(
+            tr("The map or its textures were edited meanwhile: the new pictures are written, but not "
+               "shown"));
+        return false;
+    }
+    pushCommand(EditTextures::carried(document, result.textures->sets));
+    return true;
 }
 
 void MapController::unwrap(unwrap::UnwrapQuality quality, JobReach reach)
@@ -330,6 +356,21 @@ void MapController::bake(const BakeChoice &choice)
     std::swap(scene.uvSets.front(), scene.uvSets[document->activeUvSet()]);
     startJob(tr("Baking"), [choice, scene](const MapInput &input, JobControl &control) {
         return bakeJob(scene, input.packing, choice, control);
+    });
+}
+
+void MapController::carryTextures(const CarryChoice &choice)
+{
+    // The textures are for the map that a running solve leaves.
+    mSolver.whenPaused([this, choice] {
+        const Document *document = mWorkspace.document();
+        if (!document)
+            return;
+        const auto given = std::make_shared<const CarryInput>(
+            CarryInput{document->state(), mWorkspace.recorder().pending()});
+        startJob(tr("Carrying textures over"), [choice, given](const MapInput &, JobControl &control) {
+            return carryJob(*given, choice, control);
+        });
     });
 }
 

@@ -29,6 +29,7 @@ struct MapJobResult;
 struct PackTarget;
 struct TransferChoice;
 struct BakeChoice;
+struct CarryChoice;
 
 //! The figures of the document's map.
 struct MapFigures
@@ -102,6 +103,8 @@ public Q_SLOTS:
     void transferUvs(const autocuts::TransferChoice &choice);
     //! Bakes pictures for the map and writes them; the map stays as it is.
     void bake(const autocuts::BakeChoice &choice);
+    //! Makes the textures of the materials new for the map, as files, and gives them to the materials.
+    void carryTextures(const autocuts::CarryChoice &choice);
     //! Gives every island the same texel density. \pre no job is running
     void equalizeDensity();
     //! Minimises the distortion of the selected faces while all others stay. Pins and locks are respected.
@@ -138,6 +141,7 @@ private:
     void takeUpEdits();
     void applyResult(const MapJobResult &result);
     bool pushMap(const MapJobResult &result);
+    bool pushTextures(const MapJobResult &result);
     void startPacking(const PackTarget &target);
     void measure();
 

@@ -6,6 +6,7 @@
 #include "model/document/islands.h"
 #include "model/document/scenegroups.h"
 #include "model/document/selection.h"
+#include "model/document/texturesets.h"
 #include "model/plain/packingsettings.h"
 #include "model/plain/snapshot.h"
 #include "solver/unwrap/seamprices.h"
@@ -62,6 +63,12 @@ struct MapSeamEdit
     std::vector<int> edges; //!< edge pairs
 };
 
+//! Texture sets that a job made, as DocumentState::textureSets.
+struct MadeTextures
+{
+    std::vector<TextureSet> before, sets;
+};
+
 //! The result of a job.
 struct MapJobResult
 {
@@ -75,6 +82,7 @@ struct MapJobResult
     std::optional<unwrap::SeamPrices> prices{};
     //! Of a rip or a stitch; then the map is not a whole new one.
     std::optional<MapSeamEdit> seams{};
+    std::optional<MadeTextures> textures{}; //!< for the map of the token
 };
 
 //! Which islands are packed, and where.

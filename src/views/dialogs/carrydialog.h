@@ -1,0 +1,61 @@
+// The dialog that asks how textures are to be carried over to the map.
+#pragma once
+
+#include "views/control/carrychoice.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+class QTreeWidget;
+
+namespace autocuts {
+
+class Document;
+class Questions;
+struct CarryPlan;
+
+//! Asks for the map that the textures are for, the files and their size; shows what will be written.
+class CarryDialog final : public QDialog
+{
+    Q_OBJECT
+
+public:
+    //! \param last what was chosen last time; without a folder or a suffix, some are proposed
+    //! \param filters of the other model's file
+    CarryDialog(const Document &document, const CarryChoice &last, const QStringList &filters,
+                Questions &questions);
+
+    CarryChoice choice() const;
+    //! Asks before files are replaced.
+    void accept() override;
+
+private:
+    void addSources(const CarryChoice &last);
+    void addFormats(const CarryChoice &last);
+    void fillForm();
+    void browseFile();
+    void browseFolder();
+    void showState();
+    void showPlan(const CarryPlan &plan);
+    CarryPlan plan() const;
+    QString sourceProblem() const;
+    QString targetProblem(const CarryPlan &plan) const;
+
+    const Document &mDocument;
+    Questions &mQuestions;
+    QStringList mFilters;
+    bool mTiled = false;
+    QComboBox *mFrom, *mUvSet, *mSize, *mFormat;
+    QLineEdit *mFile, *mFolder, *mSuffix;
+    QWidget *mFileRow, *mFolderRow;
+    QSpinBox *mMargin;
+    QTreeWidget *mList;
+    QLabel *mProblem;
+    QPushButton *mCarry;
+};
+
+} // namespace autocuts
