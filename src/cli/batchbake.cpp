@@ -1,8 +1,10 @@
 #include "cli/batchbake.h"
 
+#include "cli/letgo.h"
 #include "model/document/shadedscene.h"
 #include "model/io/bakefiles.h"
 #include "model/io/pictures/picturesize.h"
+#include "model/io/savefile.h"
 #include "model/plain/chart.h"
 #include "model/plain/udimtiles.h"
 #include "model/transfer/facematch.h"
@@ -46,6 +48,27 @@ Result<Scene> readScene(const CliOptions &options, const QString &path, const QS
     other.uvSet = uvSet;
     other.newUvSet.clear();
     return BatchFiles().read(other, &stop);
+}
+
+//! A model that is baked from.
+struct SourceModel
+{
+    Scene scene;
+    ShadedSurface surface;
+};
+
+Result<SourceModel> readSource(const CliOptions &options, const QString &path, const QString &uvSet,
+                               double tileHeight, const std::atomic<bool> &stop)
+{
+    const auto read = [=](const std::atomic<bool> &own) -> Result<SourceModel> {
+        Result<Scene> scene = readScene(options, path, uvSet, own);
+        if (!scene)
+            return scene.error();
+        ShadedSurface surface = shadedSurface(scene.value(), tileHeight);
+        return SourceModel{std::move(scene).value(), std::move(surface)};
+    };
+    std::optional<Result<SourceModel>> model = unlessStopped(stop, read);
+    return model ? std::move(*model) : readingCancelled(path);
 }
 
 //! Prepares what every bake needs of the model that is baked into.
@@ -168,14 +191,15 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, cons
         return job.error();
     job->floats = options.bake.suffix == u"exr"_s;
     if (!options.bake.high.isEmpty()) {
-        const Result<Scene> high = readScene(options, options.bake.high, {}, stop);
+        Result<SourceModel> high = readSource(options, options.bake.high, {}, 1, stop);
         if (!high)
             return high.error();
         job->kind = bake::SourceKind::Detailed;
-        job->high = shadedSurface(high.value());
-        addColors(high.value(), job.value(), *job->high, outcome.warnings);
+        job->high = std::move(high->surface);
+        addColors(high->scene, job.value(), *job->high, outcome.warnings);
         if (options.bake.byName) {
-            const QStringList alone = pairObjects(job->low, scene.objectNames, *job->high, high->objectNames);
+            const QStringList alone =
+                pairObjects(job->low, scene.objectNames, *job->high, high->scene.objectNames);
             if (!alone.isEmpty())
                 outcome.warnings << u"no object of the detailed model belongs to: %1"_s.arg(
                     alone.join(u", "_s));
@@ -211,14 +235,15 @@ Result<BakeOutcome> carryTextures(const CliOptions &options, const Scene &scene,
         return prepared.error();
     bake::BakeJob &job = prepared.value();
     const QString from = options.from.isEmpty() ? options.input : options.from;
-    const Result<Scene> old = readScene(options, from, options.fromUvSet, stop);
+    Result<SourceModel> old =
+        readSource(options, from, options.fromUvSet, options.unwrap.packing.tileHeight(), stop);
     if (!old)
         return old.error();
-    if (!old->hasUv())
+    if (!old->scene.hasUv())
         return Error{u"the model has no UV map that its textures could be for"_s, from, 0, {}};
-    job.high = shadedSurface(old.value(), options.unwrap.packing.tileHeight());
-    job.kind =
-        samePolygons(*old->mesh, *scene.mesh) ? bake::SourceKind::SameTriangles : bake::SourceKind::Detailed;
+    job.high = std::move(old->surface);
+    job.kind = samePolygons(*old->scene.mesh, *scene.mesh) ? bake::SourceKind::SameTriangles
+                                                           : bake::SourceKind::Detailed;
     if (const Result<Done> made = makeFolder(options.output); !made)
         return made.error();
     for (const QString &path : options.bake.textures) {

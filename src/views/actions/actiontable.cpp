@@ -380,6 +380,10 @@ constexpr std::array toolTable{
                                  "Bake normals, occlusion and more into pictures for the map, from a "
                                  "detailed model or from this one"),
                NeedsDocument | NeedsIdle},
+    ActionInfo{
+        "uv.bakeLight", "UV", QT_TRANSLATE_NOOP("Actions", "Bake light..."), "texture", "",
+        QT_TRANSLATE_NOOP("Actions", "Bake the light of a sun, a sky and lamps into a picture for the map"),
+        NeedsDocument | NeedsIdle},
     ActionInfo{"uv.cancel", "UV", QT_TRANSLATE_NOOP("Actions", "Cancel job"), "cancel", "Esc",
                QT_TRANSLATE_NOOP("Actions", "End the running job and keep what it has"), NeedsJob, false, "",
                true},

@@ -1,7 +1,8 @@
-// The action that bakes.
+// The actions that bake.
 #pragma once
 
 #include "views/control/bakechoice.h"
+#include "views/control/lightchoice.h"
 #include "views/control/studiocontext.h"
 
 #include <QObject>
@@ -22,10 +23,14 @@ public:
 private:
     void ask(const Document &document);
     void showLive();
+    void askLight(const Document &document);
+    void showBaked();
 
     StudioContext mContext;
     Questions &mQuestions;
     BakeChoice mChoice; //!< the one last made
+    LightChoice mLight; //!< the one last made, for this document
+    bool mHasLight = false;
 };
 
 } // namespace autocuts
