@@ -69,9 +69,12 @@ struct BakeSession : StudioSession
     QString low = folder.filePath(u"low.obj"_s), high = folder.filePath(u"high.obj"_s);
     QSignalSpy done{&context.map, &MapController::done}, failed{&context.map, &MapController::failed};
 
-    BakeSession()
+    explicit BakeSession(bool twoTiles = false)
     {
-        write(low, test::mapped(test::box(4), test::boxMap()));
+        MappedModel box = test::mapped(test::box(4), test::boxMap());
+        for (Eigen::Index corner = 0; twoTiles && corner < box.uv.rows(); ++corner)
+            box.uv(corner, 0) += box.uv(corner, 0) > 0.65 ? 1 : 0; // two sides of the box
+        write(low, box);
         write(high, {test::box(9, Vec3(2.02, 2.02, 2.02)), UvMatrix(0, 2)});
         context.files.open(low);
         jobsRest();
@@ -123,6 +126,8 @@ private Q_SLOTS:
     void everyMapHasATitle();
     void liveBakesFollowTheMap();
     void liveBakesEnd();
+    void liveBakesFillAllTiles();
+    void anotherMapIsShownLive();
 };
 
 void TestBakeDialog::picturesAreBaked()
@@ -343,6 +348,53 @@ void TestBakeDialog::liveBakesEnd()
     });
     QTRY_VERIFY(!live.isOn());
     QVERIFY(session.failed.last().first().toString().contains(u"low.obj"_s));
+}
+
+void TestBakeDialog::liveBakesFillAllTiles()
+{
+    BakeSession session(true);
+    LiveBake &live = session.context.liveBake;
+    session.bake([&](const DialogUser &user) {
+        QTest::mouseClick(user.find<QPushButton>("live"), Qt::LeftButton);
+        return user.dialog.result();
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 0, 60000);
+    QCOMPARE(live.pictures().sets.size(), std::size_t(1));
+    const std::map<int, int> expected{{0, 0}, {1, 1}};
+    QCOMPARE(live.pictures().sets.front().tiles, expected);
+    for (const QImage &picture : live.pictures().images) {
+        QCOMPARE(picture.width(), LiveBake::size);
+        QVERIFY(qBlue(picture.pixel(820, 820)) > 0 || qBlue(picture.pixel(820, 512)) > 0 ||
+                qBlue(picture.pixel(204, 820)) > 0);
+    }
+    QCOMPARE(LiveBake::sizeFor(16), LiveBake::size);
+    QCOMPARE(LiveBake::sizeFor(17), LiveBake::size / 2);
+}
+
+void TestBakeDialog::anotherMapIsShownLive()
+{
+    BakeSession session;
+    LiveBake &live = session.context.liveBake;
+    session.bake([&](const DialogUser &user) {
+        user.type("high", session.high);
+        QTest::mouseClick(user.find<QPushButton>("live"), Qt::LeftButton);
+        return user.dialog.result();
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 0, 60000);
+    auto *maps = session.window.findChild<QComboBox *>(u"bakedMap"_s);
+    QTRY_COMPARE(maps->currentData().toString(), u"normal"_s);
+    QCOMPARE(maps->count(), bakeMapNames().size());
+    const QImage normals = live.pictures().images.front();
+    // By the keys to the height, without reading the detailed model again.
+    QVERIFY(QFile::remove(session.high));
+    maps->setFocus();
+    QTest::keyClick(maps, Qt::Key_End);
+    QCOMPARE(live.map(), u"height"_s);
+    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > 0 && !live.isRefining(), 60000);
+    QVERIFY(live.isOn());
+    const QRgb height = live.pictures().images.front().pixel(200, 820);
+    QVERIFY(live.pictures().images.front() != normals);
+    QCOMPARE(qRed(height), qBlue(height));
 }
 
 QTEST_MAIN(TestBakeDialog)

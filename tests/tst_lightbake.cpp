@@ -1,6 +1,7 @@
 // The light bake, against what can be computed by hand.
 #include "model/plain/shadingnormals.h"
 #include "solver/bake/lightbake.h"
+#include "solver/bake/lightjob.h"
 #include "support/meshbuilders.h"
 
 #include <Eigen/Geometry>
@@ -389,6 +390,32 @@ private Q_SLOTS:
         QCOMPARE(previews, 2);
         // What there is covers the whole map.
         QVERIFY(std::abs(meanOf(result) - 1) < .01);
+    }
+
+    void jobs()
+    {
+        LightPlan plan;
+        plan.sun = Vec2(0, 90);
+        plan.day = true;
+        plan.sunHidden = true;
+        QVERIFY(bake::lightingOf(plan, false).suns.empty() && bake::lightingOf(plan, false).sky->day);
+        plan.sunHidden = false;
+        QCOMPARE(bake::lightingOf(plan, false).suns.size(), std::size_t(1));
+        // Tile by tile; after a stop there is what was found, or no picture.
+        const bake::LightJob job = bake::lightJobOf(ground(), plan, settings(64, 8), 1);
+        QCOMPARE(job.tiles, std::vector<int>{1001});
+        std::vector<int> tiles;
+        int previews = 0;
+        const auto sink = [&](int tile, LightBakeResult &result) {
+            tiles.push_back(tile);
+            return !result.picture.isEmpty();
+        };
+        const auto preview = [&](int tile, const Picture &) { previews += tile == 1001; };
+        QVERIFY(!bake::runLightBake(job, sink, preview, {}).stopped);
+        QVERIFY(tiles == job.tiles && previews > 2);
+        const std::atomic<bool> stop = true;
+        QVERIFY(bake::runLightBake(job, sink, preview, JobContext(&stop)).stopped);
+        QCOMPARE(tiles.size(), std::size_t(1));
     }
 
     void oddModels()

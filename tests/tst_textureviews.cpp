@@ -9,6 +9,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
@@ -290,6 +291,64 @@ private Q_SLOTS:
         QCOMPARE(desk.shown(1), u"wood_Roughness.png"_s);
         QCOMPARE(desk.options().shownChannel, 1);
         QVERIFY(isNear(desk.onModel(), before, 2));
+    }
+
+    void packedChannels()
+    {
+        Desk desk;
+        QImage packed(16, 16, QImage::Format_RGB32);
+        packed.fill(QColor(220, 120, 40));
+        QVERIFY(packed.save(desk.at("pack.png")));
+        desk.answers->filesToOpen = {desk.at("pack.png")};
+        auto *button = desk.child<QPushButton>("loadPacked");
+        // The menu waits for the keys: down to the first order, and Return.
+        QTimer::singleShot(200, button, [menu = button->menu()] {
+            QTest::keyClick(menu, Qt::Key_Down);
+            QTest::keyClick(menu, Qt::Key_Return);
+        });
+        desk.click("loadPacked");
+        QTRY_COMPARE(desk.shown(int(TextureChannel::Occlusion)), u"pack.png, red"_s);
+        QVERIFY(desk.loaded());
+        QCOMPARE(desk.shown(int(TextureChannel::Roughness)), u"pack.png, green"_s);
+        QCOMPARE(desk.shown(int(TextureChannel::Metalness)), u"pack.png, blue"_s);
+        desk.choose("shownChannel", 2);
+        QVERIFY2(isNear(desk.onModel(), {120, 120, 120}, 4), qPrintable(desk.onModel().name()));
+        // The roughness from the blue.
+        desk.child<QTreeWidget>("channels")
+            ->setCurrentItem(
+                desk.child<QTreeWidget>("channels")->topLevelItem(int(TextureChannel::Roughness)));
+        QCOMPARE(desk.child<QComboBox>("component")->currentText(), u"green"_s);
+        desk.choose("component", 1);
+        QVERIFY(desk.loaded());
+        QCOMPARE(desk.shown(int(TextureChannel::Roughness)), u"pack.png, blue"_s);
+        QVERIFY2(isNear(desk.onModel(), {40, 40, 40}, 4), qPrintable(desk.onModel().name()));
+        desk.context.files.save(desk.at("p.acproj"));
+        QVERIFY(QTest::qWaitFor([&] { return desk.jobsRest() && !desk.context.workspace.isModified(); },
+                                test::patience));
+        // Undo takes back first the component, then all three at once.
+        desk.press(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(desk.shown(int(TextureChannel::Roughness)), u"pack.png, green"_s);
+        desk.press(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(desk.shown(int(TextureChannel::Roughness)), u"none"_s);
+        QCOMPARE(desk.shown(int(TextureChannel::Occlusion)), u"none"_s);
+        QVERIFY(!desk.child<QComboBox>("component")->isEnabled());
+        // Sessions keep it.
+        desk.context.files.open(desk.at("p.acproj"));
+        QVERIFY(QTest::qWaitFor([&] { return desk.jobsRest() && desk.loaded(); }, test::patience));
+        QCOMPARE(desk.shown(int(TextureChannel::Roughness)), u"pack.png, blue"_s);
+    }
+
+    void componentsOfTheModelsPictures()
+    {
+        Desk desk;
+        put(desk.at("m.mtl"), "newmtl wood\nmap_Kd maps/wood_BaseColor.png\n");
+        desk.open();
+        QCOMPARE(desk.shown(0), u"wood_BaseColor.png"_s);
+        desk.choose("component", 2); // green
+        QVERIFY(desk.loaded());
+        QCOMPARE(desk.shown(0), u"wood_BaseColor.png, green"_s);
+        const ChannelPicture own = desk.document()->state().textureSets.at(1).at(TextureChannel::BaseColor);
+        QVERIFY(own.fromModel && own.component == 1);
     }
 
     void onePicture()

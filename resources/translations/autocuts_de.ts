@@ -1623,6 +1623,14 @@
         <source>Make the textures of all materials new for this map, as files, from the map that they were made for</source>
         <translation>Die Texturen aller Materialien für diese UV-Map neu machen, als Dateien, aus der UV-Map, für die sie gemacht sind</translation>
     </message>
+    <message>
+        <source>Bake light...</source>
+        <translation>Licht backen...</translation>
+    </message>
+    <message>
+        <source>Bake the light of a sun, a sky and lamps into a picture for the map</source>
+        <translation>Das Licht einer Sonne, eines Himmels und von Lampen in ein Bild für die Map backen</translation>
+    </message>
 </context>
 <context>
     <name>Brush</name>
@@ -4745,6 +4753,53 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     </message>
 </context>
 <context>
+    <name>autocuts::LampForm</name>
+    <message>
+        <source>Lamp at</source>
+        <translation>Lampe bei</translation>
+    </message>
+    <message>
+        <source>Shines at</source>
+        <translation>Scheint auf</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Shining material</source>
+        <translation>Leuchtendes Material</translation>
+    </message>
+    <message>
+        <source>Rectangles that shine to one side, in units of the model; they are not seen themselves. Light is red, green, blue, or one number</source>
+        <translation>Rechtecke, die nach einer Seite scheinen, in Einheiten des Modells; sie selbst sind nicht zu sehen. Licht ist Rot, Grün, Blau oder eine Zahl</translation>
+    </message>
+    <message>
+        <source>The faces of a ticked material shine, with red, green, blue or one number</source>
+        <translation>Die Flächen eines angekreuzten Materials leuchten, mit Rot, Grün, Blau oder einer Zahl</translation>
+    </message>
+    <message>
+        <source>Add &amp;lamp</source>
+        <translation>&amp;Lampe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Re&amp;move lamp</source>
+        <translation>La&amp;mpe entfernen</translation>
+    </message>
+    <message>
+        <source>A lamp needs two different places (x, y, z), a size (width x height) and its light (a number, or red, green, blue).</source>
+        <translation>Eine Lampe braucht zwei verschiedene Orte (x, y, z), eine Größe (Breite x Höhe) und ihr Licht (eine Zahl oder Rot, Grün, Blau).</translation>
+    </message>
+    <message>
+        <source>The light of a material is a number, or red, green, blue.</source>
+        <translation>Das Licht eines Materials ist eine Zahl oder Rot, Grün, Blau.</translation>
+    </message>
+</context>
+<context>
     <name>autocuts::LayoutPanel</name>
     <message>
         <source>Open a model to arrange the islands of its map.</source>
@@ -4813,6 +4868,257 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>The 2D cursor; Shift+right click in the UV view places it</source>
         <translation>Der 2D-Cursor; Umschalt+Rechtsklick in der UV-Ansicht setzt ihn</translation>
+    </message>
+</context>
+<context>
+    <name>autocuts::LightBakeDialog</name>
+    <message>
+        <source>Light map</source>
+        <translation>Lightmap</translation>
+    </message>
+    <message>
+        <source>Bake light</source>
+        <translation>Licht backen</translation>
+    </message>
+    <message>
+        <source>Ba&amp;ke light</source>
+        <translation>Licht bac&amp;ken</translation>
+    </message>
+    <message>
+        <source>&amp;Sun</source>
+        <translation>&amp;Sonne</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Direction of the sun, clockwise from north, which is -z, or y where z is up</source>
+        <translation>Richtung der Sonne, im Uhrzeigersinn von Norden aus; das ist -z, oder y, wenn z nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>Height of the sun above the horizon</source>
+        <translation>Höhe der Sonne über dem Horizont</translation>
+    </message>
+    <message>
+        <source>Light on a surface that faces the sun (irradiance); 3.14 makes white of white</source>
+        <translation>Licht auf einer Fläche, die zur Sonne zeigt (Bestrahlungsstärke); 3,14 macht aus Weiß Weiß</translation>
+    </message>
+    <message>
+        <source>Diameter as seen from the model; a larger sun makes softer shadows</source>
+        <translation>Durchmesser vom Modell aus; eine größere Sonne macht weichere Schatten</translation>
+    </message>
+    <message>
+        <source>Colour of the sun</source>
+        <translation>Farbe der Sonne</translation>
+    </message>
+    <message>
+        <source>Direction:</source>
+        <translation>Richtung:</translation>
+    </message>
+    <message>
+        <source>Height:</source>
+        <translation>Höhe:</translation>
+    </message>
+    <message>
+        <source>Strength:</source>
+        <translation>Stärke:</translation>
+    </message>
+    <message>
+        <source>Size:</source>
+        <translation>Größe:</translation>
+    </message>
+    <message>
+        <source>Colour:</source>
+        <translation>Farbe:</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Himmel</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>One colour</source>
+        <translation>Eine Farbe</translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Clear day</source>
+        <translation>Klarer Tag</translation>
+    </message>
+    <message>
+        <source>Light from all around; a clear day is that of the sun&apos;s place, also where the sun is off</source>
+        <translation>Licht von allen Seiten; ein klarer Tag richtet sich nach dem Ort der Sonne, auch wenn sie aus ist</translation>
+    </message>
+    <message>
+        <source>Factor on the colours; of a clear day, the brightness of the zenith</source>
+        <translation>Faktor für die Farben; beim klaren Tag die Helligkeit des Zenits</translation>
+    </message>
+    <message>
+        <source>Haze of a clear day: 2 is clear, 10 hazy</source>
+        <translation>Dunst des klaren Tages: 2 ist klar, 10 dunstig</translation>
+    </message>
+    <message>
+        <source>Colour of the zenith</source>
+        <translation>Farbe des Zenits</translation>
+    </message>
+    <message>
+        <source>Colour of the horizon</source>
+        <translation>Farbe des Horizonts</translation>
+    </message>
+    <message>
+        <source>Colour of the ground</source>
+        <translation>Farbe des Bodens</translation>
+    </message>
+    <message>
+        <source>Colours:</source>
+        <translation>Farben:</translation>
+    </message>
+    <message>
+        <source>Haze:</source>
+        <translation>Dunst:</translation>
+    </message>
+    <message>
+        <source>New set for lightmaps</source>
+        <translation>Neuer Satz für Lightmaps</translation>
+    </message>
+    <message>
+        <source>The map that light is baked into. In a map for lightmaps no islands lie on each other: a new one is made of the active map, and packed with the margin of the Packing panel</source>
+        <translation>Die Map, in die Licht gebacken wird. In einer Map für Lightmaps liegen keine Inseln aufeinander: Eine neue wird aus der aktiven Map gemacht und mit dem Abstand aus dem Bedienfeld Packen gepackt</translation>
+    </message>
+    <message>
+        <source>%1, as in the Packing panel</source>
+        <translation>%1, wie beim Packen</translation>
+    </message>
+    <message>
+        <source>Texels along the width</source>
+        <translation>Texel in der Breite</translation>
+    </message>
+    <message>
+        <source>Light, times the colour of the surface it is what is seen</source>
+        <translation>Licht: mal der Farbe der Fläche ist es, was man sieht</translation>
+    </message>
+    <message>
+        <source>Irradiance</source>
+        <translation>Bestrahlungsstärke</translation>
+    </message>
+    <message>
+        <source>What is seen, with the colours of the materials</source>
+        <translation>Was man sieht, mit den Farben der Materialien</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Texels around islands that are filled with the nearest value</source>
+        <translation>Texel um die Inseln, die mit dem nächsten Wert gefüllt werden</translation>
+    </message>
+    <message>
+        <source>&amp;UV set:</source>
+        <translation>&amp;UV-Satz:</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze:</source>
+        <translation>&amp;Größe:</translation>
+    </message>
+    <message>
+        <source>&amp;Values:</source>
+        <translation>&amp;Werte:</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Paths of light in each texel: more of them leave less noise</source>
+        <translation>Lichtwege in jedem Texel: mehr davon lassen weniger Rauschen übrig</translation>
+    </message>
+    <message>
+        <source>How often light is reflected before it arrives</source>
+        <translation>Wie oft Licht zurückgeworfen wird, bevor es ankommt</translation>
+    </message>
+    <message>
+        <source>Light of the lights themselves</source>
+        <translation>Licht der Lichter selbst</translation>
+    </message>
+    <message>
+        <source>Reflected light</source>
+        <translation>Zurückgeworfenes Licht</translation>
+    </message>
+    <message>
+        <source>Take out the &amp;noise</source>
+        <translation>&amp;Rauschen entfernen</translation>
+    </message>
+    <message>
+        <source>The axis that points to the zenith</source>
+        <translation>Die Achse, die zum Zenit zeigt</translation>
+    </message>
+    <message>
+        <source>Sam&amp;ples per texel:</source>
+        <translation>&amp;Proben pro Texel:</translation>
+    </message>
+    <message>
+        <source>B&amp;ounces:</source>
+        <translation>Refle&amp;xionen:</translation>
+    </message>
+    <message>
+        <source>Up:</source>
+        <translation>Oben:</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>%1, %2 bits</source>
+        <translation>%1, %2 Bit</translation>
+    </message>
+    <message>
+        <source>EXR keeps light above 1 and is linear; the others are cut off at 1 and in sRGB</source>
+        <translation>EXR behält Licht über 1 und ist linear; die anderen sind bei 1 abgeschnitten und in sRGB</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Format:</translation>
+    </message>
+    <message>
+        <source>Fil&amp;e:</source>
+        <translation>Dat&amp;ei:</translation>
+    </message>
+    <message>
+        <source>The model has no UVs: unwrap it first.</source>
+        <translation>Das Modell hat keine UVs: zuerst abwickeln.</translation>
+    </message>
+    <message>
+        <source>Choose at least one light.</source>
+        <translation>Wählen Sie mindestens ein Licht.</translation>
+    </message>
+    <message>
+        <source>Choose direct or reflected light.</source>
+        <translation>Wählen Sie direktes oder zurückgeworfenes Licht.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written in this format: %1</source>
+        <translation>Die Datei kann in diesem Format nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>Sk&amp;y:</source>
+        <translation>H&amp;immel:</translation>
+    </message>
+    <message>
+        <source>D&amp;ilation:</source>
+        <translation>R&amp;and:</translation>
     </message>
 </context>
 <context>
@@ -5444,6 +5750,26 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>As far as the history knows, the textures fit this map already: choose the file or the UV set that they are for</source>
         <translation>Soweit der Verlauf weiß, passen die Texturen schon zu dieser UV-Map: die Datei oder den UV-Satz wählen, zu dem sie gehören</translation>
+    </message>
+    <message>
+        <source>Cancelled: no light was baked</source>
+        <translation>Abgebrochen: es wurde kein Licht gebacken</translation>
+    </message>
+    <message>
+        <source>Cancelled: %1 has what was found so far</source>
+        <translation>Abgebrochen: %1 enthält, was bis dahin gefunden war</translation>
+    </message>
+    <message>
+        <source>Baked light into %1</source>
+        <translation>Licht gebacken, in %1</translation>
+    </message>
+    <message>
+        <source>%1. In %2 % of the texels light is above 1 and was cut off: EXR keeps it, or take weaker lights</source>
+        <translation>%1. In %2 % der Texel liegt das Licht über 1 und wurde abgeschnitten: EXR behält es, oder schwächere Lichter nehmen</translation>
+    </message>
+    <message>
+        <source>Baking light</source>
+        <translation>Licht wird gebacken</translation>
     </message>
 </context>
 <context>
@@ -7905,6 +8231,42 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Channels found: %1</source>
         <translation>Gefundene Kanäle: %1</translation>
     </message>
+    <message>
+        <source>Packed…</source>
+        <translation>Gepackt …</translation>
+    </message>
+    <message>
+        <source>Loads one picture that holds three channels: in its red, its green and its blue</source>
+        <translation>Lädt ein Bild, das drei Kanäle enthält: in Rot, Grün und Blau</translation>
+    </message>
+    <message>
+        <source>Occlusion, roughness, metalness (ORM, glTF)</source>
+        <translation>Verdeckung, Rauheit, Metall (ORM, glTF)</translation>
+    </message>
+    <message>
+        <source>Metalness, roughness, occlusion (MRA)</source>
+        <translation>Metall, Rauheit, Verdeckung (MRA)</translation>
+    </message>
+    <message>
+        <source>Roughness, metalness, occlusion (RMA)</source>
+        <translation>Rauheit, Metall, Verdeckung (RMA)</translation>
+    </message>
+    <message>
+        <source>Which numbers of its picture the marked channel is: several channels may share one picture, such as occlusion in red, roughness in green and metalness in blue</source>
+        <translation>Welche Zahlen seines Bildes der markierte Kanal ist: Mehrere Kanäle können ein Bild teilen, etwa Verdeckung in Rot, Rauheit in Grün und Metall in Blau</translation>
+    </message>
+    <message>
+        <source>Taken from</source>
+        <translation>Kommt aus</translation>
+    </message>
+    <message>
+        <source>all colours</source>
+        <translation>allen Farben</translation>
+    </message>
+    <message>
+        <source>Load a picture with three channels</source>
+        <translation>Ein Bild mit drei Kanälen laden</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::ToolOptionBar</name>
@@ -8560,6 +8922,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Vertex colours</source>
         <translation>Vertexfarben</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Map</translation>
+    </message>
+    <message>
+        <source>Which map of the bake is shown while the UVs change</source>
+        <translation>Welche Map des Backens gezeigt wird, während sich die UVs ändern</translation>
     </message>
 </context>
 <context>

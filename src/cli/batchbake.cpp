@@ -1,10 +1,12 @@
 #include "cli/batchbake.h"
 
+#include "cli/letgo.h"
 #include "model/document/carriedsurface.h"
 #include "model/document/shadedscene.h"
 #include "model/io/bakefiles.h"
 #include "model/io/carriedtextures.h"
 #include "model/io/pictures/picturesize.h"
+#include "model/io/savefile.h"
 #include "model/io/texturefiles.h"
 #include "model/plain/chart.h"
 #include "model/plain/udimtiles.h"
@@ -56,6 +58,26 @@ Result<Scene> readScene(const CliOptions &options, const QString &path, const st
 {
     BatchFiles files;
     return readScene(options, path, {}, files, stop);
+}
+
+//! A model that is baked from.
+struct SourceModel
+{
+    Scene scene;
+    ShadedSurface surface;
+};
+
+Result<SourceModel> readSource(const CliOptions &options, const QString &path, const std::atomic<bool> &stop)
+{
+    const auto read = [=](const std::atomic<bool> &own) -> Result<SourceModel> {
+        Result<Scene> scene = readScene(options, path, own);
+        if (!scene)
+            return scene.error();
+        ShadedSurface surface = shadedSurface(scene.value());
+        return SourceModel{std::move(scene).value(), std::move(surface)};
+    };
+    std::optional<Result<SourceModel>> model = unlessStopped(stop, read);
+    return model ? std::move(*model) : readingCancelled(path);
 }
 
 //! Prepares what every bake needs of the model that is baked into.
@@ -184,14 +206,15 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, cons
         return job.error();
     job->floats = options.bake.suffix == u"exr"_s;
     if (!options.bake.high.isEmpty()) {
-        const Result<Scene> high = readScene(options, options.bake.high, stop);
+        Result<SourceModel> high = readSource(options, options.bake.high, stop);
         if (!high)
             return high.error();
         job->kind = bake::SourceKind::Detailed;
-        job->high = shadedSurface(high.value());
-        takeColors(options, high.value(), *job->high, outcome.warnings);
+        job->high = std::move(high->surface);
+        takeColors(options, high->scene, *job->high, outcome.warnings);
         if (options.bake.byName) {
-            const QStringList alone = pairObjects(job->low, scene.objectNames, *job->high, high->objectNames);
+            const QStringList alone =
+                pairObjects(job->low, scene.objectNames, *job->high, high->scene.objectNames);
             if (!alone.isEmpty())
                 outcome.warnings << u"no object of the detailed model belongs to: %1"_s.arg(
                     alone.join(u", "_s));

@@ -1,6 +1,7 @@
 // autocuts-cli: makes UV maps in scripts.
 #include "cli/batch.h"
 #include "cli/commandline.h"
+#include "cli/letgo.h"
 
 #include <QCoreApplication>
 
@@ -54,5 +55,11 @@ int main(int argc, char *argv[])
     // Without these signals, closed pipes and file size limits are reported as failed writes.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-    return autocuts::runCommand(options.value(), stopSource, isatty(STDERR_FILENO), out, err);
+    const int code = autocuts::runCommand(options.value(), stopSource, isatty(STDERR_FILENO), out, err);
+    if (autocuts::letGoCount > 0) {
+        out.flush();
+        err.flush();
+        std::_Exit(code);
+    }
+    return code;
 }

@@ -22,6 +22,7 @@ struct LightPlan
     };
 
     std::optional<Vec2> sun; //!< azimuth clockwise from north and elevation, degrees; see zUp
+    bool sunHidden = false;  //!< it only gives a clear day its place
     double sunStrength = 3;  //!< irradiance
     double sunAngle = 0.53;  //!< diameter, degrees
     Vec3f sunColor = Vec3f::Ones();

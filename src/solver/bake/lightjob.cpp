@@ -37,7 +37,7 @@ Lighting lightingOf(const LightPlan &plan, bool facesShine)
 {
     const Vec3f up = plan.zUp ? Vec3f::UnitZ() : Vec3f::UnitY();
     Lighting lighting;
-    if (plan.sun) {
+    if (plan.sun && !plan.sunHidden) {
         lighting.suns.push_back({directionOf(*plan.sun, plan.zUp),
                                  static_cast<float>(plan.sunStrength) * plan.sunColor,
                                  static_cast<float>(plan.sunAngle * std::numbers::pi / 180)});

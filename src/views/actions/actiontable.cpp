@@ -386,6 +386,10 @@ constexpr std::array toolTable{
                    "Actions", "Make the textures of all materials new for this map, as files, from the map "
                               "that they were made for"),
                NeedsDocument | NeedsIdle},
+    ActionInfo{
+        "uv.bakeLight", "UV", QT_TRANSLATE_NOOP("Actions", "Bake light..."), "texture", "",
+        QT_TRANSLATE_NOOP("Actions", "Bake the light of a sun, a sky and lamps into a picture for the map"),
+        NeedsDocument | NeedsIdle},
     ActionInfo{"uv.cancel", "UV", QT_TRANSLATE_NOOP("Actions", "Cancel job"), "cancel", "Esc",
                QT_TRANSLATE_NOOP("Actions", "End the running job and keep what it has"), NeedsJob, false, "",
                true},

@@ -7,6 +7,7 @@
 #include "views/control/workspace.h"
 #include "views/dialogs/bakedialog.h"
 #include "views/dialogs/carrydialog.h"
+#include "views/dialogs/lightbakedialog.h"
 #include "views/state/viewstate.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
@@ -27,6 +28,11 @@ BakeActions::BakeActions(const StudioContext &context, Questions &questions, QOb
         if (const Document *document = mContext.workspace.document())
             askCarrying(*document);
     });
+    connect(context.actions.action("uv.bakeLight"), &QAction::triggered, this, [this] {
+        if (const Document *document = mContext.workspace.document())
+            askLight(*document);
+    });
+    connect(&context.workspace, &Workspace::documentReplaced, this, [this] { mHasLight = false; });
     connect(&context.liveBake, &LiveBake::failed, &context.map,
             [map = &context.map](const QString &message) { Q_EMIT map->failed(message); });
     connect(&context.view, &ViewState::optionsChanged, this, [this] {
@@ -68,9 +74,34 @@ void BakeActions::askCarrying(const Document &document)
 void BakeActions::showLive()
 {
     mContext.liveBake.start(mChoice, mChoice.maps.first());
+    showBaked();
+}
+
+void BakeActions::showBaked()
+{
     ViewOptions options = mContext.view.options();
     options.pattern = Pattern::Baked;
     mContext.view.setOptions(options);
+}
+
+void BakeActions::askLight(const Document &document)
+{
+    const QString &model = document.state().scene.path;
+    const LightChoice first = LightBakeDialog::firstChoice(
+        document, model.isEmpty() ? mContext.preferences.lastFolder() : QFileInfo(model).path());
+    if (!mHasLight)
+        mLight = first;
+    // The set that was made last time, or one in place of a set that is gone.
+    if (mLight.uvSet == LightChoice::newSet || mLight.uvSet >= std::ssize(document.uvSets()))
+        mLight.uvSet = first.uvSet;
+    LightBakeDialog dialog(document, mLight, mQuestions);
+    if (mQuestions.run(dialog) == QDialog::Rejected)
+        return;
+    mLight = dialog.choice();
+    mHasLight = true;
+    LiveBake::Receiver shown = mContext.liveBake.receive();
+    showBaked();
+    mContext.map.bakeLight(mLight, shown);
 }
 
 } // namespace autocuts

@@ -3,6 +3,7 @@
 
 #include "views/control/bakechoice.h"
 #include "views/control/carrychoice.h"
+#include "views/control/lightchoice.h"
 #include "views/control/studiocontext.h"
 
 #include <QObject>
@@ -24,11 +25,15 @@ private:
     void ask(const Document &document);
     void showLive();
     void askCarrying(const Document &document);
+    void askLight(const Document &document);
+    void showBaked();
 
     StudioContext mContext;
     Questions &mQuestions;
     BakeChoice mChoice;       //!< the one last made
     CarryChoice mCarryChoice; //!< likewise, without what belongs to a model
+    LightChoice mLight;       //!< likewise, for this document
+    bool mHasLight = false;
 };
 
 } // namespace autocuts

@@ -3,6 +3,7 @@
 #include "views/canvas/axisgizmo.h"
 #include "views/canvas/glresources.h"
 #include "views/canvas/overlays.h"
+#include "views/control/livebake.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
 
@@ -176,6 +177,7 @@ void MeshView::drawScene(GlResources &gl)
     drawing.pixelRatio = devicePixelRatioF();
     drawing.smooth = options.smoothShading;
     drawing.pattern = options.pattern;
+    drawing.asItIs = options.pattern == Pattern::Baked && studio().liveBake.isReceiving();
     drawing.checkerSize = options.checkerSize;
     drawing.tileHeight = studio().workspace.document()->packingSettings().tileHeight();
     drawing.pictures = &gl.pictures;

@@ -29,5 +29,8 @@ struct BakeChoice
 
 //! The names of all maps that can be baked.
 QStringList bakeMapNames();
+//! Translated; empty where the title says all. \param name one of bakeMapNames()
+QString bakeMapTitle(const QString &name);
+QString bakeMapTip(const QString &name);
 
 } // namespace autocuts

@@ -38,14 +38,6 @@ PictureDepth depthOf(int bits)
 
 } // namespace
 
-QStringList bakeMapNames()
-{
-    QStringList names;
-    for (const auto &[name, kind] : bake::mapNames())
-        names << QString::fromLatin1(name.data(), std::ssize(name));
-    return names;
-}
-
 Result<bake::BakeJob> makeBakeJob(const Scene &scene, const PackingSettings &packing,
                                   const BakeChoice &choice, const std::atomic<bool> &stop,
                                   QStringList &warnings)

@@ -8,10 +8,12 @@
 
 #include <QCoreApplication>
 #include <QImage>
-#include <QPointer>
 
 #include <array>
 #include <cmath>
+#include <mutex>
+#include <set>
+#include <utility>
 
 namespace autocuts {
 
@@ -56,26 +58,100 @@ QImage imageOf(const Picture &picture)
     return image;
 }
 
-//! Lays the samples into a map.
-QImage laidImage(const LiveBakeModel &model, const UvMatrix &soupUv, const Eigen::AlignedBox2d &tile,
-                 const std::atomic<bool> &stop)
+//! A texture has no more pictures on many graphics cards.
+constexpr std::size_t mostTiles = 256;
+
+//! The tiles that triangles lie in, with their numbers; those that have none are left out.
+std::set<int> touchedTiles(const MeshData &mesh, const UvMatrix &soupUv, double tileHeight)
+{
+    // Sides of neighbouring tiles belong to the inner one.
+    constexpr double within = 1e-6;
+    std::set<int> tiles;
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const auto rows = soupUv.middleRows<3>(3 * Eigen::Index(t));
+        const Vec2 low = rows.colwise().minCoeff().transpose(), high = rows.colwise().maxCoeff().transpose();
+        if (!rows.allFinite() || low.minCoeff() < -1e3 || high.maxCoeff() > 1e4)
+            continue;
+        const auto first = [](double from) {
+            return std::max(0, static_cast<int>(std::floor(from + within)));
+        };
+        const auto last = [](double to) { return static_cast<int>(std::ceil(to - within)) - 1; };
+        for (int row = first(low.y() / tileHeight); row <= last(high.y() / tileHeight); ++row) {
+            for (int column = first(low.x()); column <= std::min(9, last(high.x())); ++column)
+                tiles.insert(PackingSettings::firstTile + column + Pictures::tilesPerRow * row);
+        }
+        while (tiles.size() > mostTiles)
+            tiles.erase(std::prev(tiles.end()));
+    }
+    return tiles;
+}
+
+//! Lays the samples into a map, tile by tile.
+std::map<int, QImage> laidImages(const LiveBakeModel &model, const UvMatrix &soupUv, double tileHeight,
+                                 const std::atomic<bool> &stop)
 {
     ShadedSurface low = model.job->low;
+    const std::set<int> tiles = touchedTiles(*low.mesh, soupUv, tileHeight);
     low.uv = cornerUvs(*low.mesh, soupUv);
     if (model.samples->kind() == bake::MapKind::Normal)
         low.tangents = mikkTangents(*low.mesh, low.uv, low.normals);
+    const int side = LiveBake::sizeFor(tiles.size());
     bake::TexelGrid grid;
-    const Vec2 sizes = tile.sizes();
-    grid.width = sizes.x() >= sizes.y() ? LiveBake::size
-                                        : static_cast<int>(std::ceil(LiveBake::size * sizes.x() / sizes.y()));
-    grid.height = sizes.y() >= sizes.x()
-                      ? LiveBake::size
-                      : static_cast<int>(std::ceil(LiveBake::size * sizes.y() / sizes.x()));
-    grid.tile = tile;
-    return imageOf(model.samples->lay(low, grid, JobContext(&stop)));
+    grid.width = static_cast<int>(std::ceil(side / std::max(1.0, tileHeight)));
+    grid.height = static_cast<int>(std::ceil(side * std::min(1.0, tileHeight)));
+    std::map<int, QImage> images;
+    for (const int tile : tiles) {
+        grid.tile = udimTile(tile, tileHeight);
+        images[tile] = imageOf(model.samples->lay(low, grid, JobContext(&stop)));
+        if (stop)
+            break;
+    }
+    return images;
 }
 
 } // namespace
+
+//! Received pictures on their way to the GUI thread.
+class LiveBake::Box final
+{
+public:
+    explicit Box(LiveBake &live) : mLive(&live) {}
+
+    void put(int tile, const QImage &picture)
+    {
+        const std::scoped_lock lock(mMutex);
+        if (!mLive)
+            return;
+        // One call is enough for all pictures that come before it.
+        if (mTiles.empty())
+            QMetaObject::invokeMethod(mLive, &LiveBake::showReceived, Qt::QueuedConnection);
+        mTiles[tile] = picture;
+    }
+    std::map<int, QImage> take()
+    {
+        const std::scoped_lock lock(mMutex);
+        return std::exchange(mTiles, {});
+    }
+    //! Later pictures are dropped.
+    void close()
+    {
+        const std::scoped_lock lock(mMutex);
+        mLive = nullptr;
+    }
+
+private:
+    std::mutex mMutex;
+    LiveBake *mLive;
+    std::map<int, QImage> mTiles;
+};
+
+int LiveBake::sizeFor(std::size_t tiles)
+{
+    int side = size;
+    while (side > 64 && tiles * std::size_t(side) * std::size_t(side) > mostTexels)
+        side /= 2;
+    return side;
+}
 
 LiveBake::LiveBake(const Workspace &workspace, const ShownMap &shownMap, QObject *parent)
     : QObject(parent), mWorkspace(workspace), mShownMap(shownMap)
@@ -89,6 +165,8 @@ LiveBake::~LiveBake()
 {
     if (mStop)
         *mStop = true;
+    if (mBox)
+        mBox->close();
     mThreads.waitForDone();
 }
 
@@ -99,6 +177,7 @@ void LiveBake::start(const BakeChoice &choice, const QString &map)
     if (!document)
         return;
     mStop = std::make_shared<std::atomic<bool>>(false);
+    mChoice = choice;
     mMap = map;
     mRefining = true;
     mUpdates = 0;
@@ -124,12 +203,63 @@ void LiveBake::start(const BakeChoice &choice, const QString &map)
     Q_EMIT changed();
 }
 
+void LiveBake::choose(const QString &map)
+{
+    if (!mStop || mBox || map == mMap)
+        return;
+    const std::shared_ptr<const LiveBakeModel> model = mModel;
+    const auto found = std::ranges::find_if(
+        bake::mapNames(), [&map](const auto &known) { return map == QLatin1StringView(known.first); });
+    // Colours need textures, which are read only for them.
+    if (!model || found == bake::mapNames().end() || found->second == bake::MapKind::Color) {
+        start(BakeChoice(mChoice), map);
+        return;
+    }
+    stop();
+    auto other = std::make_shared<bake::BakeJob>(*model->job);
+    other->settings.maps = {{found->second, 0}};
+    auto next = std::make_shared<LiveBakeModel>();
+    next->job = std::move(other);
+    mStop = std::make_shared<std::atomic<bool>>(false);
+    mMap = map;
+    mUpdates = 0;
+    takeOver(mStop, next, 0);
+    Q_EMIT changed();
+}
+
+LiveBake::Receiver LiveBake::receive()
+{
+    stop();
+    mStop = std::make_shared<std::atomic<bool>>(false);
+    mMap.clear();
+    mUpdates = 0;
+    mBox = std::make_shared<Box>(*this);
+    Q_EMIT changed();
+    return [box = mBox](int tile, const QImage &picture) { box->put(tile, picture); };
+}
+
+void LiveBake::showReceived()
+{
+    if (!mBox)
+        return;
+    std::map<int, QImage> tiles = mBox->take();
+    if (tiles.empty())
+        return;
+    // The others stay.
+    for (const auto &[place, index] : mPictures.sets.empty() ? std::map<int, int>() : mPictures.sets[0].tiles)
+        tiles.try_emplace(PackingSettings::firstTile + place, mPictures.images[std::size_t(index)]);
+    show(mStop, tiles);
+}
+
 void LiveBake::stop()
 {
     if (!mStop)
         return;
     *mStop = true;
     mStop.reset();
+    if (mBox)
+        mBox->close();
+    mBox.reset();
     mModel.reset();
     mPictures = {};
     mRefining = mLaying = mStale = false;
@@ -177,23 +307,27 @@ void LiveBake::layAgain()
     if (mLaying)
         return;
     mLaying = true;
-    const PackingSettings packing = document->packingSettings();
-    mThreads.start([this, model = mModel, flag = mStop, uv = mShownMap.uv(), packing] {
-        const QImage picture = laidImage(*model, uv, udimTile(packing.udimTile, packing.tileHeight()), *flag);
+    const double tileHeight = document->packingSettings().tileHeight();
+    mThreads.start([this, model = mModel, flag = mStop, uv = mShownMap.uv(), tileHeight] {
+        const std::map<int, QImage> tiles = laidImages(*model, uv, tileHeight, *flag);
         if (!*flag)
-            QMetaObject::invokeMethod(
-                this, [this, flag, picture, packing] { show(flag, picture, packing.udimTile); });
+            QMetaObject::invokeMethod(this, [this, flag, tiles] { show(flag, tiles); });
     });
 }
 
-void LiveBake::show(const StopFlag &flag, const QImage &picture, int tile)
+void LiveBake::show(const StopFlag &flag, const std::map<int, QImage> &tiles)
 {
     if (flag != mStop)
         return;
     ++mUpdates;
-    mPictures.images = {picture};
-    mPictures.sets = {{}};
-    mPictures.sets.front().tiles[tile - PackingSettings::firstTile] = 0;
+    mPictures = {};
+    if (!tiles.empty())
+        mPictures.sets = {{}};
+    for (const auto &[tile, picture] : tiles) {
+        mPictures.sets.front().tiles[tile - PackingSettings::firstTile] =
+            static_cast<int>(mPictures.images.size());
+        mPictures.images.push_back(picture);
+    }
     mLaying = false;
     Q_EMIT changed();
     if (mStale)

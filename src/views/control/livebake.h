@@ -8,6 +8,8 @@
 #include <QThreadPool>
 
 #include <atomic>
+#include <functional>
+#include <map>
 #include <memory>
 
 namespace autocuts {
@@ -18,28 +20,44 @@ struct LiveBakeModel;
 struct MeshData;
 
 //! Shows one map of a bake in the views. Rays are traced once, at points all over the surface, first few and
-//! then more; whenever the shown map changes, what they found is laid into it anew. All work is done on other
-//! threads. Ends when another model is opened.
+//! then more; whenever the shown map changes, what they found is laid into it anew, into all UDIM tiles in
+//! which it lies. Or it shows pictures that a job makes. All work is done on other threads. Ends when another
+//! model is opened.
 class LiveBake final : public QObject
 {
     Q_OBJECT
 
 public:
-    //! Texels along the longer side of the picture.
+    //! Texels along the longer side of the picture of a tile.
     static constexpr int size = 1024;
+    //! Texels of the pictures of all tiles. With more than 16 tiles in use the pictures are smaller, so that
+    //! laying them stays quick.
+    static constexpr int mostTexels = 16 * size * size;
+    //! The texels along the longer side where so many tiles are in use.
+    static int sizeFor(std::size_t tiles);
+
+    //! Receives the picture of a tile, on any thread.
+    using Receiver = std::function<void(int tile, const QImage &picture)>;
 
     LiveBake(const Workspace &workspace, const ShownMap &shownMap, QObject *parent = nullptr);
     ~LiveBake() override;
 
     //! \param map one of bakeMapNames(); the other maps and the files of the choice are not used
     void start(const BakeChoice &choice, const QString &map);
+    //! Shows another map of the same bake. Does nothing unless a bake is shown.
+    void choose(const QString &map);
+    //! Shows the pictures that a job makes, each in place of the one before, as they are: without light.
+    //! \returns what takes them; does nothing after the next start or stop, and may outlive this
+    Receiver receive();
     void stop();
 
     bool isOn() const { return mStop != nullptr; }
+    //! Empty while received pictures are shown.
     const QString &map() const { return mMap; }
+    bool isReceiving() const { return mBox != nullptr; }
     //! The points are not all traced yet.
     bool isRefining() const { return mRefining; }
-    //! The picture for the tile of the packing settings; empty until there is one.
+    //! For the tiles in which the shown map lies; empty until there are some.
     const Pictures &pictures() const { return mPictures; }
     //! How often a picture was laid since the start; for measurements.
     int updates() const { return mUpdates; }
@@ -56,16 +74,20 @@ private:
     void refine(std::shared_ptr<const LiveBakeModel> model, int pass);
     void takeOver(const StopFlag &flag, const std::shared_ptr<const LiveBakeModel> &model, int pass);
     void layAgain();
-    void show(const StopFlag &flag, const QImage &picture, int tile);
+    void show(const StopFlag &flag, const std::map<int, QImage> &tiles);
+    void showReceived();
     void fail(const StopFlag &flag, const QString &message);
 
     const Workspace &mWorkspace;
     const ShownMap &mShownMap;
     QThreadPool mThreads; //!< one traces, one lays
     StopFlag mStop;       //!< of what is under way; null: off
+    BakeChoice mChoice;
     QString mMap;
     bool mRefining = false, mLaying = false, mStale = false;
     std::shared_ptr<const LiveBakeModel> mModel; //!< with samples; null until the first ones are there
+    class Box;
+    std::shared_ptr<Box> mBox; //!< null: nothing is received
     Pictures mPictures;
     int mUpdates = 0;
 };

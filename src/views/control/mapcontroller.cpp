@@ -9,6 +9,7 @@
 #include "solver/overlap/overlapseparation.h"
 #include "views/control/bakejobs.h"
 #include "views/control/carryjobs.h"
+#include "views/control/lightjobs.h"
 #include "views/control/mapjobs.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/transferjobs.h"
@@ -88,6 +89,7 @@ MapController::MapController(Workspace &workspace, SolverController &solver, Sho
     connect(&mMeasureSoon, &QTimer::timeout, this, &MapController::measure);
     connect(&workspace, &Workspace::documentReplaced, this, [this] {
         mAgain = nullptr;
+        mThen = nullptr;
         mJobs.abandon();
         mMeasuring.abandon();
         mFigures.reset();
@@ -148,6 +150,7 @@ void MapController::startJob(const QString &title,
     if (!mWorkspace.document() || mJobs.isBusy())
         return;
     mAgain = nullptr;
+    mThen = nullptr;
     mSolver.whenPaused([this, title, work = std::move(work)] {
         if (!mWorkspace.document() || mJobs.isBusy())
             return;
@@ -197,12 +200,15 @@ void MapController::applyResult(const MapJobResult &result)
             return;
         }
     }
+    const std::function<void()> then = std::exchange(mThen, nullptr);
     if (result.textures && !pushTextures(result))
         return;
     if (!result.problem.isEmpty())
         Q_EMIT failed(result.problem + hint, result.problemItems);
     else
         Q_EMIT done(result.message + hint);
+    if (then && result.uv.rows() > 0)
+        then();
 }
 
 //! Returns false, and says why, when they do not belong to the document any more.
@@ -252,6 +258,7 @@ void MapController::takeUpEdits()
 void MapController::cancel()
 {
     mAgain = nullptr;
+    mThen = nullptr;
     mJobs.cancel();
 }
 
@@ -371,6 +378,36 @@ void MapController::carryTextures(const CarryChoice &choice)
         startJob(tr("Carrying textures over"), [choice, given](const MapInput &, JobControl &control) {
             return carryJob(*given, choice, control);
         });
+    });
+}
+
+void MapController::bakeLight(const LightChoice &choice,
+                              const std::function<void(int tile, const QImage &picture)> &shown)
+{
+    mSolver.whenPaused([this, choice, shown] {
+        Document *document = mWorkspace.document();
+        if (!document || mJobs.isBusy() || !hasUvs(*document))
+            return;
+        if (choice.uvSet == LightChoice::newSet) {
+            addLightmapSet();
+            mThen = [this, choice, shown] { startLightBake(choice, shown); };
+            return;
+        }
+        if (choice.uvSet != document->activeUvSet() && choice.uvSet < std::ssize(document->uvSets()))
+            pushCommand(std::make_unique<ChooseUvSet>(*document, choice.uvSet));
+        startLightBake(choice, shown);
+    });
+}
+
+//! Bakes into the active UV set.
+void MapController::startLightBake(const LightChoice &choice,
+                                   const std::function<void(int tile, const QImage &picture)> &shown)
+{
+    const Document &document = *mWorkspace.document();
+    Scene scene = document.state().scene;
+    std::swap(scene.uvSets.front(), scene.uvSets[document.activeUvSet()]);
+    startJob(tr("Baking light"), [choice, scene, shown](const MapInput &input, JobControl &control) {
+        return lightBakeJob(scene, input.packing, choice, shown, control);
     });
 }
 

@@ -11,6 +11,7 @@
 #include "views/control/jobrunner.h"
 
 #include <Eigen/Geometry>
+#include <QImage>
 #include <QList>
 #include <QObject>
 #include <QTimer>
@@ -30,6 +31,7 @@ struct PackTarget;
 struct TransferChoice;
 struct BakeChoice;
 struct CarryChoice;
+struct LightChoice;
 
 //! The figures of the document's map.
 struct MapFigures
@@ -70,6 +72,11 @@ public:
 
     //! The prices of the seams of the document's current map; null when they are not known.
     const unwrap::SeamPrices *seamPrices() const;
+
+    //! Bakes light into a UV set, which becomes the active one; where the choice wants a new one, it is made
+    //! before. \param shown receives pictures of tiles, from coarse to fine, on another thread
+    void bakeLight(const autocuts::LightChoice &choice,
+                   const std::function<void(int tile, const QImage &picture)> &shown);
 
 public Q_SLOTS:
     //! Unwraps automatically, as the command line does (solver/unwrap/unwrap.h).
@@ -140,6 +147,8 @@ private:
     void beginUnwrap(unwrap::UnwrapQuality quality, JobReach reach, const QList<int> &faces);
     void takeUpEdits();
     void applyResult(const MapJobResult &result);
+    void startLightBake(const LightChoice &choice,
+                        const std::function<void(int tile, const QImage &picture)> &shown);
     bool pushMap(const MapJobResult &result);
     bool pushTextures(const MapJobResult &result);
     void startPacking(const PackTarget &target);
@@ -153,6 +162,7 @@ private:
     std::function<void()> mAgain; //!< begins the job again; null: it does not take up edits
     QTimer mAgainSoon;            //!< one new beginning for all edits of a gesture
     bool mBeginsAgain = false;
+    std::function<void()> mThen; //!< what follows when the job has made its map
     JobRunner mMeasuring;
     QTimer mMeasureSoon;
     std::optional<MapFigures> mFigures;

@@ -30,31 +30,6 @@ constexpr int nameRole = Qt::UserRole;
 constexpr std::pair<const char *, int> formats[]{{"png", 8}, {"png", 16}, {"tif", 16},
                                                  {"tga", 8}, {"exr", 16}, {"exr", 32}};
 
-struct MapTitle
-{
-    const char *name, *title, *tip;
-};
-constexpr MapTitle titles[]{
-    {"normal", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Normals (tangent space)"),
-     QT_TRANSLATE_NOOP("autocuts::BakeDialog", "MikkTSpace, as Blender and game engines use it")},
-    {"object-normal", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Normals (object space)"), ""},
-    {"ao", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Ambient occlusion"), ""},
-    {"bent-normal", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Bent normals"),
-     QT_TRANSLATE_NOOP("autocuts::BakeDialog", "The mean direction from which light arrives")},
-    {"curvature", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Curvature"),
-     QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Bright on edges, dark in grooves")},
-    {"thickness", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Thickness"), ""},
-    {"position", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Position"), ""},
-    {"color", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Colour"),
-     QT_TRANSLATE_NOOP(
-         "autocuts::BakeDialog",
-         "From textures where there are any, else vertex colours, else the colours of materials")},
-    {"material-id", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Material ID"),
-     QT_TRANSLATE_NOOP("autocuts::BakeDialog", "A colour for each material")},
-    {"height", QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Height"),
-     QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Of the detailed model above this one")},
-};
-
 } // namespace
 
 BakeDialog::BakeDialog(const Document &document, const BakeChoice &last, const QStringList &filters,
@@ -170,13 +145,12 @@ QWidget *BakeDialog::pathRow(QLineEdit *edit, QPushButton *browse)
 
 void BakeDialog::addMaps(const QStringList &chosen)
 {
-    for (const MapTitle &map : titles) {
-        auto *item = new QListWidgetItem(tr(map.title), mMaps);
-        if (*map.tip)
-            item->setToolTip(tr(map.tip));
-        item->setData(nameRole, QString::fromLatin1(map.name));
+    for (const QString &name : bakeMapNames()) {
+        auto *item = new QListWidgetItem(bakeMapTitle(name), mMaps);
+        item->setToolTip(bakeMapTip(name));
+        item->setData(nameRole, name);
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
-        item->setCheckState(chosen.contains(QLatin1StringView(map.name)) ? Qt::Checked : Qt::Unchecked);
+        item->setCheckState(chosen.contains(name) ? Qt::Checked : Qt::Unchecked);
     }
     const int height = mMaps->sizeHintForRow(0) * mMaps->count() + 2 * mMaps->frameWidth();
     mMaps->setFixedHeight(height);

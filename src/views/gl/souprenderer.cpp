@@ -110,7 +110,7 @@ void SoupRenderer::draw(const SoupDrawing &drawing, const ViewColors &colors)
     p.setUniformValue("pattern", physical ? 3 : textured ? 2 : drawing.pattern == Pattern::Checker ? 1 : 0);
     p.setUniformValue("pictureHeight",
                       static_cast<float>(pictureHeight(drawing.pattern, drawing.tileHeight)));
-    p.setUniformValue("unlit", drawing.pattern == Pattern::Physical);
+    p.setUniformValue("unlit", drawing.pattern == Pattern::Physical || (textured && drawing.asItIs));
     p.setUniformValue("shownChannel", drawing.shownChannel);
     p.setUniformValue("pictureLayers", drawing.pictures ? drawing.pictures->layers() : 1);
     p.setUniformValue("environment", environmentUnit);

@@ -24,6 +24,7 @@ struct SoupDrawing
     QVector2D mapScale, mapOffset; //!< UV view: clip space = uv * mapScale + mapOffset
     double pixelRatio = 1;
     bool smooth = false;
+    bool asItIs = false;             //!< the picture of the pattern is shown without light
     Pattern pattern = Pattern::None; //!< pattern on the faces
     double checkerSize = 16;
     double tileHeight = 1;                     //!< of the texture, see PackingSettings::tileHeight()

@@ -16,6 +16,8 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTreeWidget>
@@ -31,11 +33,22 @@ namespace {
 
 constexpr int thumbnailSide = 32;
 
+using Order = std::array<TextureChannel, 3>;
+constexpr Order orm{TextureChannel::Occlusion, TextureChannel::Roughness, TextureChannel::Metalness};
+constexpr Order mra{TextureChannel::Metalness, TextureChannel::Roughness, TextureChannel::Occlusion};
+constexpr Order rma{TextureChannel::Roughness, TextureChannel::Metalness, TextureChannel::Occlusion};
+
+bool isColor(TextureChannel channel)
+{
+    return channel == TextureChannel::BaseColor || channel == TextureChannel::Emission;
+}
+
 } // namespace
 
 TexturePanel::TexturePanel(const StudioContext &context, Questions &questions, QWidget *parent)
     : Panel(context, tr("Open a model to give it textures."), parent), mQuestions(questions),
-      mMaterial(new QComboBox), mList(new QTreeWidget), mDirectX(new QCheckBox(tr("Normals for DirectX"))),
+      mMaterial(new QComboBox), mList(new QTreeWidget), mComponent(new QComboBox),
+      mDirectX(new QCheckBox(tr("Normals for DirectX"))),
       mLight(new LightForm(context.view, context.preferences, questions))
 {
     auto *layout = new QVBoxLayout(content());
@@ -51,6 +64,7 @@ TexturePanel::TexturePanel(const StudioContext &context, Questions &questions, Q
     makeList();
     layout->addWidget(mList, 1);
     layout->addWidget(makeButtons());
+    layout->addWidget(makeComponentRow());
     layout->addWidget(mDirectX);
     layout->addWidget(makeHeading(tr("In the views")));
     layout->addWidget(mLight);
@@ -95,6 +109,15 @@ QWidget *TexturePanel::makeButtons()
     mLoad = makeButton(tr("Load…"), "loadChannel"_L1);
     mLoad->setToolTip(tr("Chooses the picture of the marked channel"));
     connect(mLoad, &QPushButton::clicked, this, &TexturePanel::loadPicture);
+    mPacked = makeButton(tr("Packed…"), "loadPacked"_L1);
+    mPacked->setToolTip(
+        tr("Loads one picture that holds three channels: in its red, its green and its blue"));
+    auto *orders = new QMenu(mPacked);
+    for (const auto &[text, order] : {std::pair(tr("Occlusion, roughness, metalness (ORM, glTF)"), orm),
+                                      std::pair(tr("Metalness, roughness, occlusion (MRA)"), mra),
+                                      std::pair(tr("Roughness, metalness, occlusion (RMA)"), rma)})
+        connect(orders->addAction(text), &QAction::triggered, this, [this, order] { loadPacked(order); });
+    mPacked->setMenu(orders);
     mRemove = makeButton(tr("Remove"), "removeChannel"_L1);
     mRemove->setToolTip(tr("The marked channel loses its picture, or gets back that of the model's file"));
     connect(mRemove, &QPushButton::clicked, this, &TexturePanel::removePicture);
@@ -103,6 +126,22 @@ QWidget *TexturePanel::makeButtons()
                             "OpenGL. The wrong one makes bumps look like dents"));
     connect(mDirectX, &QCheckBox::clicked, this, &TexturePanel::setDirectX);
     return makeRow({mLoadFolder, mLoad, mRemove}, RowWidths::AsNeeded);
+}
+
+QWidget *TexturePanel::makeComponentRow()
+{
+    const QString tip =
+        tr("Which numbers of its picture the marked channel is: several channels may share one "
+           "picture, such as occlusion in red, roughness in green and metalness in blue");
+    mComponent->setObjectName("component"_L1);
+    mComponent->setToolTip(tip);
+    mComponent->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    mComponent->setMinimumContentsLength(5);
+    connect(mComponent, &QComboBox::activated, this, &TexturePanel::chooseComponent);
+    auto *label = new QLabel(tr("Taken from"));
+    label->setToolTip(tip);
+    label->setBuddy(mComponent);
+    return makeRow({label, mComponent, mPacked}, RowWidths::AsNeeded);
 }
 
 int TexturePanel::material() const
@@ -178,7 +217,20 @@ void TexturePanel::refreshButtons()
 {
     const TextureSet set = document() ? document()->state().textureSet(material()) : TextureSet();
     const auto found = set.find(channel());
-    mRemove->setEnabled(found != set.end() && !found->second.picture.isEmpty());
+    const bool hasPicture = found != set.end() && !found->second.picture.isEmpty();
+    mRemove->setEnabled(hasPicture);
+    mPacked->setEnabled(document() != nullptr);
+    mComponent->clear();
+    if (isColor(channel()) || channel() == TextureChannel::Normal)
+        mComponent->addItem(tr("all colours"), -1);
+    if (channel() != TextureChannel::Normal) {
+        const std::array names{tr("red"), tr("green"), tr("blue"), tr("alpha")};
+        for (int component = 0; component < std::ssize(names); ++component)
+            mComponent->addItem(names[static_cast<std::size_t>(component)], component);
+    }
+    mComponent->setEnabled(hasPicture && mComponent->count() > 1);
+    // Of grey channels without a choice it is the red.
+    mComponent->setCurrentIndex(std::max(0, mComponent->findData(hasPicture ? found->second.component : -1)));
     const auto normal = set.find(TextureChannel::Normal);
     const bool has = normal != set.end() && !normal->second.picture.isEmpty();
     mDirectX->setEnabled(has);
@@ -235,17 +287,21 @@ void TexturePanel::loadFolder()
     Q_EMIT said(message);
 }
 
+QString TexturePanel::askPicture(const QString &title)
+{
+    QStringList globs;
+    for (const QString &suffix : pictureSuffixes())
+        globs << u"*."_s + suffix;
+    return mQuestions.fileToOpen(title, folderToStart(),
+                                 {tr("Pictures (%1)").arg(globs.join(u' ')), tr("All files (*)")});
+}
+
 void TexturePanel::loadPicture()
 {
     if (!document())
         return;
-    QStringList globs;
-    for (const QString &suffix : pictureSuffixes())
-        globs << u"*."_s + suffix;
     const TextureChannel wanted = channel();
-    const QString path =
-        mQuestions.fileToOpen(tr("Load a picture: %1").arg(channelName(wanted)), folderToStart(),
-                              {tr("Pictures (%1)").arg(globs.join(u' ')), tr("All files (*)")});
+    const QString path = askPicture(tr("Load a picture: %1").arg(channelName(wanted)));
     if (path.isEmpty() || !document())
         return;
     ChannelPicture picture;
@@ -275,23 +331,61 @@ void TexturePanel::removePicture()
         changeOwn(wanted, ChannelPicture{{}, -1, false, neutralValue(wanted), false});
 }
 
+void TexturePanel::loadPacked(const Order &order)
+{
+    if (!document())
+        return;
+    const QString path = askPicture(tr("Load a picture with three channels"));
+    if (path.isEmpty() || !document())
+        return;
+    QString file = path;
+    // The name tells of tiles.
+    if (const auto named = textureOfName(QFileInfo(path).fileName()))
+        file = QFileInfo(path).dir().absoluteFilePath(named->file);
+    const std::vector<TextureSet> &sets = document()->state().textureSets;
+    const auto place = static_cast<std::size_t>(material() + 1);
+    TextureSet set = place < sets.size() ? sets[place] : TextureSet();
+    for (std::size_t c = 0; c < order.size(); ++c) {
+        ChannelPicture picture;
+        picture.picture.file = file;
+        picture.component = static_cast<int>(c);
+        set[order[c]] = picture;
+    }
+    pushCommand(EditTextures::ofMaterial(*document(), material(), std::move(set)));
+    refreshSoon();
+    showSets();
+}
+
 void TexturePanel::setDirectX(bool on)
+{
+    editPicture(TextureChannel::Normal, [on](ChannelPicture &picture) { picture.flipped = on; });
+}
+
+void TexturePanel::chooseComponent()
+{
+    const int component = mComponent->currentData().toInt();
+    editPicture(channel(), [component](ChannelPicture &picture) { picture.component = component; });
+    showSets();
+}
+
+template <class Edit>
+void TexturePanel::editPicture(TextureChannel wanted, Edit edit)
 {
     if (!document())
         return;
     const TextureSet set = document()->state().textureSet(material());
-    const auto found = set.find(TextureChannel::Normal);
+    const auto found = set.find(wanted);
     if (found == set.end())
         return;
     ChannelPicture picture = found->second;
     const std::vector<TextureSet> &sets = document()->state().textureSets;
     const auto place = static_cast<std::size_t>(material() + 1);
-    if (place >= sets.size() || !sets[place].contains(TextureChannel::Normal))
+    if (place >= sets.size() || !sets[place].contains(wanted))
         picture.fromModel = true;
     if (picture.fromModel)
         picture.picture = {};
-    picture.flipped = on;
-    changeOwn(TextureChannel::Normal, picture);
+    edit(picture);
+    changeOwn(wanted, picture);
 }
 
 void TexturePanel::changeOwn(TextureChannel wanted, const std::optional<ChannelPicture> &picture)

@@ -4,6 +4,8 @@
 #include "model/document/texturesets.h"
 #include "views/panels/panel.h"
 
+#include <array>
+
 class QCheckBox;
 class QComboBox;
 class QPushButton;
@@ -32,6 +34,7 @@ protected:
 private:
     void makeList();
     QWidget *makeButtons();
+    QWidget *makeComponentRow();
     void fillMaterials();
     void fillChannels();
     void refreshButtons();
@@ -41,10 +44,17 @@ private:
     TextureChannel channel() const;
     QString fileText(const TextureSet &set, TextureChannel channel) const;
     QString folderToStart() const;
+    //! Asks for a picture. \returns an empty string when the user cancelled
+    QString askPicture(const QString &title);
     void loadFolder();
     void loadPicture();
     void removePicture();
+    void loadPacked(const std::array<TextureChannel, 3> &order);
     void setDirectX(bool on);
+    void chooseComponent();
+    //! Gives the material's own set a changed version of the channel's picture.
+    template <class Edit>
+    void editPicture(TextureChannel channel, Edit edit);
     //! Gives the material's own set another picture for the channel; nothing: none of its own.
     void changeOwn(TextureChannel channel, const std::optional<ChannelPicture> &picture);
     void showSets();
@@ -52,7 +62,8 @@ private:
     Questions &mQuestions;
     QComboBox *mMaterial;
     QTreeWidget *mList;
-    QPushButton *mLoadFolder, *mLoad, *mRemove;
+    QPushButton *mLoadFolder, *mLoad, *mPacked, *mRemove;
+    QComboBox *mComponent;
     QCheckBox *mDirectX;
     LightForm *mLight;
 };

@@ -286,6 +286,16 @@ void ViewPanel::addPatternRows()
     explain(mPattern, tip, {"view.texture"});
     explain(label, tip, {"view.texture"});
 
+    mBakedMap = new QComboBox;
+    mBakedMap->setObjectName("bakedMap"_L1);
+    narrowest(*mBakedMap);
+    for (const QString &name : bakeMapNames())
+        mBakedMap->addItem(bakeMapTitle(name), name);
+    connect(mBakedMap, &QComboBox::activated, this,
+            [this] { context().liveBake.choose(mBakedMap->currentData().toString()); });
+    connect(&context().liveBake, &LiveBake::changed, this, [this] { refreshSoon(); });
+    addRow(mForm, tr("Map"), mBakedMap, tr("Which map of the bake is shown while the UVs change"));
+
     mCheckerSize = makeCountBox("checkerSize"_L1, 1, 1024, &ViewOptions::checkerSize);
     addRow(mForm, tr("Squares"), mCheckerSize, tr("Squares along the width of the texture"));
     mLetteredCells =
@@ -410,6 +420,9 @@ void ViewPanel::refresh()
         mForm->setRowVisible(field, isDensity);
     mForm->setRowVisible(mDensityClamp, isDensity && options.densityTolerance == 0);
     mForm->setRowVisible(mCheckerSize, options.pattern == Pattern::Checker);
+    const LiveBake &live = context().liveBake;
+    mBakedMap->setCurrentIndex(mBakedMap->findData(live.map()));
+    mForm->setRowVisible(mBakedMap, options.pattern == Pattern::Baked && live.isOn() && !live.isReceiving());
     mForm->setRowVisible(mLetteredCells, options.pattern == Pattern::Lettered);
     mForm->setRowVisible(mTextureRow, options.pattern == Pattern::Texture);
     mForm->setRowVisible(mModelTextures,

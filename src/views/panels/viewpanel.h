@@ -48,7 +48,7 @@ private:
     void showLegend(const ViewOptions &options);
 
     QFormLayout *mForm = nullptr;
-    QComboBox *mColoring = nullptr, *mPattern = nullptr;
+    QComboBox *mColoring = nullptr, *mPattern = nullptr, *mBakedMap = nullptr;
     SliderSpin *mStretchClamp = nullptr, *mMagnitudeClamp = nullptr, *mDensityClamp = nullptr;
     HeatLegend *mLegend = nullptr;
     QComboBox *mDensityUnit = nullptr, *mDensityPreset = nullptr;

@@ -1,0 +1,33 @@
+// What light is to be baked, as the user chose it.
+#pragma once
+
+#include "model/io/litscene.h"
+#include "model/plain/lightplan.h"
+
+#include <QString>
+
+namespace autocuts {
+
+//! A light bake into a UV set.
+struct LightChoice
+{
+    enum class Values { Light, Irradiance, Lit }; //!< see bake::LightValue
+    static constexpr int newSet = -1;
+
+    int uvSet = 0;       //!< newSet: a copy of the active one, made for lightmaps
+    int textureSize = 0; //!< texels along the width; 0: as many as in the Packing panel
+    LightPlan lights;
+    LitSceneOptions surface;
+    int samples = 256; //!< paths of light per texel
+    int bounces = 4;
+    bool direct = true, indirect = true;
+    Values values = Values::Light;
+    bool denoise = true;
+    int dilation = 8; //!< texels
+    QString path;     //!< of the picture; its suffix is the format
+    int bits = 8;
+
+    bool operator==(const LightChoice &) const = default;
+};
+
+} // namespace autocuts

@@ -1,0 +1,21 @@
+// The job that bakes light into a map.
+#pragma once
+
+#include "model/document/scene.h"
+#include "views/control/lightchoice.h"
+#include "views/control/mapjobs.h"
+
+#include <QImage>
+
+namespace autocuts {
+
+//! Receives pictures of tiles, as they are written into files of 8 bits; called on the job's thread.
+using LightReceiver = std::function<void(int tile, const QImage &picture)>;
+
+//! Bakes light and writes the pictures; the map stays as it is. After a stop, what there is is written.
+//! \param scene of the document, its first UV set being the one that is baked into \param shown gets
+//! pictures from coarse to fine; may be empty
+MapJobResult lightBakeJob(const Scene &scene, const PackingSettings &packing, const LightChoice &choice,
+                          const LightReceiver &shown, JobControl &control);
+
+} // namespace autocuts
