@@ -45,8 +45,23 @@ struct Scenery
 
     std::vector<FaceTexel> faces() const
     {
-        return faceTexels({mesh, uv, options, colors, false, QColor(10, 20, 30), stretch, islands,
-                           seams.weights, selectedFaces, overlapping, flipped, density, rightDensity});
+        return faceTexels({mesh,
+                           uv,
+                           options,
+                           colors,
+                           false,
+                           QColor(10, 20, 30),
+                           stretch,
+                           islands,
+                           seams.weights,
+                           selectedFaces,
+                           overlapping,
+                           flipped,
+                           density,
+                           rightDensity,
+                           {},
+                           {},
+                           vertexColors});
     }
     std::vector<SideTexel> sides() const
     {
@@ -65,6 +80,7 @@ struct Scenery
     double rightDensity = 1;
     std::vector<int> islands, selectedFaces, selectedEdges, overlapping;
     std::vector<bool> flipped, givenSeams;
+    CornerColors vertexColors;
 };
 
 quint8 style(SideStyle s)
@@ -294,6 +310,13 @@ private Q_SLOTS:
         QCOMPARE(painted, paintColor(10, qRgb(10, 20, 30)));
         QVERIFY(qRed(painted) > qRed(between) && qRed(between) > qRed(other));
         QCOMPARE(other, qRgb(10, 20, 30));
+
+        scenery.options.coloring = Coloring::VertexColors;
+        QCOMPARE(colorOf(0), qRgb(10, 20, 30));
+        scenery.vertexColors.assign(std::size_t(mesh->cornerCount()), CornerColor::fromSrgb(1, 0.2, 0));
+        scenery.vertexColors[std::size_t(mesh->triangles[3][1])] = {};
+        QCOMPARE(colorOf(0), qRgb(255, 51, 0));
+        QCOMPARE(colorOf(3), qRgb(10, 20, 30));
     }
 
     void linesFollowTheSeparation()

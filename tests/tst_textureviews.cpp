@@ -151,6 +151,28 @@ class TestTextureViews : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    //! Chosen by keys in the View panel.
+    void vertexColors()
+    {
+        Desk desk;
+        QByteArray colored = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+        for (const char *place : {"0 0 0", "1 0 0", "1 1 0", "0 1 0"})
+            colored += QByteArray("v ") + place + " .9 .1 .2\n";
+        put(desk.at("c.obj"), colored + "f 1/1 2/2 3/3 4/4\n");
+        desk.context.files.open(desk.at("c.obj"));
+        QVERIFY(QTest::qWaitFor(
+            [&] { return desk.jobsRest() && desk.document()->state().scene.cornerColors; }, test::patience));
+        desk.lookFromFront();
+        const QColor plain = desk.onModel();
+        QVERIFY2(plain.red() < plain.green() + 25, qPrintable(plain.name()));
+        desk.window.findChild<QDockWidget *>(u"view"_s)->raise();
+        desk.choose("coloring", 7);
+        QCOMPARE(desk.options().coloring, Coloring::VertexColors);
+        for (const QColor &color : {desk.onModel(), desk.inMap()})
+            QVERIFY2(color.red() > color.green() + 60 && color.red() > color.blue() + 50,
+                     qPrintable(color.name()));
+    }
+
     void aFolderIsLoaded()
     {
         Desk desk;

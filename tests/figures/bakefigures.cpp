@@ -1,8 +1,10 @@
 #include "figures/bakefigures.h"
 
+#include "figures/paintedmodel.h"
 #include "figures/picturesheet.h"
 #include "figures/studiopictures.h"
 #include "model/io/meshfile.h"
+#include "model/io/savefile.h"
 
 #include <QLocale>
 #include <QProcess>
@@ -66,6 +68,46 @@ QString trianglesOf(const Document &document)
 }
 
 } // namespace
+
+void paintedSet(FigurePage &page, const Figure &figure)
+{
+    constexpr QSize texture(280, 280), view(480, 280);
+    const QString plain = page.meshPath(u"organic/triceratops_param_closed.obj"_s);
+    if (plain.isEmpty())
+        return;
+    const QTemporaryDir folder;
+    const QString painted = folder.filePath(u"painted.obj"_s), mapped = folder.filePath(u"model.obj"_s);
+    const QString maps = folder.filePath(u"maps"_s);
+    const Scene fine = paintedModel(*read(plain).mesh, Vec3::UnitY());
+    if (!saveAtomically(painted, coloredObj(fine)))
+        throw std::runtime_error("cannot write the painted model");
+    run({u"unwrap"_s, plain, u"-o"_s, mapped});
+    run({u"bake"_s, mapped, u"--high"_s, painted, u"-o"_s, maps, u"--texture-size"_s, u"1024"_s, u"--maps"_s,
+         u"normal,color"_s, u"--samples"_s, u"9"_s, u"--cage"_s, u"0.03"_s});
+    Scene scene = read(mapped);
+    scene.materialNames = {u"skin"_s};
+    scene.faceMaterial.assign(std::size_t(scene.mesh->faceCount()), 0);
+    scene.materialTextures = {{maps + u"/model_color.png"_s, {}}};
+    TextureSet set;
+    set[TextureChannel::Normal].picture.file = maps + u"/model_normal.png"_s;
+    set[TextureChannel::Roughness].factor = 0.55;
+    scene.materialSets = {set};
+    StudioPictures studio;
+    studio.options().seams = false;
+    studio.options().pattern = Pattern::Physical;
+    studio.options().exposure = 0.8;
+    const QString triangles = trianglesOf(studio.open(std::move(scene)));
+    Column left = columnOf(textureOf(maps + u"/model_normal.png"_s, texture), u"the texture set"_s,
+                           u"normals, colours"_s);
+    left.pictures.push_back(textureOf(maps + u"/model_color.png"_s, texture));
+    Column right = columnOf(studio.model(view, {-125, 15}), u"the model with it"_s,
+                            triangles + u" triangles, in light"_s);
+    right.pictures.push_back(studio.model(view, {35, 25}));
+    save(page, figure, {left, right});
+    page.add(figure, u"triceratops"_s, {QString(), u"triangles"_s},
+             {{u"unwrapped"_s, triangles},
+              {u"painted"_s, QLocale(QLocale::English).toString(fine.mesh->triangleCount())}});
+}
 
 void detailBake(FigurePage &page, const Figure &figure)
 {

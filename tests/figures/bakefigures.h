@@ -5,6 +5,8 @@
 
 namespace autocuts::figures {
 
+//! Figure 14. Left out without the meshes.
+void paintedSet(FigurePage &page, const Figure &figure);
 //! Figure 15. Left out without the meshes.
 void detailBake(FigurePage &page, const Figure &figure);
 //! Figure 16.

@@ -70,8 +70,15 @@ const Figure table[] = {
     {13, "figure13_length_count.png", "least length or least number of cut edges (lambda 0.02)",
      "shortest cuts on the left, fewest cut edges on the right.", "both weightings of the live solver.",
      lengthOrCount},
-    {14, "figure14_painted.png", "a painted texture set", "normal and diffuse maps, painted over a model.",
-     "", nullptr},
+    {14, "figure14_painted.png", "a painted texture set",
+     "left a texture set, painted by hand in 3D over a model that was unwrapped with the paper's technique: "
+     "normals in tangent space above, diffuse colours below. Right the final model from two sides.",
+     "the model unwrapped with default settings. Scales, stripes and a pale belly are painted by rules on "
+     "the "
+     "vertices of a fine, smooth version of it, and `autocuts-cli bake` brings its normals and vertex "
+     "colours "
+     "into the map. The studio shows both in light.",
+     paintedSet},
     {15, "figure15_bake.png", "details of a fine model baked for a coarse one",
      "the armadillo: a coarse model with a map by Autocuts, and the texture of a fine one baked for it.",
      "another scanned figure: `autocuts-cli unwrap` of the coarse model, then `autocuts-cli bake` of normals "

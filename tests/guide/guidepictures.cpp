@@ -1,19 +1,26 @@
 // Takes the pictures of docs/guide.md from the real studio, worked with by events.
 //
-//   guide_pictures FOLDER
+//   guide_pictures FOLDER [STEP]
 //
 // Each picture shows a view before and after: rows 24 to 39 of what the paper's artist does, and the window
 // as a whole. scripts/guide runs it.
+#include "model/io/meshfile.h"
 #include "model/plain/uvlayout.h"
 #include "support/artist.h"
 #include "support/canvases.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
+#include "views/control/livebake.h"
+#include "views/control/modelpictures.h"
 #include "views/ui/theme.h"
 
 #include <QApplication>
 #include <QDir>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QPainter>
+#include <QPushButton>
 #include <QSurfaceFormat>
 
 #include <cstdio>
@@ -31,12 +38,16 @@ class Guide
 public:
     explicit Guide(const QString &folder) : mFolder(folder) {}
 
-    //! Returns the first problem; empty: none.
-    QString takeAll()
+    //! \param only the number of a step from 1 on; 0: all of them
+    //! \returns the first problem; empty: none
+    QString take(int only)
     {
+        int number = 0;
         for (const auto step : {&Guide::unwrapping, &Guide::runningLive, &Guide::steeringBySeams,
                                 &Guide::ripping, &Guide::painting, &Guide::dragging, &Guide::boxing,
-                                &Guide::overlaps, &Guide::arranging, &Guide::looking}) {
+                                &Guide::overlaps, &Guide::arranging, &Guide::looking, &Guide::texturing}) {
+            if (++number != only && only != 0)
+                continue;
             // A window of its own: no step depends on the one before.
             mArtist = std::make_unique<test::Artist>(QSize(1600, 900));
             (this->*step)();
@@ -330,6 +341,107 @@ private:
         save(both(), u"stretch"_s);
     }
 
+    //! Opens the dialog of a bake, where `work` is done, and clicks a button of it.
+    template <class Work>
+    void bake(const char *button, Work work)
+    {
+        studio().answers->onDialog = [&](QDialog &dialog) {
+            dialog.open();
+            (void)QTest::qWaitForWindowExposed(&dialog);
+            QApplication::setActiveWindow(&dialog);
+            work(dialog);
+            QTest::mouseClick(dialog.findChild<QPushButton *>(QLatin1StringView(button)), Qt::LeftButton);
+            return dialog.result();
+        };
+        studio().action("uv.bake")->trigger();
+        studio().answers->onDialog = nullptr;
+        QApplication::setActiveWindow(&studio().window);
+    }
+    static void type(QDialog &dialog, const char *name, const QString &text)
+    {
+        auto *edit = dialog.findChild<QLineEdit *>(QLatin1StringView(name));
+        QTest::mouseClick(edit, Qt::LeftButton);
+        edit->selectAll();
+        if (text.isEmpty())
+            QTest::keyClick(edit, Qt::Key_Delete);
+        QTest::keyClicks(edit, text);
+    }
+    //! Ticks these maps, and clears the others.
+    static void chooseMaps(QDialog &dialog, const QList<int> &rows)
+    {
+        auto *maps = dialog.findChild<QListWidget *>(u"maps"_s);
+        for (int row = 0; row < maps->count(); ++row)
+            maps->item(row)->setCheckState(rows.contains(row) ? Qt::Checked : Qt::Unchecked);
+        maps->setCurrentRow(rows.first());
+    }
+
+    //! A dialog of a bake, one of its maps live while the map changes, and a texture set made of others.
+    void texturing()
+    {
+        QDir::setCurrent(studio().folder.path());
+        mFolder.makeAbsolute();
+        QDir().mkdir(u"maps"_s);
+        sample("file.sample.machine");
+        (void)writeMesh(document().state().scene, u"machine_high.obj"_s);
+        mArtist->runJob("uv.unwrap");
+        frame();
+        bake("bake", [&](QDialog &dialog) {
+            chooseMaps(dialog, {0, 2});
+            type(dialog, "high", u"machine_high.obj"_s);
+            type(dialog, "folder", u"maps"_s);
+            settle();
+            save(dialog.grab().toImage(), u"bake"_s);
+            type(dialog, "high", {});
+            chooseMaps(dialog, {2, 4});
+        });
+        (void)studio().jobsRest();
+        bake("live", [](QDialog &dialog) { chooseMaps(dialog, {2}); });
+        const LiveBake &live = studio().context.liveBake;
+        (void)QTest::qWaitFor([&] { return !live.isRefining() && !live.pictures().images.empty(); },
+                              test::patience);
+        save(both(), u"livebake"_s);
+        paintTextures();
+        studio().answers->filesToOpen = {QDir(u"maps"_s).absolutePath()};
+        studio().window.findChild<QDockWidget *>(u"textures"_s)->raise();
+        settle();
+        QTest::mouseClick(studio().window.findChild<QPushButton *>(u"loadTextureFolder"_s), Qt::LeftButton);
+        const auto &pictures = studio().context.pictures;
+        (void)QTest::qWaitFor([&] { return !pictures.isLoading() && !pictures.light().isLoading(); },
+                              test::patience);
+        window(u"textures"_s);
+    }
+    //! Makes paint of the baked pictures that has come off where edges stick out.
+    void paintTextures()
+    {
+        const QDir maps(u"maps"_s);
+        QImage curvature, shadow;
+        for (const QString &name : maps.entryList({u"*.png"_s})) {
+            const QImage image = QImage(maps.filePath(name)).convertToFormat(QImage::Format_Grayscale8);
+            (name.contains(u"curvature"_s) ? curvature : shadow) = image;
+            QFile::remove(maps.filePath(name));
+        }
+        if (curvature.isNull() || curvature.size() != shadow.size()) {
+            mProblem = u"nothing was baked"_s;
+            return;
+        }
+        QImage color(curvature.size(), QImage::Format_RGB32), rough = color, metal = color;
+        for (int y = 0; y < color.height(); ++y) {
+            for (int x = 0; x < color.width(); ++x) {
+                const int bare = std::clamp(12 * (qGray(curvature.pixel(x, y)) - 140), 0, 255);
+                const auto mix = [bare](int paint, int steel) {
+                    return (paint * (255 - bare) + steel * bare) / 255;
+                };
+                color.setPixel(x, y, qRgb(mix(30, 190), mix(95, 188), mix(120, 182)));
+                rough.setPixel(x, y, qRgb(mix(110, 60), mix(110, 60), mix(110, 60)));
+                metal.setPixel(x, y, qRgb(bare, bare, bare));
+            }
+        }
+        color.save(maps.filePath(u"machine_BaseColor.png"_s));
+        rough.save(maps.filePath(u"machine_Roughness.png"_s));
+        metal.save(maps.filePath(u"machine_Metallic.png"_s));
+        shadow.save(maps.filePath(u"machine_AO.png"_s));
+    }
+
     QDir mFolder;
     std::unique_ptr<test::Artist> mArtist;
     QString mProblem;
@@ -347,8 +459,9 @@ int main(int argc, char *argv[])
     QSurfaceFormat::setDefaultFormat(format);
     QApplication application(argc, argv);
     applyTheme(application, Theme::Dark);
-    if (QApplication::arguments().size() != 2) {
-        std::fputs("usage: guide_pictures FOLDER\n", stderr);
+    const qsizetype count = QApplication::arguments().size();
+    if (count != 2 && count != 3) {
+        std::fputs("usage: guide_pictures FOLDER [STEP]\n", stderr);
         return 2;
     }
     const QString folder = QApplication::arguments()[1];
@@ -356,7 +469,7 @@ int main(int argc, char *argv[])
         std::fprintf(stderr, "guide_pictures: cannot make %s\n", qPrintable(folder));
         return 1;
     }
-    const QString problem = Guide(folder).takeAll();
+    const QString problem = Guide(folder).take(QApplication::arguments().value(2).toInt());
     if (!problem.isEmpty())
         std::fprintf(stderr, "guide_pictures: %s\n", qPrintable(problem));
     return problem.isEmpty() ? 0 : 1;

@@ -10,9 +10,9 @@ namespace autocuts {
 
 namespace {
 
-//! Two corners become one vertex of an exported mesh when their vertex, their normal and all their UVs have
-//! the same bits.
-using VertexKey = std::array<std::uint32_t, 1 + 3 + 2 * maxAssimpUvSets>;
+//! Two corners become one vertex of an exported mesh when their vertex, their normal, their colour and all
+//! their UVs have the same bits.
+using VertexKey = std::array<std::uint32_t, 1 + 3 + 2 + 2 * maxAssimpUvSets>;
 
 struct VertexKeyHash
 {
@@ -45,7 +45,8 @@ class MeshMaker
 public:
     MeshMaker(const Scene &scene, const MeshOptions &options)
         : mSceneIn(scene), mSoup(*scene.mesh), mNormals(options.normals), mOriginal(options.original),
-          mPiece(options.piece), mTriangulate(options.triangulate)
+          mPiece(options.piece), mTriangulate(options.triangulate), mToFile(options.color),
+          mColors(mOriginal ? nullptr : scene.cornerColors.get())
     {}
 
     aiMesh *make(const std::vector<int> &faces);
@@ -61,6 +62,8 @@ private:
     template <typename T>
     T *gather(const T *values) const;
     void fillFaces(aiMesh &out) const;
+    void fillColors(aiMesh &out) const;
+    void convertColors(aiMesh &out) const;
     void fillAttributes(aiMesh &out) const;
     void fillBones(aiMesh &out) const;
 
@@ -70,6 +73,8 @@ private:
     const aiMesh *mOriginal;
     const AssimpPiece &mPiece;
     bool mTriangulate;
+    float (*mToFile)(float);
+    const CornerColors *mColors;                 //!< null: there are none, or the original mesh has them
     std::vector<int> mPolygonStart{0}, mCorners; //!< the faces to write, as polygon corners of the soup
     std::vector<int> mSets;                      //!< UV sets with at least one UV in these faces
     std::vector<unsigned> mCornerVertex;         //!< exported vertex of each entry of mCorners
@@ -132,7 +137,12 @@ VertexKey MeshMaker::keyOf(int corner) const
         for (unsigned k = 0; k < 3; ++k)
             key[at++] = bitsOf(normal[k]);
     }
-    at = 4;
+    if (mColors) {
+        const CornerColor &color = (*mColors)[static_cast<std::size_t>(corner)];
+        key[4] = color.linear[0] | std::uint32_t(color.linear[1]) << 16;
+        key[5] = color.linear[2] | std::uint32_t(color.known) << 16;
+    }
+    at = 6;
     for (int set : mSets) {
         const aiVector3D uv = uvAt(set, corner);
         key[at++] = bitsOf(uv.x);
@@ -181,6 +191,30 @@ void MeshMaker::fillFaces(aiMesh &out) const
     }
 }
 
+//! White where the scene says nothing.
+void MeshMaker::fillColors(aiMesh &out) const
+{
+    const auto known = [this](int corner) { return (*mColors)[static_cast<std::size_t>(corner)].known; };
+    if (!mColors || std::ranges::none_of(mVertexCorner, known))
+        return;
+    out.mColors[0] = new aiColor4D[out.mNumVertices];
+    for (unsigned v = 0; v < out.mNumVertices; ++v) {
+        const CornerColor &color = (*mColors)[static_cast<std::size_t>(mVertexCorner[v])];
+        const Eigen::Vector3f value = color.known ? color.value() : Eigen::Vector3f(Eigen::Vector3f::Ones());
+        out.mColors[0][v] = {value.x(), value.y(), value.z(), 1};
+    }
+}
+
+void MeshMaker::convertColors(aiMesh &out) const
+{
+    if (!mToFile)
+        return;
+    for (aiColor4D *colors : out.mColors) {
+        for (unsigned v = 0; colors && v < out.mNumVertices; ++v)
+            colors[v] = {mToFile(colors[v].r), mToFile(colors[v].g), mToFile(colors[v].b), colors[v].a};
+    }
+}
+
 void MeshMaker::fillAttributes(aiMesh &out) const
 {
     out.mNumVertices = static_cast<unsigned>(mVertexCorner.size());
@@ -192,6 +226,7 @@ void MeshMaker::fillAttributes(aiMesh &out) const
         for (unsigned set = 0; set < AI_MAX_NUMBER_OF_COLOR_SETS; ++set)
             out.mColors[set] = gather(mOriginal->mColors[set]);
     } else {
+        fillColors(out);
         out.mVertices = new aiVector3D[out.mNumVertices];
         for (unsigned v = 0; v < out.mNumVertices; ++v)
             out.mVertices[v] = toVector(mSoup.cornerPosition(mVertexCorner[v]));
@@ -201,6 +236,7 @@ void MeshMaker::fillAttributes(aiMesh &out) const
                 out.mNormals[v] = toVector(normalAt(mVertexCorner[v]));
         }
     }
+    convertColors(out);
     for (unsigned channel = 0; channel < mSets.size(); ++channel) {
         const int set = mSets[channel];
         out.mNumUVComponents[channel] = 2;

@@ -14,6 +14,9 @@ struct MeshOptions
     const aiMesh *original = nullptr;        //!< the mesh of the source from which the faces came
     AssimpPiece piece;
     bool triangulate = false; //!< split polygons in the same way as MeshData
+    //! Makes the file's colours of vertices of those of the original mesh, or of Scene::cornerColors without
+    //! one; null: they are the same.
+    float (*color)(float) = nullptr;
 };
 
 //! Makes a mesh from the given faces of the scene with all UV sets. A vertex is split where its corners

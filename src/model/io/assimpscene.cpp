@@ -1,7 +1,9 @@
 #include "model/io/assimpscene.h"
 
 #include "model/io/assimpmesh.h"
+#include "model/io/gltf/gltfsource.h"
 #include "model/io/objsource.h"
+#include "model/plain/picture.h"
 
 #include <assimp/scene.h>
 
@@ -112,6 +114,7 @@ ExportOptions exportOptions(const QString &format)
     // textures.
     options.animations = format != QLatin1String("dae");
     options.embeddedTextures = options.rootTransform = format != QLatin1String("fbx");
+    options.linearColors = isGltfFormat(format);
     return options;
 }
 
@@ -174,6 +177,8 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
     if (from.mMetaData)
         mScene->mMetaData = new aiMetadata(*from.mMetaData);
 
+    const bool sameColors = isGltfFormat(scene.format) == mOptions.linearColors;
+    const auto toFile = sameColors ? nullptr : mOptions.linearColors ? linearFromSrgb : srgbFromLinear;
     std::vector<aiNode *> nodes;
     mScene->mRootNode = copyTree(*from.mRootNode, nodes);
     std::vector<aiMesh *> meshes;
@@ -185,7 +190,7 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
         for (int i = 0; i < piece.faceCount; ++i)
             faces[i] = piece.firstFace + i;
         nodeMeshes[piece.node].push_back(static_cast<unsigned>(meshes.size()));
-        const MeshOptions options{nullptr, from.mMeshes[piece.mesh], piece, mOptions.triangulate};
+        const MeshOptions options{nullptr, from.mMeshes[piece.mesh], piece, mOptions.triangulate, toFile};
         meshes.push_back(makeExportMesh(scene, faces, options));
     }
     setMeshes(*mScene, meshes);
@@ -213,7 +218,11 @@ void ExportScene::makePlain(const Scene &scene)
 
     std::vector<aiMesh *> meshes;
     std::map<int, std::vector<unsigned>> objectMeshes;
-    const MeshOptions options{hasNormals ? &normals : nullptr, nullptr, {}, mOptions.triangulate};
+    const MeshOptions options{hasNormals ? &normals : nullptr,
+                              nullptr,
+                              {},
+                              mOptions.triangulate,
+                              mOptions.linearColors ? nullptr : srgbFromLinear};
     for (const auto &[key, faces] : facesByMaterial(scene)) {
         const auto [object, material] = key;
         aiMesh *mesh = makeExportMesh(scene, faces, options);

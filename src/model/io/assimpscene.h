@@ -18,6 +18,7 @@ struct ExportOptions
     bool embeddedTextures = true;
     //! False: the exporter ignores the root's transform, so it is moved to a node below the root.
     bool rootTransform = true;
+    bool linearColors = false; //!< those of vertices; otherwise they are sRGB
 };
 
 //! The options for a format. \param format lower-case suffix

@@ -175,8 +175,6 @@ QStringList exportLosses(const Scene &scene, const QString &format)
         losses << LossTexts::tr("the file is ASCII FBX, which Blender does not read: use glb or dae for it");
     if (scene.uvSets.size() > maxAssimpUvSets)
         losses << LossTexts::tr("UV sets after the eighth are lost");
-    if (scene.cornerColors && !assimp && !gltf && !fbx)
-        losses << LossTexts::tr("vertex colours are lost");
     if (hasPartialUv(scene))
         losses << LossTexts::tr("corners without UV get the UV 0 0");
     losses << (isFbx ? LossTexts::tr("positions and UVs are rounded to six decimals")

@@ -14,12 +14,10 @@ std::shared_ptr<const CornerColors> fbxCornerColors(const FbxTree &tree, const M
         if (element < 0)
             continue;
         const auto values = readFbxLayer(tree, element, geometry, "Colors", "ColorIndex", 4);
-        if (!values) {
+        if (!values || (colors.empty() && !tree.take(qint64(sizeof(CornerColor)) * mesh.cornerCount()))) {
             ++damaged;
             continue;
         }
-        if (colors.empty() && !tree.take(qint64(sizeof(CornerColor)) * mesh.cornerCount()))
-            return nullptr;
         colors.resize(corners);
         for (const FbxUse::Instance &instance : source.uses[u].instances) {
             const std::vector<int> soup = fbxSoupCorners(mesh, geometry, instance);

@@ -31,7 +31,9 @@ CornerColor CornerColor::fromSrgb(double red, double green, double blue)
 
 std::shared_ptr<const CornerColors> sharedColors(CornerColors colors, std::size_t corners)
 {
-    if (std::ranges::none_of(colors, &CornerColor::known))
+    // Programs write white for models without colours; it would hide those of materials.
+    const CornerColor white{{65535, 65535, 65535}, true};
+    if (std::ranges::none_of(colors, [&](const CornerColor &color) { return color.known && color != white; }))
         return nullptr;
     colors.resize(corners);
     return std::make_shared<const CornerColors>(std::move(colors));

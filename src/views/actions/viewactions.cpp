@@ -43,7 +43,8 @@ constexpr Choice<Coloring> colorings[] = {{"view.coloring.plain", Coloring::Plai
                                           {"view.coloring.magnitude", Coloring::StretchMagnitude},
                                           {"view.coloring.paint", Coloring::PaintWeights},
                                           {"view.coloring.density", Coloring::Density},
-                                          {"view.coloring.texelWeights", Coloring::TexelWeights}};
+                                          {"view.coloring.texelWeights", Coloring::TexelWeights},
+                                          {"view.coloring.vertexColors", Coloring::VertexColors}};
 constexpr Choice<Pattern> patterns[] = {
     {"view.pattern.none", Pattern::None},           {"view.pattern.checker", Pattern::Checker},
     {"view.pattern.lettered", Pattern::Lettered},   {"view.pattern.texture", Pattern::Texture},

@@ -149,7 +149,8 @@ void drawBadge(QPainter &painter, const QRect &view, const ViewColors &colors, c
 void drawLegend(QPainter &painter, const QRect &view, const ViewColors &colors, const ViewOptions &options,
                 bool colorBlind, double rightDensity)
 {
-    if (options.coloring == Coloring::Plain || options.coloring == Coloring::Islands)
+    if (options.coloring == Coloring::Plain || options.coloring == Coloring::Islands ||
+        options.coloring == Coloring::VertexColors)
         return;
     const Legend legend =
         options.coloring == Coloring::SignedStretch      ? stretchLegend(options, colorBlind)

@@ -305,11 +305,13 @@ void SceneContent::rebuildFaces()
     std::span<const int> overlapping;
     if (!live && mContext.map.figures() && mContext.map.figuresAreFresh())
         overlapping = mContext.map.figures()->overlapping;
+    const std::shared_ptr<const CornerColors> &colors = document.state().scene.cornerColors;
     mFaces =
         faceTexels({*own.mesh, mContext.shownMap.uv(), mOptions, mColors,
                     mContext.preferences.values().colorBlindHeatMap, mAsMap ? mColors.mapFill : mColors.model,
                     stretch, islands, document.seams().weights, shownSelection().faces, overlapping, flipped,
-                    density, mRightDensity, document.state().texelWeights, document.state().hiddenFaces});
+                    density, mRightDensity, document.state().texelWeights, document.state().hiddenFaces,
+                    colors ? std::span<const CornerColor>(*colors) : std::span<const CornerColor>()});
 }
 
 //! Empty when densities are not shown.

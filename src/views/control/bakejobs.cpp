@@ -66,19 +66,16 @@ Result<bake::BakeJob> makeBakeJob(const Scene &scene, const PackingSettings &pac
                 "of a tile",
                 nullptr, tiles.facesOutside);
     }
-    const auto addColors = [&](const Scene &source, ShadedSurface &surface) {
+    const auto takeColors = [&](const Scene &source, ShadedSurface &surface) {
         QStringList missing;
-        std::optional<SurfaceTexture> colors;
         if (choice.maps.contains(QLatin1StringView(bake::nameOf(bake::MapKind::Color))))
-            colors = readBaseColors(source, missing);
-        if (colors)
-            surface.textures.push_back(std::move(*colors));
+            addColors(source, ColorSource::Auto, surface, missing);
         if (!missing.isEmpty())
             warnings
                 << JobTexts::tr("Textures that cannot be read: %1").arg(missing.join(QStringLiteral(", ")));
     };
     if (choice.high.isEmpty()) {
-        addColors(scene, job.low);
+        takeColors(scene, job.low);
         return job;
     }
     const Result<Scene> high = readDetailed(choice.high, stop);
@@ -86,7 +83,7 @@ Result<bake::BakeJob> makeBakeJob(const Scene &scene, const PackingSettings &pac
         return high.error();
     job.kind = bake::SourceKind::Detailed;
     job.high = shadedSurface(high.value());
-    addColors(high.value(), *job.high);
+    takeColors(high.value(), *job.high);
     if (choice.byName) {
         const QStringList alone = pairObjects(job.low, scene.objectNames, *job.high, high->objectNames);
         if (!alone.isEmpty())

@@ -1,6 +1,7 @@
 #include "views/gl/soupbuffers.h"
 
 #include "model/document/islandcolor.h"
+#include "model/plain/picture.h"
 #include "model/plain/shadingnormals.h"
 #include "model/plain/unionfind.h"
 #include "views/gl/colormap.h"
@@ -122,6 +123,21 @@ QRgb densityColor(double ratio, const ViewOptions &options)
     return heatColor(HeatMap::Density, false, value);
 }
 
+//! The mean of a triangle's vertex colours, in sRGB; the other colour where one is not known.
+QRgb vertexColor(std::span<const CornerColor> colors, const std::array<int, 3> &corners, QRgb otherwise)
+{
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (const int corner : corners) {
+        if (corner >= std::ssize(colors) || !colors[corner].known)
+            return otherwise;
+        sum += colors[corner].value();
+    }
+    const auto part = [&sum](int k) {
+        return static_cast<int>(std::lround(255 * srgbFromLinear(sum[k] / 3)));
+    };
+    return qRgb(part(0), part(1), part(2));
+}
+
 //! The colour of every triangle, without marks.
 std::vector<QRgb> triangleColors(const FaceInput &input)
 {
@@ -150,6 +166,9 @@ std::vector<QRgb> triangleColors(const FaceInput &input)
         case Coloring::TexelWeights:
             colors[t] = texelWeightColor(
                 input.texelWeights.empty() ? 1 : input.texelWeights[input.mesh.triangleFace[t]]);
+            break;
+        case Coloring::VertexColors:
+            colors[t] = vertexColor(input.vertexColors, input.mesh.triangles[t], input.plain.rgb());
             break;
         default:
             break;

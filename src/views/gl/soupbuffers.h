@@ -3,6 +3,7 @@
 
 #include "model/document/seams.h"
 #include "model/document/selection.h"
+#include "model/plain/cornercolors.h"
 #include "model/plain/meshadjacency.h"
 #include "views/gl/meshframe.h"
 #include "views/gl/souptopology.h"
@@ -83,6 +84,7 @@ struct FaceInput
     double rightDensity = 1;             //!< that gets the colour in the middle
     std::span<const double> texelWeights = {}; //!< per face; empty when all are 1
     std::span<const int> hiddenFaces = {};
+    std::span<const CornerColor> vertexColors = {}; //!< per corner; may be empty
 };
 std::vector<FaceTexel> faceTexels(const FaceInput &input);
 

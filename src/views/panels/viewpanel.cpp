@@ -119,6 +119,7 @@ void ViewPanel::addColoringRows()
     mColoring->addItem(tr("Painted weights"), int(Coloring::PaintWeights));
     mColoring->addItem(tr("Texel density"), int(Coloring::Density));
     mColoring->addItem(tr("Painted texel density"), int(Coloring::TexelWeights));
+    mColoring->addItem(tr("Vertex colours"), int(Coloring::VertexColors));
     connect(mColoring, &QComboBox::activated, this, [this] {
         const auto coloring = Coloring(mColoring->currentData().toInt());
         change([coloring](ViewOptions &options) { options.coloring = coloring; });

@@ -72,7 +72,7 @@ QCborMap ViewOptions::toCbor() const
 ViewOptions ViewOptions::fromCbor(const QCborMap &map)
 {
     ViewOptions options;
-    readEnum(map[u"coloring"_s], Coloring::TexelWeights, options.coloring);
+    readEnum(map[u"coloring"_s], Coloring::VertexColors, options.coloring);
     readEnum(map[u"pattern"_s], Pattern::Physical, options.pattern); // a bake is not kept
     visitFlags(options, [&map](QLatin1StringView key, bool &value) { value = map[key].toBool(value); });
     visitNumbers(options, [&map](QLatin1StringView key, double &value, double low, double high) {

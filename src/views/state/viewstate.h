@@ -13,7 +13,16 @@
 namespace autocuts {
 
 //! What the colours of the faces show, in both views.
-enum class Coloring { Plain, Islands, SignedStretch, StretchMagnitude, PaintWeights, Density, TexelWeights };
+enum class Coloring {
+    Plain,
+    Islands,
+    SignedStretch,
+    StretchMagnitude,
+    PaintWeights,
+    Density,
+    TexelWeights,
+    VertexColors
+};
 //! The pattern on the model, by its UVs, and behind the map.
 //! Texture is the picture that the user chose, Materials are the base colours of all materials, Physical are
 //! their texture sets, under light in the 3D view, Baked is a bake that follows
