@@ -13,16 +13,38 @@ namespace {
 constexpr int reach = 3;
 constexpr std::size_t mostTaps = 2 * reach * static_cast<std::size_t>(mostStretch);
 
+//! Places per texel at which the kernel is known; between them it is a straight line.
+constexpr int steps = 1024;
+
 //! Lanczos' kernel: the sinc under the middle of a wider one.
-float lanczos(float x)
+float lanczos(float t)
 {
     constexpr auto pi = std::numbers::pi_v<float>;
-    const float t = std::abs(x);
-    if (t < 1e-4F)
+    if (t <= 0)
         return 1;
     if (t >= reach)
         return 0;
     return reach * std::sin(pi * t) * std::sin(pi * t / reach) / (pi * pi * t * t);
+}
+
+using Kernel = std::array<float, std::size_t(reach) * steps + 2>;
+
+const Kernel &kernel()
+{
+    static const Kernel values = [] {
+        Kernel result{};
+        for (std::size_t i = 0; i < result.size(); ++i)
+            result[i] = lanczos(static_cast<float>(i) / steps);
+        return result;
+    }();
+    return values;
+}
+
+float valueAt(const Kernel &values, float x)
+{
+    const float place = std::min(std::abs(x), float(reach)) * steps;
+    const auto i = static_cast<std::size_t>(place);
+    return values[i] + (place - static_cast<float>(i)) * (values[i + 1] - values[i]);
 }
 
 //! The texels along one direction that a sample sees, and their shares.
@@ -34,12 +56,13 @@ struct Taps
 
     Taps(double at, int size, float stretch)
     {
+        const Kernel &values = kernel();
         const int half = static_cast<int>(std::ceil(reach * stretch));
         const int first = static_cast<int>(std::floor(at)) + 1 - half;
         float sum = 0;
         for (int i = first; i < first + 2 * half; ++i) {
             texels[count] = (i % size + size) % size;
-            weights[count] = lanczos(static_cast<float>(at - i) / stretch);
+            weights[count] = valueAt(values, static_cast<float>(at - i) / stretch);
             sum += weights[count++];
         }
         for (std::size_t i = 0; i < count; ++i)

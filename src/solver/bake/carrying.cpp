@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace autocuts::bake {
 
@@ -92,8 +93,48 @@ void markInside(const MeshData &mesh, const UvMatrix &uv, const TexelGrid &grid,
     });
 }
 
+//! The mean difference of neighbouring texels.
+struct Jumps
+{
+    double sum = 0;
+    long long count = 0;
+
+    void add(std::span<const float> a, std::span<const float> b)
+    {
+        for (std::size_t k = 0; k < std::min<std::size_t>(3, a.size()); ++k) {
+            if (std::isfinite(a[k] - b[k]))
+                sum += std::abs(a[k] - b[k]);
+        }
+        ++count;
+    }
+    double mean() const { return count > 0 ? sum / double(count) : 0; }
+};
+
+//! True when the values jump at the borders of islands as they do nowhere inside: they have no margin.
+bool hasNoMargin(const Picture &picture, const std::vector<std::uint8_t> &inside, const JobContext &context)
+{
+    Jumps within, across;
+    const auto compare = [&](int x, int y, int right, int down) {
+        if (right >= picture.width || down >= picture.height)
+            return;
+        const int both =
+            inside[std::size_t(y) * picture.width + x] + inside[std::size_t(down) * picture.width + right];
+        if (both > 0)
+            (both == 2 ? within : across).add(picture.at(x, y), picture.at(right, down));
+    };
+    for (int y = 0; y < picture.height && !context.stopped(); ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            compare(x, y, x + 1, y);
+            compare(x, y, x, y + 1);
+        }
+    }
+    // Chosen by hand: borders of well filled islands are about as rough as their insides.
+    constexpr double rougher = 3, rounding = 2.0 / 255;
+    return across.mean() > rougher * within.mean() + rounding;
+}
+
 //! A picture whose texels beside islands have the nearest value of an island, so that samples near borders
-//! see nothing of what lies behind them: gaps without a margin, other islands. \param tiles that show the
+//! see nothing of the gaps; the same picture where its islands have margins. \param tiles that show the
 //! picture
 std::shared_ptr<const Picture> filledBeside(const std::shared_ptr<const Picture> &picture,
                                             const MeshData &mesh, const UvMatrix &uv,
@@ -103,6 +144,8 @@ std::shared_ptr<const Picture> filledBeside(const std::shared_ptr<const Picture>
     std::vector<std::uint8_t> inside(std::size_t(picture->width) * picture->height, 0);
     for (const Eigen::AlignedBox2d &tile : tiles)
         markInside(mesh, uv, {picture->width, picture->height, tile, 1}, inside, context);
+    if (!hasNoMargin(*picture, inside, context))
+        return picture;
     auto filled = std::make_shared<Picture>(*picture);
     dilate(*filled, inside, static_cast<int>(4 * mostStretch), context);
     return filled;
