@@ -1,4 +1,5 @@
 // The command line's light bake: its lights, surfaces, files and mistakes.
+#include "model/io/litscene.h"
 #include "model/io/meshfile.h"
 #include "model/io/picturefiles.h"
 #include "support/cliruns.h"
@@ -8,6 +9,7 @@
 #include <QJsonObject>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace autocuts;
@@ -39,6 +41,8 @@ private Q_SLOTS:
     void lights();
     void files();
     void albedoPictures();
+    void texturesReflect();
+    void texturesHaveTheirUvSet();
     void severalTiles();
     void mistakes_data();
     void mistakes();
@@ -124,6 +128,45 @@ void TestCliLight::albedoPictures()
     QVERIFY(writePicture(grey, at("grey.png"), PictureDepth::Eight).ok());
     const double value = baked({u"--values"_s, u"lit"_s, u"--no-indirect"_s, u"--albedo"_s, at("grey.png")});
     QVERIFY2(std::abs(value - .25 * (1 - .2373)) < .01, qPrintable(QString::number(value)));
+}
+
+//! Materials reflect what their textures show.
+void TestCliLight::texturesReflect()
+{
+    QVERIFY(writePicture(Picture(4, 4, 3, srgbFromLinear(.25F)), at("grey.png"), PictureDepth::Eight).ok());
+    const auto lit = [this](const QByteArray &picture) {
+        file("floor.mtl", "newmtl Floor\nKd .5 .5 .5\nmap_Kd " + picture + "\nnewmtl Lamp\nKd 0 0 0\n");
+        return baked({u"--values"_s, u"lit"_s, u"--no-indirect"_s});
+    };
+    const double open = 1 - .2373, textured = lit("grey.png"), missing = lit("nothing.png");
+    file("floor.mtl", "newmtl Floor\nKd .5 .5 .5\nnewmtl Lamp\nKd 0 0 0\n");
+    QVERIFY2(std::abs(textured - .25 * open) < .01, qPrintable(QString::number(textured)));
+    QVERIFY2(std::abs(missing - double(linearFromSrgb(.5F)) * open) < .01,
+             qPrintable(QString::number(missing)));
+}
+
+//! The picture is black on the left and white on the right.
+void TestCliLight::texturesHaveTheirUvSet()
+{
+    Picture halves(4, 4, 3);
+    for (int y = 0; y < 4; ++y) {
+        for (const int x : {2, 3})
+            std::ranges::fill(halves.at(x, y), 1.0F);
+    }
+    QVERIFY(writePicture(halves, at("halves.png"), PictureDepth::Eight).ok());
+    file("floor.mtl", "newmtl Floor\nmap_Kd halves.png\nnewmtl Lamp\n");
+    Result<Scene> scene = readMesh(at("floor.obj"));
+    file("floor.mtl", "newmtl Floor\nKd .5 .5 .5\nnewmtl Lamp\nKd 0 0 0\n");
+    QVERIFY(scene.ok());
+    const UvMatrix left = UvMatrix::Constant(scene->mesh->cornerCount(), 2, .2);
+    const UvMatrix right = UvMatrix::Constant(scene->mesh->cornerCount(), 2, .8);
+    scene->uvSets = {{u"light"_s, left}, {u"textures"_s, right}};
+    QStringList missing;
+    for (const int set : {0, 1}) {
+        const Result<LitSurface> surface = litSurface(scene.value(), {}, set, 1, missing);
+        QVERIFY(surface.ok() && missing.isEmpty());
+        QCOMPARE(surface->albedo({0, .25F, .25F}).x(), float(set));
+    }
 }
 
 void TestCliLight::severalTiles()

@@ -89,7 +89,8 @@ public:
         case Command::Bake:
             return runBake(bakeMaps);
         case Command::LightBake:
-            return runBake(bakeLights);
+            return runBake([this](const CliOptions &options, const Scene &scene, const std::atomic<bool> &,
+                                  const JobContext &job) { return bakeLights(options, mFiles, scene, job); });
         case Command::Transfer:
             if (!mOptions.bake.textures.isEmpty())
                 return runBake([this](const CliOptions &options, const Scene &scene,

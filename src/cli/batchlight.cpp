@@ -7,7 +7,7 @@ namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
 
-Result<BakeOutcome> bakeLights(const CliOptions &options, const Scene &scene, const std::atomic<bool> &,
+Result<BakeOutcome> bakeLights(const CliOptions &options, const BatchFiles &files, const Scene &scene,
                                const JobContext &context)
 {
     const PackingSettings &texture = options.unwrap.packing;
@@ -16,7 +16,10 @@ Result<BakeOutcome> bakeLights(const CliOptions &options, const Scene &scene, co
     const Result<PictureDepth> depth = lightMapDepth(options.output, options.light.bits);
     if (!depth)
         return depth.error();
-    Result<LitSurface> surface = litSurface(scene, options.light.surface);
+    QStringList missing;
+    // The textures of materials are for the first UV set of the file.
+    Result<LitSurface> surface = litSurface(scene, options.light.surface, files.activeUvSet() == 0 ? 0 : 1,
+                                            texture.tileHeight(), missing);
     if (!surface)
         return surface.error();
     bake::LightBakeSettings settings = options.light.settings;
@@ -25,6 +28,8 @@ Result<BakeOutcome> bakeLights(const CliOptions &options, const Scene &scene, co
     const bake::LightJob job =
         bake::lightJobOf(std::move(surface).value(), options.light.lights, settings, texture.tileHeight());
     BakeOutcome outcome;
+    if (!missing.isEmpty())
+        outcome.warnings << u"textures that cannot be read: %1"_s.arg(missing.join(u", "_s));
     std::optional<Error> problem;
     const auto sink = [&](int tile, bake::LightBakeResult &baked) {
         const QString path = lightMapPath(options.output, tile, job.tiles.size() > 1);

@@ -170,8 +170,8 @@ std::vector<CliOption> surfaceOptions()
                          "the light map"_s);
     set.value = u"SET"_s;
     return {row(u"--albedo"_s, u"COLOR|FILE"_s,
-                u"what the surface reflects: a colour, or a picture; when not given, the colours of its "
-                "materials, or else .8"_s,
+                u"what the surface reflects: a colour, or a picture; when not given, its textures of base "
+                "colours, else the colours of its vertices or materials, or else .8"_s,
                 {}, readAlbedo),
             set};
 }

@@ -1,6 +1,7 @@
 #include "model/io/litscene.h"
 
 #include "model/document/shadedscene.h"
+#include "model/io/bakefiles.h"
 
 #include <QFileInfo>
 
@@ -17,76 +18,64 @@ constexpr float standardAlbedo = 0.8F;
 
 using Albedo = std::function<Vec3f(const SurfacePoint &)>;
 
-//! A picture of colours, and where the corners lie in it.
-struct AlbedoPicture
-{
-    Picture picture; //!< linear
-    UvMatrix uv;
-};
-
 bool isExr(const QString &path)
 {
     return path.endsWith(u".exr"_s, Qt::CaseInsensitive);
 }
 
-Result<AlbedoPicture> readAlbedo(const LitSceneOptions &options, const Scene &scene)
+//! A picture of the base colours of all faces.
+Result<SurfaceTexture> readAlbedo(const QString &path)
 {
-    const QString &path = options.albedoFile, &word = options.albedoUvSet;
     const Result<QByteArray> bytes = loadPictureFile(path);
     if (!bytes)
         return bytes.error();
     Result<DecodedPicture> decoded = decodePicture(bytes.value(), path);
     if (!decoded)
         return decoded.error();
-    AlbedoPicture albedo{std::move(decoded->picture), scene.uvSets.front().uv};
-    if (decoded->depth != PictureDepth::Float)
-        std::ranges::transform(albedo.picture.values, albedo.picture.values.begin(), linearFromSrgb);
-    if (word.isEmpty())
-        return albedo;
-    const auto found = std::ranges::find_if(scene.uvSets, [&](const UvSet &set) { return set.name == word; });
+    SurfaceTexture texture;
+    texture.kind = decoded->depth == PictureDepth::Float ? TextureKind::Linear : TextureKind::Srgb;
+    texture.ofMaterial.emplace_back().repeated = std::make_shared<const Picture>(std::move(decoded->picture));
+    return texture;
+}
+
+Result<int> findSet(const Scene &scene, const QString &name)
+{
+    const auto found = std::ranges::find_if(scene.uvSets, [&](const UvSet &set) { return set.name == name; });
     if (found == scene.uvSets.end())
-        return Error{u"there is no UV set \"%1\" for the picture"_s.arg(word), scene.path, 0, {}};
-    albedo.uv = found->uv;
-    return albedo;
+        return Error{u"there is no UV set \"%1\" for the picture"_s.arg(name), scene.path, 0, {}};
+    return static_cast<int>(found - scene.uvSets.begin());
 }
 
-Vec3f sampleAlbedo(const AlbedoPicture &albedo, const MeshData &mesh, const SurfacePoint &point)
+//! What reflects how much. \param shaded the scene without UVs
+Result<Albedo> albedoOf(const LitSceneOptions &options, const Scene &scene, const ShadedSurface &shaded,
+                        int textureSet, double tileHeight, QStringList &missing)
 {
-    const auto &corners = mesh.triangles[point.triangle];
-    const auto uv = [&](int k) -> Vec2 { return albedo.uv.row(corners[k]).transpose(); };
-    const Vec2 at = point.between<Vec2>(uv(0), uv(1), uv(2));
-    if (!at.allFinite())
-        return Vec3f::Constant(standardAlbedo);
-    std::array<float, 4> color{};
-    const int channels = albedo.picture.channels;
-    sampleRepeated(albedo.picture, at, std::span(color).first(std::size_t(channels)));
-    return channels < 3 ? Vec3f(Vec3f::Constant(color[0])) : Vec3f(color[0], color[1], color[2]);
-}
-
-//! What reflects how much.
-Result<Albedo> albedoOf(const LitSceneOptions &options, const Scene &scene, const ShadedSurface &shaded)
-{
-    if (!options.albedoFile.isEmpty()) {
-        Result<AlbedoPicture> read = readAlbedo(options, scene);
-        if (!read)
-            return read.error();
-        const auto albedo = std::make_shared<const AlbedoPicture>(std::move(read).value());
-        return Albedo([albedo, mesh = scene.mesh](const SurfacePoint &point) {
-            return sampleAlbedo(*albedo, *mesh, point);
-        });
-    }
-    if (options.albedo) {
+    if (options.albedo && options.albedoFile.isEmpty()) {
         return Albedo([color = *options.albedo](const SurfacePoint &) { return color; });
     }
-    std::vector<Vec3f> ofFace(scene.mesh->faceCount(), Vec3f::Constant(standardAlbedo));
-    for (std::size_t f = 0; f < shaded.faceMaterial.size(); ++f) {
-        const int material = shaded.faceMaterial[f];
-        if (material >= 0 && material < std::ssize(shaded.materialColors))
-            ofFace[f] = shaded.materialColors[material];
+    auto colored = std::make_shared<ShadedSurface>(shaded);
+    colored->tileHeight = tileHeight;
+    if (options.albedoFile.isEmpty()) {
+        addColors(scene, ColorSource::Auto, *colored, missing);
+    } else {
+        Result<SurfaceTexture> texture = readAlbedo(options.albedoFile);
+        if (!texture)
+            return texture.error();
+        const Result<int> set =
+            options.albedoUvSet.isEmpty() ? Result<int>(0) : findSet(scene, options.albedoUvSet);
+        if (!set)
+            return set.error();
+        textureSet = set.value();
+        colored->textures = {std::move(texture).value()};
+        colored->cornerColors = nullptr;
+        colored->materialColors.clear();
     }
-    return Albedo([ofFace = std::move(ofFace), mesh = scene.mesh](const SurfacePoint &point) {
-        return ofFace[mesh->triangleFace[point.triangle]];
-    });
+    colored->uv = scene.uvSets[std::size_t(textureSet)].uv;
+    return Albedo(
+        [colored = std::shared_ptr<const ShadedSurface>(std::move(colored))](const SurfacePoint &point) {
+            const Vec3f color = colored->baseColor(point).value_or(Vec3f::Constant(standardAlbedo));
+            return Vec3f(color.cwiseMax(0.0F).cwiseMin(1.0F));
+        });
 }
 
 //! The radiance of each face.
@@ -113,14 +102,15 @@ Result<std::vector<Vec3f>> emissionOf(const LitSceneOptions &options, const Scen
 
 } // namespace
 
-Result<LitSurface> litSurface(const Scene &scene, const LitSceneOptions &options)
+Result<LitSurface> litSurface(const Scene &scene, const LitSceneOptions &options, int textureSet,
+                              double tileHeight, QStringList &missing)
 {
     if (!scene.hasUv())
         return Error{u"the model has no UV map to bake into"_s, scene.path, 0, u"Unwrap it first"_s};
     Scene bare = scene;
     bare.uvSets.clear(); // tangents are not needed
     ShadedSurface shaded = shadedSurface(bare);
-    Result<Albedo> albedo = albedoOf(options, scene, shaded);
+    Result<Albedo> albedo = albedoOf(options, scene, shaded, textureSet, tileHeight, missing);
     if (!albedo)
         return albedo.error();
     Result<std::vector<Vec3f>> emission = emissionOf(options, scene);

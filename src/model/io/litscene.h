@@ -17,15 +17,19 @@ struct LitSceneOptions
     std::vector<std::pair<QString, Vec3f>> emission; //!< radiance of materials
     std::optional<Vec3f> albedo;                     //!< of all faces
     //! A picture of it, and the UV set that it is for; no set: that of the light map. Neither a picture nor a
-    //! colour: the colours of the materials.
+    //! colour: the base colours of the model, see ShadedSurface::baseColor().
     QString albedoFile, albedoUvSet;
 
     bool operator==(const LitSceneOptions &) const = default;
 };
 
-//! Takes long for large models. \param scene its first UV set is the one that is baked into. Errors: no
-//! UVs, no such material, no such UV set, a picture that cannot be read.
-Result<LitSurface> litSurface(const Scene &scene, const LitSceneOptions &options);
+//! Takes long for large models and textures.
+//! \param scene its first UV set is the one that is baked into \param textureSet index of the UV set that the
+//! textures of its materials are for \param tileHeight of the texture, see shadedSurface()
+//! \param missing gets the names of textures that cannot be read
+//! Errors: no UVs, no such material, no such UV set, a picture of the options that cannot be read.
+Result<LitSurface> litSurface(const Scene &scene, const LitSceneOptions &options, int textureSet,
+                              double tileHeight, QStringList &missing);
 
 //! Sides of light maps. A bake keeps about 60 bytes per texel.
 inline constexpr int maxLightMapSide = 8192;

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace autocuts {
@@ -63,6 +65,43 @@ Eigen::Matrix3f ShadedSurface::tangentFrame(const SurfacePoint &point) const
 int ShadedSurface::materialOf(int triangle) const
 {
     return faceMaterial.empty() ? -1 : faceMaterial[mesh->triangleFace[triangle]];
+}
+
+const Picture *ShadedSurface::pictureAt(int texture, const SurfacePoint &point, Vec2 &at) const
+{
+    if (texture >= std::ssize(textures) || textures[texture].ofMaterial.empty() || uv.rows() == 0)
+        return nullptr;
+    at = uvAt(point);
+    at.y() /= tileHeight;
+    if (!at.allFinite())
+        return nullptr;
+    const auto &pictures = textures[texture].ofMaterial;
+    const int material = materialOf(point.triangle);
+    const std::size_t last = pictures.size() - 1;
+    const Picture *picture = pictures[material < 0 ? last : std::min<std::size_t>(material, last)].at(at);
+    return picture && !picture->isEmpty() ? picture : nullptr;
+}
+
+std::optional<Vec3f> ShadedSurface::baseColor(const SurfacePoint &point) const
+{
+    Vec2 at;
+    if (const Picture *picture = pictureAt(0, point, at)) {
+        std::array<float, 4> value{};
+        sampleRepeated(*picture, at, std::span(value).first(std::size_t(picture->channels)));
+        const bool isGrey = picture->channels < 3, isSrgb = textures.front().kind == TextureKind::Srgb;
+        Vec3f color(value[0], value[isGrey ? 0 : 1], value[isGrey ? 0 : 2]);
+        return isSrgb ? Vec3f(color.unaryExpr(&linearFromSrgb)) : color;
+    }
+    const auto &corners = mesh->triangles[point.triangle];
+    if (cornerColors) {
+        const auto color = [&](int k) -> const CornerColor & { return (*cornerColors)[corners[k]]; };
+        if (color(0).known && color(1).known && color(2).known)
+            return point.between<Vec3f>(color(0).value(), color(1).value(), color(2).value());
+    }
+    const int material = materialOf(point.triangle);
+    if (material >= 0 && material < std::ssize(materialColors))
+        return materialColors[material];
+    return std::nullopt;
 }
 
 } // namespace autocuts

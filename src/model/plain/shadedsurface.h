@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace autocuts {
@@ -78,6 +79,11 @@ struct ShadedSurface
     //! Columns: tangent, bitangent and normal, interpolated without making them unit, as renderers do it.
     Eigen::Matrix3f tangentFrame(const SurfacePoint &point) const;
     int materialOf(int triangle) const;
+    //! The picture of a texture at a point, null where there is none. \param at gets the place in it, 1 x 1
+    //! being the whole picture
+    const Picture *pictureAt(int texture, const SurfacePoint &point, Vec2 &at) const;
+    //! The colour, linear: of the first texture, else of the vertices, else of the material, if one is known.
+    std::optional<Vec3f> baseColor(const SurfacePoint &point) const;
     int groupOf(int triangle) const
     {
         return faceGroup.empty() ? 0 : faceGroup[mesh->triangleFace[triangle]];

@@ -31,54 +31,18 @@ void put(const Vec3f &value, std::span<float> out)
     std::copy_n(value.data(), 3, out.begin());
 }
 
-Vec3f baseColor(const ShadedSurface &surface, const SurfacePoint &point)
-{
-    if (surface.cornerColors) {
-        const auto &corners = surface.mesh->triangles[point.triangle];
-        const auto at = [&](int k) -> const CornerColor & { return (*surface.cornerColors)[corners[k]]; };
-        if (at(0).known && at(1).known && at(2).known)
-            return point.between<Vec3f>(at(0).value(), at(1).value(), at(2).value());
-    }
-    const int material = surface.materialOf(point.triangle);
-    if (material >= 0 && material < std::ssize(surface.materialColors))
-        return surface.materialColors[material];
-    return Vec3f::Ones();
-}
-
-enum class Sampling {
-    Soft, //!< sampleRepeated()
-    Sharp //!< sampleSharply()
-};
-
-const TiledPicture *pictureOf(const ShadedSurface &surface, int texture, int triangle)
-{
-    if (texture >= std::ssize(surface.textures) || surface.textures[texture].ofMaterial.empty())
-        return nullptr;
-    const auto &pictures = surface.textures[texture].ofMaterial;
-    const int material = surface.materialOf(triangle);
-    return &pictures[material < 0 ? pictures.size() - 1
-                                  : std::min<std::size_t>(material, pictures.size() - 1)];
-}
-
 //! Samples the picture of a texture at a point. Returns false where there is none.
-bool sampleTexture(const ShadedSurface &surface, int texture, const SurfacePoint &point, Sampling sampling,
+bool sampleTexture(const ShadedSurface &surface, int texture, const SurfacePoint &point,
                    std::span<float, 4> out)
 {
-    const TiledPicture *pictures = pictureOf(surface, texture, point.triangle);
-    if (!pictures || surface.uv.rows() == 0)
-        return false;
-    Vec2 uv = surface.uvAt(point);
-    uv.y() /= surface.tileHeight;
-    const Picture *picture = uv.allFinite() ? pictures->at(uv) : nullptr;
-    if (!picture || picture->isEmpty())
+    Vec2 at;
+    const Picture *picture = surface.pictureAt(texture, point, at);
+    if (!picture)
         return false;
     out[3] = 1;
-    const auto values = out.first(std::size_t(picture->channels));
     const std::vector<float> &stretch = surface.textures[texture].stretch;
-    if (sampling == Sampling::Soft)
-        sampleRepeated(*picture, uv, values);
-    else
-        sampleSharply(*picture, uv, stretch.empty() ? 1 : stretch[point.triangle], values);
+    sampleSharply(*picture, at, stretch.empty() ? 1 : stretch[point.triangle],
+                  out.first(std::size_t(picture->channels)));
     if (picture->channels == 1)
         out[1] = out[2] = out[0];
     return true;
@@ -207,7 +171,7 @@ void MapProbe::texture(const MapRequest &request, const SurfacePoint &at, const 
     const TextureKind kind = surface.textures[request.texture].kind;
     const bool isNormal = kind == TextureKind::Normal || kind == TextureKind::NormalDirectX;
     std::array<float, 4> value{0, 0, 0, 1};
-    const bool found = sampleTexture(surface, request.texture, source.point, Sampling::Sharp, value);
+    const bool found = sampleTexture(surface, request.texture, source.point, value);
     if (isNormal) {
         // From one tangent space to the other.
         Vec3f normal = found ? Vec3f(2 * value[0] - 1, 2 * value[1] - 1, 2 * value[2] - 1) : Vec3f::UnitZ();
@@ -255,17 +219,9 @@ void MapProbe::probe(const MapRequest &request, const SurfacePoint &at, const So
     case MapKind::Position:
         put(surface.position(source.point).cast<float>(), out);
         break;
-    case MapKind::Color: {
-        std::array<float, 4> value{};
-        if (sampleTexture(surface, 0, source.point, Sampling::Soft, value)) {
-            const bool isSrgb = surface.textures[0].kind == TextureKind::Srgb;
-            for (int k = 0; k < 3; ++k)
-                out[k] = isSrgb ? linearFromSrgb(value[k]) : value[k];
-        } else {
-            put(baseColor(surface, source.point), out);
-        }
+    case MapKind::Color:
+        put(surface.baseColor(source.point).value_or(Vec3f::Ones()), out);
         break;
-    }
     case MapKind::MaterialId:
         put(idColor(surface.materialOf(source.point.triangle) + 1), out);
         break;

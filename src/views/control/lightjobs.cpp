@@ -69,12 +69,13 @@ bake::LightBakeSettings settingsOf(const LightChoice &choice, const PackingSetti
 
 } // namespace
 
-MapJobResult lightBakeJob(const Scene &scene, const PackingSettings &packing, const LightChoice &choice,
-                          const LightReceiver &shown, JobControl &control)
+MapJobResult lightBakeJob(const Scene &scene, int textureSet, const PackingSettings &packing,
+                          const LightChoice &choice, const LightReceiver &shown, JobControl &control)
 {
     MapJobResult result;
     const Result<PictureDepth> depth = lightMapDepth(choice.path, choice.bits);
-    Result<LitSurface> surface = litSurface(scene, choice.surface);
+    QStringList missing;
+    Result<LitSurface> surface = litSurface(scene, choice.surface, textureSet, packing.tileHeight(), missing);
     if (!depth || !surface) {
         result.problem = (depth ? surface.error() : depth.error()).toString();
         return result;
@@ -113,13 +114,17 @@ MapJobResult lightBakeJob(const Scene &scene, const PackingSettings &packing, co
         return result;
     }
     result.message = JobTexts::tr("Baked light into %1").arg(files);
+    if (!missing.isEmpty())
+        result.problem =
+            result.message + QStringLiteral(". ") +
+            JobTexts::tr("Textures that cannot be read: %1").arg(missing.join(QStringLiteral(", ")));
     // Single texels, as beside a lamp, are not worth a word.
     constexpr double fewest = 0.01;
     if (bright >= fewest)
         result.problem =
             JobTexts::tr("%1. In %2 % of the texels light is above 1 and was cut off: EXR keeps it, or "
                          "take weaker lights")
-                .arg(result.message)
+                .arg(result.problem.isEmpty() ? result.message : result.problem)
                 .arg(100 * bright, 0, 'f', 0);
     return result;
 }

@@ -405,10 +405,14 @@ void MapController::startLightBake(const LightChoice &choice,
 {
     const Document &document = *mWorkspace.document();
     Scene scene = document.state().scene;
-    std::swap(scene.uvSets.front(), scene.uvSets[document.activeUvSet()]);
-    startJob(tr("Baking light"), [choice, scene, shown](const MapInput &input, JobControl &control) {
-        return lightBakeJob(scene, input.packing, choice, shown, control);
-    });
+    const int active = document.activeUvSet();
+    std::rotate(scene.uvSets.begin(), scene.uvSets.begin() + active, scene.uvSets.begin() + active + 1);
+    // The textures of materials are for the first UV set of the file.
+    const int textureSet = active == 0 ? 0 : 1;
+    startJob(tr("Baking light"),
+             [choice, scene, textureSet, shown](const MapInput &input, JobControl &control) {
+                 return lightBakeJob(scene, textureSet, input.packing, choice, shown, control);
+             });
 }
 
 void MapController::equalizeDensity()
