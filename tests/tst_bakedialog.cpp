@@ -1,5 +1,6 @@
 // Baking in the studio: the dialog by mouse and keys, the job, its files, Cancel, and a solve that runs.
 #include "commands/changesettings.h"
+#include "commands/edittextures.h"
 #include "model/io/meshfile.h"
 #include "model/io/picturefiles.h"
 #include "support/mappedmodels.h"
@@ -125,6 +126,7 @@ private Q_SLOTS:
     void faultsAreSaid();
     void everyMapHasATitle();
     void liveBakesFollowTheMap();
+    void liveColorsGoAlong();
     void liveBakesEnd();
     void liveBakesFillAllTiles();
     void anotherMapIsShownLive();
@@ -314,6 +316,46 @@ void TestBakeDialog::liveBakesFollowTheMap()
     session.press(Qt::Key_Space);
     QVERIFY(session.jobsRest());
     QVERIFY(live.isOn());
+}
+
+//! The pictures that the user chose for the model stay on its faces while its map changes.
+void TestBakeDialog::liveColorsGoAlong()
+{
+    BakeSession session;
+    Picture red(4, 4, 3, 0);
+    for (std::size_t i = 0; i < red.values.size(); i += 3)
+        red.values[i] = 1;
+    QVERIFY(writePicture(red, session.file("red.png"), PictureDepth::Eight).ok());
+    TextureSet set;
+    set[TextureChannel::BaseColor].picture.file = session.file("red.png");
+    pushCommand(EditTextures::ofMaterial(*session.document(), -1, set));
+    session.bake([&](const DialogUser &user) {
+        user.toggle(0);
+        user.toggle(2);
+        user.toggle(7);
+        QTest::mouseClick(user.find<QPushButton>("live"), Qt::LeftButton);
+        return user.dialog.result();
+    });
+    LiveBake &live = session.context.liveBake;
+    QCOMPARE(live.map(), u"color"_s);
+    const auto isRed = [&] {
+        const QImage image = live.pictures().images.front();
+        int reds = 0, others = 0;
+        for (int y = 0; y < image.height(); y += 8) {
+            for (int x = 0; x < image.width(); x += 8) {
+                const QRgb color = image.pixel(x, y);
+                reds += color == qRgb(255, 0, 0);
+                others += qRed(color) > 0 && color != qRgb(255, 0, 0);
+            }
+        }
+        return reds > 1000 && others == 0;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(!live.isRefining() && live.updates() >= 3, 60000);
+    QTRY_VERIFY(isRed());
+    const int updates = live.updates();
+    session.context.map.pack(PackScope::All);
+    QVERIFY(session.jobsRest());
+    QTRY_VERIFY_WITH_TIMEOUT(live.updates() > updates && isRed(), 30000);
 }
 
 void TestBakeDialog::liveBakesEnd()

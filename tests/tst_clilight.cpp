@@ -161,9 +161,11 @@ void TestCliLight::texturesHaveTheirUvSet()
     const UvMatrix left = UvMatrix::Constant(scene->mesh->cornerCount(), 2, .2);
     const UvMatrix right = UvMatrix::Constant(scene->mesh->cornerCount(), 2, .8);
     scene->uvSets = {{u"light"_s, left}, {u"textures"_s, right}};
+    DocumentState model;
+    model.scene = scene.value();
     QStringList missing;
     for (const int set : {0, 1}) {
-        const Result<LitSurface> surface = litSurface(scene.value(), {}, set, 1, missing);
+        const Result<LitSurface> surface = litSurface(model, {}, set, 1, missing);
         QVERIFY(surface.ok() && missing.isEmpty());
         QCOMPARE(surface->albedo({0, .25F, .25F}).x(), float(set));
     }

@@ -192,6 +192,12 @@ void TestLightDialog::lightIsBaked()
     session.press(Qt::Key_Z, Qt::ControlModifier);
     session.press(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(session.document()->uvSets().size(), std::size_t(1));
+    // Its light goes with it, and comes back with it.
+    QTRY_VERIFY(live.pictures().images.empty());
+    session.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    session.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY(!live.pictures().images.empty());
+    QCOMPARE(live.pictures().images.front(), last);
     // Another pattern ends the showing.
     session.action("view.pattern.checker")->trigger();
     QVERIFY(!live.isOn());

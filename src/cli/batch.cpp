@@ -89,14 +89,10 @@ public:
         case Command::Bake:
             return runBake(bakeMaps);
         case Command::LightBake:
-            return runBake([this](const CliOptions &options, const Scene &scene, const std::atomic<bool> &,
-                                  const JobContext &job) { return bakeLights(options, mFiles, scene, job); });
+            return runBake(bakeLights);
         case Command::Transfer:
             if (!mOptions.bake.textures.isEmpty())
-                return runBake([this](const CliOptions &options, const Scene &scene,
-                                      const std::atomic<bool> &stop, const JobContext &job) {
-                    return carryTextures(options, mFiles, scene, stop, job);
-                });
+                return runBake(carryTextures);
             return runMapping(&MapMaking::transfer);
         }
         return 1;
@@ -249,8 +245,8 @@ private:
     }
 
     //! Makes pictures instead of a map.
-    int runBake(const std::function<Result<BakeOutcome>(const CliOptions &, const Scene &,
-                                                        const std::atomic<bool> &, const JobContext &)> &bake)
+    int runBake(Result<BakeOutcome> (*bake)(const CliOptions &, const BatchFiles &, const Scene &,
+                                            const std::atomic<bool> &, const JobContext &))
     {
         const StopTimer timer(mOptions.timeLimit, mStop);
         const Result<Scene> scene = mFiles.read(mOptions, &mStop.stop);
@@ -259,7 +255,7 @@ private:
         mFiles.mergeSettings(mOptions);
         const JobContext job(&mStop.stop, mOptions.threads,
                              [this](const JobProgress &progress) { mProgress.show(progress); });
-        const Result<BakeOutcome> baked = bake(mOptions, scene.value(), mStop.stop, job);
+        const Result<BakeOutcome> baked = bake(mOptions, mFiles, scene.value(), mStop.stop, job);
         mProgress.clear();
         if (!baked)
             return failReading(baked.error());

@@ -63,18 +63,18 @@ Result<Scene> readScene(const CliOptions &options, const QString &path, const st
 //! A model that is baked from.
 struct SourceModel
 {
-    Scene scene;
+    DocumentState model;
     ShadedSurface surface;
 };
 
 Result<SourceModel> readSource(const CliOptions &options, const QString &path, const std::atomic<bool> &stop)
 {
     const auto read = [=](const std::atomic<bool> &own) -> Result<SourceModel> {
-        Result<Scene> scene = readScene(options, path, own);
+        BatchFiles files;
+        const Result<Scene> scene = readScene(options, path, {}, files, own);
         if (!scene)
             return scene.error();
-        ShadedSurface surface = shadedSurface(scene.value());
-        return SourceModel{std::move(scene).value(), std::move(surface)};
+        return SourceModel{files.modelOf(scene.value()), shadedSurface(scene.value())};
     };
     std::optional<Result<SourceModel>> model = unlessStopped(stop, read);
     return model ? std::move(*model) : readingCancelled(path);
@@ -129,13 +129,14 @@ Result<Done> readCage(const CliOptions &options, const Scene &scene, const std::
 }
 
 //! Gives the surface the colours that a map of colours needs.
-void takeColors(const CliOptions &options, const Scene &scene, ShadedSurface &surface, QStringList &warnings)
+void takeColors(const CliOptions &options, const DocumentState &model, ShadedSurface &surface,
+                QStringList &warnings)
 {
     const auto isColor = [](const bake::MapRequest &map) { return map.kind == bake::MapKind::Color; };
     if (std::ranges::none_of(options.bake.job.settings.maps, isColor))
         return;
     QStringList missing;
-    if (!addColors(scene, options.bake.colorFrom, surface, missing))
+    if (!addColors(model, options.bake.colorFrom, surface, missing))
         warnings
             << u"the model has no colours of the kind that --color-from names: those of its materials are "
                "baked"_s;
@@ -194,8 +195,8 @@ QJsonObject BakeOutcome::json() const
             {u"notes"_s, QJsonArray::fromStringList(warnings)}};
 }
 
-Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, const std::atomic<bool> &stop,
-                             const JobContext &context)
+Result<BakeOutcome> bakeMaps(const CliOptions &options, const BatchFiles &files, const Scene &scene,
+                             const std::atomic<bool> &stop, const JobContext &context)
 {
     BakeOutcome outcome;
     const Result<PictureDepth> depth = depthOf(options.bake);
@@ -211,10 +212,10 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, cons
             return high.error();
         job->kind = bake::SourceKind::Detailed;
         job->high = std::move(high->surface);
-        takeColors(options, high->scene, *job->high, outcome.warnings);
+        takeColors(options, high->model, *job->high, outcome.warnings);
         if (options.bake.byName) {
             const QStringList alone =
-                pairObjects(job->low, scene.objectNames, *job->high, high->scene.objectNames);
+                pairObjects(job->low, scene.objectNames, *job->high, high->model.scene.objectNames);
             if (!alone.isEmpty())
                 outcome.warnings << u"no object of the detailed model belongs to: %1"_s.arg(
                     alone.join(u", "_s));
@@ -226,7 +227,7 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, cons
         }
     }
     if (options.bake.high.isEmpty())
-        takeColors(options, scene, job->low, outcome.warnings);
+        takeColors(options, files.modelOf(scene), job->low, outcome.warnings);
     if (const Result<Done> made = makeFolder(options.output); !made)
         return made.error();
     PictureWriter writer(outcome, depth.value());
@@ -267,15 +268,12 @@ std::vector<int> materialsOf(const Scene &old, const Scene &scene)
 DocumentState texturedModel(const Scene &scene, const BatchFiles &files, const Scene &old,
                             const BatchFiles &oldFiles)
 {
-    DocumentState state;
-    state.scene = scene;
-    state.textureSets = files.textureSets();
-    if (hasTextures(state))
-        return state;
-    state.scene = old;
-    state.scene.faceMaterial = materialsOf(old, scene);
-    state.textureSets = oldFiles.textureSets();
-    return state;
+    DocumentState model = files.modelOf(scene);
+    if (hasTextures(model))
+        return model;
+    model = oldFiles.modelOf(old);
+    model.scene.faceMaterial = materialsOf(old, scene);
+    return model;
 }
 
 } // namespace

@@ -26,9 +26,10 @@ struct BakeOutcome
 };
 
 //! Bakes the maps of the options into the UV map of a scene. Files that are finished before a stop stay.
+//! \param files that have read the scene
 //! \param stop that of the job, which also ends the reading of further files
-Result<BakeOutcome> bakeMaps(const CliOptions &options, const Scene &scene, const std::atomic<bool> &stop,
-                             const JobContext &job);
+Result<BakeOutcome> bakeMaps(const CliOptions &options, const BatchFiles &files, const Scene &scene,
+                             const std::atomic<bool> &stop, const JobContext &job);
 
 //! Makes the textures of the options new for the UV map of a scene. After a stop no file was written.
 //! \param files that have read it \param stop as above

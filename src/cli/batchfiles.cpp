@@ -128,9 +128,13 @@ const std::vector<UvSet> &BatchFiles::uvSets() const
     return mDocument ? mDocument->uvSets() : mOriginal.uvSets;
 }
 
-std::vector<TextureSet> BatchFiles::textureSets() const
+DocumentState BatchFiles::modelOf(const Scene &scene) const
 {
-    return mDocument ? mDocument->state().textureSets : std::vector<TextureSet>();
+    DocumentState model;
+    model.scene = scene;
+    if (mDocument)
+        model.textureSets = mDocument->state().textureSets;
+    return model;
 }
 
 Result<int> BatchFiles::findUvSet(const std::vector<UvSet> &sets, const QString &word, const QString &path)

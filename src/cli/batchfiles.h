@@ -38,8 +38,8 @@ public:
 
     //! The UV sets of the input, in the order of the file.
     const std::vector<UvSet> &uvSets() const;
-    //! The pictures that the user of the session chose, see DocumentState::textureSets.
-    std::vector<TextureSet> textureSets() const;
+    //! What read() has returned, with the pictures that the user of the session chose.
+    DocumentState modelOf(const Scene &scene) const;
     int activeUvSet() const { return mDocument ? mDocument->activeUvSet() : mActiveSet; }
     //! The set of this name, or else of this number from 1.
     static Result<int> findUvSet(const std::vector<UvSet> &sets, const QString &word, const QString &path);

@@ -8,7 +8,7 @@ namespace autocuts {
 using namespace Qt::Literals::StringLiterals;
 
 Result<BakeOutcome> bakeLights(const CliOptions &options, const BatchFiles &files, const Scene &scene,
-                               const JobContext &context)
+                               const std::atomic<bool> &, const JobContext &context)
 {
     const PackingSettings &texture = options.unwrap.packing;
     if (texture.textureSize > maxLightMapSide || texture.height() > maxLightMapSide)
@@ -18,8 +18,8 @@ Result<BakeOutcome> bakeLights(const CliOptions &options, const BatchFiles &file
         return depth.error();
     QStringList missing;
     // The textures of materials are for the first UV set of the file.
-    Result<LitSurface> surface = litSurface(scene, options.light.surface, files.activeUvSet() == 0 ? 0 : 1,
-                                            texture.tileHeight(), missing);
+    Result<LitSurface> surface = litSurface(files.modelOf(scene), options.light.surface,
+                                            files.activeUvSet() == 0 ? 0 : 1, texture.tileHeight(), missing);
     if (!surface)
         return surface.error();
     bake::LightBakeSettings settings = options.light.settings;

@@ -83,18 +83,25 @@ Result<ReadPictures> readPictures(const SceneTexture &texture)
     return result;
 }
 
-std::optional<SurfaceTexture> readBaseColors(const Scene &scene, QStringList &missing)
+std::optional<SurfaceTexture> readBaseColors(const DocumentState &model, QStringList &missing)
 {
     SurfaceTexture texture;
     bool found = false, floats = true;
-    for (const SceneTexture &one : scene.materialTextures) {
+    const int count = static_cast<int>(model.scene.materialNames.size());
+    for (int place = 0; place <= count; ++place) {
         texture.ofMaterial.emplace_back();
-        if (one.isEmpty())
+        const int material = place < count ? place : -1; // the last one is for faces without a material
+        const TextureSet set = model.textureSet(material);
+        const auto color = set.find(TextureChannel::BaseColor);
+        if (color == set.end() || color->second.picture.isEmpty())
             continue;
-        Result<ReadPictures> pictures =
-            readPictures(one.content.isEmpty() ? SceneTexture{findTexture(one.file, scene.path), {}} : one);
+        SceneTexture one = color->second.picture;
+        if (one.content.isEmpty())
+            one.file = texturePath(one.file, isChosenTexture(model, material, TextureChannel::BaseColor),
+                                   model.scene.path);
+        Result<ReadPictures> pictures = readPictures(one);
         if (!pictures) {
-            missing << one.file;
+            missing << color->second.picture.file;
             continue;
         }
         found = true;
@@ -104,17 +111,16 @@ std::optional<SurfaceTexture> readBaseColors(const Scene &scene, QStringList &mi
     if (!found)
         return std::nullopt;
     texture.kind = floats ? TextureKind::Linear : TextureKind::Srgb;
-    texture.ofMaterial.emplace_back(); // faces without a material
     return texture;
 }
 
-bool addColors(const Scene &scene, ColorSource from, ShadedSurface &surface, QStringList &missing)
+bool addColors(const DocumentState &model, ColorSource from, ShadedSurface &surface, QStringList &missing)
 {
     const bool anything = from == ColorSource::Auto;
     if (!anything && from != ColorSource::Vertices)
         surface.cornerColors = nullptr;
     if (anything || from == ColorSource::Textures) {
-        if (std::optional<SurfaceTexture> colors = readBaseColors(scene, missing))
+        if (std::optional<SurfaceTexture> colors = readBaseColors(model, missing))
             surface.textures.push_back(std::move(*colors));
     }
     switch (from) {
@@ -123,7 +129,7 @@ bool addColors(const Scene &scene, ColorSource from, ShadedSurface &surface, QSt
     case ColorSource::Vertices:
         return surface.cornerColors != nullptr;
     case ColorSource::Materials:
-        return std::ranges::any_of(scene.materialColors, [](QRgb color) { return color != 0; });
+        return std::ranges::any_of(model.scene.materialColors, [](QRgb color) { return color != 0; });
     case ColorSource::Auto:
         break;
     }

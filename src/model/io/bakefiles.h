@@ -1,7 +1,7 @@
 // The files of a bake: the pictures it makes, and those it reads.
 #pragma once
 
-#include "model/document/scene.h"
+#include "model/document/documentstate.h"
 #include "model/io/picturefiles.h"
 #include "model/plain/shadedsurface.h"
 
@@ -35,13 +35,13 @@ TextureKind textureKindOf(const QString &path, PictureDepth depth);
 enum class ColorSource { Auto, Textures, Vertices, Materials };
 
 //! Leaves a surface with the colours that are to be baked, and reads its textures if they are among them.
-//! Takes long. \param surface shadedSurface() of the scene \param missing gets the names of pictures that
-//! cannot be read \returns false where the model has no colours of the wanted kind
-bool addColors(const Scene &scene, ColorSource from, ShadedSurface &surface, QStringList &missing);
+//! Takes long. \param surface shadedSurface() of the model's scene \param missing gets the names of pictures
+//! that cannot be read \returns false where the model has no colours of the wanted kind
+bool addColors(const DocumentState &model, ColorSource from, ShadedSurface &surface, QStringList &missing);
 
-//! Reads the pictures of the materials' base colours, as Scene::materialTextures names them. Takes long.
+//! Reads the pictures of the materials' base colours, see DocumentState::textureSet(). Takes long.
 //! \param missing gets the names of those that cannot be read
 //! \returns nothing where no material has one that can be read
-std::optional<SurfaceTexture> readBaseColors(const Scene &scene, QStringList &missing);
+std::optional<SurfaceTexture> readBaseColors(const DocumentState &model, QStringList &missing);
 
 } // namespace autocuts

@@ -46,9 +46,9 @@ Result<int> findSet(const Scene &scene, const QString &name)
     return static_cast<int>(found - scene.uvSets.begin());
 }
 
-//! What reflects how much. \param shaded the scene without UVs
-Result<Albedo> albedoOf(const LitSceneOptions &options, const Scene &scene, const ShadedSurface &shaded,
-                        int textureSet, double tileHeight, QStringList &missing)
+//! What reflects how much. \param shaded the model without UVs
+Result<Albedo> albedoOf(const LitSceneOptions &options, const DocumentState &model,
+                        const ShadedSurface &shaded, int textureSet, double tileHeight, QStringList &missing)
 {
     if (options.albedo && options.albedoFile.isEmpty()) {
         return Albedo([color = *options.albedo](const SurfacePoint &) { return color; });
@@ -56,13 +56,13 @@ Result<Albedo> albedoOf(const LitSceneOptions &options, const Scene &scene, cons
     auto colored = std::make_shared<ShadedSurface>(shaded);
     colored->tileHeight = tileHeight;
     if (options.albedoFile.isEmpty()) {
-        addColors(scene, ColorSource::Auto, *colored, missing);
+        addColors(model, ColorSource::Auto, *colored, missing);
     } else {
         Result<SurfaceTexture> texture = readAlbedo(options.albedoFile);
         if (!texture)
             return texture.error();
         const Result<int> set =
-            options.albedoUvSet.isEmpty() ? Result<int>(0) : findSet(scene, options.albedoUvSet);
+            options.albedoUvSet.isEmpty() ? Result<int>(0) : findSet(model.scene, options.albedoUvSet);
         if (!set)
             return set.error();
         textureSet = set.value();
@@ -70,7 +70,7 @@ Result<Albedo> albedoOf(const LitSceneOptions &options, const Scene &scene, cons
         colored->cornerColors = nullptr;
         colored->materialColors.clear();
     }
-    colored->uv = scene.uvSets[std::size_t(textureSet)].uv;
+    colored->uv = model.scene.uvSets[std::size_t(textureSet)].uv;
     return Albedo(
         [colored = std::shared_ptr<const ShadedSurface>(std::move(colored))](const SurfacePoint &point) {
             const Vec3f color = colored->baseColor(point).value_or(Vec3f::Constant(standardAlbedo));
@@ -102,15 +102,16 @@ Result<std::vector<Vec3f>> emissionOf(const LitSceneOptions &options, const Scen
 
 } // namespace
 
-Result<LitSurface> litSurface(const Scene &scene, const LitSceneOptions &options, int textureSet,
+Result<LitSurface> litSurface(const DocumentState &model, const LitSceneOptions &options, int textureSet,
                               double tileHeight, QStringList &missing)
 {
+    const Scene &scene = model.scene;
     if (!scene.hasUv())
         return Error{u"the model has no UV map to bake into"_s, scene.path, 0, u"Unwrap it first"_s};
     Scene bare = scene;
     bare.uvSets.clear(); // tangents are not needed
     ShadedSurface shaded = shadedSurface(bare);
-    Result<Albedo> albedo = albedoOf(options, scene, shaded, textureSet, tileHeight, missing);
+    Result<Albedo> albedo = albedoOf(options, model, shaded, textureSet, tileHeight, missing);
     if (!albedo)
         return albedo.error();
     Result<std::vector<Vec3f>> emission = emissionOf(options, scene);

@@ -1,7 +1,7 @@
 // What a light bake needs of a scene, and where its pictures go.
 #pragma once
 
-#include "model/document/scene.h"
+#include "model/document/documentstate.h"
 #include "model/io/picturefiles.h"
 #include "model/plain/litsurface.h"
 
@@ -24,11 +24,11 @@ struct LitSceneOptions
 };
 
 //! Takes long for large models and textures.
-//! \param scene its first UV set is the one that is baked into \param textureSet index of the UV set that the
+//! \param model its first UV set is the one that is baked into \param textureSet index of the UV set that the
 //! textures of its materials are for \param tileHeight of the texture, see shadedSurface()
 //! \param missing gets the names of textures that cannot be read
 //! Errors: no UVs, no such material, no such UV set, a picture of the options that cannot be read.
-Result<LitSurface> litSurface(const Scene &scene, const LitSceneOptions &options, int textureSet,
+Result<LitSurface> litSurface(const DocumentState &model, const LitSceneOptions &options, int textureSet,
                               double tileHeight, QStringList &missing);
 
 //! Sides of light maps. A bake keeps about 60 bytes per texel.

@@ -21,14 +21,20 @@ struct JobTexts
     Q_DECLARE_TR_FUNCTIONS(autocuts::MapController)
 };
 
-Result<Scene> readDetailed(const QString &path, const std::atomic<bool> &stop)
+Result<DocumentState> readDetailed(const QString &path, const std::atomic<bool> &stop)
 {
-    if (!isProjectPath(path))
-        return readMesh(path, &stop);
+    if (!isProjectPath(path)) {
+        Result<Scene> scene = readMesh(path, &stop);
+        if (!scene)
+            return scene.error();
+        DocumentState model;
+        model.scene = std::move(scene).value();
+        return model;
+    }
     Result<LoadedProject> project = loadProject(path, &stop);
     if (!project)
         return project.error();
-    return std::move(project->state.scene);
+    return std::move(project->state);
 }
 
 PictureDepth depthOf(int bits)
@@ -38,10 +44,11 @@ PictureDepth depthOf(int bits)
 
 } // namespace
 
-Result<bake::BakeJob> makeBakeJob(const Scene &scene, const PackingSettings &packing,
+Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSettings &packing,
                                   const BakeChoice &choice, const std::atomic<bool> &stop,
                                   QStringList &warnings)
 {
+    const Scene &scene = model.scene;
     bake::BakeJob job;
     for (const auto &[name, kind] : bake::mapNames()) {
         if (choice.maps.contains(QLatin1StringView(name)))
@@ -66,7 +73,7 @@ Result<bake::BakeJob> makeBakeJob(const Scene &scene, const PackingSettings &pac
                 "of a tile",
                 nullptr, tiles.facesOutside);
     }
-    const auto takeColors = [&](const Scene &source, ShadedSurface &surface) {
+    const auto takeColors = [&](const DocumentState &source, ShadedSurface &surface) {
         QStringList missing;
         if (choice.maps.contains(QLatin1StringView(bake::nameOf(bake::MapKind::Color))))
             addColors(source, ColorSource::Auto, surface, missing);
@@ -75,17 +82,17 @@ Result<bake::BakeJob> makeBakeJob(const Scene &scene, const PackingSettings &pac
                 << JobTexts::tr("Textures that cannot be read: %1").arg(missing.join(QStringLiteral(", ")));
     };
     if (choice.high.isEmpty()) {
-        takeColors(scene, job.low);
+        takeColors(model, job.low);
         return job;
     }
-    const Result<Scene> high = readDetailed(choice.high, stop);
+    const Result<DocumentState> high = readDetailed(choice.high, stop);
     if (!high)
         return high.error();
     job.kind = bake::SourceKind::Detailed;
-    job.high = shadedSurface(high.value());
+    job.high = shadedSurface(high->scene);
     takeColors(high.value(), *job.high);
     if (choice.byName) {
-        const QStringList alone = pairObjects(job.low, scene.objectNames, *job.high, high->objectNames);
+        const QStringList alone = pairObjects(job.low, scene.objectNames, *job.high, high->scene.objectNames);
         if (!alone.isEmpty())
             warnings << JobTexts::tr("No object of the detailed model belongs to: %1")
                             .arg(alone.join(QStringLiteral(", ")));
@@ -93,12 +100,12 @@ Result<bake::BakeJob> makeBakeJob(const Scene &scene, const PackingSettings &pac
     return job;
 }
 
-MapJobResult bakeJob(const Scene &scene, const PackingSettings &packing, const BakeChoice &choice,
+MapJobResult bakeJob(const DocumentState &model, const PackingSettings &packing, const BakeChoice &choice,
                      JobControl &control)
 {
     MapJobResult result;
     QStringList warnings;
-    const Result<bake::BakeJob> job = makeBakeJob(scene, packing, choice, control.stop(), warnings);
+    const Result<bake::BakeJob> job = makeBakeJob(model, packing, choice, control.stop(), warnings);
     if (!job) {
         result.problem =
             control.stop() ? JobTexts::tr("Cancelled: nothing was baked") : job.error().toString();
@@ -106,7 +113,7 @@ MapJobResult bakeJob(const Scene &scene, const PackingSettings &packing, const B
     }
     QStringList written;
     const auto sink = [&](std::size_t map, int tile, const Picture &picture) {
-        const QString path = bakedPath(choice.folder, scene.path,
+        const QString path = bakedPath(choice.folder, model.scene.path,
                                        QLatin1StringView(bake::nameOf(job->settings.maps[map].kind)), tile,
                                        job->tiles.size() > 1, choice.suffix);
         const Result<Done> saved = writePicture(picture, path, depthOf(choice.bits));

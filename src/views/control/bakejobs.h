@@ -11,12 +11,12 @@ namespace autocuts {
 //! The bake of a choice. Reads the detailed model, so it takes long.
 //! \param scene of the document, its first UV set being the active one \param warnings gets what is not as
 //! wished
-Result<bake::BakeJob> makeBakeJob(const Scene &scene, const PackingSettings &packing,
+Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSettings &packing,
                                   const BakeChoice &choice, const std::atomic<bool> &stop,
                                   QStringList &warnings);
 
 //! Bakes and writes the pictures; the map stays as it is. \param scene as above
-MapJobResult bakeJob(const Scene &scene, const PackingSettings &packing, const BakeChoice &choice,
+MapJobResult bakeJob(const DocumentState &model, const PackingSettings &packing, const BakeChoice &choice,
                      JobControl &control);
 
 } // namespace autocuts

@@ -69,13 +69,13 @@ bake::LightBakeSettings settingsOf(const LightChoice &choice, const PackingSetti
 
 } // namespace
 
-MapJobResult lightBakeJob(const Scene &scene, int textureSet, const PackingSettings &packing,
+MapJobResult lightBakeJob(const DocumentState &model, int textureSet, const PackingSettings &packing,
                           const LightChoice &choice, const LightReceiver &shown, JobControl &control)
 {
     MapJobResult result;
     const Result<PictureDepth> depth = lightMapDepth(choice.path, choice.bits);
     QStringList missing;
-    Result<LitSurface> surface = litSurface(scene, choice.surface, textureSet, packing.tileHeight(), missing);
+    Result<LitSurface> surface = litSurface(model, choice.surface, textureSet, packing.tileHeight(), missing);
     if (!depth || !surface) {
         result.problem = (depth ? surface.error() : depth.error()).toString();
         return result;

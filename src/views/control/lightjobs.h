@@ -13,10 +13,10 @@ namespace autocuts {
 using LightReceiver = std::function<void(int tile, const QImage &picture)>;
 
 //! Bakes light and writes the pictures; the map stays as it is. After a stop, what there is is written.
-//! \param scene of the document, its first UV set being the one that is baked into \param textureSet index of
+//! \param model the document, its first UV set being the one that is baked into \param textureSet index of
 //! the set that the textures of its materials are for \param shown gets pictures from coarse to fine; may be
 //! empty
-MapJobResult lightBakeJob(const Scene &scene, int textureSet, const PackingSettings &packing,
+MapJobResult lightBakeJob(const DocumentState &model, int textureSet, const PackingSettings &packing,
                           const LightChoice &choice, const LightReceiver &shown, JobControl &control);
 
 } // namespace autocuts

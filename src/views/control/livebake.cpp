@@ -1,6 +1,7 @@
 #include "views/control/livebake.h"
 
 #include "model/plain/udimtiles.h"
+#include "model/plain/uvlayout.h"
 #include "solver/bake/surfacesamples.h"
 #include "views/control/bakejobs.h"
 #include "views/control/shownmap.h"
@@ -158,7 +159,7 @@ LiveBake::LiveBake(const Workspace &workspace, const ShownMap &shownMap, QObject
 {
     mThreads.setMaxThreadCount(2);
     connect(&workspace, &Workspace::documentReplaced, this, &LiveBake::stop);
-    connect(&shownMap, &ShownMap::changed, this, &LiveBake::layAgain);
+    connect(&shownMap, &ShownMap::changed, this, &LiveBake::followMap);
 }
 
 LiveBake::~LiveBake()
@@ -181,13 +182,15 @@ void LiveBake::start(const BakeChoice &choice, const QString &map)
     mMap = map;
     mRefining = true;
     mUpdates = 0;
-    Scene scene = document->state().scene;
-    scene.uvSets.clear(); // the map comes later, again and again
+    DocumentState model = document->state();
+    // The map comes later, again and again; only the model's own textures need that of the beginning.
+    if (map != QLatin1StringView(bake::nameOf(bake::MapKind::Color)))
+        model.scene.uvSets.clear();
     BakeChoice one = choice;
     one.maps = {map};
-    mThreads.start([this, scene, one, flag = mStop, packing = document->packingSettings()] {
+    mThreads.start([this, model, one, flag = mStop, packing = document->packingSettings()] {
         QStringList warnings;
-        Result<bake::BakeJob> job = makeBakeJob(scene, packing, one, *flag, warnings);
+        Result<bake::BakeJob> job = makeBakeJob(model, packing, one, *flag, warnings);
         if (*flag)
             return;
         if (!job) {
@@ -195,9 +198,9 @@ void LiveBake::start(const BakeChoice &choice, const QString &map)
             QMetaObject::invokeMethod(this, [this, flag, message] { fail(flag, message); });
             return;
         }
-        LiveBakeModel model;
-        model.job = std::make_shared<const bake::BakeJob>(std::move(job).value());
-        auto shared = std::make_shared<const LiveBakeModel>(std::move(model));
+        LiveBakeModel live;
+        live.job = std::make_shared<const bake::BakeJob>(std::move(job).value());
+        auto shared = std::make_shared<const LiveBakeModel>(std::move(live));
         QMetaObject::invokeMethod(this, [this, flag, shared] { takeOver(flag, shared, 0); });
     });
     Q_EMIT changed();
@@ -238,13 +241,32 @@ LiveBake::Receiver LiveBake::receive()
     return [box = mBox](int tile, const QImage &picture) { box->put(tile, picture); };
 }
 
+const Pictures &LiveBake::pictures() const
+{
+    static const Pictures none;
+    return mFits ? mPictures : none;
+}
+
+void LiveBake::followMap()
+{
+    layAgain();
+    if (!mBox || mPictures.images.empty())
+        return;
+    const Document *document = mWorkspace.document();
+    const bool fits = document && !mShownMap.isLive() && sameBits(document->uv(), mReceivedFor);
+    if (std::exchange(mFits, fits) != fits)
+        Q_EMIT changed();
+}
+
 void LiveBake::showReceived()
 {
-    if (!mBox)
+    if (!mBox || !mWorkspace.document())
         return;
     std::map<int, QImage> tiles = mBox->take();
     if (tiles.empty())
         return;
+    if (mPictures.images.empty())
+        mReceivedFor = mWorkspace.document()->uv();
     // The others stay.
     for (const auto &[place, index] : mPictures.sets.empty() ? std::map<int, int>() : mPictures.sets[0].tiles)
         tiles.try_emplace(PackingSettings::firstTile + place, mPictures.images[std::size_t(index)]);
@@ -262,6 +284,7 @@ void LiveBake::stop()
     mBox.reset();
     mModel.reset();
     mPictures = {};
+    mFits = true;
     mRefining = mLaying = mStale = false;
     Q_EMIT changed();
 }

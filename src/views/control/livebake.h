@@ -1,6 +1,7 @@
 // A bake that follows the map while it changes.
 #pragma once
 
+#include "model/plain/types.h"
 #include "views/control/bakechoice.h"
 #include "views/gl/pictures.h"
 
@@ -58,7 +59,9 @@ public:
     //! The points are not all traced yet.
     bool isRefining() const { return mRefining; }
     //! For the tiles in which the shown map lies; empty until there are some.
-    const Pictures &pictures() const { return mPictures; }
+    //! Received ones belong to the document's map when the first of them came: while another one is shown,
+    //! there are none.
+    const Pictures &pictures() const;
     //! How often a picture was laid since the start; for measurements.
     int updates() const { return mUpdates; }
 
@@ -76,6 +79,7 @@ private:
     void layAgain();
     void show(const StopFlag &flag, const std::map<int, QImage> &tiles);
     void showReceived();
+    void followMap();
     void fail(const StopFlag &flag, const QString &message);
 
     const Workspace &mWorkspace;
@@ -88,6 +92,8 @@ private:
     std::shared_ptr<const LiveBakeModel> mModel; //!< with samples; null until the first ones are there
     class Box;
     std::shared_ptr<Box> mBox; //!< null: nothing is received
+    UvMatrix mReceivedFor;     //!< the document's map that the received pictures are for
+    bool mFits = true;         //!< that it is shown
     Pictures mPictures;
     int mUpdates = 0;
 };

@@ -31,6 +31,16 @@ constexpr int editDelay = 300;
 //! The search for overlapping pairs stops at this number. Chosen by hand.
 constexpr int maxListedOverlaps = 100'000;
 
+//! The document, its active UV set being the first one.
+DocumentState activeFirst(const Document &document)
+{
+    DocumentState model = document.state();
+    std::vector<UvSet> &sets = model.scene.uvSets;
+    const auto active = sets.begin() + document.activeUvSet();
+    std::rotate(sets.begin(), active, active + 1);
+    return model;
+}
+
 MapFigures measured(const MeshData &mesh, const UvMatrix &uv, const std::vector<IslandFlags> &faceFlags,
                     const PackingSettings &packing, JobControl &control)
 {
@@ -359,11 +369,10 @@ void MapController::bake(const BakeChoice &choice)
     const Document *document = mWorkspace.document();
     if (!document || document->uvSets().empty())
         return;
-    Scene scene = document->state().scene;
-    std::swap(scene.uvSets.front(), scene.uvSets[document->activeUvSet()]);
-    startJob(tr("Baking"), [choice, scene](const MapInput &input, JobControl &control) {
-        return bakeJob(scene, input.packing, choice, control);
-    });
+    startJob(tr("Baking"),
+             [choice, model = activeFirst(*document)](const MapInput &input, JobControl &control) {
+                 return bakeJob(model, input.packing, choice, control);
+             });
 }
 
 void MapController::carryTextures(const CarryChoice &choice)
@@ -404,15 +413,12 @@ void MapController::startLightBake(const LightChoice &choice,
                                    const std::function<void(int tile, const QImage &picture)> &shown)
 {
     const Document &document = *mWorkspace.document();
-    Scene scene = document.state().scene;
-    const int active = document.activeUvSet();
-    std::rotate(scene.uvSets.begin(), scene.uvSets.begin() + active, scene.uvSets.begin() + active + 1);
     // The textures of materials are for the first UV set of the file.
-    const int textureSet = active == 0 ? 0 : 1;
-    startJob(tr("Baking light"),
-             [choice, scene, textureSet, shown](const MapInput &input, JobControl &control) {
-                 return lightBakeJob(scene, textureSet, input.packing, choice, shown, control);
-             });
+    const int textureSet = document.activeUvSet() == 0 ? 0 : 1;
+    startJob(tr("Baking light"), [choice, model = activeFirst(document), textureSet,
+                                  shown](const MapInput &input, JobControl &control) {
+        return lightBakeJob(model, textureSet, input.packing, choice, shown, control);
+    });
 }
 
 void MapController::equalizeDensity()
