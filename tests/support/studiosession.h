@@ -37,6 +37,9 @@ struct StudioSession
     //! Presses the keys in the window.
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
     {
+        // A dialog that has closed may have left no window active.
+        if (!QApplication::activeWindow())
+            QApplication::setActiveWindow(&window);
         QTest::keyClick(&window, key, modifiers);
         QCoreApplication::processEvents(); // the actions follow at the next turn of the event loop
     }

@@ -7,6 +7,7 @@
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "model/plain/udimtiles.h"
+#include "model/plain/uvlayout.h"
 #include "solver/bake/carrying.h"
 
 #include <QCoreApplication>
@@ -69,9 +70,7 @@ Result<Scene> sourceScene(const CarryInput &input, const CarryChoice &choice, co
 
 bool sameMap(const Scene &a, const Scene &b)
 {
-    const UvMatrix &left = a.uvSets.front().uv, &right = b.uvSets.front().uv;
-    return samePolygons(*a.mesh, *b.mesh) &&
-           ((left.array() == right.array()) || (left.array().isNaN() && right.array().isNaN())).all();
+    return samePolygons(*a.mesh, *b.mesh) && sameBits(a.uvSets.front().uv, b.uvSets.front().uv);
 }
 
 MapJobResult failed(const QString &problem)
