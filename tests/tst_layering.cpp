@@ -31,7 +31,7 @@ const std::vector<Layer> layers{
     {"reader", {""}, {"model"}},
     {"commands", {""}, {"model"}},
     {"solver",
-     {"base", "energy", "linear", "newton", "overlap", "metrics", "preference", "packing", "search",
+     {"base", "energy", "linear", "newton", "overlap", "rigid", "metrics", "preference", "packing", "search",
       "homotopy", "definite", "straight", "multires", "unwrap", "bake", "live"},
      {"model/plain"}},
     {"cli", {""}, {"model", "commands", "solver"}},

@@ -185,6 +185,7 @@ void BatchFiles::mergeSettings(CliOptions &options)
     merge("--energy", options.settings.energy, solve.energy);
     merge("--solver", options.settings.solver, solve.solver);
     merge("--seed", options.settings.seed, solve.seed);
+    merge("--flat", options.settings.flat, solve.flat);
     merge("--creases", options.settings.creases, solve.creases);
     merge("--crease-strength", options.settings.creaseStrength, solve.creaseStrength);
     merge("--visibility", options.settings.visibility, solve.visibility);

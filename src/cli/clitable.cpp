@@ -124,6 +124,11 @@ std::vector<CliOption> solvingOptions()
                 {u"standard"_s, unwrap::UnwrapQuality::Standard},
                 {u"best"_s, unwrap::UnwrapQuality::Best}},
                u"how long to search for shorter seams"_s),
+        choice(
+            group, u"--flat"_s, fieldOf(&SolveSettings::flat),
+            {{u"rigid"_s, FlatMode::Rigid}, {u"free"_s, FlatMode::Free}},
+            u"flat faces, and what unrolls without stretch, keep their shape, and the stretch that "
+            "--max-distortion allows goes to the curved rest; or it may go anywhere. No matter with --lambda"_s),
         choice(group, u"--creases"_s, fieldOf(&SolveSettings::creases),
                {{u"off"_s, CreaseMode::Off}, {u"auto"_s, CreaseMode::Auto}, {u"on"_s, CreaseMode::On}},
                u"put seams along sharp edges; auto does so on meshes that have creases"_s),

@@ -49,6 +49,8 @@ const char *solveText(int properties)
         return QT_TRANSLATE_NOOP("Undo Commands", "Change mirrored maps");
     case WorldUpProperty:
         return QT_TRANSLATE_NOOP("Undo Commands", "Change what is up in the map");
+    case FlatProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change shape of flat faces");
     case MaxDistortionProperty:
         return QT_TRANSLATE_NOOP("Undo Commands", "Change distortion budget");
     default:

@@ -234,6 +234,7 @@ QCborMap toCbor(const SolveSettings &settings)
             {"solver"_L1, static_cast<int>(settings.solver)},
             {"seed"_L1, qint64(settings.seed)},
             {"maxDistortion"_L1, settings.maxDistortion},
+            {"flat"_L1, static_cast<int>(settings.flat)},
             {"creases"_L1, static_cast<int>(settings.creases)},
             {"creaseStrength"_L1, settings.creaseStrength},
             {"visibility"_L1, settings.visibility},
@@ -266,6 +267,9 @@ SolveSettings readSolveSettings(CborReader &reader)
     });
     read("maxDistortion"_L1, settings.maxDistortion,
          [&] { return reader.number("maxDistortion"_L1, 4, SolveSettings::maxBound); });
+    // Sessions from before this setting go on as they were.
+    settings.flat = FlatMode::Free;
+    read("flat"_L1, settings.flat, [&] { return reader.enumerator("flat"_L1, FlatMode::Free); });
     read("creases"_L1, settings.creases, [&] { return reader.enumerator("creases"_L1, CreaseMode::On); });
     read("creaseStrength"_L1, settings.creaseStrength,
          [&] { return reader.number("creaseStrength"_L1, 0, 1); });

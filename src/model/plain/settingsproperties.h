@@ -26,7 +26,8 @@ enum SolveProperty {
     MaxDistortionProperty = 1 << 15,
     AlignProperty = 1 << 16,
     MirrorMapsProperty = 1 << 17,
-    WorldUpProperty = 1 << 18
+    WorldUpProperty = 1 << 18,
+    FlatProperty = 1 << 19
 };
 
 //! The fields of PackingSettings.

@@ -67,6 +67,20 @@ struct Obstacle
     std::array<bool, 3> isOpen{}; //!< side k, from corner k to the next, is on the border of what stays
 };
 
+//! Regions of the surface that are to keep their shape in the map, see solver/rigid.
+struct RigidRegions
+{
+    std::vector<int> region; //!< per triangle: its region, -1: it may be stretched
+    int count = 0;
+    double share = 0; //!< of the area that is in regions
+    //! Per triangle: factor on its energy above that of an isometry. Scaled so that the same bound holds:
+    //! what the regions do not need is not spent elsewhere.
+    std::vector<double> stiffness;
+    //! Per edge pair: always a seam, because the regions at its sides would hang together by too little.
+    //! Empty: none.
+    std::vector<bool> apart;
+};
+
 //! The complete input of a solve. Const once built. Units: the solver scales the mesh to area pi; pins,
 //! rectangles and start UVs are in those units. Copies share everything but the settings.
 struct Snapshot
@@ -84,6 +98,7 @@ struct Snapshot
     bool keepTiles = false;                //!< islands stay in their UDIM tiles, see udimTiles()
     std::shared_ptr<const JobScope> scope; //!< null: the job may change all faces
     std::shared_ptr<const std::vector<Obstacle>> obstacles; //!< null: none
+    std::shared_ptr<const RigidRegions> rigid;              //!< null: every triangle may be stretched
     //! The document's state that this was made from; default when there is no document.
     StateToken token;
 
@@ -93,6 +108,12 @@ struct Snapshot
         const auto own = std::make_shared<Steering>(*steering);
         steering = own;
         return *own;
+    }
+    //! Factors on the energy of triangles, see RigidRegions::stiffness; empty: all are 1.
+    const std::vector<double> &stiffness() const
+    {
+        static const std::vector<double> none;
+        return rigid ? rigid->stiffness : none;
     }
     //! True when pins or rectangles determine the places and sizes of charts.
     bool placesIslands() const { return !steering->pins.empty() || !steering->rectangles.empty(); }

@@ -8,6 +8,8 @@ enum class StartMode { Rigid, Tutte, Random, ExistingUv };
 enum class SeamWeighting { Length, Count };
 enum class SolverKind { Fast, Exact };
 enum class CreaseMode { Off, Auto, On };
+//! Whether flat faces, and what unrolls without stretch, keep their shape in automatic maps.
+enum class FlatMode { Rigid, Free };
 //! The direction of the model that is up in the map; Off: any.
 enum class WorldUp { Off, Y, Z };
 //! Whose seams. Free: the search's. Keep: the given ones stay, and the search adds what the bound needs.
@@ -42,6 +44,8 @@ struct SolveSettings
     unsigned seed = 1;
     //! Bound on the mean symmetric Dirichlet energy of a definite map, in (4, maxBound].
     double maxDistortion = 4.1;
+    //! Rigid: the stretch that the bound allows goes to the curved parts of the surface only.
+    FlatMode flat = FlatMode::Rigid;
     // Preferences for the places of seams. All ways of cutting use them.
     //! Prefer seams along sharp edges; Auto: on meshes that have creases.
     CreaseMode creases = CreaseMode::Auto;

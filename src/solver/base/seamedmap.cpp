@@ -9,8 +9,13 @@ namespace autocuts {
 
 double SeamedMap::distortion(const Soup &soup) const
 {
+    return distortion(soup, {});
+}
+
+double SeamedMap::distortion(const Soup &soup, const std::vector<double> &stiffness) const
+{
     // With the map scaled by s the mean is (s^2 P + Q / s^2) / W. Its least value over s is 2 sqrt(P Q) / W.
-    double p = 0, q = 0, w = 0;
+    double p = 0, q = 0, w = 0, stiff = 0;
     for (int t = 0; t < soup.triangleCount(); ++t) {
         if (soup.mesh->triangleDegenerate[t])
             continue;
@@ -22,11 +27,13 @@ double SeamedMap::distortion(const Soup &soup) const
         const double j11 = c[1] * b[1] + c[3] * b[3] + c[5] * b[5];
         const double squares = j00 * j00 + j01 * j01 + j10 * j10 + j11 * j11;
         const double det = j00 * j11 - j01 * j10;
-        p += soup.weight[t] * squares;
-        q += soup.weight[t] * squares / (det * det);
+        const double factor = stiffness.empty() ? 1 : stiffness[t];
+        p += soup.weight[t] * factor * squares;
+        q += soup.weight[t] * factor * squares / (det * det);
         w += soup.weight[t];
+        stiff += soup.weight[t] * factor;
     }
-    return 2 * std::sqrt(p * q) / w;
+    return stiffness.empty() ? 2 * std::sqrt(p * q) / w : 4 + (2 * std::sqrt(p * q) - 4 * stiff) / w;
 }
 
 double SeamedMap::seamLength(const Soup &soup) const

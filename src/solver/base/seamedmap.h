@@ -22,6 +22,9 @@ struct SeamedMap
     //! Mean symmetric Dirichlet energy at the best common scale; 4 is isometric. Triangles without area in 3D
     //! are left out.
     double distortion(const Soup &soup) const;
+    //! The same with the energy of each triangle above 4 times a factor: what the bound is for where a
+    //! snapshot has rigid regions. \param stiffness per triangle; empty: all are 1
+    double distortion(const Soup &soup, const std::vector<double> &stiffness) const;
     //! 3D length of the seams in solver units (seam_norm). Diagonals are never seams.
     double seamLength(const Soup &soup) const;
     //! Cost of the seams that a solve minimises: the sum of each edge's weight times its length, or times the

@@ -2,6 +2,7 @@
 
 #include "solver/preference/creases.h"
 #include "solver/preference/openness.h"
+#include "solver/rigid/regionfinding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +64,15 @@ const std::vector<double> &SeamPreference::factors(const Snapshot &snapshot, int
 Snapshot SeamPreference::applied(const Snapshot &snapshot, int threads)
 {
     Snapshot result = snapshot;
+    if (snapshot.settings.flat == FlatMode::Rigid &&
+        snapshot.settings.energy == DistortionEnergy::SymmetricDirichlet) {
+        if (mRigidMesh != snapshot.mesh) {
+            mRigidMesh = snapshot.mesh;
+            mRigid =
+                rigid::rigidRegions(snapshot.mesh, creases(*snapshot.mesh, dihedralAngles(*snapshot.mesh)));
+        }
+        result.rigid = mRigid;
+    }
     const std::vector<double> &factor = factors(snapshot, threads);
     if (factor.empty())
         return result;

@@ -10,8 +10,8 @@ namespace autocuts::preference {
 class SeamPreference
 {
 public:
-    //! The snapshot with the factors for creases and hidden places multiplied into the painted weights;
-    //! unchanged when the settings ask for neither.
+    //! The snapshot with the factors for creases and hidden places multiplied into the painted weights, and
+    //! with the rigid regions; unchanged when the settings ask for none of it.
     Snapshot applied(const Snapshot &snapshot, int threads = 1);
 
 private:
@@ -21,6 +21,8 @@ private:
     std::shared_ptr<const MeshData> mMesh; //!< mesh of the stored factors
     SolveSettings mSettings;
     std::vector<double> mFactors;
+    std::shared_ptr<const MeshData> mRigidMesh; //!< mesh of the stored regions, with its texel weights
+    std::shared_ptr<const RigidRegions> mRigid;
 };
 
 //! Replaces CreaseMode::Auto by On or Off, depending on whether the mesh is a hard surface; other modes are

@@ -52,7 +52,8 @@ int CutState::smallParts() const
     std::vector<char> isSmall(chartCount(), 0);
     for (const int side : boundary) {
         const int own = chart[side / 3], other = graph->across[side];
-        if (other >= 0 && chart[other / 3] != own && chartArea[own] < smallestChart)
+        if (other >= 0 && chart[other / 3] != own && chartArea[own] < smallestChart &&
+            graph->rule[graph->edgeOf[side]] != SeamGraph::Rule::AlwaysCut)
             isSmall[own] = 1;
     }
     return static_cast<int>(std::count(isSmall.begin(), isSmall.end(), 1));
@@ -97,8 +98,7 @@ void CutState::updateEnergy()
         return;
     distortion = 0;
     for (int t = 0; t < soup.triangleCount(); ++t)
-        distortion +=
-            soup.weight[t] * search::triangleEnergy(&x[6 * static_cast<std::size_t>(t)], soup.basis[t]);
+        distortion += distortionOf(t, &x[6 * static_cast<std::size_t>(t)]);
 }
 
 double CutState::anchorEnergy(int t, const double *p) const

@@ -27,12 +27,14 @@ struct CutState
     std::vector<double> x;              //!< per soup corner, see Soup
     std::vector<double> triangleEnergy; //!< per triangle, see energyOf()
     double energy = 0;                  //!< sum of triangleEnergy
-    double distortion = 0;              //!< mean symmetric Dirichlet energy, 4 at an isometry
-    double cost = 0;                    //!< of the seams: sum of SeamGraph::cost
-    double length = 0;                  //!< of the seams, solver units
-    std::vector<int> boundary;          //!< triangle sides that are open or cut, in ascending order
-    std::vector<int> chart;             //!< per triangle: its chart
-    std::vector<double> chartArea;      //!< per chart: share of the mesh's 3D area
+    //! Mean symmetric Dirichlet energy, 4 at an isometry, with the stiffness of rigid regions: what the bound
+    //! is for.
+    double distortion = 0;
+    double cost = 0;               //!< of the seams: sum of SeamGraph::cost
+    double length = 0;             //!< of the seams, solver units
+    std::vector<int> boundary;     //!< triangle sides that are open or cut, in ascending order
+    std::vector<int> chart;        //!< per triangle: its chart
+    std::vector<double> chartArea; //!< per chart: share of the mesh's 3D area
 
     //! True when the charts with anchors are where these hold them. Before, anchors have no effect.
     bool anchored = false;
@@ -51,6 +53,8 @@ struct CutState
     int chartCount() const { return static_cast<int>(chartArea.size()); }
     //! True for a triangle side on a border of the mesh or on a cut edge.
     bool isCutSide(int side) const { return graph->across[side] < 0 || cut[graph->edgeOf[side]] != 0; }
+    //! The part of a triangle in the distortion. \param p u and v of its corners
+    double distortionOf(int t, const double *p) const;
     //! Energy of a triangle times its share of the area, and what its anchors cost.
     //! \param p u and v of its corners
     double energyOf(int t, const double *p) const;
@@ -89,13 +93,19 @@ private:
     void addAnchorDerivatives(int t, const double *p, double *gradient, double *hessian) const;
 };
 
+inline double CutState::distortionOf(int t, const double *p) const
+{
+    const Soup &soup = *graph->soup;
+    const double density = search::triangleEnergy(p, soup.basis[t]);
+    return soup.weight[t] * (graph->rigid ? 4 + graph->stiffness(t) * (density - 4) : density);
+}
+
 inline double CutState::energyOf(int t, const double *p) const
 {
     const Soup &soup = *graph->soup;
-    const double density = graph->energy == DistortionEnergy::SymmetricDirichlet
-                               ? search::triangleEnergy(p, soup.basis[t])
-                               : amipsEnergy(p, soup.basis[t]);
-    const double value = soup.weight[t] * density;
+    const double value = graph->energy == DistortionEnergy::SymmetricDirichlet
+                             ? distortionOf(t, p)
+                             : soup.weight[t] * amipsEnergy(p, soup.basis[t]);
     return isAnchored(t) ? value + anchorEnergy(t, p) : value;
 }
 
@@ -103,7 +113,7 @@ inline void CutState::derivativesOf(int t, const double *p, double *gradient, do
 {
     const Soup &soup = *graph->soup;
     if (graph->energy == DistortionEnergy::SymmetricDirichlet)
-        triangleDerivatives(p, soup.basis[t], soup.weight[t], gradient, hessian);
+        triangleDerivatives(p, soup.basis[t], graph->stiffness(t) * soup.weight[t], gradient, hessian);
     else
         amipsDerivatives(p, soup.basis[t], soup.weight[t], gradient, hessian);
     if (isAnchored(t))

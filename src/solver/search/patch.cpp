@@ -296,7 +296,7 @@ void Patch::store(std::vector<double> &x) const
 
 void Patch::commit(CutState &state) const
 {
-    const double before = distortionOf(state.x);
+    const double before = distortionOf(state);
     store(state.x);
     for (const int t : mTriangles) {
         const double value = state.energyOf(t, &state.x[6 * static_cast<std::size_t>(t)]);
@@ -304,17 +304,15 @@ void Patch::commit(CutState &state) const
         state.triangleEnergy[t] = value;
     }
     state.distortion =
-        mGraph->hasPlainEnergy() ? state.energy : state.distortion + distortionOf(state.x) - before;
+        mGraph->hasPlainEnergy() ? state.energy : state.distortion + distortionOf(state) - before;
 }
 
-double Patch::distortionOf(const std::vector<double> &x) const
+double Patch::distortionOf(const CutState &state) const
 {
-    if (mGraph->hasPlainEnergy())
-        return 0;
-    const Soup &soup = *mGraph->soup;
     double sum = 0;
     for (const int t : mTriangles)
-        sum += soup.weight[t] * triangleEnergy(&x[6 * static_cast<std::size_t>(t)], soup.basis[t]);
+        sum +=
+            mGraph->hasPlainEnergy() ? 0 : state.distortionOf(t, &state.x[6 * static_cast<std::size_t>(t)]);
     return sum;
 }
 

@@ -77,7 +77,7 @@ public:
 private:
     void setTriangles(const std::vector<int> &triangles);
     void mergeCorners(const CutState &state);
-    double distortionOf(const std::vector<double> &x) const;
+    double distortionOf(const CutState &state) const;
     void numberUnknowns();
     void addObstacles();
     double energyAt(const std::vector<double> &position) const;

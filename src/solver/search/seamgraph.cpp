@@ -12,13 +12,16 @@ SeamGraph::Rule ruleOf(const Snapshot &snapshot, std::size_t e)
 {
     if (snapshot.mesh->edgePairs[e].diagonal)
         return SeamGraph::Rule::NeverCut;
+    const SeamGraph::Rule otherwise =
+        snapshot.rigid && !snapshot.rigid->apart.empty() && snapshot.rigid->apart[e]
+            ? SeamGraph::Rule::AlwaysCut
+            : SeamGraph::Rule::Free;
     if (snapshot.steering->pairState.empty())
-        return SeamGraph::Rule::Free;
+        return otherwise;
     const PairState a = snapshot.steering->pairState[2 * e], b = snapshot.steering->pairState[2 * e + 1];
     if (a == PairState::Cut || b == PairState::Cut)
         return SeamGraph::Rule::AlwaysCut;
-    return a == PairState::Joined || b == PairState::Joined ? SeamGraph::Rule::NeverCut
-                                                            : SeamGraph::Rule::Free;
+    return a == PairState::Joined || b == PairState::Joined ? SeamGraph::Rule::NeverCut : otherwise;
 }
 
 std::vector<int> eliminationOrder(const SeamGraph &graph)
@@ -122,6 +125,7 @@ void SeamGraph::setSteering(const Snapshot &snapshot, const preference::MeshSymm
     if (symmetry)
         mirrorGraph(*soup->mesh, *symmetry, *this);
     energy = snapshot.settings.energy;
+    rigid = snapshot.rigid;
     anchors = Anchors(snapshot);
     obstacles = snapshot.obstacles;
 }

@@ -39,6 +39,9 @@ struct SeamGraph
     std::vector<bool> onPlane; //!< per vertex: on the plane of symmetry; empty like mirror
     std::vector<int> rank;     //!< per vertex: position in an elimination order with little fill
     DistortionEnergy energy = DistortionEnergy::SymmetricDirichlet; //!< what maps minimise beside the cost
+    //! Regions that keep their shape; null: none. Their stiffness is part of the energy, what it sets apart
+    //! is always cut.
+    std::shared_ptr<const RigidRegions> rigid;
     Anchors anchors; //!< pins; rectangles only while charts are fitted into them
     std::shared_ptr<const std::vector<Obstacle>> obstacles; //!< for charts with anchors; null: none
 
@@ -56,6 +59,8 @@ struct SeamGraph
     //! Cuts the mirror images of all cut edges too, except those that must not be cut.
     void makeSymmetric(CutFlags &cut) const;
     int triangleCount() const { return soup->triangleCount(); }
+    //! Factor on the energy of a triangle above that of an isometry.
+    double stiffness(int t) const { return rigid ? rigid->stiffness[t] : 1; }
     std::span<const int> edgesAt(int v) const { return edgesOfPoint[v]; }
     //! The vertex at the other end of an edge.
     int farEnd(int e, int v) const { return ends[e][0] == v ? ends[e][1] : ends[e][0]; }

@@ -9,6 +9,7 @@ namespace autocuts::unwrap {
 void Candidate::measure(const Soup &soup, const Snapshot &snapshot)
 {
     distortion = map.distortion(soup);
+    bounded = snapshot.rigid ? map.distortion(soup, snapshot.stiffness()) : distortion;
     seamLength = map.seamLength(soup);
     seamCost = map.seamCost(soup, snapshot);
     const MeshData &mesh = *soup.mesh;
@@ -40,13 +41,13 @@ bool Ranking::better(const Candidate &a, const Candidate &b) const
         const double mu = *mOptions.lambda / std::max(1 - *mOptions.lambda, 1e-9);
         return a.distortion + mu * a.seamCost < b.distortion + mu * b.seamCost;
     }
-    const bool aFits = a.distortion <= mOptions.maxDistortion;
-    const bool bFits = b.distortion <= mOptions.maxDistortion;
+    const bool aFits = a.bounded <= mOptions.maxDistortion;
+    const bool bFits = b.bounded <= mOptions.maxDistortion;
     if (aFits != bFits)
         return aFits;
     if (aFits && a.smallCharts != b.smallCharts)
         return a.smallCharts < b.smallCharts;
-    return aFits ? a.seamCost < b.seamCost : a.distortion < b.distortion;
+    return aFits ? a.seamCost < b.seamCost : a.bounded < b.bounded;
 }
 
 void Ranking::setTotal(int steps)

@@ -15,12 +15,13 @@ struct Candidate
 {
     SeamedMap map;
     double distortion = 0, seamLength = 0, seamCost = 0, lambda = 0, delta = 0;
+    double bounded = 0;   //!< the distortion that the bound is for: with the stiffness of rigid regions
     int smallCharts = 0;  //!< below CutState::smallestChart and not whole connected components of the mesh
     int anchorFaults = 0; //!< see search::CutState
     int openJoins = 0;    //!< joined edges that are seams
     bool onlyPatches = false; //!< see flatPatches()
 
-    //! Sets distortion, seamLength, seamCost, smallCharts and openJoins from the map.
+    //! Sets distortion, bounded, seamLength, seamCost, smallCharts and openJoins from the map.
     void measure(const Soup &soup, const Snapshot &snapshot);
 };
 

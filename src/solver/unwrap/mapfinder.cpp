@@ -5,9 +5,11 @@
 #include "solver/preference/seampreference.h"
 #include "solver/search/anchoring.h"
 #include "solver/search/resteering.h"
+#include "solver/search/seamtrial.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/flatpatches.h"
 #include "solver/unwrap/mapbefore.h"
+#include "solver/unwrap/netstarts.h"
 #include "solver/unwrap/soupchains.h"
 
 #include <algorithm>
@@ -62,6 +64,14 @@ bool isComplicated(const MeshData &mesh)
     return whole.chartCount > 1 || loops > 1 || euler + loops < 2;
 }
 
+//! Share of the area in rigid regions from which nets are better first maps than few cuts. Chosen by hand.
+constexpr double mostlyRigid = 0.95;
+
+//! At the end rigid regions are made stiffer by this factor, and the map is relaxed with so many Newton
+//! steps. Chosen by hand.
+constexpr double finalStiffness = 100;
+constexpr int finalSteps = 30;
+
 //! Finds the best map of one unwrap, by the seam search and by the soup.
 class MapFinder
 {
@@ -82,7 +92,7 @@ public:
     std::optional<Candidate> find(const preference::MeshSymmetry *symmetry)
     {
         std::optional<Candidate> best = search(symmetry);
-        if (mJob.stopped() || !best || best->distortion > mOptions.maxDistortion) {
+        if (mJob.stopped() || !best || best->bounded > mOptions.maxDistortion) {
             if (std::optional<Candidate> earlier = mRanking.best(); earlier && makeUsable(*earlier))
                 keepBetter(best, std::move(earlier));
         }
@@ -99,18 +109,19 @@ private:
         std::optional<Candidate> best;
         if (symmetry)
             best = bySearch({}, symmetry);
-        if (mJob.stopped() || (best && best->distortion <= mOptions.maxDistortion))
+        if (mJob.stopped() || (best && best->bounded <= mOptions.maxDistortion))
             return best;
         // Only the soup can start from existing UVs.
         if (mOptions.lambda)
             best = bySoup(mOptions.quality);
-        else if (mSnapshot.settings.start == StartMode::ExistingUv || isComplicated(*mSnapshot.mesh) ||
+        else if (mSnapshot.settings.start == StartMode::ExistingUv ||
+                 (isComplicated(*mSnapshot.mesh) && !startsFromNets()) ||
                  (mSnapshot.placesIslands() && !mBefore))
             best = bySoup(UnwrapQuality::Draft);
         keepBetter(best, bySearch(best, nullptr));
         if (mJob.stopped())
             return best;
-        if (!best || (!mOptions.lambda && best->distortion > mOptions.maxDistortion))
+        if (!best || (!mOptions.lambda && best->bounded > mOptions.maxDistortion))
             keepBetter(best, bySoup(mOptions.quality));
         else if (best->anchorFaults > 0 && mBefore)
             keepBetter(best, bySoup(UnwrapQuality::Draft)); // it tears where pins contradict each other
@@ -146,6 +157,8 @@ private:
             search.given.push_back(other->map);
         if (mBefore)
             search.given.push_back(mBefore->map());
+        if (!symmetry)
+            startFromNets(search);
         search.improved = [&](const search::CutState &state) {
             mRanking.offer(measuresOf(state), [&] { return state.map(); });
         };
@@ -163,11 +176,44 @@ private:
         if (!found)
             return std::nullopt;
         Candidate candidate;
-        candidate.map = std::move(found->map);
+        candidate.map = mSnapshot.rigid ? stiffened(std::move(found->map)) : std::move(found->map);
         candidate.anchorFaults = found->anchorFaults;
         candidate.lambda = mOptions.lambda.value_or(found->mu / (1 + found->mu));
         mIterations += found->iterations;
         return makeUsable(candidate) ? std::optional(std::move(candidate)) : std::nullopt;
+    }
+
+    //! The map relaxed with rigid regions that give way to nothing; the map itself where that takes it above
+    //! the bound.
+    SeamedMap stiffened(SeamedMap map) const
+    {
+        Snapshot stiff = mSnapshot;
+        const auto regions = std::make_shared<RigidRegions>(*mSnapshot.rigid);
+        for (std::size_t t = 0; t < regions->stiffness.size(); ++t)
+            regions->stiffness[t] *= regions->region[t] >= 0 ? finalStiffness : 1;
+        stiff.rigid = regions;
+        search::CutState state = search::CutState::from(mGraph->steeredBy(stiff), map, true);
+        search::SeamTrial trial(state);
+        trial.relaxAll(finalSteps, !mOptions.allowOverlaps, mJob.quiet());
+        SeamedMap relaxed = state.map();
+        const bool fits = mOptions.lambda || relaxed.distortion(*mSoup) <= mOptions.maxDistortion ||
+                          relaxed.distortion(*mSoup) <= map.distortion(*mSoup);
+        return fits ? std::move(relaxed) : std::move(map);
+    }
+
+    //! True when nets of rigid regions are nearer to the end than maps with few cuts, and than the soup.
+    bool startsFromNets() const { return mSnapshot.rigid && mSnapshot.rigid->share >= mostlyRigid; }
+
+    //! Adds maps of nets to start from. Where most is rigid they take the place of others.
+    void startFromNets(search::OptimizeOptions &search) const
+    {
+        if (!mSnapshot.rigid)
+            return;
+        const int seeds = search.effort.seeds;
+        for (SeamedMap &net : netStarts(mGraph, mSnapshot, std::clamp(seeds, 1, 6), mJob.quiet()))
+            search.given.push_back(std::move(net));
+        if (startsFromNets() && !search.given.empty())
+            search.effort.seeds = seeds / 4;
     }
 
     //! Gives all charts one texel density and measures the map. \returns false when a chart overlaps itself
@@ -183,7 +229,9 @@ private:
     static Candidate measuresOf(const search::CutState &state)
     {
         Candidate measures;
-        measures.distortion = state.distortion;
+        measures.bounded = state.distortion;
+        measures.distortion =
+            state.graph->rigid ? state.map().distortion(*state.graph->soup) : state.distortion;
         measures.seamLength = state.length;
         measures.seamCost = state.cost;
         measures.smallCharts = state.smallParts();
@@ -418,14 +466,25 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
             found.best = patchesOf(given);
         return found;
     }
+    if (options.lambda)
+        snapshot.settings.flat = FlatMode::Free;
     snapshot = preference::SeamPreference().applied(snapshot, job.threads());
     MapFinder finder(soup, snapshot, options, ranking, job);
     std::optional<Candidate> best = finder.find(symmetry ? &*symmetry : nullptr);
+    found.iterations = finder.iterations();
+    if (snapshot.rigid && !job.stopped() && (!best || best->distortion > options.maxDistortion)) {
+        // The curved parts alone cannot take the stretch that is allowed.
+        snapshot.rigid = nullptr;
+        MapFinder free(soup, snapshot, options, ranking, job);
+        std::optional<Candidate> other = free.find(symmetry ? &*symmetry : nullptr);
+        if (other && (!best || ranking.better(*other, *best)))
+            best = std::move(other);
+        found.iterations += free.iterations();
+    }
     found.onlyReady = !best && ready && job.stopped();
     if (found.onlyReady)
         return found;
     found.best = best ? std::move(*best) : patchesOf(given);
-    found.iterations = finder.iterations();
     if (snapshot.settings.symmetry)
         found.symmetry =
             symmetry ? preference::symmetricShare(*snapshot.mesh, *symmetry, found.best.map.cut) : 0;

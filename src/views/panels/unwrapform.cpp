@@ -33,9 +33,17 @@ UnwrapForm::UnwrapForm(QWidget *parent)
     connect(mStretch, &StretchControl::edited, this, [this](double bound, bool first) {
         Q_EMIT edited([bound](SolveSettings &settings) { settings.maxDistortion = bound; }, first);
     });
-    addRow(form, tr("Stretch"), mStretch,
-           tr("How much the map may be stretched: little stretch needs long seams. D is the mean symmetric "
-              "Dirichlet energy, 4 where nothing is distorted. Also used by the live solve and Finish."));
+    addRow(
+        form, tr("Stretch"), mStretch,
+        tr("How much the map may be stretched: little stretch needs long seams. D is the mean symmetric "
+           "Dirichlet energy over the surface, 4 where nothing is distorted. Also used by the live solve and "
+           "Finish."));
+    mFlat = addSwitch(
+        tr("Keep flat faces rigid"), "flat"_L1,
+        tr("Flat faces, and what unrolls without stretch, keep their shape; the stretch goes to the curved "
+           "parts. Off: "
+           "seams become shorter, and faces bend"),
+        [](SolveSettings &settings, bool on) { settings.flat = on ? FlatMode::Rigid : FlatMode::Free; });
     mSymmetry =
         addSwitch(tr("Same cuts on both sides"), "symmetry"_L1,
                   tr("Cuts a symmetric model symmetrically. Models whose edges do not mirror are cut as "
@@ -57,7 +65,7 @@ UnwrapForm::UnwrapForm(QWidget *parent)
                         tr("Symmetric islands get symmetric maps, those of a left and a right part mirror "
                            "images of each other; goes with the same cuts on both sides"),
                         [](SolveSettings &settings, bool on) { settings.mirrorMaps = on; });
-    for (QCheckBox *box : {mSymmetry, mHidden, mSharp, mAlign, mMirror})
+    for (QCheckBox *box : {mFlat, mSymmetry, mHidden, mSharp, mAlign, mMirror})
         form->addRow(box);
     mUp->setObjectName("worldUp"_L1);
     mUp->addItem(tr("Any direction"), int(WorldUp::Off));
@@ -92,6 +100,7 @@ QCheckBox *UnwrapForm::addSwitch(const QString &text, QLatin1StringView name, co
 void UnwrapForm::setSettings(const SolveSettings &settings)
 {
     mStretch->setValue(settings.maxDistortion);
+    mFlat->setChecked(settings.flat == FlatMode::Rigid);
     mSymmetry->setChecked(settings.symmetry);
     mHidden->setChecked(settings.visibility > 0);
     mSharp->setChecked(settings.creases != CreaseMode::Off);

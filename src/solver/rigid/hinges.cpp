@@ -1,0 +1,114 @@
+#include "solver/rigid/hinges.h"
+
+#include "solver/base/cornerat.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace autocuts::rigid {
+
+namespace {
+
+//! Two edges are of one hinge when the motion of one brings the other's sides together up to this share of
+//! its length.
+constexpr double sameMotionShare = 0.02;
+
+//! Where the second side of an edge has to go: its ends, and the ends of the first side.
+struct Sides
+{
+    Vec2 first[2], second[2];
+};
+
+Sides sidesOf(const std::vector<double> &x, const EdgePair &pair, int firstIs)
+{
+    Sides sides;
+    for (int end = 0; end < 2; ++end) {
+        sides.first[end] = cornerAt(x, pair.corner[end][firstIs]);
+        sides.second[end] = cornerAt(x, pair.corner[end][1 - firstIs]);
+    }
+    return sides;
+}
+
+bool closes(const PlaneMotion &motion, const Sides &sides)
+{
+    const double limit = sameMotionShare * (sides.first[1] - sides.first[0]).norm();
+    return (motion(sides.second[0]) - sides.first[0]).norm() <= limit &&
+           (motion(sides.second[1]) - sides.first[1]).norm() <= limit;
+}
+
+} // namespace
+
+std::vector<Hinge> findHinges(const Soup &soup, const RigidRegions &regions, const Unrolled &unrolled,
+                              const CutFlags &alwaysCut)
+{
+    const MeshData &mesh = *soup.mesh;
+    std::map<std::pair<int, int>, std::vector<int>> between;
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        const EdgePair &pair = mesh.edgePairs[e];
+        const int a = regions.region[pair.triangle[0]], b = regions.region[pair.triangle[1]];
+        if (a < 0 || b < 0 || a == b || alwaysCut[e] || !unrolled.works[a] || !unrolled.works[b])
+            continue;
+        between[std::minmax(a, b)].push_back(static_cast<int>(e));
+    }
+    std::vector<Hinge> hinges;
+    for (auto &[pair, edges] : between) {
+        // The longest edge of a hinge says best how it lies.
+        std::stable_sort(edges.begin(), edges.end(),
+                         [&](int e, int f) { return mesh.edgePairs[e].length > mesh.edgePairs[f].length; });
+        const std::size_t begin = hinges.size();
+        for (const int e : edges) {
+            const EdgePair &edge = mesh.edgePairs[e];
+            const Sides sides =
+                sidesOf(unrolled.x, edge, regions.region[edge.triangle[0]] == pair.first ? 0 : 1);
+            auto found = std::find_if(hinges.begin() + static_cast<std::ptrdiff_t>(begin), hinges.end(),
+                                      [&](const Hinge &hinge) { return closes(hinge.motion, sides); });
+            if (found == hinges.end()) {
+                hinges.push_back(
+                    {pair.first,
+                     pair.second,
+                     {},
+                     0,
+                     PlaneMotion::between(sides.second[0], sides.second[1], sides.first[0], sides.first[1])});
+                found = hinges.end() - 1;
+            }
+            found->edges.push_back(e);
+            found->length += soup.pairLength[2 * static_cast<std::size_t>(e)];
+        }
+    }
+    return hinges;
+}
+
+std::vector<double> borderLengths(const Soup &soup, const RigidRegions &regions, const Unrolled &unrolled)
+{
+    const MeshData &mesh = *soup.mesh;
+    std::vector<double> border(regions.count, 0);
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        for (const int t : mesh.edgePairs[e].triangle) {
+            if (const int r = regions.region[t]; r >= 0 && unrolled.cut[e])
+                border[r] += soup.pairLength[2 * e];
+        }
+    }
+    for (const BoundarySide &open : mesh.boundarySides) {
+        if (const int r = regions.region[open.triangle]; r >= 0) {
+            const int a = 3 * open.triangle + open.side, b = 3 * open.triangle + (open.side + 1) % 3;
+            border[r] += (cornerAt(unrolled.x, b) - cornerAt(unrolled.x, a)).norm();
+        }
+    }
+    return border;
+}
+
+std::vector<bool> edgesApart(const Soup &soup, const RigidRegions &regions, const Unrolled &unrolled,
+                             const std::vector<Hinge> &hinges)
+{
+    const std::vector<double> border = borderLengths(soup, regions, unrolled);
+    std::vector<bool> apart(soup.mesh->edgePairs.size(), false);
+    for (const Hinge &hinge : hinges) {
+        const double least = leastHinge * std::min(border[hinge.first], border[hinge.second]);
+        for (const int e : hinge.edges)
+            apart[e] = hinge.length < least;
+    }
+    return apart;
+}
+
+} // namespace autocuts::rigid

@@ -1,0 +1,36 @@
+// Edges along which two rigid regions can stay together without stretch.
+#pragma once
+
+#include "solver/rigid/planemotion.h"
+#include "solver/rigid/unrolling.h"
+
+#include <vector>
+
+namespace autocuts::rigid {
+
+//! The edges between two regions that one motion closes: those on one line of both, mostly.
+struct Hinge
+{
+    int first = 0, second = 0; //!< regions; the same one for the two sides of a cut within a region
+    std::vector<int> edges;    //!< edge pairs
+    double length = 0;         //!< solver units
+    PlaneMotion motion;        //!< takes the second region to where it continues the first one
+};
+
+//! All hinges between different regions, of regions that work, without edges that must be seams.
+//! \param alwaysCut per edge pair
+[[nodiscard]] std::vector<Hinge> findHinges(const Soup &soup, const RigidRegions &regions,
+                                            const Unrolled &unrolled, const CutFlags &alwaysCut);
+
+//! Length of the border of each region, solver units.
+[[nodiscard]] std::vector<double> borderLengths(const Soup &soup, const RigidRegions &regions,
+                                                const Unrolled &unrolled);
+
+//! A region may hang on by a hinge that is longer than this share of its border.
+inline constexpr double leastHinge = 1.0 / 6;
+
+//! Per edge pair: true on hinges that are too short for both of their regions: there is always a seam.
+[[nodiscard]] std::vector<bool> edgesApart(const Soup &soup, const RigidRegions &regions,
+                                           const Unrolled &unrolled, const std::vector<Hinge> &hinges);
+
+} // namespace autocuts::rigid

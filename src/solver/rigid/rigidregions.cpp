@@ -1,0 +1,456 @@
+#include "solver/rigid/rigidregions.h"
+
+#include "model/plain/unionfind.h"
+#include "solver/base/cutmesh.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace autocuts::rigid {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+//! Triangles whose normals differ by less than this from the first one's are in one plane.
+const double planeCosine = std::cos(1 * degree);
+//! Edges from this angle on are sharp: borders of regions. The angle of creases (preference/creases).
+const double sharpCosine = std::cos(40 * degree);
+//! Borders that do for large regions, such as those to a bevel.
+const double softCosine = std::cos(10 * degree);
+//! Share of the mesh's area, or of its component's, from which a region is seen.
+constexpr double leastArea = 2e-4, leastPart = 0.01;
+constexpr double leastSharp = 0.5; // share of the border
+constexpr double largeFace = 20; // area of a flat region beside the mean polygon, from which soft borders do
+constexpr double leastSoftArea = 5e-3; // the same as a share of the mesh's area
+//! Thin triangles have no reliable normal: they belong to a plane when their corners lie in it. Shares of the
+//! longest edge, and of the mesh's size.
+constexpr double thinHeight = 2e-3, planeDistance = 2e-6;
+//! Angle defect (radians) that counts as none: a part for the precision of files, which grows in thin
+//! triangles, and a share of the defect that a sphere of the same area would have there.
+constexpr double flatDefect = 3e-4, digits = 2e-6, mostFlatDefect = 0.02, sphereShare = 0.02;
+//! A developable region with smooth borders needs this many inner vertices without defect, and this share of
+//! the area.
+constexpr int leastInner = 12;
+constexpr double leastSmoothArea = 0.01;
+
+//! A connected component is made of flat faces, or what unrolls, when these have this share of its area. In
+//! others only clear caps keep their shape: of many triangles or much larger than the polygons around, with a
+//! sharp border.
+constexpr double hardShare = 0.43;
+constexpr double clearBorder = 0.6;
+constexpr int capTriangles = 6;
+//! Share of its component that a developable ring has at least. The narrow rings of a turned shape may be
+//! stretched.
+constexpr double leastDevelopable = 0.1;
+
+class RegionFinder
+{
+public:
+    RegionFinder(const MeshData &mesh, const std::vector<bool> &creases)
+        : mMesh(mesh), mCrease(mesh.soupCornerCount(), false),
+          mUncut(mesh, CutFlags(mesh.edgePairs.size(), false)), mRegion(mesh.triangleCount(), -1)
+    {
+        for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+            const EdgePair &pair = mesh.edgePairs[e];
+            for (int which = 0; which < 2 && creases[e]; ++which)
+                mCrease[3 * pair.triangle[which] + pair.side(which)] = true;
+        }
+        mComponentArea.assign(mesh.componentCount, 0);
+        for (int t = 0; t < mesh.triangleCount(); ++t)
+            mComponentArea[mesh.component[t]] += mesh.triangleArea[t];
+        measureTriangles();
+        measureVertices();
+    }
+
+    RigidRegions find()
+    {
+        findFlat();
+        findDevelopable();
+        dropFromCurvedComponents();
+        takeInThinTriangles();
+        return {std::move(mRegion), mCount, 0, {}, {}};
+    }
+
+private:
+    Vec3 cornerPosition(int soupCorner) const { return mMesh.cornerPosition(mMesh.cornerOfSoup(soupCorner)); }
+
+    void measureTriangles()
+    {
+        const int count = mMesh.triangleCount();
+        mNormal.assign(count, Vec3::Zero());
+        mThin.assign(count, false);
+        Vec3 low = cornerPosition(0), high = low;
+        for (int t = 0; t < count; ++t) {
+            const Vec3 a = cornerPosition(3 * t), b = cornerPosition(3 * t + 1),
+                       c = cornerPosition(3 * t + 2);
+            low = low.cwiseMin(a).cwiseMin(b).cwiseMin(c);
+            high = high.cwiseMax(a).cwiseMax(b).cwiseMax(c);
+            const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+            mNormal[t] = (b - a).cross(c - a).stableNormalized();
+            mThin[t] =
+                mMesh.triangleDegenerate[t] || 2 * mMesh.triangleArea[t] < thinHeight * longest * longest;
+        }
+        mSize = (high - low).norm();
+        flattenPolygons();
+    }
+
+    //! The triangles of a polygon get its normal where it is plane; others are in no flat region.
+    void flattenPolygons()
+    {
+        mPlaneFace.assign(mMesh.faceCount(), true);
+        for (int f = 0; f < mMesh.faceCount(); ++f) {
+            Vec3 sum = Vec3::Zero();
+            for (const int t : mMesh.trianglesOf(f))
+                sum += mMesh.triangleArea[t] * mNormal[t];
+            const Vec3 normal = sum.stableNormalized();
+            for (const int t : mMesh.trianglesOf(f)) {
+                if (!mThin[t] && normal.dot(mNormal[t]) <= planeCosine)
+                    mPlaneFace[f] = false;
+            }
+            for (const int t : mMesh.trianglesOf(f)) {
+                if (!mPlaneFace[f])
+                    break;
+                mNormal[t] = normal;
+                mThin[t] = mThin[t] && mMesh.trianglesOf(f).size() == 1;
+            }
+        }
+    }
+
+    //! Angle defects of the vertices of the uncut surface, and what counts as none there.
+    void measureVertices()
+    {
+        const int count = mUncut.uvVertexCount;
+        std::vector<double> angle(count, 0), area(count, 0);
+        std::vector<double> least(count, mSize); // height of the thinnest triangle
+        mInner.assign(count, true);
+        for (int side = 0; side < mMesh.soupCornerCount(); ++side) {
+            const int t = side / 3, next = 3 * t + (side + 1) % 3, last = 3 * t + (side + 2) % 3;
+            const int v = mUncut.uvVertex[side];
+            if (mUncut.neighbour[side] < 0)
+                mInner[v] = mInner[mUncut.uvVertex[next]] = false;
+            const Vec3 a = cornerPosition(next) - cornerPosition(side),
+                       b = cornerPosition(last) - cornerPosition(side);
+            angle[v] += std::atan2(a.cross(b).norm(), a.dot(b));
+            area[v] += mMesh.triangleArea[t] / 3;
+            least[v] = std::min(least[v], 2 * mMesh.triangleArea[t] /
+                                              std::max({a.norm(), b.norm(), (a - b).norm(), 1e-300}));
+        }
+        mDefect.resize(count);
+        mFlatPoint.resize(count);
+        for (int v = 0; v < count; ++v) {
+            mDefect[v] = 2 * std::numbers::pi - angle[v];
+            const double precision = flatDefect + digits * mSize / std::max(least[v], 1e-300);
+            const double sphere = 4 * std::numbers::pi * area[v] / mMesh.area;
+            mFlatPoint[v] =
+                std::abs(mDefect[v]) <= std::max(std::min(precision, mostFlatDefect), sphereShare * sphere);
+        }
+    }
+
+    bool liesInPlane(int t, const Vec3 &normal, const Vec3 &origin) const
+    {
+        for (int k = 0; k < 3; ++k) {
+            if (std::abs(normal.dot(cornerPosition(3 * t + k) - origin)) > planeDistance * mSize)
+                return false;
+        }
+        return true;
+    }
+
+    //! Marks the triangles that can be reached from one over sides that pass a test. \returns them
+    template <typename Test>
+    std::vector<int> reach(int from, std::vector<int> &mark, int number, Test passes) const
+    {
+        std::vector<int> found{from};
+        mark[from] = number;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            for (int side = 3 * found[i]; side < 3 * found[i] + 3; ++side) {
+                const int across = mUncut.neighbour[side];
+                if (across < 0 || mark[across / 3] >= 0 || !passes(found[i], across / 3))
+                    continue;
+                mark[across / 3] = number;
+                found.push_back(across / 3);
+            }
+        }
+        return found;
+    }
+
+    bool sameTexels(int a, int b) const { return mMesh.texelWeightOf(a) == mMesh.texelWeightOf(b); }
+
+    struct Border
+    {
+        double all = 0, crease = 0, sharp = 0, soft = 0;
+    };
+    //! Length of the border of marked triangles, and how much of it is open or a crease, open or sharp, open
+    //! or soft.
+    Border borderOf(const std::vector<int> &triangles, const std::vector<int> &mark) const
+    {
+        Border border;
+        for (const int t : triangles) {
+            for (int side = 3 * t; side < 3 * t + 3; ++side) {
+                const int across = mUncut.neighbour[side];
+                if (across >= 0 && mark[across / 3] == mark[t])
+                    continue;
+                const double length = (cornerPosition(3 * t + (side + 1) % 3) - cornerPosition(side)).norm();
+                const double cosine = across < 0 ? -1 : mNormal[t].dot(mNormal[across / 3]);
+                border.all += length;
+                border.crease += across < 0 || mCrease[side] || mThin[across / 3] ? length : 0;
+                border.sharp += cosine < sharpCosine || (across >= 0 && mThin[across / 3]) ? length : 0;
+                border.soft += cosine < softCosine ? length : 0;
+            }
+        }
+        return border;
+    }
+
+    double areaOf(const std::vector<int> &triangles) const
+    {
+        double area = 0;
+        for (const int t : triangles)
+            area += mMesh.triangleArea[t];
+        return area;
+    }
+
+    bool isLarge(double area, int triangle) const
+    {
+        return area >= leastArea * mMesh.area ||
+               area >= leastPart * mComponentArea[mMesh.component[triangle]];
+    }
+
+    void accept(const std::vector<int> &triangles, bool isCap)
+    {
+        for (const int t : triangles)
+            mRegion[t] = mCount;
+        mIsCap.push_back(isCap);
+        ++mCount;
+    }
+
+    void dropFromCurvedComponents()
+    {
+        std::vector<double> rigid(mMesh.componentCount, 0);
+        for (int t = 0; t < mMesh.triangleCount(); ++t)
+            rigid[mMesh.component[t]] += mRegion[t] >= 0 ? mMesh.triangleArea[t] : 0;
+        std::vector<int> number(mCount, -1);
+        int left = 0;
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            if (mRegion[t] < 0)
+                continue;
+            const int c = mMesh.component[t];
+            if (rigid[c] < hardShare * mComponentArea[c] && !mIsCap[mRegion[t]]) {
+                mRegion[t] = -1;
+                continue;
+            }
+            int &own = number[mRegion[t]];
+            own = own < 0 ? left++ : own;
+            mRegion[t] = own;
+        }
+        mCount = left;
+    }
+
+    //! Largest triangles first: their normals are the most exact.
+    void findFlat()
+    {
+        std::vector<int> order(mMesh.triangleCount());
+        std::iota(order.begin(), order.end(), 0);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](int a, int b) { return mMesh.triangleArea[a] > mMesh.triangleArea[b]; });
+        std::vector<int> mark(mMesh.triangleCount(), -1);
+        const double meanPolygon = mMesh.area / mMesh.faceCount();
+        int number = 0;
+        for (const int seed : order) {
+            if (mark[seed] >= 0 || mThin[seed] || !mPlaneFace[mMesh.triangleFace[seed]])
+                continue;
+            const Vec3 normal = mNormal[seed], origin = cornerPosition(3 * seed);
+            const std::vector<int> found = reach(seed, mark, number++, [&](int from, int t) {
+                return sameTexels(from, t) && mPlaneFace[mMesh.triangleFace[t]] &&
+                       (mThin[t] ? liesInPlane(t, normal, origin) : normal.dot(mNormal[t]) > planeCosine);
+            });
+            const double area = areaOf(found);
+            if (!isLarge(area, seed))
+                continue;
+            const Border border = borderOf(found, mark);
+            const bool large = area >= largeFace * meanPolygon && area >= leastSoftArea * mMesh.area;
+            // On a rough surface, sharp edges around single polygons mean nothing.
+            const bool clear =
+                static_cast<int>(found.size()) >= capTriangles || area >= largeFace * meanPolygon;
+            if (clear && border.sharp >= clearBorder * border.all)
+                accept(found, true);
+            else if (border.crease >= leastSharp * border.all ||
+                     (large && border.soft >= leastSharp * border.all) ||
+                     (clear && border.sharp >= leastSharp * border.all))
+                accept(found, false);
+        }
+    }
+
+    //! Regions of what is not flat: between sharp edges, around vertices without defect.
+    void findDevelopable()
+    {
+        // Smooth pieces between sharp edges and flat regions.
+        std::vector<int> piece(mMesh.triangleCount(), -1);
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            if (mRegion[t] >= 0)
+                piece[t] = std::numeric_limits<int>::max();
+        }
+        const auto smooth = [&](int from, int t) {
+            return sameTexels(from, t) &&
+                   (mThin[from] || mThin[t] || mNormal[from].dot(mNormal[t]) > sharpCosine);
+        };
+        int pieces = 0;
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            if (piece[t] < 0)
+                reach(t, piece, pieces++, smooth);
+        }
+        // Vertices within one piece that bend the surface in both directions.
+        std::vector<int> pieceOfPoint(mUncut.uvVertexCount, -1);
+        std::vector<bool> within = mInner;
+        for (int c = 0; c < mMesh.soupCornerCount(); ++c) {
+            int &own = pieceOfPoint[mUncut.uvVertex[c]];
+            if (own >= 0 && own != piece[c / 3])
+                within[mUncut.uvVertex[c]] = false;
+            own = piece[c / 3];
+        }
+        std::vector<bool> bent(mUncut.uvVertexCount);
+        for (std::size_t v = 0; v < bent.size(); ++v)
+            bent[v] = within[v] && !mFlatPoint[v];
+        allowTips(bent);
+        // What remains of the pieces: whole polygons.
+        std::vector<int> mark(mMesh.triangleCount(), -1);
+        for (int f = 0; f < mMesh.faceCount(); ++f) {
+            const int first = mMesh.faceTriangle[f];
+            bool leaves = false;
+            for (const int t : mMesh.trianglesOf(f)) {
+                leaves = leaves || mRegion[t] >= 0 || piece[t] != piece[first];
+                for (int k = 0; k < 3; ++k)
+                    leaves = leaves || bent[mUncut.uvVertex[3 * t + k]];
+            }
+            for (const int t : mMesh.trianglesOf(f))
+                mark[t] = leaves ? std::numeric_limits<int>::max() : -1;
+        }
+        int number = 0;
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            if (mark[t] >= 0)
+                continue;
+            const std::vector<int> found =
+                reach(t, mark, number++, [&](int from, int to) { return piece[from] == piece[to]; });
+            if (isDevelopable(found, mark, within))
+                accept(found, false);
+        }
+    }
+
+    //! The tip of a cone is no bent vertex when none of its neighbours is one: the seam runs to it.
+    void allowTips(std::vector<bool> &bent) const
+    {
+        std::vector<bool> tip = bent;
+        for (int side = 0; side < mMesh.soupCornerCount(); ++side) {
+            const int a = mUncut.uvVertex[side], b = mUncut.uvVertex[side / 3 * 3 + (side + 1) % 3];
+            if (bent[a] && bent[b])
+                tip[a] = tip[b] = false;
+        }
+        for (std::size_t v = 0; v < bent.size(); ++v)
+            bent[v] = bent[v] && !tip[v];
+    }
+
+    bool isDevelopable(const std::vector<int> &triangles, const std::vector<int> &mark,
+                       const std::vector<bool> &within) const
+    {
+        const double area = areaOf(triangles);
+        if (!isLarge(area, triangles.front()))
+            return false;
+        if (!isDisk(triangles, mark) &&
+            area < leastDevelopable * mComponentArea[mMesh.component[triangles.front()]])
+            return false;
+        const Border border = borderOf(triangles, mark);
+        if (border.crease >= leastSharp * border.all)
+            return true;
+        if (area < leastSmoothArea * mMesh.area)
+            return false;
+        std::vector<int> points;
+        for (const int t : triangles) {
+            for (int k = 0; k < 3; ++k) {
+                if (const int v = mUncut.uvVertex[3 * t + k]; within[v] && mFlatPoint[v])
+                    points.push_back(v);
+            }
+        }
+        std::sort(points.begin(), points.end());
+        return std::unique(points.begin(), points.end()) - points.begin() >= leastInner;
+    }
+
+    //! True when marked triangles have one border only: Euler's characteristic is 1.
+    bool isDisk(const std::vector<int> &triangles, const std::vector<int> &mark) const
+    {
+        std::vector<int> points;
+        int sides = 0, inner = 0;
+        for (const int t : triangles) {
+            for (int side = 3 * t; side < 3 * t + 3; ++side) {
+                points.push_back(mUncut.uvVertex[side]);
+                const int across = mUncut.neighbour[side];
+                ++sides;
+                inner += across >= 0 && mark[across / 3] == mark[t];
+            }
+        }
+        std::sort(points.begin(), points.end());
+        const auto count = std::unique(points.begin(), points.end()) - points.begin();
+        return count - (sides - inner / 2) + static_cast<std::ptrdiff_t>(triangles.size()) == 1;
+    }
+
+    //! Triangles too thin to have a normal join the region on their longest side.
+    void takeInThinTriangles()
+    {
+        for (bool again = true; again;) {
+            again = false;
+            for (int t = 0; t < mMesh.triangleCount(); ++t) {
+                if (mRegion[t] >= 0 || !mThin[t] || mMesh.trianglesOf(mMesh.triangleFace[t]).size() > 1)
+                    continue;
+                double longest = -1;
+                int region = -1;
+                for (int side = 3 * t; side < 3 * t + 3; ++side) {
+                    const double length =
+                        (cornerPosition(3 * t + (side + 1) % 3) - cornerPosition(side)).norm();
+                    const int across = mUncut.neighbour[side];
+                    if (length > longest) {
+                        longest = length;
+                        region = across >= 0 && sameTexels(t, across / 3) ? mRegion[across / 3] : -1;
+                    }
+                }
+                if (region >= 0) {
+                    mRegion[t] = region;
+                    again = true;
+                }
+            }
+        }
+    }
+
+    const MeshData &mMesh;
+    std::vector<bool> mCrease; //!< per triangle side
+    const CutMesh mUncut;
+    std::vector<double> mComponentArea;
+    std::vector<int> mRegion;
+    int mCount = 0;
+    std::vector<bool> mIsCap;     //!< per region
+    std::vector<Vec3> mNormal;    //!< per triangle
+    std::vector<bool> mPlaneFace; //!< per face
+    std::vector<bool> mThin;      //!< per triangle: without a reliable normal
+    double mSize = 0;             //!< diagonal of the box
+    std::vector<double> mDefect;  //!< per vertex of the uncut surface: 2 pi less its angles
+    std::vector<bool> mFlatPoint; //!< the same: the defect counts as none
+    std::vector<bool> mInner;     //!< the same: not on a border
+};
+
+} // namespace
+
+RigidRegions findRigidRegions(const MeshData &mesh, const std::vector<bool> &creases)
+{
+    return RegionFinder(mesh, creases).find();
+}
+
+double rigidShare(const MeshData &mesh, const RigidRegions &regions)
+{
+    double area = 0;
+    for (int t = 0; t < mesh.triangleCount(); ++t)
+        area += regions.region[t] >= 0 ? mesh.triangleArea[t] : 0;
+    return area / mesh.area;
+}
+
+} // namespace autocuts::rigid

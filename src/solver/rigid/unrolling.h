@@ -1,0 +1,27 @@
+// Lays rigid regions in the plane.
+#pragma once
+
+#include "model/plain/snapshot.h"
+#include "solver/base/cutmesh.h"
+#include "solver/base/soup.h"
+
+#include <vector>
+
+namespace autocuts::rigid {
+
+//! The rigid regions in the plane, each in a frame of its own.
+struct Unrolled
+{
+    std::vector<double> x; //!< per soup corner, see Soup; 0 outside of regions
+    //! Per edge pair: cut within its region, because the region does not close in the plane there (a ring, or
+    //! a seam to the tip of a cone); also true for the borders of regions.
+    CutFlags cut;
+    //! Per region: false when its map has a flipped triangle or a polygon that does not close.
+    std::vector<bool> works;
+};
+
+//! Lays every region out triangle by triangle, polygons first and then along the largest triangles. Edges
+//! whose sides do not come together are cut; the corners of one UV vertex get the same coordinates.
+[[nodiscard]] Unrolled unroll(const Soup &soup, const RigidRegions &regions);
+
+} // namespace autocuts::rigid

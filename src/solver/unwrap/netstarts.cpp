@@ -1,0 +1,55 @@
+#include "solver/unwrap/netstarts.h"
+
+#include "solver/rigid/nets.h"
+#include "solver/search/seamseeds.h"
+#include "solver/search/tutte.h"
+
+namespace autocuts::unwrap {
+
+namespace {
+
+//! The graph with seams at the borders of all rigid regions.
+std::shared_ptr<const search::SeamGraph> separated(const search::SeamGraph &graph, const Snapshot &snapshot)
+{
+    Snapshot apart = snapshot;
+    std::vector<PairState> &states = apart.editSteering().pairState;
+    states.resize(snapshot.mesh->cornerPairCount(), PairState::Free);
+    for (std::size_t e = 0; e < snapshot.mesh->edgePairs.size(); ++e) {
+        const auto [a, b] = snapshot.mesh->edgePairs[e].triangle;
+        for (std::size_t p = 2 * e; p < 2 * e + 2; ++p) {
+            if (snapshot.rigid->region[a] != snapshot.rigid->region[b] && states[p] == PairState::Free)
+                states[p] = PairState::Cut;
+        }
+    }
+    return graph.steeredBy(apart);
+}
+
+} // namespace
+
+std::vector<SeamedMap> netStarts(const std::shared_ptr<const search::SeamGraph> &graph,
+                                 const Snapshot &snapshot, int count, const JobContext &job)
+{
+    std::vector<SeamedMap> starts;
+    if (!snapshot.rigid)
+        return starts;
+    const rigid::Nets nets(graph->soup, snapshot);
+    const auto apart = separated(*graph, snapshot);
+    for (int i = 0; i < count && !job.stopped(); ++i) {
+        search::SeedOptions seed;
+        seed.joinBorders = true;
+        seed.seed = static_cast<std::uint64_t>(i) + 1;
+        seed.job = job;
+        const std::vector<char> cut = search::fewCuts(*apart, seed);
+        if (job.stopped())
+            break;
+        SeamedMap map;
+        map.cut.assign(cut.begin(), cut.end());
+        map.x = search::tutteEmbedding(*graph->soup, CutMesh(*snapshot.mesh, map.cut));
+        map = nets.joined(i, std::move(map), job);
+        if (!job.stopped() && map.validate(*graph->soup).empty())
+            starts.push_back(std::move(map));
+    }
+    return starts;
+}
+
+} // namespace autocuts::unwrap
