@@ -342,6 +342,21 @@ private Q_SLOTS:
         QVERIFY(!desk.document().uv().allFinite());
     }
 
+    void whatASolveFoundIsSavedWhenItEnds()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        desk.solver.run();
+        QVERIFY(QTest::qWaitFor([&] { return desk.solver.map() != nullptr; }, test::patience));
+        desk.solver.pause();
+        QVERIFY(QTest::qWaitFor([&] { return !desk.solver.isPausing(); }, test::patience));
+        QTRY_COMPARE_WITH_TIMEOUT(recoveryFiles(folder).size(), std::size_t(1), test::patience);
+        const Result<LoadedProject> project = loadProject(recoveryFiles(folder).front());
+        QVERIFY(project);
+        QVERIFY(sameBits(project->state.scene.uvSets.front().uv, desk.document().uv()));
+    }
+
     void aModelIsExchanged()
     {
         QTemporaryDir folder;

@@ -15,6 +15,7 @@
 #include "views/shell/statusbar.h"
 #include "views/ui/dialogsize.h"
 
+#include <QDir>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
@@ -472,6 +473,55 @@ private Q_SLOTS:
         QVERIFY(kept);
         QVERIFY(kept->extras.journal.has_value());
         QVERIFY(!kept->extras.thumbnail.isEmpty());
+    }
+
+    void quittingDuringARunAsksAtOnce()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        studio.press(Qt::Key_Space);
+        QVERIFY(QTest::qWaitFor([&] { return studio.context.solver.map() != nullptr; }, test::patience));
+        studio.answers->unsaved = Questions::Unsaved::Cancel;
+        studio.press(Qt::Key_Q, Qt::ControlModifier);
+        QCOMPARE(studio.answers->unsavedAsked, 1);
+        QVERIFY(studio.window.isVisible());
+        QVERIFY(studio.context.solver.isRunning());
+        // Saved first: what the solver has found is in the file.
+        const QString path = studio.folder.filePath(QStringLiteral("quit.acproj"));
+        studio.answers->filesToSave = QStringList{path};
+        studio.answers->unsaved = Questions::Unsaved::Save;
+        studio.press(Qt::Key_Q, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.window.isVisible(), test::patience);
+        QCOMPARE(studio.answers->unsavedAsked, 2);
+        const Result<LoadedProject> saved = loadProject(path);
+        QVERIFY(saved);
+        QVERIFY(saved->state.scene.uvSets.front().uv.allFinite());
+    }
+
+    void quittingDuringARunCanDiscard()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        studio.press(Qt::Key_Space);
+        QVERIFY(QTest::qWaitFor([&] { return studio.context.solver.map() != nullptr; }, test::patience));
+        studio.answers->unsaved = Questions::Unsaved::Discard;
+        studio.press(Qt::Key_Q, Qt::ControlModifier);
+        QVERIFY(!studio.window.isVisible());
+        QCOMPARE(studio.answers->unsavedAsked, 1);
+    }
+
+    void whatAJobMadeIsSavedForRecovery()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        studio.context.map.unwrap(unwrap::UnwrapQuality::Draft);
+        QVERIFY(studio.jobsRest());
+        const QDir recovery(studio.folder.filePath(QStringLiteral("recovery")));
+        const auto files = [&] { return recovery.entryList({QStringLiteral("*.acproj")}, QDir::Files); };
+        QTRY_COMPARE_WITH_TIMEOUT(files().size(), 1, test::patience);
+        const Result<LoadedProject> project = loadProject(recovery.filePath(files().front()));
+        QVERIFY(project);
+        QVERIFY(project->state.scene.uvSets.front().uv == studio.document()->uv());
     }
 
     void undoDuringARunTakesTheRunBack()

@@ -54,6 +54,15 @@ FileController::FileController(Workspace &workspace, SolverController &solver, P
         else
             mAutosave->sessionSaved();
     });
+    // What a running solve has found is not in the document yet.
+    connect(&solver, &SolverController::statusChanged, this, [this] {
+        if (mAutosave && mSolver.isRunning() && mSolver.map())
+            mAutosave->sessionChanged();
+    });
+    connect(&solver, &SolverController::stateChanged, this, [this] {
+        if (!mSolver.isRunning() && !mSolver.isPausing() && mWorkspace.document())
+            saveChangesForRecovery();
+    });
     connect(&preferences, &Preferences::changed, this, &FileController::applyPreferences);
 }
 
@@ -64,8 +73,10 @@ void FileController::applyPreferences()
     const PreferenceValues &values = mPreferences.values();
     if (Document *document = mWorkspace.document())
         document->undoStack().setMemoryLimit(qint64(values.undoMemoryMb) * 1024 * 1024);
-    if (mAutosave && values.autosaveMinutes > 0)
-        mAutosave->setInterval(values.autosaveMinutes * 60 * 1000);
+    if (!mAutosave && mWorkspace.document())
+        beginAutosave(nullptr);
+    if (mAutosave && values.autosaveSeconds > 0)
+        mAutosave->setInterval(values.autosaveSeconds * 1000);
 }
 
 std::vector<RecoverableSession> FileController::recoverable() const
@@ -162,7 +173,7 @@ void FileController::adoptProject(LoadedProject project, const QString &sessionP
 
 void FileController::beginAutosave(const RecoverableSession *continued)
 {
-    if (mPreferences.values().autosaveMinutes <= 0)
+    if (mPreferences.values().autosaveSeconds <= 0)
         return;
     Result<std::unique_ptr<Autosave>> autosave = Autosave::start(
         mRecoveryFolder,
@@ -379,6 +390,13 @@ void FileController::saveForRecoveryNow()
 {
     if (mAutosave)
         mAutosave->saveNow();
+}
+
+void FileController::saveChangesForRecovery()
+{
+    // Not at once: this may be called while a command changes the document.
+    if (mAutosave && mWorkspace.isModified())
+        mAutosave->saveSoon();
 }
 
 void FileController::close()

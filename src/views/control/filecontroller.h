@@ -75,6 +75,8 @@ public:
     void exportReport(const QString &path);
     //! Autosaves at once instead of at the end of the interval.
     void saveForRecoveryNow();
+    //! Autosaves at the next turn of the event loop when there is something that is not saved.
+    void saveChangesForRecovery();
     //! Ends the session normally.
     void close();
 

@@ -295,6 +295,9 @@ void MainWindow::connectMessages()
             forget();
     });
     connect(&mMap, &MapController::done, this, say);
+    // What took long to make is not to be lost.
+    connect(&mMap, &MapController::done, &mFiles, &FileController::saveChangesForRecovery);
+    connect(&mMap, &MapController::failed, &mFiles, &FileController::saveChangesForRecovery);
     connect(&mStudioActions->islands(), &IslandActions::said, this, say);
     connect(&mFiles, &FileController::done, this, say);
     connect(&mMap, &MapController::failed, mNotice, &NoticeBar::showNotice);
