@@ -11,10 +11,12 @@
 #include "views/canvas/mapoverlays.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
+#include "views/panels/noticebar.h"
 #include "views/shell/startpage.h"
 #include "views/shell/statusbar.h"
 #include "views/ui/dialogsize.h"
 
+#include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -28,6 +30,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QSignalSpy>
+#include <QTableView>
 #include <QToolBar>
 
 using namespace autocuts;
@@ -522,6 +525,60 @@ private Q_SLOTS:
         const Result<LoadedProject> project = loadProject(recovery.filePath(files().front()));
         QVERIFY(project);
         QVERIFY(project->state.scene.uvSets.front().uv == studio.document()->uv());
+    }
+
+    void keysReachTheWindowFromPanels()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        for (QDockWidget *dock : studio.window.findChildren<QDockWidget *>()) {
+            dock->raise();
+            QCoreApplication::processEvents();
+            for (QWidget *control : dock->findChildren<QWidget *>()) {
+                const auto *combo = qobject_cast<QComboBox *>(control);
+                const bool takesKeys = qobject_cast<QAbstractSpinBox *>(control) ||
+                                       qobject_cast<QTableView *>(control) || (combo && !combo->isEditable());
+                if (!takesKeys || !control->isVisible() || !control->isEnabled())
+                    continue;
+                control->setFocus();
+                if (!control->hasFocus())
+                    continue;
+                QAction *const run = studio.action("uv.run");
+                QObject::disconnect(run, &QAction::triggered, nullptr, nullptr);
+                QSignalSpy runs(run, &QAction::triggered);
+                QTest::keyClick(control, Qt::Key_Space);
+                QVERIFY2(runs.count() == 1, qPrintable(dock->windowTitle() + control->objectName()));
+                if (!qobject_cast<QAbstractSpinBox *>(control))
+                    continue;
+                QSignalSpy chosen(studio.action("tool.select"), &QAction::triggered);
+                QTest::keyClick(control, Qt::Key_Q);
+                QVERIFY2(chosen.count() == 1, qPrintable(dock->windowTitle() + control->objectName()));
+            }
+        }
+    }
+
+    void whatIsSaidOfAMapEndsWithIt()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        studio.context.map.unwrap(unwrap::UnwrapQuality::Draft);
+        QVERIFY(studio.jobsRest());
+        const auto *const notice = studio.window.findChild<NoticeBar *>();
+        const QString said = QStringLiteral("too much stretch");
+        Q_EMIT studio.context.map.failed(said);
+        QCOMPARE(notice->message(), said);
+        studio.document()->undoStack().undo();
+        QCOMPARE(notice->message(), QString());
+        studio.document()->undoStack().redo();
+        // The next job begins.
+        Q_EMIT studio.context.map.failed(said);
+        studio.context.map.pack(PackScope::All);
+        QCOMPARE(notice->message(), QString());
+        QVERIFY(studio.jobsRest());
+        // What is said of a file stays.
+        Q_EMIT studio.context.files.noticed(said, {});
+        studio.document()->undoStack().undo();
+        QCOMPARE(notice->message(), said);
     }
 
     void undoDuringARunTakesTheRunBack()
