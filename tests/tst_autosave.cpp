@@ -91,6 +91,8 @@ class TestAutosave : public QObject
 
 private Q_SLOTS:
     void savesAfterTheInterval();
+    void isNotPutOff();
+    void savesWhenTheSessionRests();
     void nothingIsLeftInOrder();
     void failureIsReported();
     void listsWhatACrashLeft();
@@ -108,7 +110,7 @@ void TestAutosave::savesAfterTheInterval()
     int number = 0;
     const auto autosave =
         std::move(Autosave::start(folder.filePath(u"new/recovery"_s), saving(number)).value());
-    QCOMPARE(autosave->interval(), 120000);
+    QCOMPARE(autosave->interval(), 20000);
     autosave->setInterval(10);
     QVERIFY(intervalPasses(autosave->interval()));
     QCOMPARE(number, 0); // nothing changed
@@ -125,6 +127,35 @@ void TestAutosave::savesAfterTheInterval()
     QVERIFY(intervalPasses(autosave->interval()));
     QCOMPARE(number, 2);
     QVERIFY(!QFile::exists(autosave->file()));
+}
+
+//! A visit to the preferences sets the interval, too.
+void TestAutosave::isNotPutOff()
+{
+    QTemporaryDir folder;
+    int number = 0;
+    const auto autosave = std::move(Autosave::start(folder.path(), saving(number)).value());
+    autosave->setInterval(200);
+    for (int i = 0; i < 60 && number == 0; ++i) {
+        autosave->sessionChanged();
+        autosave->setInterval(200);
+        QTest::qWait(20);
+    }
+    QCOMPARE(number, 1);
+    autosave->setInterval(3'600'000);
+    autosave->sessionChanged();
+    autosave->setInterval(10);
+    QTRY_COMPARE(number, 2);
+}
+
+void TestAutosave::savesWhenTheSessionRests()
+{
+    QTemporaryDir folder;
+    int number = 0;
+    const auto autosave = std::move(Autosave::start(folder.path(), saving(number)).value());
+    autosave->setInterval(3'600'000);
+    autosave->sessionChanged();
+    QTRY_COMPARE_WITH_TIMEOUT(number, 1, 60'000);
 }
 
 void TestAutosave::nothingIsLeftInOrder()

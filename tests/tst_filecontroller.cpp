@@ -342,6 +342,57 @@ private Q_SLOTS:
         QVERIFY(!desk.document().uv().allFinite());
     }
 
+    void whatASolveFoundIsSavedWhenItEnds()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        desk.solver.run();
+        QVERIFY(QTest::qWaitFor([&] { return desk.solver.map() != nullptr; }, test::patience));
+        desk.solver.pause();
+        QVERIFY(QTest::qWaitFor([&] { return !desk.solver.isPausing(); }, test::patience));
+        QTRY_COMPARE_WITH_TIMEOUT(recoveryFiles(folder).size(), std::size_t(1), test::patience);
+        const Result<LoadedProject> project = loadProject(recoveryFiles(folder).front());
+        QVERIFY(project);
+        QVERIFY(sameBits(project->state.scene.uvSets.front().uv, desk.document().uv()));
+    }
+
+    void theHistoryComesBack()
+    {
+        QTemporaryDir folder;
+        Desk desk(folder);
+        desk.files.openSample(QStringLiteral("torus"));
+        std::vector<DocumentState> states{desk.document().state()};
+        for (int edge = 0; edge < 5; ++edge) {
+            desk.cutAnEdge(5 * edge);
+            states.push_back(desk.document().state());
+        }
+        const QString session = folder.filePath(QStringLiteral("a.acproj"));
+        // Saved and opened again twice, with edits and undo between.
+        for (int round = 0; round < 2; ++round) {
+            desk.files.save(session);
+            QVERIFY(desk.rests());
+            desk.files.openSample(QStringLiteral("bumpycube"));
+            desk.files.open(session);
+            QVERIFY(desk.rests());
+            QVERIFY(!desk.workspace.isModified());
+            UndoStack &stack = desk.document().undoStack();
+            QCOMPARE(stack.index(), int(states.size()) - 1);
+            for (int i = stack.index() - 1; i >= 0; --i) {
+                stack.undo();
+                QVERIFY(sameWork(desk.document().state(), states[std::size_t(i)]));
+            }
+            QVERIFY(desk.workspace.isModified());
+            while (stack.canRedo())
+                stack.redo();
+            QVERIFY(!desk.workspace.isModified());
+            stack.undo();
+            states.pop_back();
+            desk.cutAnEdge(100);
+            states.push_back(desk.document().state());
+        }
+    }
+
     void aModelIsExchanged()
     {
         QTemporaryDir folder;

@@ -12,6 +12,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTableView>
 
 using namespace autocuts;
@@ -216,7 +217,13 @@ private Q_SLOTS:
         QVERIFY(bench.table()->isColumnHidden(IslandTable::Stack)); // nothing is stacked
         QVERIFY(bench.clickRow(0));
         QVERIFY(bench.clickRow(1, Qt::ShiftModifier));
+        bench.context.actions.setMet(~0);
+        QSignalSpy stacks(bench.context.actions.action("uv.stackCopies"), &QAction::triggered);
         click(bench.panel, "stack");
+        QCOMPARE(stacks.count(), 1);
+        QCOMPARE(bench.flags(0), IslandFlags()); // islands that are not alike stay as they are
+        pushCommand(std::make_unique<SetIslandFlags>(bench.document(), SetIslandFlags::Edit::Stack,
+                                                     std::vector<int>{0, 1}));
         click(bench.panel, "group");
         QCOMPARE(bench.flags(0).stack, 1);
         QCOMPARE(bench.flags(1).stack, 1);

@@ -44,6 +44,43 @@ private Q_SLOTS:
         for (const QString &mesh : meshes.split(u':', Qt::SkipEmptyParts))
             QTest::newRow(qPrintable(mesh)) << mesh;
     }
+    void everythingThatIsShownIsAMap_data() { everyPauseGivesAValidMap_data(); }
+    //! Also on the way from one map to the next.
+    void everythingThatIsShownIsAMap()
+    {
+        QFETCH(QString, name);
+        Workspace workspace;
+        ShownMap shown(workspace);
+        SolverController solver(workspace, shown);
+        const Result<Scene> scene = name.endsWith(u".obj")
+                                        ? readMesh(QString::fromStdString(test::meshFolder()) + u'/' + name)
+                                        : makeSample(name);
+        QVERIFY(scene);
+        workspace.open(std::make_unique<Document>(Scene(scene.value())), {});
+        const MeshData &mesh = workspace.document()->mesh();
+        int seen = 0;
+        QStringList problems;
+        connect(&shown, &ShownMap::changed, this, [&] {
+            UvMatrix uv(mesh.cornerCount(), 2);
+            for (int t = 0; t < mesh.triangleCount(); ++t) {
+                for (int k = 0; k < 3; ++k)
+                    uv.row(mesh.triangles[t][std::size_t(k)]) = shown.uv().row(3 * t + k);
+            }
+            ++seen;
+            const metrics::UvMetrics figures = metrics::measureUv(mesh, uv);
+            if (figures.flipped > 0 || figures.overlapPairs > 0)
+                problems << u"picture %1: %2 flips, %3 overlaps"_s.arg(seen)
+                                .arg(figures.flipped)
+                                .arg(figures.overlapPairs);
+        });
+        solver.run();
+        const auto enough = [&] { return seen >= 12 || (!solver.isRunning() && !solver.isPausing()); };
+        QVERIFY(QTest::qWaitFor(enough, test::patience));
+        solver.restart();
+        seen = 0;
+        QVERIFY(QTest::qWaitFor(enough, test::patience));
+        QVERIFY2(problems.isEmpty(), qPrintable(problems.join(u'\n')));
+    }
     //! Begins anew every time; some edges are cut in every second run.
     void everyPauseGivesAValidMap()
     {

@@ -36,7 +36,7 @@ PreferenceValues otherValues()
     v.textureSize = 512;
     v.margin = 3;
     v.maxDistortion = 4.25;
-    v.autosaveMinutes = 0;
+    v.autosaveSeconds = 0;
     v.undoMemoryMb = 64;
     v.solveOnOpen = true;
     v.showTextures = false;
@@ -97,7 +97,7 @@ private Q_SLOTS:
              {"navigation=upside down", "theme=42", "language=Klingon", "interfacePercent=5",
               "seamColor=no colour", "textureSize=0", "textureSize=-5", "textureSize=many",
               "textureSize=999999999999", "margin=-1", "margin=100000", "maxDistortion=4",
-              "maxDistortion=nan", "maxDistortion=inf", "autosaveMinutes=-2", "undoMemoryMb=0",
+              "maxDistortion=nan", "maxDistortion=inf", "autosaveSeconds=-2", "undoMemoryMb=0",
               "undoMemoryMb=99999999"})
             QTest::newRow(line) << QString::fromLatin1(line);
     }

@@ -11,10 +11,13 @@
 #include "views/canvas/mapoverlays.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
+#include "views/panels/noticebar.h"
 #include "views/shell/startpage.h"
 #include "views/shell/statusbar.h"
 #include "views/ui/dialogsize.h"
 
+#include <QComboBox>
+#include <QDir>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
@@ -27,6 +30,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QSignalSpy>
+#include <QTableView>
 #include <QToolBar>
 
 using namespace autocuts;
@@ -472,6 +476,109 @@ private Q_SLOTS:
         QVERIFY(kept);
         QVERIFY(kept->extras.journal.has_value());
         QVERIFY(!kept->extras.thumbnail.isEmpty());
+    }
+
+    void quittingDuringARunAsksAtOnce()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        studio.press(Qt::Key_Space);
+        QVERIFY(QTest::qWaitFor([&] { return studio.context.solver.map() != nullptr; }, test::patience));
+        studio.answers->unsaved = Questions::Unsaved::Cancel;
+        studio.press(Qt::Key_Q, Qt::ControlModifier);
+        QCOMPARE(studio.answers->unsavedAsked, 1);
+        QVERIFY(studio.window.isVisible());
+        QVERIFY(studio.context.solver.isRunning());
+        // Saved first: what the solver has found is in the file.
+        const QString path = studio.folder.filePath(QStringLiteral("quit.acproj"));
+        studio.answers->filesToSave = QStringList{path};
+        studio.answers->unsaved = Questions::Unsaved::Save;
+        studio.press(Qt::Key_Q, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.window.isVisible(), test::patience);
+        QCOMPARE(studio.answers->unsavedAsked, 2);
+        const Result<LoadedProject> saved = loadProject(path);
+        QVERIFY(saved);
+        QVERIFY(saved->state.scene.uvSets.front().uv.allFinite());
+    }
+
+    void quittingDuringARunCanDiscard()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        studio.press(Qt::Key_Space);
+        QVERIFY(QTest::qWaitFor([&] { return studio.context.solver.map() != nullptr; }, test::patience));
+        studio.answers->unsaved = Questions::Unsaved::Discard;
+        studio.press(Qt::Key_Q, Qt::ControlModifier);
+        QVERIFY(!studio.window.isVisible());
+        QCOMPARE(studio.answers->unsavedAsked, 1);
+    }
+
+    void whatAJobMadeIsSavedForRecovery()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        studio.context.map.unwrap(unwrap::UnwrapQuality::Draft);
+        QVERIFY(studio.jobsRest());
+        const QDir recovery(studio.folder.filePath(QStringLiteral("recovery")));
+        const auto files = [&] { return recovery.entryList({QStringLiteral("*.acproj")}, QDir::Files); };
+        QTRY_COMPARE_WITH_TIMEOUT(files().size(), 1, test::patience);
+        const Result<LoadedProject> project = loadProject(recovery.filePath(files().front()));
+        QVERIFY(project);
+        QVERIFY(project->state.scene.uvSets.front().uv == studio.document()->uv());
+    }
+
+    void keysReachTheWindowFromPanels()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        for (QDockWidget *dock : studio.window.findChildren<QDockWidget *>()) {
+            dock->raise();
+            QCoreApplication::processEvents();
+            for (QWidget *control : dock->findChildren<QWidget *>()) {
+                const auto *combo = qobject_cast<QComboBox *>(control);
+                const bool takesKeys = qobject_cast<QAbstractSpinBox *>(control) ||
+                                       qobject_cast<QTableView *>(control) || (combo && !combo->isEditable());
+                if (!takesKeys || !control->isVisible() || !control->isEnabled())
+                    continue;
+                control->setFocus();
+                if (!control->hasFocus())
+                    continue;
+                QAction *const run = studio.action("uv.run");
+                QObject::disconnect(run, &QAction::triggered, nullptr, nullptr);
+                QSignalSpy runs(run, &QAction::triggered);
+                QTest::keyClick(control, Qt::Key_Space);
+                QVERIFY2(runs.count() == 1, qPrintable(dock->windowTitle() + control->objectName()));
+                if (!qobject_cast<QAbstractSpinBox *>(control))
+                    continue;
+                QSignalSpy chosen(studio.action("tool.select"), &QAction::triggered);
+                QTest::keyClick(control, Qt::Key_Q);
+                QVERIFY2(chosen.count() == 1, qPrintable(dock->windowTitle() + control->objectName()));
+            }
+        }
+    }
+
+    void whatIsSaidOfAMapEndsWithIt()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        studio.context.map.unwrap(unwrap::UnwrapQuality::Draft);
+        QVERIFY(studio.jobsRest());
+        const auto *const notice = studio.window.findChild<NoticeBar *>();
+        const QString said = QStringLiteral("too much stretch");
+        Q_EMIT studio.context.map.failed(said);
+        QCOMPARE(notice->message(), said);
+        studio.document()->undoStack().undo();
+        QCOMPARE(notice->message(), QString());
+        studio.document()->undoStack().redo();
+        // The next job begins.
+        Q_EMIT studio.context.map.failed(said);
+        studio.context.map.pack(PackScope::All);
+        QCOMPARE(notice->message(), QString());
+        QVERIFY(studio.jobsRest());
+        // What is said of a file stays.
+        Q_EMIT studio.context.files.noticed(said, {});
+        studio.document()->undoStack().undo();
+        QCOMPARE(notice->message(), said);
     }
 
     void undoDuringARunTakesTheRunBack()

@@ -652,14 +652,6 @@
         <translation>Das Packen darf die ausgewählten Inseln wieder drehen</translation>
     </message>
     <message>
-        <source>&amp;Stack</source>
-        <translation>S&amp;tapeln</translation>
-    </message>
-    <message>
-        <source>Pack the selected islands on top of each other</source>
-        <translation>Die ausgewählten Inseln übereinander packen</translation>
-    </message>
-    <message>
         <source>U&amp;nstack</source>
         <translation>Sta&amp;pel auflösen</translation>
     </message>
@@ -1630,6 +1622,14 @@
     <message>
         <source>Bake the light of a sun, a sky and lamps into a picture for the map</source>
         <translation>Das Licht einer Sonne, eines Himmels und von Lampen in ein Bild für die Map backen</translation>
+    </message>
+    <message>
+        <source>Treat as a &amp;stack</source>
+        <translation>Als S&amp;tapel behandeln</translation>
+    </message>
+    <message>
+        <source>Pack the selected islands on top of each other, whether they are alike or not</source>
+        <translation>Die ausgewählten Inseln aufeinander packen, ob sie gleich sind oder nicht</translation>
     </message>
 </context>
 <context>
@@ -4556,14 +4556,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Die ausgewählten Inseln lassen, wo sie sind</translation>
     </message>
     <message>
-        <source>Stack</source>
-        <translation>Stapeln</translation>
-    </message>
-    <message>
-        <source>The selected islands lie on top of each other</source>
-        <translation>Die ausgewählten Inseln liegen übereinander</translation>
-    </message>
-    <message>
         <source>Group</source>
         <translation>Gruppieren</translation>
     </message>
@@ -4646,6 +4638,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Islands: %1, selected: %2</source>
         <translation>Inseln: %1, ausgewählt: %2</translation>
+    </message>
+    <message>
+        <source>Stack identical</source>
+        <translation>Gleiche stapeln</translation>
+    </message>
+    <message>
+        <source>Lay those of the selected islands that are alike on top of each other; one alone finds all its copies</source>
+        <translation>Die gleichen unter den ausgewählten Inseln aufeinander legen; eine allein findet alle ihre Kopien</translation>
     </message>
 </context>
 <context>
@@ -6301,10 +6301,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Berechnung &amp;starten, wenn ein Modell ohne UVs geöffnet wird</translation>
     </message>
     <message>
-        <source> min</source>
-        <translation> min</translation>
-    </message>
-    <message>
         <source>Never</source>
         <translation>Nie</translation>
     </message>
@@ -6347,10 +6343,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Safety</source>
         <translation>Sicherheit</translation>
-    </message>
-    <message>
-        <source>&amp;Autosave every:</source>
-        <translation>A&amp;utomatisch sichern alle:</translation>
     </message>
     <message>
         <source>Memory for &amp;undo:</source>
@@ -6435,6 +6427,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Show the te&amp;xtures of a model when it is opened</source>
         <translation>Te&amp;xturen eines Modells beim Öffnen zeigen</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>&amp;Autosave at the latest after:</source>
+        <translation>A&amp;utomatisch sichern spätestens nach:</translation>
     </message>
 </context>
 <context>

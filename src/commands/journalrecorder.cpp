@@ -43,7 +43,7 @@ Journal PendingJournal::finished() const
 }
 
 JournalRecorder::JournalRecorder(Document &document, std::optional<Journal> earlier)
-    : mDocument(document), mFirst(document.undoStack().index())
+    : mDocument(document), mFirst(earlier ? 0 : document.undoStack().index())
 {
     if (earlier)
         mPast = std::move(*earlier);

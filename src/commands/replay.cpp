@@ -7,6 +7,9 @@
 
 #include <QtEndian>
 
+#include <algorithm>
+#include <span>
+
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
@@ -69,6 +72,53 @@ replay(const Journal &journal,
         pushCommand(std::move(command).value());
     }
     return document;
+}
+
+namespace {
+
+//! The document with its last commands on the undo stack; null where they do not lead to the state.
+std::unique_ptr<Document> withHistory(const DocumentState &state, const Journal &past,
+                                      std::span<const QByteArray> commands, const std::atomic<bool> *stop)
+{
+    const Result<std::unique_ptr<Document>> begin = replay(past);
+    if (!begin)
+        return nullptr;
+    auto document = std::make_unique<Document>(begin.value()->state());
+    for (const QByteArray &entry : commands) {
+        const std::optional<QCborMap> map = commandOf(entry);
+        Result<std::unique_ptr<DocumentCommand>> command =
+            map ? makeCommand(*map, *document) : damagedCommand();
+        if (!command || (stop && stop->load()))
+            return nullptr;
+        pushCommand(std::move(command).value());
+    }
+    if (document->undoStack().releasedCount() > 0 || !sameWork(document->state(), state))
+        return nullptr;
+    document->setSelection(state.selection);
+    document->setViewState(state.viewState);
+    document->undoStack().setClean();
+    return document;
+}
+
+} // namespace
+
+RestoredSession restoredSession(DocumentState state, std::optional<Journal> journal, QThread *thread,
+                                const std::atomic<bool> *stop, int most)
+{
+    RestoredSession session;
+    const auto kept = journal ? std::min<std::ptrdiff_t>(std::ssize(journal->commands), most) : 0;
+    if (kept > 0) {
+        const auto last = journal->commands.end() - kept;
+        Journal past{journal->initial, {journal->commands.begin(), last}};
+        session.document = withHistory(state, past, {last, journal->commands.end()}, stop);
+        if (session.document)
+            session.past = std::move(past);
+    }
+    if (!session.document)
+        session = {std::make_unique<Document>(std::move(state)), std::move(journal)};
+    session.document->undoStack().moveToThread(thread);
+    session.document->moveToThread(thread);
+    return session;
 }
 
 std::optional<UvMatrix> mapOfTextures(const Journal &journal)

@@ -113,9 +113,10 @@ Result<std::unique_ptr<Autosave>> Autosave::start(const QString &folder, Save sa
 Autosave::Autosave(QString file, std::unique_ptr<QLockFile> lock, Save save)
     : mFile(std::move(file)), mLock(std::move(lock)), mSave(std::move(save))
 {
-    mTimer.setSingleShot(true);
-    mTimer.setInterval(defaultInterval);
-    connect(&mTimer, &QTimer::timeout, this, &Autosave::saveNow);
+    for (QTimer *timer : {&mLatest, &mRest}) {
+        timer->setSingleShot(true);
+        connect(timer, &QTimer::timeout, this, &Autosave::saveNow);
+    }
 }
 
 Autosave::~Autosave()
@@ -125,25 +126,35 @@ Autosave::~Autosave()
 
 void Autosave::setInterval(int milliseconds)
 {
-    mTimer.setInterval(milliseconds);
+    mInterval = milliseconds;
+    if (mLatest.isActive() && mLatest.remainingTime() > mInterval)
+        mLatest.start(mInterval);
 }
 
 void Autosave::sessionChanged()
 {
-    if (!mTimer.isActive())
-        mTimer.start();
+    if (!mLatest.isActive())
+        mLatest.start(mInterval);
+    mRest.start(std::min(restInterval, mInterval));
+}
+
+void Autosave::saveSoon()
+{
+    mRest.start(0);
 }
 
 void Autosave::sessionSaved()
 {
-    mTimer.stop();
+    mLatest.stop();
+    mRest.stop();
     mUnwanted = mSaving > 0;
     removeFiles(QFileInfo(mFile).path(), lockPathOf(mFile), false);
 }
 
 void Autosave::saveNow()
 {
-    mTimer.stop();
+    mLatest.stop();
+    mRest.stop();
     mUnwanted = false;
     ++mSaving;
     mSave(mFile, [self = QPointer(this)](const Result<Done> &saved) {
@@ -159,7 +170,7 @@ void Autosave::saveEnded(const Result<Done> &saved)
         removeFiles(QFileInfo(mFile).path(), lockPathOf(mFile), false);
         mUnwanted = mSaving > 0;
     } else if (!saved) {
-        mTimer.start();
+        mLatest.start(mInterval);
         Q_EMIT failed(saved.error());
     }
 }

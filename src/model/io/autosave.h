@@ -40,7 +40,10 @@ class Autosave final : public QObject
     Q_OBJECT
 
 public:
-    static constexpr int defaultInterval = 2 * 60 * 1000; //!< milliseconds; chosen by hand
+    // Milliseconds; chosen by hand.
+    static constexpr int defaultInterval = 20 * 1000;
+    static constexpr int restInterval =
+        3 * 1000; //!< without a change, after which a save does not wait longer
 
     using Saved = std::function<void(const Result<Done> &saved)>;
     //! Writes the current session to the path. May do so on another thread, but saves must end in the order
@@ -56,14 +59,17 @@ public:
     //! Ends the session normally and removes its recovery files. \pre no save is under way
     ~Autosave() override;
 
-    //! \pre milliseconds > 0
+    //! A save that is due at a time is not put off. \pre milliseconds > 0
     void setInterval(int milliseconds);
-    int interval() const { return mTimer.interval(); }
+    int interval() const { return mInterval; }
     //! The project file of the autosaves.
     const QString &file() const { return mFile; }
 
-    //! Says that the session has changed. It is saved one interval after the first of these calls.
+    //! Says that the session has changed. It is saved one interval after the first of these calls, or as soon
+    //! as it has rested for a moment.
     void sessionChanged();
+    //! The session has changed, and is saved at the next turn of the event loop.
+    void saveSoon();
     //! Says that the user saved the session or returned to the saved state. Removes the recovery file, also
     //! that of a save that is under way.
     void sessionSaved();
@@ -84,7 +90,9 @@ private:
     QString mFile;
     std::unique_ptr<QLockFile> mLock;
     Save mSave;
-    QTimer mTimer;
+    int mInterval = defaultInterval;
+    QTimer mLatest;         //!< runs from the first change on
+    QTimer mRest;           //!< runs from the newest change on
     int mSaving = 0;        //!< number of saves under way
     bool mUnwanted = false; //!< the files of these saves are to be removed
 };

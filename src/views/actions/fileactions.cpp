@@ -137,13 +137,27 @@ bool FileActions::mayLeave()
 
 bool FileActions::mayClose()
 {
-    const SolverController &solver = mContext.solver;
-    if (!solver.isRunning() && !solver.isPausing())
+    SolverController &solver = mContext.solver;
+    const bool solves = solver.isRunning() || solver.isPausing();
+    if (!solves || (!solver.map() && !mContext.workspace.isModified()))
         return mayLeave();
-    mContext.solver.whenPaused([this] {
-        if (QWidget *window = mQuestions.window())
-            window->close();
-    });
+    // The question does not wait for the solver.
+    switch (mQuestions.askUnsaved(mContext.workspace.name())) {
+    case Questions::Unsaved::Save:
+        // A window that is being closed cannot be closed again: later, at its own turn of the event loop.
+        solver.whenPaused([this] {
+            save();
+            mContext.files.waitForSaves();
+            QWidget *const window = mQuestions.window();
+            if (window && !mContext.workspace.isModified())
+                QMetaObject::invokeMethod(window, &QWidget::close, Qt::QueuedConnection);
+        });
+        break;
+    case Questions::Unsaved::Discard:
+        return true;
+    case Questions::Unsaved::Cancel:
+        break;
+    }
     return false;
 }
 

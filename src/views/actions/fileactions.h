@@ -34,8 +34,8 @@ public:
     void openFile(const QString &path);
     //! Offers to recover sessions after a crash; shows nothing when there are none.
     void offerRecovery();
-    //! For the window's closeEvent. False when the user cancelled, or when a solve has to be paused first;
-    //! the window is then closed again after that.
+    //! For the window's closeEvent. Asks at once. False when the user cancelled, or when what a running solve
+    //! has found is to be saved first; the window is then closed after that.
     bool mayClose();
     //! Saves to the session's file, or asks for one.
     void save();

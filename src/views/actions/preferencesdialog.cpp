@@ -117,7 +117,7 @@ QWidget *PreferencesDialog::generalPage()
     mMaxDistortion->setSingleStep(0.05);
     mSolveOnOpen = new QCheckBox(tr("Start &solving when a model without UVs is opened"));
     mShowTextures = new QCheckBox(tr("Show the te&xtures of a model when it is opened"));
-    mAutosave = spinBox(0, PreferenceLimits::maxAutosaveMinutes, tr(" min"));
+    mAutosave = spinBox(0, PreferenceLimits::maxAutosaveSeconds, tr(" s"));
     mAutosave->setSpecialValueText(tr("Never"));
     mUndoMemory =
         spinBox(PreferenceLimits::minUndoMemoryMb, PreferenceLimits::maxUndoMemoryMb, tr(" MB"), 100);
@@ -135,7 +135,7 @@ QWidget *PreferencesDialog::generalPage()
     form->addRow(mSolveOnOpen);
     form->addRow(mShowTextures);
     form = addGroup(layout, tr("Safety"));
-    form->addRow(tr("&Autosave every:"), mAutosave);
+    form->addRow(tr("&Autosave at the latest after:"), mAutosave);
     form->addRow(tr("Memory for &undo:"), mUndoMemory);
     layout->addStretch(1);
     return page;
@@ -205,7 +205,7 @@ void PreferencesDialog::showValues(const PreferenceValues &values)
     mMaxDistortion->setValue(values.maxDistortion);
     mSolveOnOpen->setChecked(values.solveOnOpen);
     mShowTextures->setChecked(values.showTextures);
-    mAutosave->setValue(values.autosaveMinutes);
+    mAutosave->setValue(values.autosaveSeconds);
     mUndoMemory->setValue(values.undoMemoryMb);
     mInterface->setValue(values.interfacePercent);
     mColorBlind->setChecked(values.colorBlindHeatMap);
@@ -227,7 +227,7 @@ PreferenceValues PreferencesDialog::shown() const
     values.maxDistortion = mMaxDistortion->value();
     values.solveOnOpen = mSolveOnOpen->isChecked();
     values.showTextures = mShowTextures->isChecked();
-    values.autosaveMinutes = mAutosave->value();
+    values.autosaveSeconds = mAutosave->value();
     values.undoMemoryMb = mUndoMemory->value();
     values.colorBlindHeatMap = mColorBlind->isChecked();
     values.interfacePercent = mInterface->value();

@@ -19,10 +19,21 @@ namespace autocuts {
 
 namespace {
 
+//! A session from a file, made on the thread of a job. \param thread where it is to be used
+Result<LoadedSession> loadSession(const QString &path, QThread *thread, const std::atomic<bool> &stop)
+{
+    Result<LoadedProject> project = loadProject(path, &stop);
+    if (!project)
+        return project.error();
+    const QStringList notes = project->notes + meshDoctorNotes(project->state.scene.mesh->report);
+    return LoadedSession{
+        restoredSession(std::move(project->state), std::move(project->extras.journal), thread, &stop), notes};
+}
+
 //! The result of reading a file.
 struct Opened
 {
-    Result<LoadedProject> project = Error{};
+    Result<LoadedSession> project = Error{};
     Result<Scene> scene = Error{};
     bool isProject = false;
 };
@@ -54,6 +65,15 @@ FileController::FileController(Workspace &workspace, SolverController &solver, P
         else
             mAutosave->sessionSaved();
     });
+    // What a running solve has found is not in the document yet.
+    connect(&solver, &SolverController::statusChanged, this, [this] {
+        if (mAutosave && mSolver.isRunning() && mSolver.map())
+            mAutosave->sessionChanged();
+    });
+    connect(&solver, &SolverController::stateChanged, this, [this] {
+        if (!mSolver.isRunning() && !mSolver.isPausing() && mWorkspace.document())
+            saveChangesForRecovery();
+    });
     connect(&preferences, &Preferences::changed, this, &FileController::applyPreferences);
 }
 
@@ -64,8 +84,10 @@ void FileController::applyPreferences()
     const PreferenceValues &values = mPreferences.values();
     if (Document *document = mWorkspace.document())
         document->undoStack().setMemoryLimit(qint64(values.undoMemoryMb) * 1024 * 1024);
-    if (mAutosave && values.autosaveMinutes > 0)
-        mAutosave->setInterval(values.autosaveMinutes * 60 * 1000);
+    if (!mAutosave && mWorkspace.document())
+        beginAutosave(nullptr);
+    if (mAutosave && values.autosaveSeconds > 0)
+        mAutosave->setInterval(values.autosaveSeconds * 1000);
 }
 
 std::vector<RecoverableSession> FileController::recoverable() const
@@ -78,11 +100,11 @@ void FileController::open(const QString &path)
     const QString full = QFileInfo(path).absoluteFilePath();
     const bool started = mJobs.start(
         tr("Opening %1").arg(QFileInfo(path).fileName()),
-        [full](JobControl &job) {
+        [full, thread = thread()](JobControl &job) {
             Opened opened;
             opened.isProject = isProjectPath(full);
             if (opened.isProject)
-                opened.project = loadProject(full, &job.stop());
+                opened.project = loadSession(full, thread, job.stop());
             else
                 opened.scene = readMesh(full, &job.stop());
             return opened;
@@ -115,8 +137,11 @@ void FileController::openSample(const QString &name)
 void FileController::recover(const RecoverableSession &session)
 {
     const bool started = mJobs.start(
-        tr("Recovering"), [file = session.file](JobControl &job) { return loadProject(file, &job.stop()); },
-        [this, session](Result<LoadedProject> project) {
+        tr("Recovering"),
+        [file = session.file, thread = thread()](JobControl &job) {
+            return loadSession(file, thread, job.stop());
+        },
+        [this, session](Result<LoadedSession> project) {
             if (project)
                 adoptProject(std::move(project).value(), session.sessionPath, &session);
             else
@@ -146,13 +171,12 @@ void FileController::adopt(Scene scene)
     Q_EMIT opened();
 }
 
-void FileController::adoptProject(LoadedProject project, const QString &sessionPath,
+void FileController::adoptProject(LoadedSession project, const QString &sessionPath,
                                   const RecoverableSession *recovered)
 {
-    const QStringList notes = project.notes + meshDoctorNotes(project.state.scene.mesh->report);
     endAutosave();
-    mWorkspace.open(std::make_unique<Document>(std::move(project.state)), sessionPath,
-                    std::move(project.extras.journal), notes);
+    mWorkspace.open(std::move(project.session.document), sessionPath, std::move(project.session.past),
+                    project.notes);
     if (recovered)
         mWorkspace.setRecovered(true);
     beginAutosave(recovered);
@@ -162,7 +186,7 @@ void FileController::adoptProject(LoadedProject project, const QString &sessionP
 
 void FileController::beginAutosave(const RecoverableSession *continued)
 {
-    if (mPreferences.values().autosaveMinutes <= 0)
+    if (mPreferences.values().autosaveSeconds <= 0)
         return;
     Result<std::unique_ptr<Autosave>> autosave = Autosave::start(
         mRecoveryFolder,
@@ -379,6 +403,13 @@ void FileController::saveForRecoveryNow()
 {
     if (mAutosave)
         mAutosave->saveNow();
+}
+
+void FileController::saveChangesForRecovery()
+{
+    // Not at once: this may be called while a command changes the document.
+    if (mAutosave && mWorkspace.isModified())
+        mAutosave->saveSoon();
 }
 
 void FileController::close()

@@ -2,6 +2,7 @@
 // in actions/fileactions.
 #pragma once
 
+#include "commands/replay.h"
 #include "model/document/relink.h"
 #include "model/io/autosave.h"
 #include "model/io/layoutfiles.h"
@@ -29,6 +30,13 @@ Scene sceneForWriting(const Document &document);
 //! \param faces per face: it is drawn; empty: all are
 std::vector<LayoutPicture> layoutPictures(const Document &document, const QString &path,
                                           const std::vector<bool> &faces);
+
+//! A session from a file.
+struct LoadedSession
+{
+    RestoredSession session;
+    QStringList notes; //!< for the user, one line each
+};
 
 //! Reads and writes the files of the session. Signals report success and failure.
 class FileController final : public QObject
@@ -75,6 +83,8 @@ public:
     void exportReport(const QString &path);
     //! Autosaves at once instead of at the end of the interval.
     void saveForRecoveryNow();
+    //! Autosaves at the next turn of the event loop when there is something that is not saved.
+    void saveChangesForRecovery();
     //! Ends the session normally.
     void close();
 
@@ -89,7 +99,7 @@ Q_SIGNALS:
 
 private:
     void adopt(Scene scene);
-    void adoptProject(LoadedProject project, const QString &sessionPath, const RecoverableSession *recovered);
+    void adoptProject(LoadedSession project, const QString &sessionPath, const RecoverableSession *recovered);
     void beginAutosave(const RecoverableSession *continued);
     void applyPreferences();
     void tellBusy(const QString &path);

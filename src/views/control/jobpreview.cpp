@@ -1,5 +1,6 @@
 #include "views/control/jobpreview.h"
 
+#include "model/document/makesnapshot.h"
 #include "model/plain/uvlayout.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
@@ -16,13 +17,14 @@ namespace autocuts {
 class JobPreview::Box final
 {
 public:
-    explicit Box(JobPreview &preview) : mPreview(&preview) {}
+    //! \param onlyWithinBound the document has a map, which is shown rather than one with too much stretch
+    Box(JobPreview &preview, bool onlyWithinBound) : mPreview(&preview), mOnlyWithinBound(onlyWithinBound) {}
 
     //! Called on the job's thread.
     void put(const unwrap::UnwrapResult &map)
     {
         const std::scoped_lock lock(mMutex);
-        if (!mPreview)
+        if (!mPreview || (mOnlyWithinBound && !map.withinBound))
             return;
         // One call is enough for all maps that come before it.
         if (!mMap)
@@ -45,6 +47,7 @@ public:
 private:
     std::mutex mMutex;
     JobPreview *mPreview;
+    bool mOnlyWithinBound;
     std::optional<std::pair<UvMatrix, CutFlags>> mMap;
 };
 
@@ -64,7 +67,8 @@ std::function<void(const unwrap::UnwrapResult &)> JobPreview::begin()
 {
     if (mBox)
         mBox->close();
-    mBox = std::make_shared<Box>(*this);
+    const Document *document = mWorkspace.document();
+    mBox = std::make_shared<Box>(*this, document && hasUvs(*document));
     return [box = mBox](const unwrap::UnwrapResult &map) { box->put(map); };
 }
 

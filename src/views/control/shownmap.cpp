@@ -5,24 +5,23 @@
 #include "views/control/workspace.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace autocuts {
 
 namespace {
 
-// Chosen by hand.
-constexpr int frameTime = 33; // milliseconds between two frames of a movement
-constexpr int moveFrames = 5;
-constexpr Eigen::Index mostMovedCorners = 300'000; // larger maps jump, which takes less time
+constexpr int fadingTime = 165; // milliseconds; chosen by hand
 
 } // namespace
 
 ShownMap::ShownMap(Workspace &workspace, QObject *parent) : QObject(parent), mWorkspace(workspace)
 {
-    mFrames.setInterval(frameTime);
-    connect(&mFrames, &QTimer::timeout, this, &ShownMap::moveOn);
+    mFading.setSingleShot(true);
+    mFading.setInterval(fadingTime);
+    connect(&mFading, &QTimer::timeout, this, &ShownMap::endFading);
     connect(&workspace, &Workspace::documentReplaced, this, [this] {
-        mFrames.stop();
+        mFading.stop();
         mGhost = {};
         mLive = false;
         mStale = true;
@@ -55,20 +54,15 @@ bool ShownMap::isSeam(int edgePair) const
 
 void ShownMap::showMap(UvMatrix soupUv, std::vector<float> separation, UvMatrix ghost)
 {
-    const UvMatrix &now = uv();
-    const bool moves = !isSoup() && now.rows() == soupUv.rows() && soupUv.rows() <= mostMovedCorners &&
-                       now.allFinite() && now != soupUv;
-    setLive(false, std::move(separation), std::move(ghost));
-    if (!moves) {
-        mUv = std::move(soupUv);
-        Q_EMIT changed();
-        return;
+    const UvMatrix before = uv();
+    const bool fades = !isSoup() && before.rows() == soupUv.rows() && before.allFinite() && before != soupUv;
+    setLive(false, std::move(separation), fades ? before : ghost);
+    mUv = std::move(soupUv);
+    if (fades) {
+        mNextGhost = std::move(ghost);
+        mFading.start();
     }
-    mFrom = mUv;
-    mTo = std::move(soupUv);
-    mFrame = 0;
-    mFrames.start();
-    moveOn();
+    Q_EMIT changed();
 }
 
 void ShownMap::showSoup(UvMatrix soupUv, std::vector<float> separation, UvMatrix ghost)
@@ -80,7 +74,7 @@ void ShownMap::showSoup(UvMatrix soupUv, std::vector<float> separation, UvMatrix
 
 void ShownMap::setLive(bool soup, std::vector<float> separation, UvMatrix ghost)
 {
-    mFrames.stop();
+    mFading.stop();
     mLive = true;
     mSoup = soup;
     mStale = false;
@@ -88,17 +82,9 @@ void ShownMap::setLive(bool soup, std::vector<float> separation, UvMatrix ghost)
     mGhost = std::move(ghost);
 }
 
-//! Shows the next frame on the way from one definite map to the next.
-void ShownMap::moveOn()
+void ShownMap::endFading()
 {
-    ++mFrame;
-    if (mFrame >= moveFrames) {
-        mFrames.stop();
-        mUv = std::move(mTo);
-    } else {
-        const double t = double(mFrame) / moveFrames, share = t * t * (3 - 2 * t);
-        mUv = (1 - share) * mFrom + share * mTo;
-    }
+    mGhost = std::exchange(mNextGhost, {});
     Q_EMIT changed();
 }
 
@@ -106,7 +92,7 @@ void ShownMap::showDocument()
 {
     if (!mLive)
         return;
-    mFrames.stop();
+    mFading.stop();
     mLive = false;
     mStale = true;
     mGhost = {};

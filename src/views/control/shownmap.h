@@ -14,8 +14,9 @@ class Workspace;
 
 //! The shown UVs per soup corner and the separation of every corner pair. They are those of the document, or,
 //! while a solve runs, those of its definite map or of its soup, in which the triangles are still separate.
-//! One definite map passes into the next within a moment, so that the eye can follow. Views and tools read
-//! the shown map only from here.
+//! A definite map is shown at once, and the one before shines through for a moment, so that the eye can
+//! follow and what is shown is a valid map at every moment. Views and tools read the shown map only from
+//! here.
 class ShownMap final : public QObject
 {
     Q_OBJECT
@@ -52,14 +53,13 @@ Q_SIGNALS:
 private:
     void refresh() const;
     void setLive(bool soup, std::vector<float> separation, UvMatrix ghost);
-    void moveOn();
+    void endFading();
 
     Workspace &mWorkspace;
     bool mLive = false, mSoup = false;
     UvMatrix mGhost;
-    UvMatrix mFrom, mTo; //!< the definite maps between which it moves
-    QTimer mFrames;
-    int mFrame = 0;
+    UvMatrix mNextGhost; //!< what shines through after the map before
+    QTimer mFading;      //!< runs while the map before shines through
     mutable bool mStale = true;
     mutable UvMatrix mUv;
     mutable std::vector<float> mSeparation;

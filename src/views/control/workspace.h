@@ -26,7 +26,7 @@ public:
 
     //! Replaces the open document without asking.
     //! \param sessionPath the project file of the session; empty when it has none yet
-    //! \param journal leads to the document's current state
+    //! \param journal leads to the beginning of the document's history
     //! \param notes on the model for the user, one line each
     void open(std::unique_ptr<Document> document, const QString &sessionPath,
               std::optional<Journal> journal = std::nullopt, const QStringList &notes = {});

@@ -116,14 +116,20 @@ QWidget *IslandPanel::makeMarkButtons()
         mSelectionButtons.push_back(button);
         return button;
     };
+    QPushButton *stack = makeButton(tr("Stack identical"), "stack"_L1);
+    explain(stack,
+            tr("Lay those of the selected islands that are alike on top of each other; one alone finds all "
+               "its copies"),
+            {"uv.stackCopies"});
+    connect(stack, &QPushButton::clicked, context().actions.action("uv.stackCopies"), &QAction::trigger);
+    mSelectionButtons.push_back(stack);
     auto *box = new QWidget;
     auto *layout = new QVBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(rowSpacing);
     layout->addWidget(makeRow(
         {add(tr("Lock"), "lock"_L1, tr("Keep the selected islands where they are"), "uv.lock", Edit::Lock),
-         add(tr("Stack"), "stack"_L1, tr("The selected islands lie on top of each other"), "uv.stack",
-             Edit::Stack),
+         stack,
          add(tr("Group"), "group"_L1, tr("The selected islands move together"), "uv.group", Edit::Group)}));
     layout->addWidget(makeRow(
         {add(tr("Unlock"), "unlock"_L1, tr("Let the selected islands move"), "uv.unlock", Edit::Unlock),

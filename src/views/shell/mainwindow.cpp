@@ -295,11 +295,29 @@ void MainWindow::connectMessages()
             forget();
     });
     connect(&mMap, &MapController::done, this, say);
+    // What took long to make is not to be lost.
+    connect(&mMap, &MapController::done, &mFiles, &FileController::saveChangesForRecovery);
+    connect(&mMap, &MapController::failed, &mFiles, &FileController::saveChangesForRecovery);
     connect(&mStudioActions->islands(), &IslandActions::said, this, say);
     connect(&mFiles, &FileController::done, this, say);
-    connect(&mMap, &MapController::failed, mNotice, &NoticeBar::showNotice);
+    // What is said of a map or a job ends with that map, or when the next job begins.
+    const auto ofMap = std::make_shared<bool>(false);
+    const auto showOfMap = [this, ofMap](const QString &message, const Selection &items) {
+        *ofMap = true;
+        mNotice->showNotice(message, items);
+    };
+    const auto endOfMap = [this, ofMap] {
+        if (std::exchange(*ofMap, false))
+            mNotice->showNotice({});
+    };
+    connect(&mMap, &MapController::failed, mNotice, showOfMap);
     connect(&mMap, &MapController::done, mNotice, [this] { mNotice->showNotice({}); });
-    connect(&mSolver, &SolverController::foundProblems, mNotice, &NoticeBar::showNotice);
+    connect(&mMap.jobs(), &JobRunner::busyChanged, mNotice, [this, endOfMap] {
+        if (mMap.jobs().isBusy())
+            endOfMap();
+    });
+    connect(&mWorkspace, &Workspace::changed, mNotice, endOfMap);
+    connect(&mSolver, &SolverController::foundProblems, mNotice, showOfMap);
     connect(&mSolver, &SolverController::failed, mNotice, [this](const QString &message) {
         mNotice->showNotice(tr("The solver stopped: %1").arg(message));
     });

@@ -76,11 +76,27 @@ bool isOperatedBy(const QObject *object, const QKeyEvent &event)
     case Qt::Key_PageDown:
         return takesWheel(object) || isView;
     case Qt::Key_Space:
-        return isView || qobject_cast<const QAbstractButton *>(object) ||
-               qobject_cast<const QComboBox *>(object);
+        return qobject_cast<const QAbstractButton *>(object) != nullptr;
     default:
         return false;
     }
+}
+
+//! A number field has no use for these keys: they are the program's. E is for powers of ten.
+bool isNotForNumbers(const QObject *object, const QKeyEvent &event)
+{
+    if (!qobject_cast<const QAbstractSpinBox *>(object) || (event.modifiers() & ~Qt::ShiftModifier))
+        return false;
+    const int key = event.key();
+    return key == Qt::Key_Space || (key >= Qt::Key_A && key <= Qt::Key_Z && key != Qt::Key_E);
+}
+
+//! Space runs and pauses the solver also while a list has the focus.
+bool isNotForLists(const QObject *object, const QKeyEvent &event)
+{
+    return event.key() == Qt::Key_Space && event.modifiers() == Qt::NoModifier &&
+           (qobject_cast<const QAbstractItemView *>(object) || qobject_cast<const QComboBox *>(object)) &&
+           !isField(object);
 }
 
 } // namespace
@@ -109,6 +125,14 @@ bool InputGuard::eventFilter(QObject *watched, QEvent *event)
             return true;
         break;
     case QEvent::ShortcutOverride:
+        if (const auto &key = *static_cast<QKeyEvent *>(event);
+            isNotForNumbers(watched, key) || isNotForLists(watched, key)) {
+            // What was typed counts for what the key does.
+            if (auto *box = qobject_cast<QAbstractSpinBox *>(watched))
+                box->interpretText();
+            event->ignore();
+            return true;
+        }
         if (isOperatedBy(watched, *static_cast<QKeyEvent *>(event))) {
             event->accept();
             return true;

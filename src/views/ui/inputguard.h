@@ -8,8 +8,8 @@ namespace autocuts {
 //! For the controls below a widget:
 //! - Spin boxes, combo boxes and sliders use the wheel only while they have the focus; otherwise the panel
 //!   scrolls.
-//! - The control with the focus gets the keys that operate it (arrows, Space), even when they are shortcuts
-//!   of the program.
+//! - The control with the focus gets the keys that operate it (arrows; buttons Space), even when they are
+//!   shortcuts of the program. Letters and Space in a number field, and Space in a list, go to the program.
 //! - Enter and Escape leave a field; the view in the middle of the window gets the focus. Escape first puts
 //!   the value back that was there before typing.
 //! - Buttons get the focus by Tab only, so that after a click Space still runs and pauses the solver.

@@ -26,7 +26,7 @@ const QString joinedColorKey = QStringLiteral("values/joinedColor");
 const QString textureSizeKey = QStringLiteral("values/textureSize");
 const QString marginKey = QStringLiteral("values/margin");
 const QString maxDistortionKey = QStringLiteral("values/maxDistortion");
-const QString autosaveKey = QStringLiteral("values/autosaveMinutes");
+const QString autosaveKey = QStringLiteral("values/autosaveSeconds");
 const QString undoMemoryKey = QStringLiteral("values/undoMemoryMb");
 const QString solveOnOpenKey = QStringLiteral("values/solveOnOpen");
 const QString showTexturesKey = QStringLiteral("values/showTextures");
@@ -108,7 +108,7 @@ PreferenceValues readValues(const QSettings &settings)
     v.margin = std::min(readInt(settings, marginKey, v.margin, 0, Limits::maxMargin), v.textureSize);
     v.maxDistortion =
         readDouble(settings, maxDistortionKey, v.maxDistortion, Limits::minDistortion, Limits::maxDistortion);
-    v.autosaveMinutes = readInt(settings, autosaveKey, v.autosaveMinutes, 0, Limits::maxAutosaveMinutes);
+    v.autosaveSeconds = readInt(settings, autosaveKey, v.autosaveSeconds, 0, Limits::maxAutosaveSeconds);
     v.undoMemoryMb =
         readInt(settings, undoMemoryKey, v.undoMemoryMb, Limits::minUndoMemoryMb, Limits::maxUndoMemoryMb);
     v.solveOnOpen = settings.value(solveOnOpenKey, v.solveOnOpen).toBool();
@@ -131,7 +131,7 @@ void writeValues(QSettings &settings, const PreferenceValues &v)
     settings.setValue(textureSizeKey, v.textureSize);
     settings.setValue(marginKey, v.margin);
     settings.setValue(maxDistortionKey, v.maxDistortion);
-    settings.setValue(autosaveKey, v.autosaveMinutes);
+    settings.setValue(autosaveKey, v.autosaveSeconds);
     settings.setValue(undoMemoryKey, v.undoMemoryMb);
     settings.setValue(solveOnOpenKey, v.solveOnOpen);
     settings.setValue(showTexturesKey, v.showTextures);

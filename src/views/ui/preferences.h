@@ -30,7 +30,7 @@ struct PreferenceValues
     int textureSize = 2048;                   //!< texels; for new sessions
     int margin = 8;                           //!< texels of gutter; for new sessions
     double maxDistortion = 4.1;               //!< initial distortion budget
-    int autosaveMinutes = 2;                  //!< 0: no autosave
+    int autosaveSeconds = 20;                 //!< 0: no autosave
     int undoMemoryMb = 400;
     bool solveOnOpen = false; //!< start solving when a model without UVs is opened
     bool showTextures = true; //!< show the textures that a model names when it is opened
@@ -45,7 +45,7 @@ struct PreferenceLimits
     static constexpr int minTextureSize = 16;
     static constexpr int maxMargin = 1024;
     static constexpr double minDistortion = 4.001, maxDistortion = 100;
-    static constexpr int maxAutosaveMinutes = 120;
+    static constexpr int maxAutosaveSeconds = 3600;
     static constexpr int minUndoMemoryMb = 10, maxUndoMemoryMb = 100000;
 };
 
