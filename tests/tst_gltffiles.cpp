@@ -14,7 +14,12 @@
 #include <QTest>
 
 #include <cmath>
+#include <csignal>
 #include <random>
+
+#ifdef Q_OS_UNIX
+#include <sys/resource.h>
+#endif
 
 using namespace autocuts;
 using namespace gltffiles;
@@ -29,6 +34,9 @@ private Q_SLOTS:
     void containers();
     void savingAgainDoesNotGrow();
     void bufferFiles();
+    void failedExportKeepsThePair();
+    void foreignBufferFilesStay();
+    void exportingInPlaceDoesNotGrow();
     void imagesOfAnotherFolder();
     void sessions();
     void otherFormats();
@@ -113,10 +121,87 @@ void TestGltfFiles::bufferFiles()
     QCOMPARE(contentOf(folder.filePath(u"in.bin"_s)), file.buffer);
     QVERIFY(uvDifference(scene.value(), readMesh(folder.filePath(u"out.gltf"_s)).value()) < 1e-6);
 
-    // Over itself: what was in the buffer stays in its place.
+    // Over itself.
     QVERIFY(writeMesh(scene.value(), path).ok());
-    QVERIFY(contentOf(folder.filePath(u"in.bin"_s)).startsWith(file.buffer));
     QVERIFY(uvDifference(scene.value(), readMesh(path).value()) < 1e-6);
+}
+
+void TestGltfFiles::failedExportKeepsThePair()
+{
+#ifdef Q_OS_UNIX
+    const QTemporaryDir folder;
+    FileBuilder file = grid();
+    file.json["extras"] = std::string(200000, 'x'); // so that only the .gltf file is too large
+    const QString path = folder.filePath(u"in.gltf"_s);
+    QVERIFY(saveAtomically(path, file.text("in.bin")).ok());
+    QVERIFY(saveAtomically(folder.filePath(u"in.bin"_s), file.buffer).ok());
+    Result<Scene> scene = readMesh(path);
+    QVERIFY(scene.ok());
+    const UvMatrix before = scene->uvSets[0].uv;
+    scene->uvSets[0].uv = seamyUv(*scene->mesh);
+
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit usual{};
+    getrlimit(RLIMIT_FSIZE, &usual);
+    rlimit small = usual;
+    small.rlim_cur = 100000;
+    setrlimit(RLIMIT_FSIZE, &small);
+    const Result<Done> written = writeMesh(scene.value(), path);
+    setrlimit(RLIMIT_FSIZE, &usual);
+
+    QVERIFY(!written.ok());
+    QCOMPARE(contentOf(path), file.text("in.bin"));
+    QCOMPARE(contentOf(folder.filePath(u"in.bin"_s)), file.buffer);
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden),
+             QStringList({u"in.bin"_s, u"in.gltf"_s}));
+    QVERIFY((readMesh(path)->uvSets[0].uv - before).cwiseAbs().maxCoeff() == 0);
+#endif
+}
+
+void TestGltfFiles::foreignBufferFilesStay()
+{
+    const QTemporaryDir folder;
+    const FileBuilder file = grid();
+    const QString path = folder.filePath(u"in.gltf"_s), out = folder.filePath(u"model.gltf"_s);
+    QVERIFY(saveAtomically(path, file.text("in.bin")).ok());
+    QVERIFY(saveAtomically(folder.filePath(u"in.bin"_s), file.buffer).ok());
+    QVERIFY(saveAtomically(folder.filePath(u"model.bin"_s), QByteArrayView("foreign")).ok());
+    Result<Scene> scene = readMesh(path);
+    QVERIFY(scene.ok());
+    // Unchanged, it shares the buffer of the input.
+    const QString twin = folder.filePath(u"twin.gltf"_s);
+    QVERIFY(writeMesh(scene.value(), twin).ok());
+    scene->uvSets[0].uv = seamyUv(*scene->mesh);
+    for (int i = 0; i < 2; ++i) {
+        QVERIFY(writeMesh(scene.value(), out).ok());
+        QCOMPARE(contentOf(folder.filePath(u"model.bin"_s)), QByteArray("foreign"));
+        QVERIFY(uvDifference(scene.value(), readMesh(out).value()) < 1e-6);
+    }
+    // A buffer that another file names stays, too.
+    QVERIFY(writeMesh(scene.value(), path).ok());
+    QCOMPARE(contentOf(folder.filePath(u"in.bin"_s)), file.buffer);
+    QVERIFY(readMesh(twin).ok());
+}
+
+void TestGltfFiles::exportingInPlaceDoesNotGrow()
+{
+    const QTemporaryDir folder;
+    const FileBuilder file = grid();
+    const QString path = folder.filePath(u"in.gltf"_s);
+    QVERIFY(saveAtomically(path, file.text("in.bin")).ok());
+    QVERIFY(saveAtomically(folder.filePath(u"in.bin"_s), file.buffer).ok());
+    std::vector<qint64> sizes;
+    for (int i = 0; i < 6; ++i) {
+        Result<Scene> scene = readMesh(path);
+        QVERIFY(scene.ok());
+        scene->uvSets[0].uv = seamyUv(*scene->mesh) * (1 + i);
+        QVERIFY(writeMesh(scene.value(), path).ok());
+        QVERIFY(uvDifference(scene.value(), readMesh(path).value()) < 1e-5);
+        const QFileInfoList bins = QDir(folder.path()).entryInfoList({u"*.bin"_s}, QDir::Files);
+        QCOMPARE(bins.size(), 1);
+        sizes.push_back(bins.front().size());
+    }
+    QCOMPARE(sizes.back(), sizes[1]);
 }
 
 void TestGltfFiles::imagesOfAnotherFolder()
@@ -158,7 +243,16 @@ void TestGltfFiles::sessions()
     QCOMPARE(contentOf(path), file.text("in.bin"));
     QCOMPARE(contentOf(folder.filePath(u"in.bin"_s)), file.buffer);
 
-    // A made-up session writes nowhere else.
+    // A made-up session names no file that is written.
+    Result<Scene> hidden =
+        parseGltf({file.text(".bashrc"), {{".bashrc", file.buffer}}}, folder.filePath(u"free/in.gltf"_s));
+    QVERIFY(hidden.ok() && QDir(folder.path()).mkdir(u"free"_s));
+    QVERIFY(writeMesh(hidden.value(), hidden->path).ok());
+    QVERIFY(!QFile::exists(folder.filePath(u"free/.bashrc"_s)));
+    QCOMPARE(contentOf(folder.filePath(u"free/in.bin"_s)), file.buffer);
+    QVERIFY(readMesh(hidden->path).ok());
+
+    // Nor does it write outside of the folder.
     const QString outside = folder.filePath(u"outside.bin"_s);
     QVERIFY(QDir(folder.path()).mkdir(u"inner"_s));
     Result<Scene> sly = parseGltf({file.text("../outside.bin"), {{"../outside.bin", file.buffer}}},

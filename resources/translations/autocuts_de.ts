@@ -1938,6 +1938,14 @@
         <source>reading was cancelled</source>
         <translation>das Lesen wurde abgebrochen</translation>
     </message>
+    <message>
+        <source>this would overwrite another file that is read or written</source>
+        <translation>damit würde eine andere Datei überschrieben, die gelesen oder geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Give it a name of its own</source>
+        <translation>Geben Sie ihr einen eigenen Namen</translation>
+    </message>
 </context>
 <context>
     <name>IslandTool</name>
@@ -3235,6 +3243,10 @@
     <message>
         <source>Carry textures over</source>
         <translation>Texturen übertragen</translation>
+    </message>
+    <message>
+        <source>Change shape of flat faces</source>
+        <translation>Form ebener Flächen ändern</translation>
     </message>
 </context>
 <context>
@@ -8369,10 +8381,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Dehnung</translation>
     </message>
     <message>
-        <source>How much the map may be stretched: little stretch needs long seams. D is the mean symmetric Dirichlet energy, 4 where nothing is distorted. Also used by the live solve and Finish.</source>
-        <translation>Wie stark die Map gedehnt sein darf: wenig Dehnung braucht lange Nähte. D ist die mittlere symmetrische Dirichlet-Energie, 4 wo nichts verzerrt ist. Gilt auch für die Live-Berechnung und Fertigstellen.</translation>
-    </message>
-    <message>
         <source>Same cuts on both sides</source>
         <translation>Gleiche Schnitte auf beiden Seiten</translation>
     </message>
@@ -8451,6 +8459,18 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>How much work Unwrap puts into short seams</source>
         <translation>Wie viel Arbeit Abwickeln in kurze Nähte steckt</translation>
+    </message>
+    <message>
+        <source>How much the map may be stretched: little stretch needs long seams. D is the mean symmetric Dirichlet energy over the surface, 4 where nothing is distorted. Also used by the live solve and Finish.</source>
+        <translation>Wie stark die Abwicklung gedehnt werden darf: Wenig Dehnung braucht lange Nähte. D ist die mittlere symmetrische Dirichlet-Energie über die Oberfläche, 4, wo nichts verzerrt ist. Gilt auch für das Live-Lösen und das Fertigstellen.</translation>
+    </message>
+    <message>
+        <source>Keep flat faces rigid</source>
+        <translation>Ebene Flächen starr lassen</translation>
+    </message>
+    <message>
+        <source>Flat faces, and what unrolls without stretch, keep their shape; the stretch goes to the curved parts. Off: seams become shorter, and faces bend</source>
+        <translation>Ebene Flächen, und was sich ohne Dehnung abrollen lässt, behalten ihre Form; gedehnt wird, was gewölbt ist. Aus: Die Nähte werden kürzer, und Flächen verbiegen sich</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "cli/clihelp.h"
 #include "cli/mapmaking.h"
 #include "cli/mapreporting.h"
+#include "cli/outputcheck.h"
 #include "cli/progressline.h"
 #include "commands/replay.h"
 #include "model/io/meshfile.h"
@@ -108,6 +109,8 @@ public:
 private:
     int runSample()
     {
+        if (const Result<Done> writable = checkTargets(mOptions); !writable)
+            return fail(writable.error());
         const Result<Scene> scene = makeSample(mOptions.input);
         if (!scene)
             return fail(scene.error());
@@ -118,11 +121,13 @@ private:
 
     int runConvert()
     {
-        if (const Result<Done> writable = checkTargets(); !writable)
+        if (const Result<Done> writable = checkTargets(mOptions); !writable)
             return fail(writable.error());
         const Result<Scene> scene = mFiles.read(mOptions);
         if (!scene)
             return fail(scene.error());
+        if (const Result<Done> fine = checkClashes(mOptions, mFiles.modelOf(scene.value())); !fine)
+            return fail(fine.error());
         sayLosses(scene.value());
         const Result<Done> written = mFiles.write(scene.value(), mOptions);
         return written ? 0 : fail(written.error());
@@ -156,7 +161,7 @@ private:
     int runReplay()
     {
         if (!mOptions.output.isEmpty()) {
-            if (const Result<Done> writable = checkTargets(); !writable)
+            if (const Result<Done> writable = checkTargets(mOptions); !writable)
                 return fail(writable.error());
         }
         const Result<LoadedProject> project = loadProject(mOptions.input);
@@ -186,45 +191,16 @@ private:
         return same ? 0 : 1;
     }
 
-    //! Checks before the long computation that all output files can be written.
-    Result<Done> checkTargets() const
-    {
-        for (const QString &target : {mOptions.output, mOptions.layout, mOptions.report}) {
-            if (target.isEmpty())
-                continue;
-            const QFileInfo folder(QFileInfo(target).absolutePath());
-            if (!folder.isDir())
-                return Error{QStringLiteral("the output folder does not exist"), folder.filePath(), 0,
-                             QStringLiteral("Create it first")};
-            if (QFileInfo(target).isDir())
-                return Error{QStringLiteral("this is a folder, not a file"), target, 0,
-                             QStringLiteral("Add a file name to the path")};
-            if (!folder.isWritable())
-                return Error{QStringLiteral("the output folder is read-only"), folder.filePath(), 0,
-                             QStringLiteral("Check its permissions or choose another one")};
-        }
-        const auto samePath = [](const QString &a, const QString &b) {
-            const auto clean = [](const QString &path) {
-                return QDir::cleanPath(QFileInfo(path).absoluteFilePath());
-            };
-            return !a.isEmpty() && !b.isEmpty() && clean(a) == clean(b);
-        };
-        for (const QString &other : {mOptions.input, mOptions.output, mOptions.layout}) {
-            if (samePath(mOptions.report, other))
-                return Error{QStringLiteral("the report would overwrite another file"), mOptions.report, 0,
-                             QStringLiteral("Give it a name of its own")};
-        }
-        return isProjectPath(mOptions.output) ? Done{} : checkWriteFormat(mOptions.output);
-    }
-
     int runMapping(Result<MadeMap> (MapMaking::*make)(Scene &) const)
     {
-        if (const Result<Done> writable = checkTargets(); !writable)
+        if (const Result<Done> writable = checkTargets(mOptions); !writable)
             return fail(writable.error());
         const StopTimer timer(mOptions.timeLimit, mStop);
         Result<Scene> scene = mFiles.read(mOptions, &mStop.stop);
         if (!scene)
             return failReading(scene.error());
+        if (const Result<Done> fine = checkClashes(mOptions, mFiles.modelOf(scene.value())); !fine)
+            return fail(fine.error());
         mFiles.mergeSettings(mOptions);
         // Now, because islands have other numbers in the new map.
         const auto scope = batchScope(mOptions, scene.value());
@@ -248,10 +224,14 @@ private:
     int runBake(Result<BakeOutcome> (*bake)(const CliOptions &, const BatchFiles &, const Scene &,
                                             const std::atomic<bool> &, const JobContext &))
     {
+        if (const Result<Done> writable = checkTargets(mOptions); !writable)
+            return fail(writable.error());
         const StopTimer timer(mOptions.timeLimit, mStop);
         const Result<Scene> scene = mFiles.read(mOptions, &mStop.stop);
         if (!scene)
             return failReading(scene.error());
+        if (const Result<Done> fine = checkClashes(mOptions, mFiles.modelOf(scene.value())); !fine)
+            return fail(fine.error());
         mFiles.mergeSettings(mOptions);
         const JobContext job(&mStop.stop, mOptions.threads,
                              [this](const JobProgress &progress) { mProgress.show(progress); });

@@ -1,6 +1,7 @@
 #include "cli/batchbake.h"
 
 #include "cli/letgo.h"
+#include "cli/outputcheck.h"
 #include "model/document/carriedsurface.h"
 #include "model/document/shadedscene.h"
 #include "model/io/bakefiles.h"
@@ -228,13 +229,23 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const BatchFiles &files,
     }
     if (options.bake.high.isEmpty())
         takeColors(options, files.modelOf(scene), job->low, outcome.warnings);
+    const auto pathOf = [&](std::size_t map, int tile) {
+        return bakedPath(options.output, options.input,
+                         QLatin1StringView(bake::nameOf(job->settings.maps[map].kind)), tile,
+                         job->tiles.size() > 1, options.bake.suffix);
+    };
+    QStringList pictures;
+    for (std::size_t map = 0; map < job->settings.maps.size(); ++map) {
+        for (const int tile : job->tiles)
+            pictures << pathOf(map, tile);
+    }
+    if (const Result<Done> fine = checkClashes(options, files.modelOf(scene), pictures); !fine)
+        return fine.error();
     if (const Result<Done> made = makeFolder(options.output); !made)
         return made.error();
     PictureWriter writer(outcome, depth.value());
     const auto sink = [&](std::size_t map, int tile, const Picture &picture) {
-        return writer.write(picture, bakedPath(options.output, options.input,
-                                               QLatin1StringView(bake::nameOf(job->settings.maps[map].kind)),
-                                               tile, job->tiles.size() > 1, options.bake.suffix));
+        return writer.write(picture, pathOf(map, tile));
     };
     warnOfFaults(bake::runBake(job.value(), sink, context), outcome);
     for (std::size_t m = 0; m < job->settings.maps.size(); ++m) {
@@ -292,8 +303,6 @@ Result<BakeOutcome> carryTextures(const CliOptions &options, const BatchFiles &f
         return old.error();
     if (!old->hasUv())
         return Error{u"the model has no UV map that its textures could be for"_s, from, 0, {}};
-    if (const Result<Done> made = makeFolder(options.output); !made)
-        return made.error();
     const DocumentState state = texturedModel(scene, files, old.value(), oldFiles);
     const CarryTarget target{options.output, {}, prepared->tiles.size() > 1, {}};
     const CarryPlan plan = options.bake.textures == QStringList{u"all"_s}
@@ -301,6 +310,11 @@ Result<BakeOutcome> carryTextures(const CliOptions &options, const BatchFiles &f
                                : planCarrying(options.bake.textures, target);
     if (!plan.missing.isEmpty() && plan.pictures.empty())
         return Error{u"there is no such picture"_s, plan.missing.front(), 0, u"Check its name"_s};
+    // Those that are not there yet overwrite nothing.
+    if (const Result<Done> fine = checkClashes(options, state, plan.existingFiles()); !fine)
+        return fine.error();
+    if (const Result<Done> made = makeFolder(options.output); !made)
+        return made.error();
     if (!plan.missing.isEmpty())
         outcome.warnings << u"textures that cannot be read: %1"_s.arg(plan.missing.join(u", "_s));
 

@@ -1,5 +1,6 @@
 #include "cli/batchlight.h"
 
+#include "cli/outputcheck.h"
 #include "model/io/litscene.h"
 #include "solver/bake/lightjob.h"
 
@@ -27,6 +28,11 @@ Result<BakeOutcome> bakeLights(const CliOptions &options, const BatchFiles &file
     settings.height = texture.height();
     const bake::LightJob job =
         bake::lightJobOf(std::move(surface).value(), options.light.lights, settings, texture.tileHeight());
+    QStringList pictures;
+    for (const int tile : job.tiles)
+        pictures << lightMapPath(options.output, tile, job.tiles.size() > 1);
+    if (const Result<Done> fine = checkClashes(options, files.modelOf(scene), pictures); !fine)
+        return fine.error();
     BakeOutcome outcome;
     if (!missing.isEmpty())
         outcome.warnings << u"textures that cannot be read: %1"_s.arg(missing.join(u", "_s));

@@ -1,6 +1,7 @@
 #include "model/io/carriedtextures.h"
 
 #include "model/io/bakefiles.h"
+#include "model/io/fileclashes.h"
 #include "model/io/texturefiles.h"
 
 #include <QCoreApplication>
@@ -163,19 +164,21 @@ QStringList CarryPlan::existingFiles() const
 QString CarryPlan::overwrittenSource() const
 {
     const auto filesOf = [](const QString &path) {
-        QStringList files{QFileInfo(path).absoluteFilePath()};
+        QStringList files{path};
         for (const TextureTile &tile : textureTiles(path))
-            files << QFileInfo(tile.path).canonicalFilePath();
+            files << tile.path;
         return files;
     };
-    QStringList sources;
+    std::set<QByteArray> sources;
     for (const CarriedPicture &picture : pictures) {
-        if (picture.source.content.isEmpty())
-            sources += filesOf(picture.source.file);
+        if (!picture.source.content.isEmpty())
+            continue;
+        for (const QString &file : filesOf(picture.source.file))
+            sources.insert(fileKey(file));
     }
     for (const CarriedPicture &picture : pictures) {
         for (const QString &file : filesOf(picture.newFile)) {
-            if (sources.contains(file))
+            if (sources.contains(fileKey(file)))
                 return file;
         }
     }

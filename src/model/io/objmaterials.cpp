@@ -138,20 +138,27 @@ void readMaterialFile(QByteArrayView bytes, std::map<QString, Material> &materia
 
 } // namespace
 
+QStringList materialFiles(QByteArrayView bytes, const QString &path)
+{
+    QStringList files;
+    visitLines(bytes, [&](QByteArrayView line) {
+        const auto file = restAfter(line, "mtllib");
+        if (!file || files.size() >= maxMaterialFiles)
+            return;
+        // Only the name counts: a model must not make us read files elsewhere.
+        const QString name = QFileInfo(QString::fromUtf8(*file).replace(u'\\', u'/')).fileName();
+        files << QFileInfo(path).dir().filePath(name);
+    });
+    return files;
+}
+
 void readMaterials(QByteArrayView bytes, const QString &path, Scene &scene)
 {
     if (scene.materialNames.empty())
         return;
-    QStringList files;
-    visitLines(bytes, [&](QByteArrayView line) {
-        if (const auto file = restAfter(line, "mtllib"); file && files.size() < maxMaterialFiles)
-            files << QString::fromUtf8(*file);
-    });
     std::map<QString, Material> materials;
-    for (const QString &file : files) {
-        // Only the name counts: a model must not make us read files elsewhere.
-        const QString name = QFileInfo(QString(file).replace(u'\\', u'/')).fileName();
-        if (const auto content = loadFile(QFileInfo(path).dir().filePath(name), maxMaterialFile))
+    for (const QString &file : materialFiles(bytes, path)) {
+        if (const auto content = loadFile(file, maxMaterialFile))
             readMaterialFile(content.value(), materials);
     }
     for (const QString &name : scene.materialNames) {

@@ -13,4 +13,7 @@ namespace autocuts {
 //! path of that file
 void readMaterials(QByteArrayView bytes, const QString &path, Scene &scene);
 
+//! The paths of those files, there or not.
+QStringList materialFiles(QByteArrayView bytes, const QString &path);
+
 } // namespace autocuts

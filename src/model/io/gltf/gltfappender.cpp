@@ -167,9 +167,6 @@ bool GltfAppender::dropLastView()
 
 void GltfAppender::dropUnused(const GltfUses &before)
 {
-    const std::string uri = textOf(mDocument.json["buffers"][mBuffer], "uri");
-    if (!uri.empty() && !isDataUri(uri))
-        return;
     Json &accessors = mDocument.json["accessors"];
     GltfUses now = usesIn(mDocument.json);
     const auto isDropped = [](const Json &array, const std::set<std::size_t> &then,

@@ -4,8 +4,11 @@
 #include "model/io/savefile.h"
 
 #include <QCoreApplication>
+#include <QCryptographicHash>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QUrl>
 
 #include <algorithm>
@@ -15,6 +18,8 @@
 namespace autocuts {
 
 namespace {
+
+constexpr int contentDigits = 12; //!< of the hash in the name of a buffer file
 
 QString nameOfUri(const std::string &uri)
 {
@@ -52,7 +57,10 @@ private:
         return buffer >= mBefore.buffers.size() || mBefore.buffers[buffer] != mDocument.buffers[buffer];
     }
     void moveImages();
-    QString freeBufferName() const;
+    QString placeFor(const QByteArray &content) const;
+    Result<Done> saveAll(const QByteArray &main);
+    std::vector<QString> namedByTheOldFile() const;
+    void removeUnused(const std::vector<QString> &names) const;
 
     const GltfSource &mSource;
     GltfFile mFile;
@@ -76,16 +84,38 @@ void GltfOutput::placeBuffersInGlb()
     }
 }
 
-//! A name beside the output that no buffer has.
-QString GltfOutput::freeBufferName() const
+//! The name of a buffer file: made from that of the output, never from the input. It is that of a file with
+//! this content, or of none yet, so that no file that is there changes: the old .gltf file stays readable
+//! until the new one has replaced it.
+QString GltfOutput::placeFor(const QByteArray &content) const
 {
-    std::set<QString> taken;
+    std::set<QString> taken; // by buffers that stay where they are
     for (const Json &buffer : member(mDocument.json, "buffers"))
         taken.insert(nameOfUri(textOf(buffer, "uri")));
+    for (const auto &[path, bytes] : mBufferFiles) {
+        if (bytes == content)
+            return QFileInfo(path).fileName();
+    }
+    const QDir folder = QFileInfo(mTo).dir();
+    const auto fits = [&](const QString &name) {
+        const QString path = folder.filePath(name);
+        if (taken.contains(name))
+            return false;
+        const QFileInfo info(path);
+        if (!info.exists() && !info.isSymLink())
+            return true;
+        if (info.size() != content.size())
+            return false;
+        const Result<QByteArray> there = loadFile(path, std::numeric_limits<qint64>::max());
+        return there && there.value() == content;
+    };
     const QString base = QFileInfo(mTo).completeBaseName();
+    const QString hash = QString::fromLatin1(
+        QCryptographicHash::hash(content, QCryptographicHash::Sha256).toHex().left(contentDigits));
     QString name = base + QStringLiteral(".bin");
-    for (int i = 1; taken.contains(name); ++i)
-        name = QStringLiteral("%1-%2.bin").arg(base).arg(i);
+    for (int i = 1; !fits(name); ++i)
+        name = i == 1 ? QStringLiteral("%1-%2.bin").arg(base, hash)
+                      : QStringLiteral("%1-%2-%3.bin").arg(base, hash).arg(i);
     return name;
 }
 
@@ -96,18 +126,12 @@ void GltfOutput::placeOuterBuffer(std::size_t number)
     const QString old = nameOfUri(textOf(buffer, "uri"));
     const QDir folder = QFileInfo(mTo).dir();
     if (mSameFolder && !isChanged(number) && isFileName(old)) {
-        const QString path = folder.filePath(old);
-        const Result<QByteArray> there = loadFile(path, std::numeric_limits<qint64>::max());
+        const Result<QByteArray> there = loadFile(folder.filePath(old), std::numeric_limits<qint64>::max());
         if (there && there->startsWith(content))
             return;
-        // A session has the bytes of a file that is gone. It names no place outside the folder to write to.
-        if (!QFileInfo::exists(path) && !old.contains(QLatin1Char('/'))) {
-            mBufferFiles.emplace_back(path, content);
-            return;
-        }
     }
     buffer.erase("uri");
-    const QString name = freeBufferName();
+    const QString name = placeFor(content);
     mEdited |= name != old;
     buffer["uri"] = uriOfName(name);
     mBufferFiles.emplace_back(folder.filePath(name), content);
@@ -156,15 +180,75 @@ Result<Done> GltfOutput::save(const Scene &scene)
         placeBuffersInGlb();
     else
         placeBuffersBeside();
-    for (const auto &[path, bytes] : mBufferFiles) {
-        if (Result<Done> done = saveAtomically(path, bytes); !done)
-            return done;
-    }
     if (!mEdited && binary == mFile.isBinary())
-        return saveAtomically(mTo, mFile.main);
-    return saveAtomically(mTo, binary
-                                   ? glbBytes(std::move(mDocument))
-                                   : jsonText(mDocument.json, mFile.isBinary() ? QByteArray() : mFile.main));
+        return saveAll(mFile.main);
+    return saveAll(binary ? glbBytes(std::move(mDocument))
+                          : jsonText(mDocument.json, mFile.isBinary() ? QByteArray() : mFile.main));
+}
+
+//! Writes the files of the buffers under new names, then the file that names them, and removes at last what
+//! only the old one named. So what is under the output's name can be read at every moment.
+Result<Done> GltfOutput::saveAll(const QByteArray &main)
+{
+    const std::vector<QString> old = namedByTheOldFile();
+    QStringList added;
+    const auto fail = [&](const Error &error) {
+        for (const QString &path : added)
+            QFile::remove(path);
+        return error;
+    };
+    for (const auto &[path, bytes] : mBufferFiles) {
+        if (QFileInfo::exists(path))
+            continue; // with this content
+        if (const Result<Done> done = saveAtomically(path, bytes); !done)
+            return fail(done.error());
+        added << path;
+    }
+    if (const Result<Done> done = saveAtomically(mTo, main); !done)
+        return fail(done.error());
+    removeUnused(old);
+    return Done{};
+}
+
+//! The buffer files of the file that is replaced, as far as their names are made from its own name.
+std::vector<QString> GltfOutput::namedByTheOldFile() const
+{
+    std::vector<QString> names;
+    const Result<QByteArray> old = loadFile(mTo, std::numeric_limits<qint64>::max());
+    if (!old || old->startsWith("glTF"))
+        return names;
+    const QRegularExpression ours(QStringLiteral("^%1(-[0-9a-f]{%2}(-[0-9]+)?)?\\.bin$")
+                                      .arg(QRegularExpression::escape(QFileInfo(mTo).completeBaseName()))
+                                      .arg(contentDigits));
+    const Json json = Json::parse(old->begin(), old->end(), nullptr, false);
+    for (const Json &buffer : member(json, "buffers")) {
+        const QString name = nameOfUri(textOf(buffer, "uri"));
+        if (ours.match(name).hasMatch())
+            names.push_back(name);
+    }
+    return names;
+}
+
+//! Removes files of buffers that no .gltf file of the folder names any more.
+void GltfOutput::removeUnused(const std::vector<QString> &names) const
+{
+    if (names.empty())
+        return;
+    const QDir folder = QFileInfo(mTo).dir();
+    std::vector<QByteArray> texts;
+    for (const QString &file : folder.entryList({QStringLiteral("*.gltf")}, QDir::Files | QDir::Hidden)) {
+        Result<QByteArray> text = loadFile(folder.filePath(file), std::numeric_limits<qint64>::max());
+        if (!text)
+            return; // it may name them
+        texts.push_back(std::move(text).value());
+    }
+    for (const QString &name : names) {
+        const bool used = std::any_of(texts.begin(), texts.end(), [&](const QByteArray &text) {
+            return text.contains(name.toUtf8()) || text.contains(QByteArray::fromStdString(uriOfName(name)));
+        });
+        if (!used)
+            QFile::remove(folder.filePath(name));
+    }
 }
 
 } // namespace

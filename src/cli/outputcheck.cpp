@@ -1,0 +1,105 @@
+#include "cli/outputcheck.h"
+
+#include "model/io/fileclashes.h"
+#include "model/io/meshfile.h"
+#include "model/io/projectfile.h"
+#include "model/io/texturefiles.h"
+
+#include <QFileInfo>
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+using Command = CliOptions::Command;
+
+bool carriesTextures(const CliOptions &options)
+{
+    return options.command == Command::Transfer && !options.bake.textures.isEmpty();
+}
+
+//! True when -o names a mesh or session, not pictures.
+bool writesModel(const CliOptions &options)
+{
+    return options.command != Command::Bake && options.command != Command::LightBake &&
+           !carriesTextures(options);
+}
+
+//! The files that the options name to be read, without the input.
+QStringList otherInputs(const CliOptions &options)
+{
+    QStringList files{options.from, options.bake.high, options.bake.cageFile,
+                      options.light.surface.albedoFile};
+    for (const QString &texture : options.bake.textures) {
+        for (const TextureTile &tile : textureTiles(texture))
+            files << tile.path;
+    }
+    return files;
+}
+
+Result<Done> checkTarget(const QString &target)
+{
+    const QFileInfo folder(QFileInfo(target).absolutePath());
+    if (!folder.isDir())
+        return Error{u"the output folder does not exist"_s, folder.filePath(), 0, u"Create it first"_s};
+    if (QFileInfo(target).isDir())
+        return Error{u"this is a folder, not a file"_s, target, 0, u"Add a file name to the path"_s};
+    if (!folder.isWritable())
+        return Error{u"the output folder is read-only"_s, folder.filePath(), 0,
+                     u"Check its permissions or choose another one"_s};
+    return Done{};
+}
+
+bool isRewritten(const CliOptions &options)
+{
+    return fileKey(options.input) == fileKey(options.output) &&
+           QFileInfo(options.input)
+                   .suffix()
+                   .compare(QFileInfo(options.output).suffix(), Qt::CaseInsensitive) == 0;
+}
+
+} // namespace
+
+Result<Done> checkTargets(const CliOptions &options)
+{
+    const bool picturesInFolder = options.command == Command::Bake || carriesTextures(options);
+    for (const QString &target :
+         {picturesInFolder ? QString() : options.output, options.layout, options.report}) {
+        if (target.isEmpty())
+            continue;
+        if (const Result<Done> fine = checkTarget(target); !fine)
+            return fine;
+    }
+    if (const Result<Done> fine = checkClashes(options, DocumentState()); !fine)
+        return fine;
+    if (!writesModel(options) || options.output.isEmpty() || isProjectPath(options.output))
+        return Done{};
+    return checkWriteFormat(options.output);
+}
+
+Result<Done> checkClashes(const CliOptions &options, const DocumentState &model, const QStringList &pictures)
+{
+    const QString input = options.command == Command::Sample ? QString() : options.input;
+    const QStringList inputs = otherInputs(options);
+    const QStringList own{input, model.scene.path};
+    QStringList kept = own + inputs + filesBeside(model);
+    if (writesModel(options)) {
+        const bool again = !options.output.isEmpty() && isRewritten(options);
+        const QStringList read = inputs + filesBeside(model) + QStringList{again ? QString() : input};
+        if (const Result<Done> fine = checkOutputs({options.output}, read); !fine)
+            return fine;
+        kept += QStringList{options.output} + filesWrittenBeside(options.output);
+    } else {
+        QStringList written = pictures;
+        if (options.command == Command::LightBake && pictures.isEmpty())
+            written = withTiles(options.output);
+        if (const Result<Done> fine = checkOutputs(written, own + inputs + filesBeside(model, true)); !fine)
+            return fine;
+        kept += written;
+    }
+    return checkOutputs(withTiles(options.layout) + QStringList{options.report}, kept);
+}
+
+} // namespace autocuts

@@ -1,0 +1,17 @@
+// Checks before the work that all outputs can be written and overwrite nothing that is read.
+#pragma once
+
+#include "cli/clioptions.h"
+#include "model/document/documentstate.h"
+
+namespace autocuts {
+
+//! Checks the folders and names of the outputs that the options name.
+Result<Done> checkTargets(const CliOptions &options);
+
+//! An Error when an output is a file that the model was read from, or another output. The file of the input
+//! may be written again as a model of its own format. \param pictures that a bake makes
+Result<Done> checkClashes(const CliOptions &options, const DocumentState &model,
+                          const QStringList &pictures = {});
+
+} // namespace autocuts

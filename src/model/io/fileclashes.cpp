@@ -1,0 +1,115 @@
+#include "model/io/fileclashes.h"
+
+#include "model/document/documentstate.h"
+#include "model/io/gltf/gltfsource.h"
+#include "model/io/objmaterials.h"
+#include "model/io/objsource.h"
+#include "model/io/projectfile.h"
+#include "model/io/texturefiles.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QSet>
+#include <QUrl>
+
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#endif
+
+namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+struct ErrorTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(FileErrors)
+};
+
+} // namespace
+
+QByteArray fileKey(const QString &path)
+{
+    const QFileInfo info(path);
+#ifdef Q_OS_UNIX
+    struct stat status = {};
+    if (stat(QFile::encodeName(path).constData(), &status) == 0)
+        return QByteArray::number(quint64(status.st_dev)) + ':' + QByteArray::number(quint64(status.st_ino));
+#else
+    if (info.exists())
+        return info.canonicalFilePath().toUtf8();
+#endif
+    const QString folder = QFileInfo(info.absolutePath()).canonicalFilePath();
+    return QDir(folder.isEmpty() ? info.absolutePath() : folder).filePath(info.fileName()).toUtf8();
+}
+
+Result<Done> checkOutputs(const QStringList &written, const QStringList &kept)
+{
+    QSet<QByteArray> taken;
+    for (const QString &path : kept) {
+        if (!path.isEmpty())
+            taken.insert(fileKey(path));
+    }
+    for (const QString &path : written) {
+        if (path.isEmpty())
+            continue;
+        const QByteArray key = fileKey(path);
+        if (taken.contains(key))
+            return Error{ErrorTexts::tr("this would overwrite another file that is read or written"), path, 0,
+                         ErrorTexts::tr("Give it a name of its own")};
+        taken.insert(key);
+    }
+    return Done{};
+}
+
+QStringList filesBeside(const DocumentState &model, bool onlyBaseColors)
+{
+    const Scene &scene = model.scene;
+    const QDir folder = QFileInfo(scene.path).dir();
+    QStringList files;
+    if (const GltfSource *gltf = gltfSourceOf(scene)) {
+        for (const auto &[uri, bytes] : gltf->file.outer)
+            files << folder.filePath(QUrl::fromPercentEncoding(uri));
+    } else if (const auto *obj = dynamic_cast<const ObjSource *>(scene.source.get())) {
+        files << materialFiles(obj->bytes, scene.path);
+    }
+    for (int material = -1; material < std::ssize(scene.materialNames); ++material) {
+        for (const auto &[channel, entry] : model.textureSet(material)) {
+            if (!entry.picture.content.isEmpty() || (onlyBaseColors && channel != TextureChannel::BaseColor))
+                continue;
+            const bool chosen = isChosenTexture(model, material, channel);
+            for (const TextureTile &tile : textureTiles(texturePath(entry.picture.file, chosen, scene.path)))
+                files << tile.path;
+        }
+    }
+    files.removeDuplicates();
+    files.removeIf([](const QString &path) { return !QFileInfo::exists(path); });
+    return files;
+}
+
+QStringList filesWrittenBeside(const QString &path)
+{
+    const QFileInfo info(path);
+    if (isProjectPath(path))
+        return {path + u".1"_s, path + u".2"_s, path + u".new"_s};
+    if (info.suffix().compare(u"gltf"_s, Qt::CaseInsensitive) == 0)
+        return {info.dir().filePath(info.completeBaseName() + u".bin"_s)};
+    return {};
+}
+
+QStringList withTiles(const QString &path)
+{
+    if (path.isEmpty())
+        return {};
+    QStringList files{path};
+    const QFileInfo info(path);
+    for (const TextureTile &tile :
+         textureTiles(info.dir().filePath(info.completeBaseName() + u".<UDIM>."_s + info.suffix())))
+        files << tile.path;
+    files.removeDuplicates();
+    return files;
+}
+
+} // namespace autocuts
