@@ -304,11 +304,12 @@ private Q_SLOTS:
         settings.align = CreaseMode::On;
         settings.mirrorMaps = true;
         settings.worldUp = WorldUp::Z;
+        settings.flat = FlatMode::Rigid;
         CborReader reader(toCbor(settings));
         QVERIFY(readSolveSettings(reader) == settings);
         QVERIFY(!reader.failed());
         for (const char *name :
-             {"creaseStrength", "visibility", "maxDistortion", "align", "mirrorMaps", "worldUp"}) {
+             {"creaseStrength", "visibility", "maxDistortion", "align", "mirrorMaps", "worldUp", "flat"}) {
             QCborMap map = toCbor(settings);
             map[QLatin1StringView(name)] = 1.5;
             CborReader bad(map);
@@ -317,7 +318,9 @@ private Q_SLOTS:
         }
         // Sessions of before know nothing of it.
         CborReader old(QCborMap{});
-        QVERIFY(readSolveSettings(old) == SolveSettings());
+        SolveSettings before;
+        before.flat = FlatMode::Free; // their maps were made so
+        QVERIFY(readSolveSettings(old) == before);
     }
 };
 

@@ -1,7 +1,7 @@
 // Flat faces, and what unrolls without stretch, keep their shape: how regions are found, and what an unwrap
 // makes of them.
 #include "solver/preference/creases.h"
-#include "solver/rigid/regionfinding.h"
+#include "solver/rigid/stiffregions.h"
 #include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 

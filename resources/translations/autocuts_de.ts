@@ -8462,7 +8462,7 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     </message>
     <message>
         <source>How much the map may be stretched: little stretch needs long seams. D is the mean symmetric Dirichlet energy over the surface, 4 where nothing is distorted. Also used by the live solve and Finish.</source>
-        <translation>Wie stark die Abwicklung gedehnt werden darf: Wenig Dehnung braucht lange Nähte. D ist die mittlere symmetrische Dirichlet-Energie über die Oberfläche, 4, wo nichts verzerrt ist. Gilt auch für das Live-Lösen und das Fertigstellen.</translation>
+        <translation>Wie stark die Map gedehnt sein darf: wenig Dehnung braucht lange Nähte. D ist die mittlere symmetrische Dirichlet-Energie der Oberfläche, 4 wo nichts verzerrt ist. Gilt auch für die Live-Berechnung und Fertigstellen.</translation>
     </message>
     <message>
         <source>Keep flat faces rigid</source>

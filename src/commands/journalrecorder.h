@@ -59,8 +59,8 @@ public:
     static constexpr qint64 defaultByteLimit = qint64(32) * 1024 * 1024;
 
     //! \param document must outlive the recorder; nothing has been undone in it
-    //! \param earlier for a loaded session, the journal that leads to the beginning of the document's history;
-    //! without it the journal begins with the current state
+    //! \param earlier for a loaded session, the journal that leads to the beginning of the document's
+    //! history; without it the journal begins with the current state
     explicit JournalRecorder(Document &document, std::optional<Journal> earlier = std::nullopt);
 
     //! \pre bytes >= 0

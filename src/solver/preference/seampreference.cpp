@@ -2,7 +2,7 @@
 
 #include "solver/preference/creases.h"
 #include "solver/preference/openness.h"
-#include "solver/rigid/regionfinding.h"
+#include "solver/rigid/stiffregions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@ namespace autocuts::rigid {
 //! The edges between two regions that one motion closes: those on one line of both, mostly.
 struct Hinge
 {
-    int first = 0, second = 0; //!< regions; the same one for the two sides of a cut within a region
+    int first = 0, second = 0; //!< regions, first < second
     std::vector<int> edges;    //!< edge pairs
     double length = 0;         //!< solver units
     PlaneMotion motion;        //!< takes the second region to where it continues the first one

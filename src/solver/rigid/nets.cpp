@@ -17,6 +17,8 @@ namespace {
 //! Overlaps that count, as shares of the whole area: anywhere, and (of the smaller triangle) between
 //! triangles that meet in a point of the model, where the two sides of a hinge differ by rounding.
 constexpr double overlapShare = 1e-10, touchingShare = 1e-5;
+//! Two sides of an edge are together when their ends are nearer than this share of its length.
+constexpr double togetherShare = 0.02;
 constexpr double noise = 0.5; // of the costs, natural logarithm; chosen by hand
 
 //! Grows nets by joining them in pairs.
@@ -128,20 +130,6 @@ private:
     std::vector<int> mPoint;                            //!< per soup corner: vertex of the uncut surface
 };
 
-//! Gives the corners of each UV vertex their mean.
-void weld(const MeshData &mesh, SeamedMap &map)
-{
-    const CutMesh state(mesh, map.cut);
-    std::vector<Vec2> sum(state.uvVertexCount, Vec2::Zero());
-    std::vector<int> count(state.uvVertexCount, 0);
-    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
-        sum[state.uvVertex[c]] += cornerAt(map.x, c);
-        ++count[state.uvVertex[c]];
-    }
-    for (int c = 0; c < mesh.soupCornerCount(); ++c)
-        cornerAt(map.x, c) = sum[state.uvVertex[c]] / count[state.uvVertex[c]];
-}
-
 } // namespace
 
 Nets::Nets(std::shared_ptr<const Soup> soup, const Snapshot &snapshot)
@@ -197,14 +185,15 @@ SeamedMap Nets::joined(int number, SeamedMap map, const JobContext &job) const
             bool close = true;
             for (int end = 0; end < 2; ++end) {
                 const Vec2 gap = cornerAt(map.x, pair.corner[end][0]) - cornerAt(map.x, pair.corner[end][1]);
-                close = close && gap.norm() <= 0.02 * mSoup->pairLength[2 * static_cast<std::size_t>(e)];
+                close =
+                    close && gap.norm() <= togetherShare * mSoup->pairLength[2 * static_cast<std::size_t>(e)];
             }
             if (close)
                 map.cut[e] = false;
         }
     }
     dropClosedCuts(mesh, map.cut);
-    weld(mesh, map);
+    weld(CutMesh(mesh, map.cut), map.x);
     return map;
 }
 

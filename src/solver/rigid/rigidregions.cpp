@@ -1,7 +1,6 @@
 #include "solver/rigid/rigidregions.h"
 
-#include "model/plain/unionfind.h"
-#include "solver/base/cutmesh.h"
+#include "solver/rigid/surfaceshape.h"
 
 #include <Eigen/Geometry>
 
@@ -16,8 +15,6 @@ namespace autocuts::rigid {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-//! Triangles whose normals differ by less than this from the first one's are in one plane.
-const double planeCosine = std::cos(1 * degree);
 //! Edges from this angle on are sharp: borders of regions. The angle of creases (preference/creases).
 const double sharpCosine = std::cos(40 * degree);
 //! Borders that do for large regions, such as those to a bevel.
@@ -27,12 +24,8 @@ constexpr double leastArea = 2e-4, leastPart = 0.01;
 constexpr double leastSharp = 0.5; // share of the border
 constexpr double largeFace = 20; // area of a flat region beside the mean polygon, from which soft borders do
 constexpr double leastSoftArea = 5e-3; // the same as a share of the mesh's area
-//! Thin triangles have no reliable normal: they belong to a plane when their corners lie in it. Shares of the
-//! longest edge, and of the mesh's size.
-constexpr double thinHeight = 2e-3, planeDistance = 2e-6;
-//! Angle defect (radians) that counts as none: a part for the precision of files, which grows in thin
-//! triangles, and a share of the defect that a sphere of the same area would have there.
-constexpr double flatDefect = 3e-4, digits = 2e-6, mostFlatDefect = 0.02, sphereShare = 0.02;
+//! Thin triangles belong to a plane when their corners lie in it. Share of the mesh's size.
+constexpr double planeDistance = 2e-6;
 //! A developable region with smooth borders needs this many inner vertices without defect, and this share of
 //! the area.
 constexpr int leastInner = 12;
@@ -48,12 +41,13 @@ constexpr int capTriangles = 6;
 //! stretched.
 constexpr double leastDevelopable = 0.1;
 
+constexpr int thinSweeps = 16; // in which thin triangles join the regions beside them
+
 class RegionFinder
 {
 public:
     RegionFinder(const MeshData &mesh, const std::vector<bool> &creases)
-        : mMesh(mesh), mCrease(mesh.soupCornerCount(), false),
-          mUncut(mesh, CutFlags(mesh.edgePairs.size(), false)), mRegion(mesh.triangleCount(), -1)
+        : mMesh(mesh), mShape(mesh), mCrease(mesh.soupCornerCount(), false), mRegion(mesh.triangleCount(), -1)
     {
         for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
             const EdgePair &pair = mesh.edgePairs[e];
@@ -63,8 +57,6 @@ public:
         mComponentArea.assign(mesh.componentCount, 0);
         for (int t = 0; t < mesh.triangleCount(); ++t)
             mComponentArea[mesh.component[t]] += mesh.triangleArea[t];
-        measureTriangles();
-        measureVertices();
     }
 
     RigidRegions find()
@@ -79,82 +71,10 @@ public:
 private:
     Vec3 cornerPosition(int soupCorner) const { return mMesh.cornerPosition(mMesh.cornerOfSoup(soupCorner)); }
 
-    void measureTriangles()
-    {
-        const int count = mMesh.triangleCount();
-        mNormal.assign(count, Vec3::Zero());
-        mThin.assign(count, false);
-        Vec3 low = cornerPosition(0), high = low;
-        for (int t = 0; t < count; ++t) {
-            const Vec3 a = cornerPosition(3 * t), b = cornerPosition(3 * t + 1),
-                       c = cornerPosition(3 * t + 2);
-            low = low.cwiseMin(a).cwiseMin(b).cwiseMin(c);
-            high = high.cwiseMax(a).cwiseMax(b).cwiseMax(c);
-            const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-            mNormal[t] = (b - a).cross(c - a).stableNormalized();
-            mThin[t] =
-                mMesh.triangleDegenerate[t] || 2 * mMesh.triangleArea[t] < thinHeight * longest * longest;
-        }
-        mSize = (high - low).norm();
-        flattenPolygons();
-    }
-
-    //! The triangles of a polygon get its normal where it is plane; others are in no flat region.
-    void flattenPolygons()
-    {
-        mPlaneFace.assign(mMesh.faceCount(), true);
-        for (int f = 0; f < mMesh.faceCount(); ++f) {
-            Vec3 sum = Vec3::Zero();
-            for (const int t : mMesh.trianglesOf(f))
-                sum += mMesh.triangleArea[t] * mNormal[t];
-            const Vec3 normal = sum.stableNormalized();
-            for (const int t : mMesh.trianglesOf(f)) {
-                if (!mThin[t] && normal.dot(mNormal[t]) <= planeCosine)
-                    mPlaneFace[f] = false;
-            }
-            for (const int t : mMesh.trianglesOf(f)) {
-                if (!mPlaneFace[f])
-                    break;
-                mNormal[t] = normal;
-                mThin[t] = mThin[t] && mMesh.trianglesOf(f).size() == 1;
-            }
-        }
-    }
-
-    //! Angle defects of the vertices of the uncut surface, and what counts as none there.
-    void measureVertices()
-    {
-        const int count = mUncut.uvVertexCount;
-        std::vector<double> angle(count, 0), area(count, 0);
-        std::vector<double> least(count, mSize); // height of the thinnest triangle
-        mInner.assign(count, true);
-        for (int side = 0; side < mMesh.soupCornerCount(); ++side) {
-            const int t = side / 3, next = 3 * t + (side + 1) % 3, last = 3 * t + (side + 2) % 3;
-            const int v = mUncut.uvVertex[side];
-            if (mUncut.neighbour[side] < 0)
-                mInner[v] = mInner[mUncut.uvVertex[next]] = false;
-            const Vec3 a = cornerPosition(next) - cornerPosition(side),
-                       b = cornerPosition(last) - cornerPosition(side);
-            angle[v] += std::atan2(a.cross(b).norm(), a.dot(b));
-            area[v] += mMesh.triangleArea[t] / 3;
-            least[v] = std::min(least[v], 2 * mMesh.triangleArea[t] /
-                                              std::max({a.norm(), b.norm(), (a - b).norm(), 1e-300}));
-        }
-        mDefect.resize(count);
-        mFlatPoint.resize(count);
-        for (int v = 0; v < count; ++v) {
-            mDefect[v] = 2 * std::numbers::pi - angle[v];
-            const double precision = flatDefect + digits * mSize / std::max(least[v], 1e-300);
-            const double sphere = 4 * std::numbers::pi * area[v] / mMesh.area;
-            mFlatPoint[v] =
-                std::abs(mDefect[v]) <= std::max(std::min(precision, mostFlatDefect), sphereShare * sphere);
-        }
-    }
-
     bool liesInPlane(int t, const Vec3 &normal, const Vec3 &origin) const
     {
         for (int k = 0; k < 3; ++k) {
-            if (std::abs(normal.dot(cornerPosition(3 * t + k) - origin)) > planeDistance * mSize)
+            if (std::abs(normal.dot(cornerPosition(3 * t + k) - origin)) > planeDistance * mShape.size)
                 return false;
         }
         return true;
@@ -168,7 +88,7 @@ private:
         mark[from] = number;
         for (std::size_t i = 0; i < found.size(); ++i) {
             for (int side = 3 * found[i]; side < 3 * found[i] + 3; ++side) {
-                const int across = mUncut.neighbour[side];
+                const int across = mShape.uncut.neighbour[side];
                 if (across < 0 || mark[across / 3] >= 0 || !passes(found[i], across / 3))
                     continue;
                 mark[across / 3] = number;
@@ -191,14 +111,14 @@ private:
         Border border;
         for (const int t : triangles) {
             for (int side = 3 * t; side < 3 * t + 3; ++side) {
-                const int across = mUncut.neighbour[side];
+                const int across = mShape.uncut.neighbour[side];
                 if (across >= 0 && mark[across / 3] == mark[t])
                     continue;
                 const double length = (cornerPosition(3 * t + (side + 1) % 3) - cornerPosition(side)).norm();
-                const double cosine = across < 0 ? -1 : mNormal[t].dot(mNormal[across / 3]);
+                const double cosine = across < 0 ? -1 : mShape.normal[t].dot(mShape.normal[across / 3]);
                 border.all += length;
-                border.crease += across < 0 || mCrease[side] || mThin[across / 3] ? length : 0;
-                border.sharp += cosine < sharpCosine || (across >= 0 && mThin[across / 3]) ? length : 0;
+                border.crease += across < 0 || mCrease[side] || mShape.thin[across / 3] ? length : 0;
+                border.sharp += cosine < sharpCosine || (across >= 0 && mShape.thin[across / 3]) ? length : 0;
                 border.soft += cosine < softCosine ? length : 0;
             }
         }
@@ -260,12 +180,13 @@ private:
         const double meanPolygon = mMesh.area / mMesh.faceCount();
         int number = 0;
         for (const int seed : order) {
-            if (mark[seed] >= 0 || mThin[seed] || !mPlaneFace[mMesh.triangleFace[seed]])
+            if (mark[seed] >= 0 || mShape.thin[seed] || !mShape.planeFace[mMesh.triangleFace[seed]])
                 continue;
-            const Vec3 normal = mNormal[seed], origin = cornerPosition(3 * seed);
+            const Vec3 normal = mShape.normal[seed], origin = cornerPosition(3 * seed);
             const std::vector<int> found = reach(seed, mark, number++, [&](int from, int t) {
-                return sameTexels(from, t) && mPlaneFace[mMesh.triangleFace[t]] &&
-                       (mThin[t] ? liesInPlane(t, normal, origin) : normal.dot(mNormal[t]) > planeCosine);
+                return sameTexels(from, t) && mShape.planeFace[mMesh.triangleFace[t]] &&
+                       (mShape.thin[t] ? liesInPlane(t, normal, origin)
+                                       : normal.dot(mShape.normal[t]) > SurfaceShape::planeCosine());
             });
             const double area = areaOf(found);
             if (!isLarge(area, seed))
@@ -294,8 +215,8 @@ private:
                 piece[t] = std::numeric_limits<int>::max();
         }
         const auto smooth = [&](int from, int t) {
-            return sameTexels(from, t) &&
-                   (mThin[from] || mThin[t] || mNormal[from].dot(mNormal[t]) > sharpCosine);
+            return sameTexels(from, t) && (mShape.thin[from] || mShape.thin[t] ||
+                                           mShape.normal[from].dot(mShape.normal[t]) > sharpCosine);
         };
         int pieces = 0;
         for (int t = 0; t < mMesh.triangleCount(); ++t) {
@@ -303,17 +224,17 @@ private:
                 reach(t, piece, pieces++, smooth);
         }
         // Vertices within one piece that bend the surface in both directions.
-        std::vector<int> pieceOfPoint(mUncut.uvVertexCount, -1);
-        std::vector<bool> within = mInner;
+        std::vector<int> pieceOfPoint(mShape.uncut.uvVertexCount, -1);
+        std::vector<bool> within = mShape.inner;
         for (int c = 0; c < mMesh.soupCornerCount(); ++c) {
-            int &own = pieceOfPoint[mUncut.uvVertex[c]];
+            int &own = pieceOfPoint[mShape.uncut.uvVertex[c]];
             if (own >= 0 && own != piece[c / 3])
-                within[mUncut.uvVertex[c]] = false;
+                within[mShape.uncut.uvVertex[c]] = false;
             own = piece[c / 3];
         }
-        std::vector<bool> bent(mUncut.uvVertexCount);
+        std::vector<bool> bent(mShape.uncut.uvVertexCount);
         for (std::size_t v = 0; v < bent.size(); ++v)
-            bent[v] = within[v] && !mFlatPoint[v];
+            bent[v] = within[v] && !mShape.flatPoint[v];
         allowTips(bent);
         // What remains of the pieces: whole polygons.
         std::vector<int> mark(mMesh.triangleCount(), -1);
@@ -323,7 +244,7 @@ private:
             for (const int t : mMesh.trianglesOf(f)) {
                 leaves = leaves || mRegion[t] >= 0 || piece[t] != piece[first];
                 for (int k = 0; k < 3; ++k)
-                    leaves = leaves || bent[mUncut.uvVertex[3 * t + k]];
+                    leaves = leaves || bent[mShape.uncut.uvVertex[3 * t + k]];
             }
             for (const int t : mMesh.trianglesOf(f))
                 mark[t] = leaves ? std::numeric_limits<int>::max() : -1;
@@ -344,7 +265,8 @@ private:
     {
         std::vector<bool> tip = bent;
         for (int side = 0; side < mMesh.soupCornerCount(); ++side) {
-            const int a = mUncut.uvVertex[side], b = mUncut.uvVertex[side / 3 * 3 + (side + 1) % 3];
+            const int a = mShape.uncut.uvVertex[side],
+                      b = mShape.uncut.uvVertex[side / 3 * 3 + (side + 1) % 3];
             if (bent[a] && bent[b])
                 tip[a] = tip[b] = false;
         }
@@ -369,7 +291,7 @@ private:
         std::vector<int> points;
         for (const int t : triangles) {
             for (int k = 0; k < 3; ++k) {
-                if (const int v = mUncut.uvVertex[3 * t + k]; within[v] && mFlatPoint[v])
+                if (const int v = mShape.uncut.uvVertex[3 * t + k]; within[v] && mShape.flatPoint[v])
                     points.push_back(v);
             }
         }
@@ -384,8 +306,8 @@ private:
         int sides = 0, inner = 0;
         for (const int t : triangles) {
             for (int side = 3 * t; side < 3 * t + 3; ++side) {
-                points.push_back(mUncut.uvVertex[side]);
-                const int across = mUncut.neighbour[side];
+                points.push_back(mShape.uncut.uvVertex[side]);
+                const int across = mShape.uncut.neighbour[side];
                 ++sides;
                 inner += across >= 0 && mark[across / 3] == mark[t];
             }
@@ -398,17 +320,18 @@ private:
     //! Triangles too thin to have a normal join the region on their longest side.
     void takeInThinTriangles()
     {
-        for (bool again = true; again;) {
+        bool again = true;
+        for (int sweep = 0; sweep < thinSweeps && again; ++sweep) {
             again = false;
             for (int t = 0; t < mMesh.triangleCount(); ++t) {
-                if (mRegion[t] >= 0 || !mThin[t] || mMesh.trianglesOf(mMesh.triangleFace[t]).size() > 1)
+                if (mRegion[t] >= 0 || !mShape.thin[t] || mMesh.trianglesOf(mMesh.triangleFace[t]).size() > 1)
                     continue;
                 double longest = -1;
                 int region = -1;
                 for (int side = 3 * t; side < 3 * t + 3; ++side) {
                     const double length =
                         (cornerPosition(3 * t + (side + 1) % 3) - cornerPosition(side)).norm();
-                    const int across = mUncut.neighbour[side];
+                    const int across = mShape.uncut.neighbour[side];
                     if (length > longest) {
                         longest = length;
                         region = across >= 0 && sameTexels(t, across / 3) ? mRegion[across / 3] : -1;
@@ -423,19 +346,12 @@ private:
     }
 
     const MeshData &mMesh;
+    const SurfaceShape mShape;
     std::vector<bool> mCrease; //!< per triangle side
-    const CutMesh mUncut;
     std::vector<double> mComponentArea;
     std::vector<int> mRegion;
     int mCount = 0;
-    std::vector<bool> mIsCap;     //!< per region
-    std::vector<Vec3> mNormal;    //!< per triangle
-    std::vector<bool> mPlaneFace; //!< per face
-    std::vector<bool> mThin;      //!< per triangle: without a reliable normal
-    double mSize = 0;             //!< diagonal of the box
-    std::vector<double> mDefect;  //!< per vertex of the uncut surface: 2 pi less its angles
-    std::vector<bool> mFlatPoint; //!< the same: the defect counts as none
-    std::vector<bool> mInner;     //!< the same: not on a border
+    std::vector<bool> mIsCap; //!< per region
 };
 
 } // namespace

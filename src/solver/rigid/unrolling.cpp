@@ -148,14 +148,7 @@ private:
     void weld()
     {
         const CutMesh state(mMesh, mResult.cut);
-        std::vector<Vec2> sum(state.uvVertexCount, Vec2::Zero());
-        std::vector<int> count(state.uvVertexCount, 0);
-        for (int c = 0; c < mMesh.soupCornerCount(); ++c) {
-            sum[state.uvVertex[c]] += cornerAt(mResult.x, c);
-            ++count[state.uvVertex[c]];
-        }
-        for (int c = 0; c < mMesh.soupCornerCount(); ++c)
-            cornerAt(mResult.x, c) = sum[state.uvVertex[c]] / count[state.uvVertex[c]];
+        rigid::weld(state, mResult.x);
         for (int sweep = 0; sweep < sweepsOfThin; ++sweep) {
             for (int t = 0; t < mMesh.triangleCount(); ++t) {
                 if (mRegions.region[t] >= 0 && !(jacobianDeterminant(mSoup, mResult.x.data(), t) > 0))
@@ -266,6 +259,19 @@ private:
 };
 
 } // namespace
+
+void weld(const CutMesh &state, std::vector<double> &x)
+{
+    std::vector<Vec2> sum(state.uvVertexCount, Vec2::Zero());
+    std::vector<int> count(state.uvVertexCount, 0);
+    const int corners = static_cast<int>(state.uvVertex.size());
+    for (int c = 0; c < corners; ++c) {
+        sum[state.uvVertex[c]] += cornerAt(x, c);
+        ++count[state.uvVertex[c]];
+    }
+    for (int c = 0; c < corners; ++c)
+        cornerAt(x, c) = sum[state.uvVertex[c]] / count[state.uvVertex[c]];
+}
 
 Unrolled unroll(const Soup &soup, const RigidRegions &regions)
 {

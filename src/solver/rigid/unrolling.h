@@ -24,4 +24,7 @@ struct Unrolled
 //! whose sides do not come together are cut; the corners of one UV vertex get the same coordinates.
 [[nodiscard]] Unrolled unroll(const Soup &soup, const RigidRegions &regions);
 
+//! Gives the corners of each UV vertex their mean. \param x coordinates, see Soup
+void weld(const CutMesh &state, std::vector<double> &x);
+
 } // namespace autocuts::rigid

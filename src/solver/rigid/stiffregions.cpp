@@ -1,4 +1,4 @@
-#include "solver/rigid/regionfinding.h"
+#include "solver/rigid/stiffregions.h"
 
 #include "solver/rigid/hinges.h"
 #include "solver/rigid/rigidregions.h"
