@@ -258,6 +258,11 @@ private Q_SLOTS:
         }
         QCOMPARE(bench.settings().align, CreaseMode::Auto);
         QVERIFY(bench.settings().mirrorMaps);
+        auto *const flat = child<QCheckBox>(bench.panel, "flat");
+        QVERIFY(flat->isChecked());
+        flat->setFocus();
+        QTest::keyClick(flat, Qt::Key_Space);
+        QCOMPARE(bench.settings().flat, FlatMode::Free);
         auto *const up = child<QComboBox>(bench.panel, "worldUp");
         up->setFocus();
         QTest::keyClick(up, Qt::Key_End);

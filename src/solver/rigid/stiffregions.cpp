@@ -3,6 +3,8 @@
 #include "solver/rigid/hinges.h"
 #include "solver/rigid/rigidregions.h"
 
+#include <cmath>
+
 namespace autocuts::rigid {
 
 namespace {
@@ -18,6 +20,8 @@ constexpr double regionShare = 0.05;
 std::shared_ptr<const RigidRegions> rigidRegions(const std::shared_ptr<const MeshData> &mesh,
                                                  const std::vector<bool> &creases)
 {
+    if (!(mesh->area > 0) || !std::isfinite(mesh->area))
+        return nullptr;
     auto regions = std::make_shared<RigidRegions>(findRigidRegions(*mesh, creases));
     if (regions->count == 0)
         return nullptr;
