@@ -55,6 +55,7 @@ UvMatrix packed(const MeshData &mesh, const ChartMap &charts, UvMatrix uv)
 UvMatrix finished(const std::shared_ptr<const MeshData> &mesh)
 {
     Snapshot snapshot;
+    snapshot.settings.flat = FlatMode::Free; // tst_rigid judges the rigid ones
     snapshot.mesh = mesh;
     snapshot.settings.lambda = 0.05; // where LiveSchedule begins
     Solver solver;
@@ -194,6 +195,7 @@ private:
             return finished(mesh);
         case Job::Separate: {
             Snapshot snapshot;
+            snapshot.settings.flat = FlatMode::Free; // tst_rigid judges the rigid ones
             snapshot.mesh = mesh;
             snapshot.uv = std::make_shared<const UvMatrix>(boxProjection(*mesh));
             return separateMap(snapshot, {}, onAllCores()).uv;
@@ -209,6 +211,7 @@ private:
     static UvMatrix unwrapped(const std::shared_ptr<const MeshData> &mesh, UnwrapQuality quality)
     {
         Snapshot snapshot;
+        snapshot.settings.flat = FlatMode::Free; // tst_rigid judges the rigid ones
         snapshot.mesh = mesh;
         UnwrapOptions options;
         options.maxDistortion = maxDistortion;

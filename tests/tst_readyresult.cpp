@@ -13,7 +13,7 @@ Candidate candidate(double seamCost, double distortion = 4.05, bool onlyPatches 
 {
     Candidate result;
     result.seamCost = result.seamLength = seamCost;
-    result.distortion = distortion;
+    result.distortion = result.bounded = distortion;
     result.onlyPatches = onlyPatches;
     return result;
 }

@@ -164,7 +164,8 @@ Scene BatchFiles::activeFirst() const
 Scene BatchFiles::take(std::unique_ptr<Document> document, Journal journal)
 {
     mRecorder.reset();
-    mDocument = std::move(document);
+    // The journal has the document's history already.
+    mDocument = std::make_unique<Document>(document->state());
     mRecorder = std::make_unique<JournalRecorder>(*mDocument, std::move(journal));
     return activeFirst();
 }

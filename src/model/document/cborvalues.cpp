@@ -267,8 +267,6 @@ SolveSettings readSolveSettings(CborReader &reader)
     });
     read("maxDistortion"_L1, settings.maxDistortion,
          [&] { return reader.number("maxDistortion"_L1, 4, SolveSettings::maxBound); });
-    // Sessions from before this setting go on as they were.
-    settings.flat = FlatMode::Free;
     read("flat"_L1, settings.flat, [&] { return reader.enumerator("flat"_L1, FlatMode::Free); });
     read("creases"_L1, settings.creases, [&] { return reader.enumerator("creases"_L1, CreaseMode::On); });
     read("creaseStrength"_L1, settings.creaseStrength,

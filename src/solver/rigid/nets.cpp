@@ -132,9 +132,21 @@ private:
 
 } // namespace
 
+namespace {
+
+std::vector<double> edgeWeights(const Snapshot &snapshot)
+{
+    std::vector<double> weights;
+    for (std::size_t e = 0; e < snapshot.mesh->edgePairs.size(); ++e)
+        weights.push_back(snapshot.edgeWeight(e));
+    return weights;
+}
+
+} // namespace
+
 Nets::Nets(std::shared_ptr<const Soup> soup, const Snapshot &snapshot)
-    : mSoup(std::move(soup)), mRegions(snapshot.rigid), mUnrolled(unroll(*mSoup, *mRegions)),
-      mAlwaysCut(mRegions->apart)
+    : mSoup(std::move(soup)), mRegions(snapshot.rigid),
+      mUnrolled(unroll(*mSoup, *mRegions, edgeWeights(snapshot))), mAlwaysCut(mRegions->apart)
 {
     const std::vector<PairState> &states = snapshot.steering->pairState;
     mAlwaysCut.resize(mSoup->mesh->edgePairs.size(), false);

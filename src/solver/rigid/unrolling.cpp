@@ -25,9 +25,9 @@ constexpr int sweepsOfThin = 8; // to turn thin triangles back; chosen by hand
 class Unroller
 {
 public:
-    Unroller(const Soup &soup, const RigidRegions &regions)
-        : mSoup(soup), mMesh(*soup.mesh), mRegions(regions), mPlaced(mMesh.triangleCount(), false),
-          mEdgeOf(mMesh.soupCornerCount(), -1)
+    Unroller(const Soup &soup, const RigidRegions &regions, const std::vector<double> &weight)
+        : mSoup(soup), mMesh(*soup.mesh), mRegions(regions), mWeight(weight),
+          mPlaced(mMesh.triangleCount(), false), mEdgeOf(mMesh.soupCornerCount(), -1)
     {
         mResult.x.assign(soup.coordinateCount(), 0);
         mResult.cut.assign(mMesh.edgePairs.size(), false);
@@ -82,8 +82,8 @@ private:
     //! triangles of one polygon together.
     void layOut(int first)
     {
-        using Entry =
-            std::tuple<bool, double, int, int>; // not in a polygon begun, distance, edge, from which triangle
+        // Not in a polygon begun, less the weight, distance, edge, from which triangle.
+        using Entry = std::tuple<bool, double, double, int, int>;
         std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
         const auto reach = [&](int t, double distance) {
             mPlaced[t] = true;
@@ -91,15 +91,15 @@ private:
                 const int e = mEdgeOf[side];
                 const int next = e < 0 ? -1 : other(e, t);
                 if (e >= 0 && !mPlaced[next] && mRegions.region[next] == mRegions.region[t])
-                    queue.emplace(!mMesh.edgePairs[e].diagonal, distance + (centre(next) - centre(t)).norm(),
-                                  e, t);
+                    queue.emplace(!mMesh.edgePairs[e].diagonal, mWeight.empty() ? -1 : -mWeight[e],
+                                  distance + (centre(next) - centre(t)).norm(), e, t);
             }
         };
         for (int k = 0; k < 3; ++k)
             cornerAt(mResult.x, 3 * first + k) = cornerAt(mSoup.restShape[first], k);
         reach(first, 0);
         while (!queue.empty()) {
-            const auto [leavesPolygon, distance, edge, from] = queue.top();
+            const auto [leavesPolygon, cheapness, distance, edge, from] = queue.top();
             queue.pop();
             const int t = other(edge, from);
             if (mPlaced[t])
@@ -252,6 +252,7 @@ private:
     const Soup &mSoup;
     const MeshData &mMesh;
     const RigidRegions &mRegions;
+    const std::vector<double> &mWeight;       //!< per edge pair; may be empty
     std::vector<std::vector<int>> mCornersOf; //!< per UV vertex; empty until a thin triangle needs it
     std::vector<bool> mPlaced;                //!< per triangle
     std::vector<int> mEdgeOf;                 //!< per triangle side: its edge pair, -1 at a border
@@ -273,9 +274,9 @@ void weld(const CutMesh &state, std::vector<double> &x)
         cornerAt(x, c) = sum[state.uvVertex[c]] / count[state.uvVertex[c]];
 }
 
-Unrolled unroll(const Soup &soup, const RigidRegions &regions)
+Unrolled unroll(const Soup &soup, const RigidRegions &regions, const std::vector<double> &weight)
 {
-    return Unroller(soup, regions).run();
+    return Unroller(soup, regions, weight).run();
 }
 
 } // namespace autocuts::rigid

@@ -20,9 +20,11 @@ struct Unrolled
     std::vector<bool> works;
 };
 
-//! Lays every region out triangle by triangle, polygons first and then along the largest triangles. Edges
-//! whose sides do not come together are cut; the corners of one UV vertex get the same coordinates.
-[[nodiscard]] Unrolled unroll(const Soup &soup, const RigidRegions &regions);
+//! Lays every region out triangle by triangle, in waves that cross edges last where seams are cheap. Edges
+//! whose sides do not come together are cut; the corners of one UV vertex get the same coordinates. \param
+//! weight per edge pair: factor on the cost of a seam; empty: all are 1
+[[nodiscard]] Unrolled unroll(const Soup &soup, const RigidRegions &regions,
+                              const std::vector<double> &weight = {});
 
 //! Gives the corners of each UV vertex their mean. \param x coordinates, see Soup
 void weld(const CutMesh &state, std::vector<double> &x);

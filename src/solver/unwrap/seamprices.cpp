@@ -33,6 +33,7 @@ public:
         : mPart(part), mJob(job), mOnlyGiven(onlyGiven)
     {
         mProblem = preference::SeamPreference().applied(part.withoutRectangles(), job.threads());
+        mProblem.rigid = nullptr; // prices are in the distortion that users see
         mSoup = Soup::build(mProblem.mesh);
         mGraph = search::SeamGraph::build(mSoup, mProblem);
         mState = search::CutState::from(mGraph, map, true);
