@@ -3,7 +3,9 @@ add_library(autocuts_flags INTERFACE)
 add_library(Autocuts::Flags ALIAS autocuts_flags)
 
 target_compile_options(autocuts_flags INTERFACE
-  -Wall -Wextra -Wshadow -Wpedantic
+  -Wall -Wextra -Wpedantic
+  # Where several sources are compiled as one, names of one would be said to hide those of another.
+  $<IF:$<BOOL:${AUTOCUTS_UNITY}>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>
   # No contraction into fused multiply-adds: the same sum gives the same bits on every machine,
   # and the overlap tests rely on exact zeros for shared edges.
   -ffp-contract=off)

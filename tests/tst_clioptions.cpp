@@ -293,7 +293,15 @@ private Q_SLOTS:
             QCOMPARE(given.match, standard.match);
             ++checked;
         }
-        QCOMPARE(checked, 44);
+        QCOMPARE(checked, 45);
+    }
+
+    void twoDashesEndTheOptions()
+    {
+        const auto options = parseCommandLine({u"convert"_s, u"-o"_s, u"b.obj"_s, u"--"_s, u"--a.obj"_s});
+        QVERIFY(options.ok());
+        QCOMPARE(options->input, u"--a.obj"_s);
+        QVERIFY(!parseCommandLine({u"convert"_s, u"-o"_s, u"b.obj"_s, u"--"_s, u"--"_s, u"a"_s}).ok());
     }
 
     void helpSaysAllInItsWidth()

@@ -335,12 +335,21 @@ private Q_SLOTS:
         }
     }
 
+    void figuresThatGetLostAreAFailure_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        const QString in = file("in.obj", test::quadCubeObj());
+        QTest::newRow("check") << QStringList{QStringLiteral("check"), in, QStringLiteral("--json")};
+        QTest::newRow("version") << QStringList{QStringLiteral("--version")};
+        QTest::newRow("help") << QStringList{QStringLiteral("--help")};
+        QTest::newRow("unwrap") << draft(in, at("lost.obj"));
+    }
     void figuresThatGetLostAreAFailure()
     {
-        const QString in = file("in.obj", test::quadCubeObj());
+        QFETCH(QStringList, arguments);
         QProcess process;
         process.setStandardOutputFile(QStringLiteral("/dev/full"));
-        process.start(program(), {QStringLiteral("check"), in, QStringLiteral("--json")});
+        process.start(program(), arguments);
         QVERIFY(process.waitForFinished(60'000));
         QCOMPARE(process.exitCode(), 1);
         QVERIFY(process.readAllStandardError().contains("standard output"));

@@ -63,6 +63,8 @@ private Q_SLOTS:
     void replayReproduces();
     void replaySeesADifference();
     void replayWithoutJournal();
+    void whatASessionLostIsSaid_data();
+    void whatASessionLostIsSaid();
     void damagedSession();
 
 private:
@@ -334,6 +336,52 @@ void TestCliSession::replayWithoutJournal()
     QVERIFY(replayed.err.contains(u"has no journal"));
     QCOMPARE(run({u"replay"_s, file(u"cube.obj"_s)}).code, 1);
     QCOMPARE(run({u"replay"_s}).code, 2);
+}
+
+void TestCliSession::whatASessionLostIsSaid()
+{
+    QFETCH(QByteArray, part);
+    QFETCH(QString, said);
+    QCOMPARE(unwrap({file(u"cube.obj"_s), u"-o"_s, file(u"a.acproj"_s)}).code, 0);
+    LoadedProject project = loaded(file(u"a.acproj"_s));
+    project.state.texelWeights.assign(std::size_t(project.state.scene.mesh->faceCount()), 0.5);
+    QVERIFY(saveProject(project.state, project.extras, file(u"a.acproj"_s)).ok());
+    QByteArray bytes = test::readBytes(file(u"a.acproj"_s));
+    const qsizetype name = bytes.indexOf(part);
+    QVERIFY(name > 0);
+    QFETCH(int, offset);
+    bytes[name + offset] = char(bytes[name + offset] ^ 1);
+    QVERIFY(test::writeBytes(file(u"hurt.acproj"_s), bytes));
+    const QString hurt = file(u"hurt.acproj"_s);
+    const auto says = [&](const test::CliRun &made) { return made.err.contains(u"warning: "_s + said); };
+    QVERIFY(says(run({u"check"_s, hurt})));
+    const test::CliRun toMesh = run({u"convert"_s, hurt, u"-o"_s, file(u"hurt.obj"_s), u"--quiet"_s});
+    QVERIFY2(toMesh.code == 0 && says(toMesh), qPrintable(toMesh.err));
+    const QString report = file(u"report.json"_s);
+    const test::CliRun made =
+        unwrap({hurt, u"-o"_s, file(u"made.obj"_s), u"--quiet"_s, u"--report"_s, report});
+    QVERIFY2(made.code == 0 && says(made), qPrintable(made.err));
+    QVERIFY(QString::fromUtf8(test::readBytes(report)).contains(QString(said).replace(u'"', u"\\\""_s)));
+    // A session of a damaged one only when asked for.
+    const QString copy = file(u"copy.acproj"_s);
+    const test::CliRun refused = run({u"convert"_s, hurt, u"-o"_s, copy});
+    QCOMPARE(refused.code, 1);
+    QVERIFY2(refused.err.contains(u"--force"), qPrintable(refused.err));
+    QVERIFY(!QFile::exists(copy));
+    QCOMPARE(run({u"convert"_s, hurt, u"-o"_s, copy, u"--force"_s}).code, 0);
+    QVERIFY(loaded(copy).warnings.isEmpty());
+}
+
+void TestCliSession::whatASessionLostIsSaid_data()
+{
+    QTest::addColumn<QByteArray>("part");
+    QTest::addColumn<int>("offset");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("UVs") << QByteArray("uv.0") << 60 << u"the UV sets: damaged in the session, left out"_s;
+    QTest::newRow("name of a part") << QByteArray("texelWeights") << 5
+                                    << u"the part \"texelVeights\", which is unknown,"_s;
+    QTest::newRow("an optional part") << QByteArray("texelWeights") << 30
+                                      << u"the painted texel density: damaged in the session, left out"_s;
 }
 
 void TestCliSession::damagedSession()

@@ -206,6 +206,7 @@ private Q_SLOTS:
     void mirroredAndInstanced();
     void otherTextIsLeftToAssimp_data();
     void otherTextIsLeftToAssimp();
+    void noMeshesAreAnError();
     void mutations();
     void realFiles();
 };
@@ -319,6 +320,27 @@ void TestCollada::otherTextIsLeftToAssimp()
     scene.uvSets[0].uv = newUv(*scene.mesh);
     const QTemporaryDir folder;
     QVERIFY(writeMesh(scene, folder.filePath(u"a.dae"_s)).ok());
+}
+
+//! Assimp would make up a mesh of the nodes.
+void TestCollada::noMeshesAreAnError()
+{
+    const QByteArray lights = R"(<?xml version="1.0" encoding="utf-8"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+  <asset><up_axis>Y_UP</up_axis></asset>
+  <library_lights><light id="l"><technique_common><point><color>1 1 1</color></point></technique_common></light>
+  </library_lights>
+  <library_visual_scenes><visual_scene id="s"><node id="a" name="a"><instance_light url="#l"/>
+    <node id="b" name="b"><translate>1 0 0</translate></node></node></visual_scene></library_visual_scenes>
+  <scene><instance_visual_scene url="#s"/></scene>
+</COLLADA>
+)";
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"lights.dae"_s);
+    QVERIFY(saveAtomically(path, lights).ok());
+    const Result<Scene> scene = readMesh(path);
+    QVERIFY(!scene.ok());
+    QVERIFY2(scene.error().message.contains(u"no faces"), qPrintable(scene.error().message));
 }
 
 void TestCollada::mutations()

@@ -396,6 +396,16 @@ void TestFbxReader::noFaces()
     const Result<Scene> empty = parseFbx(fbxfiles::model({}, {}), u"a.fbx"_s);
     QVERIFY(!empty.ok());
     QVERIFY(empty.error().message.contains(u"no faces"_s));
+    const Result<Scene> surface = parseFbx("; FBX 7.4.0 project file\n"
+                                           "FBXHeaderExtension:  {\n\tFBXVersion: 7400\n}\n"
+                                           "Objects:  {\n"
+                                           "\tGeometry: 1, \"Geometry::\", \"NurbsSurface\" {\n\t}\n"
+                                           "\tModel: 2, \"Model::arm\", \"LimbNode\" {\n\t}\n"
+                                           "}\n",
+                                           u"a.fbx"_s);
+    QVERIFY(!surface.ok());
+    QCOMPARE(surface.error().message, u"the file has no faces, only NURBS surfaces, a skeleton"_s);
+    QVERIFY(surface.error().remedy.contains(u"to polygons"));
     Object damaged{"a", {{"Vertices", {QByteArray("?")}, {}}, {"PolygonVertexIndex", {}, {}}}};
     const Result<Scene> broken = parseFbx(fbxfiles::model({}, {damaged}), u"a.fbx"_s);
     QVERIFY(!broken.ok());

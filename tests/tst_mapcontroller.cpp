@@ -10,6 +10,7 @@
 #include "model/samples/samples.h"
 #include "solver/packing/packmap.h"
 #include "solver/unwrap/unwrap.h"
+#include "support/meshbuilders.h"
 #include "support/patience.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/mapjobs.h"
@@ -163,6 +164,23 @@ private Q_SLOTS:
         QVERIFY(studio.map.figures()->overlapping.empty());
         studio.stack().undo();
         QVERIFY(!studio.document().uv().allFinite());
+    }
+
+    void missingSymmetryIsSaid()
+    {
+        Studio studio;
+        Scene scene;
+        scene.mesh = test::polygonMesh({{0, 0, 0}, {3, 0, 0}, {0.5, 2, 0}, {1, 0.7, 1.5}},
+                                       {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+        DocumentState state = DocumentState::initial(std::move(scene));
+        state.solveSettings.symmetry = true;
+        studio.workspace.open(Document::create(std::move(state)).value(), {});
+        studio.map.unwrap(UnwrapQuality::Draft);
+        QVERIFY(studio.ends());
+        QCOMPARE(studio.failed.count(), 1);
+        const QString said = studio.failed.first().first().toString();
+        QVERIFY2(said.contains(QStringLiteral("not symmetric")), qPrintable(said));
+        QVERIFY(studio.document().uv().allFinite());
     }
 
     void finishingMakesALiveMapFinal_data()

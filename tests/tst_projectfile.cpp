@@ -104,6 +104,8 @@ private Q_SLOTS:
     void migrationsRunInOrder();
     void migrationsFail();
     void backups();
+    void aBackupThatFailsIsSaid();
+    void manyUvSetsOfOneName();
     void backupsThroughLink();
     void failedSaveKeepsBackups();
     void aFullDiskIsNamed();
@@ -324,6 +326,50 @@ void TestProjectFile::backups()
     QCOMPARE(numberIn(path + u".1"_s), 3);
     QCOMPARE(numberIn(path + u".2"_s), 2);
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 3);
+}
+
+void TestProjectFile::aBackupThatFailsIsSaid()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(u"a.acproj"_s);
+    test::Session session = test::gridSession(3, 0, 1);
+    const auto save = [&](int number) {
+        session.state.viewState = QByteArray::number(number);
+        return saveProject(session.state, session.extras, path);
+    };
+    const auto numberIn = [](const QString &file) {
+        return loadProject(file).value().state.viewState.toInt();
+    };
+    // A folder is where the backup should be.
+    QVERIFY(QDir(folder.path()).mkpath(u"a.acproj.1/full"_s));
+    QVERIFY(QDir(folder.path()).mkpath(u"a.acproj.2/full"_s));
+    QVERIFY(save(1).value().warning.isEmpty());
+    const Result<SavedProject> saved = save(2);
+    QVERIFY(saved.ok());
+    QVERIFY(!saved->warning.isEmpty());
+    QCOMPARE(numberIn(path), 2);
+    QCOMPARE(numberIn(path + u".new"_s), 1);
+    // The next save still makes a backup of what could not be kept then.
+    for (const QString &name : {u"a.acproj.1"_s, u"a.acproj.2"_s})
+        QVERIFY(QDir(folder.filePath(name)).removeRecursively());
+    QVERIFY(save(3).value().warning.isEmpty());
+    QCOMPARE(numberIn(path), 3);
+    QCOMPARE(numberIn(path + u".1"_s), 2);
+    QCOMPARE(numberIn(path + u".2"_s), 1);
+    QVERIFY(!QFile::exists(path + u".new"_s));
+}
+
+void TestProjectFile::manyUvSetsOfOneName()
+{
+    DocumentState state = test::gridSession(3, 0, 1).state;
+    state.scene.uvSets.resize(1);
+    state.scene.uvSets.front().name = u"UVMap"_s;
+    state.scene.uvSets.resize(500, state.scene.uvSets.front());
+    const DocumentState made = DocumentState::initial(std::move(state.scene));
+    QCOMPARE(made.scene.uvSets.front().name, u"UVMap"_s);
+    QCOMPARE(made.scene.uvSets[1].name, u"UVMap.2"_s);
+    QCOMPARE(made.scene.uvSets.back().name, u"UVMap.500"_s);
+    QCOMPARE(made.validate(), QString());
 }
 
 void TestProjectFile::backupsThroughLink()

@@ -4398,6 +4398,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Measuring the map</source>
         <translation>Die Map wird gemessen</translation>
     </message>
+    <message>
+        <source>Check the permissions of the folder</source>
+        <translation>Die Rechte am Ordner prüfen</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::FoldSection</name>
@@ -5782,6 +5786,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Baking light</source>
         <translation>Licht wird gebacken</translation>
+    </message>
+    <message>
+        <source>%1. The mesh is not symmetric: nor are the cuts</source>
+        <translation>%1. Das Modell ist nicht symmetrisch, die Schnitte daher auch nicht</translation>
     </message>
 </context>
 <context>

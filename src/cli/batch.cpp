@@ -18,6 +18,7 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFileInfo>
+#include <QJsonArray>
 #include <QJsonDocument>
 
 #include <algorithm>
@@ -55,6 +56,26 @@ public:
     }
 
     int run()
+    {
+        const int code = runCommand();
+        mOut << Qt::flush;
+        if (code == 0 && mOut.status() != QTextStream::Ok)
+            return fail({QStringLiteral("the standard output cannot be written"),
+                         {},
+                         0,
+                         QStringLiteral("Check where it leads, and the space there")});
+        return code;
+    }
+
+    int fail(const Error &error)
+    {
+        mProgress.clear();
+        mErr << "autocuts-cli: " << error.toString() << Qt::endl;
+        return 1;
+    }
+
+private:
+    int runCommand()
     {
         switch (mOptions.command) {
         case Command::Help:
@@ -99,14 +120,6 @@ public:
         return 1;
     }
 
-    int fail(const Error &error)
-    {
-        mProgress.clear();
-        mErr << "autocuts-cli: " << error.toString() << Qt::endl;
-        return 1;
-    }
-
-private:
     int runSample()
     {
         if (const Result<Done> writable = checkTargets(mOptions); !writable)
@@ -115,27 +128,54 @@ private:
         if (!scene)
             return fail(scene.error());
         sayLosses(scene.value());
-        const Result<Done> written = mFiles.write(scene.value(), mOptions);
+        const Result<Done> written = writeOutput(scene.value());
         return written ? 0 : fail(written.error());
+    }
+
+    //! Says on stderr what a session has lost, also with --quiet.
+    Result<Scene> readInput(const std::atomic<bool> *stop = nullptr)
+    {
+        Result<Scene> scene = mFiles.read(mOptions, stop);
+        sayWarnings(mFiles.warnings());
+        return scene;
+    }
+
+    Result<Done> writeOutput(const Scene &scene)
+    {
+        const qsizetype before = mFiles.warnings().size();
+        const Result<Done> written = mFiles.write(scene, mOptions);
+        sayWarnings(mFiles.warnings().mid(before));
+        return written;
+    }
+
+    void sayWarnings(const QStringList &warnings)
+    {
+        for (const QString &warning : warnings)
+            mErr << "autocuts-cli: warning: " << warning << Qt::endl;
     }
 
     int runConvert()
     {
         if (const Result<Done> writable = checkTargets(mOptions); !writable)
             return fail(writable.error());
-        const Result<Scene> scene = mFiles.read(mOptions);
+        const Result<Scene> scene = readInput();
         if (!scene)
             return fail(scene.error());
         if (const Result<Done> fine = checkClashes(mOptions, mFiles.modelOf(scene.value())); !fine)
             return fail(fine.error());
+        if (!mFiles.warnings().isEmpty() && isProjectPath(mOptions.output) && !mOptions.force)
+            return fail(
+                {QStringLiteral("the session is damaged, and nothing was written"), mOptions.input, 0,
+                 QStringLiteral("Convert a backup of it, the same name with .1 or .2 behind it, or use "
+                                "--force for what is left")});
         sayLosses(scene.value());
-        const Result<Done> written = mFiles.write(scene.value(), mOptions);
+        const Result<Done> written = writeOutput(scene.value());
         return written ? 0 : fail(written.error());
     }
 
     int runCheck()
     {
-        const Result<Scene> scene = mFiles.read(mOptions);
+        const Result<Scene> scene = readInput();
         if (!scene)
             return fail(scene.error());
         mFiles.mergeSettings(mOptions);
@@ -151,10 +191,6 @@ private:
         } else {
             printFigures(report);
         }
-        mOut << Qt::flush;
-        if (mOut.status() != QTextStream::Ok)
-            return fail(
-                {QStringLiteral("the figures could not be written to the standard output"), {}, 0, {}});
         return 0;
     }
 
@@ -167,9 +203,10 @@ private:
         const Result<LoadedProject> project = loadProject(mOptions.input);
         if (!project)
             return fail(project.error());
+        sayWarnings(project->warnings);
         const std::optional<Journal> &journal = project->extras.journal;
         if (!journal) {
-            for (const QString &note : project->notes)
+            for (const QString &note : project->notes.mid(project->warnings.size()))
                 mErr << "autocuts-cli: note: " << note << Qt::endl;
             return fail({QStringLiteral("the session has no journal that could be replayed"), mOptions.input,
                          0, QStringLiteral("Use convert to write its present state")});
@@ -185,7 +222,7 @@ private:
         if (!mOptions.output.isEmpty()) {
             const Scene scene = mFiles.take(std::move(document).value(), *journal);
             sayLosses(scene);
-            if (const Result<Done> written = mFiles.write(scene, mOptions); !written)
+            if (const Result<Done> written = writeOutput(scene); !written)
                 return fail(written.error());
         }
         return same ? 0 : 1;
@@ -196,7 +233,7 @@ private:
         if (const Result<Done> writable = checkTargets(mOptions); !writable)
             return fail(writable.error());
         const StopTimer timer(mOptions.timeLimit, mStop);
-        Result<Scene> scene = mFiles.read(mOptions, &mStop.stop);
+        Result<Scene> scene = readInput(&mStop.stop);
         if (!scene)
             return failReading(scene.error());
         if (const Result<Done> fine = checkClashes(mOptions, mFiles.modelOf(scene.value())); !fine)
@@ -227,7 +264,7 @@ private:
         if (const Result<Done> writable = checkTargets(mOptions); !writable)
             return fail(writable.error());
         const StopTimer timer(mOptions.timeLimit, mStop);
-        const Result<Scene> scene = mFiles.read(mOptions, &mStop.stop);
+        const Result<Scene> scene = readInput(&mStop.stop);
         if (!scene)
             return failReading(scene.error());
         if (const Result<Done> fine = checkClashes(mOptions, mFiles.modelOf(scene.value())); !fine)
@@ -239,8 +276,7 @@ private:
         mProgress.clear();
         if (!baked)
             return failReading(baked.error());
-        for (const QString &warning : baked->warnings)
-            mErr << "autocuts-cli: warning: " << warning << Qt::endl;
+        sayWarnings(baked->warnings);
         if (!mOptions.quiet) {
             for (const QString &file : baked->files)
                 mOut << file << '\n';
@@ -249,6 +285,8 @@ private:
         if (!mOptions.report.isEmpty()) {
             QJsonObject report = baked->json();
             report.insert(QStringLiteral("input"), mOptions.input);
+            report.insert(QStringLiteral("notes"),
+                          QJsonArray::fromStringList(mFiles.warnings() + baked->warnings));
             report.insert(QStringLiteral("status"), statusWord(mStop, false));
             report.insert(QStringLiteral("seconds"), double(mClock.elapsed()) / 1000);
             if (const Result<Done> saved = saveAtomically(mOptions.report, QJsonDocument(report).toJson());
@@ -279,7 +317,7 @@ private:
     int writeResults(const Scene &scene, const MadeMap &made)
     {
         sayLosses(scene);
-        if (const Result<Done> written = mFiles.write(scene, mOptions); !written)
+        if (const Result<Done> written = writeOutput(scene); !written)
             return fail(written.error());
         const PackingSettings &packing = mOptions.unwrap.packing;
         MapReport report = reportOn(scene, mFiles.islandFlags(), packing);
@@ -296,8 +334,7 @@ private:
         if (!mOptions.quiet)
             printFigures(report);
         const QStringList warnings = made.warnings + mapWarnings(report);
-        for (const QString &warning : warnings)
-            mErr << "autocuts-cli: warning: " << warning << Qt::endl;
+        sayWarnings(warnings);
         report.notes += warnings;
         if (!mOptions.layout.isEmpty()) {
             const std::vector<int> hatched = report.overlapPairs.value_or(0) > 0

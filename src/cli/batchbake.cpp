@@ -66,6 +66,7 @@ struct SourceModel
 {
     DocumentState model;
     ShadedSurface surface;
+    QStringList warnings;
 };
 
 Result<SourceModel> readSource(const CliOptions &options, const QString &path, const std::atomic<bool> &stop)
@@ -75,7 +76,7 @@ Result<SourceModel> readSource(const CliOptions &options, const QString &path, c
         const Result<Scene> scene = readScene(options, path, {}, files, own);
         if (!scene)
             return scene.error();
-        return SourceModel{files.modelOf(scene.value()), shadedSurface(scene.value())};
+        return SourceModel{files.modelOf(scene.value()), shadedSurface(scene.value()), files.warnings()};
     };
     std::optional<Result<SourceModel>> model = unlessStopped(stop, read);
     return model ? std::move(*model) : readingCancelled(path);
@@ -211,6 +212,7 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const BatchFiles &files,
         Result<SourceModel> high = readSource(options, options.bake.high, stop);
         if (!high)
             return high.error();
+        outcome.warnings << high->warnings;
         job->kind = bake::SourceKind::Detailed;
         job->high = std::move(high->surface);
         takeColors(options, high->model, *job->high, outcome.warnings);

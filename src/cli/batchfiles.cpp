@@ -91,6 +91,7 @@ Result<Done> BatchFiles::readFile(const CliOptions &options, const std::atomic<b
     if (!project)
         return project.error();
     mNotes = project->notes;
+    mWarnings = project->warnings;
     mDocument = std::make_unique<Document>(std::move(project->state));
     mRecorder = std::make_unique<JournalRecorder>(*mDocument, std::move(project->extras.journal));
     return Done();
@@ -286,7 +287,12 @@ Result<Done> BatchFiles::writeSession(const Scene &scene, const CliOptions &opti
     layout.tileHeight = mDocument->packingSettings().tileHeight();
     if (Result<QByteArray> picture = layoutPng(mDocument->mesh(), mDocument->uv(), layout))
         extras.thumbnail = std::move(picture).value();
-    return saveProject(mDocument->state(), extras, options.output);
+    const Result<SavedProject> saved = saveProject(mDocument->state(), extras, options.output);
+    if (!saved)
+        return saved.error();
+    if (!saved->warning.isEmpty())
+        mWarnings << saved->warning;
+    return Done();
 }
 
 QStringList BatchFiles::losses(const Scene &scene, const QString &path)

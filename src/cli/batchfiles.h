@@ -50,6 +50,8 @@ public:
     //! Writes the scene, of which only the first UV set has changed since read().
     //! \param options gives the settings of a new session
     Result<Done> write(const Scene &scene, const CliOptions &options);
+    //! What the session has lost, and what its writing could not do; one line each.
+    const QStringList &warnings() const { return mWarnings; }
 
     //! Lists the data that the format of the output loses, one line each.
     static QStringList losses(const Scene &scene, const QString &path);
@@ -60,9 +62,10 @@ private:
     Scene activeFirst() const;
     Result<Done> writeSession(const Scene &scene, const CliOptions &options);
 
-    Scene mOriginal;                     //!< the scene of a mesh file as it was read, with the new UV set
-    int mActiveSet = 0;                  //!< of mOriginal
-    QStringList mNotes;                  //!< about the session
+    Scene mOriginal;    //!< the scene of a mesh file as it was read, with the new UV set
+    int mActiveSet = 0; //!< of mOriginal
+    QStringList mNotes; //!< about the session
+    QStringList mWarnings;
     std::unique_ptr<Document> mDocument; //!< null unless a session was read
     std::unique_ptr<JournalRecorder> mRecorder;
 };

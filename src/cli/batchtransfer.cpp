@@ -53,6 +53,7 @@ Result<MadeMap> MapMaking::transfer(Scene &scene) const
             : readTransferSource(mOptions.from, nullptr, mOptions.unwrap.packing.tileHeight());
     if (!model)
         return model.error();
+    const QStringList sourceWarnings = model->warnings;
     if (const Result<Done> chosen = chooseFrom(mOptions, std::move(model).value(), job); !chosen)
         return chosen.error();
     const Result<TransferredUvs> made = runTransfer(
@@ -60,6 +61,7 @@ Result<MadeMap> MapMaking::transfer(Scene &scene) const
     if (!made)
         return made.error();
     MadeMap outcome;
+    outcome.warnings << sourceWarnings;
     if (made->stopped) {
         outcome.warnings << QStringLiteral("stopped before the UVs were transferred: the map stays as it is");
         return outcome;

@@ -31,6 +31,7 @@ enum class OptionGroup {
     Baking = 131072,      //!< pictures that are made
     Limiting = 262144,    //!< time, threads and the report
     Lighting = 524288,    //!< light that is baked
+    Converting = 1048576, //!< what is written although something is lost
     Everything = 128      //!< for all commands
 };
 Q_DECLARE_FLAGS(OptionGroups, OptionGroup)

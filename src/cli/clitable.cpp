@@ -344,7 +344,7 @@ const std::vector<CliCommand> &cliCommands()
          "for the UV map"_s},
         {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | Scope | UvSets | Measuring,
          u"measure a map and say what is wrong with it"_s},
-        {Command::Convert, u"convert"_s, u"IN"_s, Output::Needed, UvSets,
+        {Command::Convert, u"convert"_s, u"IN"_s, Output::Needed, UvSets | Converting,
          u"write another file format; OBJ to OBJ, FBX to FBX and glTF to glTF change nothing"_s},
         {Command::Replay,
          u"replay"_s,
@@ -376,6 +376,8 @@ const std::vector<CliOption> &cliOptions()
         all.push_back(separatingOption());
         all.push_back(flag(Group::Measuring, u"--json"_s, fieldOf(&CliOptions::json), true,
                            u"print the figures as JSON"_s));
+        all.push_back(flag(Group::Converting, u"--force"_s, fieldOf(&CliOptions::force), true,
+                           u"make a session also of a damaged one, without what that has lost"_s));
         all.push_back(flag(Group::Everything, u"--quiet"_s, fieldOf(&CliOptions::quiet), true,
                            u"no progress and no figures, only warnings and errors"_s));
         return all;

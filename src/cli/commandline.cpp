@@ -46,7 +46,10 @@ public:
         mOptions.command = command->id;
         mOptions.threads = std::max(1, QThread::idealThreadCount());
         while (!atEnd()) {
-            if (const Problem problem = readArgument(*command, take()))
+            const QString argument = take();
+            if (!mOptionsEnded && argument == QLatin1String("--"))
+                mOptionsEnded = true;
+            else if (const Problem problem = readArgument(*command, argument))
                 return *problem;
         }
         if (mOptions.command == Command::Help)
@@ -64,7 +67,7 @@ private:
 
     Problem readArgument(const CliCommand &command, const QString &argument)
     {
-        if (!argument.startsWith(QLatin1Char('-')) || argument == QLatin1String("-")) {
+        if (mOptionsEnded || !argument.startsWith(QLatin1Char('-')) || argument == QLatin1String("-")) {
             if (!mOptions.input.isEmpty())
                 return usageError(QStringLiteral("one input only, but \"%1\" follows \"%2\"")
                                       .arg(argument, mOptions.input));
@@ -159,6 +162,7 @@ private:
 
     const QStringList &mArguments;
     qsizetype mNext = 0;
+    bool mOptionsEnded = false; //!< by "--"
     CliOptions mOptions;
 };
 

@@ -225,7 +225,7 @@ void measure(const std::string &file, const unwrap::UnwrapOptions &options, cons
             steered.addStrokes(free.cut);
         if (!folder.isEmpty()) {
             const QString path = u"%1/%2_%3.acproj"_s.arg(folder, name, QLatin1String(kind));
-            if (const Result<Done> saved = saveProject(steered.document().state(), {}, path); !saved)
+            if (const Result<SavedProject> saved = saveProject(steered.document().state(), {}, path); !saved)
                 std::printf("%s\n", qPrintable(saved.error().toString()));
         }
         const Snapshot snapshot = makeSnapshot(steered.document());

@@ -1,5 +1,6 @@
 #include "model/document/documentstate.h"
 
+#include "model/document/uvsetnames.h"
 #include "model/plain/settingsproperties.h"
 #include "model/plain/texelweights.h"
 #include "model/plain/uvlayout.h"
@@ -87,9 +88,9 @@ DocumentState DocumentState::initial(Scene scene)
     state.scene.uvSets.clear();
     if (sets.empty())
         sets.push_back({{}, emptyLayout(mesh)});
+    UvSetNames names;
     for (UvSet &set : sets) {
-        const QString wanted = set.name.isEmpty() ? QStringLiteral("UVMap") : set.name;
-        set.name = uniqueUvSetName(state.scene.uvSets, wanted);
+        set.name = names.take(set.name.isEmpty() ? QStringLiteral("UVMap") : set.name);
         state.uvScales.push_back(layoutScale(mesh, set.uv));
         state.scene.uvSets.push_back(std::move(set));
     }
@@ -149,14 +150,10 @@ bool operator==(const DocumentState &a, const DocumentState &b)
 
 QString uniqueUvSetName(const std::vector<UvSet> &sets, const QString &wanted)
 {
-    const QString base = wanted.left(maxNameLength - 20); // room for the number
-    const auto taken = [&](const QString &name) {
-        return std::any_of(sets.begin(), sets.end(), [&](const UvSet &set) { return set.name == name; });
-    };
-    QString name = base;
-    for (int number = 2; taken(name); ++number)
-        name = QStringLiteral("%1.%2").arg(base).arg(number);
-    return name;
+    UvSetNames names;
+    for (const UvSet &set : sets)
+        names.insert(set.name);
+    return names.take(wanted);
 }
 
 } // namespace autocuts

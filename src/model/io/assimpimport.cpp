@@ -109,6 +109,8 @@ const aiScene *imported(Assimp::Importer &importer, const std::string &path, std
 {
     // Without this, Assimp reads an FBX node as a chain of helper nodes, one for each part of its transform.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+    // Without this, Assimp makes up a mesh for files that have none.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     const aiScene *scene = importer.ReadFile(path, 0);
     if (!scene)
         error = importer.GetErrorString();

@@ -73,6 +73,9 @@ void ObjectReader::readContents(std::string_view name, std::string_view kind, in
         contents.shapeKeys || kind == "BlendShape" || kind == "Shape" || mTree.child(node, "Shape") >= 0;
     contents.animations = contents.animations || name == "AnimationCurve";
     contents.lightsOrCameras = contents.lightsOrCameras || kind == "Light" || kind == "Camera";
+    mObjects.surfaces = mObjects.surfaces || kind == "NurbsSurface" || kind == "Nurb";
+    mObjects.curves = mObjects.curves || kind == "NurbsCurve" || kind == "Line";
+    mObjects.skeleton = mObjects.skeleton || kind == "LimbNode" || kind == "Limb";
     contents.embeddedTextures =
         contents.embeddedTextures || (name == "Video" && mTree.child(node, "Content") >= 0);
 }

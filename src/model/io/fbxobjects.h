@@ -40,6 +40,7 @@ struct FbxObjects
     std::vector<TextureSet> materialSets;       //!< as in Scene
     std::vector<FbxTexture> textures;
     SourceContents contents;
+    bool surfaces = false, curves = false, skeleton = false; //!< there are NURBS surfaces, curves, bones
 };
 
 FbxObjects readFbxObjects(const FbxTree &tree);

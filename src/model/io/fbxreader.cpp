@@ -25,7 +25,7 @@ namespace {
 constexpr qint64 maxFileSize = qint64(2) << 30;
 //! As in objreader.cpp.
 constexpr std::size_t maxElements = std::numeric_limits<int>::max() / 8;
-constexpr double maxCoordinate = 1e100;
+constexpr double maxFbxCoordinate = 1e100;
 //! What a corner of the soup takes of the room for arrays: a small file may repeat a geometry many times.
 constexpr qint64 cornerBytes = 32;
 
@@ -60,6 +60,8 @@ private:
         return false;
     }
 
+    void failWithoutFaces();
+
     FbxTree mTree;
     QString mPath;
     const std::atomic<bool> *mStop;
@@ -76,6 +78,30 @@ private:
     int mDamaged = 0; //!< geometries
     int mDamagedColors = 0;
 };
+
+//! Says what there is instead.
+void SceneBuilder::failWithoutFaces()
+{
+    if (mDamaged > 0) {
+        fail(u"the meshes of the file are damaged"_s);
+        return;
+    }
+    QStringList held;
+    if (mObjects.surfaces)
+        held << u"NURBS surfaces"_s;
+    if (mObjects.curves)
+        held << u"curves"_s;
+    if (mObjects.skeleton)
+        held << u"a skeleton"_s;
+    if (mObjects.contents.lightsOrCameras)
+        held << u"lights or cameras"_s;
+    fail(held.isEmpty() ? u"the file has no faces"_s
+                        : u"the file has no faces, only %1"_s.arg(held.join(u", "_s)));
+    if (mObjects.surfaces)
+        mError->remedy = u"Convert the surfaces to polygons, and export the model again"_s;
+    else if (!held.isEmpty())
+        mError->remedy = u"Export the meshes, too"_s;
+}
 
 //! The geometry of a node, read when it is used for the first time; nothing when it is damaged.
 std::optional<std::size_t> SceneBuilder::useOf(int node)
@@ -97,7 +123,7 @@ bool SceneBuilder::addPoints(const FbxGeometry &geometry, const FbxModel &model,
 {
     for (Eigen::Index p = 0; p < geometry.points.rows(); ++p) {
         const Vec3 position = transform * Vec3(geometry.points.row(p));
-        if (!position.allFinite() || position.cwiseAbs().maxCoeff() > maxCoordinate)
+        if (!position.allFinite() || position.cwiseAbs().maxCoeff() > maxFbxCoordinate)
             return fail(
                 u"a vertex of \"%1\" has a coordinate that is not finite or is too large"_s.arg(model.name));
         mPositions.insert(mPositions.end(), position.data(), position.data() + 3);
@@ -253,7 +279,7 @@ Result<Scene> SceneBuilder::build()
             return *mError;
     }
     if (mFaceObject.empty()) {
-        fail(mDamaged > 0 ? u"the meshes of the file are damaged"_s : u"the file has no faces"_s);
+        failWithoutFaces();
         return *mError;
     }
     mScene.path = mPath;

@@ -186,8 +186,10 @@ Result<ProjectParts> readContainer(const QByteArray &bytes, int newest, const QS
         const PackedBlock block = reader.block();
         if (reader.failed())
             break;
-        if (!wanted(block.name) || result.parts.contains(block.name))
+        if (!wanted(block.name) || result.parts.contains(block.name)) {
+            result.skipped.push_back(block.name);
             continue;
+        }
         const bool whole = isWhole(block);
         if (whole && block.size > room)
             return Error{

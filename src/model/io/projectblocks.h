@@ -34,6 +34,7 @@ struct ProjectParts
     int version = 0;
     std::map<QByteArray, QByteArray> parts; //!< content by name of the block
     std::vector<QByteArray> damaged;        //!< names of blocks whose checksum is wrong
+    std::vector<QByteArray> skipped;        //!< names of blocks that were not wanted, or came before
     bool brokenOff = false;                 //!< the file could not be read after the last block
 
     //! The content of a block; null when it is missing.

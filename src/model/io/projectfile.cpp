@@ -21,6 +21,7 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 constexpr qint64 maxFileSize = qint64(4) << 30;
+constexpr qsizetype longestName = 40; // of an unknown part, in a message
 
 //! Blocks whose content is already compressed.
 bool isCompressed(const QByteArray &name)
@@ -112,14 +113,26 @@ void readExtras(const PartMap &parts, bool hadJournal, LoadedProject &project)
         project.lost << u"the session's own path"_s;
 }
 
+//! Parts that this version does not know, for example because a bit of a name has changed.
+QStringList unknownParts(const ProjectParts &container)
+{
+    QStringList parts;
+    for (const QByteArray &name : container.skipped) {
+        if (!isKnown(name))
+            parts << u"the part \"%1\", which is unknown,"_s.arg(QString::fromUtf8(name.left(longestName)));
+    }
+    return parts;
+}
+
 void addNotes(const ProjectParts &container, int lostSeams, LoadedProject &project)
 {
     if (container.brokenOff)
-        project.notes << u"the session is cut off or damaged in the middle"_s;
+        project.warnings << u"the session is cut off or damaged in the middle"_s;
     for (const QString &what : project.lost)
-        project.notes << u"%1: damaged in the session, left out"_s.arg(what);
+        project.warnings << u"%1: damaged in the session, left out"_s.arg(what);
     if (lostSeams > 0)
-        project.notes << u"%1 seams do not fit the model and were left out"_s.arg(lostSeams);
+        project.warnings << u"%1 seams do not fit the model and were left out"_s.arg(lostSeams);
+    project.notes = project.warnings + project.notes;
     const Scene &scene = project.state.scene;
     if (!scene.source && scene.format != "obj"_L1 && !scene.format.isEmpty())
         project.notes
@@ -148,11 +161,17 @@ Result<LoadedProject> parse(const QByteArray &bytes, const QString &path, const 
         return readingCancelled(path);
     project.state.scene = std::move(scene).value();
     const LostParts lost = readStateParts(parts, StateScope::Session, project.state);
-    project.lost += lost.names;
-    if (std::find(damaged.begin(), damaged.end(), "texelWeights") != damaged.end())
-        project.lost << u"the painted texel density"_s; // not every session has it
-    if (std::find(damaged.begin(), damaged.end(), "textures") != damaged.end())
-        project.lost << u"the texture sets"_s;
+    project.lost += lost.names + unknownParts(container.value());
+    // Not every session has these.
+    const std::pair<const char *, QString> optional[] = {
+        {"texelWeights", u"the painted texel density"_s},
+        {"textures", u"the texture sets"_s},
+        {"gltf", u"the glTF file"_s},
+    };
+    for (const auto &[name, word] : optional) {
+        if (std::find(damaged.begin(), damaged.end(), name) != damaged.end())
+            project.lost << word;
+    }
     if (container->version == 1 && !hasNumbersOfVersion1(*project.state.scene.mesh) &&
         parts.erase("journal") > 0) {
         parts.erase("journalStart");
@@ -172,25 +191,62 @@ Result<LoadedProject> parse(const QByteArray &bytes, const QString &path, const 
     return project;
 }
 
-//! Makes PATH.1 the current file, and PATH.2 the previous PATH.1. PATH stays in place. A failure to make a
-//! backup does not prevent saving.
-void rotateBackups(const QString &path)
+namespace fs = std::filesystem;
+
+//! The backups of a session: PATH.1 and PATH.2, and PATH.new while it is being replaced.
+class Backups
 {
-    namespace fs = std::filesystem;
-    const fs::path file = QFileInfo(path).filesystemAbsoluteFilePath();
-    const auto beside = [&](const char *suffix) { return fs::path(file) += suffix; };
-    std::error_code error;
-    if (!fs::exists(file, error))
-        return;
-    // Created under another name first, so that neither backup is ever incomplete.
-    const fs::path fresh = beside(".new");
-    fs::remove(fresh, error);
-    fs::create_hard_link(fs::canonical(file, error), fresh, error);
-    if (error && !fs::copy_file(file, fresh, fs::copy_options::overwrite_existing, error))
-        return;
-    fs::rename(beside(".1"), beside(".2"), error);
-    fs::rename(fresh, beside(".1"), error);
-}
+public:
+    explicit Backups(const QString &path) : mFile(QFileInfo(path).filesystemAbsoluteFilePath()) {}
+
+    //! Gives the current file a second name, so that replacing it does not destroy it.
+    void keepCurrent()
+    {
+        std::error_code error;
+        if (!fs::exists(mFile, error))
+            return;
+        const fs::path kept = beside(".new");
+        // Left behind by a program that was killed, or a backup that could not be made.
+        if (fs::exists(kept, error) && !fs::equivalent(kept, mFile, error))
+            rotate();
+        fs::remove(kept, error);
+        fs::create_hard_link(fs::canonical(mFile, error), kept, error);
+        if (error)
+            fs::copy_file(mFile, kept, fs::copy_options::overwrite_existing, error);
+        if (error)
+            mProblem = error;
+    }
+
+    //! Makes the file that keepCurrent() kept PATH.1, and the previous PATH.1 PATH.2.
+    void rotate()
+    {
+        std::error_code error;
+        if (!fs::exists(beside(".new"), error))
+            return;
+        if (fs::exists(beside(".1"), error))
+            fs::rename(beside(".1"), beside(".2"), error);
+        if (!error)
+            fs::rename(beside(".new"), beside(".1"), error);
+        if (error)
+            mProblem = error;
+    }
+
+    //! For a save that failed.
+    void forget()
+    {
+        std::error_code error;
+        fs::remove(beside(".new"), error);
+    }
+
+    //! Why a backup could not be made; no error when all were.
+    const std::error_code &problem() const { return mProblem; }
+
+private:
+    fs::path beside(const char *suffix) const { return fs::path(mFile) += suffix; }
+
+    fs::path mFile;
+    std::error_code mProblem;
+};
 
 } // namespace
 
@@ -223,12 +279,27 @@ QByteArray ProjectWriter::bytes(const DocumentState &state, const ProjectExtras 
     return containerBytes(projectVersion, blocks);
 }
 
-Result<Done> saveProjectBytes(const QByteArray &bytes, const QString &path)
+Result<SavedProject> saveProjectBytes(const QByteArray &bytes, const QString &path)
 {
-    return saveAtomically(path, bytes, [&] { rotateBackups(path); });
+    Backups backups(path);
+    bool kept = false;
+    const Result<Done> saved = saveAtomically(path, bytes, [&] {
+        backups.keepCurrent();
+        kept = true;
+    });
+    if (!saved) {
+        if (kept)
+            backups.forget();
+        return saved.error();
+    }
+    backups.rotate();
+    if (!backups.problem())
+        return SavedProject();
+    return SavedProject{u"the session is saved, but there is no backup of the one before (%1)"_s.arg(
+        QString::fromLocal8Bit(backups.problem().message()))};
 }
 
-Result<Done> saveProject(const DocumentState &state, const ProjectExtras &extras, const QString &path)
+Result<SavedProject> saveProject(const DocumentState &state, const ProjectExtras &extras, const QString &path)
 {
     return saveProjectBytes(ProjectWriter().bytes(state, extras), path);
 }

@@ -35,7 +35,8 @@ struct LoadedProject
     DocumentState state;  //!< valid
     ProjectExtras extras; //!< when there is a journal, its initial state is valid
     QStringList lost;     //!< damaged data that was left out, for example "the seams"
-    QStringList notes;    //!< notes for the user, including `lost`; one line each
+    QStringList warnings; //!< what the session has lost, for the user; one line each
+    QStringList notes;    //!< notes for the user, the warnings first; one line each
 };
 
 //! Makes project files. Caches the compressed model, which is the largest block.
@@ -49,11 +50,19 @@ private:
     std::map<QByteArray, PackedBlock> mModel; //!< its blocks by name
 };
 
+//! What a save that succeeded has to tell.
+struct SavedProject
+{
+    QString warning; //!< why there is no backup of the file before; empty when there is
+};
+
 //! Saves a session and keeps two backups: PATH.1, the file before, and PATH.2, the one before that. A
-//! complete file exists under the path at every moment, even when the program is killed.
-Result<Done> saveProject(const DocumentState &state, const ProjectExtras &extras, const QString &path);
+//! complete file exists under the path at every moment, even when the program is killed. The backups are
+//! changed when the new session is safely in place; until then the file before is also PATH.new.
+Result<SavedProject> saveProject(const DocumentState &state, const ProjectExtras &extras,
+                                 const QString &path);
 //! Saves bytes that a ProjectWriter made.
-Result<Done> saveProjectBytes(const QByteArray &bytes, const QString &path);
+Result<SavedProject> saveProjectBytes(const QByteArray &bytes, const QString &path);
 
 //! Loads a session. Everything undamaged is recovered from a damaged file, unless the model is damaged.
 //! \param stop ends the loading with an Error at the next step when it becomes true; null: never

@@ -2,6 +2,7 @@
 
 #include "model/document/bitmap.h"
 #include "model/document/cborvalues.h"
+#include "model/document/uvsetnames.h"
 #include "model/io/packedarrays.h"
 #include "model/io/projectseams.h"
 #include "model/plain/texelweights.h"
@@ -233,7 +234,7 @@ bool readTexelWeights(CborReader &reader, DocumentState &state)
     return true;
 }
 
-bool readTextures(CborReader &reader, DocumentState &state)
+bool readTexturePart(CborReader &reader, DocumentState &state)
 {
     const auto sets = readTextureSets(reader.array("sets"_L1), state.scene.materialNames.size() + 1);
     if (reader.failed() || !sets)
@@ -265,7 +266,7 @@ bool readSelectionPart(CborReader &reader, DocumentState &state)
 }
 
 //! Adds the UV set of a block; false when it is damaged.
-bool readUvSet(const QByteArray &part, DocumentState &state)
+bool readUvSet(const QByteArray &part, DocumentState &state, UvSetNames &names)
 {
     const std::optional<QCborMap> map = parsedMap(part);
     if (!map)
@@ -277,7 +278,7 @@ bool readUvSet(const QByteArray &part, DocumentState &state)
         reader.number("scale"_L1, std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
     if (!readUvs(reader, *state.scene.mesh, set.uv) || set.name.isEmpty())
         return false;
-    set.name = uniqueUvSetName(state.scene.uvSets, set.name);
+    set.name = names.take(set.name);
     state.scene.uvSets.push_back(std::move(set));
     state.uvScales.push_back(scale);
     return true;
@@ -318,8 +319,9 @@ void readUvSets(const PartMap &parts, DocumentState &state, LostParts &lost)
     state.uvScales.clear();
     state.activeUvSet = 0;
     int next = 0;
+    UvSetNames names;
     for (int index : uvSetsIn(parts, lost)) {
-        if (!readUvSet(parts.at(uvPartName(index)), state))
+        if (!readUvSet(parts.at(uvPartName(index)), state, names))
             continue;
         if (index > next)
             lost.names << u"the UV sets before \"%1\""_s.arg(state.scene.uvSets.back().name);
@@ -396,7 +398,7 @@ LostParts readStateParts(const PartMap &parts, StateScope scope, DocumentState &
     if (parts.contains("texelWeights")) // only where faces have one
         read("texelWeights", u"the painted texel density"_s, readTexelWeights);
     if (parts.contains("textures")) // only where the user chose some
-        read("textures", u"the texture sets"_s, readTextures);
+        read("textures", u"the texture sets"_s, readTexturePart);
     read("settings", u"the settings"_s, readSettings);
     if (scope == StateScope::Journal)
         return lost;

@@ -19,8 +19,9 @@ Result<TransferSource> readTransferSource(const QString &path, const std::atomic
         if (!project)
             return project.error();
         Scene &scene = project->state.scene;
-        return TransferSource{scene.mesh, std::move(scene.uvSets), project->state.activeUvSet,
-                              std::move(scene.objectNames), path};
+        return TransferSource{
+            scene.mesh, std::move(scene.uvSets),     project->state.activeUvSet, std::move(scene.objectNames),
+            path,       std::move(project->warnings)};
     }
     Result<Scene> scene = readMesh(path, stop, tileHeight);
     if (!scene)

@@ -16,6 +16,7 @@ struct TransferSource
     int activeSet = 0;
     std::vector<QString> objectNames;
     QString path;
+    QStringList warnings = {}; //!< what a session has lost
 
     //! The UVs of the active set; a layout without UVs when there is none.
     UvMatrix uv() const;

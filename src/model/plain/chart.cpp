@@ -14,19 +14,19 @@ namespace autocuts {
 namespace {
 
 //! One side of a polygon, from its lower to its higher welded vertex.
-struct Side
+struct TriangleSide
 {
     int low, high; //!< welded vertices
     int cornerLow, cornerHigh;
     int face;
     bool apart; //!< a seam whatever its UVs are
 
-    bool sameEdge(const Side &other) const { return low == other.low && high == other.high; }
+    bool sameEdge(const TriangleSide &other) const { return low == other.low && high == other.high; }
 };
 
-std::vector<Side> sortedSides(const MeshData &mesh, const std::vector<bool> &apart)
+std::vector<TriangleSide> sortedSides(const MeshData &mesh, const std::vector<bool> &apart)
 {
-    std::vector<Side> sides;
+    std::vector<TriangleSide> sides;
     sides.reserve(mesh.cornerCount());
     for (int f = 0; f < mesh.faceCount(); ++f) {
         const int start = mesh.faceStart[f];
@@ -42,7 +42,7 @@ std::vector<Side> sortedSides(const MeshData &mesh, const std::vector<bool> &apa
                 sides.push_back({b, a, d, c, f, isApart});
         }
     }
-    std::sort(sides.begin(), sides.end(), [](const Side &a, const Side &b) {
+    std::sort(sides.begin(), sides.end(), [](const TriangleSide &a, const TriangleSide &b) {
         return std::tie(a.low, a.high, a.cornerLow, a.cornerHigh) <
                std::tie(b.low, b.high, b.cornerLow, b.cornerHigh);
     });
@@ -70,12 +70,13 @@ void findUvBox(const MeshData &mesh, const UvMatrix &uv, UvTopology &topology)
 
 //! Groups the sides on one 3D edge whose UVs agree; returns one side of each group and the number of sides in
 //! it.
-std::vector<std::pair<const Side *, int>> joinAgreeing(std::span<const Side> sides, const UvMatrix &uv,
-                                                       double tolerance, UnionFind &faces, UnionFind &corners,
-                                                       const std::vector<bool> &faceHasUv)
+std::vector<std::pair<const TriangleSide *, int>> joinAgreeing(std::span<const TriangleSide> sides,
+                                                               const UvMatrix &uv, double tolerance,
+                                                               UnionFind &faces, UnionFind &corners,
+                                                               const std::vector<bool> &faceHasUv)
 {
-    std::vector<std::pair<const Side *, int>> groups;
-    for (const Side &side : sides) {
+    std::vector<std::pair<const TriangleSide *, int>> groups;
+    for (const TriangleSide &side : sides) {
         if (!faceHasUv[side.face])
             continue;
         const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto &group) {
@@ -112,7 +113,7 @@ UvTopology findUvTopology(const MeshData &mesh, const UvMatrix &uv, const std::v
     UvTopology topology;
     findUvBox(mesh, uv, topology);
     const double tolerance = uvTolerance * topology.boxDiagonal();
-    const std::vector<Side> sides = sortedSides(mesh, apart);
+    const std::vector<TriangleSide> sides = sortedSides(mesh, apart);
 
     UnionFind faces(mesh.faceCount());
     UnionFind corners(mesh.cornerCount());

@@ -13,7 +13,7 @@ namespace {
 constexpr float keepWeight = 0.01F;
 //! Between places that are farther apart than a texel, the sides would still differ.
 constexpr double placesPerTexel = 2;
-constexpr int mostSteps = 100;
+constexpr int mostEveningSteps = 100;
 //! The gradient that is left, as a share of the first one.
 constexpr float smallestShare = 1e-3F;
 
@@ -86,7 +86,7 @@ public:
         Values direction = rest;
         float size = rest.squaredNorm();
         const float enough = size * smallestShare * smallestShare;
-        for (int step = 0; step < mostSteps && size > enough && !job.stopped(); ++step) {
+        for (int step = 0; step < mostEveningSteps && size > enough && !job.stopped(); ++step) {
             const Values image = normalProduct(direction, keepWeight);
             const float length = size / direction.cwiseProduct(image).sum();
             change += length * direction;

@@ -12,7 +12,7 @@ namespace autocuts::bake {
 
 namespace {
 
-constexpr int mostSteps = 256;
+constexpr int mostWalkSteps = 256;
 constexpr int trianglesPerJob = 16;
 //! Share of the way to the middle of its triangle that a point on a side is moved: rays from the side itself
 //! would meet its neighbour.
@@ -49,7 +49,7 @@ void SurfaceSamples::layGrids(const MeshData &mesh, int points)
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         const double share = mesh.area > 0 ? mesh.triangleArea[t] / mesh.area : 0;
         Grid grid;
-        grid.steps = std::clamp(static_cast<int>(std::sqrt(2 * share * points)), 1, mostSteps);
+        grid.steps = std::clamp(static_cast<int>(std::sqrt(2 * share * points)), 1, mostWalkSteps);
         grid.first = size;
         size += std::size_t(mChannels) * (grid.steps + 1) * (grid.steps + 2) / 2;
         mGrids.push_back(grid);

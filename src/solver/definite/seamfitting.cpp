@@ -11,7 +11,7 @@ namespace {
 //! Two sides lie on each other when they are at most this far apart, as a share of their length, and may
 //! belong together up to the second distance. The first was chosen by hand, the second is that of
 //! chartjoining.
-constexpr double fitDistance = 0.05, looseDistance = 0.6;
+constexpr double sewnDistance = 0.05, looseDistance = 0.6;
 //! Sides that were one are at most this far apart, as a share of their length, in files of 32-bit numbers
 //! too.
 constexpr double exactDistance = 1e-4;
@@ -82,15 +82,15 @@ std::vector<int> fittingEdges(const std::vector<EdgeMatch> &edges)
     std::iota(kept.begin(), kept.end(), 0);
     const double all = lengthOf(edges, kept);
     SimilarMotion motion = fitEdges(edges);
-    for (int round = 0; round < rounds && near(chosen(edges, kept), motion, fitDistance).size() < kept.size();
-         ++round) {
+    for (int round = 0;
+         round < rounds && near(chosen(edges, kept), motion, sewnDistance).size() < kept.size(); ++round) {
         std::stable_sort(kept.begin(), kept.end(), [&](int a, int b) {
             return distanceOf(edges[a], motion) < distanceOf(edges[b], motion);
         });
         kept.resize(kept.size() - kept.size() / 3);
         motion = fitEdges(chosen(edges, kept));
     }
-    const std::vector<int> fitting = near(edges, motion, fitDistance);
+    const std::vector<int> fitting = near(edges, motion, sewnDistance);
     const bool few = fitting.size() < fewestToFit || lengthOf(edges, fitting) < leastShareToFit * all;
     return few ? std::vector<int>() : fitting;
 }
@@ -113,7 +113,7 @@ std::vector<int> exactEdges(const std::vector<EdgeMatch> &edges)
 
 std::vector<int> touchingEdges(const std::vector<EdgeMatch> &edges)
 {
-    return near(edges, SimilarMotion(), fitDistance);
+    return near(edges, SimilarMotion(), sewnDistance);
 }
 
 } // namespace autocuts::definite

@@ -21,7 +21,7 @@ namespace {
 //! after a relaxation, as a share of its area at rest. The first as in chartjoining, the second as in
 //! localsolve.
 constexpr double smallestShare = 0.05;
-constexpr double smallestDeterminant = 1e-4;
+constexpr double smallestSewnDeterminant = 1e-4;
 //! Rings of faces around the seam that are relaxed; more when fewer do not do. Chosen by hand; no measurement
 //! of their effect is recorded.
 constexpr int rings[] = {4, 12, 40};
@@ -203,7 +203,7 @@ private:
         for (const int t : mTriangles) {
             if (!std::isfinite(mEnergy[t]))
                 continue; // flipped before
-            const double least = relaxed ? smallestDeterminant
+            const double least = relaxed ? smallestSewnDeterminant
                                          : smallestShare * jacobianDeterminant(mSoup, mPlacedX.data(), t);
             if (!(jacobianDeterminant(mSoup, x.data(), t) > least) || !std::isfinite(energy[t]))
                 return;

@@ -20,7 +20,7 @@ namespace {
 constexpr double stitchSeparation = 0.5;
 //! Least UV area of a triangle after merging, as a share of its area at rest. Chosen by hand; no measurement
 //! of its effect is recorded.
-constexpr double smallestDeterminant = 1e-6;
+constexpr double smallestStitchedDeterminant = 1e-6;
 //! With a delta far greater than any squared distance the separation is a plain spring.
 constexpr double springDelta = 1e6;
 constexpr double firstSpring = 0.3;
@@ -51,7 +51,7 @@ std::vector<int> badTriangles(const Soup &soup, const std::vector<double> &x)
 {
     std::vector<int> bad;
     for (int t = 0; t < soup.triangleCount(); ++t) {
-        if (!(jacobianDeterminant(soup, x.data(), t) > smallestDeterminant))
+        if (!(jacobianDeterminant(soup, x.data(), t) > smallestStitchedDeterminant))
             bad.push_back(t);
     }
     return bad;

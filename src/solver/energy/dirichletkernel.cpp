@@ -116,7 +116,7 @@ struct JacobianHessian
 };
 
 //! The matrix over the edge vectors instead. g and h are the gradients of corners 1 and 2.
-inline void overEdges(const JacobianHessian &k, const Lanes *g, const Lanes *h, EdgeMatrix &out)
+inline void hessianOverEdges(const JacobianHessian &k, const Lanes *g, const Lanes *h, EdgeMatrix &out)
 {
     Lanes a[4], b[4], c[4]; // corners 1-1, 2-1, 2-2
     k.between(g, g, a);
@@ -240,7 +240,7 @@ double dirichletDerivatives(const DirichletBlock *blocks, const double *x, int t
         k.add(curvature2, second);
         k.add(turning, twist);
         k.add(flipping, shear);
-        overEdges(k, b, b + 2, hessian[t / laneCount]);
+        hessianOverEdges(k, b, b + 2, hessian[t / laneCount]);
     }
     return total(sum, smallest);
 }

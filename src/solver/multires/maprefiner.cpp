@@ -10,9 +10,6 @@ namespace autocuts::multires {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-//! Newton steps of one point. Chosen by hand; no measurement of its effect is recorded.
-constexpr int descentSteps = 6;
 //! Mean symmetric Dirichlet energy around a point above which its neighbours are moved to make room, and how
 //! often at most. Chosen by hand; no measurement of their effect is recorded.
 constexpr double crowded = 8;

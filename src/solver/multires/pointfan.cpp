@@ -10,9 +10,6 @@ namespace autocuts::multires {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-//! Newton steps of one point. Chosen by hand; no measurement of its effect is recorded.
-constexpr int descentSteps = 6;
 //! Mean symmetric Dirichlet energy above which a point had better not stay on the side. Chosen by hand; no
 //! measurement of its effect is recorded.
 constexpr double flat = 100;

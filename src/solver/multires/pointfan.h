@@ -3,9 +3,14 @@
 
 #include "model/plain/types.h"
 
+#include <limits>
 #include <vector>
 
 namespace autocuts::multires {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+//! Newton steps of one point. Chosen by hand; no measurement of its effect is recorded.
+constexpr int descentSteps = 6;
 
 //! Triangles (point, a, b), each counter-clockwise; b of one is a of the next. Their 3D shapes define the
 //! distortion of the map; triangles without area in 3D must not flip but have no distortion.

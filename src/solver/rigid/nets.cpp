@@ -17,8 +17,6 @@ namespace {
 //! Overlaps that count, as shares of the whole area: anywhere, and (of the smaller triangle) between
 //! triangles that meet in a point of the model, where the two sides of a hinge differ by rounding.
 constexpr double overlapShare = 1e-10, touchingShare = 1e-5;
-//! Two sides of an edge are together when their ends are nearer than this share of its length.
-constexpr double togetherShare = 0.02;
 constexpr double noise = 0.5; // of the costs, natural logarithm; chosen by hand
 
 //! Grows nets by joining them in pairs.

@@ -15,8 +15,6 @@ namespace autocuts::rigid {
 
 namespace {
 
-//! Two sides of an edge come together when their ends are nearer than this share of its length.
-constexpr double togetherShare = 0.02;
 //! Mean energy above that of an isometry from which a region counts as stretched; a triangle counts with at
 //! most the second number, as thin ones can be in any shape.
 constexpr double mostStretch = 5e-4, mostOfThin = 1;

@@ -9,6 +9,9 @@
 
 namespace autocuts::rigid {
 
+//! Two sides of an edge are together when their ends are nearer than this share of its length.
+constexpr double togetherShare = 0.02;
+
 //! The rigid regions in the plane, each in a frame of its own.
 struct Unrolled
 {

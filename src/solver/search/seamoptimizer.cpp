@@ -24,8 +24,7 @@ constexpr double hopelessExcess = 1;
 constexpr int firstTries = 3;
 //! The first maps of all are told while they have this share of the distortion told last, at most.
 constexpr double worthTelling = 0.7;
-constexpr int firstRelaxation = 60;     // Newton steps on a first map, at most
-constexpr double firstTolerance = 1e-2; // energy gained in ten steps below which the relaxation ends
+constexpr int firstRelaxation = 60; // Newton steps on a first map, at most
 
 //! The state itself; nothing when charts overlap themselves and that is not allowed, or when stopped.
 std::optional<CutState> usable(CutState state, const OptimizeOptions &options)

@@ -10,7 +10,7 @@ namespace {
 
 // Chosen by hand.
 constexpr int newtonSteps = 10;
-constexpr double nearAxis = 0.5;     //!< sine of the angle to an axis below which a chain is to run along it
+constexpr double nearAxisSine = 0.5; //!< sine of the angle to an axis below which a chain is to run along it
 constexpr double diagonalGain = 0.1; //!< what a straight chain counts that runs along no axis
 constexpr double chosenGain = 1000;  //!< factor on what a chain counts that the user has chosen
 constexpr double kept = 0.6;         //!< share of the cost that the next level may have
@@ -83,9 +83,9 @@ private:
             const Vec2 along = directionOf(chain, mFree.position).cwiseAbs();
             if (along.isZero())
                 continue;
-            if (along.x() <= nearAxis)
+            if (along.x() <= nearAxisSine)
                 line.normal = Vec2::UnitX();
-            else if (along.y() > nearAxis && !makeDiagonal(line))
+            else if (along.y() > nearAxisSine && !makeDiagonal(line))
                 continue;
             line.way = farthestFrom(line);
             lines.push_back(line);
@@ -103,7 +103,7 @@ private:
     {
         const auto merit = [&](const Candidate &line) {
             const double slope =
-                std::abs(directionOf(*line.chain, mFree.position).dot(line.normal)) / nearAxis;
+                std::abs(directionOf(*line.chain, mFree.position).dot(line.normal)) / nearAxisSine;
             return line.gain() * (1 - slope * slope);
         };
         std::stable_sort(lines.begin(), lines.end(),

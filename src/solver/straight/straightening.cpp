@@ -26,7 +26,7 @@ constexpr double searchShare = 0.85;
 //! Most distortion for straightening, however large the bound is. Chosen by hand.
 constexpr double mostSpent = 0.15;
 constexpr double smallerBudget = 0.9; //!< factor when the whole map is above the bound
-constexpr int mostTries = 20;
+constexpr int mostStraightenings = 20;
 // The same after a stop.
 constexpr double hurriedBudget = 0.5;
 constexpr int hurriedTries = 3;
@@ -96,7 +96,7 @@ public:
         if (stopped &&
             std::all_of(mLevels.begin(), mLevels.end(), [](const auto &own) { return own.empty(); }))
             return mMap;
-        const int tries = stopped ? hurriedTries : mostTries;
+        const int tries = stopped ? hurriedTries : mostStraightenings;
         double budget = std::clamp(maxDistortion - freeEnergy(), 0.0, mostSpent);
         for (int attempt = 0; attempt < tries; ++attempt, budget *= stopped ? hurriedBudget : smallerBudget) {
             SeamedMap straight = mapFor(budget);

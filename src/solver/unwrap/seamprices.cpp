@@ -15,7 +15,7 @@ namespace autocuts::unwrap {
 namespace {
 
 // Chosen by hand; their effect has not been measured.
-constexpr int relaxSteps = 40;     // Newton steps on the map without a seam
+constexpr int seamlessSteps = 40;  // Newton steps on the map without a seam
 constexpr int proposalTries = 60;  // new seams that are tried for one proposal
 constexpr double proposalMu = 0.1; // see SearchOptions
 
@@ -23,7 +23,7 @@ constexpr double proposalMu = 0.1; // see SearchOptions
 void relax(search::CutState &state, const JobContext &job)
 {
     search::SeamTrial trial(state);
-    trial.relaxAll(relaxSteps, true, job);
+    trial.relaxAll(seamlessSteps, true, job);
 }
 
 class SeamPricing

@@ -209,7 +209,9 @@ void FileController::endAutosave()
 
 void FileController::saveForRecovery(const QString &path, const Autosave::Saved &saved)
 {
-    mSaver.save(sessionNow(mWorkspace.sessionPath()), path, saved);
+    mSaver.save(sessionNow(mWorkspace.sessionPath()), path, [saved](const Result<SavedProject> &result) {
+        saved(result ? Result<Done>(Done()) : Result<Done>(result.error()));
+    });
 }
 
 //! The session as it is shown: with the newest map of a running solve, as a pause would leave it.
@@ -238,7 +240,7 @@ void FileController::save(const QString &path)
         return;
     SessionToSave session = sessionNow(path);
     mWorkspace.beginSave();
-    mSaver.save(std::move(session), path, [this, path](const Result<Done> &saved) {
+    mSaver.save(std::move(session), path, [this, path](const Result<SavedProject> &saved) {
         mWorkspace.endSave(saved ? path : QString());
         if (!saved) {
             Q_EMIT failed(saved.error());
@@ -252,6 +254,9 @@ void FileController::save(const QString &path)
         }
         mPreferences.addRecentFile(path);
         Q_EMIT done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+        if (!saved->warning.isEmpty())
+            Q_EMIT failed(Error{saved->warning, path + QStringLiteral(".1"), 0,
+                                tr("Check the permissions of the folder")});
     });
 }
 

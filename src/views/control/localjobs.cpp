@@ -17,7 +17,7 @@ namespace autocuts {
 
 namespace {
 
-struct JobTexts
+struct LocalJobTexts
 {
     Q_DECLARE_TR_FUNCTIONS(autocuts::MapController)
 };
@@ -78,15 +78,16 @@ MapJobResult localResult(const homotopy::LocalSolution &solution, UvEdit edit, i
         result.uv = solution.uv;
         break;
     case homotopy::LocalSolution::Outcome::Empty:
-        result.problem = solution.foldedFaces > 0
-                             ? JobTexts::tr("The faces are turned over in the map and cannot be solved")
-                             : JobTexts::tr("Nothing can move: select more faces, or remove pins and locks");
+        result.problem =
+            solution.foldedFaces > 0
+                ? LocalJobTexts::tr("The faces are turned over in the map and cannot be solved")
+                : LocalJobTexts::tr("Nothing can move: select more faces, or remove pins and locks");
         break;
     case homotopy::LocalSolution::Outcome::Stuck:
-        result.problem = JobTexts::tr(stuck);
+        result.problem = LocalJobTexts::tr(stuck);
         break;
     case homotopy::LocalSolution::Outcome::Cancelled:
-        result.problem = JobTexts::tr("Cancelled: the map stays as it was");
+        result.problem = LocalJobTexts::tr("Cancelled: the map stays as it was");
         break;
     }
     return result;
@@ -156,7 +157,7 @@ MapJobResult relaxJob(const MapInput &input, JobControl &control)
     const homotopy::LocalSolution solution = solved(input, problem, control);
     MapJobResult result = localResult(solution, UvEdit::Relax, static_cast<int>(problem.faces.size()));
     if (result.problem.isEmpty())
-        result.message = JobTexts::tr("Relaxed: distortion %1 before, %2 now")
+        result.message = LocalJobTexts::tr("Relaxed: distortion %1 before, %2 now")
                              .arg(solution.before, 0, 'f', 4)
                              .arg(solution.after, 0, 'f', 4);
     if (result.uv.rows() > 0)
@@ -180,8 +181,9 @@ MapJobResult straightenJob(const MapInput &input, JobControl &control)
     problem.faces = freeIslands(mesh, topology, input.marks, faces);
     if (problem.targets.empty() || problem.faces.empty()) {
         MapJobResult result;
-        result.problem = JobTexts::tr("Select edges that follow each other: a loop without ends, a fork or "
-                                      "a locked island cannot be straightened");
+        result.problem =
+            LocalJobTexts::tr("Select edges that follow each other: a loop without ends, a fork or "
+                              "a locked island cannot be straightened");
         return result;
     }
     const homotopy::LocalSolution solution = solved(input, problem, control);
@@ -190,7 +192,7 @@ MapJobResult straightenJob(const MapInput &input, JobControl &control)
                     QT_TRANSLATE_NOOP("autocuts::MapController",
                                       "The chain cannot be made straight without turning faces over"));
     if (result.problem.isEmpty())
-        result.message = JobTexts::tr("Chains made straight: %1, distortion %2 before, %3 now")
+        result.message = LocalJobTexts::tr("Chains made straight: %1, distortion %2 before, %3 now")
                              .arg(found.chains.size())
                              .arg(solution.before, 0, 'f', 4)
                              .arg(solution.after, 0, 'f', 4);
@@ -214,8 +216,8 @@ MapJobResult gridJob(const MapInput &input, JobControl &control)
     MapJobResult result;
     if (gridFaces.isEmpty()) {
         result.problem =
-            JobTexts::tr("The selected faces are no grid: that needs quads in rows and columns, four "
-                         "around every point inside, not closed around a tube and without pins");
+            LocalJobTexts::tr("The selected faces are no grid: that needs quads in rows and columns, four "
+                              "around every point inside, not closed around a tube and without pins");
         return result;
     }
     const int count = static_cast<int>(gridFaces.size());
@@ -247,14 +249,14 @@ MapJobResult gridJob(const MapInput &input, JobControl &control)
         if (const auto place = places.find(topology.cornerRoot[c]); place != places.end())
             result.uv.row(c) = place->second.transpose();
     }
-    result.message = JobTexts::tr("Faces in straight grids: %1").arg(count);
+    result.message = LocalJobTexts::tr("Faces in straight grids: %1").arg(count);
     tellNewOverlaps(input, control, result);
     if (!found.left.empty() && result.problem.isEmpty()) {
         result.problemItems.mode = SelectionMode::Faces;
         result.problemItems.faces = QList<int>(found.left.begin(), found.left.end());
         result.problemItems.normalize(mesh);
         result.problem =
-            JobTexts::tr(
+            LocalJobTexts::tr(
                 "%1. Faces that stay, because they are no quads in rows and columns or are pinned: %2")
                 .arg(result.message)
                 .arg(found.left.size());
@@ -271,7 +273,7 @@ MapJobResult alignJob(const MapInput &input, const QList<int> &faces, JobControl
     result.edit = UvEdit::AlignToAxes;
     if (islands.empty()) {
         result.problem =
-            JobTexts::tr("Locked islands are not aligned: select others, or unlock them (Ctrl+Shift+L)");
+            LocalJobTexts::tr("Locked islands are not aligned: select others, or unlock them (Ctrl+Shift+L)");
         return result;
     }
     std::set<int> charts;
@@ -287,13 +289,13 @@ MapJobResult alignJob(const MapInput &input, const QList<int> &faces, JobControl
         align, {&control.stop(), 1, [&](const JobProgress &done) { control.setProgress(done.fraction); }});
     result.uv = made.uv;
     if (made.nothingFree)
-        result.problem = JobTexts::tr("Islands with pins and stacked or grouped ones are not aligned");
+        result.problem = LocalJobTexts::tr("Islands with pins and stacked or grouped ones are not aligned");
     else if (made.flipped)
-        result.problem = JobTexts::tr("Triangles of these islands are flipped: unwrap them first");
+        result.problem = LocalJobTexts::tr("Triangles of these islands are flipped: unwrap them first");
     else if (made.uv.rows() == 0)
-        result.problem = JobTexts::tr("Cancelled: the map stays as it was");
+        result.problem = LocalJobTexts::tr("Cancelled: the map stays as it was");
     else
-        result.message = JobTexts::tr("Islands aligned: %1, distortion %2 before, %3 now")
+        result.message = LocalJobTexts::tr("Islands aligned: %1, distortion %2 before, %3 now")
                              .arg(charts.size())
                              .arg(made.before, 0, 'f', 4)
                              .arg(made.after, 0, 'f', 4);

@@ -10,7 +10,7 @@ namespace autocuts {
 
 namespace {
 
-Result<Done> write(ProjectWriter &writer, const SessionToSave &session, const QString &path)
+Result<SavedProject> write(ProjectWriter &writer, const SessionToSave &session, const QString &path)
 {
     ProjectExtras extras;
     extras.sessionPath = session.sessionPath;
@@ -24,7 +24,7 @@ Result<Done> write(ProjectWriter &writer, const SessionToSave &session, const QS
     return saveProjectBytes(writer.bytes(session.state, extras), path);
 }
 
-Result<Done> writeOrTell(ProjectWriter &writer, const SessionToSave &session, const QString &path)
+Result<SavedProject> writeOrTell(ProjectWriter &writer, const SessionToSave &session, const QString &path)
 {
     try {
         return write(writer, session, path);
@@ -53,7 +53,7 @@ void SessionSaver::save(SessionToSave session, const QString &path, Saved saved)
 {
     ++mSaving;
     mThread.start([this, session = std::move(session), path, saved = std::move(saved)] {
-        Result<Done> result = writeOrTell(mWriter, session, path);
+        Result<SavedProject> result = writeOrTell(mWriter, session, path);
         QMetaObject::invokeMethod(
             this,
             [this, saved, result = std::move(result)] {

@@ -27,7 +27,7 @@ class SessionSaver final : public QObject
     Q_OBJECT
 
 public:
-    using Saved = std::function<void(const Result<Done> &saved)>;
+    using Saved = std::function<void(const Result<SavedProject> &saved)>;
 
     explicit SessionSaver(QObject *parent = nullptr);
     //! Waits until everything is written; callbacks are no longer called.

@@ -10,7 +10,7 @@ namespace autocuts {
 
 namespace {
 
-struct JobTexts
+struct TransferJobTexts
 {
     Q_DECLARE_TR_FUNCTIONS(autocuts::MapController)
 };
@@ -37,7 +37,7 @@ Result<Done> fillSource(const TransferChoice &choice, const std::vector<UvSet> &
     return Done();
 }
 
-MapJobResult failed(const QString &problem)
+MapJobResult transferFailed(const QString &problem)
 {
     MapJobResult result;
     result.edit = UvEdit::Transfer;
@@ -50,13 +50,13 @@ MapJobResult failed(const QString &problem)
 MapJobResult transferUvsJob(const MapInput &input, const TransferChoice &choice,
                             const std::vector<UvSet> &sets, JobControl &control)
 {
-    const QString stoppedText = JobTexts::tr("Cancelled: the map stays as it is");
+    const QString stoppedText = TransferJobTexts::tr("Cancelled: the map stays as it is");
     TransferJob job;
     const Result<Done> filled = fillSource(choice, sets, input, control, job);
     if (control.stop())
-        return failed(stoppedText);
+        return transferFailed(stoppedText);
     if (!filled)
-        return failed(filled.error().toString());
+        return transferFailed(filled.error().toString());
     job.mesh = input.snapshot.mesh;
     job.uv = input.uv;
     job.match = choice.match;
@@ -70,13 +70,13 @@ MapJobResult transferUvsJob(const MapInput &input, const TransferChoice &choice,
         runTransfer(job, {[&control] { return control.stop().load(); },
                           [&control](double fraction) { control.setProgress(fraction); }});
     if (!made)
-        return failed(made.error().toString());
+        return transferFailed(made.error().toString());
     if (made->stopped)
-        return failed(stoppedText);
+        return transferFailed(stoppedText);
     MapJobResult result;
     result.edit = UvEdit::Transfer;
     result.uv = made->uv;
-    result.message = JobTexts::tr("UVs transferred: %1").arg(made->summary());
+    result.message = TransferJobTexts::tr("UVs transferred: %1").arg(made->summary());
     if (const QStringList warnings = made->warnings(); !warnings.isEmpty()) {
         result.problem = result.message + QStringLiteral(". ") + warnings.join(QStringLiteral(". "));
         result.problemItems.mode = SelectionMode::Faces;

@@ -22,7 +22,7 @@ namespace autocuts {
 namespace {
 
 //! What all pictures may take together, in pixels of four bytes. Chosen by hand.
-constexpr double pixelBudget = 128.0 * (1 << 20);
+constexpr double decodedPixelBudget = 128.0 * (1 << 20);
 //! More tiles are left out. Chosen by hand.
 constexpr std::size_t maxPictures = 256;
 
@@ -182,7 +182,8 @@ QString pictureProblem(const QString &path)
 
 int longestSide(std::size_t images)
 {
-    const double room = pixelBudget / static_cast<double>(std::clamp<std::size_t>(images, 1, maxPictures));
+    const double room =
+        decodedPixelBudget / static_cast<double>(std::clamp<std::size_t>(images, 1, maxPictures));
     return std::clamp(static_cast<int>(std::exp2(std::floor(std::log2(std::sqrt(room))))), 256,
                       maxPictureSide);
 }

@@ -210,14 +210,15 @@ Result<Done> GltfOutput::saveAll(const QByteArray &main)
     return Done{};
 }
 
-//! The buffer files of the file that is replaced, as far as their names are made from its own name.
+//! The buffer files of the file that is replaced, as far as their names carry a hash of their content: no
+//! others can be told from files of the user, which other models may share.
 std::vector<QString> GltfOutput::namedByTheOldFile() const
 {
     std::vector<QString> names;
     const Result<QByteArray> old = loadFile(mTo, std::numeric_limits<qint64>::max());
     if (!old || old->startsWith("glTF"))
         return names;
-    const QRegularExpression ours(QStringLiteral("^%1(-[0-9a-f]{%2}(-[0-9]+)?)?\\.bin$")
+    const QRegularExpression ours(QStringLiteral("^%1-[0-9a-f]{%2}(-[0-9]+)?\\.bin$")
                                       .arg(QRegularExpression::escape(QFileInfo(mTo).completeBaseName()))
                                       .arg(contentDigits));
     const Json json = Json::parse(old->begin(), old->end(), nullptr, false);

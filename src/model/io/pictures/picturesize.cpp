@@ -8,7 +8,7 @@ namespace autocuts {
 
 namespace {
 
-struct PictureTexts
+struct SizeTexts
 {
     Q_DECLARE_TR_FUNCTIONS(PictureFiles)
 };
@@ -23,22 +23,22 @@ constexpr qint64 fewPixels = 1024 * 1024;
 Result<Done> checkPictureSize(qint64 width, qint64 height, qint64 fileBytes, const QString &path)
 {
     if (width <= 0 || height <= 0)
-        return Error{PictureTexts::tr("the picture has no pixels"), path, 0,
-                     PictureTexts::tr("Save it again in the program that it comes from")};
+        return Error{SizeTexts::tr("the picture has no pixels"), path, 0,
+                     SizeTexts::tr("Save it again in the program that it comes from")};
     if (std::max(width, height) > maxPictureSide || width * height > maxPicturePixels)
         return Error{
-            PictureTexts::tr("%1 x %2 pixels are too many").arg(width).arg(height), path, 0,
-            PictureTexts::tr("Scale the picture down to sides of %1 pixels at most").arg(maxPictureSide)};
+            SizeTexts::tr("%1 x %2 pixels are too many").arg(width).arg(height), path, 0,
+            SizeTexts::tr("Scale the picture down to sides of %1 pixels at most").arg(maxPictureSide)};
     if (width * height > fewPixels && width * height / pixelsPerByte > fileBytes)
-        return brokenPicture(path, PictureTexts::tr("it is too short"));
+        return brokenPicture(path, SizeTexts::tr("it is too short"));
     return Done{};
 }
 
 Error brokenPicture(const QString &path, const QString &reason)
 {
-    return {reason.isEmpty() ? PictureTexts::tr("the picture is damaged, or its format is not known")
-                             : PictureTexts::tr("the picture cannot be read (%1)").arg(reason),
-            path, 0, PictureTexts::tr("Save it again in the program that it comes from")};
+    return {reason.isEmpty() ? SizeTexts::tr("the picture is damaged, or its format is not known")
+                             : SizeTexts::tr("the picture cannot be read (%1)").arg(reason),
+            path, 0, SizeTexts::tr("Save it again in the program that it comes from")};
 }
 
 } // namespace autocuts
