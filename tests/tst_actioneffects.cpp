@@ -1,6 +1,7 @@
 // What the actions of the menus do.
 #include "commands/setuvs.h"
 #include "support/gridstudio.h"
+#include "support/patience.h"
 #include "views/selecting/selecting.h"
 
 #include <QSignalSpy>
@@ -302,18 +303,29 @@ private Q_SLOTS:
         QCOMPARE(studio.workspace.document() == nullptr, left);
     }
 
-    void closingWaitsForTheSolver()
+    void closingAsksWhileTheSolverRuns()
     {
         GridStudio studio;
         QWidget window;
         studio.answers.setWindow(&window);
         window.show();
         studio.trigger("uv.run");
-        QVERIFY(QTest::qWaitFor([&] { return studio.solver.status().iteration > 0; }, 60'000));
+        QVERIFY(QTest::qWaitFor([&] { return studio.solver.map() != nullptr; }, test::patience));
+        studio.answers.unsaved = Questions::Unsaved::Cancel;
         QVERIFY(!studio.actions.file().mayClose());
-        QVERIFY(QTest::qWaitFor([&] { return !window.isVisible(); }, 60'000));
+        QCOMPARE(studio.answers.unsavedAsked, 1);
+        QVERIFY(window.isVisible());
+        studio.answers.unsaved = Questions::Unsaved::Discard;
+        QVERIFY(studio.actions.file().mayClose());
+        // What the solver has found is saved, then the window closes.
+        studio.answers.unsaved = Questions::Unsaved::Save;
+        const QString file = studio.path("a.acproj");
+        studio.answers.filesToSave = {file};
+        QVERIFY(!studio.actions.file().mayClose());
+        QVERIFY(QTest::qWaitFor([&] { return !window.isVisible(); }, test::patience));
         QVERIFY(!studio.solver.isRunning());
         QCOMPARE(studio.entries(), 1);
+        QVERIFY(loadProject(file).value().state.scene.uvSets[0].uv == studio.document().uv());
     }
 
     void closingWaitsForASave()

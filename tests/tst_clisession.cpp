@@ -379,7 +379,7 @@ void TestCliSession::whatASessionLostIsSaid_data()
     QTest::addColumn<QString>("said");
     QTest::newRow("UVs") << QByteArray("uv.0") << 60 << u"the UV sets: damaged in the session, left out"_s;
     QTest::newRow("name of a part") << QByteArray("texelWeights") << 5
-                                    << u"the part \"texelVeights\", which is unknown,"_s;
+                                    << u"the part \"texelVeights\" is unknown"_s;
     QTest::newRow("an optional part") << QByteArray("texelWeights") << 30
                                       << u"the painted texel density: damaged in the session, left out"_s;
 }

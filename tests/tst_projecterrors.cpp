@@ -274,6 +274,8 @@ void TestProjectErrors::unknownBlocksAreSkipped()
     const Result<LoadedProject> loaded = parseProject(session + more.mid(head), {});
     QVERIFY2(loaded.ok(), loaded ? "" : qPrintable(loaded.error().toString()));
     QVERIFY(loaded->lost.isEmpty());
+    QCOMPARE(loaded->warnings.size(), 1);
+    QVERIFY(loaded->warnings.front().contains(u"\"future\" is unknown"));
 }
 
 void TestProjectErrors::contentsHaveALimit()

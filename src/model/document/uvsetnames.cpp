@@ -1,6 +1,8 @@
 #include "model/document/uvsetnames.h"
 
-#include "model/document/documentstate.h"
+#include "model/document/constraints.h"
+
+#include <algorithm>
 
 namespace autocuts {
 

@@ -113,23 +113,17 @@ void readExtras(const PartMap &parts, bool hadJournal, LoadedProject &project)
         project.lost << u"the session's own path"_s;
 }
 
-//! Parts that this version does not know, for example because a bit of a name has changed.
-QStringList unknownParts(const ProjectParts &container)
-{
-    QStringList parts;
-    for (const QByteArray &name : container.skipped) {
-        if (!isKnown(name))
-            parts << u"the part \"%1\", which is unknown,"_s.arg(QString::fromUtf8(name.left(longestName)));
-    }
-    return parts;
-}
-
 void addNotes(const ProjectParts &container, int lostSeams, LoadedProject &project)
 {
     if (container.brokenOff)
         project.warnings << u"the session is cut off or damaged in the middle"_s;
     for (const QString &what : project.lost)
         project.warnings << u"%1: damaged in the session, left out"_s.arg(what);
+    for (const QByteArray &name : container.skipped) {
+        if (!isKnown(name))
+            project.warnings << u"the part \"%1\" is unknown and was left out: its name is damaged, or "
+                                "another version made it"_s.arg(QString::fromUtf8(name.left(longestName)));
+    }
     if (lostSeams > 0)
         project.warnings << u"%1 seams do not fit the model and were left out"_s.arg(lostSeams);
     project.notes = project.warnings + project.notes;
@@ -161,7 +155,7 @@ Result<LoadedProject> parse(const QByteArray &bytes, const QString &path, const 
         return readingCancelled(path);
     project.state.scene = std::move(scene).value();
     const LostParts lost = readStateParts(parts, StateScope::Session, project.state);
-    project.lost += lost.names + unknownParts(container.value());
+    project.lost += lost.names;
     // Not every session has these.
     const std::pair<const char *, QString> optional[] = {
         {"texelWeights", u"the painted texel density"_s},

@@ -218,10 +218,10 @@ void FileController::saveForRecovery(const QString &path, const Autosave::Saved 
 SessionToSave FileController::sessionNow(const QString &sessionPath)
 {
     Document &document = *mWorkspace.document();
-    if (mViewState)
-        document.setViewState(mViewState());
     SessionToSave session{document.state(), mWorkspace.recorder().pending(),
                           mThumbnail ? mThumbnail() : QImage(), sessionPath};
+    if (mViewState)
+        session.state.viewState = mViewState();
     const bool solves = mSolver.isRunning() || mSolver.isPausing();
     if (const std::shared_ptr<const unwrap::LiveMapResult> live = solves ? mSolver.map() : nullptr) {
         const std::unique_ptr<SetUvs> command = newMapCommand(document, UvEdit::Solve, live->uv);
@@ -238,6 +238,8 @@ void FileController::save(const QString &path)
 {
     if (!mWorkspace.document())
         return;
+    if (mViewState)
+        mWorkspace.document()->setViewState(mViewState());
     SessionToSave session = sessionNow(path);
     mWorkspace.beginSave();
     mSaver.save(std::move(session), path, [this, path](const Result<SavedProject> &saved) {
