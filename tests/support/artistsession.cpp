@@ -166,9 +166,9 @@ private:
     {
         mArtist.use("select.islands");
         mArtist.use("tool.select");
-        const QList<QPoint> places = mArtist.placesOn(mArtist.map(), hovers);
-        mArtist.hover("select: hover", mArtist.map(), places);
-        mArtist.click("select: click", mArtist.map(), places[12]);
+        mArtist.hover("select: hover", mArtist.map(), mArtist.placesOn(mArtist.map(), hovers));
+        // Looked for anew: a message above the view that ends moves the map.
+        mArtist.click("select: click", mArtist.map(), mArtist.placesOn(mArtist.map(), hovers)[12]);
         require(!document().selection().faces.isEmpty(), u"no island is selected"_s);
         mArtist.use("tool.move");
         mArtist.type("islands: keys", mArtist.map(), u"\r"_s); // ends the move that the key began
