@@ -143,7 +143,7 @@ private:
     Result<Done> writeOutput(const Scene &scene)
     {
         const qsizetype before = mFiles.warnings().size();
-        const Result<Done> written = mFiles.write(scene, mOptions);
+        Result<Done> written = mFiles.write(scene, mOptions);
         sayWarnings(mFiles.warnings().mid(before));
         return written;
     }

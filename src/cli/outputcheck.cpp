@@ -69,10 +69,10 @@ Result<Done> checkTargets(const CliOptions &options)
          {picturesInFolder ? QString() : options.output, options.layout, options.report}) {
         if (target.isEmpty())
             continue;
-        if (const Result<Done> fine = checkTarget(target); !fine)
+        if (Result<Done> fine = checkTarget(target); !fine)
             return fine;
     }
-    if (const Result<Done> fine = checkClashes(options, DocumentState()); !fine)
+    if (Result<Done> fine = checkClashes(options, DocumentState()); !fine)
         return fine;
     if (!writesModel(options) || options.output.isEmpty() || isProjectPath(options.output))
         return Done{};
@@ -88,14 +88,14 @@ Result<Done> checkClashes(const CliOptions &options, const DocumentState &model,
     if (writesModel(options)) {
         const bool again = !options.output.isEmpty() && isRewritten(options);
         const QStringList read = inputs + filesBeside(model) + QStringList{again ? QString() : input};
-        if (const Result<Done> fine = checkOutputs({options.output}, read); !fine)
+        if (Result<Done> fine = checkOutputs({options.output}, read); !fine)
             return fine;
         kept += QStringList{options.output} + filesWrittenBeside(options.output);
     } else {
         QStringList written = pictures;
         if (options.command == Command::LightBake && pictures.isEmpty())
             written = withTiles(options.output);
-        if (const Result<Done> fine = checkOutputs(written, own + inputs + filesBeside(model, true)); !fine)
+        if (Result<Done> fine = checkOutputs(written, own + inputs + filesBeside(model, true)); !fine)
             return fine;
         kept += written;
     }
