@@ -4,7 +4,8 @@ add_library(Autocuts::Flags ALIAS autocuts_flags)
 
 target_compile_options(autocuts_flags INTERFACE
   -Wall -Wextra -Wpedantic
-  # Where several sources are compiled as one, names of one would be said to hide those of another.
+  # A unity build compiles several sources as one file: GCC would warn of a local name that hides a name of
+  # another source.
   $<IF:$<BOOL:${AUTOCUTS_UNITY}>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>
   # No contraction into fused multiply-adds: the same sum gives the same bits on every machine,
   # and the overlap tests rely on exact zeros for shared edges.

@@ -1,20 +1,15 @@
 // The studio as an artist works with it: real key and mouse events on the real window.
-#include "model/document/makesnapshot.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
-#include "model/samples/samples.h"
 #include "support/editsupport.h"
 #include "support/patience.h"
 #include "support/studiosession.h"
 #include "views/actions/studioactions.h"
-#include "views/canvas/axisgizmo.h"
-#include "views/canvas/mapoverlays.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
 #include "views/panels/noticebar.h"
 #include "views/shell/startpage.h"
 #include "views/shell/statusbar.h"
-#include "views/ui/dialogsize.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -24,26 +19,13 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
-#include <QMenuBar>
 #include <QMimeData>
-#include <QPainter>
 #include <QPushButton>
-#include <QScreen>
 #include <QSignalSpy>
 #include <QTableView>
-#include <QToolBar>
 
 using namespace autocuts;
-using namespace autocuts::homotopy;
-using namespace autocuts::metrics;
 using test::StudioSession;
-
-namespace {
-
-//! Of a menu, separators included: with more it gets a second column on a screen of 1280 x 800.
-constexpr int mostRows = 42;
-
-} // namespace
 
 class TestStudio : public QObject
 {
@@ -100,21 +82,6 @@ private Q_SLOTS:
         QVERIFY(studio.jobsRest());
         studio.action("file.close")->trigger();
         QTRY_VERIFY(page->isVisible() && !recent->isVisible());
-    }
-
-    void theWindowFitsASmallScreen()
-    {
-        StudioSession studio;
-        // 1280 x 720, and 1920 x 1080 at twice the scale.
-        QVERIFY2(studio.window.minimumSizeHint().width() <= 960,
-                 qPrintable(QString::number(studio.window.minimumSizeHint().width())));
-        QVERIFY2(studio.window.minimumSizeHint().height() <= 500,
-                 qPrintable(QString::number(studio.window.minimumSizeHint().height())));
-        Preferences preferences{studio.folder.filePath(QStringLiteral("other.ini"))};
-        const MainWindow window(preferences, studio.folder.filePath(QStringLiteral("other")));
-        const QSize space = window.screen()->availableSize();
-        QVERIFY(window.width() < space.width() && window.height() < space.height());
-        QVERIFY2(window.minimumHeight() <= 500, qPrintable(QString::number(window.minimumHeight())));
     }
 
     void aFieldGivesTheFocusBack()
@@ -263,97 +230,14 @@ private Q_SLOTS:
         menu = openMenu();
         QVERIFY(menu);
         QVERIFY(offers(menu, "uv.packSelection") && offers(menu, "uv.lock"));
-        QVERIFY2(menu->actions().size() <= mostRows, qPrintable(QString::number(menu->actions().size())));
+        QVERIFY2(menu->actions().size() <= StudioSession::mostRows,
+                 qPrintable(QString::number(menu->actions().size())));
         menu->close();
         // A drag with the right button is none.
         QTest::mousePress(view, Qt::RightButton, {}, view->rect().center());
         QTest::mouseMove(view, view->rect().center() + QPoint(60, 0));
         QTest::mouseRelease(view, Qt::RightButton, {}, view->rect().center() + QPoint(60, 0));
         QVERIFY(!QApplication::activePopupWidget());
-    }
-
-    void menusFitOnSmallScreens()
-    {
-        const StudioSession studio;
-        for (const QMenu *menu : studio.window.menuBar()->findChildren<QMenu *>()) {
-            const qsizetype rows = menu->actions().size();
-            QVERIFY2(rows <= mostRows, qPrintable(menu->objectName() + QString::number(rows)));
-        }
-    }
-
-    void nothingIsHiddenInNarrowWindows()
-    {
-        StudioSession studio;
-        auto *const bar = studio.window.findChild<QToolBar *>(QStringLiteral("mainToolBar"));
-        auto *const options = studio.window.findChild<QToolBar *>(QStringLiteral("toolOptionsBar"));
-        studio.action("file.sample.bumpycube")->trigger();
-        studio.action("tool.paint")->trigger();
-        for (const int width : {1000, 1600, 1000}) {
-            studio.window.resize(width, 700);
-            QTRY_COMPARE(studio.window.width(), width);
-            QTRY_COMPARE(studio.window.toolBarBreak(options), width < 1200);
-            QTRY_VERIFY(bar->width() >= bar->sizeHint().width());
-            QTRY_VERIFY(options->width() >= options->sizeHint().width());
-        }
-        // Not in turns with the tools.
-        studio.action("tool.select")->trigger();
-        QVERIFY(studio.window.toolBarBreak(options));
-    }
-
-    void theWholeMapStaysInView()
-    {
-        StudioSession studio;
-        studio.action("file.sample.bumpycube")->trigger();
-        UvView &view = studio.window.uvView();
-        const auto isSeen = [&](const Vec2 &place) {
-            return QRectF(view.rect()).contains(view.camera().toScreen(place));
-        };
-        studio.window.resize(1500, 800);
-        QTRY_COMPARE(studio.window.width(), 1500);
-        studio.action("view.frameAll")->trigger();
-        studio.window.resize(1100, 600);
-        QTRY_COMPARE(studio.window.width(), 1100);
-        QTRY_VERIFY(isSeen(Vec2(0, 0)) && isSeen(Vec2(1, 1)));
-        // A view that the user moved stays.
-        MapCamera camera = view.camera();
-        camera.setScale(3 * camera.scale());
-        view.setCamera(camera);
-        studio.window.resize(1300, 700);
-        QTRY_COMPARE(studio.window.width(), 1300);
-        QCOMPARE(view.camera().scale(), camera.scale());
-    }
-
-    void rulersCutNoNumbers()
-    {
-        const ViewColors colors = ViewColors::of({}, true);
-        MapCamera camera;
-        const QSize size(300, 300);
-        camera.setViewSize(size);
-        const auto drawn = [&](double scale) {
-            camera.setScale(scale);
-            QImage image(size, QImage::Format_RGB32);
-            image.fill(Qt::black);
-            QPainter painter(&image);
-            drawRulers(painter, image.rect(), colors, camera, 1000);
-            return image;
-        };
-        // At the right and the upper end only marks may be, never a part of a number.
-        for (double scale = 100; scale < 200; scale += 3) {
-            const QImage image = drawn(scale);
-            for (int i = 0; i < rulerSize - 9; ++i) {
-                QCOMPARE(image.pixel(299, i), image.pixel(299, 0));
-                QCOMPARE(image.pixel(i, rulerSize), image.pixel(0, rulerSize));
-            }
-        }
-    }
-
-    void dialogsFitOnTheScreen()
-    {
-        QWidget dialog;
-        const QSize screen = dialog.screen()->availableSize();
-        resizeOnScreen(dialog, {100000, 300});
-        QVERIFY(dialog.width() < screen.width());
-        QCOMPARE(dialog.height(), 300);
     }
 
     void anActionIsFoundByName()
@@ -594,10 +478,6 @@ private Q_SLOTS:
         QVERIFY(studio.document()->undoStack().canRedo());
     }
 
-    void everyActionOnAnEmptyStudio() { triggerAll(false, false); }
-    void everyActionOnAModel() { triggerAll(true, false); }
-    void everyActionWhileSolving() { triggerAll(true, true); }
-
     void filesCanBeDropped()
     {
         const QString path =
@@ -632,64 +512,6 @@ private Q_SLOTS:
         QVERIFY2(studio.answers->errors.front().contains(QStringLiteral("broken.obj:2")),
                  qPrintable(studio.answers->errors.front()));
         QCOMPARE(studio.document(), before);
-    }
-
-    void theWindowsLayoutIsKept()
-    {
-        QTemporaryDir folder;
-        const QString ini = folder.filePath(QStringLiteral("autocuts.ini"));
-        {
-            Preferences preferences(ini);
-            MainWindow window(preferences, folder.path(), std::make_unique<test::Answers>());
-            window.show();
-            QVERIFY(QTest::qWaitForWindowExposed(&window));
-            window.findChild<QDockWidget *>(QStringLiteral("history"))->hide();
-            QVERIFY(window.close());
-        }
-        Preferences preferences(ini);
-        MainWindow window(preferences, folder.path(), std::make_unique<test::Answers>());
-        window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
-        QVERIFY(window.findChild<QDockWidget *>(QStringLiteral("history"))->isHidden());
-        QVERIFY(!window.findChild<QDockWidget *>(QStringLiteral("solver"))->isHidden());
-    }
-
-private:
-    void triggerAll(bool withModel, bool solving)
-    {
-        StudioSession studio;
-        studio.window.resize(900, 600); // software OpenGL is slow
-        int triggered = 0;
-        // Each on a model of its own: one action may take away what another one needs.
-        for (QAction *action : studio.context.actions.actions()) {
-            const QString id = action->objectName();
-            if (id == QStringLiteral("file.quit"))
-                continue; // tested by closing the window
-            if (withModel) {
-                studio.context.workspace.open(test::layoutDocument(test::sphere(8, 10)), {});
-                Selection selection;
-                selection.faces = {0, 1, 2};
-                selection.edges = {0, 5};
-                studio.document()->setSelection(selection);
-                if (solving) {
-                    studio.context.solver.run();
-                    QVERIFY2(studio.runsTo(1), qPrintable(id));
-                }
-            }
-            if (!action->isEnabled())
-                continue;
-            action->trigger();
-            ++triggered;
-            QCoreApplication::processEvents();
-            studio.context.map.cancel();
-            QVERIFY2(studio.jobsRest(), qPrintable(id));
-            QVERIFY2(studio.window.isVisible(), qPrintable(id));
-            if (studio.document())
-                QVERIFY2(studio.document()->validate().isEmpty(), qPrintable(id));
-        }
-        QVERIFY2(triggered > (withModel ? 60 : 20), qPrintable(QString::number(triggered)));
-        QVERIFY2(studio.answers->errors.isEmpty(),
-                 qPrintable(studio.answers->errors.join(QLatin1Char('\n'))));
     }
 };
 

@@ -17,6 +17,9 @@ using namespace live;
 //! A window of its own with empty preferences in a folder of its own.
 struct StudioSession
 {
+    //! Rows of a menu, separators included: with more it gets a second column on a screen of 1280 x 800.
+    static constexpr int mostRows = 42;
+
     QTemporaryDir folder;
     Preferences preferences{folder.filePath(QStringLiteral("autocuts.ini"))};
     Answers *answers = new Answers; //!< owned by the window

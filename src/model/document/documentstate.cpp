@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace autocuts {
 
@@ -64,14 +65,14 @@ QString validateUvSets(const DocumentState &state)
         return QStringLiteral("The active UV set does not exist");
     if (state.uvScales.size() != sets.size())
         return QStringLiteral("The scales do not fit the UV sets");
+    std::set<QString> names;
     for (std::size_t i = 0; i < sets.size(); ++i) {
         if (sets[i].uv.rows() != state.scene.mesh->cornerCount())
             return QStringLiteral("UV set %1 does not fit the mesh").arg(i);
         if (!std::isfinite(state.uvScales[i]) || state.uvScales[i] <= 0)
             return QStringLiteral("The scale of UV set %1 is not positive").arg(i);
-        const auto sameName = [&](const UvSet &other) { return other.name == sets[i].name; };
         if (sets[i].name.isEmpty() || sets[i].name.size() > maxNameLength ||
-            std::any_of(sets.begin(), sets.begin() + i, sameName))
+            !names.insert(sets[i].name).second)
             return QStringLiteral("UV set %1 has no name of its own").arg(i);
     }
     return {};

@@ -5,6 +5,7 @@
 #include "model/io/assimpscene.h"
 #include "model/io/assimptextures.h"
 #include "model/io/hardedges.h"
+#include "model/io/meshlimits.h"
 
 #include <QDir>
 #include <QFile>
@@ -25,10 +26,8 @@ namespace autocuts {
 
 namespace {
 
-//! Limits as in objreader.cpp.
+//! Bytes, as in objreader.cpp.
 constexpr qint64 maxFileSize = qint64(4) << 30;
-constexpr std::size_t maxElements = std::numeric_limits<int>::max() / 8;
-constexpr double maxCoordinate = 1e100;
 
 Eigen::Matrix4d toMatrix(const aiMatrix4x4 &m)
 {

@@ -1,14 +1,13 @@
 #include "model/io/fbxgeometry.h"
 
+#include "model/io/meshlimits.h"
+
 #include <cmath>
 #include <limits>
 
 namespace autocuts {
 
 namespace {
-
-//! Areas of meshes with larger coordinates may leave the range of doubles.
-constexpr double maxCoordinate = 1e100;
 
 //! To what the values of a layer element belong. Unknown: only their number says it.
 enum class Mapping { Unknown, Corner, Point, Polygon, Same };
@@ -64,8 +63,7 @@ std::optional<FbxGeometry> readFbxGeometry(const FbxTree &tree, int node)
 {
     const std::optional<std::vector<double>> points = tree.doubles(tree.child(node, "Vertices"));
     std::optional<std::vector<int>> indices = tree.integers(tree.child(node, "PolygonVertexIndex"));
-    constexpr std::size_t most = std::numeric_limits<int>::max() / 8;
-    if (!points || !indices || points->size() / 3 > most || indices->size() > most)
+    if (!points || !indices || points->size() / 3 > maxElements || indices->size() > maxElements)
         return {};
     FbxGeometry geometry;
     geometry.node = node;

@@ -8,6 +8,7 @@
 #include "model/io/fbxshading.h"
 #include "model/io/fbxsource.h"
 #include "model/io/fbxuvsets.h"
+#include "model/io/meshlimits.h"
 #include "model/io/savefile.h"
 
 #include <algorithm>
@@ -23,9 +24,6 @@ namespace {
 
 //! Bytes; chosen by hand. Offsets in most binary files have 32 bits.
 constexpr qint64 maxFileSize = qint64(2) << 30;
-//! As in objreader.cpp.
-constexpr std::size_t maxElements = std::numeric_limits<int>::max() / 8;
-constexpr double maxFbxCoordinate = 1e100;
 //! What a corner of the soup takes of the room for arrays: a small file may repeat a geometry many times.
 constexpr qint64 cornerBytes = 32;
 
@@ -123,7 +121,7 @@ bool SceneBuilder::addPoints(const FbxGeometry &geometry, const FbxModel &model,
 {
     for (Eigen::Index p = 0; p < geometry.points.rows(); ++p) {
         const Vec3 position = transform * Vec3(geometry.points.row(p));
-        if (!position.allFinite() || position.cwiseAbs().maxCoeff() > maxFbxCoordinate)
+        if (!position.allFinite() || position.cwiseAbs().maxCoeff() > maxCoordinate)
             return fail(
                 u"a vertex of \"%1\" has a coordinate that is not finite or is too large"_s.arg(model.name));
         mPositions.insert(mPositions.end(), position.data(), position.data() + 3);

@@ -1,5 +1,6 @@
 #include "model/io/objreader.h"
 
+#include "model/io/meshlimits.h"
 #include "model/io/objmaterials.h"
 #include "model/io/objscanner.h"
 #include "model/io/objsource.h"
@@ -19,11 +20,6 @@ namespace {
 
 //! Bytes; chosen by hand.
 constexpr qint64 maxFileSize = qint64(4) << 30;
-//! Soup corners are up to three times as many; their number, and small multiples of it, has to fit into an
-//! int.
-constexpr std::size_t maxElements = std::numeric_limits<int>::max() / 8;
-//! Areas of meshes with larger coordinates may leave the range of doubles.
-constexpr double maxCoordinate = 1e100;
 
 //! Numbers names in the order of first use.
 class NameTable

@@ -196,6 +196,7 @@ public:
     //! Gives the current file a second name, so that replacing it does not destroy it.
     void keepCurrent()
     {
+        mKept = true;
         std::error_code error;
         if (!fs::exists(mFile, error))
             return;
@@ -225,11 +226,12 @@ public:
             mProblem = error;
     }
 
-    //! For a save that failed.
+    //! For a save that failed: takes back what keepCurrent() did.
     void forget()
     {
         std::error_code error;
-        fs::remove(beside(".new"), error);
+        if (mKept)
+            fs::remove(beside(".new"), error);
     }
 
     //! Why a backup could not be made; no error when all were.
@@ -239,6 +241,7 @@ private:
     fs::path beside(const char *suffix) const { return fs::path(mFile) += suffix; }
 
     fs::path mFile;
+    bool mKept = false; //!< keepCurrent() was called
     std::error_code mProblem;
 };
 
@@ -276,14 +279,9 @@ QByteArray ProjectWriter::bytes(const DocumentState &state, const ProjectExtras 
 Result<SavedProject> saveProjectBytes(const QByteArray &bytes, const QString &path)
 {
     Backups backups(path);
-    bool kept = false;
-    const Result<Done> saved = saveAtomically(path, bytes, [&] {
-        backups.keepCurrent();
-        kept = true;
-    });
+    const Result<Done> saved = saveAtomically(path, bytes, [&] { backups.keepCurrent(); });
     if (!saved) {
-        if (kept)
-            backups.forget();
+        backups.forget();
         return saved.error();
     }
     backups.rotate();

@@ -24,7 +24,6 @@ constexpr double hopelessExcess = 1;
 constexpr int firstTries = 3;
 //! The first maps of all are told while they have this share of the distortion told last, at most.
 constexpr double worthTelling = 0.7;
-constexpr int firstRelaxation = 60; // Newton steps on a first map, at most
 
 //! The state itself; nothing when charts overlap themselves and that is not allowed, or when stopped.
 std::optional<CutState> usable(CutState state, const OptimizeOptions &options)
@@ -58,7 +57,7 @@ std::optional<OptimizedMap> flatMap(const std::shared_ptr<const SeamGraph> &grap
     if (!state)
         return std::nullopt;
     SeamTrial trial(*state);
-    for (int i = 0; i < firstRelaxation / 10; ++i) {
+    for (int i = 0; i < SeamRun::firstRelaxation / 10; ++i) {
         const double gained = trial.relaxAll(10, !options.allowOverlaps, options.job.quiet());
         if (state->distortion > options.maxDistortion + hopelessExcess)
             return std::nullopt;

@@ -19,7 +19,6 @@ constexpr double usualMu = 0.15, excessMu = 0.07;
 constexpr double leastMu = 1e-5;
 constexpr int boundRounds = 50;         // in which mu falls until the bound holds, at most
 constexpr int squeezeMoves = 20;        // large moves per squeeze
-constexpr int startRelaxation = 60;     // Newton steps on a first map, at most
 constexpr double startTolerance = 1e-2; // energy gained in ten steps below which the relaxation ends
 constexpr int firstPolishes = 4;
 //! While a polish lowers the energy above the bound by more than this share, mu stays. Without this rule,
@@ -67,7 +66,7 @@ void SeamRun::start()
     if (mState.anchored)
         mSearch.anchor();
     tell(mState);
-    for (int i = 0; i < startRelaxation / 10; ++i) {
+    for (int i = 0; i < firstRelaxation / 10; ++i) {
         // The first steps turn a badly distorted map into a usable one.
         const double gained =
             mSearch.relaxAll(10, i == 0 ? SeamTrial::MapSink([this](const CutState &map) { tell(map); })

@@ -58,6 +58,8 @@ struct OptimizeOptions
 class SeamRun
 {
 public:
+    static constexpr int firstRelaxation = 60; //!< Newton steps on a first map, at most
+
     //! \param options must outlive the run
     SeamRun(const OptimizeOptions &options, CutState state, std::uint64_t seed);
 

@@ -5,6 +5,7 @@
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "model/plain/udimtiles.h"
+#include "views/control/jobtexts.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -15,11 +16,6 @@
 namespace autocuts {
 
 namespace {
-
-struct BakeJobTexts
-{
-    Q_DECLARE_TR_FUNCTIONS(autocuts::MapController)
-};
 
 Result<DocumentState> readDetailed(const QString &path, const std::atomic<bool> &stop)
 {
@@ -68,7 +64,7 @@ Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSetti
         const BakedTiles tiles = tilesToBake(*scene.mesh, job.low.uv, packing.tileHeight());
         job.tiles = tiles.numbers;
         if (tiles.facesOutside > 0)
-            warnings << BakeJobTexts::tr(
+            warnings << JobTexts::tr(
                 "%n faces are not baked: they have no UVs, or their islands cross the border "
                 "of a tile",
                 nullptr, tiles.facesOutside);
@@ -78,8 +74,8 @@ Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSetti
         if (choice.maps.contains(QLatin1StringView(bake::nameOf(bake::MapKind::Color))))
             addColors(source, ColorSource::Auto, surface, missing);
         if (!missing.isEmpty())
-            warnings << BakeJobTexts::tr("Textures that cannot be read: %1")
-                            .arg(missing.join(QStringLiteral(", ")));
+            warnings
+                << JobTexts::tr("Textures that cannot be read: %1").arg(missing.join(QStringLiteral(", ")));
     };
     if (choice.high.isEmpty()) {
         takeColors(model, job.low);
@@ -94,7 +90,7 @@ Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSetti
     if (choice.byName) {
         const QStringList alone = pairObjects(job.low, scene.objectNames, *job.high, high->scene.objectNames);
         if (!alone.isEmpty())
-            warnings << BakeJobTexts::tr("No object of the detailed model belongs to: %1")
+            warnings << JobTexts::tr("No object of the detailed model belongs to: %1")
                             .arg(alone.join(QStringLiteral(", ")));
     }
     return job;
@@ -108,7 +104,7 @@ MapJobResult bakeJob(const DocumentState &model, const PackingSettings &packing,
     const Result<bake::BakeJob> job = makeBakeJob(model, packing, choice, control.stop(), warnings);
     if (!job) {
         result.problem =
-            control.stop() ? BakeJobTexts::tr("Cancelled: nothing was baked") : job.error().toString();
+            control.stop() ? JobTexts::tr("Cancelled: nothing was baked") : job.error().toString();
         return result;
     }
     QStringList written;
@@ -132,24 +128,24 @@ MapJobResult bakeJob(const DocumentState &model, const PackingSettings &packing,
         return result;
     const QString folder = QDir::toNativeSeparators(choice.folder);
     if (figures.stopped) {
-        result.problem = written.isEmpty() ? BakeJobTexts::tr("Cancelled: nothing was baked")
-                                           : BakeJobTexts::tr("Cancelled: %n pictures were finished in %1",
-                                                              nullptr, static_cast<int>(written.size()))
+        result.problem = written.isEmpty() ? JobTexts::tr("Cancelled: nothing was baked")
+                                           : JobTexts::tr("Cancelled: %n pictures were finished in %1",
+                                                          nullptr, static_cast<int>(written.size()))
                                                  .arg(folder);
         return result;
     }
     result.message =
-        BakeJobTexts::tr("Baked %n pictures into %1", nullptr, static_cast<int>(written.size())).arg(folder);
+        JobTexts::tr("Baked %n pictures into %1", nullptr, static_cast<int>(written.size())).arg(folder);
     // Single texels at borders are not worth a word.
     constexpr double fewestPercent = 0.1;
     const auto percent = [&](long long texels) { return 100 * double(texels) / double(figures.texels); };
     if (percent(figures.missed) >= fewestPercent)
         warnings
-            << BakeJobTexts::tr(
+            << JobTexts::tr(
                    "%1 % of the texels found nothing of the detailed model: a larger cage reaches farther")
                    .arg(percent(figures.missed), 0, 'f', 1);
     if (percent(figures.overlapped) >= fewestPercent)
-        warnings << BakeJobTexts::tr("%1 % of the texels are shared by several faces and show the first one")
+        warnings << JobTexts::tr("%1 % of the texels are shared by several faces and show the first one")
                         .arg(percent(figures.overlapped), 0, 'f', 1);
     if (!warnings.isEmpty())
         result.problem = result.message + QStringLiteral(". ") + warnings.join(QStringLiteral(". "));

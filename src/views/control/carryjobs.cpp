@@ -9,6 +9,7 @@
 #include "model/plain/udimtiles.h"
 #include "model/plain/uvlayout.h"
 #include "solver/bake/carrying.h"
+#include "views/control/jobtexts.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -21,11 +22,6 @@ namespace autocuts {
 namespace {
 
 using From = CarryChoice::From;
-
-struct CarryJobTexts
-{
-    Q_DECLARE_TR_FUNCTIONS(autocuts::MapController)
-};
 
 //! The scene with one of its UV sets as the first one.
 Scene withSet(const DocumentState &state, int set)
@@ -59,10 +55,10 @@ Result<Scene> sourceScene(const CarryInput &input, const CarryChoice &choice, co
     }
     std::optional<UvMatrix> map = mapOfTextures(input.journal.finished());
     if (!map || map->rows() != input.state.scene.mesh->cornerCount())
-        return Error{CarryJobTexts::tr("the history does not know for which map the textures are"),
+        return Error{JobTexts::tr("the history does not know for which map the textures are"),
                      {},
                      0,
-                     CarryJobTexts::tr("Choose the file or the UV set that has it")};
+                     JobTexts::tr("Choose the file or the UV set that has it")};
     Scene scene = input.state.scene;
     scene.uvSets.front().uv = std::move(*map);
     return scene;
@@ -86,22 +82,21 @@ QStringList warningsOf(const CarryPlan &plan, const CarriedFiles &files, const b
 {
     QStringList warnings;
     if (!plan.missing.isEmpty())
-        warnings << CarryJobTexts::tr("Pictures that are not there: %1")
-                        .arg(plan.missing.join(QStringLiteral(", ")));
+        warnings
+            << JobTexts::tr("Pictures that are not there: %1").arg(plan.missing.join(QStringLiteral(", ")));
     warnings += files.problems;
     if (facesOutside > 0)
-        warnings << CarryJobTexts::tr(
-            "%n faces get nothing: they have no UVs, or their islands cross the border "
-            "of a tile",
-            nullptr, facesOutside);
+        warnings << JobTexts::tr("%n faces get nothing: they have no UVs, or their islands cross the border "
+                                 "of a tile",
+                                 nullptr, facesOutside);
     // Single texels at borders are not worth a word.
     constexpr double fewestPercent = 0.1;
     const auto percent = [&](long long texels) { return 100 * double(texels) / double(figures.texels); };
     if (percent(figures.missed) >= fewestPercent)
-        warnings << CarryJobTexts::tr("%1 % of the texels found nothing of the other model")
+        warnings << JobTexts::tr("%1 % of the texels found nothing of the other model")
                         .arg(percent(figures.missed), 0, 'f', 1);
     if (percent(figures.overlapped) >= fewestPercent)
-        warnings << CarryJobTexts::tr("%1 % of the texels are shared by several faces and show the first one")
+        warnings << JobTexts::tr("%1 % of the texels are shared by several faces and show the first one")
                         .arg(percent(figures.overlapped), 0, 'f', 1);
     return warnings;
 }
@@ -110,7 +105,7 @@ QStringList warningsOf(const CarryPlan &plan, const CarriedFiles &files, const b
 
 MapJobResult carryJob(const CarryInput &input, const CarryChoice &choice, JobControl &control)
 {
-    const QString cancelled = CarryJobTexts::tr("Cancelled: no picture was written");
+    const QString cancelled = JobTexts::tr("Cancelled: no picture was written");
     const double tileHeight = input.state.packingSettings.tileHeight();
     const Scene scene = withSet(input.state, input.state.activeUvSet);
     const Result<Scene> before = sourceScene(input, choice, control.stop());
@@ -119,13 +114,12 @@ MapJobResult carryJob(const CarryInput &input, const CarryChoice &choice, JobCon
     if (!before)
         return failed(before.error().toString());
     if (!before->hasUv())
-        return failed(CarryJobTexts::tr("The other model has no UVs"));
+        return failed(JobTexts::tr("The other model has no UVs"));
     if (sameMap(before.value(), scene))
-        return failed(
-            choice.from == From::Textures
-                ? CarryJobTexts::tr("As far as the history knows, the textures fit this map already: "
-                                    "choose the file or the UV set that they are for")
-                : CarryJobTexts::tr("The textures fit this map already"));
+        return failed(choice.from == From::Textures
+                          ? JobTexts::tr("As far as the history knows, the textures fit this map already: "
+                                         "choose the file or the UV set that they are for")
+                          : JobTexts::tr("The textures fit this map already"));
     CarriedSurface source = carriedSurface(before.value(), scene, tileHeight);
     bake::CarryModel model{shadedSurface(scene, tileHeight), std::move(source.surface), source.sameTriangles,
                            bake::CageSettings(), choice.margin};
@@ -155,9 +149,9 @@ MapJobResult carryJob(const CarryInput &input, const CarryChoice &choice, JobCon
         return failed(cancelled);
     MapJobResult result;
     result.textures = MadeTextures{input.state.textureSets, carriedSets(input.state, carried->plan)};
-    result.message = CarryJobTexts::tr("Carried %n pictures over into %1", nullptr,
-                                       static_cast<int>(carried->files.size()))
-                         .arg(QDir::toNativeSeparators(choice.folder));
+    result.message =
+        JobTexts::tr("Carried %n pictures over into %1", nullptr, static_cast<int>(carried->files.size()))
+            .arg(QDir::toNativeSeparators(choice.folder));
     const QStringList warnings = warningsOf(plan, carried.value(), figures, tiles.facesOutside);
     if (!warnings.isEmpty())
         result.problem = result.message + QStringLiteral(". ") + warnings.join(QStringLiteral(". "));

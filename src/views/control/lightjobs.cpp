@@ -1,6 +1,7 @@
 #include "views/control/lightjobs.h"
 
 #include "solver/bake/lightjob.h"
+#include "views/control/jobtexts.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -12,11 +13,6 @@
 namespace autocuts {
 
 namespace {
-
-struct LightJobTexts
-{
-    Q_DECLARE_TR_FUNCTIONS(autocuts::MapController)
-};
 
 //! The longer side of the pictures that views get; a finer one would make the views wait.
 constexpr int largestShown = 2048;
@@ -109,21 +105,21 @@ MapJobResult lightBakeJob(const DocumentState &model, int textureSet, const Pack
     const QString files = written.join(QStringLiteral(", "));
     if (figures.stopped) {
         result.problem = written.isEmpty()
-                             ? LightJobTexts::tr("Cancelled: no light was baked")
-                             : LightJobTexts::tr("Cancelled: %1 has what was found so far").arg(files);
+                             ? JobTexts::tr("Cancelled: no light was baked")
+                             : JobTexts::tr("Cancelled: %1 has what was found so far").arg(files);
         return result;
     }
-    result.message = LightJobTexts::tr("Baked light into %1").arg(files);
+    result.message = JobTexts::tr("Baked light into %1").arg(files);
     if (!missing.isEmpty())
         result.problem =
             result.message + QStringLiteral(". ") +
-            LightJobTexts::tr("Textures that cannot be read: %1").arg(missing.join(QStringLiteral(", ")));
+            JobTexts::tr("Textures that cannot be read: %1").arg(missing.join(QStringLiteral(", ")));
     // Single texels, as beside a lamp, are not worth a word.
     constexpr double fewest = 0.01;
     if (bright >= fewest)
         result.problem =
-            LightJobTexts::tr("%1. In %2 % of the texels light is above 1 and was cut off: EXR keeps it, or "
-                              "take weaker lights")
+            JobTexts::tr("%1. In %2 % of the texels light is above 1 and was cut off: EXR keeps it, or "
+                         "take weaker lights")
                 .arg(result.problem.isEmpty() ? result.message : result.problem)
                 .arg(100 * bright, 0, 'f', 0);
     return result;

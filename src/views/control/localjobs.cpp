@@ -4,6 +4,7 @@
 #include "solver/homotopy/localsolve.h"
 #include "solver/packing/packmap.h"
 #include "solver/unwrap/aligning.h"
+#include "views/control/jobtexts.h"
 #include "views/control/mapjobs.h"
 
 #include <QCoreApplication>
@@ -16,11 +17,6 @@
 namespace autocuts {
 
 namespace {
-
-struct LocalJobTexts
-{
-    Q_DECLARE_TR_FUNCTIONS(autocuts::MapController)
-};
 
 //! The local problem in which pins hold their corners.
 homotopy::LocalProblem localProblem(const Constraints &constraints, const UvTopology &topology)
@@ -78,16 +74,15 @@ MapJobResult localResult(const homotopy::LocalSolution &solution, UvEdit edit, i
         result.uv = solution.uv;
         break;
     case homotopy::LocalSolution::Outcome::Empty:
-        result.problem =
-            solution.foldedFaces > 0
-                ? LocalJobTexts::tr("The faces are turned over in the map and cannot be solved")
-                : LocalJobTexts::tr("Nothing can move: select more faces, or remove pins and locks");
+        result.problem = solution.foldedFaces > 0
+                             ? JobTexts::tr("The faces are turned over in the map and cannot be solved")
+                             : JobTexts::tr("Nothing can move: select more faces, or remove pins and locks");
         break;
     case homotopy::LocalSolution::Outcome::Stuck:
-        result.problem = LocalJobTexts::tr(stuck);
+        result.problem = JobTexts::tr(stuck);
         break;
     case homotopy::LocalSolution::Outcome::Cancelled:
-        result.problem = LocalJobTexts::tr("Cancelled: the map stays as it was");
+        result.problem = JobTexts::tr("Cancelled: the map stays as it was");
         break;
     }
     return result;
@@ -157,7 +152,7 @@ MapJobResult relaxJob(const MapInput &input, JobControl &control)
     const homotopy::LocalSolution solution = solved(input, problem, control);
     MapJobResult result = localResult(solution, UvEdit::Relax, static_cast<int>(problem.faces.size()));
     if (result.problem.isEmpty())
-        result.message = LocalJobTexts::tr("Relaxed: distortion %1 before, %2 now")
+        result.message = JobTexts::tr("Relaxed: distortion %1 before, %2 now")
                              .arg(solution.before, 0, 'f', 4)
                              .arg(solution.after, 0, 'f', 4);
     if (result.uv.rows() > 0)
@@ -181,9 +176,8 @@ MapJobResult straightenJob(const MapInput &input, JobControl &control)
     problem.faces = freeIslands(mesh, topology, input.marks, faces);
     if (problem.targets.empty() || problem.faces.empty()) {
         MapJobResult result;
-        result.problem =
-            LocalJobTexts::tr("Select edges that follow each other: a loop without ends, a fork or "
-                              "a locked island cannot be straightened");
+        result.problem = JobTexts::tr("Select edges that follow each other: a loop without ends, a fork or "
+                                      "a locked island cannot be straightened");
         return result;
     }
     const homotopy::LocalSolution solution = solved(input, problem, control);
@@ -192,7 +186,7 @@ MapJobResult straightenJob(const MapInput &input, JobControl &control)
                     QT_TRANSLATE_NOOP("autocuts::MapController",
                                       "The chain cannot be made straight without turning faces over"));
     if (result.problem.isEmpty())
-        result.message = LocalJobTexts::tr("Chains made straight: %1, distortion %2 before, %3 now")
+        result.message = JobTexts::tr("Chains made straight: %1, distortion %2 before, %3 now")
                              .arg(found.chains.size())
                              .arg(solution.before, 0, 'f', 4)
                              .arg(solution.after, 0, 'f', 4);
@@ -216,8 +210,8 @@ MapJobResult gridJob(const MapInput &input, JobControl &control)
     MapJobResult result;
     if (gridFaces.isEmpty()) {
         result.problem =
-            LocalJobTexts::tr("The selected faces are no grid: that needs quads in rows and columns, four "
-                              "around every point inside, not closed around a tube and without pins");
+            JobTexts::tr("The selected faces are no grid: that needs quads in rows and columns, four "
+                         "around every point inside, not closed around a tube and without pins");
         return result;
     }
     const int count = static_cast<int>(gridFaces.size());
@@ -249,14 +243,14 @@ MapJobResult gridJob(const MapInput &input, JobControl &control)
         if (const auto place = places.find(topology.cornerRoot[c]); place != places.end())
             result.uv.row(c) = place->second.transpose();
     }
-    result.message = LocalJobTexts::tr("Faces in straight grids: %1").arg(count);
+    result.message = JobTexts::tr("Faces in straight grids: %1").arg(count);
     tellNewOverlaps(input, control, result);
     if (!found.left.empty() && result.problem.isEmpty()) {
         result.problemItems.mode = SelectionMode::Faces;
         result.problemItems.faces = QList<int>(found.left.begin(), found.left.end());
         result.problemItems.normalize(mesh);
         result.problem =
-            LocalJobTexts::tr(
+            JobTexts::tr(
                 "%1. Faces that stay, because they are no quads in rows and columns or are pinned: %2")
                 .arg(result.message)
                 .arg(found.left.size());
@@ -273,7 +267,7 @@ MapJobResult alignJob(const MapInput &input, const QList<int> &faces, JobControl
     result.edit = UvEdit::AlignToAxes;
     if (islands.empty()) {
         result.problem =
-            LocalJobTexts::tr("Locked islands are not aligned: select others, or unlock them (Ctrl+Shift+L)");
+            JobTexts::tr("Locked islands are not aligned: select others, or unlock them (Ctrl+Shift+L)");
         return result;
     }
     std::set<int> charts;
@@ -289,13 +283,13 @@ MapJobResult alignJob(const MapInput &input, const QList<int> &faces, JobControl
         align, {&control.stop(), 1, [&](const JobProgress &done) { control.setProgress(done.fraction); }});
     result.uv = made.uv;
     if (made.nothingFree)
-        result.problem = LocalJobTexts::tr("Islands with pins and stacked or grouped ones are not aligned");
+        result.problem = JobTexts::tr("Islands with pins and stacked or grouped ones are not aligned");
     else if (made.flipped)
-        result.problem = LocalJobTexts::tr("Triangles of these islands are flipped: unwrap them first");
+        result.problem = JobTexts::tr("Triangles of these islands are flipped: unwrap them first");
     else if (made.uv.rows() == 0)
-        result.problem = LocalJobTexts::tr("Cancelled: the map stays as it was");
+        result.problem = JobTexts::tr("Cancelled: the map stays as it was");
     else
-        result.message = LocalJobTexts::tr("Islands aligned: %1, distortion %2 before, %3 now")
+        result.message = JobTexts::tr("Islands aligned: %1, distortion %2 before, %3 now")
                              .arg(charts.size())
                              .arg(made.before, 0, 'f', 4)
                              .arg(made.after, 0, 'f', 4);

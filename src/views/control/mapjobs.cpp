@@ -11,6 +11,7 @@
 #include "solver/unwrap/separatejob.h"
 #include "solver/unwrap/tilepacking.h"
 #include "solver/unwrap/unwrap.h"
+#include "views/control/jobtexts.h"
 
 #include <QCoreApplication>
 #include <QThread>
@@ -25,28 +26,23 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-struct MapJobTexts
-{
-    Q_DECLARE_TR_FUNCTIONS(autocuts::MapController)
-};
-
 //! The text about the current stage; empty when it is the same as the job's title.
 //! \param bound on the distortion
 QString stageText(const JobProgress &progress, double bound)
 {
     if (progress.stage == JobStage::SolvingToTheEnd)
-        return MapJobTexts::tr("solving to the end");
+        return JobTexts::tr("solving to the end");
     if (progress.stage == JobStage::Refining)
-        return MapJobTexts::tr("fitting the map to the fine mesh");
+        return JobTexts::tr("fitting the map to the fine mesh");
     if (progress.stage == JobStage::Packing)
-        return MapJobTexts::tr("packing");
+        return JobTexts::tr("packing");
     if (!(progress.seamLength > 0))
         return {};
     const QString seams = QString::number(progress.seamLength, 'f', 2);
     const QString distortion = QString::number(progress.distortion, 'f', 3);
     return progress.distortion > bound
-               ? MapJobTexts::tr("adding cuts until the stretch is allowed, D %1 so far").arg(distortion)
-               : MapJobTexts::tr("shortening seams, %1 so far, D %2").arg(seams, distortion);
+               ? JobTexts::tr("adding cuts until the stretch is allowed, D %1 so far").arg(distortion)
+               : JobTexts::tr("shortening seams, %1 so far, D %2").arg(seams, distortion);
 }
 
 JobContext contextOf(JobControl &control, double bound = std::numeric_limits<double>::infinity())
@@ -73,15 +69,14 @@ int packedCharts(const ChartMap &charts, const std::vector<bool> &movable)
 QString noRoom(const PackingSettings &packing)
 {
     return packing.keepScale
-               ? MapJobTexts::tr("The islands do not fit at their size: switch off \"Keep scale\" or use a "
-                                 "smaller margin")
-               : MapJobTexts::tr(
-                     "There is no room for the margins: use a smaller margin or a larger texture");
+               ? JobTexts::tr("The islands do not fit at their size: switch off \"Keep scale\" or use a "
+                              "smaller margin")
+               : JobTexts::tr("There is no room for the margins: use a smaller margin or a larger texture");
 }
 
 QString nothingFree()
 {
-    return MapJobTexts::tr(
+    return JobTexts::tr(
         "Nothing may change: all islands are locked, stacked or grouped, or outside the scope");
 }
 
@@ -105,7 +100,7 @@ QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, 
 {
     QStringList items;
     if (!unmet.rectangles.empty()) {
-        items << MapJobTexts::tr("rectangles: %1").arg(unmet.rectangles.size());
+        items << JobTexts::tr("rectangles: %1").arg(unmet.rectangles.size());
         selection.mode = SelectionMode::Faces;
         for (const int i : unmet.rectangles) {
             for (const int corner : snapshot.steering->rectangles[i].soupCorners)
@@ -113,23 +108,22 @@ QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, 
         }
     }
     if (!unmet.missingSeams.empty()) {
-        items
-            << MapJobTexts::tr("seams that are not given and were needed: %1").arg(unmet.missingSeams.size());
+        items << JobTexts::tr("seams that are not given and were needed: %1").arg(unmet.missingSeams.size());
         selection.mode = SelectionMode::Edges;
         selection.edges = QList<int>(unmet.missingSeams.begin(), unmet.missingSeams.end());
     }
     if (!unmet.joins.empty()) {
-        items << MapJobTexts::tr("joined edges: %1").arg(unmet.joins.size());
+        items << JobTexts::tr("joined edges: %1").arg(unmet.joins.size());
         selection.mode = SelectionMode::Edges;
         selection.edges = QList<int>(unmet.joins.begin(), unmet.joins.end());
     }
     if (!unmet.pins.empty()) {
-        items << MapJobTexts::tr("hard pins: %1").arg(unmet.pins.size());
+        items << JobTexts::tr("hard pins: %1").arg(unmet.pins.size());
         selection.mode = SelectionMode::Vertices;
         selection.corners = QList<int>(unmet.pins.begin(), unmet.pins.end());
     }
     selection.normalize(*snapshot.mesh);
-    return MapJobTexts::tr(
+    return JobTexts::tr(
                "Not obeyed, because something else contradicts it or it would turn triangles over: %1")
         .arg(items.join(u", "_s));
 }
@@ -158,7 +152,7 @@ void tellNewOverlaps(const MapInput &input, const JobControl &control, MapJobRes
     result.problemItems.mode = SelectionMode::Faces;
     result.problemItems.normalize(input.mesh());
     result.problem =
-        MapJobTexts::tr("%1. Now faces overlap that did not before: %2. Pack (P), separate (O) or undo")
+        JobTexts::tr("%1. Now faces overlap that did not before: %2. Pack (P), separate (O) or undo")
             .arg(result.message)
             .arg(result.problemItems.faces.size());
 }
@@ -169,8 +163,8 @@ void sayStraight(bool stopped, const std::optional<bool> &straight, MapJobResult
     if (!stopped || !straight || result.message.isEmpty())
         return;
     result.message += *straight
-                          ? MapJobTexts::tr(". Stopped early: this map is straightened")
-                          : MapJobTexts::tr(". Stopped early: this map is not, or not wholly, straightened");
+                          ? JobTexts::tr(". Stopped early: this map is straightened")
+                          : JobTexts::tr(". Stopped early: this map is not, or not wholly, straightened");
 }
 
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
@@ -192,12 +186,12 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
     }
     const bool hadMap = input.snapshot.uv != nullptr;
     if (made.stopped && (made.onlyPatches || (hadMap && !made.withinBound))) {
-        result.problem = hadMap ? MapJobTexts::tr("Unwrapping was cancelled: the map stays as it was")
-                                : MapJobTexts::tr("Unwrapping was cancelled before there was a map");
+        result.problem = hadMap ? JobTexts::tr("Unwrapping was cancelled: the map stays as it was")
+                                : JobTexts::tr("Unwrapping was cancelled before there was a map");
         return result;
     }
     result.uv = made.uv;
-    result.message = MapJobTexts::tr("Unwrapped: distortion %1").arg(made.distortion, 0, 'f', 4);
+    result.message = JobTexts::tr("Unwrapped: distortion %1").arg(made.distortion, 0, 'f', 4);
     sayStraight(made.stopped, made.straight, result);
     if (!made.packed)
         result.problem = noRoom(input.packing);
@@ -205,12 +199,11 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
         showUnmet(input, made.unmet, result);
     else if (!made.withinBound)
         result.problem =
-            MapJobTexts::tr("The distortion of %1 is above the bound of %2: allow more, or remove joins")
+            JobTexts::tr("The distortion of %1 is above the bound of %2: allow more, or remove joins")
                 .arg(made.distortion, 0, 'f', 4)
                 .arg(options.maxDistortion, 0, 'f', 4);
     else if (made.symmetry == 0.0)
-        result.problem =
-            MapJobTexts::tr("%1. The mesh is not symmetric: nor are the cuts").arg(result.message);
+        result.problem = JobTexts::tr("%1. The mesh is not symmetric: nor are the cuts").arg(result.message);
     return result;
 }
 
@@ -236,17 +229,17 @@ MapJobResult finishJob(const MapInput &input, JobControl &control)
     }
     result.uv = made.uv;
     if (made.uv.rows() == 0)
-        result.problem = MapJobTexts::tr("Finishing was cancelled: the map stays as it was");
+        result.problem = JobTexts::tr("Finishing was cancelled: the map stays as it was");
     else if (made.noRoom)
         result.problem = noRoom(input.packing);
     else if (!made.unmet.empty())
         showUnmet(input, made.unmet, result);
     else if (made.heldTogether)
         result.problem =
-            MapJobTexts::tr("The map still covers itself: joined edges hold it together there. Clear "
-                            "some joins and finish again");
+            JobTexts::tr("The map still covers itself: joined edges hold it together there. Clear "
+                         "some joins and finish again");
     else
-        result.message = MapJobTexts::tr("Finished: distortion %1").arg(made.distortion, 0, 'f', 4);
+        result.message = JobTexts::tr("Finished: distortion %1").arg(made.distortion, 0, 'f', 4);
     sayStraight(control.stop(), made.straight, result);
     return result;
 }
@@ -257,10 +250,10 @@ MapJobResult priceJob(const MapInput &input, JobControl &control)
     result.prices = unwrap::priceSeams(input.snapshot, contextOf(control));
     if (!result.prices->hasMap)
         result.problem =
-            MapJobTexts::tr("Seams have no price on a map with turned-over triangles or open joins: "
-                            "unwrap or finish it first");
+            JobTexts::tr("Seams have no price on a map with turned-over triangles or open joins: "
+                         "unwrap or finish it first");
     else
-        result.message = MapJobTexts::tr("Seams priced: %1").arg(result.prices->seams.size());
+        result.message = JobTexts::tr("Seams priced: %1").arg(result.prices->seams.size());
     return result;
 }
 
@@ -284,27 +277,26 @@ MapJobResult distribute(const MapInput &input, const ChartMap &charts, const unw
     case Outcome::Done:
         break;
     case Outcome::Stopped:
-        result.problem = MapJobTexts::tr("Packing was cancelled: the map stays as it was");
+        result.problem = JobTexts::tr("Packing was cancelled: the map stays as it was");
         return result;
     case Outcome::NoRoom:
         result.problem = noRoom(input.packing);
         return result;
     case Outcome::TooMany:
-        result.problem = MapJobTexts::tr("The islands need more UDIM tiles than there are: choose a lower "
-                                         "density or a larger texture");
+        result.problem = JobTexts::tr("The islands need more UDIM tiles than there are: choose a lower "
+                                      "density or a larger texture");
         return result;
     }
     QStringList numbers;
     for (const int tile : packed.tiles)
         numbers << QString::number(tile);
     result.uv = std::move(packed.uv);
-    result.message = MapJobTexts::tr("Islands packed: %1, into the tiles %2")
-                         .arg(packed.packed)
-                         .arg(numbers.join(u", "_s));
+    result.message =
+        JobTexts::tr("Islands packed: %1, into the tiles %2").arg(packed.packed).arg(numbers.join(u", "_s));
     if (packed.tooLarge > 0)
         result.problem =
-            MapJobTexts::tr("%1. Larger than a tile at this density: %2; each has a tile of its own, in "
-                            "which it is smaller")
+            JobTexts::tr("%1. Larger than a tile at this density: %2; each has a tile of its own, in "
+                         "which it is smaller")
                 .arg(result.message)
                 .arg(packed.tooLarge);
     return result;
@@ -322,7 +314,7 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
         pack.movable[face] = true;
     MapJobResult result;
     if (std::find(pack.movable.begin(), pack.movable.end(), true) == pack.movable.end()) {
-        result.problem = MapJobTexts::tr("Select the islands to pack first");
+        result.problem = JobTexts::tr("Select the islands to pack first");
         return result;
     }
     if (target.density > 0 || target.fillTiles)
@@ -332,19 +324,19 @@ MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl
     if (!target.groups.empty()) {
         pack.tiles = tilesOfGroups(target.groups, charts, input.packing.udimTile);
         if (pack.tiles.empty()) {
-            result.problem = MapJobTexts::tr("There are more of them than UDIM tiles");
+            result.problem = JobTexts::tr("There are more of them than UDIM tiles");
             return result;
         }
     }
     UvMatrix uv = input.uv;
     if (unwrap::packCharts(mesh, charts, pack, uv, contextOf(control))) {
         result.uv = std::move(uv);
-        result.message = MapJobTexts::tr("Islands packed: %1").arg(packedCharts(charts, pack.movable));
+        result.message = JobTexts::tr("Islands packed: %1").arg(packedCharts(charts, pack.movable));
     } else {
-        result.problem = control.stop() ? MapJobTexts::tr("Packing was cancelled: the map stays as it was")
+        result.problem = control.stop() ? JobTexts::tr("Packing was cancelled: the map stays as it was")
                          : target.box
-                             ? MapJobTexts::tr("There is no room in the rectangle: draw a larger one or use "
-                                               "a smaller margin")
+                             ? JobTexts::tr("There is no room in the rectangle: draw a larger one or use "
+                                            "a smaller margin")
                              : noRoom(input.packing);
     }
     return result;
@@ -360,18 +352,17 @@ MapJobResult separated(const MapInput &input, const unwrap::SeparateResult &made
     switch (made.outcome) {
     case Outcome::Done:
         result.uv = made.uv;
-        result.message = MapJobTexts::tr("Separated, edges cut: %1").arg(made.newSeams);
+        result.message = JobTexts::tr("Separated, edges cut: %1").arg(made.newSeams);
         if (made.unresolvedPairs > 0)
             result.problem =
-                MapJobTexts::tr(
-                    "Overlaps inside single polygons or across joined edges, which stay whole: %1")
+                JobTexts::tr("Overlaps inside single polygons or across joined edges, which stay whole: %1")
                     .arg(made.unresolvedPairs);
         break;
     case Outcome::NoOverlaps:
-        result.message = MapJobTexts::tr("There are no overlaps: the map stays as it is");
+        result.message = JobTexts::tr("There are no overlaps: the map stays as it is");
         break;
     case Outcome::Stopped:
-        result.problem = MapJobTexts::tr("Separating was cancelled: the map stays as it was");
+        result.problem = JobTexts::tr("Separating was cancelled: the map stays as it was");
         break;
     case Outcome::NoRoom:
         result.problem = noRoom(input.packing);
@@ -398,7 +389,7 @@ MapJobResult lightmapJob(const MapInput &input, JobControl &control)
     const unwrap::SeparateResult made = unwrap::makeLightmap(input.snapshot, options, contextOf(control));
     MapJobResult result = separated(input, made);
     if (made.outcome == unwrap::SeparateResult::Outcome::Done)
-        result.message = MapJobTexts::tr("Map for lightmaps, edges cut: %1").arg(made.newSeams);
+        result.message = JobTexts::tr("Map for lightmaps, edges cut: %1").arg(made.newSeams);
     return result;
 }
 
@@ -419,7 +410,7 @@ MapJobResult equalizeJob(const MapInput &input, JobControl &control)
     result.edit = UvEdit::Scale;
     result.uv = input.uv;
     packing::equalizeTexelDensity(mesh, charts, result.uv, locked);
-    result.message = MapJobTexts::tr("All islands have the same texel density");
+    result.message = JobTexts::tr("All islands have the same texel density");
     tellNewOverlaps(input, control, result);
     return result;
 }

@@ -1,6 +1,7 @@
 #include "model/plain/uvlayout.h"
 #include "solver/definite/ripping.h"
 #include "solver/definite/seamstitching.h"
+#include "views/control/jobtexts.h"
 #include "views/control/mapjobs.h"
 
 #include <QCoreApplication>
@@ -16,11 +17,6 @@ namespace {
 //! cut is then seen when the whole map is.
 constexpr double visibleGap = 0.005;
 
-struct SeamJobTexts
-{
-    Q_DECLARE_TR_FUNCTIONS(autocuts::MapController)
-};
-
 JobContext contextOnOneThread(JobControl &control)
 {
     return {&control.stop(), 1, [&](const JobProgress &done) { control.setProgress(done.fraction); }};
@@ -35,14 +31,14 @@ MapJobResult failure(const QString &problem)
 
 QString ripMessage(const definite::RippedMap &made)
 {
-    QStringList parts{SeamJobTexts::tr("Edges ripped: %1").arg(made.edges.size())};
+    QStringList parts{JobTexts::tr("Edges ripped: %1").arg(made.edges.size())};
     if (made.newIslands > 0)
-        parts << SeamJobTexts::tr("new islands: %1").arg(made.newIslands);
+        parts << JobTexts::tr("new islands: %1").arg(made.newIslands);
     if (made.closed > 0)
-        parts << SeamJobTexts::tr("cut, but closed as long as they reach no border and no other cut: %1")
+        parts << JobTexts::tr("cut, but closed as long as they reach no border and no other cut: %1")
                      .arg(made.closed);
     if (made.locked > 0)
-        parts << SeamJobTexts::tr("left out in locked islands: %1").arg(made.locked);
+        parts << JobTexts::tr("left out in locked islands: %1").arg(made.locked);
     return parts.join(QStringLiteral(", "));
 }
 
@@ -50,11 +46,11 @@ QString whyRefused(definite::SewOutcome outcome)
 {
     switch (outcome) {
     case definite::SewOutcome::Held:
-        return SeamJobTexts::tr("both sides are locked or pinned");
+        return JobTexts::tr("both sides are locked or pinned");
     case definite::SewOutcome::Covers:
-        return SeamJobTexts::tr("the island would overlap itself");
+        return JobTexts::tr("the island would overlap itself");
     case definite::SewOutcome::Folds:
-        return SeamJobTexts::tr("faces would turn over");
+        return JobTexts::tr("faces would turn over");
     case definite::SewOutcome::Sewn:
     case definite::SewOutcome::Stopped:
         break;
@@ -67,17 +63,17 @@ QString whyRefused(definite::SewOutcome outcome)
 MapJobResult ripJob(const MapInput &input, const QList<int> &edges, JobControl &control)
 {
     if (!input.snapshot.uv)
-        return failure(SeamJobTexts::tr("There is no map to rip"));
+        return failure(JobTexts::tr("There is no map to rip"));
     const double texel = 1.0 / input.packing.textureSize;
     const double gutter =
         std::max(input.packing.margin * texel, visibleGap * layoutBox(input.uv).diagonal().norm());
     const definite::RippedMap made =
         definite::ripEdges(input.snapshot, {edges.begin(), edges.end()}, gutter, contextOnOneThread(control));
     if (control.stop())
-        return failure(SeamJobTexts::tr("Cancelled: the map stays as it was"));
+        return failure(JobTexts::tr("Cancelled: the map stays as it was"));
     if (made.edges.empty())
-        return failure(made.locked > 0 ? SeamJobTexts::tr("The island is locked: unlock it to rip it")
-                                       : SeamJobTexts::tr("Select edges between two faces to rip"));
+        return failure(made.locked > 0 ? JobTexts::tr("The island is locked: unlock it to rip it")
+                                       : JobTexts::tr("Select edges between two faces to rip"));
     MapJobResult result;
     result.uv = made.uv;
     result.seams = {EditMapSeams::Edit::Rip, made.edges};
@@ -88,21 +84,21 @@ MapJobResult ripJob(const MapInput &input, const QList<int> &edges, JobControl &
 MapJobResult stitchJob(const MapInput &input, const QList<int> &edges, JobControl &control)
 {
     if (!input.snapshot.uv)
-        return failure(SeamJobTexts::tr("There is no map to stitch"));
+        return failure(JobTexts::tr("There is no map to stitch"));
     const definite::StitchedMap made =
         definite::stitchSeams(input.snapshot, {edges.begin(), edges.end()}, contextOnOneThread(control));
     if (control.stop())
-        return failure(SeamJobTexts::tr("Cancelled: the map stays as it was"));
+        return failure(JobTexts::tr("Cancelled: the map stays as it was"));
     if (made.edges.empty() && made.refused.empty())
-        return failure(SeamJobTexts::tr("Select seams of the map to stitch"));
+        return failure(JobTexts::tr("Select seams of the map to stitch"));
     MapJobResult result;
     if (!made.edges.empty()) {
         result.uv = made.uv;
         result.seams = {EditMapSeams::Edit::Stitch, made.edges};
     }
-    QStringList parts{SeamJobTexts::tr("Edges stitched: %1").arg(made.edges.size())};
+    QStringList parts{JobTexts::tr("Edges stitched: %1").arg(made.edges.size())};
     for (const auto &[outcome, count] : made.refused)
-        parts << SeamJobTexts::tr("not stitched, because %1: %2").arg(whyRefused(outcome)).arg(count);
+        parts << JobTexts::tr("not stitched, because %1: %2").arg(whyRefused(outcome)).arg(count);
     (made.refused.empty() ? result.message : result.problem) = parts.join(QStringLiteral(", "));
     return result;
 }

@@ -2,6 +2,7 @@
 
 #include "model/document/transferjob.h"
 #include "model/io/transfersource.h"
+#include "views/control/jobtexts.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -9,11 +10,6 @@
 namespace autocuts {
 
 namespace {
-
-struct TransferJobTexts
-{
-    Q_DECLARE_TR_FUNCTIONS(autocuts::MapController)
-};
 
 Result<Done> fillSource(const TransferChoice &choice, const std::vector<UvSet> &sets, const MapInput &input,
                         JobControl &control, TransferJob &job)
@@ -50,7 +46,7 @@ MapJobResult transferFailed(const QString &problem)
 MapJobResult transferUvsJob(const MapInput &input, const TransferChoice &choice,
                             const std::vector<UvSet> &sets, JobControl &control)
 {
-    const QString stoppedText = TransferJobTexts::tr("Cancelled: the map stays as it is");
+    const QString stoppedText = JobTexts::tr("Cancelled: the map stays as it is");
     TransferJob job;
     const Result<Done> filled = fillSource(choice, sets, input, control, job);
     if (control.stop())
@@ -76,7 +72,7 @@ MapJobResult transferUvsJob(const MapInput &input, const TransferChoice &choice,
     MapJobResult result;
     result.edit = UvEdit::Transfer;
     result.uv = made->uv;
-    result.message = TransferJobTexts::tr("UVs transferred: %1").arg(made->summary());
+    result.message = JobTexts::tr("UVs transferred: %1").arg(made->summary());
     if (const QStringList warnings = made->warnings(); !warnings.isEmpty()) {
         result.problem = result.message + QStringLiteral(". ") + warnings.join(QStringLiteral(". "));
         result.problemItems.mode = SelectionMode::Faces;

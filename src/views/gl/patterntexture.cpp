@@ -8,9 +8,6 @@ namespace autocuts {
 
 namespace {
 
-//! What all layers may take in each view, in pixels of four bytes; their smaller copies take a third more.
-constexpr double pixelBudget = 128.0 * (1 << 20);
-
 using Texel = std::array<quint8, 4>;
 
 //! A number of three bytes, and one more byte.
@@ -49,7 +46,7 @@ QSize sizeOf(const std::vector<QImage> &images, int layers, int largest)
     QSize size(1, 1);
     for (const QImage &image : images)
         size = size.expandedTo(image.size());
-    const double room = pixelBudget / layers;
+    const double room = Pictures::pixelBudget / layers;
     const double scale = std::min({1.0, double(largest) / std::max(size.width(), size.height()),
                                    std::sqrt(room / (double(size.width()) * size.height()))});
     return scale < 1 ? (QSizeF(size) * scale).toSize().expandedTo({1, 1}) : size;

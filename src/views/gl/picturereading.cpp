@@ -21,8 +21,6 @@ namespace autocuts {
 
 namespace {
 
-//! What all pictures may take together, in pixels of four bytes. Chosen by hand.
-constexpr double decodedPixelBudget = 128.0 * (1 << 20);
 //! More tiles are left out. Chosen by hand.
 constexpr std::size_t maxPictures = 256;
 
@@ -183,7 +181,7 @@ QString pictureProblem(const QString &path)
 int longestSide(std::size_t images)
 {
     const double room =
-        decodedPixelBudget / static_cast<double>(std::clamp<std::size_t>(images, 1, maxPictures));
+        Pictures::pixelBudget / static_cast<double>(std::clamp<std::size_t>(images, 1, maxPictures));
     return std::clamp(static_cast<int>(std::exp2(std::floor(std::log2(std::sqrt(room))))), 256,
                       maxPictureSide);
 }

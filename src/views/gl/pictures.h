@@ -12,6 +12,9 @@ namespace autocuts {
 //! Some pictures, and the textures that are made of them.
 struct Pictures
 {
+    //! What all of them may take together, in pixels of four bytes; smaller copies for drawing take a third
+    //! more. Chosen by hand.
+    static constexpr double pixelBudget = 128.0 * (1 << 20);
     static constexpr int tilesPerRow = 10;
 
     //! A texture: one picture that repeats, or one for each UDIM tile.

@@ -6,6 +6,7 @@
 #include "model/io/gltf/gltfprimitive.h"
 #include "model/io/gltf/gltftextures.h"
 #include "model/io/hardedges.h"
+#include "model/io/meshlimits.h"
 #include "model/io/savefile.h"
 
 #include <QDir>
@@ -22,10 +23,8 @@ namespace autocuts {
 
 namespace {
 
-//! Limits as in objreader.cpp.
+//! Bytes, as in objreader.cpp.
 constexpr qint64 maxFileSize = qint64(4) << 30;
-constexpr std::size_t maxElements = std::numeric_limits<int>::max() / 8;
-constexpr double maxCoordinate = 1e100;
 //! The stop flag is looked at after so many vertices or triangles.
 constexpr std::size_t stopInterval = 1 << 16;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();

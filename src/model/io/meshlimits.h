@@ -1,0 +1,15 @@
+// Limits of what the readers of mesh files take.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+
+namespace autocuts {
+
+//! Corners, vertices and faces at most. Soup corners are up to three times as many; their number, and small
+//! multiples of it, has to fit into an int.
+constexpr std::size_t maxElements = std::numeric_limits<int>::max() / 8;
+//! Areas of meshes with larger coordinates may leave the range of doubles.
+constexpr double maxCoordinate = 1e100;
+
+} // namespace autocuts
