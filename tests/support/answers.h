@@ -19,12 +19,18 @@ public:
     std::function<int(QDialog &)> onDialog;     //!< not set: every dialog is cancelled
     QStringList errors, confirmations, folders; //!< what was shown, asked and opened
     bool confirms = true;
-    int unsavedAsked = 0;
+    int unsavedAsked = 0, changedAsked = 0;
+    Changed changed = Changed::Cancel;
 
     Unsaved askUnsaved(const QString &) override
     {
         ++unsavedAsked;
         return unsaved;
+    }
+    Changed askChanged(const QString &) override
+    {
+        ++changedAsked;
+        return changed;
     }
     bool confirm(const QString &question, const QString &, const QString &) override
     {

@@ -47,6 +47,9 @@ FileActions::FileActions(const StudioContext &context, Questions &questions, QOb
     : QObject(parent), mContext(context), mQuestions(questions)
 {
     connectActions();
+    // After the save has ended: what is chosen may save again.
+    connect(&context.files, &FileController::changedOnDisk, this, &FileActions::askChanged,
+            Qt::QueuedConnection);
 }
 
 void FileActions::connectActions()
@@ -159,6 +162,23 @@ bool FileActions::mayClose()
         break;
     }
     return false;
+}
+
+void FileActions::askChanged(const QString &path)
+{
+    switch (mQuestions.askChanged(QFileInfo(path).fileName())) {
+    case Questions::Changed::Overwrite:
+        mContext.files.save(path, true);
+        break;
+    case Questions::Changed::SaveAs:
+        saveAs();
+        break;
+    case Questions::Changed::Reload:
+        mContext.solver.whenPaused([this, path] { mContext.files.open(path); });
+        break;
+    case Questions::Changed::Cancel:
+        break;
+    }
 }
 
 void FileActions::openFile(const QString &path)

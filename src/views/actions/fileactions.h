@@ -47,6 +47,7 @@ private:
     bool mayLeave();
     void askOpen();
     void askRelink();
+    void askChanged(const QString &path);
     void askExportMesh();
     void askExportLayout();
     void askExportReport();

@@ -30,12 +30,35 @@ Result<LoadedSession> loadSession(const QString &path, QThread *thread, const st
         restoredSession(std::move(project->state), std::move(project->extras.journal), thread, &stop), notes};
 }
 
+//! The file of a session, as it is opened.
+struct SessionFile
+{
+    FileStamp stamp;
+    std::shared_ptr<SessionLock> lock;
+
+    //! \param path of the session; empty: it has no file
+    static SessionFile at(const QString &path)
+    {
+        return path.isEmpty() ? SessionFile()
+                              : SessionFile{FileStamp::of(path), std::make_shared<SessionLock>(path)};
+    }
+    //! Tells who else has the session open.
+    void tellHolder(const QString &path, QStringList &notes) const
+    {
+        if (lock && !lock->holder().isEmpty())
+            notes.prepend(FileController::tr(
+                              "%1 is open in %2 as well. What is saved first stays; the other one is asked")
+                              .arg(QFileInfo(path).fileName(), lock->holder()));
+    }
+};
+
 //! The result of reading a file.
 struct Opened
 {
     Result<LoadedSession> project = Error{};
     Result<Scene> scene = Error{};
     bool isProject = false;
+    SessionFile file;
 };
 
 } // namespace
@@ -103,9 +126,10 @@ void FileController::open(const QString &path)
         [full, thread = thread()](JobControl &job) {
             Opened opened;
             opened.isProject = isProjectPath(full);
-            if (opened.isProject)
+            if (opened.isProject) {
+                opened.file = SessionFile::at(full);
                 opened.project = loadSession(full, thread, job.stop());
-            else
+            } else
                 opened.scene = readMesh(full, &job.stop());
             return opened;
         },
@@ -116,9 +140,11 @@ void FileController::open(const QString &path)
                 return;
             }
             mPreferences.addRecentFile(full);
-            if (opened.isProject)
+            if (opened.isProject) {
+                opened.file.tellHolder(full, opened.project->notes);
+                takeFile(full, opened.file.stamp, std::move(opened.file.lock));
                 adoptProject(std::move(opened.project).value(), full, nullptr);
-            else
+            } else
                 adopt(std::move(opened.scene).value());
         });
     if (!started)
@@ -138,14 +164,20 @@ void FileController::recover(const RecoverableSession &session)
 {
     const bool started = mJobs.start(
         tr("Recovering"),
-        [file = session.file, thread = thread()](JobControl &job) {
-            return loadSession(file, thread, job.stop());
+        [session, thread = thread()](JobControl &job) {
+            Opened opened;
+            opened.file = SessionFile::at(session.sessionPath);
+            opened.project = loadSession(session.file, thread, job.stop());
+            return opened;
         },
-        [this, session](Result<LoadedSession> project) {
-            if (project)
-                adoptProject(std::move(project).value(), session.sessionPath, &session);
-            else
-                Q_EMIT failed(project.error());
+        [this, session](Opened opened) {
+            if (!opened.project) {
+                Q_EMIT failed(opened.project.error());
+                return;
+            }
+            opened.file.tellHolder(session.sessionPath, opened.project->notes);
+            takeFile(session.sessionPath, opened.file.stamp, std::move(opened.file.lock));
+            adoptProject(std::move(opened.project).value(), session.sessionPath, &session);
         });
     if (!started)
         tellBusy(session.file);
@@ -165,10 +197,21 @@ void FileController::adopt(Scene scene)
         return;
     }
     endAutosave();
+    takeFile({}, {}, nullptr);
     mWorkspace.open(std::move(document).value(), {}, std::nullopt, notes);
     beginAutosave(nullptr);
     applyPreferences();
     Q_EMIT opened();
+}
+
+//! The session has another file from now on. \param lock null: the lock that is there stays
+void FileController::takeFile(const QString &path, const FileStamp &stamp, std::shared_ptr<SessionLock> lock)
+{
+    mStamp = stamp;
+    // This program's own lock of the same file is no other's.
+    if (path != mLockedPath || !mLock)
+        mLock = std::move(lock);
+    mLockedPath = path;
 }
 
 void FileController::adoptProject(LoadedSession project, const QString &sessionPath,
@@ -209,9 +252,10 @@ void FileController::endAutosave()
 
 void FileController::saveForRecovery(const QString &path, const Autosave::Saved &saved)
 {
-    mSaver.save(sessionNow(mWorkspace.sessionPath()), path, [saved](const Result<SavedProject> &result) {
-        saved(result ? Result<Done>(Done()) : Result<Done>(result.error()));
-    });
+    mSaver.save(sessionNow(mWorkspace.sessionPath()), path, std::nullopt,
+                [saved](const SessionSaved &written) {
+                    saved(written.result ? Result<Done>(Done()) : Result<Done>(written.result.error()));
+                });
 }
 
 //! The session as it is shown: with the newest map of a running solve, as a pause would leave it.
@@ -234,20 +278,30 @@ SessionToSave FileController::sessionNow(const QString &sessionPath)
     return session;
 }
 
-void FileController::save(const QString &path)
+void FileController::save(const QString &path, bool overwrite)
 {
     if (!mWorkspace.document())
         return;
     if (mViewState)
         mWorkspace.document()->setViewState(mViewState());
     SessionToSave session = sessionNow(path);
+    session.locks = path != mLockedPath;
+    std::optional<FileStamp> expected;
+    if (!overwrite && path == mWorkspace.sessionPath() && mStamp.exists())
+        expected = mStamp;
     mWorkspace.beginSave();
-    mSaver.save(std::move(session), path, [this, path](const Result<SavedProject> &saved) {
-        mWorkspace.endSave(saved ? path : QString());
+    mSaver.save(std::move(session), path, expected, [this, path](const SessionSaved &written) {
+        const Result<SavedProject> &saved = written.result;
+        mWorkspace.endSave(saved && !written.isForeign ? path : QString());
+        if (written.isForeign) {
+            Q_EMIT changedOnDisk(path);
+            return;
+        }
         if (!saved) {
             Q_EMIT failed(saved.error());
             return;
         }
+        takeFile(path, written.stamp, written.lock);
         if (mAutosave) {
             // The last autosave is older than this save. Edits made during the save are autosaved again.
             mAutosave->sessionSaved();
@@ -255,7 +309,9 @@ void FileController::save(const QString &path)
                 mAutosave->sessionChanged();
         }
         mPreferences.addRecentFile(path);
-        Q_EMIT done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+        const QString name = QFileInfo(path).fileName();
+        Q_EMIT done(written.wasGone ? tr("Saved %1 anew: the file was gone").arg(name)
+                                    : tr("Saved %1").arg(name));
         if (!saved->warning.isEmpty())
             Q_EMIT failed(Error{saved->warning, path + QStringLiteral(".1"), 0,
                                 tr("Check the permissions of the folder")});
@@ -422,6 +478,7 @@ void FileController::saveChangesForRecovery()
 void FileController::close()
 {
     endAutosave();
+    takeFile({}, {}, nullptr);
     mWorkspace.close();
 }
 

@@ -69,7 +69,9 @@ public:
     //! is transferred. Refused when the session is edited while the model is read.
     void relink(const QString &meshPath);
     //! Saves the current state of the session off the GUI thread. Emits done() or failed() afterwards.
-    void save(const QString &path);
+    //! When another program has changed the session's file since it was opened or saved, nothing is written,
+    //! and changedOnDisk() is emitted. \param overwrite replace it all the same
+    void save(const QString &path, bool overwrite = false);
     bool isSaving() const { return mSaver.isBusy(); }
     //! Waits for all saves and autosaves under way.
     void waitForSaves() { mSaver.waitForDone(); }
@@ -92,6 +94,8 @@ Q_SIGNALS:
     //! \param message translated, one line, for the status bar
     void done(const QString &message);
     void failed(const autocuts::Error &error);
+    //! The session's file was not replaced, see save().
+    void changedOnDisk(const QString &path);
     //! What the user has to know of a result. \param items what it is about
     void noticed(const QString &message, const autocuts::Selection &items);
     //! A file was opened. Workspace::notes() has the notes for the user.
@@ -99,6 +103,7 @@ Q_SIGNALS:
 
 private:
     void adopt(Scene scene);
+    void takeFile(const QString &path, const FileStamp &stamp, std::shared_ptr<SessionLock> lock);
     void adoptProject(LoadedSession project, const QString &sessionPath, const RecoverableSession *recovered);
     void beginAutosave(const RecoverableSession *continued);
     void applyPreferences();
@@ -114,6 +119,9 @@ private:
     Preferences &mPreferences;
     QString mRecoveryFolder;
     JobRunner mJobs{JobRunner::OnCancel::LetGo};
+    FileStamp mStamp;                   //!< of the session's file, when it was opened or saved
+    std::shared_ptr<SessionLock> mLock; //!< of the session's file; null: there is none
+    QString mLockedPath;
     std::unique_ptr<Autosave> mAutosave;
     SessionSaver mSaver; //!< declared after mAutosave: it finishes autosaves before mAutosave is destroyed
     std::function<QImage()> mThumbnail;

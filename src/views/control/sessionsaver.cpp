@@ -49,11 +49,20 @@ SessionSaver::~SessionSaver()
     mThread.waitForDone();
 }
 
-void SessionSaver::save(SessionToSave session, const QString &path, Saved saved)
+void SessionSaver::save(SessionToSave session, const QString &path, const std::optional<FileStamp> &expected,
+                        Saved saved)
 {
     ++mSaving;
-    mThread.start([this, session = std::move(session), path, saved = std::move(saved)] {
-        Result<SavedProject> result = writeOrTell(mWriter, session, path);
+    mThread.start([this, session = std::move(session), path, expected, saved = std::move(saved)] {
+        SessionSaved result;
+        const FileStamp there = FileStamp::of(path);
+        result.wasGone = expected && expected->exists() && !there.exists();
+        result.isForeign = expected && there.exists() && there != *expected;
+        if (!result.isForeign)
+            result.result = writeOrTell(mWriter, session, path);
+        result.stamp = FileStamp::of(path);
+        if (session.locks && !result.isForeign && result.result)
+            result.lock = std::make_shared<SessionLock>(path);
         QMetaObject::invokeMethod(
             this,
             [this, saved, result = std::move(result)] {

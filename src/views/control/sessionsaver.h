@@ -3,6 +3,7 @@
 
 #include "commands/journalrecorder.h"
 #include "model/io/projectfile.h"
+#include "model/io/sessionlock.h"
 
 #include <QImage>
 #include <QObject>
@@ -19,6 +20,17 @@ struct SessionToSave
     std::optional<PendingJournal> journal;
     QImage thumbnail;    //!< may be null
     QString sessionPath; //!< see ProjectExtras
+    bool locks = false;  //!< the file is the session's from now on
+};
+
+//! What became of a save.
+struct SessionSaved
+{
+    Result<SavedProject> result = SavedProject{};
+    FileStamp stamp;                   //!< of the file that was written
+    std::shared_ptr<SessionLock> lock; //!< of that file, where it was asked for
+    bool isForeign = false; //!< nothing was written: the file there is not the one that was expected
+    bool wasGone = false;   //!< the file that was expected was not there any more
 };
 
 //! Compresses and writes sessions on a separate thread, in the order in which they are given.
@@ -27,14 +39,16 @@ class SessionSaver final : public QObject
     Q_OBJECT
 
 public:
-    using Saved = std::function<void(const Result<SavedProject> &saved)>;
+    using Saved = std::function<void(const SessionSaved &saved)>;
 
     explicit SessionSaver(QObject *parent = nullptr);
     //! Waits until everything is written; callbacks are no longer called.
     ~SessionSaver() override;
 
     //! \param saved called on the GUI thread when the file was written or writing failed
-    void save(SessionToSave session, const QString &path, Saved saved);
+    //! \param expected another file is not replaced; nothing: any file is
+    void save(SessionToSave session, const QString &path, const std::optional<FileStamp> &expected,
+              Saved saved);
     bool isBusy() const { return mSaving > 0; }
     //! Waits until everything is written and all callbacks have been called.
     void waitForDone();

@@ -41,6 +41,28 @@ Questions::Unsaved Questions::askUnsaved(const QString &name)
     return box.clickedButton() == discard ? Unsaved::Discard : Unsaved::Cancel;
 }
 
+Questions::Changed Questions::askChanged(const QString &name)
+{
+    QMessageBox box(QMessageBox::Warning, tr("Changed on disk"),
+                    tr("Another program has changed %1 since it was opened here.").arg(name),
+                    QMessageBox::NoButton, mWindow);
+    box.setInformativeText(
+        tr("Overwrite replaces those changes; a backup of them stays beside the session. Reload loses "
+           "the changes made here."));
+    const auto *saveAs = box.addButton(tr("Save &as..."), QMessageBox::AcceptRole);
+    const auto *overwrite = box.addButton(tr("&Overwrite"), QMessageBox::DestructiveRole);
+    const auto *reload = box.addButton(tr("&Reload"), QMessageBox::DestructiveRole);
+    QPushButton *const cancel = box.addButton(QMessageBox::Cancel);
+    box.setEscapeButton(cancel);
+    box.setDefaultButton(cancel);
+    run(box);
+    if (box.clickedButton() == saveAs)
+        return Changed::SaveAs;
+    if (box.clickedButton() == overwrite)
+        return Changed::Overwrite;
+    return box.clickedButton() == reload ? Changed::Reload : Changed::Cancel;
+}
+
 bool Questions::confirm(const QString &question, const QString &detail, const QString &action)
 {
     QMessageBox box(QMessageBox::Question, QGuiApplication::applicationDisplayName(), question,

@@ -1,0 +1,201 @@
+// Two windows at one session: neither replaces what the other has saved without asking.
+#include "commands/changesettings.h"
+#include "model/io/projectfile.h"
+#include "model/io/sessionlock.h"
+#include "support/studiosession.h"
+#include "views/actions/actionregistry.h"
+#include "views/control/filecontroller.h"
+#include "views/control/workspace.h"
+
+#include <QAction>
+#include <QFile>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QSysInfo>
+#include <QTest>
+
+#include <memory>
+
+using namespace autocuts;
+using test::StudioSession;
+
+namespace {
+
+using Changed = Questions::Changed;
+
+//! A change of the session by which the tests know whose it is.
+void setMargin(StudioSession &studio, double margin)
+{
+    PackingSettings settings = studio.document()->packingSettings();
+    settings.margin = margin;
+    pushCommand(std::make_unique<ChangeSettings>(*studio.document(), settings));
+}
+
+bool isSaved(StudioSession &studio)
+{
+    studio.context.files.waitForSaves();
+    QCoreApplication::processEvents(); // questions come after the save has ended
+    QCoreApplication::processEvents();
+    return !studio.context.workspace.isModified();
+}
+
+double marginOnDisk(const QString &path)
+{
+    const Result<LoadedProject> loaded = loadProject(path);
+    return loaded ? loaded->state.packingSettings.margin : -1;
+}
+
+} // namespace
+
+class TestTwoStudios : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void stampsTellFilesApart()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("a"));
+        const auto write = [](const QString &to, const char *text) {
+            QFile file(to);
+            return file.open(QIODevice::WriteOnly) && file.write(text) > 0;
+        };
+        QVERIFY(!FileStamp::of(path).exists());
+        QVERIFY(write(path, "one"));
+        const FileStamp first = FileStamp::of(path);
+        QVERIFY(first.exists());
+        QCOMPARE(FileStamp::of(path), first);
+        QVERIFY(write(path, "longer"));
+        QVERIFY(!(FileStamp::of(path) == first));
+        // Another file of the same size in its place.
+        const FileStamp second = FileStamp::of(path);
+        QVERIFY(write(folder.filePath(QStringLiteral("b")), "longer"));
+        QVERIFY(QFile::rename(path, folder.filePath(QStringLiteral("old"))));
+        QVERIFY(QFile::rename(folder.filePath(QStringLiteral("b")), path));
+        QVERIFY(!(FileStamp::of(path) == second));
+    }
+
+    void theSecondSaveAsks_data()
+    {
+        QTest::addColumn<int>("answer");
+        QTest::addColumn<double>("onDisk");
+        QTest::addColumn<double>("shown");
+        QTest::newRow("cancel") << int(Changed::Cancel) << 7.0 << 5.0;
+        QTest::newRow("overwrite") << int(Changed::Overwrite) << 5.0 << 5.0;
+        QTest::newRow("save as") << int(Changed::SaveAs) << 7.0 << 5.0;
+        QTest::newRow("reload") << int(Changed::Reload) << 7.0 << 7.0;
+    }
+    void theSecondSaveAsks()
+    {
+        QFETCH(int, answer);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("shared.acproj"));
+        const QString other = folder.filePath(QStringLiteral("mine.acproj"));
+        StudioSession first;
+        first.context.files.openSample(QStringLiteral("bumpycube"));
+        first.answers->filesToSave = {path};
+        first.action("file.save")->trigger();
+        QVERIFY(isSaved(first));
+        StudioSession second;
+        second.context.files.open(path);
+        QVERIFY(second.jobsRest());
+        QVERIFY(second.document());
+        setMargin(second, 7);
+        second.action("file.save")->trigger();
+        QVERIFY(isSaved(second));
+        QCOMPARE(second.answers->changedAsked, 0);
+        // A second save of the same window is its own.
+        setMargin(second, 6);
+        setMargin(second, 7);
+        second.action("file.save")->trigger();
+        QVERIFY(isSaved(second));
+        QCOMPARE(second.answers->changedAsked, 0);
+
+        setMargin(first, 5);
+        first.answers->changed = Changed(answer);
+        first.answers->filesToSave = {other};
+        first.action("file.save")->trigger();
+        const bool saved = isSaved(first);
+        QCOMPARE(first.answers->changedAsked, 1);
+        QVERIFY(first.jobsRest());
+        first.context.files.waitForSaves();
+        QCOMPARE(saved || !first.context.workspace.isModified(), Changed(answer) != Changed::Cancel);
+        QTEST(marginOnDisk(path), "onDisk");
+        QTEST(first.document()->packingSettings().margin, "shown");
+        QCOMPARE(QFile::exists(other), Changed(answer) == Changed::SaveAs);
+        QCOMPARE(first.context.workspace.sessionPath(), Changed(answer) == Changed::SaveAs ? other : path);
+        QCOMPARE(first.answers->errors, QStringList());
+        // Nothing is asked again about what has been decided.
+        if (Changed(answer) == Changed::Cancel)
+            return;
+        setMargin(first, 9);
+        first.action("file.save")->trigger();
+        QVERIFY(isSaved(first));
+        QCOMPARE(first.answers->changedAsked, 1);
+    }
+
+    void aFileThatIsGoneIsWrittenAnew()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("gone.acproj"));
+        StudioSession studio;
+        studio.context.files.openSample(QStringLiteral("bumpycube"));
+        studio.context.files.save(path);
+        QVERIFY(isSaved(studio));
+        QVERIFY(QFile::remove(path));
+        setMargin(studio, 5);
+        QSignalSpy done(&studio.context.files, &FileController::done);
+        studio.action("file.save")->trigger();
+        QVERIFY(isSaved(studio));
+        QCOMPARE(studio.answers->changedAsked, 0);
+        QCOMPARE(marginOnDisk(path), 5.0);
+        QVERIFY2(done.last().first().toString().contains(QStringLiteral("gone")),
+                 qPrintable(done.last().first().toString()));
+    }
+
+    void theOtherOneIsNamed()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("shared.acproj"));
+        const QString lock = folder.filePath(QStringLiteral(".shared.acproj.lock"));
+        {
+            StudioSession studio;
+            studio.context.files.openSample(QStringLiteral("bumpycube"));
+            studio.context.files.save(path);
+            QVERIFY(isSaved(studio));
+            QVERIFY(QFile::exists(lock));
+            studio.context.files.open(path); // its own lock is no other's
+            QVERIFY(studio.jobsRest());
+            QVERIFY(QFile::exists(lock));
+            QCOMPARE(studio.context.workspace.notes(), QStringList());
+            studio.context.files.close();
+            QVERIFY(!QFile::exists(lock));
+        }
+        // Another program, which lives.
+        QProcess other;
+        other.start(QStringLiteral("sleep"), {QStringLiteral("60")});
+        QVERIFY(other.waitForStarted());
+        QFile file(lock);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::number(other.processId()) + "\nsleep\n" +
+                   QSysInfo::machineHostName().toUtf8() + '\n' + QSysInfo::machineUniqueId() + '\n' +
+                   QSysInfo::bootUniqueId() + '\n');
+        file.close();
+        StudioSession studio;
+        studio.context.files.open(path);
+        QVERIFY(studio.jobsRest());
+        QCOMPARE(studio.context.workspace.notes().size(), 1);
+        QVERIFY2(studio.context.workspace.notes().first().contains(QStringLiteral("sleep")),
+                 qPrintable(studio.context.workspace.notes().first()));
+        other.kill();
+        other.waitForFinished();
+        // What a crash left behind counts for nothing.
+        studio.context.files.close();
+        studio.context.files.open(path);
+        QVERIFY(studio.jobsRest());
+        QCOMPARE(studio.context.workspace.notes(), QStringList());
+    }
+};
+
+QTEST_MAIN(TestTwoStudios)
+#include "tst_twostudios.moc"
