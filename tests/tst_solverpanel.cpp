@@ -263,6 +263,11 @@ private Q_SLOTS:
         flat->setFocus();
         QTest::keyClick(flat, Qt::Key_Space);
         QCOMPARE(bench.settings().flat, FlatMode::Free);
+        auto *const alike = child<QCheckBox>(bench.panel, "alike");
+        QVERIFY(alike->isChecked());
+        alike->setFocus();
+        QTest::keyClick(alike, Qt::Key_Space);
+        QCOMPARE(bench.settings().alike, AlikeMode::Off);
         auto *const up = child<QComboBox>(bench.panel, "worldUp");
         up->setFocus();
         QTest::keyClick(up, Qt::Key_End);

@@ -1,10 +1,12 @@
 // The studio as an artist works with it: real key and mouse events on the real window.
+#include "model/document/makesnapshot.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "support/editsupport.h"
 #include "support/patience.h"
 #include "support/studiosession.h"
 #include "views/actions/studioactions.h"
+#include "views/canvas/axisgizmo.h"
 #include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
 #include "views/panels/noticebar.h"
@@ -22,9 +24,10 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTableView>
 
 using namespace autocuts;
+using namespace autocuts::homotopy;
+using namespace autocuts::metrics;
 using test::StudioSession;
 
 class TestStudio : public QObject

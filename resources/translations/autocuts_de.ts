@@ -2525,6 +2525,13 @@
     </message>
 </context>
 <context>
+    <name>SessionLock</name>
+    <message>
+        <source>%1 on %2 (process %3)</source>
+        <translation>%1 auf %2 (Prozess %3)</translation>
+    </message>
+</context>
+<context>
     <name>TextureChannels</name>
     <message>
         <source>Base colour</source>
@@ -3247,6 +3254,10 @@
     <message>
         <source>Change shape of flat faces</source>
         <translation>Form ebener Flächen ändern</translation>
+    </message>
+    <message>
+        <source>Change cuts of alike parts</source>
+        <translation>Schnitte gleicher Teile ändern</translation>
     </message>
 </context>
 <context>
@@ -4401,6 +4412,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Check the permissions of the folder</source>
         <translation>Die Rechte am Ordner prüfen</translation>
+    </message>
+    <message>
+        <source>%1 is open in %2 as well. What is saved first stays; the other one is asked</source>
+        <translation>%1 ist auch in %2 offen. Was zuerst gespeichert wird, bleibt; das andere Programm fragt nach</translation>
+    </message>
+    <message>
+        <source>Saved %1 anew: the file was gone</source>
+        <translation>%1 neu gespeichert: Die Datei war verschwunden</translation>
     </message>
 </context>
 <context>
@@ -6562,6 +6581,30 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>%1, line %2</source>
         <translation>%1, Zeile %2</translation>
     </message>
+    <message>
+        <source>Changed on disk</source>
+        <translation>Auf der Platte geändert</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since it was opened here.</source>
+        <translation>Ein anderes Programm hat %1 geändert, seit die Datei hier geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>Overwrite replaces those changes; a backup of them stays beside the session. Reload loses the changes made here.</source>
+        <translation>„Überschreiben“ ersetzt diese Änderungen; neben der Sitzung bleibt eine Sicherung davon. „Neu laden“ verwirft die Änderungen, die hier gemacht wurden.</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Speichern &amp;unter...</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>Ü&amp;berschreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>&amp;Neu laden</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::RecoveryDialog</name>
@@ -8479,6 +8522,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Flat faces, and what unrolls without stretch, keep their shape; the stretch goes to the curved parts. Off: seams become shorter, and faces bend</source>
         <translation>Ebene Flächen, und was sich ohne Dehnung abrollen lässt, behalten ihre Form; gedehnt wird, was gewölbt ist. Aus: Die Nähte werden kürzer, und Flächen verbiegen sich</translation>
+    </message>
+    <message>
+        <source>Same cuts for alike parts</source>
+        <translation>Gleiche Schnitte für gleiche Teile</translation>
+    </message>
+    <message>
+        <source>Parts that are copies of each other, also mirrored ones, get the same seams and islands: one of them is solved, which is faster, and the islands can be stacked. Parts that you cut or join by hand are left out</source>
+        <translation>Teile, die Kopien voneinander sind, auch gespiegelte, bekommen dieselben Nähte und Inseln: Nur eines davon wird gelöst, was schneller ist, und die Inseln lassen sich stapeln. Teile, die Sie von Hand schneiden oder verbinden, sind ausgenommen</translation>
     </message>
 </context>
 <context>

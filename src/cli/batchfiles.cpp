@@ -188,6 +188,7 @@ void BatchFiles::mergeSettings(CliOptions &options)
     merge("--solver", options.settings.solver, solve.solver);
     merge("--seed", options.settings.seed, solve.seed);
     merge("--flat", options.settings.flat, solve.flat);
+    merge("--alike", options.settings.alike, solve.alike);
     merge("--creases", options.settings.creases, solve.creases);
     merge("--crease-strength", options.settings.creaseStrength, solve.creaseStrength);
     merge("--visibility", options.settings.visibility, solve.visibility);

@@ -235,6 +235,7 @@ QCborMap toCbor(const SolveSettings &settings)
             {"seed"_L1, qint64(settings.seed)},
             {"maxDistortion"_L1, settings.maxDistortion},
             {"flat"_L1, static_cast<int>(settings.flat)},
+            {"alike"_L1, static_cast<int>(settings.alike)},
             {"creases"_L1, static_cast<int>(settings.creases)},
             {"creaseStrength"_L1, settings.creaseStrength},
             {"visibility"_L1, settings.visibility},
@@ -268,6 +269,7 @@ SolveSettings readSolveSettings(CborReader &reader)
     read("maxDistortion"_L1, settings.maxDistortion,
          [&] { return reader.number("maxDistortion"_L1, 4, SolveSettings::maxBound); });
     read("flat"_L1, settings.flat, [&] { return reader.enumerator("flat"_L1, FlatMode::Free); });
+    read("alike"_L1, settings.alike, [&] { return reader.enumerator("alike"_L1, AlikeMode::SameCuts); });
     read("creases"_L1, settings.creases, [&] { return reader.enumerator("creases"_L1, CreaseMode::On); });
     read("creaseStrength"_L1, settings.creaseStrength,
          [&] { return reader.number("creaseStrength"_L1, 0, 1); });

@@ -65,6 +65,9 @@ public:
     int islandOfFace(int face) const { return mCharts.faceChart[face]; }
     //! The faces of an island in ascending order.
     const std::vector<int> &faces(int island) const { return mFaces[island]; }
+    //! The island of each face, and the faces of each island.
+    const std::vector<int> &ofFaces() const { return mCharts.faceChart; }
+    const std::vector<std::vector<int>> &allFaces() const { return mFaces; }
     //! Bounding box of an island in texture space.
     const Eigen::AlignedBox2d &box(int island) const { return mBoxes[island]; }
     //! Corners of the given islands in ascending order.

@@ -26,9 +26,6 @@ namespace autocuts {
 
 namespace {
 
-//! Bytes, as in objreader.cpp.
-constexpr qint64 maxFileSize = qint64(4) << 30;
-
 Eigen::Matrix4d toMatrix(const aiMatrix4x4 &m)
 {
     Eigen::Matrix4d result;
@@ -281,10 +278,10 @@ std::optional<Error> checkFile(const QString &path)
                      QStringLiteral("Name a mesh file")};
     if (info.size() == 0)
         return Error{QStringLiteral("the file is empty"), path, 0, QStringLiteral("Export the model again")};
-    if (info.size() > maxFileSize)
+    if (info.size() > maxMeshFileSize)
         return Error{
-            QStringLiteral("the file has %1 bytes, the limit is %2").arg(info.size()).arg(maxFileSize), path,
-            0, QStringLiteral("Split the model into several files")};
+            QStringLiteral("the file has %1 bytes, the limit is %2").arg(info.size()).arg(maxMeshFileSize),
+            path, 0, QStringLiteral("Split the model into several files")};
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return Error{QStringLiteral("the file cannot be read (%1)").arg(file.errorString()), path, 0,

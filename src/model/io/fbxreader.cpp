@@ -23,7 +23,7 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 //! Bytes; chosen by hand. Offsets in most binary files have 32 bits.
-constexpr qint64 maxFileSize = qint64(2) << 30;
+constexpr qint64 maxFbxSize = qint64(2) << 30;
 //! What a corner of the soup takes of the room for arrays: a small file may repeat a geometry many times.
 constexpr qint64 cornerBytes = 32;
 
@@ -323,7 +323,7 @@ Result<Scene> parseFbx(QByteArray bytes, const QString &path, const std::atomic<
 
 Result<Scene> readFbx(const QString &path, const std::atomic<bool> *stop)
 {
-    Result<QByteArray> bytes = loadFile(path, maxFileSize);
+    Result<QByteArray> bytes = loadFile(path, maxFbxSize);
     if (!bytes)
         return bytes.error();
     return parseFbx(std::move(bytes).value(), path, stop);

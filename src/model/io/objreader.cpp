@@ -18,9 +18,6 @@ namespace autocuts {
 
 namespace {
 
-//! Bytes; chosen by hand.
-constexpr qint64 maxFileSize = qint64(4) << 30;
-
 //! Numbers names in the order of first use.
 class NameTable
 {
@@ -397,7 +394,7 @@ Result<Scene> parseObj(QByteArray bytes, const QString &path, const std::atomic<
 
 Result<Scene> readObj(const QString &path, const std::atomic<bool> *stop)
 {
-    Result<QByteArray> bytes = loadFile(path, maxFileSize);
+    Result<QByteArray> bytes = loadFile(path, maxMeshFileSize);
     if (!bytes)
         return bytes.error();
     const QByteArray content = bytes.value();

@@ -20,7 +20,7 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-constexpr qint64 maxFileSize = qint64(4) << 30;
+constexpr qint64 maxProjectSize = qint64(4) << 30;
 constexpr qsizetype longestName = 40; // of an unknown part, in a message
 
 //! Blocks whose content is already compressed.
@@ -308,7 +308,7 @@ Result<LoadedProject> parseProject(const QByteArray &bytes, const QString &path,
 
 Result<LoadedProject> loadProject(const QString &path, const std::atomic<bool> *stop)
 {
-    const Result<QByteArray> bytes = loadFile(path, maxFileSize);
+    const Result<QByteArray> bytes = loadFile(path, maxProjectSize);
     if (!bytes)
         return bytes.error();
     return parseProject(bytes.value(), path, stop);
@@ -316,7 +316,7 @@ Result<LoadedProject> loadProject(const QString &path, const std::atomic<bool> *
 
 Result<ProjectSummary> loadProjectSummary(const QString &path)
 {
-    const Result<QByteArray> bytes = loadFile(path, maxFileSize);
+    const Result<QByteArray> bytes = loadFile(path, maxProjectSize);
     if (!bytes)
         return bytes.error();
     const Result<ProjectParts> container =

@@ -96,6 +96,10 @@ struct MeshData
     //! Empty when all are 1. See withTexelWeights().
     std::vector<double> texelWeight;
 
+    //! Per face: how many copies of it there are in the mesh that this one stands for. Distortion and seams
+    //! count as often. Empty: each stands for itself only. See unwrap/alikeparts.h.
+    std::vector<int> faceCopies;
+
     int vertexCount() const { return static_cast<int>(positions.rows()); }
     int faceCount() const { return static_cast<int>(faceStart.size()) - 1; }
     int cornerCount() const { return static_cast<int>(cornerVertex.size()); }
@@ -125,6 +129,8 @@ struct MeshData
     {
         return texelWeight.empty() ? 1 : texelWeight[triangleFace[triangle]];
     }
+    //! The copies of a triangle's face.
+    int copiesOf(int triangle) const { return faceCopies.empty() ? 1 : faceCopies[triangleFace[triangle]]; }
     //! The 3D area of a triangle whose sides are multiplied by its texel weight.
     double targetArea(int triangle) const
     {

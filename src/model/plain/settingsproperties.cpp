@@ -30,7 +30,8 @@ int differences(const SolveSettings &a, const SolveSettings &b)
            (a.maxDistortion != b.maxDistortion ? MaxDistortionProperty : 0) |
            (a.align != b.align ? AlignProperty : 0) |
            (a.mirrorMaps != b.mirrorMaps ? MirrorMapsProperty : 0) |
-           (a.worldUp != b.worldUp ? WorldUpProperty : 0) | (a.flat != b.flat ? FlatProperty : 0);
+           (a.worldUp != b.worldUp ? WorldUpProperty : 0) | (a.flat != b.flat ? FlatProperty : 0) |
+           (a.alike != b.alike ? AlikeProperty : 0);
 }
 
 int differences(const PackingSettings &a, const PackingSettings &b)
@@ -54,7 +55,8 @@ bool isValid(const SolveSettings &settings)
            inRange(settings.creases, CreaseMode::On) && inRange(settings.creaseStrength, 1.0) &&
            inRange(settings.visibility, 1.0) && inRange(settings.align, CreaseMode::On) &&
            inRange(settings.worldUp, WorldUp::Z) && inRange(settings.flat, FlatMode::Free) &&
-           inRange(settings.seams, SeamMode::Only) && inRange(settings.givenSeams.sharpAngle, 180.0);
+           inRange(settings.alike, AlikeMode::SameCuts) && inRange(settings.seams, SeamMode::Only) &&
+           inRange(settings.givenSeams.sharpAngle, 180.0);
 }
 
 } // namespace autocuts

@@ -27,7 +27,8 @@ enum SolveProperty {
     AlignProperty = 1 << 16,
     MirrorMapsProperty = 1 << 17,
     WorldUpProperty = 1 << 18,
-    FlatProperty = 1 << 19
+    FlatProperty = 1 << 19,
+    AlikeProperty = 1 << 20
 };
 
 //! The fields of PackingSettings.

@@ -10,6 +10,9 @@ enum class SolverKind { Fast, Exact };
 enum class CreaseMode { Off, Auto, On };
 //! Whether flat faces, and what unrolls without stretch, keep their shape in automatic maps.
 enum class FlatMode { Rigid, Free };
+//! Whether connected parts that are copies of each other, also mirrored ones, get the same seams and the same
+//! islands in automatic maps.
+enum class AlikeMode { Off, SameCuts };
 //! The direction of the model that is up in the map; Off: any.
 enum class WorldUp { Off, Y, Z };
 //! Whose seams. Free: the search's. Keep: the given ones stay, and the search adds what the bound needs.
@@ -46,6 +49,7 @@ struct SolveSettings
     double maxDistortion = 4.1;
     //! Rigid: the stretch that the bound allows goes to the curved parts of the surface only.
     FlatMode flat = FlatMode::Rigid;
+    AlikeMode alike = AlikeMode::SameCuts;
     // Preferences for the places of seams. All ways of cutting use them.
     //! Prefer seams along sharp edges; Auto: on meshes that have creases.
     CreaseMode creases = CreaseMode::Auto;

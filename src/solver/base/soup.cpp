@@ -124,6 +124,17 @@ std::shared_ptr<const Soup> Soup::build(std::shared_ptr<const MeshData> mesh)
             coordinate *= mesh->texelWeightOf(t);
         soup->basis[t] = basisOf(soup->restShape[t]);
     }
+    if (!mesh->faceCopies.empty()) {
+        double all = 0;
+        for (int t = 0; t < count; ++t)
+            all += mesh->copiesOf(t) * mesh->triangleArea[t];
+        soup->perCopy = mesh->area / all;
+        for (int t = 0; t < count; ++t)
+            soup->weight[t] *= mesh->copiesOf(t) * soup->perCopy;
+    }
+    soup->componentShare.assign(mesh->componentCount, 0);
+    for (int t = 0; t < count; ++t)
+        soup->componentShare[mesh->component[t]] += soup->shareOfCopy(t);
     return soup;
 }
 

@@ -31,9 +31,12 @@ struct Soup
     std::shared_ptr<const MeshData> mesh;
     double scale = 1;         //!< mesh units to solver units
     std::vector<Basis> basis; //!< per triangle
-    std::vector<std::array<double, 6>>
-        restShape;              //!< per triangle, what it is to be in the map: x0 y0 x1 y1 x2 y2
-    std::vector<double> weight; //!< per triangle, share of the total area
+    //! Per triangle, what it is to be in the map: x0 y0 x1 y1 x2 y2.
+    std::vector<std::array<double, 6>> restShape;
+    //! Per triangle, share of the total area; with MeshData::faceCopies, that of all copies of it.
+    std::vector<double> weight;
+    double perCopy = 1;                          //!< area of the mesh over that with all copies
+    std::vector<double> componentShare;          //!< per connected component: the sum of shareOfCopy()
     std::vector<std::array<int, 2>> pairCorners; //!< per corner pair, the two soup corners
     std::vector<CornerPartners> partners;        //!< per soup corner
     std::vector<double> pairLength;              //!< per corner pair, length of its edge
@@ -41,12 +44,16 @@ struct Soup
 
     int triangleCount() const { return static_cast<int>(basis.size()); }
     int coordinateCount() const { return 6 * triangleCount(); }
+    //! The weight of a triangle for one copy of its face: its share of the area of the mesh with all copies.
+    double shareOfCopy(int triangle) const { return weight[triangle] / mesh->copiesOf(triangle); }
+    //! The share of the area of the mesh as it is.
+    double areaShare(int triangle) const { return shareOfCopy(triangle) / perCopy; }
     //! The share of the total area that a triangle is to have in a map where those of texel weight 1 have
     //! theirs.
     double targetWeight(int triangle) const
     {
         const double texelWeight = mesh->texelWeightOf(triangle);
-        return texelWeight * texelWeight * weight[triangle];
+        return texelWeight * texelWeight * areaShare(triangle);
     }
 
     //! Builds the soup of a mesh. Triangles without area in 3D get a thin stand-in shape and a weight near

@@ -104,8 +104,8 @@ private:
             if (i >= first || j < first)
                 return true;
             const int a = near[i], b = moving[j - first];
-            return meet(a, b) &&
-                   area <= touchingShare * std::numbers::pi * std::min(mSoup.weight[a], mSoup.weight[b]);
+            return meet(a, b) && area <= touchingShare * std::numbers::pi *
+                                             std::min(mSoup.areaShare(a), mSoup.areaShare(b));
         });
     }
 

@@ -135,7 +135,7 @@ private:
 
     bool isLarge(double area, int triangle) const
     {
-        return area >= leastArea * mMesh.area ||
+        return area >= leastArea * mShape.wholeArea ||
                area >= leastPart * mComponentArea[mMesh.component[triangle]];
     }
 
@@ -177,7 +177,7 @@ private:
         std::stable_sort(order.begin(), order.end(),
                          [&](int a, int b) { return mMesh.triangleArea[a] > mMesh.triangleArea[b]; });
         std::vector<int> mark(mMesh.triangleCount(), -1);
-        const double meanPolygon = mMesh.area / mMesh.faceCount();
+        const double meanPolygon = mShape.wholeArea / mShape.wholeFaces;
         int number = 0;
         for (const int seed : order) {
             if (mark[seed] >= 0 || mShape.thin[seed] || !mShape.planeFace[mMesh.triangleFace[seed]])
@@ -192,7 +192,7 @@ private:
             if (!isLarge(area, seed))
                 continue;
             const Border border = borderOf(found, mark);
-            const bool large = area >= largeFace * meanPolygon && area >= leastSoftArea * mMesh.area;
+            const bool large = area >= largeFace * meanPolygon && area >= leastSoftArea * mShape.wholeArea;
             // On a rough surface, sharp edges around single polygons mean nothing.
             const bool clear =
                 static_cast<int>(found.size()) >= capTriangles || area >= largeFace * meanPolygon;
@@ -286,7 +286,7 @@ private:
         const Border border = borderOf(triangles, mark);
         if (border.crease >= leastSharp * border.all)
             return true;
-        if (area < leastSmoothArea * mMesh.area)
+        if (area < leastSmoothArea * mShape.wholeArea)
             return false;
         std::vector<int> points;
         for (const int t : triangles) {
@@ -363,10 +363,13 @@ RigidRegions findRigidRegions(const MeshData &mesh, const std::vector<bool> &cre
 
 double rigidShare(const MeshData &mesh, const RigidRegions &regions)
 {
-    double area = 0;
-    for (int t = 0; t < mesh.triangleCount(); ++t)
-        area += regions.region[t] >= 0 ? mesh.triangleArea[t] : 0;
-    return area / mesh.area;
+    double rigid = 0, all = 0;
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const double area = mesh.copiesOf(t) * mesh.triangleArea[t];
+        rigid += regions.region[t] >= 0 ? area : 0;
+        all += area;
+    }
+    return rigid / all;
 }
 
 } // namespace autocuts::rigid

@@ -49,6 +49,10 @@ void SurfaceShape::measureTriangles(const MeshData &mesh)
         thin[t] = mesh.triangleDegenerate[t] || 2 * mesh.triangleArea[t] < thinHeight * longest * longest;
     }
     size = (high - low).norm();
+    for (int t = 0; t < mesh.triangleCount(); ++t)
+        wholeArea += mesh.copiesOf(t) * mesh.triangleArea[t];
+    for (int f = 0; f < mesh.faceCount(); ++f)
+        wholeFaces += mesh.faceCopies.empty() ? 1 : mesh.faceCopies[f];
     flattenPolygons(mesh);
 }
 
@@ -97,7 +101,7 @@ void SurfaceShape::measureVertices(const MeshData &mesh)
     for (int v = 0; v < count; ++v) {
         const double defect = 2 * std::numbers::pi - angle[v];
         const double precision = flatDefect + digits * size / std::max(least[v], 1e-300);
-        const double sphere = 4 * std::numbers::pi * area[v] / mesh.area;
+        const double sphere = 4 * std::numbers::pi * area[v] / wholeArea;
         flatPoint[v] =
             std::abs(defect) <= std::max(std::min(precision, mostFlatDefect), sphereShare * sphere);
     }

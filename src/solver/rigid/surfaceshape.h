@@ -14,6 +14,8 @@ struct SurfaceShape
     std::vector<bool> planeFace; //!< per face
     std::vector<bool> thin;      //!< per triangle: too thin for a reliable normal
     double size = 0;             //!< diagonal of the mesh's box
+    double wholeArea = 0;        //!< of the mesh, with all copies, see MeshData::faceCopies
+    double wholeFaces = 0;       //!< number of faces, with all copies
     std::vector<bool> flatPoint; //!< per vertex of the uncut surface: its angle defect counts as none
     std::vector<bool> inner;     //!< per vertex of the uncut surface: not on a border
 

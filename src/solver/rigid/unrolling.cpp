@@ -231,7 +231,7 @@ private:
                    b = cornerAt(mResult.x, 3 * t + (top + 2) % 3);
         const Vec2 apex = cornerAt(mResult.x, 3 * t + top);
         const Vec2 up = Vec2(-(b - a).y(), (b - a).x()) / longest;
-        const double height = 2 * std::numbers::pi * mSoup.weight[t] / longest;
+        const double height = 2 * std::numbers::pi * mSoup.areaShare(t) / longest;
         const Vec2 moved = apex + (height - up.dot(apex - a)) * up;
         for (const int c : cornersAt(state, state.uvVertex[3 * t + top]))
             cornerAt(mResult.x, c) = moved;

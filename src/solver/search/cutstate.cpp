@@ -52,7 +52,7 @@ int CutState::smallParts() const
     std::vector<char> isSmall(chartCount(), 0);
     for (const int side : boundary) {
         const int own = chart[side / 3], other = graph->across[side];
-        if (other >= 0 && chart[other / 3] != own && chartArea[own] < smallestChart &&
+        if (other >= 0 && chart[other / 3] != own && chartArea[own] < smallestChart(*graph->soup, side / 3) &&
             graph->rule[graph->edgeOf[side]] != SeamGraph::Rule::AlwaysCut)
             isSmall[own] = 1;
     }
@@ -74,7 +74,7 @@ void CutState::updateTopology()
     std::tie(chart, charts) = pieces.labels();
     chartArea.assign(charts, 0);
     for (int t = 0; t < graph->triangleCount(); ++t)
-        chartArea[chart[t]] += graph->soup->weight[t];
+        chartArea[chart[t]] += graph->soup->shareOfCopy(t);
     cost = length = 0;
     for (std::size_t e = 0; e < cut.size(); ++e) {
         if (cut[e]) {

@@ -18,9 +18,13 @@ namespace autocuts::search {
 //! them, all others may be anywhere.
 struct CutState
 {
-    //! Least share of the mesh's 3D area that a chart may have, unless the chart is a whole connected
-    //! component of the mesh. A requirement on the result (0.5 %), not a tuned number.
-    static constexpr double smallestChart = 0.005;
+    //! Least share of the mesh's 3D area that a chart with this triangle may have, unless the chart is a
+    //! whole connected component of the mesh: 0.5 %, a requirement on the result, not a tuned number; but
+    //! half of the component where that is less, or the links of a chain could not be cut.
+    static double smallestChart(const Soup &soup, int triangle)
+    {
+        return std::min(0.005, 0.5 * soup.componentShare[soup.mesh->component[triangle]]);
+    }
 
     std::shared_ptr<const SeamGraph> graph;
     std::vector<char> cut;              //!< per edge pair
@@ -34,7 +38,7 @@ struct CutState
     double length = 0;             //!< of the seams, solver units
     std::vector<int> boundary;     //!< triangle sides that are open or cut, in ascending order
     std::vector<int> chart;        //!< per triangle: its chart
-    std::vector<double> chartArea; //!< per chart: share of the mesh's 3D area
+    std::vector<double> chartArea; //!< per chart: share of the mesh's 3D area, see Soup::shareOfCopy()
 
     //! True when the charts with anchors are where these hold them. Before, anchors have no effect.
     bool anchored = false;
@@ -66,7 +70,7 @@ struct CutState
     int anchorFaults() const;
     //! UV of a soup corner.
     Vec2 at(int corner) const { return cornerAt(x, corner); }
-    //! Number of charts below smallestChart that are not whole connected components of the mesh.
+    //! Number of charts below smallestChart() that are not whole connected components of the mesh.
     int smallParts() const;
     //! Number of cut edges at a vertex of the uncut surface.
     int cutsAt(int v) const;

@@ -124,9 +124,9 @@ std::vector<int> SeamSearch::regionAcross(int chart, int edge) const
     for (std::size_t at = 0; at < region.size(); ++at) {
         for (; whole < region.size(); ++whole) {
             addNeighbours(region[whole], true);
-            area += graph.soup->weight[region[whole]];
+            area += graph.soup->shareOfCopy(region[whole]);
         }
-        if (area >= grownShare * CutState::smallestChart)
+        if (area >= grownShare * CutState::smallestChart(*graph.soup, region.front()))
             break;
         addNeighbours(region[at], false);
     }
@@ -191,8 +191,8 @@ void SeamSearch::absorbSmallCharts()
             first[mState.chart[t]] = t;
         int smallest = -1;
         for (int c = 0; c < mState.chartCount(); ++c) {
-            if (mState.chartArea[c] < CutState::smallestChart && !failed.count(first[c]) &&
-                (smallest < 0 || mState.chartArea[c] < mState.chartArea[smallest]))
+            if (mState.chartArea[c] < CutState::smallestChart(*mState.graph->soup, first[c]) &&
+                !failed.count(first[c]) && (smallest < 0 || mState.chartArea[c] < mState.chartArea[smallest]))
                 smallest = c;
         }
         if (smallest < 0)

@@ -36,7 +36,7 @@ public:
     //! Tries one random large move: reroutes a part of a seam, closes one, regrafts one or adds one.
     //! \returns true when the move was kept
     bool tryLargeMove();
-    //! Joins charts below CutState::smallestChart to their neighbours at any cost, as long as the energy
+    //! Joins charts below CutState::smallestChart() to their neighbours at any cost, as long as the energy
     //! stays below the ceiling.
     void absorbSmallCharts();
     //! Tries random new seams and leaves the map as it was.

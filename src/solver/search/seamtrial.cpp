@@ -306,7 +306,7 @@ void SeamTrial::alignPieces(const std::vector<int> &close)
     }
 }
 
-//! False when opening edges has made further charts smaller than CutState::smallestChart.
+//! False when opening edges has made further charts smaller than CutState::smallestChart().
 bool SeamTrial::keepsCharts(int oldSmallParts)
 {
     mTopologyChanged = true;

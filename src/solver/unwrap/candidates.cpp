@@ -16,12 +16,13 @@ void Candidate::measure(const Soup &soup, const Snapshot &snapshot)
     const CutMesh charts(mesh, map.cut);
     std::vector<double> area(charts.chartCount, 0);
     for (int t = 0; t < mesh.triangleCount(); ++t)
-        area[charts.chart[t]] += soup.weight[t];
+        area[charts.chart[t]] += soup.shareOfCopy(t);
     std::vector<bool> isSmallPart(charts.chartCount, false);
     for (const EdgePair &pair : mesh.edgePairs) {
         const int one = charts.chart[pair.triangle[0]], other = charts.chart[pair.triangle[1]];
+        const double smallest = search::CutState::smallestChart(soup, pair.triangle[0]);
         for (const int c : {one, other}) {
-            if (one != other && area[c] < search::CutState::smallestChart)
+            if (one != other && area[c] < smallest)
                 isSmallPart[c] = true;
         }
     }

@@ -16,7 +16,7 @@ struct Candidate
     SeamedMap map;
     double distortion = 0, seamLength = 0, seamCost = 0, lambda = 0, delta = 0;
     double bounded = 0;   //!< the distortion that the bound is for: with the stiffness of rigid regions
-    int smallCharts = 0;  //!< below CutState::smallestChart and not whole connected components of the mesh
+    int smallCharts = 0;  //!< below CutState::smallestChart() and not whole connected components of the mesh
     int anchorFaults = 0; //!< see search::CutState
     int openJoins = 0;    //!< joined edges that are seams
     bool onlyPatches = false; //!< see flatPatches()

@@ -6,6 +6,7 @@
 #include "solver/search/anchoring.h"
 #include "solver/search/resteering.h"
 #include "solver/search/seamtrial.h"
+#include "solver/unwrap/alikeparts.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/flatpatches.h"
 #include "solver/unwrap/mapbefore.h"
@@ -302,6 +303,9 @@ private:
 //! on.
 constexpr double coarseShare = 0.55;
 
+//! Share of the stretch allowed that is left for what copies differ by. Chosen by hand.
+constexpr double copyTolerance = 1e-4;
+
 //! A carried map as a candidate.
 Candidate candidateOf(CarriedMap carried, const Soup &soup, const Snapshot &snapshot)
 {
@@ -316,12 +320,13 @@ Candidate candidateOf(CarriedMap carried, const Soup &soup, const Snapshot &snap
 
 //! Finds the map of a large mesh by way of a coarser one; nothing when the mesh is not suited or that fails.
 std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
-                                     const UnwrapOptions &options, const JobContext &job, ReadyResult *ready)
+                                     const UnwrapOptions &options, const JobContext &job,
+                                     const PrepareMap &prepare)
 {
     if (!suitsCoarseToFine(snapshot))
         return std::nullopt;
-    const auto prepare = [&](MakeCarriedMap make) {
-        ready->prepare([=, make = std::move(make)](const JobContext &own) -> std::optional<Candidate> {
+    const auto prepareCarried = [&](MakeCarriedMap make) {
+        prepare([=, make = std::move(make)](const JobContext &own) -> std::optional<Candidate> {
             std::optional<CarriedMap> carried = make(own);
             if (!carried)
                 return std::nullopt;
@@ -329,17 +334,17 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
         });
     };
     CoarseSearch search;
-    if (ready)
-        search.relaxing = prepare;
+    if (prepare)
+        search.relaxing = prepareCarried;
     const JobContext searching = job.part(0, coarseShare);
     search.unwrap = [&](const Snapshot &coarse, const UnwrapOptions &coarseOptions, const CarryOver &carry) {
         const double worst = coarseOptions.maxDistortion + worthCarrying;
         Ranking coarseRanking(coarseOptions, searching);
         coarseRanking.setWatcher([&](const Candidate &best) {
-            if (!ready || best.distortion > worst)
+            if (!prepare || best.distortion > worst)
                 return;
             const CarriedMap map{best.map, 0, best.lambda, best.delta, best.anchorFaults};
-            prepare([=](const JobContext &own) { return carry(map, own); });
+            prepareCarried([=](const JobContext &own) { return carry(map, own); });
         });
         FoundMap found = findMap(coarse, coarseOptions, coarseRanking, searching);
         if (found.best.onlyPatches || job.stopped())
@@ -356,6 +361,55 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
     if (snapshot.settings.symmetry)
         found.symmetry = 0;
     found.best = candidateOf(std::move(*carried), *soup, snapshot);
+    return found;
+}
+
+//! Finds the map of a mesh with alike parts from that of one part of each kind; nothing when there are none,
+//! or when their map does not fit its copies.
+std::optional<FoundMap> findOneOfEachKind(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                                          const UnwrapOptions &options, const JobContext &job,
+                                          const PrepareMap &prepare)
+{
+    const auto parts = [&]() -> std::shared_ptr<const AlikeParts> {
+        std::optional<AlikeParts> found = AlikeParts::of(snapshot, job);
+        return found ? std::make_shared<const AlikeParts>(std::move(*found)) : nullptr;
+    }();
+    if (!parts)
+        return std::nullopt;
+    const auto whole = [soup, parts, snapshot](Candidate found,
+                                               const JobContext &context) -> std::optional<Candidate> {
+        found.map = parts->expanded(found.map, context);
+        if (!found.map.validate(*soup).empty())
+            return std::nullopt;
+        definite::equalizeDensity(*soup, snapshot, found.map);
+        found.measure(*soup, snapshot);
+        return found;
+    };
+    UnwrapOptions own = options;
+    // Room for what copies differ by.
+    own.maxDistortion -= copyTolerance * (own.maxDistortion - 4);
+    Ranking ranking(own, job);
+    PrepareMap prepareWhole;
+    if (prepare) {
+        prepareWhole = [&](ReadyResult::MakeMap make) {
+            prepare([whole, make = std::move(make)](const JobContext &context) -> std::optional<Candidate> {
+                std::optional<Candidate> made = make(context);
+                return made ? whole(std::move(*made), context) : std::nullopt;
+            });
+        };
+        if (!suitsCoarseToFine(parts->snapshot()))
+            ranking.setWatcher(
+                [&](const Candidate &best) { prepareWhole([best](const JobContext &) { return best; }); });
+    }
+    FoundMap found = findMap(parts->snapshot(), own, ranking, job, prepareWhole);
+    if (snapshot.settings.symmetry)
+        found.symmetry = 0;
+    if (found.onlyReady)
+        return found;
+    std::optional<Candidate> best = whole(std::move(found.best), job.quiet());
+    if (!best)
+        return std::nullopt;
+    found.best = std::move(*best);
     return found;
 }
 
@@ -437,14 +491,14 @@ Candidate patchesOf(const Snapshot &given)
 }
 
 FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &ranking, const JobContext &job,
-                 ReadyResult *ready)
+                 const PrepareMap &prepare)
 {
     if (given.settings.seams == SeamMode::Only && options.maxDistortion < noBound) {
         if (std::optional<FoundMap> found = onlyGivenSeams(given, job))
             return std::move(*found);
         UnwrapOptions unbounded = options;
         unbounded.maxDistortion = noBound;
-        return findMap(withDearSeams(given), unbounded, ranking, job, ready);
+        return findMap(withDearSeams(given), unbounded, ranking, job, prepare);
     }
     const std::shared_ptr<const Soup> soup = Soup::build(given.mesh);
     Snapshot snapshot = given;
@@ -455,12 +509,16 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
         symmetry = preference::findSymmetry(*snapshot.mesh);
     // Not for symmetric cuts: the coarse mesh would not be symmetric.
     if (!symmetry) {
-        if (std::optional<FoundMap> large = findLargeMap(soup, snapshot, options, job, ready))
+        if (!options.lambda) {
+            if (std::optional<FoundMap> alike = findOneOfEachKind(soup, snapshot, options, job, prepare))
+                return std::move(*alike);
+        }
+        if (std::optional<FoundMap> large = findLargeMap(soup, snapshot, options, job, prepare))
             return std::move(*large);
     }
     FoundMap found;
     if (job.stopped()) {
-        if (ready)
+        if (prepare)
             found.onlyReady = true;
         else
             found.best = patchesOf(given);
@@ -481,7 +539,7 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
             best = std::move(other);
         found.iterations += free.iterations();
     }
-    found.onlyReady = !best && ready && job.stopped();
+    found.onlyReady = !best && prepare && job.stopped();
     if (found.onlyReady)
         return found;
     found.best = best ? std::move(*best) : patchesOf(given);

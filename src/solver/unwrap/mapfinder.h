@@ -21,12 +21,16 @@ struct FoundMap
 //! share of 0.4 was chosen by hand.
 [[nodiscard]] search::OptimizeEffort effortFor(UnwrapQuality quality, int triangles);
 
+//! Takes what makes a usable map of those found on the way, see ReadyResult::prepare(). Empty: nobody wants
+//! them.
+using PrepareMap = std::function<void(ReadyResult::MakeMap)>;
+
 //! The map that can be made at once. \param given the problem of a FreePart
 [[nodiscard]] Candidate patchesOf(const Snapshot &given);
 
-//! Finds the best map. \param given the problem of a FreePart \param ready brought the maps of a large mesh
-//! that are found on the way; null: nobody wants them
+//! Finds the best map. \param given the problem of a FreePart \param prepare gets the maps of a large mesh,
+//! or of one with alike parts, that are found on the way
 [[nodiscard]] FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &ranking,
-                               const JobContext &job, ReadyResult *ready = nullptr);
+                               const JobContext &job, const PrepareMap &prepare = {});
 
 } // namespace autocuts::unwrap

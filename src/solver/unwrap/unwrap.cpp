@@ -163,7 +163,10 @@ UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options, 
         ranking.setWatcher(
             [&ready](const Candidate &best) { ready->prepare([best](const JobContext &) { return best; }); });
     }
-    FoundMap found = findMap(problem, searched, ranking, job, ready ? &*ready : nullptr);
+    PrepareMap prepare;
+    if (ready)
+        prepare = [&ready](ReadyResult::MakeMap make) { ready->prepare(std::move(make)); };
+    FoundMap found = findMap(problem, searched, ranking, job, prepare);
     // To place the islands takes long, too.
     if (found.onlyReady || (ready && job.stopped() && ready->isAsGoodAs(found.best))) {
         result = ready->take();

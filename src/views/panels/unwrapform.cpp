@@ -44,6 +44,13 @@ UnwrapForm::UnwrapForm(QWidget *parent)
            "parts. Off: "
            "seams become shorter, and faces bend"),
         [](SolveSettings &settings, bool on) { settings.flat = on ? FlatMode::Rigid : FlatMode::Free; });
+    mAlike = addSwitch(
+        tr("Same cuts for alike parts"), "alike"_L1,
+        tr("Parts that are copies of each other, also mirrored ones, get the same seams and islands: one of "
+           "them is "
+           "solved, which is faster, and the islands can be stacked. Parts that you cut or join by hand are "
+           "left out"),
+        [](SolveSettings &settings, bool on) { settings.alike = on ? AlikeMode::SameCuts : AlikeMode::Off; });
     mSymmetry =
         addSwitch(tr("Same cuts on both sides"), "symmetry"_L1,
                   tr("Cuts a symmetric model symmetrically. Models whose edges do not mirror are cut as "
@@ -65,7 +72,7 @@ UnwrapForm::UnwrapForm(QWidget *parent)
                         tr("Symmetric islands get symmetric maps, those of a left and a right part mirror "
                            "images of each other; goes with the same cuts on both sides"),
                         [](SolveSettings &settings, bool on) { settings.mirrorMaps = on; });
-    for (QCheckBox *box : {mFlat, mSymmetry, mHidden, mSharp, mAlign, mMirror})
+    for (QCheckBox *box : {mFlat, mAlike, mSymmetry, mHidden, mSharp, mAlign, mMirror})
         form->addRow(box);
     mUp->setObjectName("worldUp"_L1);
     mUp->addItem(tr("Any direction"), int(WorldUp::Off));
@@ -101,6 +108,7 @@ void UnwrapForm::setSettings(const SolveSettings &settings)
 {
     mStretch->setValue(settings.maxDistortion);
     mFlat->setChecked(settings.flat == FlatMode::Rigid);
+    mAlike->setChecked(settings.alike == AlikeMode::SameCuts);
     mSymmetry->setChecked(settings.symmetry);
     mHidden->setChecked(settings.visibility > 0);
     mSharp->setChecked(settings.creases != CreaseMode::Off);

@@ -40,8 +40,8 @@ private:
 
     QPushButton *mUnwrap;
     StretchControl *mStretch;
-    QCheckBox *mFlat = nullptr, *mSymmetry = nullptr, *mHidden = nullptr, *mSharp = nullptr,
-              *mAlign = nullptr, *mMirror = nullptr;
+    QCheckBox *mFlat = nullptr, *mAlike = nullptr, *mSymmetry = nullptr, *mHidden = nullptr,
+              *mSharp = nullptr, *mAlign = nullptr, *mMirror = nullptr;
     QComboBox *mUp, *mQuality;
 };
 

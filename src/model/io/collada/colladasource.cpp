@@ -14,7 +14,7 @@ namespace autocuts {
 
 namespace {
 
-constexpr qint64 maxFileSize = qint64(1) << 30;
+constexpr qint64 maxColladaSize = qint64(1) << 30;
 //! Assimp reads numbers in single precision, and not to the last digit.
 constexpr double tolerance = 1e-5;
 
@@ -140,7 +140,7 @@ const ColladaSource *colladaSourceOf(const Scene &scene)
 void keepCollada(Scene &scene)
 {
     const auto *assimp = dynamic_cast<const AssimpSource *>(scene.source.get());
-    Result<QByteArray> bytes = loadFile(scene.path, maxFileSize);
+    Result<QByteArray> bytes = loadFile(scene.path, maxColladaSize);
     // Text in UTF-16 contains zeros.
     if (!assimp || assimp->pieces.empty() || !bytes || bytes->contains('\0'))
         return;

@@ -23,8 +23,6 @@ namespace autocuts {
 
 namespace {
 
-//! Bytes, as in objreader.cpp.
-constexpr qint64 maxFileSize = qint64(4) << 30;
 //! The stop flag is looked at after so many vertices or triangles.
 constexpr std::size_t stopInterval = 1 << 16;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -311,7 +309,7 @@ QByteArray loadBeside(const QString &path, const QByteArray &uri)
     if (QUrl(name).scheme().size() > 1 || QDir::isAbsolutePath(name))
         throw GltfError("it refers to \"" + uri.left(200).toStdString() +
                         "\", which is not a file beside it");
-    Result<QByteArray> bytes = loadFile(QFileInfo(path).dir().filePath(name), maxFileSize);
+    Result<QByteArray> bytes = loadFile(QFileInfo(path).dir().filePath(name), maxMeshFileSize);
     if (!bytes)
         throw GltfError("its buffer \"" + name.left(200).toStdString() +
                         "\" cannot be read: " + bytes.error().message.toStdString());
@@ -356,7 +354,7 @@ Result<Scene> parseGltf(GltfFile file, const QString &path, const std::atomic<bo
 
 Result<Scene> readGltf(const QString &path, const std::atomic<bool> *stop)
 {
-    Result<QByteArray> bytes = loadFile(path, maxFileSize);
+    Result<QByteArray> bytes = loadFile(path, maxMeshFileSize);
     if (!bytes)
         return bytes.error();
     if (bytes->isEmpty())

@@ -1,0 +1,160 @@
+#include "support/props.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace autocuts::test::props {
+
+void Model::add(const Model &other)
+{
+    const int first = static_cast<int>(points.size());
+    points.insert(points.end(), other.points.begin(), other.points.end());
+    for (std::vector<int> face : other.faces) {
+        for (int &vertex : face)
+            vertex += first;
+        faces.push_back(std::move(face));
+    }
+}
+
+Model box(const Vec3 &low, const Vec3 &size)
+{
+    Model model;
+    for (int i = 0; i < 8; ++i)
+        model.points.push_back(low + Vec3(i & 1 ? size.x() : 0, i & 2 ? size.y() : 0, i & 4 ? size.z() : 0));
+    model.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    return model;
+}
+
+Model column(int sides, double bottom, double top, double height, int rows)
+{
+    Model model;
+    for (int row = 0; row <= rows; ++row) {
+        const double share = double(row) / rows, radius = bottom + share * (top - bottom);
+        if (radius == 0) {
+            model.points.push_back({0, 0, height});
+            break;
+        }
+        for (int i = 0; i < sides; ++i) {
+            const double angle = 2 * std::numbers::pi * i / sides;
+            model.points.push_back({radius * std::cos(angle), radius * std::sin(angle), share * height});
+        }
+    }
+    for (int row = 0; row < rows; ++row) {
+        for (int i = 0; i < sides; ++i) {
+            const int a = row * sides + i, b = row * sides + (i + 1) % sides;
+            if (row + 1 == rows && top == 0)
+                model.faces.push_back({a, b, rows * sides});
+            else
+                model.faces.push_back({a, b, b + sides, a + sides});
+        }
+    }
+    std::vector<int> low, high;
+    for (int i = 0; i < sides; ++i) {
+        low.push_back(sides - 1 - i);
+        high.push_back(rows * sides + i);
+    }
+    model.faces.push_back(low);
+    if (top > 0)
+        model.faces.push_back(high);
+    return model;
+}
+
+Model house()
+{
+    Model model;
+    model.points = {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0},     {0, 0, 2},
+                    {4, 0, 2}, {4, 3, 2}, {0, 3, 2}, {0, 1.5, 3.2}, {4, 1.5, 3.2}};
+    model.faces = {{3, 2, 1, 0},    {0, 1, 5, 4}, {2, 3, 7, 6}, {1, 2, 6, 9, 5},
+                   {3, 0, 4, 8, 7}, {4, 5, 9, 8}, {6, 7, 8, 9}};
+    return model;
+}
+
+Model stairs(int steps)
+{
+    Model model;
+    std::vector<int> left, right;
+    const auto point = [&](double x, double z) {
+        model.points.push_back({x, 0, z});
+        model.points.push_back({x, 3, z});
+        left.push_back(static_cast<int>(model.points.size()) - 2);
+        right.push_back(static_cast<int>(model.points.size()) - 1);
+    };
+    point(0, 0);
+    for (int i = 0; i < steps; ++i) {
+        point(i, i + 1);
+        point(i + 1, i + 1);
+    }
+    point(steps, 0);
+    const int count = static_cast<int>(left.size());
+    for (int i = 0; i < count; ++i) {
+        const int next = (i + 1) % count;
+        model.faces.push_back({left[i], right[i], right[next], left[next]});
+    }
+    model.faces.push_back({left.rbegin(), left.rend()});
+    model.faces.push_back(right);
+    for (std::vector<int> &face : model.faces)
+        std::reverse(face.begin(), face.end());
+    return model;
+}
+
+Model shelf()
+{
+    Model model = box({0, 0, 0}, {0.1, 1, 4});
+    model.add(box({3, 0, 0}, {0.1, 1, 4}));
+    for (int i = 0; i < 4; ++i)
+        model.add(box({0.1, 0, 0.5 + i}, {2.9, 1, 0.1}));
+    return model;
+}
+
+Model sphere(int rows, double radius)
+{
+    Model model;
+    const int columns = 2 * rows;
+    model.points.push_back({0, 0, -radius});
+    for (int r = 1; r < rows; ++r) {
+        const double up = std::numbers::pi * r / rows;
+        for (int c = 0; c < columns; ++c) {
+            const double angle = 2 * std::numbers::pi * c / columns;
+            model.points.push_back(
+                radius * Vec3(std::sin(up) * std::cos(angle), std::sin(up) * std::sin(angle), -std::cos(up)));
+        }
+    }
+    model.points.push_back({0, 0, radius});
+    const int last = static_cast<int>(model.points.size()) - 1;
+    for (int c = 0; c < columns; ++c) {
+        const int next = (c + 1) % columns;
+        model.faces.push_back({0, 1 + next, 1 + c});
+        for (int r = 0; r + 2 < rows; ++r)
+            model.faces.push_back({1 + r * columns + c, 1 + r * columns + next, 1 + (r + 1) * columns + next,
+                                   1 + (r + 1) * columns + c});
+        model.faces.push_back({last, 1 + (rows - 2) * columns + c, 1 + (rows - 2) * columns + next});
+    }
+    return model;
+}
+
+Model moved(Model model, const Vec3 &by)
+{
+    for (Vec3 &point : model.points)
+        point += by;
+    return model;
+}
+
+Model mirrored(Model model)
+{
+    for (Vec3 &point : model.points)
+        point.x() = -point.x();
+    for (std::vector<int> &face : model.faces)
+        std::reverse(face.begin(), face.end());
+    return model;
+}
+
+Model turned(Model model, double angle)
+{
+    for (Vec3 &point : model.points)
+        point = {std::cos(angle) * point.x() - std::sin(angle) * point.y(),
+                 std::sin(angle) * point.x() + std::cos(angle) * point.y(), point.z()};
+    return model;
+}
+
+} // namespace autocuts::test::props

@@ -1,0 +1,38 @@
+// Props of flat faces, cylinders and spheres, for tests of hard-surface maps.
+#pragma once
+
+#include "support/meshbuilders.h"
+
+#include <vector>
+
+namespace autocuts::test::props {
+
+struct Model
+{
+    std::vector<Vec3> points;
+    std::vector<std::vector<int>> faces;
+
+    //! Adds a model as parts of their own.
+    void add(const Model &other);
+    MeshPtr mesh() const { return polygonMesh(points, faces); }
+};
+
+Model box(const Vec3 &low, const Vec3 &size);
+//! A column with a regular polygon for its ends: a prism, and with many sides a cylinder. \param top radius
+//! there; 0: a pyramid, or a cone
+Model column(int sides, double bottom, double top, double height, int rows = 1);
+Model house();
+//! Steps between two walls.
+Model stairs(int steps);
+//! Boards on two uprights, as separate parts.
+Model shelf();
+//! A sphere of quads with triangles at its poles.
+Model sphere(int rows, double radius);
+
+Model moved(Model model, const Vec3 &by);
+//! Mirrored in x, with its faces still outside.
+Model mirrored(Model model);
+//! Turned around z. \param angle in radians
+Model turned(Model model, double angle);
+
+} // namespace autocuts::test::props

@@ -1,0 +1,257 @@
+// Parts that are copies of each other: how they are found, and that an unwrap gives them the same seams.
+#include "model/plain/copymatcher.h"
+#include "model/plain/texelweights.h"
+#include "solver/base/soup.h"
+#include "solver/unwrap/alikeparts.h"
+#include "solver/unwrap/unwrap.h"
+#include "support/props.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+using namespace autocuts;
+using namespace autocuts::test::props;
+
+namespace {
+
+//! A part without any symmetry: a house with a chimney on one side of its front.
+Model lopsided()
+{
+    Model model = house();
+    model.points[8] += Vec3(0.3, 0.2, 0);
+    model.points[5] += Vec3(0.1, 0, 0.2);
+    return model;
+}
+
+//! Some copies, turned and mirrored, and two other parts. \param copies of the part
+Model scene(const Model &part, int copies)
+{
+    Model all = box({-3, -9, 0}, {2, 1, 1.5});
+    for (int i = 0; i < copies; ++i)
+        all.add(moved(turned(i % 3 == 2 ? mirrored(part) : part, 0.7 * i), {9.0 * i, 0, 0}));
+    all.add(moved(sphere(8, 1), {-6, 0, 0}));
+    return all;
+}
+
+Snapshot snapshotOf(const test::MeshPtr &mesh)
+{
+    Snapshot snapshot;
+    snapshot.mesh = mesh;
+    return snapshot;
+}
+
+//! Length of the seams of each part, in units of the mesh.
+std::vector<double> seamsOfParts(const MeshData &mesh, const CutFlags &cut)
+{
+    std::vector<double> length(mesh.componentCount, 0);
+    for (std::size_t e = 0; e < cut.size(); ++e) {
+        if (cut[e])
+            length[mesh.component[mesh.edgePairs[e].triangle[0]]] += mesh.edgePairs[e].length;
+    }
+    return length;
+}
+
+} // namespace
+
+class TestAlikeParts : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void copiesAreMatched_data();
+    void copiesAreMatched();
+    void oneOfEachKindStandsForTheOthers();
+    void expandedMapsAreTheSameProblem();
+    void whatDiffersIsNoCopy_data();
+    void whatDiffersIsNoCopy();
+    void unwrapCutsCopiesAlike_data();
+    void unwrapCutsCopiesAlike();
+    void aStopEndsTheComparison();
+};
+
+void TestAlikeParts::copiesAreMatched_data()
+{
+    QTest::addColumn<Model>("other");
+    QTest::addColumn<bool>("plain");
+    QTest::addColumn<bool>("mirrored");
+    QTest::newRow("moved") << lopsided() << true << false;
+    QTest::newRow("turned") << turned(lopsided(), 1) << true << false;
+    QTest::newRow("mirrored") << mirrored(lopsided()) << false << true;
+    QTest::newRow("mirrored and turned") << turned(mirrored(lopsided()), 2) << false << true;
+    QTest::newRow("symmetric") << house() << false << false;
+    Model higher = lopsided();
+    higher.points[9].z() += 0.01;
+    QTest::newRow("a little higher") << higher << false << false;
+}
+
+void TestAlikeParts::copiesAreMatched()
+{
+    QFETCH(Model, other);
+    Model all = lopsided();
+    all.add(moved(other, {20, 0, 0}));
+    const test::MeshPtr mesh = all.mesh();
+    const MeshAdjacency adjacency(*mesh);
+    std::vector<int> part(mesh->faceCount());
+    std::vector<std::vector<int>> faces(2);
+    for (int face = 0; face < mesh->faceCount(); ++face) {
+        part[face] = mesh->component[mesh->faceTriangle[face]];
+        faces[part[face]].push_back(face);
+    }
+    CopyMatcher matcher(*mesh, adjacency, part, faces);
+    for (const bool mirrored : {false, true}) {
+        QTEST(matcher.match(0, 1, mirrored, matcher.colours(0), matcher.colours(1)),
+              mirrored ? "mirrored" : "plain");
+        if (!matcher.match(0, 1, mirrored, matcher.colours(0), matcher.colours(1)))
+            continue;
+        std::set<int> sources;
+        for (int c = mesh->faceStart[faces[1].front()]; c < mesh->cornerCount(); ++c) {
+            sources.insert(matcher.sourceCorner(c));
+            // Sides match in length, and so do the faces beyond.
+            QVERIFY(std::abs(adjacency.edgeLength(adjacency.edgeOfCorner(c)) -
+                             adjacency.edgeLength(adjacency.edgeOfCorner(matcher.sourceSide(c)))) < 1e-3);
+        }
+        QCOMPARE(static_cast<int>(sources.size()), mesh->cornerCount() / 2);
+    }
+}
+
+void TestAlikeParts::oneOfEachKindStandsForTheOthers()
+{
+    const test::MeshPtr mesh = scene(lopsided(), 5).mesh();
+    const auto parts = unwrap::AlikeParts::of(snapshotOf(mesh));
+    QVERIFY(parts);
+    const MeshData &one = *parts->snapshot().mesh;
+    QCOMPARE(one.componentCount, 3);
+    QVERIFY(one.validate().empty());
+    std::map<int, int> copies;
+    for (int t = 0; t < one.triangleCount(); ++t)
+        copies[one.component[t]] = one.copiesOf(t);
+    QCOMPARE(copies, (std::map<int, int>{{0, 1}, {1, 5}, {2, 1}}));
+    const std::shared_ptr<const Soup> soup = Soup::build(parts->snapshot().mesh);
+    double weight = 0, area = 0;
+    for (int t = 0; t < soup->triangleCount(); ++t) {
+        weight += soup->weight[t];
+        area += soup->areaShare(t);
+    }
+    QVERIFY(std::abs(weight - 1) < 1e-12);
+    QVERIFY(std::abs(area - 1) < 1e-12);
+    QVERIFY(!parts->snapshot().settings.symmetry);
+    QVERIFY(!unwrap::AlikeParts::of(parts->snapshot()));
+}
+
+//! Distortion and cost of the seams are those of the whole mesh.
+void TestAlikeParts::expandedMapsAreTheSameProblem()
+{
+    const test::MeshPtr mesh = scene(sphere(5, 0.8), 5).mesh();
+    const auto parts = unwrap::AlikeParts::of(snapshotOf(mesh));
+    QVERIFY(parts);
+    const std::shared_ptr<const Soup> soup = Soup::build(mesh), own = Soup::build(parts->snapshot().mesh);
+    unwrap::UnwrapOptions options;
+    options.quality = unwrap::UnwrapQuality::Draft;
+    options.pack = false;
+    const unwrap::UnwrapResult result = unwrap::unwrapMesh(parts->snapshot(), options);
+    SeamedMap map;
+    map.cut = result.cut;
+    map.x.resize(own->coordinateCount());
+    for (int c = 0; c < own->mesh->soupCornerCount(); ++c) {
+        for (int k = 0; k < 2; ++k)
+            map.x[2 * c + k] = result.uv(own->mesh->cornerOfSoup(c), k);
+    }
+    const SeamedMap whole = parts->expanded(map);
+    QCOMPARE(whole.validate(*soup), std::string());
+    QVERIFY(map.distortion(*own) > 4.01);
+    QVERIFY(std::abs(whole.distortion(*soup) - map.distortion(*own)) < 1e-9);
+    // The unit of length differs by the areas, and the mean weight of seams is that of the copies.
+    const double unit = soup->scale / own->scale;
+    QVERIFY(std::abs(whole.seamCost(*soup, snapshotOf(mesh)) -
+                     unit / own->perCopy * map.seamCost(*own, parts->snapshot())) < 1e-9);
+}
+
+void TestAlikeParts::whatDiffersIsNoCopy_data()
+{
+    QTest::addColumn<QString>("what");
+    for (const char *what : {"nothing", "off", "a cut", "a join", "a weight", "a loop", "texels",
+                             "hidden seams", "pins", "given seams"})
+        QTest::newRow(what) << QString::fromLatin1(what);
+}
+
+void TestAlikeParts::whatDiffersIsNoCopy()
+{
+    QFETCH(QString, what);
+    Model all = lopsided();
+    all.add(moved(lopsided(), {9, 0, 0}));
+    Snapshot snapshot = snapshotOf(all.mesh());
+    const int pairs = snapshot.mesh->cornerPairCount();
+    if (what == u"off")
+        snapshot.settings.alike = AlikeMode::Off;
+    if (what == u"a cut" || what == u"a join") {
+        snapshot.editSteering().pairState.assign(pairs, PairState::Free);
+        snapshot.editSteering().pairState[0] = what == u"a cut" ? PairState::Cut : PairState::Joined;
+    }
+    if (what == u"a weight") {
+        snapshot.editSteering().pairWeight.assign(pairs, 1);
+        snapshot.editSteering().pairWeight[1] = 2;
+    }
+    if (what == u"a loop")
+        snapshot.editSteering().straightLoops = {{0, 1}};
+    if (what == u"texels") {
+        std::vector<double> weights(snapshot.mesh->faceCount(), 1);
+        weights.back() = 2;
+        snapshot.mesh = withTexelWeights(snapshot.mesh, weights);
+    }
+    if (what == u"hidden seams")
+        snapshot.settings.visibility = 0.5;
+    if (what == u"pins")
+        snapshot.editSteering().pins = {{0, {0, 0}, true, 1}};
+    if (what == u"given seams")
+        snapshot.settings.seams = SeamMode::Keep;
+    QCOMPARE(unwrap::AlikeParts::of(snapshot).has_value(), what == u"nothing");
+}
+
+void TestAlikeParts::unwrapCutsCopiesAlike_data()
+{
+    QTest::addColumn<Model>("part");
+    QTest::addColumn<bool>("curved");
+    QTest::newRow("house") << lopsided() << false;
+    QTest::newRow("cylinder") << column(16, 1, 0.8, 3, 3) << false;
+    QTest::newRow("sphere") << sphere(6, 1.5) << true;
+}
+
+void TestAlikeParts::unwrapCutsCopiesAlike()
+{
+    QFETCH(Model, part);
+    const test::MeshPtr mesh = scene(part, 5).mesh();
+    Snapshot snapshot = snapshotOf(mesh);
+    unwrap::UnwrapOptions options;
+    options.quality = unwrap::UnwrapQuality::Draft;
+    const unwrap::UnwrapResult result = unwrap::unwrapMesh(snapshot, options);
+    QVERIFY(result.withinBound);
+    QVERIFY(result.packed);
+    const std::vector<double> seams = seamsOfParts(*mesh, result.cut);
+    for (int copy = 2; copy <= 5; ++copy)
+        QVERIFY2(std::abs(seams[copy] - seams[1]) < 1e-9, qPrintable(QString::number(seams[copy])));
+    QVERIFY(seams[1] > 0);
+    // Every triangle is turned the right way round, in mirrored copies as well.
+    for (int t = 0; t < mesh->triangleCount(); ++t) {
+        const Vec2 a = result.uv.row(mesh->triangles[t][0]), b = result.uv.row(mesh->triangles[t][1]),
+                   c = result.uv.row(mesh->triangles[t][2]);
+        QVERIFY(cross2(a, b, c) > 0);
+    }
+    // On their own they cost no less than with the tolerance that the bound gives copies.
+    snapshot.settings.alike = AlikeMode::Off;
+    const unwrap::UnwrapResult apart = unwrap::unwrapMesh(snapshot, options);
+    QVERIFY2(result.seamLength < 1.1 * apart.seamLength,
+             qPrintable(QStringLiteral("%1 beside %2").arg(result.seamLength).arg(apart.seamLength)));
+}
+
+void TestAlikeParts::aStopEndsTheComparison()
+{
+    const std::atomic<bool> stop = true;
+    QVERIFY(!unwrap::AlikeParts::of(snapshotOf(scene(lopsided(), 3).mesh()), &stop));
+}
+
+QTEST_GUILESS_MAIN(TestAlikeParts)
+#include "tst_alikeparts.moc"
