@@ -6,8 +6,11 @@
 #include "support/meshbuilders.h"
 #include "support/packchecks.h"
 
+#include <Eigen/Geometry>
+
 #include <QTest>
 
+#include <cmath>
 #include <limits>
 #include <new>
 #include <numbers>
@@ -24,6 +27,16 @@ PackOptions quick(double effort = 0.05)
     PackOptions settings;
     settings.effort = effort;
     return settings;
+}
+
+PackIsland regular(int sides)
+{
+    std::vector<Vec2> points;
+    for (int i = 0; i < sides; ++i) {
+        const double angle = 2 * std::numbers::pi * i / sides;
+        points.push_back({std::cos(angle), std::sin(angle)});
+    }
+    return polygon(points);
 }
 
 //! Two islands as given, with the gutter of one hundredth.
@@ -263,6 +276,51 @@ private Q_SLOTS:
         QVERIFY(std::abs(angleWith(PackRotation::Half)) < 1e-9);
         needle.upright = true;
         QCOMPARE(angleWith(PackRotation::Free), 0.0);
+    }
+
+    void squareBordersRunAlongTheAxes_data()
+    {
+        QTest::addColumn<PackIsland>("island");
+        QTest::addColumn<bool>("isSquare");
+        QTest::newRow("box") << box(0, 0, 1, 1) << true;
+        QTest::newRow("strip") << box(0, 0, 1, 0.7) << true;
+        QTest::newRow("corner") << polygon({{1, 1}, {1, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 1}}) << true;
+        QTest::newRow("ring of boxes") << ring(1, 0.5) << true;
+        QTest::newRow("star") << randomStars(1, 3).front() << false;
+        QTest::newRow("circle") << regular(32) << false;
+        QTest::newRow("hexagon") << regular(6) << false;
+    }
+
+    void squareBordersRunAlongTheAxes()
+    {
+        QFETCH(PackIsland, island);
+        QFETCH(bool, isSquare);
+        constexpr double tilt = 0.5;
+        for (Vec2 &p : island.points)
+            p = Eigen::Rotation2Dd(tilt) * p;
+        QCOMPARE(makeOutline(island, 1).squareAngle.has_value(), isSquare);
+        if (!isSquare)
+            return;
+        for (const int others : {0, 6}) {
+            std::vector<PackIsland> islands = randomStars(others, 5);
+            islands.push_back(island);
+            const PackOptions settings = quick(0.1);
+            const PackResult result = packIslands(islands, settings);
+            QVERIFY(result.complete);
+            const QString broken = brokenRule(islands, settings, result);
+            QVERIFY2(broken.isEmpty(), qPrintable(broken));
+            const double angle = result.placements.back().angle + tilt;
+            QVERIFY2(std::abs(std::remainder(angle, std::numbers::pi / 2)) < 1e-9,
+                     qPrintable(QString::number(angle)));
+        }
+        // What is so long that it limits the scale may lie along the diagonal.
+        const double leaning = packIslands({box(0, 0, 1, 0.02)}, quick(0.1)).placements.front().angle;
+        QVERIFY(std::abs(std::remainder(leaning, std::numbers::pi / 2)) > 0.1);
+        // Who asks for steps gets these, counted from how the island was.
+        PackOptions steps = quick(0.1);
+        steps.rotation = PackRotation::Quarter;
+        const double angle = packIslands({island, island}, steps).placements.front().angle;
+        QVERIFY(std::abs(std::remainder(angle, std::numbers::pi / 2)) < 1e-9);
     }
 
     void holesAreUsed()

@@ -137,9 +137,12 @@ private Q_SLOTS:
     void turnsAreMadeOnlyWhereTheyAreAllowed_data()
     {
         QTest::addColumn<int>("rotation");
-        QTest::newRow("free") << int(PackRotation::Free);
-        QTest::newRow("quarter") << int(PackRotation::Quarter);
-        QTest::newRow("none") << int(PackRotation::None);
+        QTest::addColumn<bool>("standsSquare");
+        QTest::addColumn<bool>("turns");
+        QTest::newRow("free") << int(PackRotation::Free) << false << true;
+        QTest::newRow("free, but square") << int(PackRotation::Free) << true << false;
+        QTest::newRow("quarter") << int(PackRotation::Quarter) << false << false;
+        QTest::newRow("none") << int(PackRotation::None) << false << false;
     }
     void turnsAreMadeOnlyWhereTheyAreAllowed()
     {
@@ -147,11 +150,16 @@ private Q_SLOTS:
         // The corner of the one pushes the end of the other, long one.
         Desk desk({box(1, 1, 0.4, 3), box(1.4 + 0.2 * gutter, 3.6, 0.5, 0.5)}, Vec2(3, 5));
         desk.problem.rotation = static_cast<PackRotation>(rotation);
+        QFETCH(bool, standsSquare);
+        for (Outline &outline : desk.problem.outlines) {
+            QVERIFY(outline.squareAngle);
+            if (!standsSquare)
+                outline.squareAngle.reset();
+        }
         Compaction bodies(desk.problem, desk.asGiven());
         QVERIFY(bodies.resolve(60, desk.work));
         QCOMPARE(desk.broken(bodies.layout()), QString());
-        const double angle = bodies.layout().poses[0].angle;
-        QVERIFY(desk.problem.rotation == PackRotation::Free ? angle > 0 : angle == 0);
+        QTEST(bodies.layout().poses[0].angle > 0, "turns");
     }
 
     void withoutRoomItSaysSo()

@@ -188,7 +188,9 @@ std::vector<CliOption> packingOptions()
                 {u"30"_s, PackRotation::Twelfth},
                 {u"15"_s, PackRotation::TwentyFourth},
                 {u"none"_s, PackRotation::None}},
-               u"how islands may be turned: freely, by multiples of so many degrees, or not at all"_s),
+               u"how islands may be turned: freely, though those whose border is mostly right-angled stand "
+               u"upright; by "
+               "multiples of so many degrees; or not at all"_s),
         integer(Group::Packing, u"--tile"_s, fieldOf(&PackingSettings::udimTile), PackingSettings::firstTile,
                 PackingSettings::lastTile,
                 u"UDIM tile to pack into: 1001 is the first, there are ten tiles in a row"_s),

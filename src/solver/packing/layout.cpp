@@ -6,7 +6,7 @@ double PackProblem::smallBoxAngle(int island) const
 {
     if (turnsFreely(island))
         return outlines[island].boxAngle;
-    double best = 0, least = rotatedBox(outlines[island].hull, 0).prod();
+    double best = angleOf(island, 0), least = rotatedBox(outlines[island].hull, best).prod();
     for (int k = 1; 4 * k < directions(island); ++k) {
         const double area = rotatedBox(outlines[island].hull, angleOf(island, k)).prod();
         if (area < least) {

@@ -51,20 +51,30 @@ struct PackProblem
     Vec2 size() const { return upper - lower; }
     //! Scale of an island in a layout of this scale: locked islands keep their original size.
     double scaleOf(int island, double scale) const { return locked[island] ? unit : scale; }
-    //! How many directions an island may have, evenly spaced from its original one; 0: any.
+    //! How many directions an island may have, evenly spaced from its original one; 0: any. Islands that may
+    //! have any and whose border is square have four, along the axes.
     int directions(int island) const
     {
-        return !upright.empty() && upright[island] ? 1 : directionsOf(rotation);
+        if (!upright.empty() && upright[island])
+            return 1;
+        return standsSquare(island) ? 4 : directionsOf(rotation);
     }
     bool turnsFreely(int island) const { return directions(island) == 0; }
-    //! The angle of a direction that is counted from the original one. \pre !turnsFreely(island)
+    //! The angle of a direction. \pre !turnsFreely(island)
     double angleOf(int island, int direction) const
     {
-        return 2 * std::numbers::pi * direction / directions(island);
+        const bool isSquare = directions(island) == 4 && standsSquare(island);
+        return (isSquare ? *outlines[island].squareAngle : 0) +
+               2 * std::numbers::pi * direction / directions(island);
     }
     //! An allowed angle at which the box around the island is small, below a quarter turn where there are
     //! steps.
     double smallBoxAngle(int island) const;
+    //! True when the rotation is free but the border is to be along the axes.
+    bool standsSquare(int island) const
+    {
+        return rotation == PackRotation::Free && outlines[island].squareAngle;
+    }
     //! False for locked islands and for islands without points.
     bool movable(int island) const { return !locked[island] && !outlines[island].points.empty(); }
 };

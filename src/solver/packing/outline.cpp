@@ -3,8 +3,10 @@
 #include "model/plain/unionfind.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <tuple>
 
 namespace autocuts::packing {
@@ -252,6 +254,52 @@ int Outline::windingAt(const Vec2 &p) const
     return winding;
 }
 
+namespace {
+
+//! Share of the border in two directions at a right angle from which an island stands upright, and by how
+//! much, in degrees, the sides may differ from these. Chosen by hand.
+constexpr double squareShare = 0.7;
+constexpr int squareWidth = 1;
+
+//! See Outline::squareAngle.
+std::optional<double> squareAngleOf(const Outline &outline)
+{
+    constexpr int bins = 90; // of one degree
+    constexpr double degree = 0.5 * std::numbers::pi / bins;
+    struct Sides
+    {
+        double length = 0;
+        Vec2 direction = Vec2::Zero(); //!< sum of unit vectors at four times the angle, by length
+    };
+    std::array<Sides, bins> sides;
+    for (const Outline::Edge &edge : outline.edges) {
+        const Vec2 side = outline.points[edge.b] - outline.points[edge.a];
+        const double length = side.norm();
+        if (!(length > 0))
+            continue;
+        const double angle = std::atan2(side.y(), side.x());
+        const double turned = angle - 0.5 * std::numbers::pi * std::floor(angle / (0.5 * std::numbers::pi));
+        Sides &own = sides[std::min(static_cast<int>(turned / degree), bins - 1)];
+        own.length += length;
+        own.direction += length * Vec2(std::cos(4 * angle), std::sin(4 * angle));
+    }
+    Sides best;
+    for (int i = 0; i < bins; ++i) {
+        Sides near;
+        for (int k = -squareWidth; k <= squareWidth; ++k) {
+            near.length += sides[(i + k + bins) % bins].length;
+            near.direction += sides[(i + k + bins) % bins].direction;
+        }
+        if (near.length > best.length)
+            best = near;
+    }
+    if (!(best.length >= squareShare * outline.perimeter) || outline.perimeter == 0)
+        return std::nullopt;
+    return -0.25 * std::atan2(best.direction.y(), best.direction.x());
+}
+
+} // namespace
+
 Outline makeOutline(const PackIsland &island, double unit)
 {
     Outline outline;
@@ -294,6 +342,7 @@ Outline makeOutline(const PackIsland &island, double unit)
     outline.area = islandArea(island) / unit / unit;
     outline.hull = convexHull(outline.points);
     outline.boxAngle = leastBoxAngle(outline.hull);
+    outline.squareAngle = squareAngleOf(outline);
     buildStrips(outline);
     return outline;
 }

@@ -3,6 +3,9 @@
 
 #include "solver/packing/packisland.h"
 
+#include <optional>
+#include <vector>
+
 namespace autocuts::packing {
 
 //! Sum of the absolute areas of an island's triangles, UV units squared. Triangles with a point that is not
@@ -32,6 +35,9 @@ struct Outline
     double perimeter = 0;             //!< length of all edges, units
     double radius = 0;                //!< largest distance of a point from the centre, units
     double boxAngle = 0;              //!< radians: turned by it, the box of least area is axis-parallel
+    //! Radians: turned by it, the border runs along the axes. Nothing when the border does not run mostly in
+    //! two directions at a right angle, as that of an unfolded box does.
+    std::optional<double> squareAngle;
 
     //! Winding number at p, in the coordinates of points; undefined on an edge.
     int windingAt(const Vec2 &p) const;

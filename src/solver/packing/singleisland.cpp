@@ -37,7 +37,7 @@ double bestAngle(const PackProblem &problem, int island, WorkMeter &work)
 {
     const Outline &outline = problem.outlines[island];
     const double right = 0.5 * std::numbers::pi;
-    std::vector<double> angles{0};
+    std::vector<double> angles{problem.turnsFreely(island) ? 0 : problem.angleOf(island, 0)};
     // The box is the same after half a turn.
     for (int k = 1; 2 * k < problem.directions(island); ++k)
         angles.push_back(problem.angleOf(island, k));
