@@ -174,7 +174,7 @@ void TestAlikeParts::whatDiffersIsNoCopy_data()
 {
     QTest::addColumn<QString>("what");
     for (const char *what : {"nothing", "off", "a cut", "a join", "a weight", "a loop", "texels",
-                             "hidden seams", "pins", "given seams"})
+                             "hidden seams", "pins", "given seams", "a large part"})
         QTest::newRow(what) << QString::fromLatin1(what);
 }
 
@@ -183,6 +183,8 @@ void TestAlikeParts::whatDiffersIsNoCopy()
     QFETCH(QString, what);
     Model all = lopsided();
     all.add(moved(lopsided(), {9, 0, 0}));
+    if (what == u"a large part") // beside which two copies are little
+        all.add(box({30, 0, 0}, {20, 20, 20}));
     Snapshot snapshot = snapshotOf(all.mesh());
     const int pairs = snapshot.mesh->cornerPairCount();
     if (what == u"off")

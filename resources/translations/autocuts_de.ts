@@ -8528,8 +8528,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Gleiche Schnitte für gleiche Teile</translation>
     </message>
     <message>
-        <source>Parts that are copies of each other, also mirrored ones, get the same seams and islands: one of them is solved, which is faster, and the islands can be stacked. Parts that you cut or join by hand are left out</source>
-        <translation>Teile, die Kopien voneinander sind, auch gespiegelte, bekommen dieselben Nähte und Inseln: Nur eines davon wird gelöst, was schneller ist, und die Inseln lassen sich stapeln. Teile, die Sie von Hand schneiden oder verbinden, sind ausgenommen</translation>
+        <source>Where copies of parts are much of the model, parts that are copies of each other, also mirrored ones, get the same seams and islands: one of them is solved, which is faster, and the islands can be stacked. Parts that you cut or join by hand are left out</source>
+        <translation>Wo Kopien von Teilen viel vom Modell ausmachen, bekommen Teile, die Kopien voneinander sind, auch gespiegelte, dieselben Nähte und Inseln: Nur eines davon wird gelöst, was schneller ist, und die Inseln lassen sich stapeln. Teile, die Sie von Hand schneiden oder verbinden, sind ausgenommen</translation>
     </message>
 </context>
 <context>

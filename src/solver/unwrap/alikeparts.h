@@ -17,9 +17,9 @@ namespace autocuts::unwrap {
 class AlikeParts
 {
 public:
-    //! \returns nothing when no part is a copy of another one, or when the settings ask for something that
-    //! differs between copies: to leave alike parts alone, hidden seams, a map to start from, places of
-    //! islands; or when the job is stopped
+    //! \returns nothing when copies have less than two fifths of the area, or when the settings ask for
+    //! something that differs between copies: to leave alike parts alone, hidden seams, a map to start from,
+    //! places of islands; or when the job is stopped
     static std::optional<AlikeParts> of(const Snapshot &snapshot, const JobContext &job = {});
 
     //! The problem without the copies. What stands for copies counts as often as there are copies, so that

@@ -46,7 +46,8 @@ UnwrapForm::UnwrapForm(QWidget *parent)
         [](SolveSettings &settings, bool on) { settings.flat = on ? FlatMode::Rigid : FlatMode::Free; });
     mAlike = addSwitch(
         tr("Same cuts for alike parts"), "alike"_L1,
-        tr("Parts that are copies of each other, also mirrored ones, get the same seams and islands: one of "
+        tr("Where copies of parts are much of the model, parts that are copies of each other, also mirrored "
+           "ones, get the same seams and islands: one of "
            "them is "
            "solved, which is faster, and the islands can be stacked. Parts that you cut or join by hand are "
            "left out"),
