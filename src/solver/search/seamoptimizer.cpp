@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <limits>
 
 namespace autocuts::search {
 
@@ -24,6 +24,10 @@ constexpr double hopelessExcess = 1;
 constexpr int firstTries = 3;
 //! The first maps of all are told while they have this share of the distortion told last, at most.
 constexpr double worthTelling = 0.7;
+//! Runs that were given up and are taken to the bound after all, at most; and the share of the best map's
+//! score below which their expected cost has to be.
+constexpr int mostChances = 3;
+constexpr double worthChance = 0.95;
 
 //! The state itself; nothing when charts overlap themselves and that is not allowed, or when stopped.
 std::optional<CutState> usable(CutState state, const OptimizeOptions &options)
@@ -71,17 +75,54 @@ std::optional<OptimizedMap> flatMap(const std::shared_ptr<const SeamGraph> &grap
 
 using Runs = std::vector<std::unique_ptr<SeamRun>>;
 
+bool isMorePromising(const SeamRun &a, const SeamRun &b)
+{
+    const int faultsOfA = a.anchorFaults(), faultsOfB = b.anchorFaults();
+    return faultsOfA != faultsOfB ? faultsOfA < faultsOfB : a.expectedCost() < b.expectedCost();
+}
+
+bool hasBetterMap(const SeamRun &a, const SeamRun &b)
+{
+    const int faultsOfA = a.anchorFaults(), faultsOfB = b.anchorFaults();
+    if (faultsOfA != faultsOfB)
+        return faultsOfA < faultsOfB;
+    return a.fits() != b.fits() ? a.fits() : a.bestScore() < b.bestScore();
+}
+
+void sortByPromise(Runs &runs)
+{
+    std::stable_sort(runs.begin(), runs.end(),
+                     [](const auto &a, const auto &b) { return isMorePromising(*a, *b); });
+}
+
 //! Moves the least promising runs to the end of `retired` until `count` are left.
 void keepMostPromising(Runs &runs, int count, Runs &retired)
 {
-    std::stable_sort(runs.begin(), runs.end(), [](const auto &a, const auto &b) {
-        const int faultsOfA = a->anchorFaults(), faultsOfB = b->anchorFaults();
-        return faultsOfA != faultsOfB ? faultsOfA < faultsOfB : a->expectedCost() < b->expectedCost();
-    });
+    sortByPromise(runs);
     while (static_cast<int>(runs.size()) > count) {
         retired.push_back(std::move(runs.back()));
         runs.pop_back();
     }
+}
+
+//! The best map of all may come from a run that was given up: those that promise a better map than the best
+//! one has turned out to be are taken to the bound as well. \returns the run with the best map
+const SeamRun &bestOfAll(const Runs &runs, Runs &retired)
+{
+    const auto better = [](const auto &a, const auto &b) { return hasBetterMap(*a, *b); };
+    const SeamRun *best = std::min_element(runs.begin(), runs.end(), better)->get();
+    sortByPromise(retired);
+    int chances = mostChances;
+    for (const auto &run : retired) {
+        const bool unlikeBest = run->anchorFaults() < best->anchorFaults() || !best->fits();
+        if (unlikeBest || run->expectedCost() < worthChance * best->bestScore()) {
+            if (chances-- > 0)
+                run->takeToBound(unlikeBest ? std::numeric_limits<double>::infinity() : best->bestScore());
+        }
+        if (hasBetterMap(*run, *best))
+            best = run.get();
+    }
+    return *best;
 }
 
 //! \returns nothing when the map has flipped triangles, or overlaps that are not allowed, or when stopped
@@ -183,18 +224,12 @@ std::optional<OptimizedMap> optimizeSeams(const std::shared_ptr<const SeamGraph>
         if (runs.empty())
             return std::nullopt;
     }
-    // A run that was given up may have had the best map after all.
-    std::move(retired.begin(), retired.end(), std::back_inserter(runs));
+    const SeamRun &best = bestOfAll(runs, retired);
     int iterations = 0;
-    for (const auto &run : runs)
-        iterations += run->steps();
-    const auto better = [](const std::unique_ptr<SeamRun> &a, const std::unique_ptr<SeamRun> &b) {
-        const int faultsOfA = a->anchorFaults(), faultsOfB = b->anchorFaults();
-        if (faultsOfA != faultsOfB)
-            return faultsOfA < faultsOfB;
-        return a->fits() != b->fits() ? a->fits() : a->bestScore() < b->bestScore();
-    };
-    const SeamRun &best = **std::min_element(runs.begin(), runs.end(), better);
+    for (const Runs *all : {&runs, &retired}) {
+        for (const auto &run : *all)
+            iterations += run->steps();
+    }
     return OptimizedMap{best.best().map(), best.mu(), iterations, best.best().anchorFaults()};
 }
 

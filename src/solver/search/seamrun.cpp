@@ -116,14 +116,14 @@ void SeamRun::search(int moves, double heat)
     keepBest();
 }
 
-void SeamRun::takeToBound()
+void SeamRun::takeToBound(double mostCost)
 {
     if (mOptions.mu || mSearch.stopped()) {
         restoreBest();
         return;
     }
     mSearch.absorbSmallCharts();
-    meetBound();
+    meetBound(mostCost);
     mSearch.anchor();
     keepBest();
     restoreBest();
@@ -147,11 +147,13 @@ void SeamRun::takeToBound()
 }
 
 //! Lowers mu step by step until the bound holds.
-void SeamRun::meetBound()
+void SeamRun::meetBound(double mostCost)
 {
     double mu = mSearch.mu();
     mSearch.setHeat(0);
     for (int i = 0; i < boundRounds && mState.distortion > bound() && !mSearch.stopped(); ++i) {
+        if (mState.cost > mostCost)
+            return;
         mu = std::max(leastMu, mu * mOptions.effort.boundFall);
         mSearch.setMu(mu);
         mSearch.polish(1);

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -70,8 +71,8 @@ public:
     //! seam
     void search(int moves, double heat = 1);
     //! Opens seams until the bound holds, then shortens them as far as the bound allows. Ends with the best
-    //! map of the run.
-    void takeToBound();
+    //! map of the run. Gives up when the seam cost rises above `mostCost`.
+    void takeToBound(double mostCost = std::numeric_limits<double>::infinity());
 
     const CutState &best() const { return mBest; }
     //! What the run minimises, of its best map: the seam cost, plus a penalty for energy above the bound.
@@ -90,7 +91,7 @@ private:
     bool fits(const CutState &state) const;
     double bound() const;
     double steeringCost() const;
-    void meetBound();
+    void meetBound(double mostCost);
     void adaptMu(double power);
     void keepBest();
     void tell(const CutState &map) const;
