@@ -355,6 +355,39 @@ private Q_SLOTS:
         QVERIFY(process.readAllStandardError().contains("standard output"));
     }
 
+    //! Qt cannot name such a file: it would be written under another name.
+    void namesThatAreNotUtf8AreRefused()
+    {
+        const QString in = file("plain.obj", test::quadCubeObj());
+        const QStringList before = filesIn(mFolder.path());
+        for (const char *arguments : {"convert \"$1\" -o \"$2/\377.obj\"", "check \"$2/\377.obj\""}) {
+            QString script = QStringLiteral("\"$0\" ") + QString::fromLatin1(arguments);
+            script.replace(QLatin1String("\377"), QStringLiteral("$(printf '\\377')"));
+            const test::CliRun r = test::runProgram(
+                QStringLiteral("/bin/sh"), {QStringLiteral("-c"), script, program(), in, mFolder.path()});
+            QCOMPARE(r.code, 2);
+            QVERIFY2(r.err.contains(QLatin1String("not valid UTF-8")), qPrintable(r.err));
+        }
+        QCOMPARE(filesIn(mFolder.path()), before);
+    }
+
+    //! With too little memory for the threads of OpenBLAS the program did not end.
+    void endsHoweverLittleMemoryThereIs()
+    {
+#ifdef __SANITIZE_ADDRESS__
+        QSKIP("a sanitized program needs more address space than a limit leaves");
+#else
+        for (int megabytes = 100; megabytes <= 500; megabytes += 50) {
+            QProcess process;
+            process.start(QStringLiteral("/bin/sh"),
+                          {QStringLiteral("-c"),
+                           QStringLiteral("ulimit -v %1; exec \"$0\" --version").arg(megabytes * 1024),
+                           program()});
+            QVERIFY2(process.waitForFinished(20'000), qPrintable(QString::number(megabytes)));
+        }
+#endif
+    }
+
     void anyPathWorksInAnyLocale()
     {
         const QByteArray name = QByteArrayLiteral("модель куба è 立方体 .obj");

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import bakes
+import filefaults
 import mutations
 import oddmeshes
 import sessions
@@ -43,8 +44,9 @@ def job_options(rng):
 
 
 class Cases:
-    def __init__(self, program, files):
-        self.program, self.files, self.folder = program, files, None
+    def __init__(self, program, files, library):
+        """\\param library of tests/fuzz/failingcalls.cpp"""
+        self.program, self.files, self.folder, self.library = program, files, None, library
         self.delays, self.delays_cpu, self.skipped = [], [], set()
 
     def write(self, name, data):
@@ -259,6 +261,20 @@ class Cases:
             # Some formats hold the time, so that the bytes differ but not what they say.
             if output.read_bytes() not in (old, new) and self.program.run(["check", output.name]).out != figures:
                 return Finding("torn file after a kill", arguments, run, self.folder / "in.obj")
+        return None
+
+    def failed_call(self, rng):
+        """Calls on files that fail, or at which the program is killed: all of a set new, or all old."""
+        if not self.library.is_file() or self.program.sanitized:
+            self.skipped.add("failed_call: only in a release build with its tests")
+            return None
+        sweep = filefaults.Sweep(self.program, self.library, rng, rng.choice(sorted(filefaults.JOBS)), self.folder)
+        for _ in range(5):
+            call, error = rng.randint(1, sweep.calls), rng.choice([*filefaults.ERRORS, filefaults.KILL])
+            faults, run = sweep.faults(call, error)
+            if faults:
+                return Finding(faults[0], sweep.arguments, run, sweep.kept / "in.obj", None,
+                               [*faults[1:], f"call {call} of {sweep.calls} with {error}"])
         return None
 
     def full_disk(self, rng):

@@ -46,12 +46,13 @@ class Program:
         if file_size is not None:
             resource.setrlimit(resource.RLIMIT_FSIZE, (file_size, file_size))
 
-    def run(self, arguments, file_size=None, send=None, after=0.0, out=None):
-        """\\param send a signal, sent that many seconds after the start, once the program is ready for it"""
+    def run(self, arguments, file_size=None, send=None, after=0.0, out=None, more=None):
+        """\\param send a signal, sent that many seconds after the start, once the program is ready for it
+        \\param more environment variables"""
         names = [os.path.join(self.folder, n) for n in ("stdout", "stderr")]
         with open(out or names[0], "wb") as o, open(names[1], "wb") as e:
             process = subprocess.Popen([self.path, *arguments], stdin=subprocess.DEVNULL, stdout=o, stderr=e,
-                                       cwd=self.folder, env=self.environment,
+                                       cwd=self.folder, env={**self.environment, **(more or {})},
                                        preexec_fn=lambda: self.limits(file_size))
             start, sent, sent_cpu, status = time.monotonic(), None, 0.0, None
             while status is None:

@@ -159,29 +159,6 @@ void warnOfFaults(const bake::BakeFigures &figures, BakeOutcome &outcome)
                                 .arg(figures.texels);
 }
 
-//! Writes pictures as they come.
-class PictureWriter final
-{
-public:
-    PictureWriter(BakeOutcome &outcome, PictureDepth depth) : mOutcome(outcome), mDepth(depth) {}
-
-    bool write(const Picture &picture, const QString &path)
-    {
-        if (Result<Done> written = writePicture(picture, path, mDepth); !written) {
-            mError = written.error();
-            return false;
-        }
-        mOutcome.files << path;
-        return true;
-    }
-    const std::optional<Error> &error() const { return mError; }
-
-private:
-    BakeOutcome &mOutcome;
-    PictureDepth mDepth;
-    std::optional<Error> mError;
-};
-
 } // namespace
 
 QJsonObject BakeOutcome::json() const
@@ -245,9 +222,11 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const BatchFiles &files,
         return fine.error();
     if (const Result<Done> made = makeFolder(options.output); !made)
         return made.error();
-    PictureWriter writer(outcome, depth.value());
+    FileSet written;
+    Result<Done> added = Done{};
     const auto sink = [&](std::size_t map, int tile, const Picture &picture) {
-        return writer.write(picture, pathOf(map, tile));
+        added = addPicture(picture, pathOf(map, tile), depth.value(), written);
+        return added.ok();
     };
     warnOfFaults(bake::runBake(job.value(), sink, context), outcome);
     for (std::size_t m = 0; m < job->settings.maps.size(); ++m) {
@@ -255,8 +234,11 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const BatchFiles &files,
             outcome.seamDifferences[QLatin1StringView(bake::nameOf(job->settings.maps[m].kind))] =
                 255 * *mean;
     }
-    if (writer.error())
-        return *writer.error();
+    if (!added)
+        return added.error();
+    if (const Result<Done> placed = written.putInPlace(); !placed)
+        return placed.error();
+    outcome.files = written.paths();
     return outcome;
 }
 
@@ -307,10 +289,10 @@ Result<BakeOutcome> carryTextures(const CliOptions &options, const BatchFiles &f
         return Error{u"the model has no UV map that its textures could be for"_s, from, 0, {}};
     const DocumentState state = texturedModel(scene, files, old.value(), oldFiles);
     const CarryTarget target{options.output, {}, prepared->tiles.size() > 1, {}};
-    const CarryPlan plan = options.bake.textures == QStringList{u"all"_s}
-                               ? planCarrying(state, target)
-                               : planCarrying(options.bake.textures, target);
-    if (!plan.missing.isEmpty() && plan.pictures.empty())
+    const bool ofMaterials = options.bake.textures == QStringList{u"all"_s};
+    const CarryPlan plan =
+        ofMaterials ? planCarrying(state, target) : planCarrying(options.bake.textures, target);
+    if (!plan.missing.isEmpty() && (plan.pictures.empty() || !ofMaterials))
         return Error{u"there is no such picture"_s, plan.missing.front(), 0, u"Check its name"_s};
     // Those that are not there yet overwrite nothing.
     if (const Result<Done> fine = checkClashes(options, state, plan.existingFiles()); !fine)
@@ -336,9 +318,9 @@ Result<BakeOutcome> carryTextures(const CliOptions &options, const BatchFiles &f
                                          picture.depth == PictureDepth::Float};
         figures = bake::carryTexture(model, texture, sink, context.part(done / count, (done + 1) / count));
     };
-    const Result<CarriedFiles> carried =
-        carryPictures(plan, state.scene.faceMaterial, bake,
-                      {[&context] { return context.stopped(); }, [&done](int pictures) { done = pictures; }});
+    const Result<CarriedFiles> carried = carryPictures(
+        plan, state.scene.faceMaterial, bake,
+        {[&context] { return context.stopped(); }, [&done](int pictures) { done = pictures; }, !ofMaterials});
     if (!carried)
         return carried.error();
     outcome.files = carried->files;

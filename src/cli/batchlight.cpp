@@ -36,22 +36,21 @@ Result<BakeOutcome> bakeLights(const CliOptions &options, const BatchFiles &file
     BakeOutcome outcome;
     if (!missing.isEmpty())
         outcome.warnings << u"textures that cannot be read: %1"_s.arg(missing.join(u", "_s));
-    std::optional<Error> problem;
+    FileSet written;
+    Result<Done> added = Done{};
     const auto sink = [&](int tile, bake::LightBakeResult &baked) {
         const QString path = lightMapPath(options.output, tile, job.tiles.size() > 1);
-        if (const Result<Done> written = writeLightMap(std::move(baked.picture), path, depth.value());
-            !written) {
-            problem = written.error();
-            return false;
-        }
-        outcome.files << path;
-        return true;
+        added = addLightMap(std::move(baked.picture), path, depth.value(), written);
+        return added.ok();
     };
     const bake::LightFigures figures = bake::runLightBake(job, sink, {}, context);
     outcome.figures.stopped = figures.stopped;
     outcome.figures.texels = figures.texels;
-    if (problem)
-        return *problem;
+    if (!added)
+        return added.error();
+    if (const Result<Done> placed = written.putInPlace(); !placed)
+        return placed.error();
+    outcome.files = written.paths();
     return outcome;
 }
 

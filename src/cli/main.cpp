@@ -5,6 +5,10 @@
 
 #include <QCoreApplication>
 
+#include <QTextStream>
+#include <QUtf8StringView>
+
+#include <algorithm>
 #include <clocale>
 #include <csignal>
 #include <cstdlib>
@@ -32,6 +36,26 @@ void ensureUtf8Locale()
         setenv("LC_ALL", "C.UTF-8", 1);
 }
 
+//! Qt would replace what is not UTF-8 in the names of files, and so read and write files of other names.
+bool areUtf8(int count, char *arguments[])
+{
+    return std::all_of(arguments, arguments + count,
+                       [](const char *argument) { return QUtf8StringView(argument).isValidUtf8(); });
+}
+
+//! Ends the program without the destructors of global objects: work that was left to itself may still use
+//! them, and OpenBLAS waits forever for its threads where memory was too scarce to start them.
+int ended(int code, QTextStream &out, QTextStream &err)
+{
+    out.flush();
+    err.flush();
+#ifdef __SANITIZE_ADDRESS__
+    if (autocuts::letGoCount == 0)
+        return code; // leaks are looked for at the end
+#endif
+    std::_Exit(code);
+}
+
 } // namespace
 
 int main(int argc, char *argv[])
@@ -42,10 +66,15 @@ int main(int argc, char *argv[])
     QCoreApplication::setApplicationVersion(QStringLiteral(AUTOCUTS_VERSION));
     QTextStream out(stdout);
     QTextStream err(stderr);
+    if (!areUtf8(argc, argv)) {
+        err << "autocuts-cli: an argument is not valid UTF-8. Rename the file, for example with convmv"
+            << Qt::endl;
+        return ended(2, out, err);
+    }
     const auto options = autocuts::parseCommandLine(QCoreApplication::arguments().mid(1));
     if (!options) {
         err << "autocuts-cli: " << options.error().toString() << Qt::endl;
-        return 2;
+        return ended(2, out, err);
     }
     // The other commands have nothing to save: a signal simply ends them.
     if (autocuts::canBeStopped(options.value())) {
@@ -56,10 +85,5 @@ int main(int argc, char *argv[])
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     const int code = autocuts::runCommand(options.value(), stopSource, isatty(STDERR_FILENO), out, err);
-    if (autocuts::letGoCount > 0) {
-        out.flush();
-        err.flush();
-        std::_Exit(code);
-    }
-    return code;
+    return ended(code, out, err);
 }

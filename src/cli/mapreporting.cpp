@@ -168,12 +168,9 @@ Result<Done> writeLayout(const CliOptions &cli, const Scene &scene, const std::v
     options.size = std::clamp(std::max(packing.textureSize, packing.height()), 256, 4096);
     options.tileHeight = packing.tileHeight();
     options.overlapping = hatched;
-    for (const LayoutPicture &picture :
-         layoutPictures(cli.layout, mesh, uv, packing.tileHeight(), packing.udimTile, cli.per.has_value())) {
-        if (Result<Done> drawn = writeLayoutPicture(picture, mesh, uv, options); !drawn)
-            return drawn;
-    }
-    return Done{};
+    return writeLayoutPictures(
+        layoutPictures(cli.layout, mesh, uv, packing.tileHeight(), packing.udimTile, cli.per.has_value()),
+        mesh, uv, options);
 }
 
 } // namespace autocuts

@@ -8,10 +8,8 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QRegularExpression>
-#include <QTemporaryDir>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
 
@@ -270,45 +268,6 @@ std::vector<TextureSet> carriedSets(const DocumentState &state, const CarryPlan 
 
 namespace {
 
-//! Writes pictures into a folder of their own, which then take the places of others together.
-class PendingFiles final
-{
-public:
-    explicit PendingFiles(const QString &folder) : mFolder(QDir(folder).filePath(u".carried-XXXXXX"_s)) {}
-
-    Result<Done> write(const Picture &picture, const QString &path, PictureDepth depth)
-    {
-        if (!mFolder.isValid())
-            return Error{CarryTexts::tr("the folder for the pictures cannot be written"),
-                         QFileInfo(path).path(), 0,
-                         CarryTexts::tr("Check its permissions or choose another one")};
-        const QString pending = mFolder.filePath(QFileInfo(path).fileName());
-        Result<Done> written = writePicture(picture, pending, depth);
-        if (written)
-            mFiles.emplace_back(pending, path);
-        return written;
-    }
-
-    Result<QStringList> moveToPlaces()
-    {
-        QStringList moved;
-        for (const auto &[pending, path] : mFiles) {
-            std::error_code problem;
-            std::filesystem::rename(pending.toStdU16String(), path.toStdU16String(), problem);
-            if (problem)
-                return Error{CarryTexts::tr("the picture cannot be put in its place: %1")
-                                 .arg(QString::fromStdString(problem.message())),
-                             path, 0, CarryTexts::tr("Choose another folder or another ending of the names")};
-            moved << path;
-        }
-        return moved;
-    }
-
-private:
-    QTemporaryDir mFolder;
-    std::vector<std::pair<QString, QString>> mFiles;
-};
-
 //! What a file of this kind can hold of a depth.
 PictureDepth depthFor(const QString &path, PictureDepth depth)
 {
@@ -354,11 +313,13 @@ Result<CarriedFiles> carryPictures(const CarryPlan &plan, const std::vector<int>
     if (const QString source = plan.overwrittenSource(); !source.isEmpty())
         return Error{CarryTexts::tr("the new picture would overwrite the one it is made from"), source, 0,
                      CarryTexts::tr("Choose another folder or another ending of the names")};
-    PendingFiles files(QFileInfo(plan.pictures.front().newFile).path());
+    FileSet files;
     std::optional<Error> firstProblem, failure;
     for (std::size_t i = 0; i < plan.pictures.size() && !control.stopped(); ++i) {
         CarriedPicture picture = plan.pictures[i];
         const Result<CarrySource> source = readSource(picture, faceMaterial);
+        if (!source && control.needsAll)
+            return source.error();
         if (!source) {
             result.problems << source.error().toString();
             if (!firstProblem)
@@ -370,7 +331,7 @@ Result<CarriedFiles> carryPictures(const CarryPlan &plan, const std::vector<int>
             picture.newFile = info.dir().filePath(info.completeBaseName() + u".exr"_s);
         const PictureDepth depth = depthFor(picture.newFile, source->depth);
         bake(source.value(), [&](int tile, const Picture &made) {
-            const Result<Done> written = files.write(made, ofTile(picture.newFile, tile), depth);
+            const Result<Done> written = addPicture(made, ofTile(picture.newFile, tile), depth, files);
             if (!written)
                 failure = written.error();
             return written.ok();
@@ -384,10 +345,9 @@ Result<CarriedFiles> carryPictures(const CarryPlan &plan, const std::vector<int>
         return result;
     if (result.plan.pictures.empty())
         return *firstProblem;
-    Result<QStringList> moved = files.moveToPlaces();
-    if (!moved)
-        return moved.error();
-    result.files = moved.value();
+    if (const Result<Done> placed = files.putInPlace(); !placed)
+        return placed.error();
+    result.files = files.paths();
     return result;
 }
 

@@ -77,6 +77,7 @@ struct CarryControl
 {
     std::function<bool()> stopped;
     std::function<void(int done)> pictureDone; //!< \param done how many
+    bool needsAll = false; //!< a picture that cannot be read is an Error; else it is left out
 };
 
 //! What was written.

@@ -89,6 +89,11 @@ QStringList filesBeside(const DocumentState &model, bool onlyBaseColors)
     return files;
 }
 
+QStringList filesOfSession(const DocumentState &model, const QString &sessionPath, bool onlyBaseColors)
+{
+    return QStringList{sessionPath, model.scene.path} + filesBeside(model, onlyBaseColors);
+}
+
 QStringList filesWrittenBeside(const QString &path)
 {
     const QFileInfo info(path);

@@ -21,6 +21,11 @@ Result<Done> checkOutputs(const QStringList &written, const QStringList &kept);
 //! as they are there. \param onlyBaseColors leaves out textures that no bake reads, which may be its results
 QStringList filesBeside(const DocumentState &model, bool onlyBaseColors = false);
 
+//! The files that no output of the studio may replace: those of the session, of its model, and beside that
+//! one. \param sessionPath empty when there is none
+QStringList filesOfSession(const DocumentState &model, const QString &sessionPath,
+                           bool onlyBaseColors = false);
+
 //! The files that belong to a model or session that is written to a path: buffers, or backups.
 QStringList filesWrittenBeside(const QString &path);
 

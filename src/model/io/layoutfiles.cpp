@@ -4,6 +4,7 @@
 #include "model/io/uvexport.h"
 #include "model/plain/udimtiles.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 
@@ -25,15 +26,28 @@ std::vector<LayoutPicture> layoutPictures(const QString &path, const MeshData &m
     return pictures;
 }
 
-Result<Done> writeLayoutPicture(const LayoutPicture &picture, const MeshData &mesh, UvMatrix uv,
-                                const LayoutOptions &options)
+Result<Done> writeLayoutPictures(const std::vector<LayoutPicture> &pictures, const MeshData &mesh,
+                                 const UvMatrix &uv, const LayoutOptions &options,
+                                 const std::atomic<bool> *stop)
 {
-    uv.rowwise() -= udimTile(picture.tile, options.tileHeight).min().transpose();
-    const bool svg = picture.path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive);
-    const Result<QByteArray> bytes = svg ? layoutSvg(mesh, uv, options) : layoutPng(mesh, uv, options);
-    if (!bytes)
-        return bytes.error();
-    return saveAtomically(picture.path, bytes.value());
+    FileSet files;
+    for (const LayoutPicture &picture : pictures) {
+        if (stop && *stop)
+            return Error{QCoreApplication::translate("FileErrors", "cancelled: no picture was written"),
+                         picture.path,
+                         0,
+                         {}};
+        UvMatrix ofTile = uv;
+        ofTile.rowwise() -= udimTile(picture.tile, options.tileHeight).min().transpose();
+        const bool svg = picture.path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive);
+        const Result<QByteArray> bytes =
+            svg ? layoutSvg(mesh, ofTile, options) : layoutPng(mesh, ofTile, options);
+        if (!bytes)
+            return bytes.error();
+        if (const Result<Done> added = files.add(picture.path, bytes.value()); !added)
+            return added;
+    }
+    return files.putInPlace();
 }
 
 } // namespace autocuts

@@ -7,6 +7,7 @@
 
 #include <QString>
 
+#include <atomic>
 #include <vector>
 
 namespace autocuts {
@@ -26,9 +27,10 @@ struct LayoutPicture
 std::vector<LayoutPicture> layoutPictures(const QString &path, const MeshData &mesh, const UvMatrix &uv,
                                           double tileHeight, int otherTile, bool numbered = false);
 
-//! Draws and writes a picture, in which all islands are that reach into its tile. On an Error an existing
-//! file is unchanged.
-Result<Done> writeLayoutPicture(const LayoutPicture &picture, const MeshData &mesh, UvMatrix uv,
-                                const LayoutOptions &options);
+//! Draws and writes the pictures; in each are all islands that reach into its tile. On an Error, and after a
+//! stop, all files are as they were.
+Result<Done> writeLayoutPictures(const std::vector<LayoutPicture> &pictures, const MeshData &mesh,
+                                 const UvMatrix &uv, const LayoutOptions &options,
+                                 const std::atomic<bool> *stop = nullptr);
 
 } // namespace autocuts

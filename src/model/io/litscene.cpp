@@ -144,13 +144,13 @@ QString lightMapPath(const QString &path, int tile, bool several)
     return several ? path.chopped(file.suffix().size()) + QString::number(tile) + u'.' + file.suffix() : path;
 }
 
-Result<Done> writeLightMap(Picture picture, const QString &path, PictureDepth depth)
+Result<Done> addLightMap(Picture picture, const QString &path, PictureDepth depth, FileSet &files)
 {
     if (!isExr(path)) {
         for (float &value : picture.values)
             value = value == 0 ? 0 : srgbFromLinear(value); // most texels of an unfinished one are black
     }
-    return writePicture(picture, path, depth);
+    return addPicture(picture, path, depth, files);
 }
 
 } // namespace autocuts

@@ -41,7 +41,7 @@ Result<PictureDepth> lightMapDepth(const QString &path, std::optional<int> bits)
 //! Where the light map of a tile goes: with several tiles, the number stands before the suffix.
 QString lightMapPath(const QString &path, int tile, bool several);
 
-//! Writes a light map; into whole numbers in sRGB. \param picture linear
-Result<Done> writeLightMap(Picture picture, const QString &path, PictureDepth depth);
+//! Adds a light map to files that are written together; into whole numbers in sRGB. \param picture linear
+Result<Done> addLightMap(Picture picture, const QString &path, PictureDepth depth, FileSet &files);
 
 } // namespace autocuts

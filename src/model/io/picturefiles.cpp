@@ -4,7 +4,6 @@
 #include "model/io/pictures/hdrpictures.h"
 #include "model/io/pictures/picturesize.h"
 #include "model/io/pictures/tgapictures.h"
-#include "model/io/savefile.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -279,7 +278,7 @@ Result<Picture> readPicture(const QString &path)
     return std::move(decoded.value().picture);
 }
 
-Result<Done> writePicture(const Picture &picture, const QString &path, PictureDepth depth)
+Result<Done> addPicture(const Picture &picture, const QString &path, PictureDepth depth, FileSet &files)
 {
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (const auto checked = checkDepth(suffix, depth, path); !checked)
@@ -290,10 +289,18 @@ Result<Done> writePicture(const Picture &picture, const QString &path, PictureDe
         const Result<QByteArray> bytes = encode(picture, path, suffix, depth);
         if (!bytes)
             return bytes.error();
-        return saveAtomically(path, bytes.value());
+        return files.add(path, bytes.value());
     } catch (const std::bad_alloc &) {
         return noMemory(path);
     }
+}
+
+Result<Done> writePicture(const Picture &picture, const QString &path, PictureDepth depth)
+{
+    FileSet files;
+    if (const Result<Done> added = addPicture(picture, path, depth, files); !added)
+        return added;
+    return files.putInPlace();
 }
 
 QStringList pictureSuffixes()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/document/result.h"
+#include "model/io/savefile.h"
 #include "model/plain/picture.h"
 
 #include <QByteArray>
@@ -34,10 +35,13 @@ Result<DecodedPicture> decodePicture(const QByteArray &bytes, const QString &pat
 //! The bytes of a regular file, for decodePicture().
 Result<QByteArray> loadPictureFile(const QString &path);
 
-//! Writes a picture in the format of the suffix: png, tif, tiff (8 and 16 bits), jpg, jpeg, tga (8 bits), exr
-//! (Sixteen: half, Float: float). Whole numbers are rounded and clamped to 0 to 1, NaN becomes 0; alpha is
-//! lost in JPEG. Replaces the file atomically. Errors: a suffix that is unknown or cannot hold the depth, an
-//! empty picture, and those of saveAtomically().
+//! Adds a picture to files that are written together, in the format of the suffix: png, tif, tiff (8 and 16
+//! bits), jpg, jpeg, tga (8 bits), exr (Sixteen: half, Float: float). Whole numbers are rounded and clamped
+//! to 0 to 1, NaN becomes 0; alpha is lost in JPEG. Errors: a suffix that is unknown or cannot hold the
+//! depth, an empty picture, and those of FileSet::add().
+Result<Done> addPicture(const Picture &picture, const QString &path, PictureDepth depth, FileSet &files);
+
+//! Writes a picture by itself. Errors: those of addPicture() and FileSet::putInPlace().
 Result<Done> writePicture(const Picture &picture, const QString &path, PictureDepth depth);
 
 //! Suffixes of the files that readPicture() reads, lower case, for dialogs.

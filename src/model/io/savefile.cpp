@@ -3,14 +3,21 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QSaveFile>
+#include <QTemporaryFile>
 
 #include <cerrno>
+#include <filesystem>
+#include <memory>
+#include <system_error>
 #ifdef Q_OS_UNIX
+#include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
 namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
@@ -19,8 +26,7 @@ struct ErrorTexts
     Q_DECLARE_TR_FUNCTIONS(FileErrors)
 };
 
-//! Forces delayed writes, so that an error such as a full disk is noticed. QSaveFile also syncs but ignores
-//! the result.
+//! Forces delayed writes, so that an error such as a full disk is noticed. Qt does not.
 bool reachesDisk([[maybe_unused]] int handle)
 {
 #ifdef Q_OS_UNIX
@@ -32,23 +38,30 @@ bool reachesDisk([[maybe_unused]] int handle)
 }
 
 //! \param systemError errno after the step that failed
-Error writeError(const QString &path, const QSaveFile &file, int systemError)
+Error writeError(const QString &path, int systemError, const QString &reason)
 {
 #ifdef Q_OS_UNIX
     if (systemError == ENOSPC || systemError == EDQUOT)
         return {ErrorTexts::tr("there is no space left on the disk"), path, 0,
                 ErrorTexts::tr("Free some space, or choose another folder")};
 #endif
-    const QString reason =
-        file.error() == QFileDevice::NoError ? qt_error_string(systemError) : file.errorString();
     return {ErrorTexts::tr("the file cannot be written (%1)").arg(reason), path, 0,
             ErrorTexts::tr("Check the permissions and the free space of the folder, or choose another one")};
 }
 
-} // namespace
+Error writeError(const QString &path, const QFile &file, int systemError)
+{
+    return writeError(path, systemError,
+                      file.error() == QFileDevice::NoError ? qt_error_string(systemError)
+                                                           : file.errorString());
+}
 
-Result<Done> saveAtomically(const QString &path, QByteArrayView bytes,
-                            const std::function<void()> &beforeReplacing)
+Error writeError(const QString &path, const std::error_code &problem)
+{
+    return writeError(path, problem.value(), QString::fromStdString(problem.message()));
+}
+
+Result<Done> checkTarget(const QString &path)
 {
     const QFileInfo target(path);
     if (path.isEmpty() || target.isDir())
@@ -60,24 +73,169 @@ Result<Done> saveAtomically(const QString &path, QByteArrayView bytes,
     if (!target.absoluteDir().exists())
         return Error{ErrorTexts::tr("the folder %1 does not exist").arg(target.absolutePath()), path, 0,
                      ErrorTexts::tr("Create the folder or choose another one")};
+    // Renaming would replace it, because that asks for the permissions of the folder only.
+    if (target.exists() && !target.isWritable())
+        return Error{ErrorTexts::tr("the file is write-protected"), path, 0,
+                     ErrorTexts::tr("Check its permissions, or choose another file name")};
+    return Done{};
+}
 
-    QSaveFile file(path);
-    errno = 0;
-    if (!file.open(QIODevice::WriteOnly))
-        return writeError(path, file, errno);
-    // flush() is called here because commit() does not notice when its own flush fails.
-    const bool written = file.write(bytes.data(), bytes.size()) == bytes.size() && file.flush();
-    if (!written || !reachesDisk(file.handle())) {
-        const Error error = writeError(path, file, errno);
-        file.cancelWriting();
-        file.commit();
-        return error;
+//! The path that a chain of symbolic links leads to.
+QString withoutLinks(QString path)
+{
+    constexpr int most = 40; // as Linux allows
+    for (int i = 0; i < most && QFileInfo(path).isSymLink(); ++i)
+        path = QFileInfo(path).symLinkTarget();
+    return path;
+}
+
+std::filesystem::path native(const QString &path)
+{
+    return path.toStdU16String();
+}
+
+#ifdef Q_OS_UNIX
+//! The permissions that new files do not get. It can be read only by changing it, so that is done before
+//! there are threads.
+const mode_t createMask = [] {
+    const mode_t mask = umask(S_IWGRP | S_IWOTH);
+    umask(mask);
+    return mask;
+}();
+
+#endif
+
+//! Every file of a set is open until it is in its place: a bake of many tiles may have more of them than the
+//! usual limit.
+void allowManyFiles()
+{
+#ifdef Q_OS_UNIX
+    rlimit limit{};
+    if (getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur < limit.rlim_max) {
+        limit.rlim_cur = limit.rlim_max;
+        setrlimit(RLIMIT_NOFILE, &limit);
     }
+#endif
+}
+
+//! Gives a temporary file, which only its owner may read, the permissions of the file it replaces, or those
+//! of a new file.
+void setUsualPermissions(QFile &file, const QFileInfo &target)
+{
+    if (target.exists()) {
+        file.setPermissions(target.permissions());
+        return;
+    }
+#ifdef Q_OS_UNIX
+    constexpr mode_t all = S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
+    fchmod(file.handle(), all & ~createMask);
+#endif
+}
+
+} // namespace
+
+struct FileSet::Pending
+{
+    QString path;   //!< for messages
+    QString target; //!< without links
+    std::unique_ptr<QTemporaryFile> file;
+    QString written; //!< name of the temporary file, once it has one
+    QString backup;  //!< hard link to the old file; empty where there is none
+    bool isNew = false;
+};
+
+FileSet::FileSet() = default;
+
+FileSet::~FileSet() = default;
+
+Result<Done> FileSet::add(const QString &path, QByteArrayView bytes)
+{
+    if (const Result<Done> fine = checkTarget(path); !fine)
+        return fine;
+    if (!mFiles.empty())
+        allowManyFiles();
+    const QFileInfo target(withoutLinks(path));
+    auto file = std::make_unique<QTemporaryFile>(target.absoluteDir().filePath(u".autocuts-XXXXXX"_s));
+    errno = 0;
+    if (!file->open())
+        return writeError(path, *file, errno);
+    // QFile does not notice when the flush of its own close fails.
+    const bool written = file->write(bytes.data(), bytes.size()) == bytes.size() && file->flush();
+    if (!written || !reachesDisk(file->handle()))
+        return writeError(path, *file, errno);
+    setUsualPermissions(*file, target);
+    mFiles.push_back({path, target.absoluteFilePath(), std::move(file), {}, {}, false});
+    return Done{};
+}
+
+Result<Done> FileSet::putInPlace()
+{
+    std::error_code problem;
+    for (Pending &pending : mFiles) {
+        errno = 0;
+        pending.written = pending.file->fileName(); // a file without a name gets one here
+        if (!QFileInfo::exists(pending.written))
+            return undo(0, writeError(pending.path, *pending.file, errno));
+        pending.isNew = !QFileInfo::exists(pending.target);
+        if (pending.isNew || &pending == &mFiles.back()) // nothing can fail after the last one
+            continue;
+        const QString backup = pending.written + u".old"_s;
+        std::filesystem::create_hard_link(native(pending.target), native(backup), problem);
+        if (!problem)
+            pending.backup = backup;
+    }
+    for (std::size_t i = 0; i < mFiles.size(); ++i) {
+        std::filesystem::rename(native(mFiles[i].written), native(mFiles[i].target), problem);
+        if (problem)
+            return undo(i, writeError(mFiles[i].path, problem));
+        mFiles[i].file->setAutoRemove(false);
+    }
+    for (const Pending &pending : mFiles) {
+        if (!pending.backup.isEmpty())
+            std::filesystem::remove(native(pending.backup), problem);
+    }
+    return Done{};
+}
+
+//! Puts the old files back. \param replaced how many targets have been replaced already
+Error FileSet::undo(std::size_t replaced, Error error) const
+{
+    QStringList changed;
+    std::error_code problem;
+    for (std::size_t i = 0; i < mFiles.size(); ++i) {
+        const Pending &pending = mFiles[i];
+        problem.clear();
+        if (!pending.backup.isEmpty() && i < replaced)
+            std::filesystem::rename(native(pending.backup), native(pending.target), problem);
+        else if (!pending.backup.isEmpty())
+            std::filesystem::remove(native(pending.backup), problem);
+        else if (i < replaced && pending.isNew)
+            std::filesystem::remove(native(pending.target), problem);
+        if (i < replaced && (problem || (pending.backup.isEmpty() && !pending.isNew)))
+            changed << QFileInfo(pending.path).fileName();
+    }
+    if (!changed.isEmpty())
+        error.message += ErrorTexts::tr("; these files are replaced already: %1").arg(changed.join(u", "_s));
+    return error;
+}
+
+QStringList FileSet::paths() const
+{
+    QStringList paths;
+    for (const Pending &pending : mFiles)
+        paths << pending.path;
+    return paths;
+}
+
+Result<Done> saveAtomically(const QString &path, QByteArrayView bytes,
+                            const std::function<void()> &beforeReplacing)
+{
+    FileSet files;
+    if (const Result<Done> added = files.add(path, bytes); !added)
+        return added;
     if (beforeReplacing)
         beforeReplacing();
-    if (!file.commit())
-        return writeError(path, file, errno);
-    return Done{};
+    return files.putInPlace();
 }
 
 Result<QByteArray> loadFile(const QString &path, qint64 limit)

@@ -5,13 +5,42 @@
 
 #include <QByteArrayView>
 #include <QString>
+#include <QStringList>
 
 #include <functional>
+#include <vector>
 
 namespace autocuts {
 
-//! Writes the bytes to a temporary file beside the target and renames it to the target. On any error (missing
-//! folder, no permission, disk full) an existing file keeps its content and no temporary file is left.
+//! Files that belong together, such as the pictures of a bake. Each is written to a temporary file beside its
+//! target; then all of them replace their targets. After an error, and when the set is deleted before that,
+//! all targets are as they were and no temporary file is left. Where the file system has files without a name
+//! (most of Linux), a killed program leaves none either.
+class FileSet
+{
+public:
+    FileSet();
+    ~FileSet();
+    FileSet(const FileSet &) = delete;
+    FileSet &operator=(const FileSet &) = delete;
+
+    //! Writes the bytes to disk. The target is what a symbolic link leads to. Errors: missing folder, no
+    //! permission, not a regular file, disk full.
+    Result<Done> add(const QString &path, QByteArrayView bytes);
+    //! Replaces the targets in the order of add(). When that fails for one of them, those before it get back
+    //! what they were. Where the file system has no hard links they cannot, and the Error names them.
+    Result<Done> putInPlace();
+    //! The paths in the order of add().
+    QStringList paths() const;
+
+private:
+    struct Pending;
+    Error undo(std::size_t replaced, Error error) const;
+
+    std::vector<Pending> mFiles;
+};
+
+//! Writes a single file as a FileSet does: on any error an existing file keeps its content.
 //! \param beforeReplacing called when the bytes are safely on disk and the old file is still in place
 Result<Done> saveAtomically(const QString &path, QByteArrayView bytes,
                             const std::function<void()> &beforeReplacing = {});

@@ -2,6 +2,7 @@
 
 #include "model/document/shadedscene.h"
 #include "model/io/bakefiles.h"
+#include "model/io/fileclashes.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "model/plain/udimtiles.h"
@@ -96,29 +97,39 @@ Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSetti
     return job;
 }
 
-MapJobResult bakeJob(const DocumentState &model, const PackingSettings &packing, const BakeChoice &choice,
+MapJobResult bakeJob(const DocumentState &model, const MapInput &input, const BakeChoice &choice,
                      JobControl &control)
 {
     MapJobResult result;
     QStringList warnings;
-    const Result<bake::BakeJob> job = makeBakeJob(model, packing, choice, control.stop(), warnings);
+    const Result<bake::BakeJob> job = makeBakeJob(model, input.packing, choice, control.stop(), warnings);
     if (!job) {
         result.problem =
             control.stop() ? JobTexts::tr("Cancelled: nothing was baked") : job.error().toString();
         return result;
     }
-    QStringList written;
+    const auto pathOf = [&](const bake::MapRequest &map, int tile) {
+        return bakedPath(choice.folder, model.scene.path, QLatin1StringView(bake::nameOf(map.kind)), tile,
+                         job->tiles.size() > 1, choice.suffix);
+    };
+    QStringList pictures;
+    for (const bake::MapRequest &map : job->settings.maps) {
+        for (const int tile : job->tiles)
+            pictures << pathOf(map, tile);
+    }
+    const Result<Done> fine =
+        checkOutputs(pictures, filesOfSession(model, input.sessionPath, true) + QStringList{choice.high});
+    if (!fine) {
+        result.problem = fine.error().toString();
+        return result;
+    }
+    FileSet written;
     const auto sink = [&](std::size_t map, int tile, const Picture &picture) {
-        const QString path = bakedPath(choice.folder, model.scene.path,
-                                       QLatin1StringView(bake::nameOf(job->settings.maps[map].kind)), tile,
-                                       job->tiles.size() > 1, choice.suffix);
-        const Result<Done> saved = writePicture(picture, path, depthOf(choice.bits));
-        if (!saved) {
-            result.problem = saved.error().toString();
-            return false;
-        }
-        written << path;
-        return true;
+        const Result<Done> added =
+            addPicture(picture, pathOf(job->settings.maps[map], tile), depthOf(choice.bits), written);
+        if (!added)
+            result.problem = added.error().toString();
+        return added.ok();
     };
     const JobContext context(
         &control.stop(), std::max(1, QThread::idealThreadCount()),
@@ -126,16 +137,20 @@ MapJobResult bakeJob(const DocumentState &model, const PackingSettings &packing,
     const bake::BakeFigures figures = bake::runBake(job.value(), sink, context);
     if (!result.problem.isEmpty())
         return result;
-    const QString folder = QDir::toNativeSeparators(choice.folder);
-    if (figures.stopped) {
-        result.problem = written.isEmpty() ? JobTexts::tr("Cancelled: nothing was baked")
-                                           : JobTexts::tr("Cancelled: %n pictures were finished in %1",
-                                                          nullptr, static_cast<int>(written.size()))
-                                                 .arg(folder);
+    if (const Result<Done> placed = written.putInPlace(); !placed) {
+        result.problem = placed.error().toString();
         return result;
     }
-    result.message =
-        JobTexts::tr("Baked %n pictures into %1", nullptr, static_cast<int>(written.size())).arg(folder);
+    const auto count = static_cast<int>(written.paths().size());
+    const QString folder = QDir::toNativeSeparators(choice.folder);
+    if (figures.stopped) {
+        result.problem =
+            count == 0
+                ? JobTexts::tr("Cancelled: nothing was baked")
+                : JobTexts::tr("Cancelled: %n pictures were finished in %1", nullptr, count).arg(folder);
+        return result;
+    }
+    result.message = JobTexts::tr("Baked %n pictures into %1", nullptr, count).arg(folder);
     // Single texels at borders are not worth a word.
     constexpr double fewestPercent = 0.1;
     const auto percent = [&](long long texels) { return 100 * double(texels) / double(figures.texels); };

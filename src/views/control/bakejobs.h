@@ -15,8 +15,9 @@ Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSetti
                                   const BakeChoice &choice, const std::atomic<bool> &stop,
                                   QStringList &warnings);
 
-//! Bakes and writes the pictures; the map stays as it is. \param scene as above
-MapJobResult bakeJob(const DocumentState &model, const PackingSettings &packing, const BakeChoice &choice,
+//! Bakes and writes the pictures; the map stays as it is. \param model as above \param input its packing and
+//! session path count
+MapJobResult bakeJob(const DocumentState &model, const MapInput &input, const BakeChoice &choice,
                      JobControl &control);
 
 } // namespace autocuts

@@ -4,6 +4,7 @@
 #include "model/document/carriedsurface.h"
 #include "model/document/shadedscene.h"
 #include "model/io/carriedtextures.h"
+#include "model/io/fileclashes.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "model/plain/udimtiles.h"
@@ -103,7 +104,8 @@ QStringList warningsOf(const CarryPlan &plan, const CarriedFiles &files, const b
 
 } // namespace
 
-MapJobResult carryJob(const CarryInput &input, const CarryChoice &choice, JobControl &control)
+MapJobResult carryJob(const CarryInput &input, const QString &sessionPath, const CarryChoice &choice,
+                      JobControl &control)
 {
     const QString cancelled = JobTexts::tr("Cancelled: no picture was written");
     const double tileHeight = input.state.packingSettings.tileHeight();
@@ -126,6 +128,10 @@ MapJobResult carryJob(const CarryInput &input, const CarryChoice &choice, JobCon
     const BakedTiles tiles = tilesToBake(*scene.mesh, model.low.uv, tileHeight);
     const CarryPlan plan =
         planCarrying(input.state, {choice.folder, choice.suffix, tiles.numbers.size() > 1, choice.format});
+    const Result<Done> fine = checkOutputs(
+        plan.existingFiles(), filesOfSession(input.state, sessionPath, true) + QStringList{choice.file});
+    if (!fine)
+        return failed(fine.error().toString());
     const JobContext context(
         &control.stop(), std::max(1, QThread::idealThreadCount()),
         [&control](const JobProgress &progress) { control.setProgress(progress.fraction); });

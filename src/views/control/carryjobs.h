@@ -16,6 +16,7 @@ struct CarryInput
 
 //! Makes the pictures and writes their files; the result has the new texture sets. After a stop or an error
 //! no file was written.
-MapJobResult carryJob(const CarryInput &input, const CarryChoice &choice, JobControl &control);
+MapJobResult carryJob(const CarryInput &input, const QString &sessionPath, const CarryChoice &choice,
+                      JobControl &control);
 
 } // namespace autocuts

@@ -3,6 +3,7 @@
 #include "commands/newmap.h"
 #include "commands/replacemodel.h"
 #include "model/document/makesnapshot.h"
+#include "model/io/fileclashes.h"
 #include "model/io/mapreport.h"
 #include "model/io/meshdoctor.h"
 #include "model/io/meshfile.h"
@@ -60,6 +61,11 @@ struct Opened
     bool isProject = false;
     SessionFile file;
 };
+
+bool isSameSuffix(const QString &a, const QString &b)
+{
+    return QFileInfo(a).suffix().compare(QFileInfo(b).suffix(), Qt::CaseInsensitive) == 0;
+}
 
 } // namespace
 
@@ -368,6 +374,18 @@ void FileController::adoptRelinked(const Result<Relinked> &linked, const StateTo
     Q_EMIT noticed(tr("Re-linked to %1: %2").arg(name, lines.join(QStringLiteral("; "))), items);
 }
 
+//! The files that an export must not replace. Looks at the disk when it is called.
+//! \returns a function of whether the model itself may be replaced
+std::function<QStringList(bool ownModel)> FileController::filesToKeep() const
+{
+    return [model = mWorkspace.document()->state(), session = mWorkspace.sessionPath()](bool ownModel) {
+        QStringList kept = filesOfSession(model, session);
+        if (ownModel)
+            kept.removeAll(model.scene.path);
+        return kept;
+    };
+}
+
 void FileController::exportMesh(const QString &path)
 {
     const Document *document = mWorkspace.document();
@@ -375,8 +393,13 @@ void FileController::exportMesh(const QString &path)
         return;
     const bool started = mJobs.start(
         tr("Writing %1").arg(QFileInfo(path).fileName()),
-        [scene = sceneForWriting(*document), path, tileHeight = document->packingSettings().tileHeight()](
-            JobControl &) { return writeMesh(scene, path, tileHeight); },
+        [scene = sceneForWriting(*document), path, kept = filesToKeep(),
+         tileHeight = document->packingSettings().tileHeight()](JobControl &) {
+            // The model itself may be written again, in its own format.
+            const bool again = isSameSuffix(path, scene.path);
+            const Result<Done> fine = checkOutputs({path}, kept(again));
+            return fine ? writeMesh(scene, path, tileHeight) : fine;
+        },
         [this, path](const Result<Done> &written) { tellWritten(written, path); });
     if (!started)
         tellBusy(path);
@@ -401,14 +424,12 @@ void FileController::exportLayout(const std::vector<LayoutPicture> &pictures, co
     const bool started = mJobs.start(
         tr("Drawing %1").arg(QFileInfo(path).fileName()),
         [mesh = document->state().scene.mesh, uv = withoutOtherFaces(document->mesh(), document->uv(), faces),
-         pictures, options](JobControl &job) -> Result<Done> {
-            for (const LayoutPicture &picture : pictures) {
-                if (job.stop())
-                    break;
-                if (Result<Done> drawn = writeLayoutPicture(picture, *mesh, uv, options); !drawn)
-                    return drawn;
-            }
-            return Done{};
+         pictures, options, kept = filesToKeep()](JobControl &job) {
+            QStringList paths;
+            for (const LayoutPicture &picture : pictures)
+                paths << picture.path;
+            const Result<Done> fine = checkOutputs(paths, kept(false));
+            return fine ? writeLayoutPictures(pictures, *mesh, uv, options, &job.stop()) : fine;
         },
         [this, path, count = int(pictures.size())](const Result<Done> &written) {
             if (written && count > 1)
@@ -430,7 +451,9 @@ void FileController::exportReport(const QString &path)
     const bool started = mJobs.start(
         tr("Measuring the map"),
         [scene = std::move(scene), path, flags = document->marks().faceFlags,
-         packing = document->packingSettings()](JobControl &job) -> Result<Done> {
+         packing = document->packingSettings(), kept = filesToKeep()](JobControl &job) -> Result<Done> {
+            if (const Result<Done> fine = checkOutputs({path}, kept(false)); !fine)
+                return fine;
             metrics::UvMetricsOptions options;
             options.textureSize = packing.textureSize;
             options.tileHeight = packing.tileHeight();

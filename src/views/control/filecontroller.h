@@ -104,6 +104,7 @@ Q_SIGNALS:
 private:
     void adopt(Scene scene);
     void takeFile(const QString &path, const FileStamp &stamp, std::shared_ptr<SessionLock> lock);
+    std::function<QStringList(bool ownModel)> filesToKeep() const;
     void adoptProject(LoadedSession project, const QString &sessionPath, const RecoverableSession *recovered);
     void beginAutosave(const RecoverableSession *continued);
     void applyPreferences();

@@ -1,5 +1,6 @@
 #include "views/control/lightjobs.h"
 
+#include "model/io/fileclashes.h"
 #include "solver/bake/lightjob.h"
 #include "views/control/jobtexts.h"
 
@@ -65,10 +66,11 @@ bake::LightBakeSettings settingsOf(const LightChoice &choice, const PackingSetti
 
 } // namespace
 
-MapJobResult lightBakeJob(const DocumentState &model, int textureSet, const PackingSettings &packing,
+MapJobResult lightBakeJob(const DocumentState &model, int textureSet, const MapInput &input,
                           const LightChoice &choice, const LightReceiver &shown, JobControl &control)
 {
     MapJobResult result;
+    const PackingSettings &packing = input.packing;
     const Result<PictureDepth> depth = lightMapDepth(choice.path, choice.bits);
     QStringList missing;
     Result<LitSurface> surface = litSurface(model, choice.surface, textureSet, packing.tileHeight(), missing);
@@ -78,7 +80,16 @@ MapJobResult lightBakeJob(const DocumentState &model, int textureSet, const Pack
     }
     const bake::LightJob job = bake::lightJobOf(std::move(surface).value(), choice.lights,
                                                 settingsOf(choice, packing), packing.tileHeight());
-    QStringList written;
+    QStringList pictures;
+    for (const int tile : job.tiles)
+        pictures << lightMapPath(choice.path, tile, job.tiles.size() > 1);
+    const Result<Done> fine = checkOutputs(pictures, filesOfSession(model, input.sessionPath, true) +
+                                                         QStringList{choice.surface.albedoFile});
+    if (!fine) {
+        result.problem = fine.error().toString();
+        return result;
+    }
+    FileSet written;
     double bright = 0;
     const auto sink = [&](int tile, bake::LightBakeResult &baked) {
         if (shown)
@@ -86,12 +97,10 @@ MapJobResult lightBakeJob(const DocumentState &model, int textureSet, const Pack
         if (depth.value() != PictureDepth::Float && !choice.path.endsWith(u".exr", Qt::CaseInsensitive))
             bright = std::max(bright, tooBright(baked));
         const QString path = lightMapPath(choice.path, tile, job.tiles.size() > 1);
-        if (const Result<Done> saved = writeLightMap(std::move(baked.picture), path, depth.value()); !saved) {
-            result.problem = saved.error().toString();
-            return false;
-        }
-        written << QDir::toNativeSeparators(path);
-        return true;
+        const Result<Done> added = addLightMap(std::move(baked.picture), path, depth.value(), written);
+        if (!added)
+            result.problem = added.error().toString();
+        return added.ok();
     };
     bake::LightTilePreview preview;
     if (shown)
@@ -102,11 +111,14 @@ MapJobResult lightBakeJob(const DocumentState &model, int textureSet, const Pack
     const bake::LightFigures figures = bake::runLightBake(job, sink, preview, context);
     if (!result.problem.isEmpty())
         return result;
-    const QString files = written.join(QStringLiteral(", "));
+    if (const Result<Done> placed = written.putInPlace(); !placed) {
+        result.problem = placed.error().toString();
+        return result;
+    }
+    const QString files = QDir::toNativeSeparators(written.paths().join(QStringLiteral(", ")));
     if (figures.stopped) {
-        result.problem = written.isEmpty()
-                             ? JobTexts::tr("Cancelled: no light was baked")
-                             : JobTexts::tr("Cancelled: %1 has what was found so far").arg(files);
+        result.problem = files.isEmpty() ? JobTexts::tr("Cancelled: no light was baked")
+                                         : JobTexts::tr("Cancelled: %1 has what was found so far").arg(files);
         return result;
     }
     result.message = JobTexts::tr("Baked light into %1").arg(files);

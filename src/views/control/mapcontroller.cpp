@@ -143,6 +143,7 @@ MapInput MapController::input() const
     input.uv = document.uv();
     input.uvScale = document.uvScale();
     input.packing = document.packingSettings();
+    input.sessionPath = mWorkspace.sessionPath();
     input.marks = document.marks();
     input.constraints = document.constraints();
     input.selectedFaces = document.selection().faces;
@@ -371,7 +372,7 @@ void MapController::bake(const BakeChoice &choice)
         return;
     startJob(tr("Baking"),
              [choice, model = activeFirst(*document)](const MapInput &input, JobControl &control) {
-                 return bakeJob(model, input.packing, choice, control);
+                 return bakeJob(model, input, choice, control);
              });
 }
 
@@ -384,8 +385,8 @@ void MapController::carryTextures(const CarryChoice &choice)
             return;
         const auto given = std::make_shared<const CarryInput>(
             CarryInput{document->state(), mWorkspace.recorder().pending()});
-        startJob(tr("Carrying textures over"), [choice, given](const MapInput &, JobControl &control) {
-            return carryJob(*given, choice, control);
+        startJob(tr("Carrying textures over"), [choice, given](const MapInput &input, JobControl &control) {
+            return carryJob(*given, input.sessionPath, choice, control);
         });
     });
 }
@@ -417,7 +418,7 @@ void MapController::startLightBake(const LightChoice &choice,
     const int textureSet = document.activeUvSet() == 0 ? 0 : 1;
     startJob(tr("Baking light"), [choice, model = activeFirst(document), textureSet,
                                   shown](const MapInput &input, JobControl &control) {
-        return lightBakeJob(model, textureSet, input.packing, choice, shown, control);
+        return lightBakeJob(model, textureSet, input, choice, shown, control);
     });
 }
 

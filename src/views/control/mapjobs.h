@@ -47,6 +47,7 @@ struct MapInput
     UvMatrix uv; //!< per corner, texture space
     double uvScale = 1;
     PackingSettings packing;
+    QString sessionPath; //!< empty when there is none
     IslandMarks marks;
     Constraints constraints;
     QList<int> selectedFaces;

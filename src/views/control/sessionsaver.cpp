@@ -1,5 +1,7 @@
 #include "views/control/sessionsaver.h"
 
+#include "model/io/fileclashes.h"
+
 #include <QBuffer>
 #include <QCoreApplication>
 
@@ -12,6 +14,8 @@ namespace {
 
 Result<SavedProject> write(ProjectWriter &writer, const SessionToSave &session, const QString &path)
 {
+    if (const Result<Done> fine = checkOutputs({path}, filesOfSession(session.state, {})); !fine)
+        return fine.error();
     ProjectExtras extras;
     extras.sessionPath = session.sessionPath;
     if (session.journal)

@@ -1,5 +1,6 @@
 #include "views/dialogs/previewdialog.h"
 
+#include "model/io/savefile.h"
 #include "model/io/uvexport.h"
 #include "views/canvas/meshview.h"
 #include "views/control/mapcontroller.h"
@@ -17,7 +18,6 @@
 #include <QImageReader>
 #include <QLabel>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -32,12 +32,11 @@ constexpr int smallest = 64, largest = 4096;
 //! Texels along the side of a square of the checkerboard.
 constexpr int squareTexels = 16;
 
-//! Writes a file atomically, because another job may look for it. \returns the error
+//! \returns the error
 QString written(const QByteArray &bytes, const QString &to)
 {
-    QSaveFile file(to);
-    const bool done = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
-    return done ? QString() : file.errorString();
+    const Result<Done> saved = saveAtomically(to, bytes); // another job may look for it
+    return saved ? QString() : saved.error().message;
 }
 
 //! A picture of the texture with so many texels along the longer side.

@@ -191,21 +191,17 @@ Result<Done> GltfOutput::save(const Scene &scene)
 Result<Done> GltfOutput::saveAll(const QByteArray &main)
 {
     const std::vector<QString> old = namedByTheOldFile();
-    QStringList added;
-    const auto fail = [&](const Error &error) {
-        for (const QString &path : added)
-            QFile::remove(path);
-        return error;
-    };
+    FileSet files;
     for (const auto &[path, bytes] : mBufferFiles) {
         if (QFileInfo::exists(path))
             continue; // with this content
-        if (const Result<Done> done = saveAtomically(path, bytes); !done)
-            return fail(done.error());
-        added << path;
+        if (const Result<Done> added = files.add(path, bytes); !added)
+            return added;
     }
-    if (const Result<Done> done = saveAtomically(mTo, main); !done)
-        return fail(done.error());
+    if (const Result<Done> added = files.add(mTo, main); !added)
+        return added;
+    if (const Result<Done> placed = files.putInPlace(); !placed)
+        return placed;
     removeUnused(old);
     return Done{};
 }

@@ -1,0 +1,122 @@
+"""Jobs whose calls on files fail, one after the other, or at which the program is killed.
+
+tests/fuzz/failingcalls.cpp makes the calls fail. What the jobs write must be all new or all old then.
+"""
+import errno
+import os
+import shutil
+import signal
+from pathlib import Path
+
+import bakes
+import oddmeshes
+
+ERRORS = [errno.EIO, errno.ENOSPC, errno.EACCES]
+KILL = "kill"
+# name: the arguments, the outputs that belong together, then each output by itself.
+JOBS = {
+    **{"convert to " + suffix: (["convert", "in.obj", "-o", "out." + suffix], ["out." + suffix])
+       for suffix in ("obj", "acproj", "glb", "ply", "dae", "fbx")},
+    "convert to gltf": (["convert", "in.gltf", "--force", "-o", "out.gltf"], ["out.gltf"]),
+    "unwrap with report and layout": (["unwrap", "in.obj", "--quality", "draft", "--report", "report.json",
+                                       "--layout", "layout.svg", "-o", "out.obj"],
+                                      ["out.obj"], ["report.json"], ["layout.svg"]),
+    "session in place": (["pack", "in.acproj", "-o", "in.acproj"], ["in.acproj"]),
+    "bake": (["bake", "mapped.obj", "--maps", "position,ao,curvature", "--size", "16", "-o", "baked"],
+             ["baked/mapped_position.png", "baked/mapped_ao.png", "baked/mapped_curvature.png"]),
+    "light": (["lightbake", "mapped.obj", "--size", "16", "--samples", "1", "-o", "light.png"], ["light.png"]),
+    "textures": (["transfer", "mapped.obj", "--from", "old.obj", "--textures", "picture.png,other.png",
+                  "-o", "carried"], ["carried/picture.png", "carried/other.png"]),
+}
+JOBS = {name: (job[0], job[1:]) for name, job in JOBS.items()}
+
+
+def prepare(program, rng, folder):
+    """Writes the inputs of all jobs."""
+    write = lambda name, lines: (folder / name).write_bytes(b"\n".join(lines) + b"\n")
+    write("in.obj", oddmeshes.lines_of(rng, *oddmeshes.grid(rng, 6), False))
+    for name in ("mapped.obj", "old.obj"):
+        program.run(["unwrap", "in.obj", "--quality", "draft", "-o", name])
+    program.run(["convert", "mapped.obj", "-o", "in.acproj"])
+    for name in ("picture.png", "other.png"):
+        (folder / name).write_bytes(bakes.png(rng, 16, 16))
+    program.run(["convert", "mapped.obj", "-o", "in.glb"])
+    program.run(["convert", "in.glb", "-o", "in.gltf"])
+
+
+class Sweep:
+    """One job in a folder of its own, again and again."""
+
+    def __init__(self, program, library, rng, name, folder):
+        self.program, self.library = program, str(library)
+        self.arguments, self.sets = JOBS[name]
+        self.folder, self.kept = Path(folder) / "work", Path(folder) / "kept"
+        self.kept.mkdir()
+        self.log = Path(folder) / "calls.log"
+        program.folder = str(self.kept)
+        prepare(program, rng, self.kept)
+        self.output = {name for names in self.sets for name in names}
+        for name in self.output - {"in.acproj"}:
+            (self.kept / name).parent.mkdir(exist_ok=True)
+            # A pair of glTF files from before, so that there is something to lose.
+            shutil.copy(self.kept / ("in.gltf" if name.endswith(".gltf") else "in.obj"), self.kept / name)
+        self.old = self.contents()
+        self.reset()
+        self.reference = self.run(0, KILL)
+        self.calls = len(self.log.read_text().splitlines())
+        self.new = self.contents()
+        self.names = set(os.listdir(self.folder))
+
+    def reset(self):
+        shutil.rmtree(self.folder, ignore_errors=True)
+        shutil.copytree(self.kept, self.folder)
+        self.program.folder = str(self.folder)
+
+    def contents(self):
+        folder = self.folder if self.folder.exists() else self.kept
+        return {name: (folder / name).read_bytes() if (folder / name).exists() else None for name in self.output}
+
+    def run(self, call, error):
+        self.log.unlink(missing_ok=True)
+        return self.program.run(self.arguments, more={
+            "LD_PRELOAD": self.library, "FAILING_FOLDER": str(self.folder), "FAILING_LOG": str(self.log),
+            "FAILING_CALL": str(call), "FAILING_WITH": str(error)})
+
+    def same(self, name, content, expected):
+        """Some formats hold the time, so that the bytes differ but not what they say."""
+        if content == expected[name]:
+            return True
+        if content is None or expected is not self.new or not name.endswith((".fbx", ".dae", ".json")):
+            return False
+        return abs(len(content) - len(expected[name])) < 64
+
+    def faults(self, call, error):
+        """(what is wrong when that call fails, the run)"""
+        self.reset()
+        run = self.run(call, error)
+        now, killed = self.contents(), error == KILL
+        if killed and run.code == -signal.SIGKILL:
+            faults = []
+        else:
+            faults = self.program.faults(run)
+        for names in self.sets:
+            old = all(self.same(n, now[n], self.old) for n in names)
+            new = all(self.same(n, now[n], self.new) for n in names)
+            each = all(self.same(n, now[n], self.old) or self.same(n, now[n], self.new) for n in names)
+            if not each:
+                faults.append("neither the old nor the new file")
+            elif not old and not new and not killed:
+                faults.append("some files of a set are new, others old")
+            if run.code == 0 and not new:
+                faults.append("no output in spite of success")
+            if run.code in (1, 2) and len(self.sets) == 1 and not old and self.old != self.new:
+                faults.append("a failed run changed the output")
+        left = set(os.listdir(self.folder)) - self.names - {"stdout", "stderr"}
+        if "no backup" in run.err:  # the next save makes the backup of this file
+            left -= {name + ".new" for name in self.output}
+        if left and not killed:
+            faults.append("other files are left")
+        if "out.gltf" in now and not killed and run.code >= 0:
+            check = self.program.run(["check", "out.gltf"])
+            faults += ["the glTF pair cannot be read"] if check.code != 0 else []
+        return faults, run
