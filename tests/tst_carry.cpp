@@ -494,6 +494,14 @@ void TestCarry::nothingHalfIsWritten()
             other.textureSets[1].at(Channel::Roughness));
     QCOMPARE(names().size(), 3);
     QVERIFY(!carryPictures({}, {}, bake, {[] { return false; }, [](int) {}}).ok());
+    // Where all are needed, none is made.
+    const QString all = mFolder.filePath(u"all"_s);
+    QVERIFY(QDir().mkpath(all));
+    const Result<CarriedFiles> refused =
+        carryPictures(planCarrying(other, {all, {}, false, {}}), other.scene.faceMaterial, bake,
+                      {[] { return false; }, [](int) {}, true});
+    QVERIFY(!refused);
+    QVERIFY(QDir(all).isEmpty());
 }
 
 void TestCarry::theMapOfTextures()

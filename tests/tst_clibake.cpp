@@ -62,6 +62,7 @@ private Q_SLOTS:
     void whatWasMissedIsSaid();
     void mistakes_data();
     void mistakes();
+    void aFailureKeepsAllPictures();
     void aTimeLimitKeepsWhatIsFinished();
     void aTimeLimitEndsTheReading();
 };
@@ -205,6 +206,13 @@ void TestCliBake::texturesAreCarried()
             QVERIFY(std::abs(before[0] - after[0]) < 0.02F && std::abs(before[1] - after[1]) < 0.02F);
         }
     }
+    // Each that is named has to be there: else none is made.
+    const test::CliRun missing =
+        runInProcess({u"transfer"_s, at("turned.obj"), u"--from"_s, at("low.obj"), u"--textures"_s,
+                      at("box_color.png") + u',' + at("gone.png"), u"-o"_s, at("missing")});
+    QCOMPARE(missing.code, 1);
+    QVERIFY2(missing.err.contains(u"gone.png"_s), qPrintable(missing.err));
+    QVERIFY(!QFileInfo::exists(at("missing/box_color.png")));
     const QString roughness = at("carried/box_roughness.tif");
     QCOMPARE(decodePicture(test::readBytes(roughness), roughness)->depth, PictureDepth::Sixteen);
 }
@@ -333,6 +341,19 @@ void TestCliBake::mistakes()
     QVERIFY2(run.err.contains(message), qPrintable(run.err));
     QVERIFY(!QFileInfo::exists(at("x/low_normal.png")));
     QCOMPARE(test::readBytes(at("file.txt")), QByteArray("not a folder"));
+}
+
+//! The last of three pictures cannot be written: the first ones stay as they were.
+void TestCliBake::aFailureKeepsAllPictures()
+{
+    QVERIFY(QDir().mkpath(at("kept/low_material-id.png/full")));
+    file("kept/low_position.png", "old");
+    const test::CliRun run = runInProcess({u"bake"_s, at("low.obj"), u"-o"_s, at("kept"), u"--maps"_s,
+                                           u"position,height,material-id"_s, u"--size"_s, u"16"_s});
+    QCOMPARE(run.code, 1);
+    QVERIFY2(run.err.contains(u"low_material-id.png"_s), qPrintable(run.err));
+    QCOMPARE(test::readBytes(at("kept/low_position.png")), QByteArray("old"));
+    QCOMPARE(QDir(at("kept")).entryList(QDir::Files | QDir::Hidden), QStringList{u"low_position.png"_s});
 }
 
 void TestCliBake::aTimeLimitKeepsWhatIsFinished()

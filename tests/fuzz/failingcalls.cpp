@@ -47,7 +47,9 @@ bool isInFolder(int file)
     std::array<char, 64> link{};
     std::array<char, PATH_MAX> path{};
     std::snprintf(link.data(), link.size(), "/proc/self/fd/%d", file);
-    return readlink(link.data(), path.data(), path.size() - 1) > 0 && isInFolder(path.data());
+    // What is no file, such as a pipe, has no path: "pipe:[5]".
+    return readlink(link.data(), path.data(), path.size() - 1) > 0 && path[0] == '/' &&
+           isInFolder(path.data());
 }
 
 void log(const char *call)
