@@ -1,4 +1,5 @@
 // The command line on a part of a model (--only) and with given seams (--seams).
+#include "cli/batchscope.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "model/plain/chart.h"
@@ -87,6 +88,46 @@ private Q_SLOTS:
         QVERIFY2(made.code == 0, qPrintable(made.err));
         const Scene after = readMesh(file("packed.obj")).value();
         QCOMPARE(movedFaces(after), moved);
+    }
+
+    //! Objects that share an edge, and a level of detail in the same place with the same UVs.
+    void objectsThatTouchGetTilesOfTheirOwn()
+    {
+        QVERIFY(test::writeBytes(file("touch.obj"),
+                                 "o a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n"
+                                 "vt 0 0\nvt .5 0\nvt .5 .5\nvt 0 .5\nvt 1 0\nvt 1 .5\n"
+                                 "f 1/1 2/2 3/3 4/4\no b\nf 2/2 5/5 6/6 3/3\n"
+                                 "o lod1\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 7/1 8/5 9/6 10/4\n"));
+        const test::CliRun made =
+            test::runInProcess({u"pack"_s, file("touch.obj"), u"-o"_s, file("touched.obj"), u"--per=object"_s,
+                                u"--report"_s, file("touched.json")});
+        QVERIFY2(made.code == 0, qPrintable(made.err));
+        const Scene after = readMesh(file("touched.obj")).value();
+        const UvMatrix &uv = after.uvSets[0].uv;
+        const ChartMap charts = findCharts(*after.mesh, uv);
+        QCOMPARE(charts.count, 3);
+        QCOMPARE(islandTiles(*after.mesh, charts, uv, 1), std::vector<int>({1001, 1002, 1003}));
+        const QJsonObject report = QJsonDocument::fromJson(test::readBytes(file("touched.json"))).object();
+        QCOMPARE(report.value(u"overlap_pairs"_s).toInt(-1), 0);
+    }
+
+    //! Files of other programs may give several objects one name.
+    void equalNamesHaveNumbers()
+    {
+        Scene scene = readMesh(file("parts.obj")).value();
+        scene.objectNames = {u"lid"_s, u"lid"_s, u"roof"_s};
+        CliOptions options;
+        const auto faces = [&](const QString &name) {
+            options.only.objects = QStringList{name};
+            return batchScope(options, scene).value()->faces;
+        };
+        QCOMPARE(faces(u"lid"_s), std::vector<bool>({true, true, true, true, false, false}));
+        QCOMPARE(faces(u"lid#1"_s), std::vector<bool>({true, true, false, false, false, false}));
+        QCOMPARE(faces(u"lid#2"_s), std::vector<bool>({false, false, true, true, false, false}));
+        options.only.objects = QStringList{u"lid#3"_s};
+        const auto none = batchScope(options, scene);
+        QVERIFY(!none);
+        QVERIFY2(none.error().remedy.contains(u"lid#1, lid#2, roof"_s), qPrintable(none.error().remedy));
     }
 
     void eachGetsATile_data()

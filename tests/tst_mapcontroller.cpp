@@ -105,6 +105,15 @@ private Q_SLOTS:
         QVERIFY(studio.ends());
         QCOMPARE(studio.stack().undoText(), QStringLiteral("Unwrap"));
         const auto faces = findCharts(studio.document().mesh(), studio.document().uv()).faces();
+        Selection first;
+        first.mode = SelectionMode::Faces;
+        first.faces = QList<int>(faces[0].begin(), faces[0].end());
+        studio.document().setSelection(first);
+        studio.map.unwrap(UnwrapQuality::Draft, JobReach::SelectionFree);
+        QVERIFY(studio.ends());
+        QCOMPARE(studio.stack().undoText(), QStringLiteral("Unwrap selection"));
+        studio.stack().undo();
+        studio.document().setSelection({});
         pushCommand(std::make_unique<SetIslandFlags>(studio.document(), SetIslandFlags::Edit::Lock,
                                                      std::vector<int>{0}));
         const MeshData &mesh = studio.document().mesh();

@@ -73,6 +73,11 @@ private Q_SLOTS:
         ChartMap apart{{0, 0, 1}, 2};
         QCOMPARE(tilesOfGroups(objects, apart, 1005), std::vector<int>({1005, 1005, 1006}));
         QVERIFY(tilesOfGroups(objects, apart, 9999).empty());
+        // What is of two objects is two islands; materials divide nothing.
+        const ChartMap divided = dividedByObjects(whole, objects);
+        QCOMPARE(divided.count, 2);
+        QCOMPARE(tilesOfGroups(objects, divided, 1001), std::vector<int>({1001, 1001, 1002}));
+        QCOMPARE(dividedByObjects(whole, sceneGroups(scene, SceneKind::Materials)).count, 1);
     }
 
     void coloursComeFromTheFile()

@@ -1670,18 +1670,6 @@
 <context>
     <name>CarriedTextures</name>
     <message>
-        <source>the folder for the pictures cannot be written</source>
-        <translation>in den Ordner für die Bilder kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>Check its permissions or choose another one</source>
-        <translation>Seine Rechte prüfen oder einen anderen wählen</translation>
-    </message>
-    <message>
-        <source>the picture cannot be put in its place: %1</source>
-        <translation>das Bild kann nicht an seinen Platz gebracht werden: %1</translation>
-    </message>
-    <message>
         <source>Choose another folder or another ending of the names</source>
         <translation>Einen anderen Ordner oder eine andere Endung der Namen wählen</translation>
     </message>
@@ -1945,6 +1933,22 @@
     <message>
         <source>Give it a name of its own</source>
         <translation>Geben Sie ihr einen eigenen Namen</translation>
+    </message>
+    <message>
+        <source>cancelled: no picture was written</source>
+        <translation>abgebrochen: es wurde kein Bild geschrieben</translation>
+    </message>
+    <message>
+        <source>the file is write-protected</source>
+        <translation>die Datei ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>Check its permissions, or choose another file name</source>
+        <translation>Prüfen Sie ihre Rechte, oder wählen Sie einen anderen Dateinamen</translation>
+    </message>
+    <message>
+        <source>; these files are replaced already: %1</source>
+        <translation>; diese Dateien sind schon ersetzt: %1</translation>
     </message>
 </context>
 <context>
@@ -3258,6 +3262,14 @@
     <message>
         <source>Change cuts of alike parts</source>
         <translation>Schnitte gleicher Teile ändern</translation>
+    </message>
+    <message>
+        <source>Unwrap selection</source>
+        <translation>Auswahl abwickeln</translation>
+    </message>
+    <message>
+        <source>Finish selection</source>
+        <translation>Auswahl fertigstellen</translation>
     </message>
 </context>
 <context>

@@ -132,11 +132,37 @@ def steer(rng, session, faces):
     return session_of(blocks)
 
 
+def mutated(rng, value):
+    """A tree with one of its values exchanged, left out, doubled or put deeper."""
+    inside = isinstance(value, (list, dict)) and value and rng.random() < 0.85
+    if inside and isinstance(value, list):
+        i = rng.randrange(len(value))
+        return value[:i] + rng.choice([[], [value[i]] * 2, [mutated(rng, value[i])], [mutated(rng, value[i])]]) + value[i + 1:]
+    if inside:
+        key = rng.choice(sorted(value, key=str))
+        changed = {**value, key: mutated(rng, value[key])}
+        if rng.random() < 0.15:
+            del changed[key]
+        return changed
+    return rng.choice([None, True, 0, -1, 1 << 31, (1 << 63) - 1, -(1 << 63), float("nan"), float("inf"), 1e300, "", "\0",
+                       "x" * 10_000, b"", b"\xff" * 7, [], {}, [[[value]]], {"": value}])
+
+
 def damage(rng, session):
-    """Changes bytes inside a block and makes its checksum right again, so that the readers behind it are reached."""
+    """Changes the tree or the bytes inside a block and makes its checksum right again, so that the readers behind it
+    are reached."""
     blocks = blocks_of(session)
     names = [n for n, c in blocks.items() if isinstance(c, bytes) and c]
     name = rng.choice(names)
+    try:
+        tree, end = decode(blocks[name])
+    except (KeyError, ValueError, IndexError, struct.error, RecursionError, TypeError):
+        tree, end = None, -1
+    if end == len(blocks[name]) and rng.random() < 0.7:
+        for _ in range(rng.choice([1, 1, 3])):
+            tree = mutated(rng, tree)
+        blocks[name] = encode(tree)
+        return session_of(blocks)
     content = bytearray(blocks[name])
     for _ in range(rng.choice([1, 1, 3, 10])):
         i = rng.randrange(len(content))

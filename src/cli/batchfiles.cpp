@@ -23,7 +23,7 @@ namespace {
 
 constexpr int thumbnailSize = 256;
 
-UvEdit editOf(CliOptions::Command command)
+UvEdit editOf(CliOptions::Command command, bool onlyPart)
 {
     switch (command) {
     case CliOptions::Command::Pack:
@@ -31,11 +31,11 @@ UvEdit editOf(CliOptions::Command command)
     case CliOptions::Command::Separate:
         return UvEdit::Separate;
     case CliOptions::Command::Finish:
-        return UvEdit::Finish;
+        return onlyPart ? UvEdit::FinishSelection : UvEdit::Finish;
     case CliOptions::Command::Transfer:
         return UvEdit::Transfer;
     default:
-        return UvEdit::Unwrap;
+        return onlyPart ? UvEdit::UnwrapSelection : UvEdit::Unwrap;
     }
 }
 
@@ -280,7 +280,8 @@ Result<Done> BatchFiles::writeSession(const Scene &scene, const CliOptions &opti
         mRecorder = std::make_unique<JournalRecorder>(*mDocument);
     }
     if (!scene.uvSets.empty())
-        pushCommand(newMapCommand(*mDocument, editOf(options.command), scene.uvSets.front().uv));
+        pushCommand(newMapCommand(*mDocument, editOf(options.command, !options.only.isEmpty()),
+                                  scene.uvSets.front().uv));
     ProjectExtras extras;
     extras.journal = mRecorder->journal();
     LayoutOptions layout;

@@ -11,6 +11,18 @@ namespace {
 
 using namespace Qt::Literals::StringLiterals;
 
+//! The names, those that several have with the number of each behind it: "lid#1", "lid#2".
+std::vector<QString> numbered(const std::vector<QString> &names)
+{
+    std::map<QString, int> count, next;
+    for (const QString &name : names)
+        ++count[name];
+    std::vector<QString> result;
+    for (const QString &name : names)
+        result.push_back(count[name] > 1 ? u"%1#%2"_s.arg(name).arg(++next[name]) : name);
+    return result;
+}
+
 //! The names that exist, as an error message lists them.
 QString listed(const std::vector<QString> &names)
 {
@@ -33,21 +45,23 @@ public:
         : mScene(scene), mFaces(static_cast<std::size_t>(scene.mesh->faceCount()), false)
     {}
 
-    //! \param kind "object" or "material" \param numbers per face, indices into names
+    //! \param kind "object" or "material" \param wanted a name that several have means all of them, one with
+    //! a number as of numbered() only that one \param numbers per face, indices into names
     std::optional<Error> addNamed(const QString &kind, const QStringList &wanted,
                                   const std::vector<QString> &names, const std::vector<int> &numbers)
     {
+        const std::vector<QString> own = numbered(names);
         for (const QString &name : wanted) {
-            if (std::find(names.begin(), names.end(), name) == names.end()) {
-                const QString known = listed(names);
+            if (std::ranges::find(names, name) == names.end() && std::ranges::find(own, name) == own.end()) {
+                const QString known = listed(own);
                 return problem(u"there is no %1 \"%2\""_s.arg(kind, name),
                                known.isEmpty() ? u"The file names no %1s"_s.arg(kind)
                                                : u"The file has the %1s: %2"_s.arg(kind, known));
             }
         }
         std::vector<bool> chosen;
-        for (const QString &name : names)
-            chosen.push_back(wanted.contains(name));
+        for (std::size_t i = 0; i < names.size(); ++i)
+            chosen.push_back(wanted.contains(names[i]) || wanted.contains(own[i]));
         add(numbers, chosen);
         return {};
     }

@@ -66,7 +66,8 @@ std::vector<CliOption> scopeOptions()
          u"PART"_s,
          u"change only a part of the model, the rest keeps its UVs, and check measures only that: "
          u"islands:3,5 (numbered as in the studio's "
-         "island panel: from 1, in the order of their first faces), objects:NAME,.. or materials:NAME,..; "
+         "island panel: from 1, in the order of their first faces), objects:NAME,.. or materials:NAME,.. "
+         "(NAME#2: the second of that name); "
          "given several times, the parts add up"_s,
          {},
          readOnly},

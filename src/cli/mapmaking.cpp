@@ -106,6 +106,7 @@ Result<Done> MapMaking::packIslands(const Snapshot &snapshot, Scene &scene, Made
     if (mOptions.density > 0 || mOptions.fillTiles)
         return distribute(charts, pack.value(), scene, made);
     if (mOptions.per) {
+        charts = dividedByObjects(std::move(charts), sceneGroups(scene, *mOptions.per));
         Result<std::vector<int>> tiles = batchTiles(mOptions, scene, charts);
         if (!tiles)
             return tiles.error();

@@ -109,6 +109,10 @@ QString SetUvs::label() const
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Solve"));
     case UvEdit::Unwrap:
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Unwrap"));
+    case UvEdit::UnwrapSelection:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Unwrap selection"));
+    case UvEdit::FinishSelection:
+        return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Finish selection"));
     case UvEdit::Finish:
         return plainText(QT_TRANSLATE_NOOP("Undo Commands", "Finish map"));
     case UvEdit::Separate:
@@ -155,7 +159,7 @@ void SetUvs::writePayload(QCborMap &map) const
 
 Result<std::unique_ptr<DocumentCommand>> SetUvs::fromCbor(Document &document, CborReader &reader)
 {
-    const UvEdit edit = reader.enumerator("edit"_L1, UvEdit::Transfer);
+    const UvEdit edit = reader.enumerator("edit"_L1, UvEdit::FinishSelection);
     const int uvSet = static_cast<int>(reader.integer("uvSet"_L1, 0, std::numeric_limits<int>::max()));
     UvEditExtras extras;
     extras.count = static_cast<int>(reader.integer("count"_L1, 0, std::numeric_limits<int>::max()));

@@ -33,7 +33,9 @@ enum class UvEdit {
     BrushPinch,
     BrushGrab,
     AlignToAxes,
-    Transfer
+    Transfer,
+    UnwrapSelection,
+    FinishSelection
 };
 
 //! Changes that an edit of UVs makes besides the UVs.

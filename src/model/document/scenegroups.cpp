@@ -20,6 +20,7 @@ std::vector<SceneGroup> sceneGroups(const Scene &scene, SceneKind kind)
         groups[named ? static_cast<std::size_t>(number) : names.size()].faces.append(face);
     }
     for (std::size_t i = 0; i < groups.size(); ++i) {
+        groups[i].kind = kind;
         groups[i].number = i < names.size() ? static_cast<int>(i) : -1;
         groups[i].name = i < names.size() ? names[i] : QString();
     }
@@ -35,6 +36,21 @@ std::vector<int> groupOfFaces(const std::vector<SceneGroup> &groups, int faceCou
             groupOf[static_cast<std::size_t>(face)] = static_cast<int>(g);
     }
     return groupOf;
+}
+
+ChartMap dividedByObjects(ChartMap charts, const std::vector<SceneGroup> &groups)
+{
+    if (groups.empty() || groups.front().kind != SceneKind::Objects)
+        return charts;
+    const std::vector<int> groupOf = groupOfFaces(groups, static_cast<int>(charts.faceChart.size()));
+    std::map<std::pair<int, int>, int> parts; // chart and object
+    for (std::size_t f = 0; f < groupOf.size(); ++f) {
+        int &chart = charts.faceChart[f];
+        if (chart >= 0)
+            chart = parts.try_emplace({chart, groupOf[f]}, static_cast<int>(parts.size())).first->second;
+    }
+    charts.count = static_cast<int>(parts.size());
+    return charts;
 }
 
 std::vector<int> tilesOfGroups(const std::vector<SceneGroup> &groups, const ChartMap &charts, int first)

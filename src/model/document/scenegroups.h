@@ -14,6 +14,7 @@ enum class SceneKind { Objects, Materials };
 //! One object or material.
 struct SceneGroup
 {
+    SceneKind kind = SceneKind::Objects;
     int number = 0;   //!< index of its name in the scene; -1: the faces without a material
     QString name;     //!< as in the file; may be empty, and shared by several objects
     QList<int> faces; //!< strictly ascending, not empty
@@ -25,6 +26,10 @@ std::vector<SceneGroup> sceneGroups(const Scene &scene, SceneKind kind);
 
 //! The group of each face, as an index into groups. \param groups of sceneGroups()
 std::vector<int> groupOfFaces(const std::vector<SceneGroup> &groups, int faceCount);
+
+//! The charts, those of several objects divided: objects that touch, or lie on each other as levels of detail
+//! do, may share UVs and vertices, but are apart. \param groups nothing is divided where they are materials
+ChartMap dividedByObjects(ChartMap charts, const std::vector<SceneGroup> &groups);
 
 //! A UDIM tile for each group, one after the other. An island of several groups belongs to the one that most
 //! of its faces have.

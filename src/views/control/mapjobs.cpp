@@ -179,7 +179,7 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
     const unwrap::UnwrapResult made =
         unwrap::unwrapMesh(input.snapshot, options, contextOf(control, options.maxDistortion));
     MapJobResult result;
-    result.edit = UvEdit::Unwrap;
+    result.edit = input.snapshot.scope ? UvEdit::UnwrapSelection : UvEdit::Unwrap;
     if (made.nothingFree) {
         result.problem = nothingFree();
         return result;
@@ -222,7 +222,7 @@ MapJobResult finishJob(const MapInput &input, JobControl &control)
     finish.packing = packing::tileOptions(input.packing);
     const unwrap::FinishResult made = unwrap::finishMap(finish, contextOf(control, finish.maxDistortion));
     MapJobResult result;
-    result.edit = UvEdit::Finish;
+    result.edit = input.snapshot.scope ? UvEdit::FinishSelection : UvEdit::Finish;
     if (made.nothingFree) {
         result.problem = nothingFree();
         return result;
@@ -307,7 +307,7 @@ MapJobResult distribute(const MapInput &input, const ChartMap &charts, const unw
 MapJobResult packJob(const MapInput &input, const PackTarget &target, JobControl &control)
 {
     const MeshData &mesh = input.mesh();
-    const ChartMap charts = findCharts(mesh, input.uv);
+    const ChartMap charts = dividedByObjects(findCharts(mesh, input.uv), target.groups);
     unwrap::PackJob pack = unwrap::steeredPackJob(input.snapshot, packing::tileOptions(input.packing));
     pack.movable.assign(mesh.faceCount(), target.all);
     for (int face : target.faces.isEmpty() ? input.selectedFaces : target.faces)
