@@ -1,5 +1,6 @@
 // The program itself: exit codes, streams, signals, and everything that can be wrong with its files.
 #include "model/io/meshfile.h"
+#include "model/io/sessionlock.h"
 #include "model/samples/samples.h"
 #include "solver/metrics/uvmetrics.h"
 #include "support/cliruns.h"
@@ -369,6 +370,22 @@ private Q_SLOTS:
             QVERIFY2(r.err.contains(QLatin1String("not valid UTF-8")), qPrintable(r.err));
         }
         QCOMPARE(filesIn(mFolder.path()), before);
+    }
+
+    void aSessionThatIsOpenElsewhereIsSaid()
+    {
+        const QString session = at("open.acproj");
+        QCOMPARE(test::runProgram(program(), draft(file("open.obj", test::quadCubeObj()), session)).code, 0);
+        const QStringList pack{QStringLiteral("pack"), session, QStringLiteral("-o"), session};
+        {
+            const SessionLock lock(session);
+            const test::CliRun r = test::runProgram(program(), pack);
+            QCOMPARE(r.code, 0);
+            QVERIFY2(r.err.contains(QLatin1String("the session is open in")), qPrintable(r.err));
+        }
+        const test::CliRun r = test::runProgram(program(), pack);
+        QCOMPARE(r.code, 0);
+        QVERIFY2(!r.err.contains(QLatin1String("is open in")), qPrintable(r.err));
     }
 
     //! With too little memory for the threads of OpenBLAS the program did not end.

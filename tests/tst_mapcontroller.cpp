@@ -1,6 +1,7 @@
 // Jobs on whole maps: results come back as commands, edits meanwhile win, cancel keeps what there is.
 #include "commands/editpins.h"
 #include "commands/editrectangles.h"
+#include "commands/hidefaces.h"
 #include "commands/setislandflags.h"
 #include "commands/setseamstate.h"
 #include "commands/setuvs.h"
@@ -97,6 +98,55 @@ class TestMapController : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    //! Hidden faces are mapped again only if the user says so; that is asked once.
+    void hiddenFacesAreAskedAbout()
+    {
+        Studio studio("machine");
+        studio.map.unwrap(UnwrapQuality::Draft);
+        QVERIFY(studio.ends());
+        const MeshData &mesh = studio.document().mesh();
+        const auto islands = findCharts(mesh, studio.document().uv()).faces();
+        const QList<int> hidden(islands[0].begin(), islands[0].end());
+        std::optional<JobReach> answer;
+        int asked = 0;
+        studio.map.setHiddenQuestion([&](qsizetype count) {
+            ++asked;
+            return count == hidden.size() ? answer : std::nullopt;
+        });
+        const auto hiddenChanged = [&](const UvMatrix &before) {
+            return std::any_of(hidden.begin(), hidden.end(), [&](int face) {
+                const int first = mesh.faceStart[face], count = mesh.faceStart[face + 1] - first;
+                return !sameBits(before.middleRows(first, count),
+                                 studio.document().uv().middleRows(first, count));
+            });
+        };
+        QVERIFY(pushCommand(std::make_unique<HideFaces>(studio.document(), hidden)));
+        const UvMatrix before = studio.document().uv();
+        studio.map.unwrap(UnwrapQuality::Draft); // not wanted
+        QVERIFY(!studio.map.jobs().isBusy());
+        QCOMPARE(asked, 1);
+        answer = JobReach::Shown;
+        for (int time = 0; time < 2; ++time) {
+            studio.done.clear();
+            studio.map.unwrap(UnwrapQuality::Draft);
+            QVERIFY(studio.ends());
+            QCOMPARE(asked, 2);
+            QVERIFY(!hiddenChanged(before));
+        }
+        QVERIFY(
+            studio.done.last().at(0).toString().contains(QLatin1String("Hidden faces stay as they were")));
+        QCOMPARE(studio.stack().undoText(), QStringLiteral("Unwrap"));
+        // Once all is shown, the answer is forgotten.
+        QVERIFY(pushCommand(std::make_unique<HideFaces>(studio.document(), QList<int>())));
+        studio.map.unwrap(UnwrapQuality::Draft);
+        QVERIFY(studio.ends());
+        QVERIFY(pushCommand(std::make_unique<HideFaces>(studio.document(), hidden)));
+        answer = JobReach::All;
+        studio.map.finish();
+        QVERIFY(studio.ends());
+        QCOMPARE(asked, 3);
+    }
+
     //! Every job, one after the other, on a map in which one island is locked and another has a hard pin.
     void handWorkStaysThroughAllJobs()
     {

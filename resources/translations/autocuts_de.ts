@@ -5822,6 +5822,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>%1. The mesh is not symmetric: nor are the cuts</source>
         <translation>%1. Das Modell ist nicht symmetrisch, die Schnitte daher auch nicht</translation>
     </message>
+    <message>
+        <source>%1. Hidden faces stay as they were</source>
+        <translation>%1. Ausgeblendete Flächen bleiben, wie sie waren</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::MeshView</name>
@@ -6616,6 +6620,29 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>&amp;Reload</source>
         <translation>&amp;Neu laden</translation>
+    </message>
+    <message>
+        <source>Hidden faces</source>
+        <translation>Ausgeblendete Flächen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces are hidden. Is the map of those to change too?</source>
+        <translation>
+            <numerusform>Eine Fläche ist ausgeblendet. Soll sich auch ihre Abwicklung ändern?</numerusform>
+            <numerusform>%n Flächen sind ausgeblendet. Soll sich auch deren Abwicklung ändern?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The answer holds until all faces are shown again.</source>
+        <translation>Die Antwort gilt, bis alle Flächen wieder eingeblendet sind.</translation>
+    </message>
+    <message>
+        <source>&amp;Only what is shown</source>
+        <translation>&amp;Nur was zu sehen ist</translation>
+    </message>
+    <message>
+        <source>&amp;All faces</source>
+        <translation>&amp;Alle Flächen</translation>
     </message>
 </context>
 <context>

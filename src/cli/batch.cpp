@@ -12,6 +12,7 @@
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "model/io/savefile.h"
+#include "model/io/sessionlock.h"
 #include "model/samples/samples.h"
 
 #include <QCoreApplication>
@@ -142,6 +143,13 @@ private:
 
     Result<Done> writeOutput(const Scene &scene)
     {
+        if (isProjectPath(mOptions.output)) {
+            const QString holder = SessionLock(mOptions.output).holder();
+            if (!holder.isEmpty())
+                sayWarnings(
+                    {QStringLiteral("the session is open in %1, which asks before it replaces this one")
+                         .arg(holder)});
+        }
         const qsizetype before = mFiles.warnings().size();
         Result<Done> written = mFiles.write(scene, mOptions);
         sayWarnings(mFiles.warnings().mid(before));

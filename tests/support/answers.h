@@ -19,7 +19,8 @@ public:
     std::function<int(QDialog &)> onDialog;     //!< not set: every dialog is cancelled
     QStringList errors, confirmations, folders; //!< what was shown, asked and opened
     bool confirms = true;
-    int unsavedAsked = 0, changedAsked = 0;
+    int unsavedAsked = 0, changedAsked = 0, hiddenAsked = 0;
+    Hidden hidden = Hidden::OnlyShown;
     Changed changed = Changed::Cancel;
 
     Unsaved askUnsaved(const QString &) override
@@ -31,6 +32,11 @@ public:
     {
         ++changedAsked;
         return changed;
+    }
+    Hidden askHidden(qsizetype) override
+    {
+        ++hiddenAsked;
+        return hidden;
     }
     bool confirm(const QString &question, const QString &, const QString &) override
     {

@@ -155,7 +155,7 @@ Result<Done> FileSet::add(const QString &path, QByteArrayView bytes)
     if (!mFiles.empty())
         allowManyFiles();
     const QFileInfo target(withoutLinks(path));
-    auto file = std::make_unique<QTemporaryFile>(target.absoluteDir().filePath(u".autocuts-XXXXXX"_s));
+    auto file = std::make_unique<QTemporaryFile>(target.absoluteFilePath() + u".XXXXXX"_s);
     errno = 0;
     if (!file->open())
         return writeError(path, *file, errno);

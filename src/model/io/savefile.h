@@ -15,7 +15,8 @@ namespace autocuts {
 //! Files that belong together, such as the pictures of a bake. Each is written to a temporary file beside its
 //! target; then all of them replace their targets. After an error, and when the set is deleted before that,
 //! all targets are as they were and no temporary file is left. Where the file system has files without a name
-//! (most of Linux), a killed program leaves none either.
+//! (most of Linux), a killed program leaves none either, unless it is killed while the targets are replaced:
+//! then NAME.XXXXXX and, of old files, NAME.XXXXXX.old.
 class FileSet
 {
 public:

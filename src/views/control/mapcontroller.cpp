@@ -74,8 +74,19 @@ MapInput limited(MapInput input, JobReach reach, const QList<int> &faces)
 {
     if (reach == JobReach::All)
         return input;
-    input.snapshot.scope = scopeOf(input.mesh(), faces, reach == JobReach::SelectionAttached);
+    input.snapshot.scope = scopeOf(input.mesh(), faces, reach != JobReach::SelectionFree);
     return input;
+}
+
+//! Says that hidden faces were left alone.
+MapJobResult ofReach(MapJobResult result, JobReach reach)
+{
+    if (reach != JobReach::Shown)
+        return result;
+    result.edit = result.edit == UvEdit::UnwrapSelection ? UvEdit::Unwrap : UvEdit::Finish;
+    if (!result.message.isEmpty())
+        result.message = MapController::tr("%1. Hidden faces stay as they were").arg(result.message);
+    return result;
 }
 
 } // namespace
@@ -100,6 +111,7 @@ MapController::MapController(Workspace &workspace, SolverController &solver, Sho
     connect(&workspace, &Workspace::documentReplaced, this, [this] {
         mAgain = nullptr;
         mThen = nullptr;
+        mReachOfHidden.reset();
         mJobs.abandon();
         mMeasuring.abandon();
         mFigures.reset();
@@ -236,17 +248,53 @@ bool MapController::pushTextures(const MapJobResult &result)
     return true;
 }
 
-void MapController::unwrap(unwrap::UnwrapQuality quality, JobReach reach)
+//! The reach of a job, after a question where that is everything and faces are hidden. Nothing when the job
+//! is not wanted.
+std::optional<JobReach> MapController::asked(JobReach reach)
 {
-    if (mWorkspace.document() && !mJobs.isBusy())
-        beginUnwrap(quality, reach, mWorkspace.document()->selection().faces);
+    const Document *document = mWorkspace.document();
+    if (!document || mJobs.isBusy())
+        return std::nullopt;
+    const qsizetype hidden = document->state().hiddenFaces.size();
+    if (reach != JobReach::All || hidden == 0 || hidden == document->mesh().faceCount()) {
+        if (hidden == 0)
+            mReachOfHidden.reset();
+        return reach;
+    }
+    if (!mAskHidden)
+        return reach;
+    if (!mReachOfHidden)
+        mReachOfHidden = mAskHidden(hidden);
+    return mWorkspace.document() == document ? mReachOfHidden : std::nullopt; // while the question was open
+}
+
+//! The faces that a job may change; none where that is everything.
+QList<int> MapController::facesOf(JobReach reach) const
+{
+    const Document &document = *mWorkspace.document();
+    if (reach == JobReach::SelectionAttached || reach == JobReach::SelectionFree)
+        return document.selection().faces;
+    QList<int> shown;
+    if (reach == JobReach::Shown) {
+        for (int face = 0; face < document.mesh().faceCount(); ++face) {
+            if (!document.hidden()[face])
+                shown << face;
+        }
+    }
+    return shown;
+}
+
+void MapController::unwrap(unwrap::UnwrapQuality quality, JobReach wanted)
+{
+    if (const std::optional<JobReach> reach = asked(wanted))
+        beginUnwrap(quality, *reach, facesOf(*reach));
 }
 
 //! \param faces what it may change, unless that is everything
 void MapController::beginUnwrap(unwrap::UnwrapQuality quality, JobReach reach, const QList<int> &faces)
 {
     startJob(tr("Unwrapping"), [=, better = mPreview.begin()](const MapInput &input, JobControl &control) {
-        return unwrapJob(limited(input, reach, faces), quality, better, control);
+        return ofReach(unwrapJob(limited(input, reach, faces), quality, better, control), reach);
     });
     mAgain = [this, quality, reach, faces] { beginUnwrap(quality, reach, faces); };
 }
@@ -273,11 +321,15 @@ void MapController::cancel()
     mJobs.cancel();
 }
 
-void MapController::finish(JobReach reach)
+void MapController::finish(JobReach wanted)
 {
-    startJob(tr("Finishing"), [=](const MapInput &input, JobControl &control) {
-        return finishJob(limited(input, reach, input.selectedFaces), control);
-    });
+    const std::optional<JobReach> reach = asked(wanted);
+    if (!reach)
+        return;
+    startJob(tr("Finishing"),
+             [reach = *reach, faces = facesOf(*reach)](const MapInput &input, JobControl &control) {
+                 return ofReach(finishJob(limited(input, reach, faces), control), reach);
+             });
 }
 
 void MapController::pack(PackScope scope)

@@ -46,8 +46,9 @@ struct MapFigures
 
 //! Which islands are packed. The others keep their places and are obstacles.
 enum class PackScope { All, Selection };
-//! Which faces a job may change. The selection stays continuous with the rest of its islands, or is cut free.
-enum class JobReach { All, SelectionAttached, SelectionFree };
+//! Which faces a job may change. What is shown, and the selection, stays continuous with the rest of its
+//! islands, or is cut free.
+enum class JobReach { All, Shown, SelectionAttached, SelectionFree };
 
 //! Starts jobs on copies of the document and pushes each result as one command. A running live solve is
 //! paused first. When the map was edited meanwhile, the result is discarded and the user is told. Unwrapping
@@ -77,6 +78,12 @@ public:
     //! before. \param shown receives pictures of tiles, from coarse to fine, on another thread
     void bakeLight(const autocuts::LightChoice &choice,
                    const std::function<void(int tile, const QImage &picture)> &shown);
+
+    //! Asked before a job that would change all faces while some are hidden; once for each model, until all
+    //! faces are shown again. Without it such a job changes all faces. \param ask returns All, Shown, or
+    //! nothing when the job is not wanted
+    using HiddenQuestion = std::function<std::optional<JobReach>(qsizetype hiddenFaces)>;
+    void setHiddenQuestion(HiddenQuestion ask) { mAskHidden = std::move(ask); }
 
 public Q_SLOTS:
     //! Unwraps automatically, as the command line does (solver/unwrap/unwrap.h).
@@ -143,6 +150,8 @@ Q_SIGNALS:
 
 private:
     MapInput input() const;
+    std::optional<JobReach> asked(JobReach reach);
+    QList<int> facesOf(JobReach reach) const;
     void startJob(const QString &title, std::function<MapJobResult(const MapInput &, JobControl &)> work);
     void beginUnwrap(unwrap::UnwrapQuality quality, JobReach reach, const QList<int> &faces);
     void takeUpEdits();
@@ -162,7 +171,9 @@ private:
     std::function<void()> mAgain; //!< begins the job again; null: it does not take up edits
     QTimer mAgainSoon;            //!< one new beginning for all edits of a gesture
     bool mBeginsAgain = false;
-    std::function<void()> mThen; //!< what follows when the job has made its map
+    HiddenQuestion mAskHidden;
+    std::optional<JobReach> mReachOfHidden; //!< what was answered
+    std::function<void()> mThen;            //!< what follows when the job has made its map
     JobRunner mMeasuring;
     QTimer mMeasureSoon;
     std::optional<MapFigures> mFigures;

@@ -86,6 +86,17 @@ MainWindow::MainWindow(Preferences &preferences, const QString &recoveryFolder,
     connect(&mWorkspace, &Workspace::historyChanged, this, &MainWindow::showTitle);
     connect(&mFiles, &FileController::opened, this, &MainWindow::showOpened);
     mFiles.setThumbnailSource([this] { return thumbnail(); });
+    mMap.setHiddenQuestion([this](qsizetype hidden) -> std::optional<JobReach> {
+        switch (mQuestions->askHidden(hidden)) {
+        case Questions::Hidden::OnlyShown:
+            return JobReach::Shown;
+        case Questions::Hidden::All:
+            return JobReach::All;
+        case Questions::Hidden::Cancel:
+            break;
+        }
+        return std::nullopt;
+    });
     mFiles.setViewStateSource([this] { return viewStateBytes(); });
     showTitle();
     restoreLayout();

@@ -63,6 +63,23 @@ Questions::Changed Questions::askChanged(const QString &name)
     return box.clickedButton() == reload ? Changed::Reload : Changed::Cancel;
 }
 
+Questions::Hidden Questions::askHidden(qsizetype hidden)
+{
+    QMessageBox box(
+        QMessageBox::Question, tr("Hidden faces"),
+        tr("%n faces are hidden. Is the map of those to change too?", nullptr, static_cast<int>(hidden)),
+        QMessageBox::NoButton, mWindow);
+    box.setInformativeText(tr("The answer holds until all faces are shown again."));
+    QPushButton *const shown = box.addButton(tr("&Only what is shown"), QMessageBox::AcceptRole);
+    const auto *all = box.addButton(tr("&All faces"), QMessageBox::DestructiveRole);
+    box.setEscapeButton(box.addButton(QMessageBox::Cancel));
+    box.setDefaultButton(shown);
+    run(box);
+    if (box.clickedButton() == shown)
+        return Hidden::OnlyShown;
+    return box.clickedButton() == all ? Hidden::All : Hidden::Cancel;
+}
+
 bool Questions::confirm(const QString &question, const QString &detail, const QString &action)
 {
     QMessageBox box(QMessageBox::Question, QGuiApplication::applicationDisplayName(), question,

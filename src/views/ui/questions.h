@@ -20,6 +20,7 @@ class Questions
 
 public:
     enum class Unsaved { Save, Discard, Cancel };
+    enum class Hidden { OnlyShown, All, Cancel };
     enum class Changed { Overwrite, SaveAs, Reload, Cancel };
 
     explicit Questions(QWidget *window = nullptr) : mWindow(window) {}
@@ -33,6 +34,8 @@ public:
     virtual Unsaved askUnsaved(const QString &name);
     //! Asks what to do when another program has changed the file of the session. \param name of the file
     virtual Changed askChanged(const QString &name);
+    //! Asks what a job is to change that would change all faces. \param hidden how many faces are hidden
+    virtual Hidden askHidden(qsizetype hidden);
     //! \returns true for the button with the text `action`, false for Cancel
     virtual bool confirm(const QString &question, const QString &detail, const QString &action);
     //! \param filters as for QFileDialog
