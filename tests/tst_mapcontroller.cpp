@@ -24,6 +24,7 @@
 
 #include <array>
 #include <cstring>
+#include <numeric>
 
 using namespace autocuts;
 using namespace autocuts::metrics;
@@ -101,12 +102,12 @@ private Q_SLOTS:
     //! Hidden faces are mapped again only if the user says so; that is asked once.
     void hiddenFacesAreAskedAbout()
     {
-        Studio studio("machine");
+        Studio studio;
         studio.map.unwrap(UnwrapQuality::Draft);
         QVERIFY(studio.ends());
         const MeshData &mesh = studio.document().mesh();
-        const auto islands = findCharts(mesh, studio.document().uv()).faces();
-        const QList<int> hidden(islands[0].begin(), islands[0].end());
+        QList<int> hidden(mesh.faceCount() / 4);
+        std::iota(hidden.begin(), hidden.end(), 0);
         std::optional<JobReach> answer;
         int asked = 0;
         studio.map.setHiddenQuestion([&](qsizetype count) {
@@ -126,24 +127,27 @@ private Q_SLOTS:
         QVERIFY(!studio.map.jobs().isBusy());
         QCOMPARE(asked, 1);
         answer = JobReach::Shown;
-        for (int time = 0; time < 2; ++time) {
-            studio.done.clear();
-            studio.map.unwrap(UnwrapQuality::Draft);
-            QVERIFY(studio.ends());
-            QCOMPARE(asked, 2);
-            QVERIFY(!hiddenChanged(before));
-        }
+        studio.done.clear();
+        studio.map.unwrap(UnwrapQuality::Draft);
+        QVERIFY(studio.ends());
+        QVERIFY(!hiddenChanged(before));
         QVERIFY(
             studio.done.last().at(0).toString().contains(QLatin1String("Hidden faces stay as they were")));
         QCOMPARE(studio.stack().undoText(), QStringLiteral("Unwrap"));
+        studio.map.unwrap(UnwrapQuality::Draft);
+        studio.map.cancel();
+        QVERIFY(studio.ends());
+        QCOMPARE(asked, 2);
+        QVERIFY(!hiddenChanged(before));
         // Once all is shown, the answer is forgotten.
         QVERIFY(pushCommand(std::make_unique<HideFaces>(studio.document(), QList<int>())));
         studio.map.unwrap(UnwrapQuality::Draft);
+        studio.map.cancel();
         QVERIFY(studio.ends());
         QVERIFY(pushCommand(std::make_unique<HideFaces>(studio.document(), hidden)));
         answer = JobReach::All;
         studio.map.finish();
-        QVERIFY(studio.ends());
+        studio.map.cancel();
         QCOMPARE(asked, 3);
     }
 

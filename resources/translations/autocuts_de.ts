@@ -6628,7 +6628,7 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message numerus="yes">
         <source>%n faces are hidden. Is the map of those to change too?</source>
         <translation>
-            <numerusform>Eine Fläche ist ausgeblendet. Soll sich auch ihre Abwicklung ändern?</numerusform>
+            <numerusform>%n Fläche ist ausgeblendet. Soll sich auch ihre Abwicklung ändern?</numerusform>
             <numerusform>%n Flächen sind ausgeblendet. Soll sich auch deren Abwicklung ändern?</numerusform>
         </translation>
     </message>
