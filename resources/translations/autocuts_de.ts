@@ -6625,12 +6625,9 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Hidden faces</source>
         <translation>Ausgeblendete Flächen</translation>
     </message>
-    <message numerus="yes">
-        <source>%n faces are hidden. Is the map of those to change too?</source>
-        <translation>
-            <numerusform>%n Fläche ist ausgeblendet. Soll sich auch ihre Abwicklung ändern?</numerusform>
-            <numerusform>%n Flächen sind ausgeblendet. Soll sich auch deren Abwicklung ändern?</numerusform>
-        </translation>
+    <message>
+        <source>Hidden faces: %1. Is their map to change too?</source>
+        <translation>Ausgeblendete Flächen: %1. Soll sich auch deren Abwicklung ändern?</translation>
     </message>
     <message>
         <source>The answer holds until all faces are shown again.</source>

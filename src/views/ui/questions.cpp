@@ -65,10 +65,9 @@ Questions::Changed Questions::askChanged(const QString &name)
 
 Questions::Hidden Questions::askHidden(qsizetype hidden)
 {
-    QMessageBox box(
-        QMessageBox::Question, tr("Hidden faces"),
-        tr("%n faces are hidden. Is the map of those to change too?", nullptr, static_cast<int>(hidden)),
-        QMessageBox::NoButton, mWindow);
+    QMessageBox box(QMessageBox::Question, tr("Hidden faces"),
+                    tr("Hidden faces: %1. Is their map to change too?").arg(hidden), QMessageBox::NoButton,
+                    mWindow);
     box.setInformativeText(tr("The answer holds until all faces are shown again."));
     QPushButton *const shown = box.addButton(tr("&Only what is shown"), QMessageBox::AcceptRole);
     const auto *all = box.addButton(tr("&All faces"), QMessageBox::DestructiveRole);
