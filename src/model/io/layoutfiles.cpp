@@ -44,7 +44,7 @@ Result<Done> writeLayoutPictures(const std::vector<LayoutPicture> &pictures, con
             svg ? layoutSvg(mesh, ofTile, options) : layoutPng(mesh, ofTile, options);
         if (!bytes)
             return bytes.error();
-        if (const Result<Done> added = files.add(picture.path, bytes.value()); !added)
+        if (Result<Done> added = files.add(picture.path, bytes.value()); !added)
             return added;
     }
     return files.putInPlace();

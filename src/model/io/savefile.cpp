@@ -150,7 +150,7 @@ FileSet::~FileSet() = default;
 
 Result<Done> FileSet::add(const QString &path, QByteArrayView bytes)
 {
-    if (const Result<Done> fine = checkTarget(path); !fine)
+    if (Result<Done> fine = checkTarget(path); !fine)
         return fine;
     if (!mFiles.empty())
         allowManyFiles();
@@ -231,7 +231,7 @@ Result<Done> saveAtomically(const QString &path, QByteArrayView bytes,
                             const std::function<void()> &beforeReplacing)
 {
     FileSet files;
-    if (const Result<Done> added = files.add(path, bytes); !added)
+    if (Result<Done> added = files.add(path, bytes); !added)
         return added;
     if (beforeReplacing)
         beforeReplacing();

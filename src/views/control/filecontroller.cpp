@@ -452,7 +452,7 @@ void FileController::exportReport(const QString &path)
         tr("Measuring the map"),
         [scene = std::move(scene), path, flags = document->marks().faceFlags,
          packing = document->packingSettings(), kept = filesToKeep()](JobControl &job) -> Result<Done> {
-            if (const Result<Done> fine = checkOutputs({path}, kept(false)); !fine)
+            if (Result<Done> fine = checkOutputs({path}, kept(false)); !fine)
                 return fine;
             metrics::UvMetricsOptions options;
             options.textureSize = packing.textureSize;
