@@ -298,7 +298,7 @@ Result<Done> addPicture(const Picture &picture, const QString &path, PictureDept
 Result<Done> writePicture(const Picture &picture, const QString &path, PictureDepth depth)
 {
     FileSet files;
-    if (const Result<Done> added = addPicture(picture, path, depth, files); !added)
+    if (Result<Done> added = addPicture(picture, path, depth, files); !added)
         return added;
     return files.putInPlace();
 }

@@ -195,12 +195,12 @@ Result<Done> GltfOutput::saveAll(const QByteArray &main)
     for (const auto &[path, bytes] : mBufferFiles) {
         if (QFileInfo::exists(path))
             continue; // with this content
-        if (const Result<Done> added = files.add(path, bytes); !added)
+        if (Result<Done> added = files.add(path, bytes); !added)
             return added;
     }
-    if (const Result<Done> added = files.add(mTo, main); !added)
+    if (Result<Done> added = files.add(mTo, main); !added)
         return added;
-    if (const Result<Done> placed = files.putInPlace(); !placed)
+    if (Result<Done> placed = files.putInPlace(); !placed)
         return placed;
     removeUnused(old);
     return Done{};
