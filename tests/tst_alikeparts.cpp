@@ -210,7 +210,7 @@ void TestAlikeParts::whatDiffersIsNoCopy()
         snapshot.editSteering().pins = {{0, {0, 0}, true, 1}};
     if (what == u"given seams")
         snapshot.settings.seams = SeamMode::Keep;
-    QCOMPARE(unwrap::AlikeParts::of(snapshot).has_value(), what == u"nothing");
+    QCOMPARE(unwrap::AlikeParts::of(snapshot).has_value(), what == u"nothing" || what == u"a large part");
 }
 
 void TestAlikeParts::unwrapCutsCopiesAlike_data()

@@ -475,6 +475,26 @@ private Q_SLOTS:
         QVERIFY(std::abs((uv.row(1) - uv.row(0)).norm() - 0.25) < 1e-12);
     }
 
+    //! Of a strip of two quads one is stretched: the other one gets the density of the rest.
+    void facesThatKeepTheirShapeSetTheDensity()
+    {
+        const auto mesh = test::polygonMesh({{0, 0, 0},
+                                             {1, 0, 0},
+                                             {2, 0, 0},
+                                             {0, 1, 0},
+                                             {1, 1, 0},
+                                             {2, 1, 0},
+                                             {5, 0, 0},
+                                             {6, 0, 0},
+                                             {6, 1, 0},
+                                             {5, 1, 0}},
+                                            {{0, 1, 4, 3}, {1, 2, 5, 4}, {6, 7, 8, 9}});
+        UvMatrix uv(12, 2);
+        uv << 0, 0, 1, 0, 1, 1, 0, 1, 1, 0, 1.5, 0, 1.5, 1, 1, 1, 5, 0, 8, 0, 8, 3, 5, 3;
+        equalizeTexelDensity(*mesh, findCharts(*mesh, uv), uv);
+        QVERIFY(std::abs((uv.row(1) - uv.row(0)).norm() - (uv.row(9) - uv.row(8)).norm()) < 1e-12);
+    }
+
     void realIslands()
     {
         const std::vector<std::string> files = test::islandFiles();

@@ -129,6 +129,16 @@ void TestRigid::unwrapped_data()
     Model mixed = column(32, 1, 1, 3);
     mixed.add(moved(sphere(10, 1), {4, 0, 0}));
     QTest::newRow("cylinder and sphere") << mixed.mesh() << 8 << 4;
+    QTest::newRow("bolt") << bolt().mesh() << 5 << 4;
+    QTest::newRow("table") << table().mesh() << 12 << 5;
+    QTest::newRow("pipe") << pipe().mesh() << 8 << 1;
+    QTest::newRow("bicycle") << bicycle().mesh() << 36 << 10;
+    // The bottom of a bottle bends when only its energy counts: it has to be cut out.
+    QTest::newRow("bottle") << bottle().mesh() << 5 << 1;
+    Model scene = bottle();
+    scene.add(moved(bolt(), {4, 0, 0}));
+    scene.add(moved(house(), {8, 0, 0}));
+    QTest::newRow("bottle, bolt and house") << scene.mesh() << 14 << 6;
 }
 
 //! Nothing rigid is stretched, nothing is flipped, the bound holds.

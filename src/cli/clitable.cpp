@@ -130,11 +130,11 @@ std::vector<CliOption> solvingOptions()
             {{u"rigid"_s, FlatMode::Rigid}, {u"free"_s, FlatMode::Free}},
             u"flat faces, and what unrolls without stretch, keep their shape, and the stretch that "
             "--max-distortion allows goes to the curved rest; or it may go anywhere. No matter with --lambda"_s),
-        choice(group, u"--alike"_s, fieldOf(&SolveSettings::alike),
-               {{u"off"_s, AlikeMode::Off}, {u"same-cuts"_s, AlikeMode::SameCuts}},
-               u"connected parts that are copies of each other, also mirrored ones, get the same seams where "
-               u"copies are "
-               "two fifths of the surface or more, which is faster, too; or each is cut on its own"_s),
+        choice(
+            group, u"--alike"_s, fieldOf(&SolveSettings::alike),
+            {{u"off"_s, AlikeMode::Off}, {u"same-cuts"_s, AlikeMode::SameCuts}},
+            u"connected parts that are copies of each other, also mirrored ones, get the same seams, which "
+            "is faster, too; or each is cut on its own"_s),
         choice(group, u"--creases"_s, fieldOf(&SolveSettings::creases),
                {{u"off"_s, CreaseMode::Off}, {u"auto"_s, CreaseMode::Auto}, {u"on"_s, CreaseMode::On}},
                u"put seams along sharp edges; auto does so on meshes that have creases"_s),

@@ -133,6 +133,133 @@ Model sphere(int rows, double radius)
     return model;
 }
 
+Model turnedShape(const std::vector<Vec2> &profile, int sides)
+{
+    Model model;
+    const int rows = static_cast<int>(profile.size());
+    for (const Vec2 &ring : profile) {
+        for (int i = 0; i < sides; ++i) {
+            const double angle = 2 * std::numbers::pi * i / sides;
+            model.points.push_back({ring.x() * std::cos(angle), ring.x() * std::sin(angle), ring.y()});
+        }
+    }
+    for (int row = 0; row + 1 < rows; ++row) {
+        for (int i = 0; i < sides; ++i) {
+            const int a = row * sides + i, b = row * sides + (i + 1) % sides;
+            model.faces.push_back({a, b, b + sides, a + sides});
+        }
+    }
+    std::vector<int> low, high;
+    for (int i = 0; i < sides; ++i) {
+        low.push_back(sides - 1 - i);
+        high.push_back((rows - 1) * sides + i);
+    }
+    model.faces.push_back(low);
+    model.faces.push_back(high);
+    return model;
+}
+
+Model tube(const std::vector<Vec2> &path, double radius, int sides)
+{
+    // The faces are those of a turned shape with as many rings.
+    Model model = turnedShape(std::vector<Vec2>(path.size(), Vec2(1, 0)), sides);
+    const auto at = [&](std::size_t i) { return path[std::min(i, path.size() - 1)]; };
+    for (std::size_t row = 0; row < path.size(); ++row) {
+        const Vec2 along = (at(row + 1) - at(row > 0 ? row - 1 : 0)).normalized();
+        const Vec3 middle(path[row].x(), 0, path[row].y()), across(along.y(), 0, -along.x());
+        for (int i = 0; i < sides; ++i) {
+            const double angle = 2 * std::numbers::pi * i / sides;
+            model.points[row * sides + i] =
+                middle + radius * (std::cos(angle) * across + std::sin(angle) * Vec3::UnitY());
+        }
+    }
+    return model;
+}
+
+Model bolt()
+{
+    Model model = column(6, 1, 1, 0.8);
+    model.add(moved(column(24, 0.5, 0.5, 4), {0, 0, 0.8}));
+    return model;
+}
+
+Model table()
+{
+    Model model = box({0, 0, 2}, {4, 2, 0.2});
+    for (const double x : {0.1, 3.7}) {
+        for (const double y : {0.1, 1.7})
+            model.add(box({x, y, 0}, {0.2, 0.2, 2}));
+    }
+    return model;
+}
+
+namespace {
+
+//! Adds points of an arc. \param from, to angles in radians, without the first point
+void addArc(std::vector<Vec2> &path, const Vec2 &centre, double radius, double from, double to, int steps)
+{
+    for (int i = 1; i <= steps; ++i) {
+        const double angle = from + (to - from) * i / steps;
+        path.push_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+    }
+}
+
+} // namespace
+
+Model pipe()
+{
+    constexpr double quarter = std::numbers::pi / 2;
+    std::vector<Vec2> path{{0, 0}, {0, 1.5}, {0, 3}};
+    addArc(path, {1, 3}, 1, 2 * quarter, quarter, 6);
+    path.push_back({2.5, 4});
+    path.push_back({4, 4});
+    addArc(path, {4, 5}, 1, -quarter, 0, 6);
+    path.push_back({5, 7});
+    return tube(path, 0.4, 12);
+}
+
+Model bicycle()
+{
+    Model model;
+    for (const double x : {0.0, 3.2}) {
+        // A ring of a square section.
+        Model wheel;
+        constexpr int sides = 24;
+        for (const double r : {1.0, 1.1}) {
+            for (const double y : {-0.05, 0.05}) {
+                for (int i = 0; i < sides; ++i) {
+                    const double angle = 2 * std::numbers::pi * i / sides;
+                    wheel.points.push_back({x + r * std::cos(angle), y, r * std::sin(angle)});
+                }
+            }
+        }
+        const auto band = [&](int from, int to) {
+            for (int i = 0; i < sides; ++i) {
+                const int next = (i + 1) % sides;
+                wheel.faces.push_back(
+                    {from * sides + i, to * sides + i, to * sides + next, from * sides + next});
+            }
+        };
+        band(0, 1);
+        band(1, 3);
+        band(3, 2);
+        band(2, 0);
+        model.add(wheel);
+    }
+    const std::vector<std::vector<Vec2>> frame{{{0, 0}, {0.9, 1.4}},     {{0, 0}, {1.4, 0.1}},
+                                               {{1.4, 0.1}, {0.9, 1.6}}, {{0.9, 1.4}, {2.7, 1.4}},
+                                               {{1.4, 0.1}, {2.7, 1.3}}, {{2.6, 1.8}, {3.2, 0}}};
+    for (const std::vector<Vec2> &line : frame)
+        model.add(tube(line, 0.06, 8));
+    return model;
+}
+
+Model bottle()
+{
+    return turnedShape(
+        {{1, 0}, {1.05, 0.5}, {1.05, 1.5}, {1, 2}, {0.7, 2.5}, {0.4, 2.8}, {0.3, 3}, {0.3, 3.6}}, 24);
+}
+
 Model moved(Model model, const Vec3 &by)
 {
     for (Vec3 &point : model.points)

@@ -28,6 +28,19 @@ Model stairs(int steps);
 Model shelf();
 //! A sphere of quads with triangles at its poles.
 Model sphere(int rows, double radius);
+//! A surface of revolution about z, closed by discs. \param profile radius and height, from below
+Model turnedShape(const std::vector<Vec2> &profile, int sides);
+//! A tube along a line in the xz plane, closed by discs. \param path x and z of its middle
+Model tube(const std::vector<Vec2> &path, double radius, int sides);
+//! A hexagonal head on a round shaft.
+Model bolt();
+Model table();
+//! A pipe that bends twice.
+Model pipe();
+//! Two rings and a frame of tubes, as separate parts.
+Model bicycle();
+//! A bottle with a flat bottom.
+Model bottle();
 
 Model moved(Model model, const Vec3 &by);
 //! Mirrored in x, with its faces still outside.

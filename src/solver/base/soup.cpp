@@ -138,4 +138,16 @@ std::shared_ptr<const Soup> Soup::build(std::shared_ptr<const MeshData> mesh)
     return soup;
 }
 
+std::shared_ptr<const Soup> Soup::shapedAs(const std::vector<double> &x, const std::vector<bool> &which) const
+{
+    auto shaped = std::make_shared<Soup>(*this);
+    for (int t = 0; t < triangleCount(); ++t) {
+        if (!which[t] || !(jacobianDeterminant(*this, x.data(), t) > 0))
+            continue;
+        std::copy_n(x.begin() + 6 * static_cast<std::ptrdiff_t>(t), 6, shaped->restShape[t].begin());
+        shaped->basis[t] = basisOf(shaped->restShape[t]);
+    }
+    return shaped;
+}
+
 } // namespace autocuts

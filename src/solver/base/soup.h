@@ -60,6 +60,10 @@ struct Soup
     //! zero: they must not flip either but hardly pull at their neighbours.
     //! \throws std::invalid_argument when the mesh has no area at all
     [[nodiscard]] static std::shared_ptr<const Soup> build(std::shared_ptr<const MeshData> mesh);
+    //! The same soup in which some triangles are to have the shape that they have at x. Weights stay.
+    //! \param which per triangle; those that are flipped at x keep their rest shape
+    [[nodiscard]] std::shared_ptr<const Soup> shapedAs(const std::vector<double> &x,
+                                                       const std::vector<bool> &which) const;
 };
 
 //! The coordinates as one row per soup corner.

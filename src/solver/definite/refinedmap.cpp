@@ -3,6 +3,7 @@
 #include "solver/base/cornerat.h"
 #include "solver/base/rigidfit.h"
 #include "solver/definite/relaxing.h"
+#include "solver/definite/rigidsettling.h"
 #include "solver/definite/seamgaps.h"
 #include "solver/search/anchoring.h"
 #include "solver/search/seamoptimizer.h"
@@ -79,6 +80,21 @@ std::optional<RefinedMap> searched(const std::shared_ptr<const search::SeamGraph
     return RefinedMap{std::move(found->map), found->anchorFaults};
 }
 
+//! The map with rigid regions that keep their shape, see settleRigidRegions().
+SeamedMap withRigidRegions(const std::shared_ptr<const search::SeamGraph> &graph, const Snapshot &snapshot,
+                           SeamedMap map, double maxDistortion, const JobContext &job)
+{
+    if (!snapshot.rigid || job.stopped())
+        return map;
+    search::OptimizeOptions search;
+    search.maxDistortion = maxDistortion;
+    search.seed = snapshot.settings.seed;
+    search.job = job.quiet();
+    map = settleRigidRegions(graph, snapshot, search, std::move(map));
+    equalizeDensity(*graph->soup, snapshot, map);
+    return map;
+}
+
 } // namespace
 
 RefinedMap refineMap(const std::shared_ptr<const search::SeamGraph> &graph, const Snapshot &snapshot,
@@ -91,6 +107,7 @@ RefinedMap refineMap(const std::shared_ptr<const search::SeamGraph> &graph, cons
                   (found->anchorFaults == made.anchorFaults &&
                    isBetter(soup, snapshot, found->map, made.map, maxDistortion))))
         made = std::move(*found);
+    made.map = withRigidRegions(graph, snapshot, std::move(made.map), maxDistortion, job);
     placeNear(soup, snapshot, made.map, places);
     openSeams(soup, snapshot, made.map);
     return made;

@@ -88,6 +88,71 @@ std::vector<ChartSize> measureCharts(const MeshData &mesh, const ChartMap &chart
     return sizes;
 }
 
+//! Ratio of the singular values of a triangle's map from the surface below which it keeps its shape, and
+//! scale beside that of the others that do. Chosen by hand.
+constexpr double keptShape = 1.01, keptScale = 1.01;
+//! Share of a chart's area in triangles that keep their shape at one scale, from which these alone decide on
+//! its density. Chosen by hand; organic charts have less.
+constexpr double leastKept = 0.1;
+
+//! True when a triangle has the same shape in the map, at any scale.
+bool keepsShape(const MeshData &mesh, int t, const std::array<Vec2, 3> &p)
+{
+    const auto &[a, b, c] = mesh.triangles[t];
+    const Vec3 u = mesh.cornerPosition(b) - mesh.cornerPosition(a),
+               v = mesh.cornerPosition(c) - mesh.cornerPosition(a);
+    const double length = u.norm(), along = u.dot(v) / length, height = u.cross(v).norm() / length;
+    if (!(length > 0 && height > 0))
+        return false;
+    const Vec2 x = (p[1] - p[0]) / length, y = (p[2] - p[0] - along * x) / height;
+    const double squares = x.squaredNorm() + y.squaredNorm(), det = std::abs(x.x() * y.y() - x.y() * y.x());
+    return squares < (keptShape + 1 / keptShape) * det;
+}
+
+//! The sizes that the density of the charts is read from. Where a good part of a chart keeps its shape at one
+//! scale, that part decides: the density of flat faces is what artists see, however the rest is stretched.
+std::vector<ChartSize> decisiveSizes(const MeshData &mesh, const ChartMap &charts, const UvMatrix &uv)
+{
+    std::vector<ChartSize> sizes = measureCharts(mesh, charts, uv);
+    struct Part
+    {
+        double scale, uvArea, area;
+    };
+    std::vector<std::vector<Part>> kept(charts.count);
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const int chart = charts.faceChart[mesh.triangleFace[t]];
+        if (chart < 0)
+            continue;
+        std::array<Vec2, 3> p;
+        for (int k = 0; k < 3; ++k)
+            p[k] = uv.row(mesh.triangles[t][k]).transpose();
+        const double uvArea = 0.5 * std::abs(cross2(p[0], p[1], p[2])), area = mesh.targetArea(t);
+        if (uvArea > 0 && area > 0 && keepsShape(mesh, t, p))
+            kept[chart].push_back({std::sqrt(uvArea / area), uvArea, area});
+    }
+    for (int i = 0; i < charts.count; ++i) {
+        std::stable_sort(kept[i].begin(), kept[i].end(),
+                         [](const Part &a, const Part &b) { return a.scale < b.scale; });
+        double all = 0, below = 0;
+        for (const Part &part : kept[i])
+            all += part.area;
+        const auto median = std::find_if(kept[i].begin(), kept[i].end(),
+                                         [&](const Part &part) { return (below += part.area) >= 0.5 * all; });
+        double uvArea = 0, area = 0;
+        for (const Part &part : kept[i]) {
+            if (part.scale > median->scale / keptScale && part.scale < median->scale * keptScale) {
+                uvArea += part.uvArea;
+                area += part.area;
+            }
+        }
+        if (area >= leastKept * sizes[i].area && area > 0) {
+            sizes[i].uvArea = uvArea;
+            sizes[i].area = area;
+        }
+    }
+    return sizes;
+}
+
 } // namespace
 
 std::vector<PackIsland> makePackIslands(const MeshData &mesh, const UvMatrix &uv, const ChartMap &charts,
@@ -133,7 +198,7 @@ void applyPlacements(const PackResult &result, const MeshData &mesh, const Chart
 void equalizeTexelDensity(const MeshData &mesh, const ChartMap &charts, UvMatrix &uv,
                           const std::vector<bool> &locked)
 {
-    const std::vector<ChartSize> sizes = measureCharts(mesh, charts, uv);
+    const std::vector<ChartSize> sizes = decisiveSizes(mesh, charts, uv);
     const auto usable = [&](int i) { return sizes[i].uvArea > 0 && sizes[i].area > 0; };
     double uvArea = 0, area = 0;
     bool anyLocked = false;

@@ -20,8 +20,9 @@ void applyPlacements(const PackResult &result, const MeshData &mesh, const Chart
 
 //! Gives all charts one texel density: scales each about the middle of its box so that UV area / 3D area is
 //! equal where the texel weights of the mesh are 1, and as these want it elsewhere, with the total UV area
-//! unchanged. Locked charts keep their size and, if there are any, set the density of the others. Charts
-//! without area in 3D or UV are left alone.
+//! nearly unchanged. Where a good part of a chart keeps its shape at one scale, that part decides. Locked
+//! charts keep their size and, if there are any, set the density of the others. Charts without area in 3D or
+//! UV are left alone.
 void equalizeTexelDensity(const MeshData &mesh, const ChartMap &charts, UvMatrix &uv,
                           const std::vector<bool> &locked = {});
 

@@ -14,6 +14,10 @@ namespace {
 //! its length.
 constexpr double sameMotionShare = 0.02;
 
+//! Share of the area from which a region may be an island of its own, or half of its component: as for the
+//! charts of the search (search::CutState). Smaller ones rather hang on by little.
+constexpr double leastIsland = 0.005;
+
 //! Where the second side of an edge has to go: its ends, and the ends of the first side.
 struct Sides
 {
@@ -102,11 +106,19 @@ std::vector<bool> edgesApart(const Soup &soup, const RigidRegions &regions, cons
                              const std::vector<Hinge> &hinges)
 {
     const std::vector<double> border = borderLengths(soup, regions, unrolled);
+    std::vector<double> share(regions.count, 0), least(regions.count, leastIsland);
+    for (int t = 0; t < soup.triangleCount(); ++t) {
+        if (const int r = regions.region[t]; r >= 0) {
+            share[r] += soup.shareOfCopy(t);
+            least[r] = std::min(least[r], 0.5 * soup.componentShare[soup.mesh->component[t]]);
+        }
+    }
+    const auto isIsland = [&](int r) { return share[r] >= least[r]; };
     std::vector<bool> apart(soup.mesh->edgePairs.size(), false);
     for (const Hinge &hinge : hinges) {
-        const double least = leastHinge * std::min(border[hinge.first], border[hinge.second]);
+        const double shorter = std::min(border[hinge.first], border[hinge.second]);
         for (const int e : hinge.edges)
-            apart[e] = hinge.length < least;
+            apart[e] = hinge.length < leastHinge * shorter && isIsland(hinge.first) && isIsland(hinge.second);
     }
     return apart;
 }

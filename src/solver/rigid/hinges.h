@@ -30,6 +30,7 @@ struct Hinge
 inline constexpr double leastHinge = 1.0 / 6;
 
 //! Per edge pair: true on hinges that are too short for both of their regions: there is always a seam.
+//! Regions too small to be islands stay where they are.
 [[nodiscard]] std::vector<bool> edgesApart(const Soup &soup, const RigidRegions &regions,
                                            const Unrolled &unrolled, const std::vector<Hinge> &hinges);
 

@@ -17,39 +17,49 @@ namespace {
 //! Overlaps that count, as shares of the whole area: anywhere, and (of the smaller triangle) between
 //! triangles that meet in a point of the model, where the two sides of a hinge differ by rounding.
 constexpr double overlapShare = 1e-10, touchingShare = 1e-5;
+//! Energy of a triangle above that of an isometry, where its region is laid in the plane, from which it does
+//! not keep its shape.
+constexpr double mostExcess = 0.1;
 constexpr double noise = 0.5; // of the costs, natural logarithm; chosen by hand
+
+//! Which side of an edge belongs to the first region of a hinge.
+int firstSide(const MeshData &mesh, const RigidRegions &regions, const Hinge &hinge, int edge)
+{
+    return regions.region[mesh.edgePairs[edge].triangle[0]] == hinge.first ? 0 : 1;
+}
 
 //! Grows nets by joining them in pairs.
 class NetGrower
 {
 public:
-    NetGrower(const Soup &soup, const RigidRegions &regions, const Unrolled &unrolled)
-        : mSoup(soup), mX(unrolled.x), mGroups(regions.count), mMotion(regions.count),
-          mTriangles(regions.count)
+    //! \param net per triangle: the net that it is in at first, -1: none \param x the nets in the plane
+    NetGrower(const Soup &soup, const RigidRegions &regions, std::vector<int> net, std::vector<double> x)
+        : mSoup(soup), mRegions(regions), mX(std::move(x)), mNet(std::move(net)),
+          mTriangles(mNet.empty() ? 0 : *std::max_element(mNet.begin(), mNet.end()) + 1),
+          mGroups(static_cast<int>(mTriangles.size())),
+          mPoint(CutMesh(*soup.mesh, CutFlags(soup.mesh->edgePairs.size(), false)).uvVertex)
     {
         for (int t = 0; t < soup.triangleCount(); ++t) {
-            if (const int r = regions.region[t]; r >= 0)
-                mTriangles[r].push_back(t);
+            if (mNet[t] >= 0)
+                mTriangles[mNet[t]].push_back(t);
         }
-        mMembers.resize(regions.count);
-        for (int r = 0; r < regions.count; ++r)
-            mMembers[r] = {r};
-        const CutMesh uncut(*soup.mesh, CutFlags(soup.mesh->edgePairs.size(), false));
-        mPoint = uncut.uvVertex;
     }
 
-    //! Joins the nets of the two regions of a hinge unless the result would overlap itself.
+    //! Joins the nets at the two sides of a hinge unless the result would overlap itself.
     void join(const Hinge &hinge)
     {
-        int a = mGroups.find(hinge.first), b = mGroups.find(hinge.second);
+        const EdgePair &longest = mSoup.mesh->edgePairs[hinge.edges.front()];
+        const int side = firstSide(*mSoup.mesh, mRegions, hinge, hinge.edges.front());
+        int fixed = side, a = netAt(longest, side), b = netAt(longest, 1 - side);
         if (a == b)
             return;
-        // Takes the frame of the second net to that of the first.
-        PlaneMotion motion = mMotion[hinge.first].after(hinge.motion).after(mMotion[hinge.second].inverse());
         if (mTriangles[a].size() < mTriangles[b].size()) {
             std::swap(a, b);
-            motion = motion.inverse();
+            fixed = 1 - fixed;
         }
+        const auto end = [&](int which, int of) { return Vec2(cornerAt(mX, longest.corner[which][of])); };
+        const PlaneMotion motion =
+            PlaneMotion::between(end(0, 1 - fixed), end(1, 1 - fixed), end(0, fixed), end(1, fixed));
         std::vector<Vec2> moved;
         for (const int t : mTriangles[b]) {
             for (int k = 0; k < 3; ++k)
@@ -59,20 +69,34 @@ public:
             return;
         for (std::size_t i = 0; i < moved.size(); ++i)
             cornerAt(mX, 3 * mTriangles[b][i / 3] + static_cast<int>(i % 3)) = moved[i];
-        for (const int r : mMembers[b])
-            mMotion[r] = motion.after(mMotion[r]);
         mGroups.unite(a, b);
         const int root = mGroups.find(a), other = root == a ? b : a;
         mTriangles[root].insert(mTriangles[root].end(), mTriangles[other].begin(), mTriangles[other].end());
-        mMembers[root].insert(mMembers[root].end(), mMembers[other].begin(), mMembers[other].end());
         mTriangles[other].clear();
-        mMembers[other].clear();
     }
 
-    bool together(int a, int b) { return mGroups.find(a) == mGroups.find(b); }
+    //! Closes the edges of a hinge that lie together in one net, whether or not it was this hinge that
+    //! brought them there.
+    void close(const Hinge &hinge, CutFlags &cut)
+    {
+        for (const int e : hinge.edges) {
+            const EdgePair &pair = mSoup.mesh->edgePairs[e];
+            bool together = netAt(pair, 0) == netAt(pair, 1);
+            for (int end = 0; end < 2; ++end) {
+                const Vec2 gap = cornerAt(mX, pair.corner[end][0]) - cornerAt(mX, pair.corner[end][1]);
+                together = together &&
+                           gap.norm() <= togetherShare * mSoup.pairLength[2 * static_cast<std::size_t>(e)];
+            }
+            if (together)
+                cut[e] = false;
+        }
+    }
+
     const std::vector<double> &coordinates() const { return mX; }
 
 private:
+    int netAt(const EdgePair &pair, int side) { return mGroups.find(mNet[pair.triangle[side]]); }
+
     //! True when triangles of two nets overlap. \param moved the corners of the second net's triangles
     bool overlap(const std::vector<int> &fixed, const std::vector<int> &moving,
                  const std::vector<Vec2> &moved) const
@@ -121,16 +145,21 @@ private:
     }
 
     const Soup &mSoup;
+    const RigidRegions &mRegions;
     std::vector<double> mX;
-    UnionFind mGroups;                                  //!< of regions: nets
-    std::vector<PlaneMotion> mMotion;                   //!< per region: from where it was unrolled to its net
-    std::vector<std::vector<int>> mTriangles, mMembers; //!< per net: triangles, regions
-    std::vector<int> mPoint;                            //!< per soup corner: vertex of the uncut surface
+    std::vector<int> mNet;                    //!< per triangle: the net that it was in at first, -1: none
+    std::vector<std::vector<int>> mTriangles; //!< per net
+    UnionFind mGroups;                        //!< of the first nets
+    std::vector<int> mPoint;                  //!< per soup corner: vertex of the uncut surface
 };
 
-} // namespace
-
-namespace {
+std::vector<int> dearestFirst(const std::vector<double> &cost)
+{
+    std::vector<int> order(cost.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return cost[a] > cost[b]; });
+    return order;
+}
 
 std::vector<double> edgeWeights(const Snapshot &snapshot)
 {
@@ -167,10 +196,8 @@ SeamedMap Nets::joined(int number, SeamedMap map, const JobContext &job) const
     std::vector<double> worth = mCost;
     for (double &cost : worth)
         cost *= number > 0 ? std::exp(noise * random.uniform(-1, 1)) : 1;
-    std::vector<int> order(worth.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return worth[a] > worth[b]; });
-    NetGrower nets(*mSoup, *mRegions, mUnrolled);
+    const std::vector<int> order = dearestFirst(worth);
+    NetGrower nets(*mSoup, *mRegions, mRegions->region, mUnrolled.x);
     for (const int h : order) {
         if (job.stopped())
             return map;
@@ -186,21 +213,53 @@ SeamedMap Nets::joined(int number, SeamedMap map, const JobContext &job) const
         if (r >= 0 && r == mRegions->region[mesh.edgePairs[e].triangle[1]] && mUnrolled.works[r])
             map.cut[e] = mUnrolled.cut[e] || mAlwaysCut[e];
     }
-    // Edges that came together, whether or not their hinge was the one that brought them there.
-    for (const Hinge &hinge : mHinges) {
-        if (!nets.together(hinge.first, hinge.second))
-            continue;
-        for (const int e : hinge.edges) {
-            const EdgePair &pair = mesh.edgePairs[e];
-            bool close = true;
-            for (int end = 0; end < 2; ++end) {
-                const Vec2 gap = cornerAt(map.x, pair.corner[end][0]) - cornerAt(map.x, pair.corner[end][1]);
-                close =
-                    close && gap.norm() <= togetherShare * mSoup->pairLength[2 * static_cast<std::size_t>(e)];
-            }
-            if (close)
-                map.cut[e] = false;
+    for (const Hinge &hinge : mHinges)
+        nets.close(hinge, map.cut);
+    dropClosedCuts(mesh, map.cut);
+    weld(CutMesh(mesh, map.cut), map.x);
+    return map;
+}
+
+std::vector<bool> Nets::keepsShape() const
+{
+    std::vector<bool> keeps(mSoup->triangleCount());
+    for (int t = 0; t < mSoup->triangleCount(); ++t) {
+        const int r = mRegions->region[t];
+        keeps[t] = r >= 0 && mUnrolled.works[r] && mUnrolled.excess[t] < mostExcess;
+    }
+    return keeps;
+}
+
+SeamedMap Nets::cutOut(const std::vector<bool> &which, SeamedMap map, bool joining,
+                       const JobContext &job) const
+{
+    const MeshData &mesh = *mSoup->mesh;
+    const auto regionOf = [&](int t) {
+        const int r = mRegions->region[t];
+        return r >= 0 && which[r] && mUnrolled.works[r] ? r : -1;
+    };
+    for (int c = 0; c < mesh.soupCornerCount(); ++c) {
+        if (regionOf(c / 3) >= 0)
+            cornerAt(map.x, c) = cornerAt(mUnrolled.x, c);
+    }
+    for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
+        const int a = regionOf(mesh.edgePairs[e].triangle[0]), b = regionOf(mesh.edgePairs[e].triangle[1]);
+        if (a != b)
+            map.cut[e] = true;
+        else if (a >= 0)
+            map.cut[e] = mUnrolled.cut[e] || mAlwaysCut[e];
+    }
+    if (joining) {
+        NetGrower nets(*mSoup, *mRegions, CutMesh(mesh, map.cut).chart, std::move(map.x));
+        for (const int h : dearestFirst(mCost)) {
+            if (!job.stopped() && (which[mHinges[h].first] || which[mHinges[h].second]))
+                nets.join(mHinges[h]);
         }
+        for (const Hinge &hinge : mHinges) {
+            if (which[hinge.first] || which[hinge.second])
+                nets.close(hinge, map.cut);
+        }
+        map.x = nets.coordinates();
     }
     dropClosedCuts(mesh, map.cut);
     weld(CutMesh(mesh, map.cut), map.x);

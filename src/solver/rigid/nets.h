@@ -24,7 +24,16 @@ public:
     //! overlap others; as it was when stopped
     SeamedMap joined(int number, SeamedMap map, const JobContext &job = {}) const;
 
-    const Unrolled &unrolled() const { return mUnrolled; }
+    //! Per triangle: true in regions, but for thin triangles, which are in any shape where a region is flat.
+    std::vector<bool> keepsShape() const;
+    //! The soup in which the triangles that keep their shape are to have the one that they have where their
+    //! region is laid in the plane. Regions are never quite flat: there they are without energy.
+    std::shared_ptr<const Soup> flatSoup() const { return mSoup->shapedAs(mUnrolled.x, keepsShape()); }
+
+    //! Takes some regions out of a map and lays them in the plane as they are.
+    //! \param which per region \param joining also joins them to the rest along hinges, as joined() does
+    SeamedMap cutOut(const std::vector<bool> &which, SeamedMap map, bool joining,
+                     const JobContext &job = {}) const;
 
 private:
     std::shared_ptr<const Soup> mSoup;

@@ -37,6 +37,8 @@ constexpr double leastSmoothArea = 0.01;
 constexpr double hardShare = 0.43;
 constexpr double clearBorder = 0.6;
 constexpr int capTriangles = 6;
+//! Share of sharp border with which a developable ring without inner vertices needs no creases.
+constexpr double ringBorder = 0.9;
 //! Share of its component that a developable ring has at least. The narrow rings of a turned shape may be
 //! stretched.
 constexpr double leastDevelopable = 0.1;
@@ -139,11 +141,18 @@ private:
                area >= leastPart * mComponentArea[mMesh.component[triangle]];
     }
 
-    void accept(const std::vector<int> &triangles, bool isCap)
+    //! What a region has to be to keep its shape.
+    enum class Kind {
+        Sure,
+        Cap,  //!< keeps its shape on curved components, too
+        Small //!< single polygons with a sharp border, which mean nothing on a rough surface
+    };
+
+    void accept(const std::vector<int> &triangles, Kind kind)
     {
         for (const int t : triangles)
             mRegion[t] = mCount;
-        mIsCap.push_back(isCap);
+        mKind.push_back(kind);
         ++mCount;
     }
 
@@ -151,14 +160,15 @@ private:
     {
         std::vector<double> rigid(mMesh.componentCount, 0);
         for (int t = 0; t < mMesh.triangleCount(); ++t)
-            rigid[mMesh.component[t]] += mRegion[t] >= 0 ? mMesh.triangleArea[t] : 0;
+            rigid[mMesh.component[t]] +=
+                mRegion[t] >= 0 && mKind[mRegion[t]] != Kind::Small ? mMesh.triangleArea[t] : 0;
         std::vector<int> number(mCount, -1);
         int left = 0;
         for (int t = 0; t < mMesh.triangleCount(); ++t) {
             if (mRegion[t] < 0)
                 continue;
             const int c = mMesh.component[t];
-            if (rigid[c] < hardShare * mComponentArea[c] && !mIsCap[mRegion[t]]) {
+            if (rigid[c] < hardShare * mComponentArea[c] && mKind[mRegion[t]] != Kind::Cap) {
                 mRegion[t] = -1;
                 continue;
             }
@@ -197,11 +207,13 @@ private:
             const bool clear =
                 static_cast<int>(found.size()) >= capTriangles || area >= largeFace * meanPolygon;
             if (clear && border.sharp >= clearBorder * border.all)
-                accept(found, true);
+                accept(found, Kind::Cap);
             else if (border.crease >= leastSharp * border.all ||
                      (large && border.soft >= leastSharp * border.all) ||
                      (clear && border.sharp >= leastSharp * border.all))
-                accept(found, false);
+                accept(found, Kind::Sure);
+            else if (border.sharp >= leastSharp * border.all)
+                accept(found, Kind::Small);
         }
     }
 
@@ -256,7 +268,7 @@ private:
             const std::vector<int> found =
                 reach(t, mark, number++, [&](int from, int to) { return piece[from] == piece[to]; });
             if (isDevelopable(found, mark, within))
-                accept(found, false);
+                accept(found, Kind::Sure);
         }
     }
 
@@ -280,14 +292,13 @@ private:
         const double area = areaOf(triangles);
         if (!isLarge(area, triangles.front()))
             return false;
-        if (!isDisk(triangles, mark) &&
-            area < leastDevelopable * mComponentArea[mMesh.component[triangles.front()]])
+        const double component = mComponentArea[mMesh.component[triangles.front()]];
+        const bool isRing = !isDisk(triangles, mark);
+        if (isRing && area < leastDevelopable * component)
             return false;
         const Border border = borderOf(triangles, mark);
         if (border.crease >= leastSharp * border.all)
             return true;
-        if (area < leastSmoothArea * mShape.wholeArea)
-            return false;
         std::vector<int> points;
         for (const int t : triangles) {
             for (int k = 0; k < 3; ++k) {
@@ -296,7 +307,11 @@ private:
             }
         }
         std::sort(points.begin(), points.end());
-        return std::unique(points.begin(), points.end()) - points.begin() >= leastInner;
+        const auto inner = std::unique(points.begin(), points.end()) - points.begin();
+        // The ends of a cylinder with few sides are no creases: the edges that meet there are nearly sharp.
+        if (isRing && inner == 0 && border.sharp >= ringBorder * border.all)
+            return true;
+        return area >= leastSmoothArea * mShape.wholeArea && inner >= leastInner;
     }
 
     //! True when marked triangles have one border only: Euler's characteristic is 1.
@@ -351,7 +366,7 @@ private:
     std::vector<double> mComponentArea;
     std::vector<int> mRegion;
     int mCount = 0;
-    std::vector<bool> mIsCap; //!< per region
+    std::vector<Kind> mKind; //!< per region
 };
 
 } // namespace

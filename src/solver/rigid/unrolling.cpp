@@ -184,25 +184,32 @@ private:
         }
     }
 
+    double excessOf(int t) const
+    {
+        const double *p = &mResult.x[6 * static_cast<std::size_t>(t)];
+        const Soup::Basis &b = mSoup.basis[t];
+        double squares = 0;
+        for (int row = 0; row < 2; ++row) {
+            for (int column = 0; column < 2; ++column) {
+                const double entry =
+                    p[row] * b[column] + p[2 + row] * b[2 + column] + p[4 + row] * b[4 + column];
+                squares += entry * entry;
+            }
+        }
+        const double det = jacobianDeterminant(mSoup, mResult.x.data(), t);
+        return squares + squares / (det * det) - 4;
+    }
+
     void findStretchedRegions()
     {
+        mResult.excess.assign(mMesh.triangleCount(), 0);
         std::vector<double> excess(mRegions.count, 0), area(mRegions.count, 0);
         for (int t = 0; t < mMesh.triangleCount(); ++t) {
             const int r = mRegions.region[t];
             if (r < 0 || !mResult.works[r] || mMesh.triangleDegenerate[t])
                 continue;
-            const double *p = &mResult.x[6 * static_cast<std::size_t>(t)];
-            const Soup::Basis &b = mSoup.basis[t];
-            double squares = 0;
-            for (int row = 0; row < 2; ++row) {
-                for (int column = 0; column < 2; ++column) {
-                    const double entry =
-                        p[row] * b[column] + p[2 + row] * b[2 + column] + p[4 + row] * b[4 + column];
-                    squares += entry * entry;
-                }
-            }
-            const double det = jacobianDeterminant(mSoup, mResult.x.data(), t);
-            excess[r] += mSoup.weight[t] * std::min(squares + squares / (det * det) - 4, mostOfThin);
+            mResult.excess[t] = excessOf(t);
+            excess[r] += mSoup.weight[t] * std::min(mResult.excess[t], mostOfThin);
             area[r] += mSoup.weight[t];
         }
         for (int r = 0; r < mRegions.count; ++r) {

@@ -19,6 +19,7 @@ struct Unrolled
     //! Per edge pair: cut within its region, because the region does not close in the plane there (a ring, or
     //! a seam to the tip of a cone); also true for the borders of regions.
     CutFlags cut;
+    std::vector<double> excess; //!< per triangle of a region: its energy above that of an isometry
     //! Per region: false when its map has a flipped triangle or a polygon that does not close.
     std::vector<bool> works;
 };

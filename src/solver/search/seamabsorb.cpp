@@ -15,6 +15,14 @@ constexpr double grownShare = 1.1;   // area that a chart is grown to, relative 
 constexpr int edgesPerNeighbour = 6; // seam edges per neighbour from which growing is tried, about
 constexpr int mostPatch = 3000;      // triangles in the patch of a trial, at most
 constexpr double anyGain = -std::numeric_limits<double>::infinity();
+//! Energy that a join may cost where rigid regions keep their shape: to lose it costs more.
+constexpr double leastRigidGain = -0.02;
+
+//! Energy that joining or growing a small chart may cost, as a negative gain.
+double leastGainOf(const SeamGraph &graph)
+{
+    return graph.rigid ? leastRigidGain : anyGain;
+}
 
 bool contains(const std::vector<int> &edges, int e)
 {
@@ -81,7 +89,7 @@ bool SeamSearch::absorb(int chart)
             for (std::size_t first = 0; first + length <= seam.size(); first += length) {
                 const auto begin = seam.begin() + static_cast<std::ptrdiff_t>(first);
                 const SeamChange change{{}, {begin, begin + static_cast<std::ptrdiff_t>(length)}};
-                if (attempt(Absorb, change, size, absorbSteps, anyGain))
+                if (attempt(Absorb, change, size, absorbSteps, leastGainOf(*mState.graph)))
                     return true;
                 if (stopped())
                     return false;
@@ -171,8 +179,8 @@ bool SeamSearch::grow(int chart)
         }
         cutApart(withMirrorImages(split).open);
         const int size = std::min(3 * static_cast<int>(region.size()) + mediumPatch, mostPatch);
-        if ((attempt(Absorb, join, size, absorbSteps, anyGain) ||
-             attempt(Absorb, {{}, {edge}}, size, absorbSteps, anyGain)) &&
+        if ((attempt(Absorb, join, size, absorbSteps, leastGainOf(*mState.graph)) ||
+             attempt(Absorb, {{}, {edge}}, size, absorbSteps, leastGainOf(*mState.graph))) &&
             mState.smallParts() < before)
             return true;
         restore(saved);

@@ -20,9 +20,6 @@ namespace {
 constexpr double areaTolerance = 0.15;
 //! Share of a part's area in rigid regions from which near copies of it may have its cuts. Chosen by hand.
 constexpr double rigidPartShare = 0.95;
-//! Least share of the area in copies. With less, solving one of each kind saves little, and some maps were
-//! worse: the seams of a truck with four wheels cost 18 % more.
-constexpr double leastCopies = 0.4;
 //! Newton steps that relax near copies, at most. Chosen by hand.
 constexpr int nearCopySteps = 30;
 
@@ -80,10 +77,7 @@ public:
         CopyMatcher matcher(mMesh, adjacency, mPartOfFace, mFaces);
         for (const auto &[size, parts] : bySize)
             sortOut(parts, adjacency, matcher);
-        double copied = 0;
-        for (int part = 0; part < mMesh.componentCount; ++part)
-            copied += mIsCopy[part] ? mArea[part] : 0;
-        if (mJob.stopped() || !(copied >= leastCopies * mMesh.area))
+        if (mJob.stopped() || std::find(mIsCopy.begin(), mIsCopy.end(), true) == mIsCopy.end())
             return std::nullopt;
         return result();
     }

@@ -17,7 +17,7 @@ namespace autocuts::unwrap {
 class AlikeParts
 {
 public:
-    //! \returns nothing when copies have less than two fifths of the area, or when the settings ask for
+    //! \returns nothing when there are no copies, or when the settings ask for
     //! something that differs between copies: to leave alike parts alone, hidden seams, a map to start from,
     //! places of islands; or when the job is stopped
     static std::optional<AlikeParts> of(const Snapshot &snapshot, const JobContext &job = {});

@@ -2,6 +2,7 @@
 
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
+#include "solver/definite/rigidsettling.h"
 #include "solver/metrics/uvmetrics.h"
 #include "solver/straight/necks.h"
 #include "solver/unwrap/rectanglefit.h"
@@ -82,8 +83,18 @@ void BestLiveMap::giveQuickly(const JobContext &job)
 void BestLiveMap::giveStraight(const JobContext &job)
 {
     const std::lock_guard lock(mMutex);
-    if (mBest && mProblem.plan().deforms() && !job.stopped())
+    if (mBest && (mProblem.plan().deforms() || mProblem.problem().rigid) && !job.stopped())
         give(*mBest, FitEffort::Full, job, straight::StraightEffort::Full);
+}
+
+//! The map of a state, with rigid regions that keep their shape.
+SeamedMap BestLiveMap::settled(const search::CutState &state, const JobContext &job) const
+{
+    search::OptimizeOptions search;
+    search.maxDistortion = mOptions.maxDistortion;
+    search.effort.squeezes = 0; // the searches that go on do that
+    search.job = job.quiet();
+    return definite::settleRigidRegions(mProblem.graph(), mProblem.problem(), search, state.map());
 }
 
 //! Gives the map out, unless it is not better or overlaps itself after all.
@@ -96,9 +107,9 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     // Where it does not meet the faces around the scope, it cannot be attached to them.
     if (part.isAttached() && state.anchorFaults() > state.chartsMayMeet)
         return;
-    SeamedMap map = state.map();
-    definite::equalizeDensity(soup, mProblem.problem(), map);
     Merit merit = meritOf(state);
+    SeamedMap map = merit.misses ? state.map() : settled(state, job);
+    definite::equalizeDensity(soup, mProblem.problem(), map);
     merit.misses = map.distortion(soup) > mOptions.maxDistortion;
     if (mBest && merit.misses && !mBestMerit.misses)
         return;

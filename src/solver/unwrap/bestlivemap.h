@@ -90,6 +90,7 @@ private:
     };
 
     Merit meritOf(const search::CutState &state) const;
+    SeamedMap settled(const search::CutState &state, const JobContext &job) const;
     void give(search::CutState state, FitEffort effort, const JobContext &job,
               straight::StraightEffort straightness = straight::StraightEffort::Turn);
 

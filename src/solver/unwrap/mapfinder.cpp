@@ -2,6 +2,7 @@
 
 #include "solver/definite/definitemap.h"
 #include "solver/definite/relaxing.h"
+#include "solver/definite/rigidsettling.h"
 #include "solver/preference/seampreference.h"
 #include "solver/search/anchoring.h"
 #include "solver/search/resteering.h"
@@ -68,11 +69,6 @@ bool isComplicated(const MeshData &mesh)
 //! Share of the area in rigid regions from which nets are better first maps than few cuts. Chosen by hand.
 constexpr double mostlyRigid = 0.95;
 
-//! At the end rigid regions are made stiffer by this factor, and the map is relaxed with so many Newton
-//! steps. Chosen by hand.
-constexpr double finalStiffness = 100;
-constexpr int finalSteps = 30;
-
 //! Finds the best map of one unwrap, by the seam search and by the soup.
 class MapFinder
 {
@@ -93,7 +89,7 @@ public:
     std::optional<Candidate> find(const preference::MeshSymmetry *symmetry)
     {
         std::optional<Candidate> best = search(symmetry);
-        if (mJob.stopped() || !best || best->bounded > mOptions.maxDistortion) {
+        if (mJob.stopped() || !best || !isWithinBound(*best)) {
             if (std::optional<Candidate> earlier = mRanking.best(); earlier && makeUsable(*earlier))
                 keepBetter(best, std::move(earlier));
         }
@@ -110,7 +106,7 @@ private:
         std::optional<Candidate> best;
         if (symmetry)
             best = bySearch({}, symmetry);
-        if (mJob.stopped() || (best && best->bounded <= mOptions.maxDistortion))
+        if (mJob.stopped() || (best && isWithinBound(*best)))
             return best;
         // Only the soup can start from existing UVs.
         if (mOptions.lambda)
@@ -119,10 +115,14 @@ private:
                  (isComplicated(*mSnapshot.mesh) && !startsFromNets()) ||
                  (mSnapshot.placesIslands() && !mBefore))
             best = bySoup(UnwrapQuality::Draft);
-        keepBetter(best, bySearch(best, nullptr));
+        std::optional<Candidate> searched = bySearch(best, nullptr);
+        if (mSnapshot.rigid && searched && isWithinBound(*searched))
+            best = std::move(searched); // in the map of the soup, rigid regions bend
+        else
+            keepBetter(best, std::move(searched));
         if (mJob.stopped())
             return best;
-        if (!best || (!mOptions.lambda && best->bounded > mOptions.maxDistortion))
+        if (!best || (!mOptions.lambda && !isWithinBound(*best)))
             keepBetter(best, bySoup(mOptions.quality));
         else if (best->anchorFaults > 0 && mBefore)
             keepBetter(best, bySoup(UnwrapQuality::Draft)); // it tears where pins contradict each other
@@ -177,29 +177,12 @@ private:
         if (!found)
             return std::nullopt;
         Candidate candidate;
-        candidate.map = mSnapshot.rigid ? stiffened(std::move(found->map)) : std::move(found->map);
         candidate.anchorFaults = found->anchorFaults;
         candidate.lambda = mOptions.lambda.value_or(found->mu / (1 + found->mu));
         mIterations += found->iterations;
+        candidate.map =
+            definite::settleRigidRegions(graph, mSnapshot, search, std::move(found->map), found->mu);
         return makeUsable(candidate) ? std::optional(std::move(candidate)) : std::nullopt;
-    }
-
-    //! The map relaxed with rigid regions that give way to nothing; the map itself where that takes it above
-    //! the bound.
-    SeamedMap stiffened(SeamedMap map) const
-    {
-        Snapshot stiff = mSnapshot;
-        const auto regions = std::make_shared<RigidRegions>(*mSnapshot.rigid);
-        for (std::size_t t = 0; t < regions->stiffness.size(); ++t)
-            regions->stiffness[t] *= regions->region[t] >= 0 ? finalStiffness : 1;
-        stiff.rigid = regions;
-        search::CutState state = search::CutState::from(mGraph->steeredBy(stiff), map, true);
-        search::SeamTrial trial(state);
-        trial.relaxAll(finalSteps, !mOptions.allowOverlaps, mJob.quiet());
-        SeamedMap relaxed = state.map();
-        const bool fits = mOptions.lambda || relaxed.distortion(*mSoup) <= mOptions.maxDistortion ||
-                          relaxed.distortion(*mSoup) <= map.distortion(*mSoup);
-        return fits ? std::move(relaxed) : std::move(map);
     }
 
     //! True when nets of rigid regions are nearer to the end than maps with few cuts, and than the soup.
@@ -239,6 +222,9 @@ private:
         measures.anchorFaults = state.anchorFaults();
         return measures;
     }
+
+    //! Of a map whose rigid regions have settled: in those, the stiffness of the search counts for nothing.
+    bool isWithinBound(const Candidate &found) const { return found.distortion <= mOptions.maxDistortion; }
 
     bool hasDecidedEdges() const
     {
@@ -318,6 +304,25 @@ Candidate candidateOf(CarriedMap carried, const Soup &soup, const Snapshot &snap
     return candidate;
 }
 
+//! Makes the rigid regions of a large mesh keep their shape: those of the coarse mesh are not quite the same.
+void settleCarried(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
+                   const UnwrapOptions &options, const JobContext &job, CarriedMap &carried)
+{
+    const Snapshot preferred = preference::SeamPreference().applied(snapshot, job.threads());
+    if (!preferred.rigid || job.stopped())
+        return;
+    search::OptimizeOptions search;
+    search.maxDistortion = options.maxDistortion;
+    search.allowOverlaps = options.allowOverlaps;
+    search.effort = effortFor(options.quality, snapshot.mesh->triangleCount());
+    search.seed = snapshot.settings.seed;
+    search.job = job.quiet();
+    const double mu = carried.lambda / std::max(1 - carried.lambda, smallestShare);
+    carried.map = definite::settleRigidRegions(search::SeamGraph::build(soup, preferred), preferred, search,
+                                               std::move(carried.map), mu);
+    definite::equalizeDensity(*soup, snapshot, carried.map);
+}
+
 //! Finds the map of a large mesh by way of a coarser one; nothing when the mesh is not suited or that fails.
 std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, const Snapshot &snapshot,
                                      const UnwrapOptions &options, const JobContext &job,
@@ -356,6 +361,8 @@ std::optional<FoundMap> findLargeMap(const std::shared_ptr<const Soup> &soup, co
     std::optional<CarriedMap> carried = mapByCoarse(soup, snapshot, options, search, refining);
     if (!carried)
         return std::nullopt;
+    if (!options.lambda)
+        settleCarried(soup, snapshot, options, job, *carried);
     FoundMap found;
     found.iterations = carried->iterations;
     if (snapshot.settings.symmetry)
