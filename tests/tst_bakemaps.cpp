@@ -1,4 +1,5 @@
 // What each map of a bake shows, against its formula; carried textures.
+#include "solver/bake/rayscene.h"
 #include "support/bakejobs.h"
 
 #include <QTest>
@@ -53,6 +54,7 @@ private Q_SLOTS:
     void positionsAndMaterials();
     void texturesAreCarried();
     void carriedNormalsTurn();
+    void asManyObjectsAsAFileHas();
 };
 
 //! The floor beside a wall of infinite length: (1 + cos a) / 2 with the elevation a of the wall's top.
@@ -234,6 +236,20 @@ void TestBakeMaps::carriedNormalsTurn()
     QVERIFY((carried(turned, TextureKind::Normal) - Vec3f(-y, x, z)).norm() < 1e-3F);
     QVERIFY((carried(mirrored, TextureKind::Normal) - Vec3f(-x, y, z)).norm() < 1e-3F);
     QVERIFY((carried(turned, TextureKind::NormalDirectX) - Vec3f(y, -x, z)).norm() < 1e-3F);
+}
+
+//! Objects that are paired by name have a tree of rays each. There was room for about a thousand.
+void TestBakeMaps::asManyObjectsAsAFileHas()
+{
+    const auto mesh = test::box(1);
+    const Frame frame = Frame::of(*mesh);
+    std::vector<RayScene> scenes;
+    for (int i = 0; i < 1500; ++i)
+        scenes.emplace_back(*mesh, frame);
+    const Vec3f outside(2, 0.1F, 0.2F), inwards(-1, 0, 0);
+    QVERIFY(scenes.front().nearest(outside, inwards, 0, endless).point.triangle >= 0);
+    QCOMPARE(scenes.back().nearest(outside, inwards, 0, endless).distance,
+             scenes.front().nearest(outside, inwards, 0, endless).distance);
 }
 
 QTEST_APPLESS_MAIN(TestBakeMaps)

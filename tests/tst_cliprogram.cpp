@@ -344,6 +344,18 @@ private Q_SLOTS:
         QTest::newRow("version") << QStringList{QStringLiteral("--version")};
         QTest::newRow("help") << QStringList{QStringLiteral("--help")};
         QTest::newRow("unwrap") << draft(in, at("lost.obj"));
+        const auto words = [this](QString text) {
+            return text.replace(QLatin1Char('@'), mFolder.path() + QLatin1Char('/')).split(QLatin1Char(' '));
+        };
+        QCOMPARE(test::runInProcess(draft(in, at("mapped.obj"))).code, 0);
+        QCOMPARE(test::runInProcess(words(QStringLiteral("convert @mapped.obj -o @lost.acproj"))).code, 0);
+        for (const char *text :
+             {"pack @mapped.obj -o @lost.obj --pack-time 0.1", "finish @mapped.obj -o @lost.obj",
+              "separate @mapped.obj -o @lost.obj", "lightmap @mapped.obj -o @lost.obj --pack-time 0.1",
+              "transfer @mapped.obj --from @mapped.obj -o @lost.obj", "replay @lost.acproj",
+              "bake @mapped.obj -o @ --maps position --size 16",
+              "lightbake @mapped.obj -o @lost.png --size 16 --samples 1", "--man-page", "--markdown"})
+            QTest::newRow(text) << words(QString::fromLatin1(text));
     }
     void figuresThatGetLostAreAFailure()
     {
@@ -394,13 +406,20 @@ private Q_SLOTS:
 #ifdef __SANITIZE_ADDRESS__
         QSKIP("a sanitized program needs more address space than a limit leaves");
 #else
-        for (int megabytes = 100; megabytes <= 500; megabytes += 50) {
-            QProcess process;
-            process.start(QStringLiteral("/bin/sh"),
-                          {QStringLiteral("-c"),
-                           QStringLiteral("ulimit -v %1; exec \"$0\" --version").arg(megabytes * 1024),
-                           program()});
-            QVERIFY2(process.waitForFinished(20'000), qPrintable(QString::number(megabytes)));
+        const QString in = file("little.obj", test::sheetObj(5));
+        for (int megabytes = 150; megabytes <= 350; megabytes += 10) {
+            for (const QStringList &arguments :
+                 {QStringList{QStringLiteral("--version")}, draft(in, at("little_uv.obj"))}) {
+                QProcess process;
+                const QString script =
+                    QStringLiteral("ulimit -v %1; exec \"$0\" \"$@\"").arg(megabytes * 1024);
+                process.start(QStringLiteral("/bin/sh"),
+                              QStringList{QStringLiteral("-c"), script, program()} + arguments);
+                const bool ended = process.waitForFinished(20'000);
+                process.kill();
+                process.waitForFinished();
+                QVERIFY2(ended, qPrintable(QString::number(megabytes)));
+            }
         }
 #endif
     }

@@ -362,6 +362,23 @@ void TestCliSession::whatASessionLostIsSaid()
         unwrap({hurt, u"-o"_s, file(u"made.obj"_s), u"--quiet"_s, u"--report"_s, report});
     QVERIFY2(made.code == 0 && says(made), qPrintable(made.err));
     QVERIFY(QString::fromUtf8(test::readBytes(report)).contains(QString(said).replace(u'"', u"\\\""_s)));
+    // The same of a session that is read beside the input.
+    QVERIFY(QImage(4, 4, QImage::Format_RGB32).save(file(u"skin.png"_s)));
+    QCOMPARE(run({u"convert"_s, file(u"a.acproj"_s), u"-o"_s, file(u"mapped.obj"_s)}).code, 0);
+    const QStringList small{u"--size"_s, u"16"_s, u"-o"_s, file(u"maps"_s)};
+    for (const QStringList &words :
+         {QStringList{u"bake"_s, file(u"mapped.obj"_s), u"--high"_s, hurt, u"--maps"_s, u"position"_s} +
+              small,
+          QStringList{u"bake"_s, file(u"mapped.obj"_s), u"--high"_s, file(u"cube.obj"_s), u"--cage-file"_s,
+                      hurt, u"--maps"_s, u"position"_s} +
+              small,
+          QStringList{u"transfer"_s, file(u"mapped.obj"_s), u"--from"_s, hurt, u"-o"_s, file(u"x.obj"_s)},
+          QStringList{u"transfer"_s, file(u"mapped.obj"_s), u"--from"_s, hurt, u"--textures"_s,
+                      file(u"skin.png"_s)} +
+              small}) {
+        const test::CliRun beside = run(words + QStringList{u"--quiet"_s});
+        QVERIFY2(beside.err.contains(u"hurt.acproj: "_s + said), qPrintable(words.join(u' ') + beside.err));
+    }
     // A session of a damaged one only when asked for.
     const QString copy = file(u"copy.acproj"_s);
     const test::CliRun refused = run({u"convert"_s, hurt, u"-o"_s, copy});

@@ -347,7 +347,7 @@ private Q_SLOTS:
                 buttonOf(*box, button)->click();
         });
         Questions questions;
-        QCOMPARE(int(questions.askUnsaved(u"a.acproj"_s)), answer);
+        QCOMPARE(int(questions.askUnsaved(u"a.acproj"_s, false)), answer);
         QVERIFY(text.contains(u"a.acproj"_s));
     }
 

@@ -572,7 +572,8 @@ private Q_SLOTS:
         for (const auto &[link, target] :
              {std::pair("to_model.svg", "m.obj"), std::pair("to_session.svg", "m.acproj"),
               std::pair("to_material.svg", "m.mtl"), std::pair("to_model.json", "m.obj"),
-              std::pair("to_session.obj", "m.acproj"), std::pair("to_model.acproj", "m.obj")})
+              std::pair("to_session.obj", "m.acproj"), std::pair("to_model.acproj", "m.obj"),
+              std::pair("to_material.png", "m.mtl")})
             QVERIFY(QFile::link(at(target), at(link)));
         LayoutOptions options;
         options.size = 64;
@@ -583,6 +584,9 @@ private Q_SLOTS:
             QCOMPARE(desk.failed.count(), ++refused);
         }
         desk.files.exportReport(at("to_model.json"));
+        QVERIFY(desk.rests());
+        QCOMPARE(desk.failed.count(), ++refused);
+        desk.files.exportBytes(at("to_material.png"), "a picture");
         QVERIFY(desk.rests());
         QCOMPARE(desk.failed.count(), ++refused);
         desk.files.exportMesh(at("to_session.obj"));

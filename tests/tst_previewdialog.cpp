@@ -77,6 +77,7 @@ private Q_SLOTS:
         };
         studio.trigger("view.preview");
         QVERIFY(shown);
+        QTRY_VERIFY_WITH_TIMEOUT(!studio.context.files.jobs().isBusy(), 60'000);
         QVERIFY(!QImage(path).isNull());
         QVERIFY(studio.answers.errors.isEmpty());
     }

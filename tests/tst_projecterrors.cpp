@@ -40,6 +40,7 @@ private Q_SLOTS:
     void contradictions();
     void bombIsRefused();
     void unknownBlocksAreSkipped();
+    void partsThatAreLeftOutAreCounted();
     void contentsHaveALimit();
     void uvSetsWithImpossibleNumbers();
 };
@@ -276,6 +277,25 @@ void TestProjectErrors::unknownBlocksAreSkipped()
     QVERIFY(loaded->lost.isEmpty());
     QCOMPARE(loaded->warnings.size(), 1);
     QVERIFY(loaded->warnings.front().contains(u"\"future\" is unknown"));
+}
+
+//! A file can name any number of parts.
+void TestProjectErrors::partsThatAreLeftOutAreCounted()
+{
+    std::vector<PackedBlock> more{packBlock("view", "again")};
+    for (int i = 0; i < 20; ++i)
+        more.push_back(packBlock("future" + QByteArray::number(i), "x"));
+    const QByteArray parts = containerBytes(projectVersion, more);
+    QByteArray session = test::bytesOf(test::cubeSession());
+    QCOMPARE(session[0], char(0xa0 | (session[0] & 0x1f))); // a map of few entries: its length is in one byte
+    const int entries = (session[0] & 0x1f) + int(more.size());
+    session.replace(0, 1, QByteArray("\xb8") + char(entries));
+    const Result<LoadedProject> loaded = parseProject(session + parts.mid(parts.indexOf("view") - 1), {});
+    QVERIFY2(loaded.ok(), loaded ? "" : qPrintable(loaded.error().toString()));
+    QCOMPARE(loaded->warnings.size(), 6);
+    QVERIFY2(loaded->warnings.front().contains(u"\"view\" is there twice"),
+             qPrintable(loaded->warnings.front()));
+    QVERIFY2(loaded->warnings.back().startsWith(u"16 more parts"), qPrintable(loaded->warnings.back()));
 }
 
 void TestProjectErrors::contentsHaveALimit()

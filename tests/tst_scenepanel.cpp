@@ -244,6 +244,7 @@ private Q_SLOTS:
             if (action->text() == u"Save figures..."_s)
                 action->trigger();
         }
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.files.jobs().isBusy(), test::panelPatience);
         QFile file(bench.folder.filePath(u"figures.csv"_s));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArrayList lines = file.readAll().split('\n');

@@ -1,13 +1,18 @@
 // What the studio writes while calls on files fail, or the program is killed: the old or the new files.
 //
-// The program runs itself again with tests/fuzz/failingcalls.cpp preloaded, once for each call of each job.
+// The program runs itself again with tests/fuzz/failingcalls.cpp preloaded, for each call of each job: once
+// with an error and once being killed. With ALL_FAULTS in the environment, as scripts/soak sets it, it tries
+// more errors.
 #include "model/io/layoutoptions.h"
 #include "model/io/picturefiles.h"
 #include "model/io/projectfile.h"
+#include "model/io/savefile.h"
 #include "support/cliruns.h"
+#include "support/gltffiles.h"
 #include "support/mappedmodels.h"
 #include "support/patience.h"
 #include "views/control/bakejobs.h"
+#include "views/control/carryjobs.h"
 #include "views/control/filecontroller.h"
 #include "views/control/jobrunner.h"
 #include "views/control/lightjobs.h"
@@ -35,10 +40,13 @@ const std::map<QString, QStringList> jobs{
     {u"session"_s, {u"model.acproj"_s}},
     {u"mesh"_s, {u"out.obj"_s}},
     {u"gltf"_s, {u"out.glb"_s}},
+    {u"gltf with bin"_s, {u"out.gltf"_s}},
+    {u"picture"_s, {u"view.png"_s}},
     {u"layout"_s, {u"layout.1001.png"_s, u"layout.1002.png"_s}},
     {u"report"_s, {u"report.json"_s}},
     {u"bake"_s, {u"model_position.png"_s, u"model_height.png"_s, u"model_material-id.png"_s}},
     {u"light"_s, {u"light.png"_s}},
+    {u"textures"_s, {u"skin_new.png"_s, u"rough_new.png"_s}},
 };
 
 //! Does a job in the current folder. \returns what went wrong; empty when it succeeded
@@ -56,7 +64,8 @@ QString doJob(const QString &job, const QString &other)
         return QTest::qWaitFor([&files] { return !files.jobs().isBusy() && !files.isSaving(); },
                                test::patience);
     };
-    files.open(QDir::current().filePath(u"model.acproj"_s));
+    files.open(job == "gltf with bin"_L1 ? other + u"/pair.gltf"_s
+                                         : QDir::current().filePath(u"model.acproj"_s));
     if (!rests() || !workspace.document())
         return problem.isEmpty() ? u"nothing was opened"_s : problem;
     const Document &document = *workspace.document();
@@ -69,8 +78,10 @@ QString doJob(const QString &job, const QString &other)
     JobControl control;
     if (job == "session"_L1) {
         files.save(first, true);
-    } else if (job == "mesh"_L1 || job == "gltf"_L1) {
+    } else if (job == "mesh"_L1 || job.startsWith("gltf"_L1)) {
         files.exportMesh(first);
+    } else if (job == "picture"_L1) {
+        files.exportBytes(first, "a picture");
     } else if (job == "layout"_L1) {
         files.exportLayout({{1001, first}, {1002, path(jobs.at(job).back())}}, picture, {});
     } else if (job == "report"_L1) {
@@ -86,6 +97,15 @@ QString doJob(const QString &job, const QString &other)
         choice.samples = 1;
         choice.path = first;
         return lightBakeJob(document.state(), 0, input, choice, {}, control).problem;
+    } else if (job == "textures"_L1) {
+        CarryChoice choice;
+        choice.from = CarryChoice::From::UvSet;
+        choice.uvSet = 1;
+        choice.folder = QDir::currentPath();
+        choice.suffix = u"_new"_s;
+        return carryJob({document.state(), workspace.recorder().pending()}, workspace.sessionPath(), choice,
+                        control)
+            .problem;
     }
     return rests() ? problem : u"it does not end"_s;
 }
@@ -158,9 +178,22 @@ private Q_SLOTS:
         scene.path = at("model.obj");
         scene.objectNames = {u"box"_s};
         scene.faceMaterial.assign(static_cast<std::size_t>(scene.mesh->faceCount()), -1);
-        scene.uvSets = {{u"UVMap"_s, test::mapped(scene.mesh, test::boxMap()).uv}};
-        QVERIFY(saveProject(Document(scene).state(), {}, at("model.acproj")).ok());
+        const UvMatrix uv = test::mapped(scene.mesh, test::boxMap()).uv;
+        scene.uvSets = {{u"UVMap"_s, uv}, {u"before"_s, 0.5 * uv}};
         QVERIFY(QDir().mkpath(at("other")));
+        DocumentState state = DocumentState::initial(scene);
+        Picture picture(4, 4, 3);
+        for (const auto &[channel, name] : {std::pair(TextureChannel::BaseColor, u"other/skin.png"_s),
+                                            std::pair(TextureChannel::Roughness, u"other/rough.png"_s)}) {
+            const QString path = mFolder.filePath(name);
+            QVERIFY(writePicture(picture, path, PictureDepth::Eight).ok());
+            state.textureSets.resize(1);
+            state.textureSets[0][channel] = {{path, {}}};
+        }
+        QVERIFY(saveProject(state, {}, at("model.acproj")).ok());
+        const gltffiles::FileBuilder pair = gltffiles::grid();
+        QVERIFY(saveAtomically(at("other/pair.gltf"), pair.text("pair.bin")).ok());
+        QVERIFY(saveAtomically(at("other/pair.bin"), pair.buffer).ok());
     }
 
     void theOldOrTheNewFiles_data()
@@ -180,8 +213,12 @@ private Q_SLOTS:
         const auto calls = int(test::readBytes(at("calls.log")).count('\n'));
         QVERIFY(calls > 3);
         const QStringList names = QDir(work()).entryList(QDir::Files | QDir::Hidden);
+        QStringList faults{QString::number(EIO), u"kill"_s};
+        if (qEnvironmentVariableIsSet("ALL_FAULTS"))
+            faults << QString::number(ENOSPC) << QString::number(EACCES);
+        qInfo("%s: %d calls, %d runs", qPrintable(job), calls, int(calls * faults.size()));
         for (int call = 1; call <= calls; ++call) {
-            for (const QString &with : {QString::number(EIO), u"kill"_s}) {
+            for (const QString &with : faults) {
                 reset(job);
                 const Run failed = run(job, call, with);
                 const auto where = [&] {

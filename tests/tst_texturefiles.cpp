@@ -1,7 +1,9 @@
 // Textures that files name: OBJ, FBX, glTF and sessions; where they are looked for, and sets of tiles.
 #include "model/document/documentstate.h"
+#include "model/io/bakefiles.h"
 #include "model/io/fbxreader.h"
 #include "model/io/meshfile.h"
+#include "model/io/picturefiles.h"
 #include "model/io/projectfile.h"
 #include "model/io/savefile.h"
 #include "model/io/texturefiles.h"
@@ -316,6 +318,40 @@ private Q_SLOTS:
         QCOMPARE(tiles("plain.png"), QList<int>{0});
         QCOMPARE(tiles("gone.png"), QList<int>());
         QCOMPARE(textureTiles(at("a.1001.png"))[1].path, at("a.1002.png"));
+        // A folder is listed once for many textures.
+        FolderNames folders;
+        QCOMPARE(textureTiles(at("a.<UDIM>.png"), &folders).size(), std::size_t(4));
+        QVERIFY(write(at("a.1005.png")));
+        QCOMPARE(textureTiles(at("a.<UDIM>.png"), &folders).size(), std::size_t(4));
+        QCOMPARE(textureTiles(at("a.<UDIM>.png")).size(), std::size_t(5));
+        QCOMPARE(findTexture(u"a.<UDIM>.png"_s, at("m.obj"), &folders), at("a.<UDIM>.png"));
+    }
+
+    //! Thousands of materials may name one picture, however they spell it.
+    void aPictureOfManyMaterialsIsReadOnce()
+    {
+        const QTemporaryDir folder;
+        const auto at = [&](const char *name) { return folder.filePath(QLatin1String(name)); };
+        for (const char *name : {"a.png", "b.png"})
+            QVERIFY(writePicture(Picture(2, 2, 3), at(name), PictureDepth::Eight).ok());
+        QVERIFY(saveAtomically(at("m.mtl"), "newmtl a\nmap_Kd a.png\nnewmtl b\nmap_Kd ./a.png\nnewmtl c\n"
+                                            "map_Kd b.png\n")
+                    .ok());
+        QVERIFY(saveAtomically(at("m.obj"), obj).ok());
+        DocumentState state;
+        state.scene = readMesh(at("m.obj")).value();
+        state.scene.materialNames.push_back(u"of no face"_s);
+        state.scene.materialTextures.push_back({u"gone.png"_s, {}});
+        QStringList missing;
+        const std::optional<SurfaceTexture> colors = readBaseColors(state, missing);
+        QVERIFY(colors);
+        QCOMPARE(missing, QStringList());
+        QCOMPARE(colors->ofMaterial.size(), std::size_t(5));
+        QVERIFY(colors->ofMaterial[0].repeated);
+        QCOMPARE(colors->ofMaterial[1].repeated, colors->ofMaterial[0].repeated);
+        QVERIFY(colors->ofMaterial[2].repeated);
+        QVERIFY(colors->ofMaterial[2].repeated != colors->ofMaterial[0].repeated);
+        QVERIFY(!colors->ofMaterial[3].repeated);
     }
 };
 

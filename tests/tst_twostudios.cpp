@@ -153,6 +153,70 @@ private Q_SLOTS:
                  qPrintable(done.last().first().toString()));
     }
 
+    //! The file is gone, and so would be all work.
+    void closingASessionWhoseFileIsGoneAsks_data()
+    {
+        QTest::addColumn<int>("answer");
+        QTest::addColumn<bool>("closes");
+        QTest::newRow("save") << int(Questions::Unsaved::Save) << true;
+        QTest::newRow("discard") << int(Questions::Unsaved::Discard) << true;
+        QTest::newRow("cancel") << int(Questions::Unsaved::Cancel) << false;
+    }
+    void closingASessionWhoseFileIsGoneAsks()
+    {
+        QFETCH(int, answer);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("gone.acproj"));
+        StudioSession studio;
+        studio.context.files.openSample(QStringLiteral("bumpycube"));
+        studio.context.files.save(path);
+        QVERIFY(isSaved(studio));
+        QVERIFY(QFile::remove(path));
+        studio.answers->unsaved = Questions::Unsaved(answer);
+        QTEST(studio.window.close(), "closes");
+        QCOMPARE(studio.answers->unsavedAsked, 1);
+        QCOMPARE(QFile::exists(path), Questions::Unsaved(answer) == Questions::Unsaved::Save);
+    }
+
+    //! Save, asked for at the exit, replaces no foreign change: the window stays and asks about that.
+    void closingWithAForeignChange_data()
+    {
+        QTest::addColumn<int>("answer");
+        QTest::newRow("cancel") << int(Changed::Cancel);
+        QTest::newRow("overwrite") << int(Changed::Overwrite);
+        QTest::newRow("reload") << int(Changed::Reload);
+    }
+    void closingWithAForeignChange()
+    {
+        QFETCH(int, answer);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("shared.acproj"));
+        StudioSession first;
+        first.context.files.openSample(QStringLiteral("bumpycube"));
+        first.context.files.save(path);
+        QVERIFY(isSaved(first));
+        StudioSession second;
+        second.context.files.open(path);
+        QVERIFY(second.jobsRest());
+        setMargin(second, 7);
+        second.action("file.save")->trigger();
+        QVERIFY(isSaved(second));
+
+        setMargin(first, 5);
+        first.answers->unsaved = Questions::Unsaved::Save;
+        first.answers->changed = Changed(answer);
+        QVERIFY(!first.window.close());
+        QTRY_COMPARE(first.answers->changedAsked, 1);
+        QVERIFY(first.jobsRest());
+        const bool decided = isSaved(first);
+        QCOMPARE(marginOnDisk(path), Changed(answer) == Changed::Overwrite ? 5.0 : 7.0);
+        QCOMPARE(first.document()->packingSettings().margin, Changed(answer) == Changed::Reload ? 7.0 : 5.0);
+        QCOMPARE(decided, Changed(answer) != Changed::Cancel);
+        first.answers->unsaved = Questions::Unsaved::Discard;
+        QVERIFY(first.window.close());
+        QCOMPARE(first.answers->changedAsked, 1);
+    }
+
     void theOtherOneIsNamed()
     {
         const QTemporaryDir folder;

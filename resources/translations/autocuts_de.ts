@@ -6641,6 +6641,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>&amp;All faces</source>
         <translation>&amp;Alle Flächen</translation>
     </message>
+    <message>
+        <source>The file of %1 is gone. Save it anew?</source>
+        <translation>Die Datei von %1 ist verschwunden. Neu speichern?</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::RecoveryDialog</name>

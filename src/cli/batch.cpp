@@ -26,6 +26,7 @@
 #include <exception>
 #include <functional>
 #include <new>
+#include <system_error>
 
 namespace autocuts {
 
@@ -400,11 +401,16 @@ int runCommand(const CliOptions &options, StopSource &stop, bool showProgress, Q
     const auto failure = [&](const QString &what, const QString &remedy) {
         return job.fail({what, options.input, 0, remedy});
     };
+    const auto noMemory = [&] {
+        return failure(QStringLiteral("not enough memory"),
+                       QStringLiteral("Close other programs or use a smaller model"));
+    };
     try {
         return job.run();
     } catch (const std::bad_alloc &) {
-        return failure(QStringLiteral("not enough memory"),
-                       QStringLiteral("Close other programs or use a smaller model"));
+        return noMemory();
+    } catch (const std::system_error &) { // no room for another thread
+        return noMemory();
     } catch (const std::exception &e) {
         return failure(QString::fromUtf8(e.what()), {});
     }

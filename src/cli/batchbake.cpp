@@ -9,6 +9,7 @@
 #include "model/io/pictures/picturesize.h"
 #include "model/io/savefile.h"
 #include "model/io/texturefiles.h"
+#include "model/io/transfersource.h"
 #include "model/plain/chart.h"
 #include "model/plain/udimtiles.h"
 #include "solver/bake/carrying.h"
@@ -18,6 +19,7 @@
 #include <QJsonArray>
 
 #include <algorithm>
+#include <map>
 
 namespace autocuts {
 
@@ -55,12 +57,6 @@ Result<Scene> readScene(const CliOptions &options, const QString &path, const QS
     return files.read(other, &stop);
 }
 
-Result<Scene> readScene(const CliOptions &options, const QString &path, const std::atomic<bool> &stop)
-{
-    BatchFiles files;
-    return readScene(options, path, {}, files, stop);
-}
-
 //! A model that is baked from.
 struct SourceModel
 {
@@ -76,7 +72,8 @@ Result<SourceModel> readSource(const CliOptions &options, const QString &path, c
         const Result<Scene> scene = readScene(options, path, {}, files, own);
         if (!scene)
             return scene.error();
-        return SourceModel{files.modelOf(scene.value()), shadedSurface(scene.value()), files.warnings()};
+        return SourceModel{files.modelOf(scene.value()), shadedSurface(scene.value()),
+                           lossesOf(path, files.warnings())};
     };
     std::optional<Result<SourceModel>> model = unlessStopped(stop, read);
     return model ? std::move(*model) : readingCancelled(path);
@@ -117,11 +114,13 @@ Result<PictureDepth> depthOf(const CliOptions::Baking &options)
 }
 
 Result<Done> readCage(const CliOptions &options, const Scene &scene, const std::atomic<bool> &stop,
-                      bake::CageSettings &cage)
+                      bake::CageSettings &cage, QStringList &warnings)
 {
-    const Result<Scene> read = readScene(options, options.bake.cageFile, stop);
+    BatchFiles files;
+    const Result<Scene> read = readScene(options, options.bake.cageFile, {}, files, stop);
     if (!read)
         return read.error();
+    warnings << lossesOf(options.bake.cageFile, files.warnings());
     const MeshData &mesh = *read->mesh;
     if (mesh.faceStart != scene.mesh->faceStart || mesh.cornerVertex != scene.mesh->cornerVertex)
         return Error{u"the cage has other faces than the model"_s, options.bake.cageFile, 0,
@@ -201,7 +200,7 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const BatchFiles &files,
                     alone.join(u", "_s));
         }
         if (!options.bake.cageFile.isEmpty()) {
-            const Result<Done> cage = readCage(options, scene, stop, job->settings.cage);
+            const Result<Done> cage = readCage(options, scene, stop, job->settings.cage, outcome.warnings);
             if (!cage)
                 return cage.error();
         }
@@ -249,12 +248,15 @@ std::vector<int> materialsOf(const Scene &old, const Scene &scene)
 {
     if (samePolygons(*old.mesh, *scene.mesh))
         return old.faceMaterial;
+    std::map<QString, int> places; // the first of each name
+    for (std::size_t material = 0; material < old.materialNames.size(); ++material)
+        places.try_emplace(old.materialNames[material], int(material));
     std::vector<int> materials;
     for (const int material : scene.faceMaterial) {
         const QString name = material < 0 ? QString() : scene.materialNames[std::size_t(material)];
-        const auto found = std::ranges::find(old.materialNames, name);
+        const auto found = places.find(name);
         const int only = old.materialNames.size() == 1 ? 0 : -1;
-        materials.push_back(found == old.materialNames.end() ? only : int(found - old.materialNames.begin()));
+        materials.push_back(found == places.end() ? only : found->second);
     }
     return materials;
 }
@@ -285,8 +287,11 @@ Result<BakeOutcome> carryTextures(const CliOptions &options, const BatchFiles &f
     const Result<Scene> old = readScene(options, from, options.fromUvSet, oldFiles, stop);
     if (!old)
         return old.error();
+    const QStringList losses =
+        options.from.isEmpty() ? QStringList() : lossesOf(from, oldFiles.warnings()); // the input's are said
     if (!old->hasUv())
-        return Error{u"the model has no UV map that its textures could be for"_s, from, 0, {}};
+        return withLosses({u"the model has no UV map that its textures could be for"_s, from, 0, {}}, losses);
+    outcome.warnings << losses;
     const DocumentState state = texturedModel(scene, files, old.value(), oldFiles);
     const CarryTarget target{options.output, {}, prepared->tiles.size() > 1, {}};
     const bool ofMaterials = options.bake.textures == QStringList{u"all"_s};

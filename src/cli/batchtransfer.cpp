@@ -55,11 +55,11 @@ Result<MadeMap> MapMaking::transfer(Scene &scene) const
         return model.error();
     const QStringList sourceWarnings = model->warnings;
     if (const Result<Done> chosen = chooseFrom(mOptions, std::move(model).value(), job); !chosen)
-        return chosen.error();
+        return withLosses(chosen.error(), sourceWarnings);
     const Result<TransferredUvs> made = runTransfer(
         job, {[this] { return mJob.stopped(); }, [this](double fraction) { mJob.report(fraction); }});
     if (!made)
-        return made.error();
+        return withLosses(made.error(), sourceWarnings);
     MadeMap outcome;
     outcome.warnings << sourceWarnings;
     if (made->stopped) {

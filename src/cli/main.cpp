@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <langinfo.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace {
@@ -25,6 +26,20 @@ extern "C" void interrupt(int signal)
     // A second signal ends the program at once.
     std::signal(signal, SIG_DFL);
     stopSource.request(autocuts::StopReason::Interrupted);
+}
+
+//! OpenBLAS starts a thread for each core before main(). Where the address space is limited, each of them may
+//! try for ever to map its buffer. The program uses none of them, so it begins again without them.
+void beginWithoutBlasThreads(char *arguments[])
+{
+    constexpr const char *name = "OPENBLAS_NUM_THREADS";
+    rlimit space{};
+    if (getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY)
+        return;
+    if (const char *threads = std::getenv(name); threads && std::strcmp(threads, "1") == 0)
+        return;
+    setenv(name, "1", 1);
+    execv("/proc/self/exe", arguments);
 }
 
 //! Selects a UTF-8 locale when there is none, as in cron jobs and containers: Qt needs one for file names and
@@ -60,6 +75,7 @@ int ended(int code, QTextStream &out, QTextStream &err)
 
 int main(int argc, char *argv[])
 {
+    beginWithoutBlasThreads(argv);
     ensureUtf8Locale();
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("autocuts-cli"));

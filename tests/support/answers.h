@@ -23,7 +23,7 @@ public:
     Hidden hidden = Hidden::OnlyShown;
     Changed changed = Changed::Cancel;
 
-    Unsaved askUnsaved(const QString &) override
+    Unsaved askUnsaved(const QString &, bool) override
     {
         ++unsavedAsked;
         return unsaved;

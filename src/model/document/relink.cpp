@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace autocuts {
 
@@ -68,13 +69,16 @@ private:
     void carryTextureSets()
     {
         const std::vector<QString> &from = mFrom.scene.materialNames, &to = mTo.scene.materialNames;
+        std::map<QString, std::size_t> places; // the first of each name
+        for (std::size_t material = 0; material < to.size(); ++material)
+            places.try_emplace(to[material], material + 1);
         mTo.textureSets.assign(to.size() + 1, {});
         for (std::size_t set = 0; set < mFrom.textureSets.size(); ++set) {
-            const auto found = set == 0 ? to.end() : std::find(to.begin(), to.end(), from[set - 1]);
+            const auto found = set == 0 ? places.end() : places.find(from[set - 1]);
             if (set == 0)
                 mTo.textureSets[0] = mFrom.textureSets[0];
-            else if (found != to.end())
-                mTo.textureSets[static_cast<std::size_t>(found - to.begin()) + 1] = mFrom.textureSets[set];
+            else if (found != places.end())
+                mTo.textureSets[found->second] = mFrom.textureSets[set];
         }
         mTo.textureSets = withoutEmptyEnd(std::move(mTo.textureSets));
     }

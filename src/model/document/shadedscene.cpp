@@ -5,6 +5,7 @@
 #include <QRegularExpression>
 
 #include <map>
+#include <set>
 
 namespace autocuts {
 
@@ -63,9 +64,10 @@ QStringList pairObjects(ShadedSurface &low, const std::vector<QString> &lowNames
     };
     assign(low, ofLow);
     assign(high, ofHigh);
+    const std::set<int> known(ofHigh.begin(), ofHigh.end());
     QStringList alone;
     for (std::size_t i = 0; i < ofLow.size(); ++i) {
-        if (std::find(ofHigh.begin(), ofHigh.end(), ofLow[i]) == ofHigh.end())
+        if (!known.contains(ofLow[i]))
             alone << lowNames[i];
     }
     return alone;

@@ -1,5 +1,6 @@
 #include "model/io/bakefiles.h"
 
+#include "model/io/fileclashes.h"
 #include "model/io/texturefiles.h"
 
 #include <QDir>
@@ -7,6 +8,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <map>
 
 namespace autocuts {
 
@@ -87,10 +89,12 @@ std::optional<SurfaceTexture> readBaseColors(const DocumentState &model, QString
 {
     SurfaceTexture texture;
     bool found = false, floats = true;
-    const int count = static_cast<int>(model.scene.materialNames.size());
-    for (int place = 0; place <= count; ++place) {
-        texture.ofMaterial.emplace_back();
-        const int material = place < count ? place : -1; // the last one is for faces without a material
+    const std::size_t count = model.scene.materialNames.size();
+    texture.ofMaterial.resize(count + 1); // the last one is for faces without a material
+    FolderNames folders;
+    std::map<std::pair<QByteArray, QByteArray>, TiledPicture> known; // by file and content: read once
+    for (const int material : usedMaterials(model.scene)) {
+        TiledPicture &ofMaterial = texture.ofMaterial[material < 0 ? count : std::size_t(material)];
         const TextureSet set = model.textureSet(material);
         const auto color = set.find(TextureChannel::BaseColor);
         if (color == set.end() || color->second.picture.isEmpty())
@@ -98,7 +102,12 @@ std::optional<SurfaceTexture> readBaseColors(const DocumentState &model, QString
         SceneTexture one = color->second.picture;
         if (one.content.isEmpty())
             one.file = texturePath(one.file, isChosenTexture(model, material, TextureChannel::BaseColor),
-                                   model.scene.path);
+                                   model.scene.path, &folders);
+        const std::pair key(one.content.isEmpty() ? fileKey(one.file) : QByteArray(), one.content);
+        if (const auto same = known.find(key); same != known.end()) {
+            ofMaterial = same->second;
+            continue;
+        }
         Result<ReadPictures> pictures = readPictures(one);
         if (!pictures) {
             missing << color->second.picture.file;
@@ -106,7 +115,7 @@ std::optional<SurfaceTexture> readBaseColors(const DocumentState &model, QString
         }
         found = true;
         floats = floats && pictures->depth == PictureDepth::Float;
-        texture.ofMaterial.back() = std::move(pictures->pictures);
+        ofMaterial = known[key] = std::move(pictures->pictures);
     }
     if (!found)
         return std::nullopt;

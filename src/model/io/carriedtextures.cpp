@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace autocuts {
 
@@ -118,23 +119,16 @@ QString ofTile(QString path, int tile)
 void nameFiles(CarryPlan &plan, const std::vector<QString> &fallbacks, const CarryTarget &target)
 {
     std::set<QString> taken;
+    std::map<QString, int> numbers; // the last one of each name
     for (std::size_t i = 0; i < plan.pictures.size(); ++i) {
         CarriedPicture &picture = plan.pictures[i];
         const QString name = newName(picture.source, fallbacks[i], target);
         QString free = name;
-        for (int number = 2; !taken.insert(free.toLower()).second; ++number)
-            free = QString(name).insert(name.indexOf(u'.'), u'_' + QString::number(number));
+        int &number = numbers.try_emplace(name.toLower(), 1).first->second;
+        while (!taken.insert(free.toLower()).second)
+            free = QString(name).insert(name.indexOf(u'.'), u'_' + QString::number(++number));
         picture.newFile = QDir(target.folder).filePath(free);
     }
-}
-
-//! The materials that faces have, ascending; -1 for those without one.
-std::vector<int> usedMaterials(const Scene &scene)
-{
-    if (scene.faceMaterial.empty())
-        return {-1};
-    const std::set<int> used(scene.faceMaterial.begin(), scene.faceMaterial.end());
-    return {used.begin(), used.end()};
 }
 
 QString fallbackName(const Scene &scene, const CarriedPicture &picture)
@@ -186,29 +180,31 @@ QString CarryPlan::overwrittenSource() const
 CarryPlan planCarrying(const DocumentState &state, const CarryTarget &target)
 {
     CarryPlan plan;
+    FolderNames folders;
+    std::map<std::tuple<QString, QByteArray, TextureKind>, std::size_t> places; // in plan.pictures
     for (const int material : usedMaterials(state.scene)) {
         for (const auto &[channel, entry] : state.textureSet(material)) {
             SceneTexture source = entry.picture;
             if (source.isEmpty())
                 continue;
             if (source.content.isEmpty()) {
-                source.file =
-                    texturePath(source.file, isChosenTexture(state, material, channel), state.scene.path);
-                if (textureTiles(source.file).empty()) {
+                source.file = texturePath(source.file, isChosenTexture(state, material, channel),
+                                          state.scene.path, &folders);
+                if (textureTiles(source.file, &folders).empty()) {
                     plan.missing << QFileInfo(QString(entry.picture.file).replace(u'\\', u'/')).fileName();
                     continue;
                 }
             }
             const TextureKind kind = kindOf(channel, entry);
-            auto same = std::ranges::find_if(plan.pictures, [&](const CarriedPicture &known) {
-                return known.kind == kind && known.source == source;
-            });
-            if (same == plan.pictures.end())
-                same = plan.pictures.insert(same, {source, kind, {}, {}, {}});
-            if (same->materials.empty() || same->materials.back() != material)
-                same->materials.push_back(material);
-            if (std::ranges::find(same->channels, channel) == same->channels.end())
-                same->channels.push_back(channel);
+            const auto [place, isNew] =
+                places.try_emplace({source.file, source.content, kind}, plan.pictures.size());
+            if (isNew)
+                plan.pictures.push_back({source, kind, {}, {}, {}});
+            CarriedPicture &same = plan.pictures[place->second];
+            if (same.materials.empty() || same.materials.back() != material)
+                same.materials.push_back(material);
+            if (std::ranges::find(same.channels, channel) == same.channels.end())
+                same.channels.push_back(channel);
         }
     }
     plan.missing.removeDuplicates();

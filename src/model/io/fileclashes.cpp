@@ -75,12 +75,14 @@ QStringList filesBeside(const DocumentState &model, bool onlyBaseColors)
     } else if (const auto *obj = dynamic_cast<const ObjSource *>(scene.source.get())) {
         files << materialFiles(obj->bytes, scene.path);
     }
+    FolderNames folders;
     for (int material = -1; material < std::ssize(scene.materialNames); ++material) {
         for (const auto &[channel, entry] : model.textureSet(material)) {
             if (!entry.picture.content.isEmpty() || (onlyBaseColors && channel != TextureChannel::BaseColor))
                 continue;
             const bool chosen = isChosenTexture(model, material, channel);
-            for (const TextureTile &tile : textureTiles(texturePath(entry.picture.file, chosen, scene.path)))
+            const QString path = texturePath(entry.picture.file, chosen, scene.path, &folders);
+            for (const TextureTile &tile : textureTiles(path, &folders))
                 files << tile.path;
         }
     }

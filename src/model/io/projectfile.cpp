@@ -21,7 +21,8 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 constexpr qint64 maxProjectSize = qint64(4) << 30;
-constexpr qsizetype longestName = 40; // of an unknown part, in a message
+constexpr qsizetype longestName = 40; // of a part that is left out, in a message
+constexpr int mostNamed = 5;          // of these parts; more are counted
 
 //! Blocks whose content is already compressed.
 bool isCompressed(const QByteArray &name)
@@ -113,17 +114,28 @@ void readExtras(const PartMap &parts, bool hadJournal, LoadedProject &project)
         project.lost << u"the session's own path"_s;
 }
 
+//! Parts that were not read: of unknown names, and those whose names are there already.
+void warnOfSkipped(const std::vector<QByteArray> &skipped, QStringList &warnings)
+{
+    const qsizetype count = std::ssize(skipped);
+    for (qsizetype i = 0; i < std::min<qsizetype>(count, mostNamed); ++i) {
+        const QByteArray &name = skipped[static_cast<std::size_t>(i)];
+        warnings << (isKnown(name) ? u"the part \"%1\" is there twice, and the second one was left out"_s
+                                   : u"the part \"%1\" is unknown and was left out: its name is damaged, or "
+                                     "another version made it"_s)
+                        .arg(QString::fromUtf8(name.left(longestName)));
+    }
+    if (count > mostNamed)
+        warnings << u"%1 more parts are unknown or there twice, and were left out"_s.arg(count - mostNamed);
+}
+
 void addNotes(const ProjectParts &container, int lostSeams, LoadedProject &project)
 {
     if (container.brokenOff)
         project.warnings << u"the session is cut off or damaged in the middle"_s;
     for (const QString &what : project.lost)
         project.warnings << u"%1: damaged in the session, left out"_s.arg(what);
-    for (const QByteArray &name : container.skipped) {
-        if (!isKnown(name))
-            project.warnings << u"the part \"%1\" is unknown and was left out: its name is damaged, or "
-                                "another version made it"_s.arg(QString::fromUtf8(name.left(longestName)));
-    }
+    warnOfSkipped(container.skipped, project.warnings);
     if (lostSeams > 0)
         project.warnings << u"%1 seams do not fit the model and were left out"_s.arg(lostSeams);
     project.notes = project.warnings + project.notes;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 namespace autocuts {
 
@@ -46,29 +47,42 @@ QString withoutDots(const QString &path)
     return QDir::cleanPath(QFileInfo(path).absoluteFilePath());
 }
 
-bool isThere(const QString &path)
+bool isThere(const QString &path, FolderNames *folders)
 {
     if (QFileInfo(path).isFile())
         return true;
-    return tileName(QFileInfo(path).fileName()) && !textureTiles(path).empty();
+    return tileName(QFileInfo(path).fileName()) && !textureTiles(path, folders).empty();
 }
 
 } // namespace
 
-std::vector<TextureTile> textureTiles(const QString &path)
+const std::vector<QString> &FolderNames::in(const QString &folder)
+{
+    const auto [found, isNew] = mNames.try_emplace(folder);
+    if (isNew) {
+        const QStringList names = QDir(folder).entryList(QDir::Files, QDir::Unsorted);
+        found->second.assign(names.begin(), names.end());
+        std::ranges::sort(found->second);
+    }
+    return found->second;
+}
+
+std::vector<TextureTile> textureTiles(const QString &path, FolderNames *folders)
 {
     const QFileInfo file(path);
     std::vector<TextureTile> tiles;
+    FolderNames own;
     if (const std::optional<TileName> name = tileName(file.fileName())) {
-        const QStringList names = file.dir().entryList(QDir::Files, QDir::Name);
-        for (const QString &other : names) {
-            const qsizetype length = name->before.size() + 4 + name->after.size();
-            if (other.size() != length || !other.startsWith(name->before) || !other.endsWith(name->after))
+        const std::vector<QString> &names = (folders ? *folders : own).in(file.path());
+        const qsizetype length = name->before.size() + 4 + name->after.size();
+        for (auto other = std::ranges::lower_bound(names, name->before);
+             other != names.end() && other->startsWith(name->before); ++other) {
+            if (other->size() != length || !other->endsWith(name->after))
                 continue;
             bool ok = false;
-            const int number = QStringView(other).sliced(name->before.size(), 4).toInt(&ok);
+            const int number = QStringView(*other).sliced(name->before.size(), 4).toInt(&ok);
             if (ok && number >= PackingSettings::firstTile && number <= name->last)
-                tiles.push_back({number, file.dir().filePath(other)});
+                tiles.push_back({number, file.dir().filePath(*other)});
         }
     } else if (file.isFile()) {
         tiles.push_back({0, path});
@@ -76,7 +90,7 @@ std::vector<TextureTile> textureTiles(const QString &path)
     return tiles;
 }
 
-QString findTexture(const QString &named, const QString &modelPath)
+QString findTexture(const QString &named, const QString &modelPath, FolderNames *folders)
 {
     const QString spelled = QString(named).replace(u'\\', u'/').trimmed();
     const QString name = QFileInfo(spelled).fileName();
@@ -94,8 +108,17 @@ QString findTexture(const QString &named, const QString &modelPath)
     for (const QString &usual : {u"textures"_s, u"Textures"_s, u"maps"_s, u"images"_s,
                                  model.completeBaseName() + u".fbm"_s, u"../textures"_s})
         candidates << folder.filePath(usual + u'/' + name);
-    const auto found = std::find_if(candidates.begin(), candidates.end(), isThere);
+    const auto found = std::ranges::find_if(
+        candidates, [folders](const QString &candidate) { return isThere(candidate, folders); });
     return found == candidates.end() ? QString() : QDir::cleanPath(*found);
+}
+
+std::vector<int> usedMaterials(const Scene &scene)
+{
+    if (scene.faceMaterial.empty())
+        return {-1};
+    const std::set<int> used(scene.faceMaterial.begin(), scene.faceMaterial.end());
+    return {used.begin(), used.end()};
 }
 
 bool hasTextures(const DocumentState &state)
@@ -117,11 +140,11 @@ bool isChosenTexture(const DocumentState &state, int material, TextureChannel ch
     return found != state.textureSets[place].end() && !found->second.fromModel;
 }
 
-QString texturePath(const QString &file, bool chosen, const QString &modelPath)
+QString texturePath(const QString &file, bool chosen, const QString &modelPath, FolderNames *folders)
 {
-    if (file.isEmpty() || (chosen && !textureTiles(file).empty()))
+    if (file.isEmpty() || (chosen && !textureTiles(file, folders).empty()))
         return file;
-    const QString found = findTexture(file, modelPath);
+    const QString found = findTexture(file, modelPath, folders);
     return found.isEmpty() && chosen ? file : found;
 }
 

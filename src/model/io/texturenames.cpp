@@ -1,6 +1,7 @@
 #include "model/io/texturenames.h"
 
 #include "model/io/picturefiles.h"
+#include "model/io/texturefiles.h"
 #include "model/plain/packingsettings.h"
 
 #include <QDir>
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 namespace autocuts {
 
@@ -107,23 +107,14 @@ QString plainName(const QString &name)
     return result;
 }
 
-//! The materials that faces have; -1 for those without one.
-std::vector<int> usedMaterials(const Scene &scene)
+//! The material with the longest name that is in the stem, or in which the stem is; -2 for none. All names
+//! are plain.
+int materialOf(const QString &plain, const std::vector<QString> &names)
 {
-    if (scene.faceMaterial.empty())
-        return {-1};
-    const std::set<int> used(scene.faceMaterial.begin(), scene.faceMaterial.end());
-    return {used.begin(), used.end()};
-}
-
-//! The material with the longest name that is in the stem, or in which the stem is; -2 for none.
-int materialOf(const QString &stem, const Scene &scene)
-{
-    const QString plain = plainName(stem);
     int best = -2;
     qsizetype length = 0;
-    for (std::size_t m = 0; m < scene.materialNames.size(); ++m) {
-        const QString name = plainName(scene.materialNames[m]);
+    for (std::size_t m = 0; m < names.size(); ++m) {
+        const QString &name = names[m];
         const bool same = name == plain, within = !name.isEmpty() && plain.contains(name),
                    around = plain.size() >= 3 && name.contains(plain);
         const qsizetype size = same ? 10000 : within ? name.size() : around ? 1 : 0;
@@ -201,11 +192,14 @@ FolderTextures texturesInFolder(const QString &folder, const Scene &scene)
         join(result.sets[static_cast<std::size_t>(material + 1)], set);
         result.pictures += static_cast<int>(set.size());
     };
+    std::vector<QString> materials;
+    for (const QString &name : scene.materialNames)
+        materials.push_back(plainName(name));
     bool anyFits = false;
     for (const auto &[stem, set] : ofStem)
-        anyFits = anyFits || materialOf(stem, scene) >= 0;
+        anyFits = anyFits || materialOf(stem, materials) >= 0;
     for (const auto &[stem, set] : ofStem) {
-        if (const int material = materialOf(stem, scene); material >= 0) {
+        if (const int material = materialOf(stem, materials); material >= 0) {
             give(material, set);
         } else if (!anyFits && (ofStem.size() == 1 || used.size() == 1)) {
             for (const int each : used)

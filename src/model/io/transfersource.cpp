@@ -4,11 +4,30 @@
 #include "model/io/projectfile.h"
 #include "model/plain/uvlayout.h"
 
+#include <QFileInfo>
+
 namespace autocuts {
+
+using namespace Qt::Literals::StringLiterals;
 
 UvMatrix TransferSource::uv() const
 {
     return uvSets.empty() ? emptyLayout(*mesh) : uvSets[activeSet].uv;
+}
+
+QStringList lossesOf(const QString &path, const QStringList &warnings)
+{
+    QStringList losses;
+    for (const QString &warning : warnings)
+        losses << QFileInfo(path).fileName() + u": "_s + warning;
+    return losses;
+}
+
+Error withLosses(Error error, const QStringList &losses)
+{
+    if (!losses.isEmpty())
+        error.message += u" ("_s + losses.join(u"; "_s) + u')';
+    return error;
 }
 
 Result<TransferSource> readTransferSource(const QString &path, const std::atomic<bool> *stop,
@@ -19,9 +38,12 @@ Result<TransferSource> readTransferSource(const QString &path, const std::atomic
         if (!project)
             return project.error();
         Scene &scene = project->state.scene;
-        return TransferSource{
-            scene.mesh, std::move(scene.uvSets),     project->state.activeUvSet, std::move(scene.objectNames),
-            path,       std::move(project->warnings)};
+        return TransferSource{scene.mesh,
+                              std::move(scene.uvSets),
+                              project->state.activeUvSet,
+                              std::move(scene.objectNames),
+                              path,
+                              lossesOf(path, project->warnings)};
     }
     Result<Scene> scene = readMesh(path, stop, tileHeight);
     if (!scene)

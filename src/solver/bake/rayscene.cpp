@@ -11,7 +11,6 @@ namespace autocuts::bake {
 
 struct RayScene::Embree
 {
-    RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     bool isReady = false; //!< otherwise the scene was not finished
 
@@ -19,8 +18,6 @@ struct RayScene::Embree
     {
         if (scene)
             rtcReleaseScene(scene);
-        if (device)
-            rtcReleaseDevice(device);
     }
 };
 
@@ -49,6 +46,16 @@ void keepFacing(const RTCFilterFunctionNArguments *arguments)
     const float along = ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z;
     if (along >= 0)
         arguments->valid[0] = 0;
+}
+
+//! One for all scenes: a process can have about a thousand. With one thread: trees are the same on any
+//! machine.
+RTCDevice device()
+{
+    static const RTCDevice only = rtcNewDevice("threads=1");
+    if (!only)
+        throw std::runtime_error("Embree cannot be used on this processor");
+    return only;
 }
 
 //! Ends the making of a tree with the job.
@@ -92,14 +99,10 @@ RayScene::RayScene(const MeshData &mesh, const Frame &frame, std::span<const int
                    const JobContext &job)
     : mEmbree(std::make_unique<Embree>()), mTriangles(triangles.begin(), triangles.end())
 {
-    // One thread: the tree is the same on any machine.
-    mEmbree->device = rtcNewDevice("threads=1");
-    if (!mEmbree->device)
-        throw std::runtime_error("Embree cannot be used on this processor");
-    mEmbree->scene = rtcNewScene(mEmbree->device);
+    mEmbree->scene = rtcNewScene(device());
     rtcSetSceneFlags(mEmbree->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     const std::size_t count = mTriangles.empty() ? mesh.triangles.size() : mTriangles.size();
-    RTCGeometry geometry = rtcNewGeometry(mEmbree->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
     auto *positions =
         static_cast<float *>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                      3 * sizeof(float), std::size_t(mesh.vertexCount())));

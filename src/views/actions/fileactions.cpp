@@ -122,14 +122,15 @@ void FileActions::leaveSession(const std::function<void()> &then)
 
 bool FileActions::mayLeave()
 {
-    mContext.files.waitForSaves();
-    if (!mContext.workspace.isModified())
+    FileController &files = mContext.files;
+    files.waitForSaves();
+    if (!mContext.workspace.isModified() && !files.isGone())
         return true;
-    switch (mQuestions.askUnsaved(mContext.workspace.name())) {
+    switch (mQuestions.askUnsaved(mContext.workspace.name(), files.isGone())) {
     case Questions::Unsaved::Save:
         save();
-        mContext.files.waitForSaves();
-        return !mContext.workspace.isModified();
+        files.waitForSaves();
+        return !mContext.workspace.isModified() && !files.isGone();
     case Questions::Unsaved::Discard:
         return true;
     case Questions::Unsaved::Cancel:
@@ -145,7 +146,7 @@ bool FileActions::mayClose()
     if (!solves || (!solver.map() && !mContext.workspace.isModified()))
         return mayLeave();
     // The question does not wait for the solver.
-    switch (mQuestions.askUnsaved(mContext.workspace.name())) {
+    switch (mQuestions.askUnsaved(mContext.workspace.name(), mContext.files.isGone())) {
     case Questions::Unsaved::Save:
         // A window that is being closed cannot be closed again: later, at its own turn of the event loop.
         solver.whenPaused([this] {

@@ -5,6 +5,7 @@
 #include "model/io/fileclashes.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
+#include "model/io/transfersource.h"
 #include "model/plain/udimtiles.h"
 #include "views/control/jobtexts.h"
 
@@ -18,7 +19,7 @@ namespace autocuts {
 
 namespace {
 
-Result<DocumentState> readDetailed(const QString &path, const std::atomic<bool> &stop)
+Result<DocumentState> readDetailed(const QString &path, const std::atomic<bool> &stop, QStringList &warnings)
 {
     if (!isProjectPath(path)) {
         Result<Scene> scene = readMesh(path, &stop);
@@ -31,6 +32,7 @@ Result<DocumentState> readDetailed(const QString &path, const std::atomic<bool> 
     Result<LoadedProject> project = loadProject(path, &stop);
     if (!project)
         return project.error();
+    warnings << lossesOf(path, project->warnings);
     return std::move(project->state);
 }
 
@@ -82,7 +84,7 @@ Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSetti
         takeColors(model, job.low);
         return job;
     }
-    const Result<DocumentState> high = readDetailed(choice.high, stop);
+    const Result<DocumentState> high = readDetailed(choice.high, stop, warnings);
     if (!high)
         return high.error();
     job.kind = bake::SourceKind::Detailed;

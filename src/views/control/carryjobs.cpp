@@ -7,6 +7,7 @@
 #include "model/io/fileclashes.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
+#include "model/io/transfersource.h"
 #include "model/plain/udimtiles.h"
 #include "model/plain/uvlayout.h"
 #include "solver/bake/carrying.h"
@@ -33,24 +34,27 @@ Scene withSet(const DocumentState &state, int set)
     return scene;
 }
 
-Result<Scene> readFile(const QString &path, double tileHeight, const std::atomic<bool> &stop)
+Result<Scene> readFile(const QString &path, double tileHeight, const std::atomic<bool> &stop,
+                       QStringList &losses)
 {
     if (!isProjectPath(path))
         return readMesh(path, &stop, tileHeight);
     const Result<LoadedProject> project = loadProject(path, &stop);
     if (!project)
         return project.error();
+    losses = lossesOf(path, project->warnings);
     return withSet(project->state, project->state.activeUvSet);
 }
 
 //! The model with the map that the textures are for, as its first set.
-Result<Scene> sourceScene(const CarryInput &input, const CarryChoice &choice, const std::atomic<bool> &stop)
+Result<Scene> sourceScene(const CarryInput &input, const CarryChoice &choice, const std::atomic<bool> &stop,
+                          QStringList &losses)
 {
     switch (choice.from) {
     case From::UvSet:
         return withSet(input.state, choice.uvSet);
     case From::File:
-        return readFile(choice.file, input.state.packingSettings.tileHeight(), stop);
+        return readFile(choice.file, input.state.packingSettings.tileHeight(), stop, losses);
     case From::Textures:
         break;
     }
@@ -110,13 +114,15 @@ MapJobResult carryJob(const CarryInput &input, const QString &sessionPath, const
     const QString cancelled = JobTexts::tr("Cancelled: no picture was written");
     const double tileHeight = input.state.packingSettings.tileHeight();
     const Scene scene = withSet(input.state, input.state.activeUvSet);
-    const Result<Scene> before = sourceScene(input, choice, control.stop());
+    QStringList losses;
+    const Result<Scene> before = sourceScene(input, choice, control.stop(), losses);
     if (control.stop())
         return failed(cancelled);
     if (!before)
         return failed(before.error().toString());
     if (!before->hasUv())
-        return failed(JobTexts::tr("The other model has no UVs"));
+        return failed(
+            (QStringList{JobTexts::tr("The other model has no UVs")} + losses).join(QStringLiteral(". ")));
     if (sameMap(before.value(), scene))
         return failed(choice.from == From::Textures
                           ? JobTexts::tr("As far as the history knows, the textures fit this map already: "
@@ -158,7 +164,7 @@ MapJobResult carryJob(const CarryInput &input, const QString &sessionPath, const
     result.message =
         JobTexts::tr("Carried %n pictures over into %1", nullptr, static_cast<int>(carried->files.size()))
             .arg(QDir::toNativeSeparators(choice.folder));
-    const QStringList warnings = warningsOf(plan, carried.value(), figures, tiles.facesOutside);
+    const QStringList warnings = losses + warningsOf(plan, carried.value(), figures, tiles.facesOutside);
     if (!warnings.isEmpty())
         result.problem = result.message + QStringLiteral(". ") + warnings.join(QStringLiteral(". "));
     return result;

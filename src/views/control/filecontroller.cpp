@@ -324,6 +324,11 @@ void FileController::save(const QString &path, bool overwrite)
     });
 }
 
+bool FileController::isGone() const
+{
+    return mStamp.exists() && !FileStamp::of(mWorkspace.sessionPath()).exists();
+}
+
 void FileController::relink(const QString &meshPath)
 {
     const Document *document = mWorkspace.document();
@@ -466,6 +471,21 @@ void FileController::exportReport(const QString &path)
             report.input = scene.path;
             report.status = QStringLiteral("done");
             return saveAtomically(path, reportJson(report));
+        },
+        [this, path](const Result<Done> &written) { tellWritten(written, path); });
+    if (!started)
+        tellBusy(path);
+}
+
+void FileController::exportBytes(const QString &path, const QByteArray &bytes)
+{
+    if (!mWorkspace.document())
+        return;
+    const bool started = mJobs.start(
+        tr("Writing %1").arg(QFileInfo(path).fileName()),
+        [path, bytes, kept = filesToKeep()](JobControl &) {
+            const Result<Done> fine = checkOutputs({path}, kept(false));
+            return fine ? saveAtomically(path, bytes) : fine;
         },
         [this, path](const Result<Done> &written) { tellWritten(written, path); });
     if (!started)

@@ -72,6 +72,8 @@ public:
     //! When another program has changed the session's file since it was opened or saved, nothing is written,
     //! and changedOnDisk() is emitted. \param overwrite replace it all the same
     void save(const QString &path, bool overwrite = false);
+    //! True when another program has removed the session's file.
+    bool isGone() const;
     bool isSaving() const { return mSaver.isBusy(); }
     //! Waits for all saves and autosaves under way.
     void waitForSaves() { mSaver.waitForDone(); }
@@ -83,6 +85,8 @@ public:
                       const std::vector<bool> &faces = {});
     //! Measures the map and writes its figures as JSON, off the GUI thread: the report of the command line.
     void exportReport(const QString &path);
+    //! Writes a picture or a table that a panel has made, off the GUI thread.
+    void exportBytes(const QString &path, const QByteArray &bytes);
     //! Autosaves at once instead of at the end of the interval.
     void saveForRecoveryNow();
     //! Autosaves at the next turn of the event loop when there is something that is not saved.

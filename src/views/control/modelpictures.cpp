@@ -63,6 +63,7 @@ ModelPictures::Wanted ModelPictures::Wanted::by(const DocumentState &state, bool
     wanted.onlyColors = onlyColors;
     std::vector<TextureSet> known;
     std::vector<QRgb> knownColors;
+    std::multimap<QStringList, std::size_t> places; // in known, by the names of the pictures
     const Scene &scene = state.scene;
     for (int material = -1; material < std::ssize(scene.materialNames); ++material) {
         TextureSet set = state.textureSet(material);
@@ -77,12 +78,17 @@ ModelPictures::Wanted ModelPictures::Wanted::by(const DocumentState &state, bool
             wanted.setOfMaterial.push_back(-1);
             continue;
         }
-        std::size_t same = 0;
-        while (same < known.size() && !(known[same] == set && (onlyColors || knownColors[same] == color)))
-            ++same;
-        wanted.setOfMaterial.push_back(static_cast<int>(same));
-        if (same < known.size())
+        QStringList names;
+        for (const auto &[channel, entry] : set)
+            names << entry.picture.file;
+        const auto [first, end] = places.equal_range(names);
+        const auto same = std::find_if(first, end, [&](const auto &entry) {
+            return known[entry.second] == set && (onlyColors || knownColors[entry.second] == color);
+        });
+        wanted.setOfMaterial.push_back(static_cast<int>(same == end ? known.size() : same->second));
+        if (same != end)
             continue;
+        places.emplace(names, known.size());
         known.push_back(set);
         knownColors.push_back(color);
         TextureSetRequest &request = wanted.sets.emplace_back();
@@ -101,11 +107,13 @@ ModelPictures::Wanted ModelPictures::Wanted::by(const DocumentState &state, bool
 //! Finds the files; on the thread that reads them.
 void ModelPictures::Wanted::resolve(const QString &modelPath)
 {
+    FolderNames folders;
     for (std::size_t s = 0; s < sets.size(); ++s) {
         for (auto &[channel, wanted] : sets[s].channels)
-            wanted.picture.path = wanted.picture.content.isEmpty()
-                                      ? texturePath(wanted.picture.path, chosen[s].at(channel), modelPath)
-                                      : QString();
+            wanted.picture.path =
+                wanted.picture.content.isEmpty()
+                    ? texturePath(wanted.picture.path, chosen[s].at(channel), modelPath, &folders)
+                    : QString();
     }
 }
 
@@ -286,10 +294,11 @@ void ModelPictures::watch(const QStringList &paths)
     if (const QStringList old = mWatcher.files() + mWatcher.directories(); !old.isEmpty())
         mWatcher.removePaths(old);
     QStringList watched;
+    FolderNames folders;
     for (const QString &path : paths) {
         if (const QString folder = QFileInfo(path).absolutePath(); QFileInfo(folder).isDir())
             watched << folder;
-        for (const TextureTile &tile : textureTiles(path))
+        for (const TextureTile &tile : textureTiles(path, &folders))
             watched << tile.path;
     }
     watched.removeDuplicates();
@@ -300,8 +309,9 @@ void ModelPictures::watch(const QStringList &paths)
 std::vector<ModelPictures::FileState> ModelPictures::statesOf(const QStringList &paths)
 {
     std::vector<FileState> states;
+    FolderNames folders;
     for (const QString &path : paths) {
-        for (const TextureTile &tile : textureTiles(path)) {
+        for (const TextureTile &tile : textureTiles(path, &folders)) {
             const QFileInfo info(tile.path);
             states.push_back({tile.path, info.lastModified(), info.size()});
         }

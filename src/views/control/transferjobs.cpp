@@ -12,7 +12,7 @@ namespace autocuts {
 namespace {
 
 Result<Done> fillSource(const TransferChoice &choice, const std::vector<UvSet> &sets, const MapInput &input,
-                        JobControl &control, TransferJob &job)
+                        JobControl &control, TransferJob &job, QStringList &warnings)
 {
     if (choice.from == TransferChoice::From::File) {
         const Result<TransferSource> source =
@@ -22,6 +22,7 @@ Result<Done> fillSource(const TransferChoice &choice, const std::vector<UvSet> &
         job.source = source->mesh;
         job.sourceUv = source->uv();
         job.sourceName = choice.path;
+        warnings << source->warnings;
         return Done();
     }
     job.source = input.snapshot.mesh;
@@ -48,7 +49,8 @@ MapJobResult transferUvsJob(const MapInput &input, const TransferChoice &choice,
 {
     const QString stoppedText = JobTexts::tr("Cancelled: the map stays as it is");
     TransferJob job;
-    const Result<Done> filled = fillSource(choice, sets, input, control, job);
+    QStringList warnings;
+    const Result<Done> filled = fillSource(choice, sets, input, control, job, warnings);
     if (control.stop())
         return transferFailed(stoppedText);
     if (!filled)
@@ -66,14 +68,15 @@ MapJobResult transferUvsJob(const MapInput &input, const TransferChoice &choice,
         runTransfer(job, {[&control] { return control.stop().load(); },
                           [&control](double fraction) { control.setProgress(fraction); }});
     if (!made)
-        return transferFailed(made.error().toString());
+        return transferFailed(withLosses(made.error(), warnings).toString());
     if (made->stopped)
         return transferFailed(stoppedText);
     MapJobResult result;
     result.edit = UvEdit::Transfer;
     result.uv = made->uv;
     result.message = JobTexts::tr("UVs transferred: %1").arg(made->summary());
-    if (const QStringList warnings = made->warnings(); !warnings.isEmpty()) {
+    warnings << made->warnings();
+    if (!warnings.isEmpty()) {
         result.problem = result.message + QStringLiteral(". ") + warnings.join(QStringLiteral(". "));
         result.problemItems.mode = SelectionMode::Faces;
         result.problemItems.faces = made->unmatched;

@@ -3,6 +3,7 @@
 #include "model/io/savefile.h"
 #include "model/io/uvexport.h"
 #include "views/canvas/meshview.h"
+#include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/ui/dialogsize.h"
@@ -14,6 +15,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFile>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QImageReader>
 #include <QLabel>
@@ -214,7 +216,14 @@ void PreviewDialog::save()
 {
     const QString path = mQuestions.fileToSave(tr("Save picture"), mContext.preferences.lastFolder(),
                                                {tr("PNG picture (*.png)")});
-    if (!path.isEmpty() && !mView->picture().save(path))
+    if (path.isEmpty())
+        return;
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (mView->picture().save(&buffer, QFileInfo(path).suffix().toLatin1().constData()))
+        mContext.files.exportBytes(path, bytes);
+    else
         mQuestions.showError({tr("The picture could not be written"), path, 0,
                               tr("Choose another folder, and a name that ends with .png")});
 }

@@ -1,8 +1,8 @@
 #include "views/panels/scenepanel.h"
 
 #include "commands/hidefaces.h"
-#include "model/io/savefile.h"
 #include "views/actions/actionregistry.h"
+#include "views/control/filecontroller.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/panels/controls.h"
@@ -415,10 +415,8 @@ void ScenePanel::saveFigures()
     const QString folder = context().preferences.lastFolder();
     const QString path = mQuestions.fileToSave(tr("Save figures"), QDir(folder).filePath(u"figures.csv"_s),
                                                {tr("Table (*.csv)"), tr("All files (*)")});
-    if (path.isEmpty())
-        return;
-    if (const Result<Done> saved = saveAtomically(path, mTable->csv(selectedRows())); !saved)
-        mQuestions.showError(saved.error());
+    if (!path.isEmpty())
+        context().files.exportBytes(path, mTable->csv(selectedRows()));
 }
 
 } // namespace autocuts

@@ -27,10 +27,12 @@ QString firstSuffix(const QString &filter)
 
 } // namespace
 
-Questions::Unsaved Questions::askUnsaved(const QString &name)
+Questions::Unsaved Questions::askUnsaved(const QString &name, bool fileIsGone)
 {
-    QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"), tr("Save the changes to %1?").arg(name),
-                    QMessageBox::NoButton, mWindow);
+    const QString question =
+        fileIsGone ? tr("The file of %1 is gone. Save it anew?") : tr("Save the changes to %1?");
+    QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"), question.arg(name), QMessageBox::NoButton,
+                    mWindow);
     box.setInformativeText(tr("What is not saved is lost."));
     const auto *save = box.addButton(tr("&Save"), QMessageBox::AcceptRole);
     const auto *discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);

@@ -31,7 +31,8 @@ public:
     void setWindow(QWidget *window) { mWindow = window; }
 
     //! \param name name of the session
-    virtual Unsaved askUnsaved(const QString &name);
+    //! \param fileIsGone another program has removed the session's file
+    virtual Unsaved askUnsaved(const QString &name, bool fileIsGone);
     //! Asks what to do when another program has changed the file of the session. \param name of the file
     virtual Changed askChanged(const QString &name);
     //! Asks what a job is to change that would change all faces. \param hidden how many faces are hidden
