@@ -12,8 +12,10 @@
 #include <QProcess>
 #include <QTest>
 
+#include <cerrno>
 #include <csignal>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 using namespace autocuts;
 using namespace autocuts::metrics;
@@ -303,6 +305,10 @@ private Q_SLOTS:
             QCOMPARE(fails({o, at("out.obj"), QStringLiteral("--report"), path},
                            {QStringLiteral("would overwrite another file")}),
                      QString());
+        QCOMPARE(mkfifo(qPrintable(at("pipe.json")), 0600), 0);
+        QCOMPARE(fails({o, at("out.obj"), QStringLiteral("--report"), at("pipe.json")},
+                       {QStringLiteral("not a regular file")}),
+                 QString());
         QVERIFY(!QFileInfo::exists(at("out.obj")));
         QCOMPARE(problemWithFailure(test::runProgram(program(), draft(in, QStringLiteral("/proc/out.obj"))),
                                     {QStringLiteral("/proc")}),
@@ -334,6 +340,32 @@ private Q_SLOTS:
             QCOMPARE(test::readBytes(out), QByteArray("kept\n"));
             QCOMPARE(filesIn(at("full")), QStringList{QStringLiteral("out.obj")});
         }
+    }
+
+    //! A report that cannot be written any more when the map is.
+    void whatIsWrittenAlreadyIsSaid()
+    {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+        QSKIP("sanitizers have to be the first library");
+#endif
+        QVERIFY(QDir(mFolder.path()).mkpath(QStringLiteral("later")));
+        const QString in = file("in.obj", test::quadCubeObj()), out = at("said.obj");
+        QProcess process;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("LD_PRELOAD"), QStringLiteral(FAILING_CALLS));
+        environment.insert(QStringLiteral("FAILING_FOLDER"), at("later"));
+        environment.insert(QStringLiteral("FAILING_LOG"), at("calls.log"));
+        environment.insert(QStringLiteral("FAILING_CALL"), QStringLiteral("1"));
+        environment.insert(QStringLiteral("FAILING_WITH"), QString::number(EIO));
+        process.setProcessEnvironment(environment);
+        process.start(program(), draft(in, out) << QStringLiteral("--quiet") << QStringLiteral("--report")
+                                                << at("later/report.json"));
+        QVERIFY(process.waitForFinished(60'000));
+        const test::CliRun r{process.exitCode(), {}, QString::fromUtf8(process.readAllStandardError())};
+        QCOMPARE(problemWithFailure(
+                     r, {QStringLiteral("report.json"), QStringLiteral("; written already: ") + out}),
+                 QString());
+        QVERIFY(QFileInfo::exists(out) && !QFileInfo::exists(at("later/report.json")));
     }
 
     void figuresThatGetLostAreAFailure_data()

@@ -300,9 +300,18 @@ private:
             report.insert(QStringLiteral("seconds"), double(mClock.elapsed()) / 1000);
             if (const Result<Done> saved = saveAtomically(mOptions.report, QJsonDocument(report).toJson());
                 !saved)
-                return fail(saved.error());
+                return failAfter(baked->files, saved.error());
         }
         return mStop.reason == StopReason::Interrupted ? 130 : 0;
+    }
+
+    //! Names the files that are written already and stay.
+    int failAfter(QStringList written, Error error)
+    {
+        written.removeAll(QString());
+        if (!written.isEmpty())
+            error.message += QStringLiteral("; written already: %1").arg(written.join(QStringLiteral(", ")));
+        return fail(error);
     }
 
     int failReading(const Error &error)
@@ -351,12 +360,12 @@ private:
                                                  : std::vector<int>();
             const std::vector<bool> faces = mScope ? mScope->faces : std::vector<bool>();
             if (const Result<Done> drawn = writeLayout(mOptions, scene, hatched, faces); !drawn)
-                return fail(drawn.error());
+                return failAfter({mOptions.output}, drawn.error());
         }
         report.seconds = double(mClock.elapsed()) / 1000;
         if (!mOptions.report.isEmpty()) {
             if (const Result<Done> saved = saveAtomically(mOptions.report, reportJson(report)); !saved)
-                return fail(saved.error());
+                return failAfter({mOptions.output, mOptions.layout}, saved.error());
         }
         if (mStop.reason == StopReason::Interrupted)
             return 130;

@@ -3,6 +3,7 @@
 #include "model/io/fileclashes.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
+#include "model/io/savefile.h"
 #include "model/io/texturefiles.h"
 
 #include <QFileInfo>
@@ -39,7 +40,7 @@ QStringList otherInputs(const CliOptions &options)
     return files;
 }
 
-Result<Done> checkTarget(const QString &target)
+Result<Done> checkFile(const QString &target)
 {
     const QFileInfo folder(QFileInfo(target).absolutePath());
     if (!folder.isDir())
@@ -49,7 +50,7 @@ Result<Done> checkTarget(const QString &target)
     if (!folder.isWritable())
         return Error{u"the output folder is read-only"_s, folder.filePath(), 0,
                      u"Check its permissions or choose another one"_s};
-    return Done{};
+    return checkTarget(target);
 }
 
 bool isRewritten(const CliOptions &options)
@@ -69,7 +70,7 @@ Result<Done> checkTargets(const CliOptions &options)
          {picturesInFolder ? QString() : options.output, options.layout, options.report}) {
         if (target.isEmpty())
             continue;
-        if (Result<Done> fine = checkTarget(target); !fine)
+        if (Result<Done> fine = checkFile(target); !fine)
             return fine;
     }
     if (Result<Done> fine = checkClashes(options, DocumentState()); !fine)

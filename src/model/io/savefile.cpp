@@ -61,25 +61,6 @@ Error writeError(const QString &path, const std::error_code &problem)
     return writeError(path, problem.value(), QString::fromStdString(problem.message()));
 }
 
-Result<Done> checkTarget(const QString &path)
-{
-    const QFileInfo target(path);
-    if (path.isEmpty() || target.isDir())
-        return Error{ErrorTexts::tr("this is a folder, not a file"), path, 0,
-                     ErrorTexts::tr("Add a file name to the path")};
-    if (target.exists() && !target.isFile())
-        return Error{ErrorTexts::tr("this is not a regular file and cannot be replaced"), path, 0,
-                     ErrorTexts::tr("Choose another file name")};
-    if (!target.absoluteDir().exists())
-        return Error{ErrorTexts::tr("the folder %1 does not exist").arg(target.absolutePath()), path, 0,
-                     ErrorTexts::tr("Create the folder or choose another one")};
-    // Renaming would replace it, because that asks for the permissions of the folder only.
-    if (target.exists() && !target.isWritable())
-        return Error{ErrorTexts::tr("the file is write-protected"), path, 0,
-                     ErrorTexts::tr("Check its permissions, or choose another file name")};
-    return Done{};
-}
-
 //! The path that a chain of symbolic links leads to.
 QString withoutLinks(QString path)
 {
@@ -133,6 +114,25 @@ void setUsualPermissions(QFile &file, const QFileInfo &target)
 }
 
 } // namespace
+
+Result<Done> checkTarget(const QString &path)
+{
+    const QFileInfo target(path);
+    if (path.isEmpty() || target.isDir())
+        return Error{ErrorTexts::tr("this is a folder, not a file"), path, 0,
+                     ErrorTexts::tr("Add a file name to the path")};
+    if (target.exists() && !target.isFile())
+        return Error{ErrorTexts::tr("this is not a regular file and cannot be replaced"), path, 0,
+                     ErrorTexts::tr("Choose another file name")};
+    if (!target.absoluteDir().exists())
+        return Error{ErrorTexts::tr("the folder %1 does not exist").arg(target.absolutePath()), path, 0,
+                     ErrorTexts::tr("Create the folder or choose another one")};
+    // Renaming would replace it, because that asks for the permissions of the folder only.
+    if (target.exists() && !target.isWritable())
+        return Error{ErrorTexts::tr("the file is write-protected"), path, 0,
+                     ErrorTexts::tr("Check its permissions, or choose another file name")};
+    return Done{};
+}
 
 struct FileSet::Pending
 {

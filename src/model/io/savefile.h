@@ -41,6 +41,9 @@ private:
     std::vector<Pending> mFiles;
 };
 
+//! An Error that FileSet::add() would give before it writes anything.
+Result<Done> checkTarget(const QString &path);
+
 //! Writes a single file as a FileSet does: on any error an existing file keeps its content.
 //! \param beforeReplacing called when the bytes are safely on disk and the old file is still in place
 Result<Done> saveAtomically(const QString &path, QByteArrayView bytes,
