@@ -4,7 +4,9 @@
 #include "model/io/gltf/gltfreader.h"
 #include "model/io/gltf/gltfwriter.h"
 #include "model/io/meshfile.h"
+#include "model/io/projectblocks.h"
 #include "model/io/projectfile.h"
+#include "model/io/projectmigration.h"
 #include "model/io/projectscene.h"
 #include "model/io/savefile.h"
 #include "support/gltffiles.h"
@@ -39,6 +41,7 @@ private Q_SLOTS:
     void exportingInPlaceDoesNotGrow();
     void imagesOfAnotherFolder();
     void sessions();
+    void everyDamagedPartIsSaid();
     void otherFormats();
     void badFiles_data();
     void badFiles();
@@ -272,6 +275,26 @@ void TestGltfFiles::sessions()
     parts = scenePartsOf(state.scene);
     parts.erase("polygons");
     QVERIFY(gltfSourceOf(readSceneParts(parts, session, lost).value()));
+}
+
+//! Also the polygons, which are in the glTF file as well.
+void TestGltfFiles::everyDamagedPartIsSaid()
+{
+    Result<Scene> scene = parseGltf({grid().glb(), {}}, u"in.glb"_s);
+    DocumentState state = DocumentState::initial(std::move(scene).value());
+    state.texelWeights.assign(std::size_t(state.scene.mesh->faceCount()), 0.5);
+    const PartMap parts = readContainer(ProjectWriter().bytes(state, {}), projectVersion, {}).value().parts;
+    QVERIFY(parts.contains("gltf") && parts.contains("polygons"));
+    for (const auto &[hurt, ignored] : parts) {
+        std::vector<PackedBlock> blocks;
+        for (const auto &[name, content] : parts) {
+            blocks.push_back(packBlock(name, content));
+            if (name == hurt)
+                blocks.back().checksum[0] = char(blocks.back().checksum[0] ^ 1);
+        }
+        const Result<LoadedProject> loaded = parseProject(containerBytes(projectVersion, blocks), {});
+        QVERIFY2(loaded.ok() && !loaded->warnings.isEmpty(), hurt.constData());
+    }
 }
 
 void TestGltfFiles::otherFormats()

@@ -173,6 +173,7 @@ Result<LoadedProject> parse(const QByteArray &bytes, const QString &path, const 
         {"texelWeights", u"the painted texel density"_s},
         {"textures", u"the texture sets"_s},
         {"gltf", u"the glTF file"_s},
+        {"polygons", u"the polygons beside the glTF file"_s}, // without one the model is lost
     };
     for (const auto &[name, word] : optional) {
         if (std::find(damaged.begin(), damaged.end(), name) != damaged.end())
