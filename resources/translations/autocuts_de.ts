@@ -1328,8 +1328,8 @@
         <translation>Die Inseln auswählen, die weniger als einige Texel lang sind</translation>
     </message>
     <message>
-        <source>&amp;Off the density...</source>
-        <translation>&amp;Von der Dichte abweichende...</translation>
+        <source>Texel density &amp;outliers...</source>
+        <translation>&amp;Ausreißer der Texeldichte...</translation>
     </message>
     <message>
         <source>Select the islands with more or fewer texels per unit than most</source>
@@ -1620,8 +1620,8 @@
         <translation>Licht backen...</translation>
     </message>
     <message>
-        <source>Bake the light of a sun, a sky and lamps into a picture for the map</source>
-        <translation>Das Licht einer Sonne, eines Himmels und von Lampen in ein Bild für die Map backen</translation>
+        <source>Bake the light of a sun, a sky, area lights and emissive materials into a picture for the map</source>
+        <translation>Das Licht von Sonne, Himmel, Flächenlichtern und emissiven Materialien in ein Bild für die Map backen</translation>
     </message>
     <message>
         <source>Treat as a &amp;stack</source>
@@ -4802,12 +4802,12 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
 <context>
     <name>autocuts::LampForm</name>
     <message>
-        <source>Lamp at</source>
-        <translation>Lampe bei</translation>
+        <source>Area light at</source>
+        <translation>Flächenlicht bei</translation>
     </message>
     <message>
-        <source>Shines at</source>
-        <translation>Scheint auf</translation>
+        <source>Aimed at</source>
+        <translation>Gerichtet auf</translation>
     </message>
     <message>
         <source>Size</source>
@@ -4818,28 +4818,28 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Licht</translation>
     </message>
     <message>
-        <source>Shining material</source>
-        <translation>Leuchtendes Material</translation>
+        <source>Emissive material</source>
+        <translation>Emissives Material</translation>
     </message>
     <message>
-        <source>Rectangles that shine to one side, in units of the model; they are not seen themselves. Light is red, green, blue, or one number</source>
-        <translation>Rechtecke, die nach einer Seite scheinen, in Einheiten des Modells; sie selbst sind nicht zu sehen. Licht ist Rot, Grün, Blau oder eine Zahl</translation>
+        <source>Rectangles that emit light to one side, in units of the model; they are not seen themselves. Light is red, green, blue, or one number</source>
+        <translation>Rechtecke, die nach einer Seite Licht abgeben, in Einheiten des Modells; sie selbst sind nicht zu sehen. Licht ist Rot, Grün, Blau oder eine Zahl</translation>
     </message>
     <message>
-        <source>The faces of a ticked material shine, with red, green, blue or one number</source>
-        <translation>Die Flächen eines angekreuzten Materials leuchten, mit Rot, Grün, Blau oder einer Zahl</translation>
+        <source>The faces of a ticked material emit light: red, green, blue or one number</source>
+        <translation>Die Flächen eines angekreuzten Materials geben Licht ab: Rot, Grün, Blau oder eine Zahl</translation>
     </message>
     <message>
-        <source>Add &amp;lamp</source>
-        <translation>&amp;Lampe hinzufügen</translation>
+        <source>Add area &amp;light</source>
+        <translation>F&amp;lächenlicht hinzufügen</translation>
     </message>
     <message>
-        <source>Re&amp;move lamp</source>
-        <translation>La&amp;mpe entfernen</translation>
+        <source>Re&amp;move area light</source>
+        <translation>Flächenlicht entfer&amp;nen</translation>
     </message>
     <message>
-        <source>A lamp needs two different places (x, y, z), a size (width x height) and its light (a number, or red, green, blue).</source>
-        <translation>Eine Lampe braucht zwei verschiedene Orte (x, y, z), eine Größe (Breite x Höhe) und ihr Licht (eine Zahl oder Rot, Grün, Blau).</translation>
+        <source>An area light needs two different places (x, y, z), a size (width x height) and its light (a number, or red, green, blue).</source>
+        <translation>Ein Flächenlicht braucht zwei verschiedene Orte (x, y, z), eine Größe (Breite x Höhe) und ihr Licht (eine Zahl oder Rot, Grün, Blau).</translation>
     </message>
     <message>
         <source>The light of a material is a number, or red, green, blue.</source>
@@ -5092,12 +5092,12 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Wie oft Licht zurückgeworfen wird, bevor es ankommt</translation>
     </message>
     <message>
-        <source>Light of the lights themselves</source>
-        <translation>Licht der Lichter selbst</translation>
+        <source>Direct light</source>
+        <translation>Direktes Licht</translation>
     </message>
     <message>
-        <source>Reflected light</source>
-        <translation>Zurückgeworfenes Licht</translation>
+        <source>Indirect light</source>
+        <translation>Indirektes Licht</translation>
     </message>
     <message>
         <source>Take out the &amp;noise</source>
@@ -5152,8 +5152,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Wählen Sie mindestens ein Licht.</translation>
     </message>
     <message>
-        <source>Choose direct or reflected light.</source>
-        <translation>Wählen Sie direktes oder zurückgeworfenes Licht.</translation>
+        <source>Choose direct or indirect light.</source>
+        <translation>Wählen Sie direktes oder indirektes Licht.</translation>
     </message>
     <message>
         <source>The file cannot be written in this format: %1</source>
@@ -7441,8 +7441,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Aus&amp;wählen</translation>
     </message>
     <message>
-        <source>Islands off the density</source>
-        <translation>Von der Dichte abweichende Inseln</translation>
+        <source>Texel density outliers</source>
+        <translation>Ausreißer der Texeldichte</translation>
     </message>
     <message>
         <source>Select the islands with a texel density off the median, %1 px/unit, by more than this.</source>
