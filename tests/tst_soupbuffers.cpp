@@ -365,7 +365,14 @@ private Q_SLOTS:
         scenery.selectedEdges = {edges[2]};
         const auto at = [&](int edge) { return scenery.sides()[scenery.topology.edgeSides[edge][0]]; };
         QCOMPARE(at(edges[0]).top, style(SideStyle::ForcedCut));
+        // The map is closed there, and opens.
+        QCOMPARE(at(edges[0]).opacity[0] + at(edges[0]).opacity[1], 90);
+        scenery.separation[2 * edges[0] + 1] = 1;
         QCOMPARE(at(edges[0]).opacity[0] + at(edges[0]).opacity[1], 255);
+        scenery.uv.setConstant(std::numeric_limits<double>::quiet_NaN()); // without a map nothing is closed
+        scenery.separation[2 * edges[0] + 1] = 0;
+        QCOMPARE(at(edges[0]).opacity[0] + at(edges[0]).opacity[1], 255);
+        scenery.uv = soupUv(*mesh, unevenLayout(*mesh));
         QCOMPARE(at(edges[1]).top, style(SideStyle::Joined));
         QCOMPARE(at(edges[1]).opacity[1], 255);
         QCOMPARE(at(edges[2]).top, style(SideStyle::Selected));

@@ -150,8 +150,8 @@ private Q_SLOTS:
         QFETCH(bool ViewOptions::*, field);
         StudioSession studio;
         studio.action("file.sample.bumpycube")->trigger();
-        auto *const button =
-            studio.window.centralWidget()->findChild<QToolButton *>(QLatin1StringView(QTest::currentDataTag()));
+        auto *const button = studio.window.centralWidget()->findChild<QToolButton *>(
+            QLatin1StringView(QTest::currentDataTag()));
         QVERIFY(button && button->isVisible() && !button->icon().isNull());
         ViewOptions expected = studio.context.view.options();
         expected.*field = !(expected.*field);

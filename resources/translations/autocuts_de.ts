@@ -1631,6 +1631,62 @@
         <source>Pack the selected islands on top of each other, whether they are alike or not</source>
         <translation>Die ausgewählten Inseln aufeinander packen, ob sie gleich sind oder nicht</translation>
     </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Öffnen Sie zuerst ein Modell</translation>
+    </message>
+    <message>
+        <source>A job is running: wait for its end, or cancel it</source>
+        <translation>Eine Aufgabe läuft: warten Sie ihr Ende ab, oder brechen Sie sie ab</translation>
+    </message>
+    <message>
+        <source>There is no map yet: unwrap first</source>
+        <translation>Es gibt noch keine Map: wickeln Sie zuerst ab</translation>
+    </message>
+    <message>
+        <source>Select edges first</source>
+        <translation>Wählen Sie zuerst Kanten aus</translation>
+    </message>
+    <message>
+        <source>Select faces or islands first</source>
+        <translation>Wählen Sie zuerst Flächen oder Inseln aus</translation>
+    </message>
+    <message>
+        <source>Select edges or faces first</source>
+        <translation>Wählen Sie zuerst Kanten oder Flächen aus</translation>
+    </message>
+    <message>
+        <source>Select something first</source>
+        <translation>Wählen Sie zuerst etwas aus</translation>
+    </message>
+    <message>
+        <source>There is nothing to take back</source>
+        <translation>Es gibt nichts zurückzunehmen</translation>
+    </message>
+    <message>
+        <source>Nothing was taken back</source>
+        <translation>Es wurde nichts zurückgenommen</translation>
+    </message>
+    <message>
+        <source>No job is running</source>
+        <translation>Es läuft keine Aufgabe</translation>
+    </message>
+    <message>
+        <source>No overlaps are known</source>
+        <translation>Es sind keine Überlappungen bekannt</translation>
+    </message>
+    <message>
+        <source>Nothing is hidden</source>
+        <translation>Nichts ist ausgeblendet</translation>
+    </message>
+    <message>
+        <source>&amp;Hide or show all panels</source>
+        <translation>Alle Bereiche aus- oder &amp;einblenden</translation>
+    </message>
+    <message>
+        <source>Give the views all room, and bring the panels back</source>
+        <translation>Den Ansichten allen Platz geben, und die Bereiche zurückholen</translation>
+    </message>
 </context>
 <context>
     <name>Brush</name>
@@ -3325,6 +3381,10 @@
         <source>Words of an action&apos;s name or menu</source>
         <translation>Wörter aus dem Namen oder dem Menü einer Aktion</translation>
     </message>
+    <message>
+        <source>No action has all of these words in its name or menu</source>
+        <translation>Keine Aktion hat all diese Wörter in ihrem Namen oder Menü</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::BakeDialog</name>
@@ -4507,6 +4567,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>°</source>
         <translation>°</translation>
     </message>
+    <message>
+        <source>Free seams do not depend on it: choose those of yours, to keep or alone</source>
+        <translation>Freie Nähte hängen nicht davon ab: wählen Sie Ihre eigenen</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::HeatLegend</name>
@@ -4693,6 +4757,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Lay those of the selected islands that are alike on top of each other; one alone finds all its copies</source>
         <translation>Die gleichen unter den ausgewählten Inseln aufeinander legen; eine allein findet alle ihre Kopien</translation>
+    </message>
+    <message>
+        <source>Select faces or islands first</source>
+        <translation>Wählen Sie zuerst Flächen oder Inseln aus</translation>
     </message>
 </context>
 <context>
@@ -6013,6 +6081,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Choose an overlap to see where it is.</source>
         <translation>Wählen Sie eine Überlappung, um zu sehen, wo sie ist.</translation>
     </message>
+    <message>
+        <source>No face is known to be flipped</source>
+        <translation>Es ist keine umgedrehte Fläche bekannt</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::PackBoxTool</name>
@@ -6276,6 +6348,13 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     </message>
 </context>
 <context>
+    <name>autocuts::PanelDocks</name>
+    <message>
+        <source>Drag to move the panel, double-click to take it out of the window</source>
+        <translation>Ziehen verschiebt den Bereich, ein Doppelklick löst ihn aus dem Fenster</translation>
+    </message>
+</context>
+<context>
     <name>autocuts::PathField</name>
     <message>
         <source>&amp;Browse...</source>
@@ -6315,6 +6394,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Pin vertices: click or drag a box to pin, Shift makes soft pins, Ctrl+box unpins, drag a pin to move it</source>
         <translation>Vertices pinnen: klicken oder einen Rahmen aufziehen, Umschalt setzt weiche Pins, Strg+Rahmen löst Pins, einen Pin ziehen verschiebt ihn</translation>
+    </message>
+    <message>
+        <source>There is no island: click on one to pin it</source>
+        <translation>Hier ist keine Insel: klicken Sie auf eine, um sie festzustecken</translation>
+    </message>
+    <message>
+        <source>No vertex is near: click on one, or drag a box around several</source>
+        <translation>Kein Eckpunkt ist in der Nähe: klicken Sie auf einen, oder ziehen Sie einen Rahmen um mehrere</translation>
     </message>
 </context>
 <context>
@@ -7276,6 +7363,18 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Faces selected: %1</source>
         <translation>Ausgewählte Flächen: %1</translation>
     </message>
+    <message>
+        <source>Select faces or islands first</source>
+        <translation>Wählen Sie zuerst Flächen oder Inseln aus</translation>
+    </message>
+    <message>
+        <source>No edge is cut or joined by hand</source>
+        <translation>Keine Kante ist von Hand geschnitten oder verbunden</translation>
+    </message>
+    <message>
+        <source>Nothing is painted</source>
+        <translation>Nichts ist bemalt</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::SeamPreferenceForm</name>
@@ -7385,6 +7484,22 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>D is %1; no further seam would lower it.</source>
         <translation>D ist %1; keine weitere Naht würde es senken.</translation>
+    </message>
+    <message>
+        <source>There is no map yet, or a job is running</source>
+        <translation>Es gibt noch keine Map, oder eine Aufgabe läuft</translation>
+    </message>
+    <message>
+        <source>Choose a seam of the list that can be closed</source>
+        <translation>Wählen Sie in der Liste eine Naht, die sich schließen lässt</translation>
+    </message>
+    <message>
+        <source>Price the seams first</source>
+        <translation>Bewerten Sie zuerst die Nähte</translation>
+    </message>
+    <message>
+        <source>No new seam is known: price the seams first</source>
+        <translation>Es ist keine neue Naht bekannt: bewerten Sie zuerst die Nähte</translation>
     </message>
 </context>
 <context>
@@ -8366,6 +8481,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Load a picture with three channels</source>
         <translation>Ein Bild mit drei Kanälen laden</translation>
     </message>
+    <message>
+        <source>The marked channel has no picture</source>
+        <translation>Der markierte Kanal hat kein Bild</translation>
+    </message>
+    <message>
+        <source>The material has no normal map</source>
+        <translation>Das Material hat keine Normal-Map</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::ToolOptionBar</name>
@@ -8655,10 +8778,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Öffnen Sie ein Modell, um zu wählen, wie es gezeigt wird.</translation>
     </message>
     <message>
-        <source>Shown</source>
-        <translation>Gezeigt</translation>
-    </message>
-    <message>
         <source>Plain</source>
         <translation>Einfarbig</translation>
     </message>
@@ -8833,118 +8952,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Picture that is shown on the model, and behind the map</source>
         <translation>Bild, das auf dem Modell und hinter der Map gezeigt wird</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>Kanten</translation>
-    </message>
-    <message>
-        <source>Edges of the polygons</source>
-        <translation>Kanten der Polygone</translation>
-    </message>
-    <message>
-        <source>Seams</source>
-        <translation>Nähte</translation>
-    </message>
-    <message>
-        <source>Seams; while solving, where they begin to open</source>
-        <translation>Nähte; beim Rechnen, wo sie sich zu öffnen beginnen</translation>
-    </message>
-    <message>
-        <source>Steering</source>
-        <translation>Vorgaben</translation>
-    </message>
-    <message>
-        <source>Forced cuts and joins, rectangles, pins</source>
-        <translation>Erzwungene Schnitte und Verbindungen, Rechtecke, Pins</translation>
-    </message>
-    <message>
-        <source>Problems</source>
-        <translation>Probleme</translation>
-    </message>
-    <message>
-        <source>Flipped triangles, and overlaps hatched</source>
-        <translation>Umgedrehte Dreiecke, und Überlappungen schraffiert</translation>
-    </message>
-    <message>
-        <source>Filled islands</source>
-        <translation>Gefüllte Inseln</translation>
-    </message>
-    <message>
-        <source>In the UV view</source>
-        <translation>In der UV-Ansicht</translation>
-    </message>
-    <message>
-        <source>Grid</source>
-        <translation>Raster</translation>
-    </message>
-    <message>
-        <source>Grid and tiles of the UV view, ground of the 3D view</source>
-        <translation>Raster und Kacheln der UV-Ansicht, Boden der 3D-Ansicht</translation>
-    </message>
-    <message>
-        <source>Rulers</source>
-        <translation>Lineale</translation>
-    </message>
-    <message>
-        <source>In the UV view, in texels</source>
-        <translation>In der UV-Ansicht, in Texeln</translation>
-    </message>
-    <message>
-        <source>Follow the live map</source>
-        <translation>Der Live-Map folgen</translation>
-    </message>
-    <message>
-        <source>The UV view shows the whole live map as it changes</source>
-        <translation>Die UV-Ansicht zeigt die ganze Live-Map, während sie sich ändert</translation>
-    </message>
-    <message>
-        <source>Island marks</source>
-        <translation>Inselmarken</translation>
-    </message>
-    <message>
-        <source>Locks, groups and stacks in the UV view</source>
-        <translation>Sperren, Gruppen und Stapel in der UV-Ansicht</translation>
-    </message>
-    <message>
-        <source>Island numbers</source>
-        <translation>Inselnummern</translation>
-    </message>
-    <message>
-        <source>In the UV view, as in the list of islands</source>
-        <translation>In der UV-Ansicht, wie in der Liste der Inseln</translation>
-    </message>
-    <message>
-        <source>Smooth shading</source>
-        <translation>Glatte Schattierung</translation>
-    </message>
-    <message>
-        <source>In the 3D view</source>
-        <translation>In der 3D-Ansicht</translation>
-    </message>
-    <message>
-        <source>Pack live</source>
-        <translation>Live packen</translation>
-    </message>
-    <message>
-        <source>While solving, show the islands beside each other</source>
-        <translation>Beim Rechnen die Inseln nebeneinander zeigen</translation>
-    </message>
-    <message>
-        <source>Orthographic</source>
-        <translation>Orthografisch</translation>
-    </message>
-    <message>
-        <source>3D view without perspective</source>
-        <translation>3D-Ansicht ohne Perspektive</translation>
-    </message>
-    <message>
-        <source>X-ray</source>
-        <translation>Röntgenblick</translation>
-    </message>
-    <message>
-        <source>See and select through the model</source>
-        <translation>Durch das Modell sehen und auswählen</translation>
     </message>
     <message>
         <source> px/cm</source>

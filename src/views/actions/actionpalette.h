@@ -38,7 +38,7 @@ private:
     QLineEdit *mSearch;
     QListWidget *mFound;
     QLabel *mRemark; //!< why nothing can be run
-    QIcon mNoIcon; //!< of actions without one, so that all names begin in one column
+    QIcon mNoIcon;   //!< of actions without one, so that all names begin in one column
 };
 
 } // namespace autocuts

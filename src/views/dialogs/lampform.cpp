@@ -74,7 +74,8 @@ QTableWidget *makeTable(const QStringList &titles, const char *name)
 
 LampForm::LampForm(const Scene &scene, const std::vector<LightPlan::Area> &areas, const Emission &emission,
                    QWidget *parent)
-    : QWidget(parent), mAreas(makeTable({tr("Area light at"), tr("Aimed at"), tr("Size"), tr("Light")}, "areas")),
+    : QWidget(parent),
+      mAreas(makeTable({tr("Area light at"), tr("Aimed at"), tr("Size"), tr("Light")}, "areas")),
       mMaterials(makeTable({tr("Emissive material"), tr("Light")}, "shining")), mRemove(new QPushButton)
 {
     Eigen::AlignedBox3d box;
@@ -191,9 +192,10 @@ std::optional<LampForm::Emission> LampForm::emission() const
 QString LampForm::problem() const
 {
     if (!areas())
-        return tr("An area light needs two different places (x, y, z), a size (width x height) and its light (a "
-                  "number, or "
-                  "red, green, blue).");
+        return tr(
+            "An area light needs two different places (x, y, z), a size (width x height) and its light (a "
+            "number, or "
+            "red, green, blue).");
     return emission() ? QString() : tr("The light of a material is a number, or red, green, blue.");
 }
 

@@ -86,7 +86,8 @@ void GivenSeamForm::setSettings(const SolveSettings &settings)
     mAngle->setValue(settings.givenSeams.sharpAngle);
     const bool given = settings.seams != SeamMode::Free;
     for (const Source &source : mSources)
-        enableOrSay(source.box, given, tr("Free seams do not depend on it: choose those of yours, to keep or alone"));
+        enableOrSay(source.box, given,
+                    tr("Free seams do not depend on it: choose those of yours, to keep or alone"));
     mAngle->setEnabled(given);
 }
 

@@ -15,8 +15,8 @@ class ElidedLabel;
 class HeatLegend;
 class SliderSpin;
 
-//! Sets the colouring with its legend and limits, the pattern and the texture. Changes ViewState, which is not
-//! an edit of the document.
+//! Sets the colouring with its legend and limits, the pattern and the texture. Changes ViewState, which is
+//! not an edit of the document.
 class ViewPanel final : public Panel
 {
     Q_OBJECT

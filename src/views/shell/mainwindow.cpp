@@ -413,8 +413,8 @@ void MainWindow::showOpened()
         mSolver.run();
 }
 
-//! Colours, limits and X-ray were chosen for the model before. The pattern that the user chose comes back with
-//! a model without textures.
+//! Colours, limits and X-ray were chosen for the model before. The pattern that the user chose comes back
+//! with a model without textures.
 void MainWindow::showFoundTextures()
 {
     ViewOptions options = mViewState.options();
@@ -486,8 +486,8 @@ bool MainWindow::takesKey(const QKeyEvent &key)
         return true;
     const QAction *action = mActions.disabledActionOf(QKeySequence(key.keyCombination()));
     if (action && !key.isAutoRepeat())
-        mStatusBar->showText(
-            tr("%1: %2").arg(actionTitle(mActions.info(action)), mActions.whyDisabled(action)));
+        mStatusBar->showText(actionTitle(mActions.info(action)) + QStringLiteral(": ") +
+                             mActions.whyDisabled(action));
     return false;
 }
 

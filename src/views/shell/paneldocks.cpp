@@ -15,8 +15,9 @@ constexpr int gripHeight = 6; //!< device-independent pixels
 bool isTab(const QMainWindow &window, QDockWidget *dock)
 {
     const QList<QDockWidget *> others = window.tabifiedDockWidgets(dock);
-    return !dock->isFloating() && std::any_of(others.begin(), others.end(),
-                                              [](const QDockWidget *other) { return !other->isHidden() && !other->isFloating(); });
+    return !dock->isFloating() && std::any_of(others.begin(), others.end(), [](const QDockWidget *other) {
+        return !other->isHidden() && !other->isFloating();
+    });
 }
 
 } // namespace
@@ -37,7 +38,8 @@ PanelDocks::PanelDocks(QMainWindow &window, const QList<QDockWidget *> &docks)
 
 bool PanelDocks::isAnyShown() const
 {
-    return std::any_of(mDocks.begin(), mDocks.end(), [](const QDockWidget *dock) { return !dock->isHidden(); });
+    return std::any_of(mDocks.begin(), mDocks.end(),
+                       [](const QDockWidget *dock) { return !dock->isHidden(); });
 }
 
 void PanelDocks::toggle()

@@ -11,8 +11,8 @@ class QMainWindow;
 
 namespace autocuts {
 
-//! Hides and brings back all panels. A panel that is a tab has its name on the tab only; in place of its title
-//! there is a narrow bar by which it can be dragged.
+//! Hides and brings back all panels. A panel that is a tab has its name on the tab only; in place of its
+//! title there is a narrow bar by which it can be dragged.
 class PanelDocks final : public QObject
 {
     Q_OBJECT

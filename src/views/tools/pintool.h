@@ -62,7 +62,7 @@ private:
     Vec2 mBy = Vec2::Zero();
     bool mLive = false; //!< a solve runs during the drag
     quint64 mGesture = 0;
-    int mHovered = -1; //!< soup corner
+    int mHovered = -1;    //!< soup corner
     bool mMissed = false; //!< the last click was on nothing that can be pinned
 };
 
