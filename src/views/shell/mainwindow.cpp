@@ -51,7 +51,7 @@ namespace autocuts {
 
 namespace {
 
-constexpr int thumbnailSize = 256; //!< pixels of the longer side
+constexpr int thumbnailSide = 256; //!< pixels of the longer side
 //! Pixels; in narrower windows the panels of the left begin closed (View > Panels opens them).
 constexpr int leastForBothSides = 1400;
 
@@ -456,7 +456,7 @@ QByteArray MainWindow::viewStateBytes() const
 
 QImage MainWindow::thumbnail()
 {
-    return mMeshView->picture().scaled(thumbnailSize, thumbnailSize, Qt::KeepAspectRatio,
+    return mMeshView->picture().scaled(thumbnailSide, thumbnailSide, Qt::KeepAspectRatio,
                                        Qt::SmoothTransformation);
 }
 
