@@ -3600,6 +3600,14 @@
         <source>From textures where there are any, else vertex colours, else the colours of materials</source>
         <translation>Aus Texturen, wo es welche gibt, sonst Vertexfarben, sonst die Farben der Materialien</translation>
     </message>
+    <message>
+        <source>Width of the pictures; at first that of the texture in the Packing panel, whose proportions they have</source>
+        <translation>Breite der Bilder; zunächst die der Textur im Bereich Packen, deren Seitenverhältnis sie haben</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze:</source>
+        <translation type="unfinished">&amp;Größe:</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::Canvas</name>

@@ -46,6 +46,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace autocuts {
 
@@ -403,6 +404,8 @@ void MainWindow::showOpened()
         mViewState.setOptions(ViewOptions::fromCbor(saved.value(QStringLiteral("options")).toMap()));
     else
         showFoundTextures();
+    if (const QCborValue bake = saved.value(QStringLiteral("bake")); bake.isMap())
+        mStudioActions->bake().setChoice(BakeChoice::fromCbor(bake.toMap()));
     mAwaitsMap = !hasUvs(*mWorkspace.document());
     mMeshView->restoreViewState(saved.value(QStringLiteral("mesh")).toMap());
     mUvView->restoreViewState(saved.value(QStringLiteral("uv")).toMap());
@@ -451,6 +454,7 @@ QByteArray MainWindow::viewStateBytes() const
     map[QStringLiteral("options")] = mViewState.options().toCbor();
     map[QStringLiteral("mesh")] = mMeshView->viewState();
     map[QStringLiteral("uv")] = mUvView->viewState();
+    map[QStringLiteral("bake")] = mStudioActions->bake().choice().toCbor();
     return map.toCborValue().toCbor();
 }
 
