@@ -3606,7 +3606,7 @@
     </message>
     <message>
         <source>Si&amp;ze:</source>
-        <translation type="unfinished">&amp;Größe:</translation>
+        <translation>Gr&amp;öße:</translation>
     </message>
 </context>
 <context>
