@@ -165,6 +165,8 @@ void TestBakeDialog::everyChoiceIsKept()
         user.toggle(4);
         for (const char *name : {"samples", "direction", "format"})
             QTest::keyClick(user.find<QComboBox>(name), Qt::Key_Down);
+        [&] { QCOMPARE(user.find<QSpinBox>("width")->value(), 64); }(); // of the texture
+        user.find<QSpinBox>("width")->setValue(32);
         user.find<QSpinBox>("rays")->setValue(5);
         user.find<QSpinBox>("dilation")->setValue(3);
         user.find<QDoubleSpinBox>("cage")->setValue(7);
@@ -188,8 +190,21 @@ void TestBakeDialog::everyChoiceIsKept()
         QTest::keyClick(&user.dialog, Qt::Key_Escape);
         return user.dialog.result();
     });
-    QVERIFY(QFile::exists(session.file("low_curvature.png")));
+    QCOMPARE(QImage(session.file("low_curvature.png")).size(), QSize(32, 32));
     QVERIFY(!QFile::exists(session.file("low_normal.png")));
+    // Also through the session, in another run of the program.
+    const QString saved = session.file("kept.acproj");
+    session.context.files.save(saved);
+    QVERIFY(session.jobsRest());
+    BakeSession later;
+    later.context.files.open(saved);
+    QVERIFY(later.jobsRest());
+    later.bake([&](const DialogUser &user) {
+        const BakeChoice third = static_cast<BakeDialog &>(user.dialog).choice();
+        [&] { QVERIFY(third == first); }();
+        QTest::keyClick(&user.dialog, Qt::Key_Escape);
+        return user.dialog.result();
+    });
 }
 
 void TestBakeDialog::problemsAreSaid()

@@ -343,7 +343,7 @@ void TestLightDialog::problemsAreSaid()
             user.click("addLamp");
             QVERIFY(user.canBake());
             user.cell("areas", 0, 2, u"wide"_s);
-            QVERIFY(!user.canBake() && user.problem().contains(u"A lamp needs"_s));
+            QVERIFY(!user.canBake() && user.problem().contains(u"An area light needs"_s));
             user.cell("areas", 0, 2, u"1x2"_s);
             QVERIFY(user.canBake());
             user.click("removeLamp");
@@ -351,7 +351,7 @@ void TestLightDialog::problemsAreSaid()
             user.switchSun();
             user.click("direct");
             user.click("indirect");
-            QVERIFY(!user.canBake() && user.problem().contains(u"reflected light"_s));
+            QVERIFY(!user.canBake() && user.problem().contains(u"indirect light"_s));
             user.click("direct");
             user.path(u"/nowhere/light.png"_s);
             QVERIFY(!user.canBake() && user.problem().contains(u"folder"_s));

@@ -512,42 +512,13 @@ private Q_SLOTS:
         options.coloring = Coloring::StretchMagnitude;
         options.magnitudeClamp = 12;
         options.pattern = Pattern::Checker;
-        options.seams = false;
         bench.view.setOptions(options);
         QVERIFY(bench.followed());
         QCOMPARE(coloring->currentData().toInt(), int(Coloring::StretchMagnitude));
         QCOMPARE(child<SliderSpin>(bench.panel, "magnitudeClamp")->value(), 12.0);
-        QVERIFY(!child<QCheckBox>(bench.panel, "view.seams")->isChecked());
         type(child<QAbstractSpinBox>(bench.panel, "checkerSize"), QStringLiteral("40"));
         QCOMPARE(bench.view.options().checkerSize, 40.0);
         QCOMPARE(bench.stack().count(), 0); // how it is shown is no edit
-    }
-
-    void togglesOfTheView_data()
-    {
-        QTest::addColumn<bool ViewOptions::*>("field");
-        QTest::newRow("view.wireframe") << &ViewOptions::wireframe;
-        QTest::newRow("view.seams") << &ViewOptions::seams;
-        QTest::newRow("view.steering") << &ViewOptions::steering;
-        QTest::newRow("view.problems") << &ViewOptions::problems;
-        QTest::newRow("view.fillIslands") << &ViewOptions::fillIslands;
-        QTest::newRow("view.grid") << &ViewOptions::grid;
-        QTest::newRow("view.rulers") << &ViewOptions::rulers;
-        QTest::newRow("view.smoothShading") << &ViewOptions::smoothShading;
-        QTest::newRow("view.orthographic") << &ViewOptions::orthographic;
-    }
-
-    void togglesOfTheView()
-    {
-        QFETCH(bool ViewOptions::*, field);
-        Bench<ViewPanel> bench;
-        QVERIFY(bench.followed());
-        ViewOptions expected = bench.view.options();
-        expected.*field = !(expected.*field);
-        auto *const toggle = child<QCheckBox>(bench.panel, QTest::currentDataTag());
-        toggle->setFocus();
-        QTest::keyClick(toggle, Qt::Key_Space);
-        QVERIFY(bench.view.options() == expected);
     }
 
     void aTextureIsAskedForBeforeItIsShown()

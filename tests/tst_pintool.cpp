@@ -47,6 +47,9 @@ private Q_SLOTS:
         QVERIFY(pins() == pinned);
         click({0.37, 0.37}); // no vertex is near
         QVERIFY(pins() == pinned);
+        QVERIFY2(tool().hint().startsWith(u"No vertex is near"_s), qPrintable(tool().hint()));
+        click({0.25, 0.25});
+        QVERIFY(tool().hint().startsWith(u"Pin vertices"_s));
     }
 
     void seamsAreTwoPlaces()

@@ -2,8 +2,10 @@
 // left to packing, which does not take islands for obstacles that have no place yet.
 #include "model/plain/uvlayout.h"
 #include "solver/base/cornerat.h"
+#include "solver/unwrap/liveplacing.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/rectanglefit.h"
+#include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
 
 #include <QTest>
@@ -82,6 +84,35 @@ private Q_SLOTS:
         }
         const double distortion = map.distortion(*boxed.soup);
         QVERIFY(distortion > 4.01 && distortion < 4.5);
+    }
+
+    //! An island that was made small for its rectangle is as large as the rectangle allows when that has
+    //! become larger, in Unwrap and while solving.
+    void islandsGrowWithTheirRectangle()
+    {
+        constexpr double small = 0.2;
+        Boxed boxed(Vec2(0, 0));
+        Snapshot &snapshot = boxed.snapshot;
+        const UvMatrix before = small * *snapshot.uv;
+        snapshot.uv = std::make_shared<const UvMatrix>(before);
+        snapshot.uvScale = layoutScale(*snapshot.mesh, before);
+        UvRectangle &box = snapshot.editSteering().rectangles.front();
+        box.lower = Vec2::Zero();
+        box.upper = Vec2::Constant(1 / snapshot.uvScale);
+        const auto sideOf = [](const UvMatrix &uv) { return layoutBox(uv).sizes().maxCoeff(); };
+        const UnwrapResult unwrapped = unwrapMesh(snapshot, {});
+        QVERIFY(unwrapped.packed);
+        QVERIFY2(sideOf(unwrapped.uv) > 0.95, qPrintable(QString::number(sideOf(unwrapped.uv))));
+        QVERIFY(sideOf(unwrapped.uv) <= 1);
+        LivePlacing placing;
+        const FreePart part = *FreePart::of(snapshot);
+        const auto place = [&] {
+            return placing.place(snapshot, part, *boxed.soup, boxed.map, {}, false, PackRotation::Free);
+        };
+        const UvMatrix grown = place();
+        QVERIFY2(sideOf(grown) > 0.9, qPrintable(QString::number(sideOf(grown))));
+        // There it stays.
+        QVERIFY((place() - grown).cwiseAbs().maxCoeff() < 1e-9);
     }
 
     //! Two islands that lie in each other's rectangle change places and keep their size.

@@ -5,6 +5,7 @@
 #include "solver/metrics/uvmetrics.h"
 #include "support/editsupport.h"
 #include "support/meshbuilders.h"
+#include "views/gl/buried.h"
 #include "views/gl/colormap.h"
 #include "views/gl/soupbuffers.h"
 #include "views/gl/texeldensity.h"
@@ -365,7 +366,14 @@ private Q_SLOTS:
         scenery.selectedEdges = {edges[2]};
         const auto at = [&](int edge) { return scenery.sides()[scenery.topology.edgeSides[edge][0]]; };
         QCOMPARE(at(edges[0]).top, style(SideStyle::ForcedCut));
+        // The map is closed there, and opens.
+        QCOMPARE(at(edges[0]).opacity[0] + at(edges[0]).opacity[1], 90);
+        scenery.separation[2 * edges[0] + 1] = 1;
         QCOMPARE(at(edges[0]).opacity[0] + at(edges[0]).opacity[1], 255);
+        scenery.uv.setConstant(std::numeric_limits<double>::quiet_NaN()); // without a map nothing is closed
+        scenery.separation[2 * edges[0] + 1] = 0;
+        QCOMPARE(at(edges[0]).opacity[0] + at(edges[0]).opacity[1], 255);
+        scenery.uv = soupUv(*mesh, unevenLayout(*mesh));
         QCOMPARE(at(edges[1]).top, style(SideStyle::Joined));
         QCOMPARE(at(edges[1]).opacity[1], 255);
         QCOMPARE(at(edges[2]).top, style(SideStyle::Selected));
@@ -418,6 +426,37 @@ private Q_SLOTS:
         }
         scenery.options.steering = false;
         QVERIFY(at(0).base != style(SideStyle::Straight));
+    }
+
+    //! Of a tall stack, the uppermost layers are drawn, what is selected among them.
+    void whatLiesBelowManyLayersIsNotDrawn()
+    {
+        constexpr int squares = 20;
+        UvMatrix uv(6 * squares, 2);
+        for (int i = 0; i < squares; ++i)
+            uv.middleRows(6 * i, 6) << 0, 0, 3, 0, 3, 3, 0, 0, 3, 3, 0, 3;
+        std::vector<FaceTexel> texels(2 * squares);
+        for (const int t : {0, 1})
+            texels[t].marks = FaceTexel::Selected;
+        texels[2 * squares - 1].marks = texels[2 * squares - 2].marks = FaceTexel::Hidden;
+        markBuried(uv, texels);
+        for (int t = 0; t < 2 * squares; ++t) {
+            const int square = t / 2;
+            const bool drawn = square == 0 || square >= squares - drawnLayers;
+            QCOMPARE((texels[t].marks & FaceTexel::Buried) == 0, drawn);
+        }
+    }
+
+    void mapsThatCoverThemselvesSeldomAreDrawnWhole()
+    {
+        constexpr int squares = drawnLayers + 4;
+        UvMatrix uv(6 * squares, 2);
+        for (int i = 0; i < squares; ++i) // beside a small stack there is much room
+            uv.middleRows(6 * i, 6) << 0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1;
+        uv.bottomRows(6) *= 2;
+        std::vector<FaceTexel> texels(2 * squares);
+        markBuried(uv, texels);
+        QVERIFY(texels == std::vector<FaceTexel>(2 * squares));
     }
 
     void noSeamsWithoutUvs()

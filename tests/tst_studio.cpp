@@ -462,6 +462,12 @@ private Q_SLOTS:
         studio.context.map.pack(PackScope::All);
         QCOMPARE(notice->message(), QString());
         QVERIFY(studio.jobsRest());
+        // A live solve begins.
+        Q_EMIT studio.context.map.failed(said);
+        studio.context.solver.run();
+        QCOMPARE(notice->message(), QString());
+        studio.context.solver.pause();
+        QVERIFY(studio.solverRests());
         // What is said of a file stays.
         Q_EMIT studio.context.files.noticed(said, {});
         studio.document()->undoStack().undo();

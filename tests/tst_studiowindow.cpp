@@ -1,9 +1,11 @@
 // The window at every size: what fits, what stays in sight, what is kept.
 #include "support/studiosession.h"
 #include "views/canvas/mapoverlays.h"
+#include "views/canvas/meshview.h"
 #include "views/canvas/uvview.h"
 #include "views/ui/dialogsize.h"
 
+#include <QAbstractSpinBox>
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
@@ -11,6 +13,7 @@
 #include <QScreen>
 #include <QTest>
 #include <QToolBar>
+#include <QToolButton>
 
 using namespace autocuts;
 using test::StudioSession;
@@ -18,6 +21,11 @@ using test::StudioSession;
 class TestStudioWindow : public QObject
 {
     Q_OBJECT
+
+    static QDockWidget *dock(const StudioSession &studio, const char *name)
+    {
+        return studio.window.findChild<QDockWidget *>(QLatin1StringView(name));
+    }
 
 private Q_SLOTS:
     void theWindowFitsASmallScreen()
@@ -33,6 +41,158 @@ private Q_SLOTS:
         const QSize space = window.screen()->availableSize();
         QVERIFY(window.width() < space.width() && window.height() < space.height());
         QVERIFY2(window.minimumHeight() <= 500, qPrintable(QString::number(window.minimumHeight())));
+    }
+
+    void theViewsGetTheWidth_data()
+    {
+        QTest::addColumn<QSize>("screen");
+        QTest::addColumn<double>("share");
+        QTest::newRow("1280 x 800") << QSize(1280, 800) << .6;
+        QTest::newRow("1920 x 1080 at twice the scale") << QSize(960, 540) << .5;
+    }
+
+    void theViewsGetTheWidth()
+    {
+        QFETCH(const QSize, screen);
+        QFETCH(const double, share);
+        StudioSession studio;
+        studio.window.arrangeFor(screen);
+        const auto views = [&] { return studio.window.meshView().width() + studio.window.uvView().width(); };
+        QTRY_VERIFY2(views() >= share * studio.window.width(), qPrintable(QString::number(views())));
+        for (const char *name : {"view", "scene", "textures", "history", "uvSets", "doctor"})
+            QVERIFY2(dock(studio, name)->isHidden(), name);
+        // Opened, they take nothing from the views.
+        const int before = views();
+        dock(studio, "view")->toggleViewAction()->trigger();
+        QTRY_VERIFY(!dock(studio, "view")->visibleRegion().isEmpty());
+        QVERIFY(views() >= before - 20);
+    }
+
+    void aKeyHidesAndBringsBackAllPanels()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        dock(studio, "history")->hide();
+        const auto shown = [&] {
+            QStringList names;
+            for (const QDockWidget *panel : studio.window.findChildren<QDockWidget *>()) {
+                if (!panel->isHidden())
+                    names << panel->objectName();
+            }
+            return names;
+        };
+        const QStringList before = shown();
+        const int width = studio.window.uvView().width();
+        QVERIFY(before.size() > 5);
+        studio.window.uvView().setFocus();
+        studio.press(Qt::Key_Tab);
+        QCOMPARE(shown(), QStringList());
+        QTRY_VERIFY(studio.window.uvView().width() > width + 200);
+        studio.press(Qt::Key_Tab);
+        QCOMPARE(shown(), before);
+        QTRY_COMPARE(studio.window.uvView().width(), width);
+        // In a panel it goes on to the next field.
+        auto *const field = dock(studio, "solver")->findChild<QAbstractSpinBox *>();
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_Tab);
+        QVERIFY(!field->hasFocus());
+        QCOMPARE(shown(), before);
+    }
+
+    void hiddenPanelsComeBackAtTheNextStart()
+    {
+        QTemporaryDir folder;
+        Preferences preferences(folder.filePath(QStringLiteral("autocuts.ini")));
+        {
+            MainWindow window(preferences, folder.path(), std::make_unique<test::Answers>());
+            window.show();
+            window.context().actions.action("view.panels")->trigger();
+            QVERIFY(window.findChild<QDockWidget *>(QStringLiteral("solver"))->isHidden());
+            QVERIFY(window.close());
+        }
+        const MainWindow window(preferences, folder.path(), std::make_unique<test::Answers>());
+        QVERIFY(!window.findChild<QDockWidget *>(QStringLiteral("solver"))->isHidden());
+    }
+
+    void tabsHaveTheirNameOnce()
+    {
+        StudioSession studio;
+        QVERIFY(dock(studio, "islands")->titleBarWidget());
+        QVERIFY(!dock(studio, "solver")->titleBarWidget());
+        dock(studio, "islands")->setFloating(true);
+        QTRY_VERIFY(!dock(studio, "islands")->titleBarWidget());
+        for (const char *name : {"seams", "packing", "overlaps"})
+            dock(studio, name)->hide();
+        QTRY_VERIFY(!dock(studio, "layout")->titleBarWidget()); // no tab without another one
+    }
+
+    void buttonsOverTheViewsShowAndHide_data()
+    {
+        QTest::addColumn<bool ViewOptions::*>("field");
+        QTest::newRow("view.wireframe") << &ViewOptions::wireframe;
+        QTest::newRow("view.seams") << &ViewOptions::seams;
+        QTest::newRow("view.steering") << &ViewOptions::steering;
+        QTest::newRow("view.problems") << &ViewOptions::problems;
+        QTest::newRow("view.grid") << &ViewOptions::grid;
+        QTest::newRow("view.smoothShading") << &ViewOptions::smoothShading;
+        QTest::newRow("view.orthographic") << &ViewOptions::orthographic;
+        QTest::newRow("view.xray") << &ViewOptions::xray;
+        QTest::newRow("view.fillIslands") << &ViewOptions::fillIslands;
+        QTest::newRow("view.islandMarks") << &ViewOptions::islandMarks;
+        QTest::newRow("view.islandNumbers") << &ViewOptions::islandNumbers;
+        QTest::newRow("view.rulers") << &ViewOptions::rulers;
+        QTest::newRow("view.followMap") << &ViewOptions::followMap;
+        QTest::newRow("view.livePacking") << &ViewOptions::livePacking;
+    }
+
+    void buttonsOverTheViewsShowAndHide()
+    {
+        QFETCH(bool ViewOptions::*, field);
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        auto *const button = studio.window.centralWidget()->findChild<QToolButton *>(
+            QLatin1StringView(QTest::currentDataTag()));
+        QVERIFY(button && button->isVisible() && !button->icon().isNull());
+        ViewOptions expected = studio.context.view.options();
+        expected.*field = !(expected.*field);
+        QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(studio.context.view.options() == expected);
+        QCOMPARE(button->isChecked(), expected.*field);
+    }
+
+    void theFirstMapIsSeenOnACheckerboard()
+    {
+        StudioSession studio;
+        const auto pattern = [&] { return studio.context.view.options().pattern; };
+        studio.action("file.sample.machine")->trigger();
+        QCOMPARE(pattern(), Pattern::None);
+        studio.action("uv.unwrap")->trigger();
+        QVERIFY(studio.jobsRest());
+        QCOMPARE(pattern(), Pattern::Checker);
+        // Only once.
+        studio.action("view.pattern.none")->trigger();
+        studio.action("edit.undo")->trigger();
+        studio.action("edit.redo")->trigger();
+        QCOMPARE(pattern(), Pattern::None);
+    }
+
+    //! What a heat-map or X-ray shows was asked of the model before; how things are drawn stays.
+    void whatIsSeenBeginsAnewWithTheNextModel()
+    {
+        StudioSession studio;
+        studio.action("file.sample.bumpycube")->trigger();
+        ViewOptions options = studio.context.view.options();
+        options.coloring = Coloring::Density;
+        options.densityTarget = 123;
+        options.xray = true;
+        options.rulers = false;
+        options.smoothShading = true;
+        studio.context.view.setOptions(options);
+        studio.action("file.sample.torus")->trigger();
+        const ViewOptions next = studio.context.view.options();
+        QCOMPARE(next.coloring, Coloring::Plain);
+        QCOMPARE(next.densityTarget, 0.0);
+        QVERIFY(!next.xray && !next.rulers && next.smoothShading);
     }
 
     void menusFitOnSmallScreens()

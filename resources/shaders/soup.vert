@@ -12,6 +12,7 @@ uniform usamplerBuffer faceTexels; // per triangle: red, green, blue, marks
 uniform bool asMap;
 uniform mat4 viewMatrix, projectionMatrix;
 uniform vec2 mapScale, mapOffset;
+uniform ivec2 hoverTriangles;
 
 noperspective out vec3 barycentric; // linear on the screen: its gradient gives distances in pixels
 out vec3 eyePosition, eyeNormal;
@@ -19,7 +20,7 @@ out vec2 texturePlace;
 out vec4 eyeTangent;
 
 const float noUv = 1e29; // corners without UV have more
-const uint hiddenMark = 16u;
+const uint hiddenMark = 16u, buriedMark = 32u;
 
 uint marksOfFace()
 {
@@ -41,7 +42,9 @@ void main()
     eyePosition = eye.xyz;
     eyeNormal = mat3(viewMatrix) * normal;
     eyeTangent = vec4(mat3(viewMatrix) * tangent.xyz, hasTangents ? tangent.w : 0.0);
-    bool shown = (marksOfFace() & hiddenMark) == 0u;
+    bool hovered = gl_VertexID / 3 >= hoverTriangles.x && gl_VertexID / 3 < hoverTriangles.y;
+    bool buried = asMap && !hovered && (marksOfFace() & buriedMark) != 0u;
+    bool shown = (marksOfFace() & hiddenMark) == 0u && !buried;
     if (shown && !asMap)
         gl_Position = projectionMatrix * eye;
     else if (shown && uv.x < noUv)

@@ -1328,8 +1328,8 @@
         <translation>Die Inseln auswählen, die weniger als einige Texel lang sind</translation>
     </message>
     <message>
-        <source>&amp;Off the density...</source>
-        <translation>&amp;Von der Dichte abweichende...</translation>
+        <source>Texel density &amp;outliers...</source>
+        <translation>&amp;Ausreißer der Texeldichte...</translation>
     </message>
     <message>
         <source>Select the islands with more or fewer texels per unit than most</source>
@@ -1620,8 +1620,8 @@
         <translation>Licht backen...</translation>
     </message>
     <message>
-        <source>Bake the light of a sun, a sky and lamps into a picture for the map</source>
-        <translation>Das Licht einer Sonne, eines Himmels und von Lampen in ein Bild für die Map backen</translation>
+        <source>Bake the light of a sun, a sky, area lights and emissive materials into a picture for the map</source>
+        <translation>Das Licht von Sonne, Himmel, Flächenlichtern und emissiven Materialien in ein Bild für die Map backen</translation>
     </message>
     <message>
         <source>Treat as a &amp;stack</source>
@@ -1630,6 +1630,62 @@
     <message>
         <source>Pack the selected islands on top of each other, whether they are alike or not</source>
         <translation>Die ausgewählten Inseln aufeinander packen, ob sie gleich sind oder nicht</translation>
+    </message>
+    <message>
+        <source>Open a model first</source>
+        <translation>Öffnen Sie zuerst ein Modell</translation>
+    </message>
+    <message>
+        <source>A job is running: wait for its end, or cancel it</source>
+        <translation>Eine Aufgabe läuft: warten Sie ihr Ende ab, oder brechen Sie sie ab</translation>
+    </message>
+    <message>
+        <source>There is no map yet: unwrap first</source>
+        <translation>Es gibt noch keine Map: wickeln Sie zuerst ab</translation>
+    </message>
+    <message>
+        <source>Select edges first</source>
+        <translation>Wählen Sie zuerst Kanten aus</translation>
+    </message>
+    <message>
+        <source>Select faces or islands first</source>
+        <translation>Wählen Sie zuerst Flächen oder Inseln aus</translation>
+    </message>
+    <message>
+        <source>Select edges or faces first</source>
+        <translation>Wählen Sie zuerst Kanten oder Flächen aus</translation>
+    </message>
+    <message>
+        <source>Select something first</source>
+        <translation>Wählen Sie zuerst etwas aus</translation>
+    </message>
+    <message>
+        <source>There is nothing to take back</source>
+        <translation>Es gibt nichts zurückzunehmen</translation>
+    </message>
+    <message>
+        <source>Nothing was taken back</source>
+        <translation>Es wurde nichts zurückgenommen</translation>
+    </message>
+    <message>
+        <source>No job is running</source>
+        <translation>Es läuft keine Aufgabe</translation>
+    </message>
+    <message>
+        <source>No overlaps are known</source>
+        <translation>Es sind keine Überlappungen bekannt</translation>
+    </message>
+    <message>
+        <source>Nothing is hidden</source>
+        <translation>Nichts ist ausgeblendet</translation>
+    </message>
+    <message>
+        <source>&amp;Hide or show all panels</source>
+        <translation>Alle Bereiche aus- oder &amp;einblenden</translation>
+    </message>
+    <message>
+        <source>Give the views all room, and bring the panels back</source>
+        <translation>Den Ansichten allen Platz geben, und die Bereiche zurückholen</translation>
     </message>
 </context>
 <context>
@@ -3325,6 +3381,10 @@
         <source>Words of an action&apos;s name or menu</source>
         <translation>Wörter aus dem Namen oder dem Menü einer Aktion</translation>
     </message>
+    <message>
+        <source>No action has all of these words in its name or menu</source>
+        <translation>Keine Aktion hat all diese Wörter in ihrem Namen oder Menü</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::BakeDialog</name>
@@ -3539,6 +3599,14 @@
     <message>
         <source>From textures where there are any, else vertex colours, else the colours of materials</source>
         <translation>Aus Texturen, wo es welche gibt, sonst Vertexfarben, sonst die Farben der Materialien</translation>
+    </message>
+    <message>
+        <source>Width of the pictures; at first that of the texture in the Packing panel, whose proportions they have</source>
+        <translation>Breite der Bilder; zunächst die der Textur im Bereich Packen, deren Seitenverhältnis sie haben</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze:</source>
+        <translation>Gr&amp;öße:</translation>
     </message>
 </context>
 <context>
@@ -4507,6 +4575,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>°</source>
         <translation>°</translation>
     </message>
+    <message>
+        <source>Free seams do not depend on it: choose those of yours, to keep or alone</source>
+        <translation>Freie Nähte hängen nicht davon ab: wählen Sie Ihre eigenen</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::HeatLegend</name>
@@ -4694,6 +4766,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Lay those of the selected islands that are alike on top of each other; one alone finds all its copies</source>
         <translation>Die gleichen unter den ausgewählten Inseln aufeinander legen; eine allein findet alle ihre Kopien</translation>
     </message>
+    <message>
+        <source>Select faces or islands first</source>
+        <translation>Wählen Sie zuerst Flächen oder Inseln aus</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::IslandTable</name>
@@ -4802,12 +4878,12 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
 <context>
     <name>autocuts::LampForm</name>
     <message>
-        <source>Lamp at</source>
-        <translation>Lampe bei</translation>
+        <source>Area light at</source>
+        <translation>Flächenlicht bei</translation>
     </message>
     <message>
-        <source>Shines at</source>
-        <translation>Scheint auf</translation>
+        <source>Aimed at</source>
+        <translation>Gerichtet auf</translation>
     </message>
     <message>
         <source>Size</source>
@@ -4818,28 +4894,28 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Licht</translation>
     </message>
     <message>
-        <source>Shining material</source>
-        <translation>Leuchtendes Material</translation>
+        <source>Emissive material</source>
+        <translation>Emissives Material</translation>
     </message>
     <message>
-        <source>Rectangles that shine to one side, in units of the model; they are not seen themselves. Light is red, green, blue, or one number</source>
-        <translation>Rechtecke, die nach einer Seite scheinen, in Einheiten des Modells; sie selbst sind nicht zu sehen. Licht ist Rot, Grün, Blau oder eine Zahl</translation>
+        <source>Rectangles that emit light to one side, in units of the model; they are not seen themselves. Light is red, green, blue, or one number</source>
+        <translation>Rechtecke, die nach einer Seite Licht abgeben, in Einheiten des Modells; sie selbst sind nicht zu sehen. Licht ist Rot, Grün, Blau oder eine Zahl</translation>
     </message>
     <message>
-        <source>The faces of a ticked material shine, with red, green, blue or one number</source>
-        <translation>Die Flächen eines angekreuzten Materials leuchten, mit Rot, Grün, Blau oder einer Zahl</translation>
+        <source>The faces of a ticked material emit light: red, green, blue or one number</source>
+        <translation>Die Flächen eines angekreuzten Materials geben Licht ab: Rot, Grün, Blau oder eine Zahl</translation>
     </message>
     <message>
-        <source>Add &amp;lamp</source>
-        <translation>&amp;Lampe hinzufügen</translation>
+        <source>Add area &amp;light</source>
+        <translation>F&amp;lächenlicht hinzufügen</translation>
     </message>
     <message>
-        <source>Re&amp;move lamp</source>
-        <translation>La&amp;mpe entfernen</translation>
+        <source>Re&amp;move area light</source>
+        <translation>Flächenlicht entfer&amp;nen</translation>
     </message>
     <message>
-        <source>A lamp needs two different places (x, y, z), a size (width x height) and its light (a number, or red, green, blue).</source>
-        <translation>Eine Lampe braucht zwei verschiedene Orte (x, y, z), eine Größe (Breite x Höhe) und ihr Licht (eine Zahl oder Rot, Grün, Blau).</translation>
+        <source>An area light needs two different places (x, y, z), a size (width x height) and its light (a number, or red, green, blue).</source>
+        <translation>Ein Flächenlicht braucht zwei verschiedene Orte (x, y, z), eine Größe (Breite x Höhe) und ihr Licht (eine Zahl oder Rot, Grün, Blau).</translation>
     </message>
     <message>
         <source>The light of a material is a number, or red, green, blue.</source>
@@ -5092,12 +5168,12 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Wie oft Licht zurückgeworfen wird, bevor es ankommt</translation>
     </message>
     <message>
-        <source>Light of the lights themselves</source>
-        <translation>Licht der Lichter selbst</translation>
+        <source>Direct light</source>
+        <translation>Direktes Licht</translation>
     </message>
     <message>
-        <source>Reflected light</source>
-        <translation>Zurückgeworfenes Licht</translation>
+        <source>Indirect light</source>
+        <translation>Indirektes Licht</translation>
     </message>
     <message>
         <source>Take out the &amp;noise</source>
@@ -5152,8 +5228,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Wählen Sie mindestens ein Licht.</translation>
     </message>
     <message>
-        <source>Choose direct or reflected light.</source>
-        <translation>Wählen Sie direktes oder zurückgeworfenes Licht.</translation>
+        <source>Choose direct or indirect light.</source>
+        <translation>Wählen Sie direktes oder indirektes Licht.</translation>
     </message>
     <message>
         <source>The file cannot be written in this format: %1</source>
@@ -6013,6 +6089,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Choose an overlap to see where it is.</source>
         <translation>Wählen Sie eine Überlappung, um zu sehen, wo sie ist.</translation>
     </message>
+    <message>
+        <source>No face is known to be flipped</source>
+        <translation>Es ist keine umgedrehte Fläche bekannt</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::PackBoxTool</name>
@@ -6276,6 +6356,13 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     </message>
 </context>
 <context>
+    <name>autocuts::PanelDocks</name>
+    <message>
+        <source>Drag to move the panel, double-click to take it out of the window</source>
+        <translation>Ziehen verschiebt den Bereich, ein Doppelklick löst ihn aus dem Fenster</translation>
+    </message>
+</context>
+<context>
     <name>autocuts::PathField</name>
     <message>
         <source>&amp;Browse...</source>
@@ -6315,6 +6402,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Pin vertices: click or drag a box to pin, Shift makes soft pins, Ctrl+box unpins, drag a pin to move it</source>
         <translation>Vertices pinnen: klicken oder einen Rahmen aufziehen, Umschalt setzt weiche Pins, Strg+Rahmen löst Pins, einen Pin ziehen verschiebt ihn</translation>
+    </message>
+    <message>
+        <source>There is no island: click on one to pin it</source>
+        <translation>Hier ist keine Insel: klicken Sie auf eine, um sie festzustecken</translation>
+    </message>
+    <message>
+        <source>No vertex is near: click on one, or drag a box around several</source>
+        <translation>Kein Eckpunkt ist in der Nähe: klicken Sie auf einen, oder ziehen Sie einen Rahmen um mehrere</translation>
     </message>
 </context>
 <context>
@@ -7280,6 +7375,18 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Faces selected: %1</source>
         <translation>Ausgewählte Flächen: %1</translation>
     </message>
+    <message>
+        <source>Select faces or islands first</source>
+        <translation>Wählen Sie zuerst Flächen oder Inseln aus</translation>
+    </message>
+    <message>
+        <source>No edge is cut or joined by hand</source>
+        <translation>Keine Kante ist von Hand geschnitten oder verbunden</translation>
+    </message>
+    <message>
+        <source>Nothing is painted</source>
+        <translation>Nichts ist bemalt</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::SeamPreferenceForm</name>
@@ -7390,6 +7497,22 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>D is %1; no further seam would lower it.</source>
         <translation>D ist %1; keine weitere Naht würde es senken.</translation>
     </message>
+    <message>
+        <source>There is no map yet, or a job is running</source>
+        <translation>Es gibt noch keine Map, oder eine Aufgabe läuft</translation>
+    </message>
+    <message>
+        <source>Choose a seam of the list that can be closed</source>
+        <translation>Wählen Sie in der Liste eine Naht, die sich schließen lässt</translation>
+    </message>
+    <message>
+        <source>Price the seams first</source>
+        <translation>Bewerten Sie zuerst die Nähte</translation>
+    </message>
+    <message>
+        <source>No new seam is known: price the seams first</source>
+        <translation>Es ist keine neue Naht bekannt: bewerten Sie zuerst die Nähte</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::SeamTool</name>
@@ -7445,8 +7568,8 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Aus&amp;wählen</translation>
     </message>
     <message>
-        <source>Islands off the density</source>
-        <translation>Von der Dichte abweichende Inseln</translation>
+        <source>Texel density outliers</source>
+        <translation>Ausreißer der Texeldichte</translation>
     </message>
     <message>
         <source>Select the islands with a texel density off the median, %1 px/unit, by more than this.</source>
@@ -8370,6 +8493,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Load a picture with three channels</source>
         <translation>Ein Bild mit drei Kanälen laden</translation>
     </message>
+    <message>
+        <source>The marked channel has no picture</source>
+        <translation>Der markierte Kanal hat kein Bild</translation>
+    </message>
+    <message>
+        <source>The material has no normal map</source>
+        <translation>Das Material hat keine Normal-Map</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::ToolOptionBar</name>
@@ -8659,10 +8790,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Öffnen Sie ein Modell, um zu wählen, wie es gezeigt wird.</translation>
     </message>
     <message>
-        <source>Shown</source>
-        <translation>Gezeigt</translation>
-    </message>
-    <message>
         <source>Plain</source>
         <translation>Einfarbig</translation>
     </message>
@@ -8837,118 +8964,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Picture that is shown on the model, and behind the map</source>
         <translation>Bild, das auf dem Modell und hinter der Map gezeigt wird</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>Kanten</translation>
-    </message>
-    <message>
-        <source>Edges of the polygons</source>
-        <translation>Kanten der Polygone</translation>
-    </message>
-    <message>
-        <source>Seams</source>
-        <translation>Nähte</translation>
-    </message>
-    <message>
-        <source>Seams; while solving, where they begin to open</source>
-        <translation>Nähte; beim Rechnen, wo sie sich zu öffnen beginnen</translation>
-    </message>
-    <message>
-        <source>Steering</source>
-        <translation>Vorgaben</translation>
-    </message>
-    <message>
-        <source>Forced cuts and joins, rectangles, pins</source>
-        <translation>Erzwungene Schnitte und Verbindungen, Rechtecke, Pins</translation>
-    </message>
-    <message>
-        <source>Problems</source>
-        <translation>Probleme</translation>
-    </message>
-    <message>
-        <source>Flipped triangles, and overlaps hatched</source>
-        <translation>Umgedrehte Dreiecke, und Überlappungen schraffiert</translation>
-    </message>
-    <message>
-        <source>Filled islands</source>
-        <translation>Gefüllte Inseln</translation>
-    </message>
-    <message>
-        <source>In the UV view</source>
-        <translation>In der UV-Ansicht</translation>
-    </message>
-    <message>
-        <source>Grid</source>
-        <translation>Raster</translation>
-    </message>
-    <message>
-        <source>Grid and tiles of the UV view, ground of the 3D view</source>
-        <translation>Raster und Kacheln der UV-Ansicht, Boden der 3D-Ansicht</translation>
-    </message>
-    <message>
-        <source>Rulers</source>
-        <translation>Lineale</translation>
-    </message>
-    <message>
-        <source>In the UV view, in texels</source>
-        <translation>In der UV-Ansicht, in Texeln</translation>
-    </message>
-    <message>
-        <source>Follow the live map</source>
-        <translation>Der Live-Map folgen</translation>
-    </message>
-    <message>
-        <source>The UV view shows the whole live map as it changes</source>
-        <translation>Die UV-Ansicht zeigt die ganze Live-Map, während sie sich ändert</translation>
-    </message>
-    <message>
-        <source>Island marks</source>
-        <translation>Inselmarken</translation>
-    </message>
-    <message>
-        <source>Locks, groups and stacks in the UV view</source>
-        <translation>Sperren, Gruppen und Stapel in der UV-Ansicht</translation>
-    </message>
-    <message>
-        <source>Island numbers</source>
-        <translation>Inselnummern</translation>
-    </message>
-    <message>
-        <source>In the UV view, as in the list of islands</source>
-        <translation>In der UV-Ansicht, wie in der Liste der Inseln</translation>
-    </message>
-    <message>
-        <source>Smooth shading</source>
-        <translation>Glatte Schattierung</translation>
-    </message>
-    <message>
-        <source>In the 3D view</source>
-        <translation>In der 3D-Ansicht</translation>
-    </message>
-    <message>
-        <source>Pack live</source>
-        <translation>Live packen</translation>
-    </message>
-    <message>
-        <source>While solving, show the islands beside each other</source>
-        <translation>Beim Rechnen die Inseln nebeneinander zeigen</translation>
-    </message>
-    <message>
-        <source>Orthographic</source>
-        <translation>Orthografisch</translation>
-    </message>
-    <message>
-        <source>3D view without perspective</source>
-        <translation>3D-Ansicht ohne Perspektive</translation>
-    </message>
-    <message>
-        <source>X-ray</source>
-        <translation>Röntgenblick</translation>
-    </message>
-    <message>
-        <source>See and select through the model</source>
-        <translation>Durch das Modell sehen und auswählen</translation>
     </message>
     <message>
         <source> px/cm</source>

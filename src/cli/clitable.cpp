@@ -347,7 +347,8 @@ const std::vector<CliCommand> &cliCommands()
         {Command::Bake, u"bake"_s, u"IN"_s, Output::Needed, Baking | Texture | UvSets | Limiting,
          u"bake normals, occlusion and more into pictures for the UV map; -o is their folder"_s},
         {Command::LightBake, u"lightbake"_s, u"IN"_s, Output::Needed, Lighting | Texture | UvSets | Limiting,
-         u"bake the light of suns, skies, area lights and shining faces into a picture (exr, png, tif or "
+         u"bake the light of suns, skies, area lights and emissive materials into a picture (exr, png, tif "
+         u"or "
          u"tga) "
          "for the UV map"_s},
         {Command::Check, u"check"_s, u"IN"_s, Output::None, Texture | Scope | UvSets | Measuring,

@@ -97,7 +97,7 @@ Problem readArea(CliOptions &options, const QString &value)
     const std::optional<Color> color = parts.size() == 4 ? colorOf(parts[3]) : std::nullopt;
     if (centre.empty() || target.empty() || centre == target || size.empty() || !(size[0] > 0) ||
         !(size[1] > 0) || !color)
-        return u"its centre, a point that it shines at, its size and its colour, as in "
+        return u"its centre, a point that it is aimed at, its size and its colour, as in "
                "0,3,0:0,0,0:2x1:10,9,8"_s;
     options.light.lights.areas.push_back(
         {Vec3(centre.data()), Vec3(target.data()), {size[0], size[1]}, *color});
@@ -151,11 +151,11 @@ std::vector<CliOption> lampOptions()
         number(group, u"--turbidity"_s, u"X"_s, ofLights(&LightPlan::turbidity), 2, 10,
                u"haze of --sky day: 2 is clear, 10 hazy"_s),
         row(u"--area-light"_s, u"X,Y,Z:X,Y,Z:WxH:R,G,B"_s,
-            u"a rectangle that shines: its centre, a point that it faces, width and height, and radiance; "
+            u"an area light: its centre, a point that it is aimed at, width and height, and radiance; "
             "may be given several times"_s,
             {}, readArea),
         row(u"--emit"_s, u"MATERIAL:R,G,B"_s,
-            u"the faces of this material shine (radiance); may be given several times"_s, {}, readEmission),
+            u"this material is emissive (radiance); may be given several times"_s, {}, readEmission),
         choice(group, u"--up"_s, ofLights(&LightPlan::zUp), {{u"y"_s, false}, {u"z"_s, true}},
                u"the axis that points to the zenith"_s),
     };
@@ -191,7 +191,7 @@ std::vector<CliOption> lightOptions()
         integer(group, u"--samples"_s, ofSettings(&LightBakeSettings::samples), 1, 1'000'000,
                 u"paths of light per texel"_s),
         flag(group, u"--no-direct"_s, ofSettings(&LightBakeSettings::direct), false,
-             u"leave out light that comes from the lights themselves"_s),
+             u"leave out direct light"_s),
         flag(group, u"--no-indirect"_s, ofSettings(&LightBakeSettings::indirect), false,
              u"leave out light that was reflected"_s),
         choice(group, u"--values"_s, ofSettings(&LightBakeSettings::value),

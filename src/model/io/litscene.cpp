@@ -86,7 +86,7 @@ Result<std::vector<Vec3f>> emissionOf(const LitSceneOptions &options, const Scen
         const auto found = std::ranges::find(scene.materialNames, name);
         if (found == scene.materialNames.end())
             return Error{
-                u"there is no material \"%1\" that could shine"_s.arg(name), scene.path, 0,
+                u"there is no material \"%1\" that could be emissive"_s.arg(name), scene.path, 0,
                 scene.materialNames.empty()
                     ? u"The model has no materials"_s
                     : u"It has: %1"_s.arg(

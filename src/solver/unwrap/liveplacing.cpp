@@ -37,6 +37,16 @@ RigidMotion limited(RigidMotion motion, PackRotation turns)
     return motion;
 }
 
+//! Makes islands larger whose rectangles have become much larger than they are.
+void growIntoRectangles(const MeshData &mesh, const ChartMap &charts, PackJob pack, UvMatrix &uv)
+{
+    constexpr double leastGain = 1.1; // of the area; less is not worth that islands move
+    pack.fillRectangles = true;
+    UvMatrix larger = uv;
+    if (packCharts(mesh, charts, pack, larger) && areaOf(mesh, larger) > leastGain * areaOf(mesh, uv))
+        uv = std::move(larger);
+}
+
 } // namespace
 
 void LivePlacing::beginWith(const FreePart &part)
@@ -130,6 +140,8 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
             around.options.keepScale = true;
             if (!packCharts(*snapshot.mesh, whole, around, uv))
                 mHadRoom = packCharts(*snapshot.mesh, whole, pack, uv);
+        } else if (onlyRectangles(pack)) {
+            growIntoRectangles(*snapshot.mesh, whole, pack, uv);
         }
     }
     Before before{own.mesh, part.partUv(uv), charts, own.uvScale};

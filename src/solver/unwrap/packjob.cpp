@@ -113,8 +113,8 @@ public:
             const std::vector<bool> locked = lockedFor(bin);
             if (std::find(locked.begin(), locked.end(), false) == locked.end())
                 continue;
-            const bool stays =
-                mBins[bin].isRectangle && liesFree(mBins[bin].box, locked, placed, packed, job);
+            const bool stays = mBins[bin].isRectangle && !mPack.fillRectangles &&
+                               liesFree(mBins[bin].box, locked, placed, packed, job);
             if (!stays && !packBin(bin, placed, packed, job))
                 return false;
             for (std::size_t piece = 0; piece < placed.size(); ++piece)
@@ -237,7 +237,8 @@ private:
         packing::PackOptions options = mPack.options;
         options.lower = bin.box.min();
         options.upper = bin.box.max();
-        const bool scaleLater = !options.keepScale && (mPack.keepScaleIfPossible || bin.isRectangle);
+        const bool scaleLater =
+            !options.keepScale && !mPack.fillRectangles && (mPack.keepScaleIfPossible || bin.isRectangle);
         const bool keepsScale = options.keepScale;
         // At the scale that the map has, where that is wanted and there is room, else at another one.
         const auto pack = [&](const JobContext &how) {
@@ -301,6 +302,20 @@ PackJob steeredPackJob(const Snapshot &snapshot, const packing::PackOptions &opt
         pack.rectangles.push_back(std::move(rectangle));
     }
     return pack;
+}
+
+bool onlyRectangles(const PackJob &pack)
+{
+    if (pack.rectangles.empty() || std::ranges::find(pack.stays, true) != pack.stays.end() ||
+        std::ranges::any_of(pack.faceFlags, [](const IslandFlags &flags) { return flags.locked != 0; }))
+        return false;
+    const std::size_t faces = pack.rectangles.front().faces.size();
+    for (std::size_t face = 0; face < faces; ++face) {
+        if (std::ranges::none_of(pack.rectangles,
+                                 [&](const PackRectangle &rectangle) { return rectangle.faces[face]; }))
+            return false;
+    }
+    return true;
 }
 
 bool packCharts(const MeshData &mesh, const ChartMap &charts, const PackJob &pack, UvMatrix &uv,

@@ -36,6 +36,9 @@ struct PackJob
     std::vector<PackRectangle> rectangles{};
     //! Islands keep their size as long as there is room for them at that size.
     bool keepScaleIfPossible = false;
+    //! Islands are as large as their rectangles allow, for there is no other island whose scale they could
+    //! have.
+    bool fillRectangles = false;
     PackHurry hurry = PackHurry::Never;
 
     //! Packs into a box instead of tiles and rectangles.
@@ -45,6 +48,9 @@ struct PackJob
 //! A job that obeys the steering: locked and pinned islands and those outside the scope stay, stacks and
 //! groups are rigid, islands of a rectangle stay in it, and the others in their tile.
 [[nodiscard]] PackJob steeredPackJob(const Snapshot &snapshot, const packing::PackOptions &options);
+
+//! True when all islands may move and belong to rectangles: nothing but these says how large they are.
+[[nodiscard]] bool onlyRectangles(const PackJob &pack);
 
 //! Packs charts around those that stay; the charts of a stack or group move as one island. The islands of a
 //! rectangle stay as they are when they lie in it and overlap nothing.

@@ -107,6 +107,7 @@ private:
                 settings.effort = std::min(settings.effort, packing::hurriedEffort);
             PackJob pack = steeredPackJob(mSnapshot, settings);
             pack.keepScaleIfPossible = stays;
+            pack.fillRectangles = onlyRectangles(pack);
             pack.hurry = hurry;
             if (mSnapshot.uv && mPlan.isEmpty())
                 keepOrientations(*mSnapshot.mesh, charts, pack, *mSnapshot.uv, result.uv);

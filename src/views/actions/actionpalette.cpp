@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QVBoxLayout>
@@ -48,7 +49,7 @@ int rankOf(const QString &title, const QString &menu, const QStringList &words)
 } // namespace
 
 ActionPalette::ActionPalette(const ActionRegistry &actions, QWidget *parent)
-    : QDialog(parent), mActions(actions), mSearch(new QLineEdit), mFound(new QListWidget)
+    : QDialog(parent), mActions(actions), mSearch(new QLineEdit), mFound(new QListWidget), mRemark(new QLabel)
 {
     setWindowTitle(tr("Find action"));
     mSearch->setPlaceholderText(tr("Words of an action's name or menu"));
@@ -63,6 +64,10 @@ ActionPalette::ActionPalette(const ActionRegistry &actions, QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(mSearch);
     layout->addWidget(mFound, 1);
+    layout->addWidget(mRemark);
+    mRemark->setObjectName(QStringLiteral("remark"));
+    mRemark->setWordWrap(true);
+    connect(mFound, &QListWidget::currentItemChanged, this, &ActionPalette::showRemark);
     connect(mSearch, &QLineEdit::textChanged, this, &ActionPalette::search);
     connect(mSearch, &QLineEdit::returnPressed, this, &ActionPalette::accept);
     connect(mFound, &QListWidget::itemClicked, this, &ActionPalette::accept);
@@ -70,11 +75,29 @@ ActionPalette::ActionPalette(const ActionRegistry &actions, QWidget *parent)
     resizeOnScreen(*this, {520, 420});
 }
 
-QAction *ActionPalette::chosen() const
+QAction *ActionPalette::current() const
 {
     const QListWidgetItem *item = mFound->currentItem();
-    auto *action = item ? static_cast<QAction *>(item->data(actionRole).value<void *>()) : nullptr;
+    return item ? static_cast<QAction *>(item->data(actionRole).value<void *>()) : nullptr;
+}
+
+QAction *ActionPalette::chosen() const
+{
+    QAction *action = current();
     return action && action->isEnabled() ? action : nullptr;
+}
+
+void ActionPalette::accept()
+{
+    if (chosen())
+        QDialog::accept();
+}
+
+void ActionPalette::showRemark()
+{
+    const QAction *action = current();
+    mRemark->setText(action ? mActions.whyDisabled(action)
+                            : tr("No action has all of these words in its name or menu"));
 }
 
 bool ActionPalette::eventFilter(QObject *watched, QEvent *event)
@@ -126,11 +149,12 @@ void ActionPalette::search(const QString &text)
         auto *item =
             new QListWidgetItem(match.action->icon().isNull() ? mNoIcon : match.action->icon(), line, mFound);
         item->setData(actionRole, QVariant::fromValue(static_cast<void *>(match.action)));
-        item->setToolTip(QCoreApplication::translate("Actions", info.tip));
+        item->setToolTip(match.action->toolTip());
         if (!match.action->isEnabled())
             item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
     }
     mFound->setCurrentRow(0);
+    showRemark();
 }
 
 } // namespace autocuts

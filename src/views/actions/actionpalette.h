@@ -5,6 +5,7 @@
 #include <QIcon>
 
 class QAction;
+class QLabel;
 class QLineEdit;
 class QListWidget;
 
@@ -25,14 +26,19 @@ public:
     QAction *chosen() const;
 
     bool eventFilter(QObject *watched, QEvent *event) override;
+    //! Stays open when nothing can be run, and says why.
+    void accept() override;
 
 private:
+    QAction *current() const;
     void search(const QString &text);
+    void showRemark();
 
     const ActionRegistry &mActions;
     QLineEdit *mSearch;
     QListWidget *mFound;
-    QIcon mNoIcon; //!< of actions without one, so that all names begin in one column
+    QLabel *mRemark; //!< why nothing can be run
+    QIcon mNoIcon;   //!< of actions without one, so that all names begin in one column
 };
 
 } // namespace autocuts

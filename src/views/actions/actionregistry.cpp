@@ -7,6 +7,9 @@
 #include <QActionGroup>
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <utility>
+
 namespace autocuts {
 
 namespace {
@@ -16,12 +19,27 @@ QString translated(const char *text)
     return QCoreApplication::translate("Actions", text);
 }
 
-QString toolTip(const ActionInfo &info, const QKeySequence &keys)
+//! What to do about a need that is not met. In the order in which they are said.
+constexpr std::pair<int, const char *> reasons[] = {
+    {NeedsDocument, QT_TRANSLATE_NOOP("Actions", "Open a model first")},
+    {NeedsIdle, QT_TRANSLATE_NOOP("Actions", "A job is running: wait for its end, or cancel it")},
+    {NeedsUvs, QT_TRANSLATE_NOOP("Actions", "There is no map yet: unwrap first")},
+    {NeedsSelectedEdges, QT_TRANSLATE_NOOP("Actions", "Select edges first")},
+    {NeedsSelectedFaces, QT_TRANSLATE_NOOP("Actions", "Select faces or islands first")},
+    {NeedsEdgesOrFaces, QT_TRANSLATE_NOOP("Actions", "Select edges or faces first")},
+    {NeedsSelection, QT_TRANSLATE_NOOP("Actions", "Select something first")},
+    {NeedsUndo, QT_TRANSLATE_NOOP("Actions", "There is nothing to take back")},
+    {NeedsRedo, QT_TRANSLATE_NOOP("Actions", "Nothing was taken back")},
+    {NeedsJob, QT_TRANSLATE_NOOP("Actions", "No job is running")},
+    {NeedsOverlaps, QT_TRANSLATE_NOOP("Actions", "No overlaps are known")},
+    {NeedsHidden, QT_TRANSLATE_NOOP("Actions", "Nothing is hidden")}};
+
+QString toolTip(const ActionInfo &info, const QKeySequence &keys, const QString &why)
 {
     QString text = actionTitle(info) + QLatin1Char('\n') + translated(info.tip);
     if (!keys.isEmpty())
         text += QStringLiteral(" [%1]").arg(keys.toString(QKeySequence::NativeText));
-    return text;
+    return why.isEmpty() ? text : text + QLatin1Char('\n') + why;
 }
 
 } // namespace
@@ -64,6 +82,7 @@ ActionRegistry::ActionRegistry(Preferences &preferences, QObject *parent)
             groups[group]->addAction(action);
         }
         mActions.push_back(action);
+        mUnmet.push_back(0);
         mById[id] = action;
     }
     applyIcons();
@@ -99,9 +118,39 @@ QList<QAction *> ActionRegistry::conflicts(const QAction *action, const QKeySequ
 void ActionRegistry::setMet(int met)
 {
     for (std::size_t i = 0; i < mActions.size(); ++i) {
-        const int needs = actionTable()[i].needs;
-        mActions[i]->setEnabled((needs & met) == needs);
+        const int unmet = actionTable()[i].needs & ~met;
+        if (std::exchange(mUnmet[i], unmet) != unmet)
+            showToolTip(i);
+        mActions[i]->setEnabled(unmet == 0);
     }
+}
+
+void ActionRegistry::showToolTip(std::size_t i)
+{
+    mActions[i]->setToolTip(toolTip(actionTable()[i], mActions[i]->shortcut(), whyDisabled(mActions[i])));
+}
+
+QString ActionRegistry::whyDisabled(const QAction *action) const
+{
+    const auto place = std::find(mActions.begin(), mActions.end(), action) - mActions.begin();
+    for (const auto &[need, text] : reasons) {
+        if (mUnmet[place] & need)
+            return translated(text);
+    }
+    return {};
+}
+
+QAction *ActionRegistry::disabledActionOf(const QKeySequence &keys) const
+{
+    QAction *found = nullptr;
+    for (QAction *action : mActions) {
+        if (!action->shortcuts().contains(keys))
+            continue;
+        if (action->isEnabled())
+            return nullptr;
+        found = found ? found : action;
+    }
+    return found;
 }
 
 void ActionRegistry::applyShortcuts()
@@ -114,7 +163,7 @@ void ActionRegistry::applyShortcuts()
         if (own != changed.end())
             keys = own->isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{*own};
         mActions[i]->setShortcuts(keys);
-        mActions[i]->setToolTip(toolTip(info, mActions[i]->shortcut()));
+        showToolTip(i);
     }
 }
 

@@ -33,15 +33,22 @@ public:
     //! Other actions with the same shortcut, for the shortcut editor.
     QList<QAction *> conflicts(const QAction *action, const QKeySequence &keys) const;
 
-    //! Enables the actions whose conditions are all met. \param met mask of ActionNeed
+    //! Enables the actions whose conditions are all met; the tooltips of the others say what is missing.
+    //! \param met mask of ActionNeed
     void setMet(int met);
+    //! Why an action is disabled, one translated sentence; empty for enabled ones.
+    QString whyDisabled(const QAction *action) const;
+    //! The disabled action that keys would trigger; null when there is none or an enabled one has them.
+    QAction *disabledActionOf(const QKeySequence &keys) const;
 
 private:
     void applyShortcuts();
+    void showToolTip(std::size_t i);
     void applyIcons();
 
     Preferences &mPreferences;
     std::vector<QAction *> mActions; //!< in the order of the table
+    std::vector<int> mUnmet;         //!< masks of ActionNeed, in the same order
     std::map<QString, QAction *> mById;
 };
 

@@ -21,6 +21,10 @@ class BakeActions final : public QObject
 public:
     BakeActions(const StudioContext &context, Questions &questions, QObject *parent = nullptr);
 
+    //! What was chosen last for a bake, for the session.
+    const BakeChoice &choice() const { return mChoice; }
+    void setChoice(const BakeChoice &choice) { mChoice = choice; }
+
 private:
     void ask(const Document &document);
     void showLive();

@@ -55,8 +55,9 @@ inline constexpr std::array kindTable{
                QT_TRANSLATE_NOOP("Actions", "Select the islands that are less than some texels long"),
                NeedsDocument | NeedsUvs},
     ActionInfo{
-        "select.offDensity", "Select/Islands", QT_TRANSLATE_NOOP("Actions", "&Off the density..."), "density",
-        "", QT_TRANSLATE_NOOP("Actions", "Select the islands with more or fewer texels per unit than most"),
+        "select.offDensity", "Select/Islands", QT_TRANSLATE_NOOP("Actions", "Texel density &outliers..."),
+        "density", "",
+        QT_TRANSLATE_NOOP("Actions", "Select the islands with more or fewer texels per unit than most"),
         NeedsDocument | NeedsUvs},
 };
 

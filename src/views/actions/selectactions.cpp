@@ -167,7 +167,7 @@ void SelectActions::connectIslandKinds()
         "select.offDensity", mDensityTolerance,
         [](D d) {
             return NumberQuestion{
-                tr("Islands off the density"),
+                tr("Texel density outliers"),
                 tr("Select the islands with a texel density off the median, %1 px/unit, by more than this.")
                     .arg(medianTexelDensity(islandFigures(d, {})), 0, 'g', 4),
                 tr("&Off by more than:"),

@@ -32,6 +32,7 @@ public:
     FileActions &file() { return mFile; }
     IslandActions &islands() { return mIslands; }
     ViewActions &view() { return mView; }
+    BakeActions &bake() { return mBake; }
 
 private:
     FileActions mFile;

@@ -119,6 +119,7 @@ void ViewActions::connectWindow()
     ActionRegistry &actions = mContext.actions;
     connect(actions.action("view.frameAll"), &QAction::triggered, this, &ViewActions::frameAll);
     connect(actions.action("view.frameSelected"), &QAction::triggered, this, &ViewActions::frameSelected);
+    connect(actions.action("view.panels"), &QAction::triggered, this, &ViewActions::togglePanels);
     connect(actions.action("view.resetPanels"), &QAction::triggered, this, &ViewActions::resetPanels);
     for (const auto &[id, value] : sides)
         connect(actions.action(id), &QAction::triggered, this,

@@ -34,6 +34,7 @@ Q_SIGNALS:
     void frameSelected();
     void lookFrom(autocuts::ViewSide side);
     void layoutChosen(autocuts::ViewLayout layout);
+    void togglePanels();
     void resetPanels();
 
 private:

@@ -8,6 +8,7 @@
 #include "views/control/mapcontroller.h"
 #include "views/control/shownmap.h"
 #include "views/control/workspace.h"
+#include "views/gl/buried.h"
 #include "views/gl/texeldensity.h"
 #include "views/ui/preferences.h"
 
@@ -312,6 +313,8 @@ void SceneContent::rebuildFaces()
                     stretch, islands, document.seams().weights, shownSelection().faces, overlapping, flipped,
                     density, mRightDensity, document.state().texelWeights, document.state().hiddenFaces,
                     colors ? std::span<const CornerColor>(*colors) : std::span<const CornerColor>()});
+    if (mAsMap && !live && mOptions.fillIslands)
+        markBuried(mContext.shownMap.uv(), mFaces);
 }
 
 //! Empty when densities are not shown.

@@ -2,7 +2,9 @@
 
 #include "solver/bake/bakemaps.h"
 
+#include <QCborArray>
 #include <QCoreApplication>
+#include <QVariant>
 
 #include <algorithm>
 
@@ -35,6 +37,23 @@ constexpr MapTitle titles[]{
      QT_TRANSLATE_NOOP("autocuts::BakeDialog", "Of the detailed model above this one")},
 };
 
+//! Visits every choice with its name in files, so that reading and writing use the same names.
+template <typename Choice, typename Visit>
+void visitChoices(Choice &choice, Visit visit)
+{
+    visit("high", choice.high);
+    visit("width", choice.width);
+    visit("samplesPerSide", choice.samplesPerSide);
+    visit("rays", choice.rays);
+    visit("cage", choice.cage);
+    visit("byName", choice.byName);
+    visit("greenDown", choice.greenDown);
+    visit("dilation", choice.dilation);
+    visit("suffix", choice.suffix);
+    visit("bits", choice.bits);
+    visit("folder", choice.folder);
+}
+
 const MapTitle *titleOf(const QString &name)
 {
     const auto *found = std::ranges::find_if(
@@ -48,6 +67,29 @@ QString translated(const char *text)
 }
 
 } // namespace
+
+QCborMap BakeChoice::toCbor() const
+{
+    QCborMap map;
+    visitChoices(*this, [&map](const char *key, const auto &value) { map[QLatin1StringView(key)] = value; });
+    map[QLatin1StringView("direction")] = static_cast<int>(direction);
+    map[QLatin1StringView("maps")] = QCborArray::fromStringList(maps);
+    return map;
+}
+
+BakeChoice BakeChoice::fromCbor(const QCborMap &map)
+{
+    BakeChoice choice;
+    visitChoices(choice, [&map]<typename Value>(const char *key, Value &value) {
+        const QVariant read = map.value(QLatin1StringView(key)).toVariant();
+        if (read.canConvert<Value>())
+            value = read.value<Value>();
+    });
+    choice.direction = static_cast<Direction>(map.value(QLatin1StringView("direction")).toInteger());
+    if (const QCborValue maps = map.value(QLatin1StringView("maps")); maps.isArray())
+        choice.maps = maps.toVariant().toStringList();
+    return choice;
+}
 
 QStringList bakeMapNames()
 {

@@ -1,6 +1,7 @@
 // What is to be baked, as the user chose it.
 #pragma once
 
+#include <QCborMap>
 #include <QString>
 #include <QStringList>
 
@@ -13,9 +14,10 @@ struct BakeChoice
 
     QString high; //!< file of the detailed model; empty: the model itself
     QStringList maps{QStringLiteral("normal"), QStringLiteral("ao")}; //!< names as in options: "normal"
-    int samplesPerSide = 2;                                           //!< of each texel
-    int rays = 64;                                                    //!< per texel
-    double cage = 0.02; //!< share of the diagonal of the model's bounding box
+    int width = 0;          //!< of the pictures, in texels; 0: that of the document's texture
+    int samplesPerSide = 2; //!< of each texel
+    int rays = 64;          //!< per texel
+    double cage = 0.02;     //!< share of the diagonal of the model's bounding box
     Direction direction = Direction::Smoothed;
     bool byName = false;    //!< objects see those of the same name only
     bool greenDown = false; //!< normals for DirectX
@@ -25,6 +27,9 @@ struct BakeChoice
     QString folder; //!< for the pictures
 
     bool operator==(const BakeChoice &) const = default;
+    //! For the session. The dialog takes nothing from it that cannot be chosen there.
+    QCborMap toCbor() const;
+    static BakeChoice fromCbor(const QCborMap &map);
 };
 
 //! The names of all maps that can be baked.

@@ -14,6 +14,7 @@
 #include <QThread>
 
 #include <algorithm>
+#include <cmath>
 
 namespace autocuts {
 
@@ -53,8 +54,10 @@ Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSetti
         if (choice.maps.contains(QLatin1StringView(name)))
             job.settings.maps.push_back({kind, 0});
     }
-    job.settings.grid.width = packing.textureSize;
-    job.settings.grid.height = packing.height();
+    job.settings.grid.width = choice.width > 0 ? choice.width : packing.textureSize;
+    job.settings.grid.height =
+        choice.width > 0 ? std::max(1, static_cast<int>(std::lround(choice.width * packing.tileHeight())))
+                         : packing.height();
     job.settings.grid.perSide = choice.samplesPerSide;
     job.settings.rays.rays = choice.rays;
     job.settings.cage.distance = choice.cage;

@@ -1,6 +1,7 @@
 #include "views/dialogs/bakedialog.h"
 
 #include "model/document/document.h"
+#include "views/ui/preferences.h"
 #include "views/ui/questions.h"
 
 #include <QCheckBox>
@@ -34,9 +35,10 @@ constexpr std::pair<const char *, int> formats[]{{"png", 8}, {"png", 16}, {"tif"
 
 BakeDialog::BakeDialog(const Document &document, const BakeChoice &last, const QStringList &filters,
                        Questions &questions)
-    : QDialog(questions.window()), mHasUv(document.uv().array().isFinite().any()), mQuestions(questions),
-      mFilters(filters), mHigh(new QLineEdit), mFolder(new QLineEdit), mMaps(new QListWidget),
-      mSamples(new QComboBox), mDirection(new QComboBox), mFormat(new QComboBox), mRays(new QSpinBox),
+    : QDialog(questions.window()), mHasUv(document.uv().array().isFinite().any()),
+      mTextureSize(document.packingSettings().textureSize), mQuestions(questions), mFilters(filters),
+      mHigh(new QLineEdit), mFolder(new QLineEdit), mMaps(new QListWidget), mSamples(new QComboBox),
+      mDirection(new QComboBox), mFormat(new QComboBox), mWidth(new QSpinBox), mRays(new QSpinBox),
       mDilation(new QSpinBox), mCage(new QDoubleSpinBox),
       mByName(new QCheckBox(tr("&Objects see those of the same name only"))),
       mGreenDown(new QCheckBox(tr("Green points &down (DirectX)"))), mProblem(new QLabel)
@@ -49,6 +51,12 @@ BakeDialog::BakeDialog(const Document &document, const BakeChoice &last, const Q
     mHigh->setMinimumWidth(320);
     mFolder->setText(QDir::toNativeSeparators(last.folder));
     addMaps(last.maps);
+    mWidth->setRange(PreferenceLimits::minTextureSize, PackingSettings::maxTextureSize);
+    mWidth->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    mWidth->setValue(last.width > 0 ? last.width : mTextureSize);
+    mWidth->setSuffix(tr(" px"));
+    mWidth->setToolTip(tr("Width of the pictures; at first that of the texture in the Packing panel, whose "
+                          "proportions they have"));
     for (const int perSide : {1, 2, 4, 8})
         mSamples->addItem(QString::number(perSide * perSide), perSide);
     mSamples->setCurrentIndex(std::max(0, mSamples->findData(last.samplesPerSide)));
@@ -92,6 +100,7 @@ BakeDialog::BakeDialog(const Document &document, const BakeChoice &last, const Q
     auto *form = new QFormLayout(this);
     form->addRow(tr("De&tailed model:"), pathRow(mHigh, browseHigh));
     form->addRow(tr("&Maps:"), mMaps);
+    form->addRow(tr("Si&ze:"), mWidth);
     form->addRow(tr("Sam&ples per texel:"), mSamples);
     form->addRow(tr("Ra&ys per texel:"), mRays);
     form->addRow(tr("C&age:"), mCage);
@@ -107,6 +116,7 @@ BakeDialog::BakeDialog(const Document &document, const BakeChoice &last, const Q
          std::initializer_list<std::pair<QWidget *, const char *>>{{mHigh, "high"},
                                                                    {browseHigh, "browseHigh"},
                                                                    {mMaps, "maps"},
+                                                                   {mWidth, "width"},
                                                                    {mSamples, "samples"},
                                                                    {mRays, "rays"},
                                                                    {mCage, "cage"},
@@ -208,6 +218,7 @@ BakeChoice BakeDialog::choice() const
         if (mMaps->item(i)->checkState() == Qt::Checked)
             choice.maps << mMaps->item(i)->data(nameRole).toString();
     }
+    choice.width = mWidth->value() == mTextureSize ? 0 : mWidth->value();
     choice.samplesPerSide = mSamples->currentData().toInt();
     choice.rays = mRays->value();
     choice.cage = mCage->value() / 100;

@@ -44,12 +44,13 @@ private:
     QString targetProblem() const;
 
     bool mHasUv;
+    int mTextureSize; //!< of the document
     Questions &mQuestions;
     QStringList mFilters;
     QLineEdit *mHigh, *mFolder;
     QListWidget *mMaps;
     QComboBox *mSamples, *mDirection, *mFormat;
-    QSpinBox *mRays, *mDilation;
+    QSpinBox *mWidth, *mRays, *mDilation;
     QDoubleSpinBox *mCage;
     QCheckBox *mByName, *mGreenDown;
     QLabel *mProblem;

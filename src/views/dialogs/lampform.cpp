@@ -74,8 +74,9 @@ QTableWidget *makeTable(const QStringList &titles, const char *name)
 
 LampForm::LampForm(const Scene &scene, const std::vector<LightPlan::Area> &areas, const Emission &emission,
                    QWidget *parent)
-    : QWidget(parent), mAreas(makeTable({tr("Lamp at"), tr("Shines at"), tr("Size"), tr("Light")}, "areas")),
-      mMaterials(makeTable({tr("Shining material"), tr("Light")}, "shining")), mRemove(new QPushButton)
+    : QWidget(parent),
+      mAreas(makeTable({tr("Area light at"), tr("Aimed at"), tr("Size"), tr("Light")}, "areas")),
+      mMaterials(makeTable({tr("Emissive material"), tr("Light")}, "shining")), mRemove(new QPushButton)
 {
     Eigen::AlignedBox3d box;
     for (const int vertex : scene.mesh->cornerVertex)
@@ -85,9 +86,9 @@ LampForm::LampForm(const Scene &scene, const std::vector<LightPlan::Area> &areas
         mSize = std::max(box.diagonal().norm(), 1e-9);
     }
     mAreas->setToolTip(
-        tr("Rectangles that shine to one side, in units of the model; they are not seen themselves. "
+        tr("Rectangles that emit light to one side, in units of the model; they are not seen themselves. "
            "Light is red, green, blue, or one number"));
-    mMaterials->setToolTip(tr("The faces of a ticked material shine, with red, green, blue or one number"));
+    mMaterials->setToolTip(tr("The faces of a ticked material emit light: red, green, blue or one number"));
     for (const LightPlan::Area &area : areas)
         addRow(area);
     for (const QString &name : scene.materialNames) {
@@ -103,9 +104,9 @@ LampForm::LampForm(const Scene &scene, const std::vector<LightPlan::Area> &areas
                             new QTableWidgetItem(found == emission.end() ? u"5"_s : textOf(found->second)));
     }
     mMaterials->setVisible(mMaterials->rowCount() > 0);
-    auto *add = new QPushButton(tr("Add &lamp"));
+    auto *add = new QPushButton(tr("Add area &light"));
     add->setObjectName("addLamp"_L1);
-    mRemove->setText(tr("Re&move lamp"));
+    mRemove->setText(tr("Re&move area light"));
     mRemove->setObjectName("removeLamp"_L1);
     mRemove->setEnabled(!areas.empty());
     auto *buttons = new QHBoxLayout;
@@ -191,9 +192,10 @@ std::optional<LampForm::Emission> LampForm::emission() const
 QString LampForm::problem() const
 {
     if (!areas())
-        return tr("A lamp needs two different places (x, y, z), a size (width x height) and its light (a "
-                  "number, or "
-                  "red, green, blue).");
+        return tr(
+            "An area light needs two different places (x, y, z), a size (width x height) and its light (a "
+            "number, or "
+            "red, green, blue).");
     return emission() ? QString() : tr("The light of a material is a number, or red, green, blue.");
 }
 

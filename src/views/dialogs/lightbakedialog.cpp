@@ -269,8 +269,8 @@ QWidget *LightBakeDialog::makeQuality(const LightChoice &last)
     mSamples->setToolTip(tr("Paths of light in each texel: more of them leave less noise"));
     mBounces = makeCount(0, 1000, last.bounces, "bounces");
     mBounces->setToolTip(tr("How often light is reflected before it arrives"));
-    mDirect = makeTick(tr("Light of the lights themselves"), last.direct, "direct");
-    mIndirect = makeTick(tr("Reflected light"), last.indirect, "indirect");
+    mDirect = makeTick(tr("Direct light"), last.direct, "direct");
+    mIndirect = makeTick(tr("Indirect light"), last.indirect, "indirect");
     mDenoise = makeTick(tr("Take out the &noise"), last.denoise, "denoise");
     mUp = makeBox("up");
     mUp->addItem(u"Y"_s, false);
@@ -331,7 +331,7 @@ QString LightBakeDialog::problem() const
     if (dark)
         return tr("Choose at least one light.");
     if (!chosen.direct && !chosen.indirect)
-        return tr("Choose direct or reflected light.");
+        return tr("Choose direct or indirect light.");
     if (const QString problem = mPath->problem(); !problem.isEmpty())
         return problem;
     const Result<PictureDepth> depth = lightMapDepth(chosen.path, chosen.bits);

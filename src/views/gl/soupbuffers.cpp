@@ -214,6 +214,17 @@ quint8 toByte(double share)
     return static_cast<quint8>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
 }
 
+//! Opacity of a forced cut: pale while the map is closed along it. It opens when it reaches a border or
+//! another cut, or with the next solve.
+quint8 opacityOfCut(const SideInput &input, int pairIndex)
+{
+    constexpr quint8 open = 255, closed = 90;
+    const EdgePair &pair = input.mesh.edgePairs[pairIndex];
+    const bool hasMap = hasUv(input.uv, pair.triangle[0]) && hasUv(input.uv, pair.triangle[1]);
+    const bool apart = std::max(input.separation[2 * pairIndex], input.separation[2 * pairIndex + 1]) >= 0.5f;
+    return hasMap && !apart ? closed : open;
+}
+
 //! Sets the top line of a side of an edge pair. \param which index of the triangle in the pair
 void setTopLine(const SideInput &input, int pairIndex, int which, SideTexel &texel)
 {
@@ -226,7 +237,7 @@ void setTopLine(const SideInput &input, int pairIndex, int which, SideTexel &tex
         if (input.options.steering && state != PairState::Free) {
             texel.top =
                 static_cast<quint8>(state == PairState::Cut ? SideStyle::ForcedCut : SideStyle::Joined);
-            texel.opacity[i] = 255;
+            texel.opacity[i] = state == PairState::Cut ? opacityOfCut(input, pairIndex) : quint8(255);
         }
     }
     if (texel.top == 0 && input.options.steering && !input.givenSeams.empty() &&

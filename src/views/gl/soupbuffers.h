@@ -28,7 +28,14 @@ inline constexpr float noUv = 1e30f;
 //! Colour and marks of a triangle; has the layout of a GL_RGBA8UI texel.
 struct FaceTexel
 {
-    enum Mark : quint8 { Selected = 1, Overlapping = 2, Flipped = 4, WithoutUv = 8, Hidden = 16 };
+    enum Mark : quint8 {
+        Selected = 1,
+        Overlapping = 2,
+        Flipped = 4,
+        WithoutUv = 8,
+        Hidden = 16,
+        Buried = 32
+    };
 
     quint8 red = 0, green = 0, blue = 0, marks = 0;
     bool operator==(const FaceTexel &) const = default;

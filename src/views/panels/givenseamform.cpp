@@ -84,7 +84,11 @@ void GivenSeamForm::setSettings(const SolveSettings &settings)
         source.box->setChecked(settings.givenSeams.*source.option);
     const QSignalBlocker blocker(mAngle);
     mAngle->setValue(settings.givenSeams.sharpAngle);
-    mSourceBox->setEnabled(settings.seams != SeamMode::Free);
+    const bool given = settings.seams != SeamMode::Free;
+    for (const Source &source : mSources)
+        enableOrSay(source.box, given,
+                    tr("Free seams do not depend on it: choose those of yours, to keep or alone"));
+    mAngle->setEnabled(given);
 }
 
 } // namespace autocuts

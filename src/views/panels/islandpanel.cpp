@@ -226,7 +226,7 @@ void IslandPanel::refresh()
                           : tr("Islands: %1, selected: %2")
                                 .arg(countText(mTable->rowCount()), countText(qint64(selected))));
     for (QPushButton *button : mSelectionButtons)
-        button->setEnabled(selected > 0);
+        enableOrSay(button, selected > 0, tr("Select faces or islands first"));
     mEqualize->setEnabled(mTable->rowCount() > 0 && !map.jobs().isBusy());
 }
 

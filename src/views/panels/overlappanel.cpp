@@ -154,7 +154,7 @@ void OverlapPanel::refresh()
     const bool hasRows = mList->rowCount() > 0;
     mPrevious->setEnabled(hasRows);
     mNext->setEnabled(hasRows);
-    mSelectFlipped->setEnabled(fresh && metrics.flipped > 0);
+    enableOrSay(mSelectFlipped, fresh && metrics.flipped > 0, tr("No face is known to be flipped"));
     for (QPushButton *button : {mSeparate, mGreedy})
         button->setEnabled(hasMap && !context().map.jobs().isBusy());
 }

@@ -21,14 +21,19 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
-QString withKeys(const QString &tip, const std::vector<QAction *> &actions)
+//! The tip with the keys of the actions, and with the reason when one of them is disabled.
+QString fullTip(const QString &tip, const std::vector<QAction *> &actions, const ActionRegistry &registry)
 {
     QStringList keys;
+    QString why;
     for (const QAction *action : actions) {
         if (!action->shortcut().isEmpty())
             keys << action->shortcut().toString(QKeySequence::NativeText);
+        if (why.isEmpty())
+            why = registry.whyDisabled(action);
     }
-    return keys.isEmpty() ? tip : u"%1 (%2)"_s.arg(tip, keys.join(", "_L1));
+    const QString text = keys.isEmpty() ? tip : u"%1 (%2)"_s.arg(tip, keys.join(", "_L1));
+    return why.isEmpty() ? text : text + u'\n' + why;
 }
 
 } // namespace
@@ -95,7 +100,9 @@ void Panel::explain(QWidget *widget, const QString &tip, std::initializer_list<c
     std::vector<QAction *> actions;
     for (const char *id : actionIds)
         actions.push_back(mContext.actions.action(id));
-    const auto show = [widget, tip, actions] { widget->setToolTip(withKeys(tip, actions)); };
+    const auto show = [widget, tip, actions, &registry = mContext.actions] {
+        widget->setToolTip(fullTip(tip, actions, registry));
+    };
     for (const QAction *action : actions)
         connect(action, &QAction::changed, widget, show);
     show();

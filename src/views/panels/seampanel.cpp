@@ -252,7 +252,7 @@ void SeamPanel::refresh()
     for (QPushButton *button : {mCut, mJoin, mClear, mStraight, mRelease})
         button->setEnabled(!selection.edges.isEmpty());
     for (QPushButton *button : {mKeep, mAttract, mErase})
-        button->setEnabled(!selection.faces.isEmpty());
+        enableOrSay(button, !selection.faces.isEmpty(), tr("Select faces or islands first"));
     showCounts(*document());
 }
 
@@ -265,8 +265,9 @@ void SeamPanel::showCounts(const Document &document)
     mKeepCount->setText(countText(counts.keptTogether));
     mAttractCount->setText(countText(counts.attracting));
     mStraightCount->setText(countText(counts.straight));
-    mClearAll->setEnabled(counts.cut + counts.halfCut + counts.joined > 0);
-    mErasePaint->setEnabled(counts.keptTogether + counts.attracting > 0);
+    enableOrSay(mClearAll, counts.cut + counts.halfCut + counts.joined > 0,
+                tr("No edge is cut or joined by hand"));
+    enableOrSay(mErasePaint, counts.keptTogether + counts.attracting > 0, tr("Nothing is painted"));
 }
 
 void SeamPanel::showGivenSeams()

@@ -96,7 +96,7 @@ void SeamPriceList::setPrices(const unwrap::SeamPrices *prices, double maxDistor
 
 void SeamPriceList::setCanPrice(bool can)
 {
-    mPrice->setEnabled(can);
+    enableOrSay(mPrice, can, tr("There is no map yet, or a job is running"));
 }
 
 const unwrap::SeamPrice *SeamPriceList::current() const
@@ -108,9 +108,10 @@ const unwrap::SeamPrice *SeamPriceList::current() const
 void SeamPriceList::showChoice()
 {
     const unwrap::SeamPrice *price = current();
-    mDrop->setEnabled(price && price->distortion);
-    mNextDrop->setEnabled(!mPrices.seams.empty() && mPrices.seams.front().distortion);
-    mNextAdd->setEnabled(mPrices.proposal.has_value());
+    enableOrSay(mDrop, price && price->distortion, tr("Choose a seam of the list that can be closed"));
+    enableOrSay(mNextDrop, !mPrices.seams.empty() && mPrices.seams.front().distortion,
+                tr("Price the seams first"));
+    enableOrSay(mNextAdd, mPrices.proposal.has_value(), tr("No new seam is known: price the seams first"));
 }
 
 void SeamPriceList::dropCurrent()

@@ -218,7 +218,7 @@ void TexturePanel::refreshButtons()
     const TextureSet set = document() ? document()->state().textureSet(material()) : TextureSet();
     const auto found = set.find(channel());
     const bool hasPicture = found != set.end() && !found->second.picture.isEmpty();
-    mRemove->setEnabled(hasPicture);
+    enableOrSay(mRemove, hasPicture, tr("The marked channel has no picture"));
     mPacked->setEnabled(document() != nullptr);
     mComponent->clear();
     if (isColor(channel()) || channel() == TextureChannel::Normal)
@@ -233,7 +233,7 @@ void TexturePanel::refreshButtons()
     mComponent->setCurrentIndex(std::max(0, mComponent->findData(hasPicture ? found->second.component : -1)));
     const auto normal = set.find(TextureChannel::Normal);
     const bool has = normal != set.end() && !normal->second.picture.isEmpty();
-    mDirectX->setEnabled(has);
+    enableOrSay(mDirectX, has, tr("The material has no normal map"));
     mDirectX->setChecked(has && normal->second.flipped);
 }
 

@@ -13,63 +13,21 @@
 #include "views/ui/icons.h"
 #include "views/ui/preferences.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
 
 namespace {
-
-//! Toggles in two columns, or in one where there is no room for two.
-class ToggleGrid final : public QWidget
-{
-public:
-    ToggleGrid() : mGrid(new QGridLayout(this))
-    {
-        mGrid->setContentsMargins(0, 0, 0, 0);
-        mGrid->setVerticalSpacing(rowSpacing);
-    }
-    void add(QWidget *toggle)
-    {
-        mToggles.push_back(toggle);
-        mWidest = std::max(mWidest, toggle->sizeHint().width());
-        place(mColumns);
-    }
-    QSize minimumSizeHint() const override { return {mWidest, mGrid->minimumSize().height()}; }
-
-protected:
-    void resizeEvent(QResizeEvent *) override
-    {
-        const int columns = width() < 2 * mWidest + mGrid->horizontalSpacing() ? 1 : 2;
-        if (columns != mColumns)
-            place(columns);
-    }
-
-private:
-    void place(int columns)
-    {
-        mColumns = columns;
-        for (int i = 0; i < static_cast<int>(mToggles.size()); ++i)
-            mGrid->addWidget(mToggles[i], i / columns, i % columns);
-    }
-
-    QGridLayout *mGrid;
-    std::vector<QWidget *> mToggles;
-    int mColumns = 2, mWidest = 0;
-};
 
 //! Lets a choice be narrower than its longest text.
 void narrowest(QComboBox &box)
@@ -91,8 +49,6 @@ ViewPanel::ViewPanel(const StudioContext &context, QWidget *parent)
     addColoringRows();
     addPatternRows();
     layout->addWidget(choices);
-    layout->addWidget(makeHeading(tr("Shown")));
-    layout->addWidget(makeToggles());
     layout->addStretch();
     connect(&context.view, &ViewState::optionsChanged, this, [this] { refreshSoon(); });
     connect(&context.preferences, &Preferences::changed, this, [this] { refreshSoon(); });
@@ -322,54 +278,6 @@ void ViewPanel::addPatternRows()
               "of the material with the most faces"));
 }
 
-QWidget *ViewPanel::makeToggles()
-{
-    struct Toggle
-    {
-        QString text;
-        bool ViewOptions::*field;
-        const char *action;
-        QString tip;
-    };
-    const Toggle toggles[] = {
-        {tr("Edges"), &ViewOptions::wireframe, "view.wireframe", tr("Edges of the polygons")},
-        {tr("Seams"), &ViewOptions::seams, "view.seams",
-         tr("Seams; while solving, where they begin to open")},
-        {tr("Steering"), &ViewOptions::steering, "view.steering",
-         tr("Forced cuts and joins, rectangles, pins")},
-        {tr("Problems"), &ViewOptions::problems, "view.problems",
-         tr("Flipped triangles, and overlaps hatched")},
-        {tr("Filled islands"), &ViewOptions::fillIslands, "view.fillIslands", tr("In the UV view")},
-        {tr("Grid"), &ViewOptions::grid, "view.grid",
-         tr("Grid and tiles of the UV view, ground of the 3D view")},
-        {tr("Rulers"), &ViewOptions::rulers, "view.rulers", tr("In the UV view, in texels")},
-        {tr("Follow the live map"), &ViewOptions::followMap, "view.followMap",
-         tr("The UV view shows the whole live map as it changes")},
-        {tr("Island marks"), &ViewOptions::islandMarks, "view.islandMarks",
-         tr("Locks, groups and stacks in the UV view")},
-        {tr("Island numbers"), &ViewOptions::islandNumbers, "view.islandNumbers",
-         tr("In the UV view, as in the list of islands")},
-        {tr("Smooth shading"), &ViewOptions::smoothShading, "view.smoothShading", tr("In the 3D view")},
-        {tr("Pack live"), &ViewOptions::livePacking, "view.livePacking",
-         tr("While solving, show the islands beside each other")},
-        {tr("Orthographic"), &ViewOptions::orthographic, "view.orthographic",
-         tr("3D view without perspective")},
-        {tr("X-ray"), &ViewOptions::xray, "view.xray", tr("See and select through the model")},
-    };
-    auto *box = new ToggleGrid;
-    for (const auto &[text, field, action, tip] : toggles) {
-        auto *toggle = new QCheckBox(text);
-        toggle->setObjectName(QLatin1StringView(action));
-        explain(toggle, tip, {action});
-        toggle->setIcon({});
-        connect(toggle, &QCheckBox::clicked, this,
-                [this, f = field](bool on) { change([f, on](ViewOptions &options) { options.*f = on; }); });
-        box->add(toggle);
-        mToggles.emplace_back(toggle, field);
-    }
-    return box;
-}
-
 void ViewPanel::choosePattern()
 {
     const auto pattern = Pattern(mPattern->currentData().toInt());
@@ -411,8 +319,6 @@ void ViewPanel::refresh()
     mModelTextures->setText(context().pictures.isLoading() ? tr("being read...")
                             : textures == 0                ? tr("the model names none")
                                                            : tr("of %1 materials").arg(textures));
-    for (const auto &[toggle, field] : mToggles)
-        toggle->setChecked(options.*field);
     mForm->setRowVisible(mStretchClamp, options.coloring == Coloring::SignedStretch);
     mForm->setRowVisible(mMagnitudeClamp, options.coloring == Coloring::StretchMagnitude);
     const bool isDensity = options.coloring == Coloring::Density;

@@ -4,10 +4,6 @@
 #include "views/panels/panel.h"
 #include "views/state/viewstate.h"
 
-#include <utility>
-#include <vector>
-
-class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
@@ -19,8 +15,8 @@ class ElidedLabel;
 class HeatLegend;
 class SliderSpin;
 
-//! Sets the colouring with its legend and limits, the pattern, the texture and the visible elements. Changes
-//! ViewState, which is not an edit of the document.
+//! Sets the colouring with its legend and limits, the pattern and the texture. Changes ViewState, which is
+//! not an edit of the document.
 class ViewPanel final : public Panel
 {
     Q_OBJECT
@@ -41,7 +37,6 @@ private:
     void choosePreset();
     QDoubleSpinBox *makeCountBox(QLatin1StringView name, double low, double high, double ViewOptions::*field);
     void addPatternRows();
-    QWidget *makeToggles();
     template <class Edit>
     void change(Edit edit);
     void choosePattern();
@@ -57,7 +52,6 @@ private:
     QWidget *mTextureRow = nullptr;
     ElidedLabel *mTextureName = nullptr;
     QLabel *mModelTextures = nullptr;
-    std::vector<std::pair<QCheckBox *, bool ViewOptions::*>> mToggles;
 };
 
 } // namespace autocuts

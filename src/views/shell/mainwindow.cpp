@@ -19,9 +19,11 @@
 #include "views/panels/uvsetpanel.h"
 #include "views/panels/viewpanel.h"
 #include "views/shell/contextmenu.h"
+#include "views/shell/paneldocks.h"
 #include "views/shell/startpage.h"
 #include "views/shell/statusbar.h"
 #include "views/shell/tooloptionbar.h"
+#include "views/shell/viewbuttons.h"
 #include "views/tools/studiotools.h"
 #include "views/ui/decimalkeys.h"
 #include "views/ui/icons.h"
@@ -33,6 +35,7 @@
 #include <QCborValue>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QKeyEvent>
 #include <QLayout>
 #include <QMenu>
 #include <QMenuBar>
@@ -43,14 +46,15 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace autocuts {
 
 namespace {
 
-constexpr int thumbnailSize = 256; //!< pixels of the longer side
-//! Pixels; in narrower windows the panels on the left begin closed (View > Panels opens them).
-constexpr int leastForBothSides = 1100;
+constexpr int thumbnailSide = 256; //!< pixels of the longer side
+//! Pixels; in narrower windows the panels of the left begin closed (View > Panels opens them).
+constexpr int leastForBothSides = 1400;
 
 //! The path when a drag has exactly one file; empty otherwise.
 QString draggedFile(const QMimeData &data)
@@ -84,6 +88,7 @@ MainWindow::MainWindow(Preferences &preferences, const QString &recoveryFolder,
     connect(start, &StartPage::openRequested, &mStudioActions->file(), &FileActions::openFile);
     connect(&mWorkspace, &Workspace::documentReplaced, this, &MainWindow::showTitle);
     connect(&mWorkspace, &Workspace::historyChanged, this, &MainWindow::showTitle);
+    connect(&mWorkspace, &Workspace::historyChanged, this, &MainWindow::showFirstMap);
     connect(&mFiles, &FileController::opened, this, &MainWindow::showOpened);
     mFiles.setThumbnailSource([this] { return thumbnail(); });
     mMap.setHiddenQuestion([this](qsizetype hidden) -> std::optional<JobReach> {
@@ -125,6 +130,7 @@ void MainWindow::makeViews()
     mSplitter->setObjectName(QStringLiteral("views"));
     mMeshView = new MeshView(canvas, mTools, mSplitter);
     mUvView = new UvView(canvas, mTools, mSplitter);
+    addViewButtons(*mMeshView, *mUvView, mActions);
     mSplitter->setSizes({1000, 1000});
     mSplitter->setChildrenCollapsible(false);
     mNotice = new NoticeBar(mWorkspace);
@@ -220,6 +226,7 @@ void MainWindow::makePanels()
     tabifyDockWidget(packing, overlaps);
     islands->raise();
     resizeDocks({view, history}, {560, 340}, Qt::Vertical);
+    mPanels = new PanelDocks(*this, mDocks);
 
     mStatusBar = new StatusBar(studio, this);
     setStatusBar(mStatusBar);
@@ -232,8 +239,14 @@ void MainWindow::makeMenus()
     mStudioActions->file().fillRecentMenu(*mMenus);
     QMenu *panels = mMenus->menu(QStringLiteral("View/Panels"));
     QAction *const before = panels->actions().value(0);
-    for (QDockWidget *dock : mDocks)
-        panels->insertAction(before, dock->toggleViewAction());
+    for (QDockWidget *dock : mDocks) {
+        QAction *const show = dock->toggleViewAction();
+        panels->insertAction(before, show);
+        connect(show, &QAction::triggered, dock, [dock](bool shown) {
+            if (shown)
+                dock->raise(); // it may be a tab behind others
+        });
+    }
 
     QToolBar *const bar = mMainBar = addToolBar(tr("Main tool bar"));
     bar->setObjectName(QStringLiteral("mainToolBar"));
@@ -249,6 +262,7 @@ void MainWindow::makeMenus()
     panels->insertAction(before, makeToolBar()->toggleViewAction());
     // Added to the window so that all shortcuts work wherever the focus is, also when the menu bar is hidden.
     addActions(QList<QAction *>(mActions.actions().begin(), mActions.actions().end()));
+    connect(&mStudioActions->view(), &ViewActions::togglePanels, mPanels, &PanelDocks::toggle);
     connect(&mStudioActions->view(), &ViewActions::resetPanels, this,
             [this] { restoreState(mDefaultState); });
     connect(mActions.action("view.fullScreen"), &QAction::toggled, this,
@@ -301,10 +315,6 @@ void MainWindow::connectMessages()
     // What an earlier job did is not what the map is now.
     const auto forget = [this] { mStatusBar->showText({}); };
     connect(&mWorkspace, &Workspace::historyChanged, this, forget);
-    connect(&mSolver, &SolverController::stateChanged, this, [this, forget] {
-        if (mSolver.isRunning())
-            forget();
-    });
     connect(&mMap, &MapController::done, this, say);
     // What took long to make is not to be lost.
     connect(&mMap, &MapController::done, &mFiles, &FileController::saveChangesForRecovery);
@@ -328,6 +338,13 @@ void MainWindow::connectMessages()
             endOfMap();
     });
     connect(&mWorkspace, &Workspace::changed, mNotice, endOfMap);
+    connect(&mSolver, &SolverController::stateChanged, this, [this, forget, endOfMap] {
+        const bool ran = std::exchange(mSolverRan, mSolver.isRunning());
+        if (ran || !mSolverRan)
+            return;
+        forget();
+        endOfMap();
+    });
     connect(&mSolver, &SolverController::foundProblems, mNotice, showOfMap);
     connect(&mSolver, &SolverController::failed, mNotice, [this](const QString &message) {
         mNotice->showNotice(tr("The solver stopped: %1").arg(message));
@@ -339,17 +356,23 @@ void MainWindow::connectMessages()
             [this](const Error &error) { mQuestions->showError(error); });
 }
 
-void MainWindow::restoreLayout()
+void MainWindow::arrangeFor(const QSize &space)
 {
     // The panels need less room since they are tabs.
     layout()->activate();
     // As large as the screen allows, with room for the frame of the window.
-    resize(QSize(1680, 960).boundedTo(0.94 * screen()->availableSize()));
+    resize(QSize(1680, 960).boundedTo(0.94 * space));
     const auto dock = [this](const char *name) { return findChild<QDockWidget *>(QLatin1String(name)); };
-    // On small screens the views get the larger part, too.
+    // On small screens the views get the larger part, too: the panels of the left are closed, and opened they
+    // are tabs on the right.
     if (width() < leastForBothSides) {
-        for (QDockWidget *left : mDocks)
-            left->setVisible(dockWidgetArea(left) != Qt::LeftDockWidgetArea);
+        for (QDockWidget *left : mDocks) {
+            if (dockWidgetArea(left) != Qt::LeftDockWidgetArea)
+                continue;
+            tabifyDockWidget(dock("overlaps"), left);
+            left->hide();
+        }
+        dock("islands")->raise();
     }
     resizeDocks({dock("view"), dock("solver")},
                 {std::min(290, width() * 22 / 100), std::min(370, width() * 40 / 100)}, Qt::Horizontal);
@@ -357,6 +380,11 @@ void MainWindow::restoreLayout()
     const int unwrapHeight = std::min(490, height() * 65 / 100);
     resizeDocks({dock("solver"), dock("islands")}, {unwrapHeight, height() - unwrapHeight}, Qt::Vertical);
     mDefaultState = saveState();
+}
+
+void MainWindow::restoreLayout()
+{
+    arrangeFor(screen()->availableSize());
     restoreGeometry(mPreferences.windowGeometry());
     restoreState(mPreferences.windowState());
 }
@@ -376,19 +404,27 @@ void MainWindow::showOpened()
         mViewState.setOptions(ViewOptions::fromCbor(saved.value(QStringLiteral("options")).toMap()));
     else
         showFoundTextures();
+    if (const QCborValue bake = saved.value(QStringLiteral("bake")); bake.isMap())
+        mStudioActions->bake().setChoice(BakeChoice::fromCbor(bake.toMap()));
+    mAwaitsMap = !hasUvs(*mWorkspace.document());
     mMeshView->restoreViewState(saved.value(QStringLiteral("mesh")).toMap());
     mUvView->restoreViewState(saved.value(QStringLiteral("uv")).toMap());
     mStatusBar->showText(mWorkspace.notes().isEmpty()
                              ? tr("Opened %1").arg(mWorkspace.name())
                              : tr("Opened %1: see the mesh doctor").arg(mWorkspace.name()));
-    if (mPreferences.values().solveOnOpen && !hasUvs(*mWorkspace.document()))
+    if (mPreferences.values().solveOnOpen && mAwaitsMap)
         mSolver.run();
 }
 
-//! The pattern that the user chose comes back with a model without textures.
+//! Colours, limits and X-ray were chosen for the model before. The pattern that the user chose comes back
+//! with a model without textures.
 void MainWindow::showFoundTextures()
 {
     ViewOptions options = mViewState.options();
+    options.coloring = Coloring::Plain;
+    options.xray = false;
+    options.shownChannel = -1;
+    options.densityTarget = 0;
     const bool found = mPreferences.values().showTextures && mPictures.count() > 0;
     const bool shown = options.pattern == Pattern::Materials || options.pattern == Pattern::Physical;
     if (found && !shown)
@@ -400,18 +436,31 @@ void MainWindow::showFoundTextures()
     mViewState.setOptions(options);
 }
 
+//! The first map of a model is seen on a checkerboard, unless another pattern is chosen.
+void MainWindow::showFirstMap()
+{
+    if (!mAwaitsMap || !mWorkspace.document() || !hasUvs(*mWorkspace.document()))
+        return;
+    mAwaitsMap = false;
+    ViewOptions options = mViewState.options();
+    if (options.pattern == Pattern::None)
+        options.pattern = Pattern::Checker;
+    mViewState.setOptions(options);
+}
+
 QByteArray MainWindow::viewStateBytes() const
 {
     QCborMap map;
     map[QStringLiteral("options")] = mViewState.options().toCbor();
     map[QStringLiteral("mesh")] = mMeshView->viewState();
     map[QStringLiteral("uv")] = mUvView->viewState();
+    map[QStringLiteral("bake")] = mStudioActions->bake().choice().toCbor();
     return map.toCborValue().toCbor();
 }
 
 QImage MainWindow::thumbnail()
 {
-    return mMeshView->picture().scaled(thumbnailSize, thumbnailSize, Qt::KeepAspectRatio,
+    return mMeshView->picture().scaled(thumbnailSide, thumbnailSide, Qt::KeepAspectRatio,
                                        Qt::SmoothTransformation);
 }
 
@@ -423,13 +472,36 @@ void MainWindow::arrangeViews(ViewLayout layout)
         centralWidget()->setFocusProxy(mMeshView->isHidden() ? static_cast<QWidget *>(mUvView) : mMeshView);
 }
 
+bool MainWindow::event(QEvent *event)
+{
+    // Comes here when nothing that has the focus wants the key.
+    if (event->type() == QEvent::ShortcutOverride && takesKey(*static_cast<QKeyEvent *>(event))) {
+        event->accept();
+        return true;
+    }
+    return QMainWindow::event(event);
+}
+
+//! True for a key that is not to trigger an action. A key whose action is disabled says why.
+bool MainWindow::takesKey(const QKeyEvent &key)
+{
+    // Outside of the views Tab goes on to the next field.
+    if (key.key() == Qt::Key_Tab && !qobject_cast<const Canvas *>(focusWidget()))
+        return true;
+    const QAction *action = mActions.disabledActionOf(QKeySequence(key.keyCombination()));
+    if (action && !key.isAutoRepeat())
+        mStatusBar->showText(actionTitle(mActions.info(action)) + QStringLiteral(": ") +
+                             mActions.whyDisabled(action));
+    return false;
+}
+
 void MainWindow::closeEvent(QCloseEvent *event)
 {
     if (!mStudioActions->file().mayClose()) {
         event->ignore();
         return;
     }
-    mPreferences.setWindowLayout(saveGeometry(), saveState());
+    mPreferences.setWindowLayout(saveGeometry(), mPanels->arrangement());
     mFiles.close();
     event->accept();
 }

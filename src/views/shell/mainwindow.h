@@ -27,6 +27,7 @@ class Canvas;
 class MenuBuilder;
 class MeshView;
 class NoticeBar;
+class PanelDocks;
 class StatusBar;
 class StudioActions;
 class UvView;
@@ -49,8 +50,11 @@ public:
     MeshView &meshView() { return *mMeshView; }
     UvView &uvView() { return *mUvView; }
     ToolManager &tools() { return mTools; }
+    //! Arranges the window as at the first start. \param space of the screen
+    void arrangeFor(const QSize &space);
 
 protected:
+    bool event(QEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
@@ -68,6 +72,8 @@ private:
     void showTitle();
     void showOpened();
     void showFoundTextures();
+    void showFirstMap();
+    bool takesKey(const QKeyEvent &key);
     QByteArray viewStateBytes() const;
     QImage thumbnail();
     void arrangeViews(ViewLayout layout);
@@ -94,8 +100,11 @@ private:
     QToolBar *mMainBar = nullptr, *mOptionBar = nullptr;
     int mWidestOptions = 0; //!< of the tools used so far, in pixels
     QList<QDockWidget *> mDocks;
+    PanelDocks *mPanels = nullptr;
     Pattern mOtherPattern = Pattern::None; //!< when the textures of a model took its place
     bool mNearOverlap = false;             //!< the UV view was moved to an overlap
+    bool mSolverRan = false;               //!< at its last change of state
+    bool mAwaitsMap = false;               //!< the model was opened without a map and has none yet
     std::unique_ptr<MenuBuilder> mMenus;
     QByteArray mDefaultState; //!< initial arrangement of the panels
 };

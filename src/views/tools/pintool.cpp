@@ -50,6 +50,9 @@ PinTool::PinTool(const StudioContext &context, QObject *parent)
 
 QString PinTool::hint() const
 {
+    if (mMissed)
+        return islandMode() ? tr("There is no island: click on one to pin it")
+                            : tr("No vertex is near: click on one, or drag a box around several");
     if (islandMode())
         return tr(
             "Pin islands: click or drag a box to pin, Shift makes soft pins, Ctrl+box unpins, drag a pin "
@@ -71,6 +74,7 @@ void PinTool::press(const ToolEvent &event)
         cancel();
     if (event.button != Qt::LeftButton || isBusy())
         return;
+    setMissed(false);
     mState = State::Pressed;
     mCanvas = &event.canvas;
     mStart = mEnd = event.position;
@@ -192,10 +196,13 @@ void PinTool::release(const ToolEvent &event)
     mEnd = event.position;
     const State state = mState;
     reset();
-    if (state == State::Pressed)
-        toggle(pinsUnder(event), event.modifiers.testFlag(Qt::ShiftModifier));
-    else if (state == State::Box)
+    if (state == State::Box)
         applyBox(event);
+    if (state != State::Pressed)
+        return;
+    const std::vector<UvPin> pins = pinsUnder(event);
+    setMissed(pins.empty());
+    toggle(pins, event.modifiers.testFlag(Qt::ShiftModifier));
 }
 
 std::vector<UvPin> PinTool::pinsUnder(const ToolEvent &event) const
@@ -260,6 +267,18 @@ void PinTool::reset()
     mState = State::Idle;
     mHovered = -1;
     Q_EMIT overlayChanged();
+}
+
+void PinTool::setMissed(bool missed)
+{
+    if (std::exchange(mMissed, missed) != missed)
+        Q_EMIT hintChanged();
+}
+
+void PinTool::deactivate()
+{
+    mMissed = false;
+    AbstractTool::deactivate();
 }
 
 void PinTool::cancel()

@@ -23,6 +23,7 @@ public:
 
     QString hint() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
+    void deactivate() override;
     void press(const ToolEvent &event) override;
     void move(const ToolEvent &event) override;
     void release(const ToolEvent &event) override;
@@ -37,6 +38,7 @@ private:
 
     bool islandMode() const;
     void reset();
+    void setMissed(bool missed);
     //! The pins that a click would make.
     std::vector<UvPin> pinsUnder(const ToolEvent &event) const;
     //! Pins, unpins or changes the kind of pins, depending on the existing ones.
@@ -60,7 +62,8 @@ private:
     Vec2 mBy = Vec2::Zero();
     bool mLive = false; //!< a solve runs during the drag
     quint64 mGesture = 0;
-    int mHovered = -1; //!< soup corner
+    int mHovered = -1;    //!< soup corner
+    bool mMissed = false; //!< the last click was on nothing that can be pinned
 };
 
 } // namespace autocuts

@@ -1,0 +1,96 @@
+// What the UV view draws while the solver runs: the numbers of each frame are a valid map, and so is what
+// shines through.
+#include "solver/metrics/uvmetrics.h"
+#include "support/meshbuilders.h"
+#include "support/studiosession.h"
+#include "views/canvas/scenecontent.h"
+#include "views/canvas/uvview.h"
+
+#include <QFileInfo>
+#include <QTest>
+
+using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
+using test::StudioSession;
+
+namespace {
+
+//! \param drawn two numbers per soup corner, as they are given to the graphics card
+UvMatrix cornerUvOf(const MeshData &mesh, const std::vector<float> &drawn)
+{
+    UvMatrix uv(mesh.cornerCount(), 2);
+    for (std::size_t s = 0; 2 * s < drawn.size(); ++s)
+        uv.row(mesh.cornerOfSoup(static_cast<int>(s))) << double(drawn[2 * s]), double(drawn[2 * s + 1]);
+    return uv;
+}
+
+//! What is wrong with a drawn map; empty: nothing. Numbers of single precision overlap by rounding.
+QString problemOf(const MeshData &mesh, const std::vector<float> &drawn)
+{
+    const UvMatrix uv = cornerUvOf(mesh, drawn);
+    const metrics::UvMetrics figures = metrics::measureUv(mesh, uv);
+    return figures.flipped == 0 && figures.overlapAreaRatio < 1e-6
+               ? QString()
+               : u"%1 flips, overlaps %2"_s.arg(figures.flipped).arg(figures.overlapAreaRatio);
+}
+
+} // namespace
+
+class TestDrawnMaps : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyFrameOfASolveIsAMap_data()
+    {
+        QTest::addColumn<QString>("model");
+        for (const QString &sample : {u"bumpycube"_s, u"character"_s, u"torus"_s, u"machine"_s})
+            QTest::newRow(qPrintable(sample)) << sample;
+        for (const QString &file : {u"organic/camel_simple.obj"_s, u"polygons/suzanne.obj"_s})
+            QTest::newRow(qPrintable(file))
+                << QString(QString::fromStdString(test::meshFolder()) + u'/' + file);
+    }
+
+    void everyFrameOfASolveIsAMap()
+    {
+        QFETCH(const QString, model);
+        const bool isFile = model.endsWith(u".obj"_s);
+        if (isFile && !QFileInfo::exists(model))
+            QSKIP(test::noMeshes);
+        StudioSession studio;
+        if (isFile)
+            studio.context.files.open(model);
+        else
+            studio.context.files.openSample(model);
+        QVERIFY(studio.jobsRest() && studio.document());
+        const MeshData &mesh = studio.document()->mesh();
+        UvView &view = studio.window.uvView();
+        int seen = 0;
+        QStringList problems;
+        connect(&view, &QOpenGLWidget::frameSwapped, &view, [&] {
+            if (!studio.context.shownMap.isLive())
+                return;
+            ++seen;
+            if (const QString problem = problemOf(mesh, view.content().uvs()); !problem.isEmpty())
+                problems << u"frame %1: %2"_s.arg(seen).arg(problem);
+            if (!view.content().ghostUvs().empty()) {
+                if (const QString problem = problemOf(mesh, view.content().ghostUvs()); !problem.isEmpty())
+                    problems << u"behind frame %1: %2"_s.arg(seen).arg(problem);
+            }
+        });
+        studio.press(Qt::Key_Space);
+        QVERIFY(QTest::qWaitFor([&] { return seen > 3; }, test::patience));
+        QTest::qWait(2000); // a bounded look, nothing is waited for
+        studio.action("uv.restart")->trigger();
+        const int before = seen;
+        QVERIFY(QTest::qWaitFor([&] { return seen > before + 3; }, test::patience));
+        QTest::qWait(2000);
+        QVERIFY2(problems.isEmpty(), qPrintable(problems.join(u'\n')));
+        studio.context.solver.pause();
+        QVERIFY(studio.solverRests());
+        QCOMPARE(problemOf(mesh, view.content().uvs()), QString());
+    }
+};
+
+QTEST_MAIN(TestDrawnMaps)
+#include "tst_drawnmaps.moc"
