@@ -319,8 +319,8 @@ private Q_SLOTS:
         QTest::addColumn<QString>("lost");
         QTest::newRow("glb") << QStringLiteral("polygons are split");
         QTest::newRow("ply") << QStringLiteral("single precision");
-        QTest::newRow("dae") << QStringLiteral("groups, smoothing groups");
-        QTest::newRow("fbx") << QStringLiteral("material libraries");
+        QTest::newRow("dae") << QStringLiteral("groups and smoothing groups");
+        QTest::newRow("fbx") << QStringLiteral("comments and groups");
     }
     void otherFormatsSayWhatIsLost()
     {

@@ -1,6 +1,7 @@
 // Jobs on whole maps: results come back as commands, edits meanwhile win, cancel keeps what there is.
 #include "commands/editpins.h"
 #include "commands/editrectangles.h"
+#include "commands/edituvsets.h"
 #include "commands/hidefaces.h"
 #include "commands/setislandflags.h"
 #include "commands/setseamstate.h"
@@ -99,6 +100,23 @@ class TestMapController : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    //! Base colours are shown with the first set: a new set leaves them right.
+    void texturesFitTheFirstSet()
+    {
+        Studio studio;
+        DocumentState state = studio.document().state();
+        state.scene.materialNames = {QStringLiteral("paint")};
+        state.scene.materialTextures = {{state.scene.materialNames.front(), {}}};
+        studio.workspace.open(std::make_unique<Document>(std::move(state)), {});
+        studio.layOut(true);
+        for (const bool first : {true, false}) {
+            QVERIFY(first || pushCommand(std::make_unique<AddUvSet>(studio.document(), QString(), 0)));
+            studio.map.pack(PackScope::All);
+            QVERIFY(studio.ends());
+            QCOMPARE(studio.done.takeLast().at(0).toString().contains(QLatin1String("map before")), first);
+        }
+    }
+
     //! Hidden faces are mapped again only if the user says so; that is asked once.
     void hiddenFacesAreAskedAbout()
     {

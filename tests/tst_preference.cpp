@@ -239,6 +239,46 @@ private Q_SLOTS:
         }
     }
 
+    //! Sculpts are never exact, and a part of this one has no mirror image.
+    void nearlySymmetricIsFound()
+    {
+        const MeshPtr mesh = sample("character");
+        const auto sculpted = [](const Vec3 &p) {
+            const double noise = 0.004 * std::sin(91 * p.y() + 57 * p.z() + 31 * p.x());
+            const bool pulled = p.x() > 0 && p.y() > 1.75;
+            return Vec3(p.x() + noise, p.y() + noise, p.z() + (pulled ? 0.2 : 0.0));
+        };
+        const MeshPtr nearly = moved(*mesh, sculpted);
+        QVERIFY(!findSymmetry(*nearly, Exactness::Exact));
+        const std::optional<MeshSymmetry> found = findSymmetry(*nearly);
+        QVERIFY(found.has_value());
+        QVERIFY(std::abs(found->normal.x()) > 0.99);
+        QVERIFY(found->matchedArea > 0.75 && found->matchedArea < 0.999);
+        QCOMPARE(findSymmetry(*mesh)->matchedArea, 1.0);
+        SolveSettings settings;
+        settings.symmetry = true;
+        const UnwrapResult result = draft(nearly, settings);
+        QVERIFY(result.symmetry && *result.symmetry > 0);
+    }
+
+    //! Triangles that are split the other way on the other side.
+    void otherDiagonalsAreSymmetric()
+    {
+        const MeshPtr quads = test::quadCube();
+        std::vector<std::vector<int>> faces;
+        std::vector<Vec3> points;
+        for (int v = 0; v < quads->vertexCount(); ++v)
+            points.push_back(quads->positions.row(v));
+        for (int f = 0; f < quads->faceCount(); ++f) {
+            const int *c = &quads->cornerVertex[static_cast<std::size_t>(quads->faceStart[f])];
+            faces.push_back({c[0], c[1], c[2]});
+            faces.push_back({c[0], c[2], c[3]});
+        }
+        const std::optional<MeshSymmetry> found = findSymmetry(*test::polygonMesh(points, faces));
+        QVERIFY(found.has_value());
+        QCOMPARE(found->matchedArea, 1.0);
+    }
+
     void cutsAreSymmetric()
     {
         const MeshPtr mesh = sample("character");

@@ -147,9 +147,12 @@ private Q_SLOTS:
     void facesTakenAway();
     void facesAdded();
     void changedFacesTakeTheirUvsByPosition();
+    void newFacesLieBesideTheMap();
     void turnedFaceIsAnother();
     void duplicateFaces();
     void otherModelLosesAll();
+    void otherUnitsAndAxes_data();
+    void otherUnitsAndAxes();
     void emptyModel();
     void objBytesAreTheNewOnes();
 };
@@ -289,9 +292,10 @@ void TestRelink::facesAdded()
     QCOMPARE(relinked.state.validate(), QString());
     QCOMPARE(relinked.report.faces, (Carried{16, 0}));
     QCOMPARE(relinked.report.newFaces.size(), 1);
-    QCOMPARE(relinked.report.lines(), QStringList{u"1 faces are new and have no UVs"_s});
+    QCOMPARE(relinked.report.lines(),
+             QStringList{u"1 faces are new and lie flat beside the map: unwrap them"_s});
     const UvMatrix &uv = relinked.state.scene.uvSets[0].uv;
-    QVERIFY(!uv.bottomRows(3).array().isFinite().any());
+    QVERIFY(uv.bottomRows(3).col(0).minCoeff() > uv.topRows(64).col(0).maxCoeff());
     QVERIFY(uv.topRows(64) == state.scene.uvSets[0].uv);
 }
 
@@ -338,6 +342,57 @@ void TestRelink::changedFacesTakeTheirUvsByPosition()
     QCOMPARE(relinkDocument(state, sceneOf(polygons), [] { return true; }).report.placedFaces, 0);
 }
 
+//! New faces right above others that stay would lie on those in the map, and walls would have hardly any area
+//! there.
+void TestRelink::newFacesLieBesideTheMap()
+{
+    const DocumentState state = steeredGrid();
+    Polygons polygons = polygonsOf(*state.scene.mesh);
+    const std::vector<int> base = polygons.faces[5];
+    const auto first = static_cast<int>(polygons.points.size());
+    for (const int vertex : base)
+        polygons.points.push_back(polygons.points[static_cast<std::size_t>(vertex)] + Vec3(0, 0, 0.02));
+    polygons.faces.push_back({first, first + 1, first + 2, first + 3});
+    for (int k = 0; k < 4; ++k)
+        polygons.faces.push_back({base[static_cast<std::size_t>(k)],
+                                  base[static_cast<std::size_t>((k + 1) % 4)], first + (k + 1) % 4,
+                                  first + k});
+    const Relinked relinked = relinkDocument(state, sceneOf(polygons));
+    QCOMPARE(relinked.report.faces, (Carried{16, 0}));
+    QCOMPARE(relinked.report.placedFaces, 0);
+    QCOMPARE(relinked.report.besideFaces, 5);
+    const UvMatrix &uv = relinked.state.scene.uvSets[0].uv;
+    QVERIFY(uv.topRows(64) == state.scene.uvSets[0].uv);
+    QVERIFY(uv.allFinite());
+    QVERIFY(uv.bottomRows(20).col(0).minCoeff() > uv.topRows(64).col(0).maxCoeff());
+    // They keep their shapes, at the texel density of the others, and apart from each other.
+    const MeshData &mesh = *relinked.state.scene.mesh;
+    const auto areaOf = [&](int triangle) {
+        const auto &t = mesh.triangles[static_cast<std::size_t>(triangle)];
+        const Vec2 a = uv.row(t[0]), b = uv.row(t[1]), c = uv.row(t[2]);
+        return 0.5 * ((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x());
+    };
+    double before = 0, area = 0;
+    for (int t = 0; t < 32; ++t) {
+        before += std::abs(areaOf(t));
+        area += mesh.triangleArea[static_cast<std::size_t>(t)];
+    }
+    for (int t = 32; t < mesh.triangleCount(); ++t) {
+        const double ratio = areaOf(t) / (mesh.triangleArea[static_cast<std::size_t>(t)] * before / area);
+        QVERIFY2(ratio > 0.8 && ratio < 1.25, qPrintable(QString::number(ratio)));
+    }
+    for (int a = 64; a < 84; a += 4) {
+        for (int b = a + 4; b < 84; b += 4) {
+            Eigen::AlignedBox2d one, other;
+            for (int k = 0; k < 4; ++k) {
+                one.extend(Vec2(uv.row(a + k)));
+                other.extend(Vec2(uv.row(b + k)));
+            }
+            QVERIFY(one.intersection(other).isEmpty());
+        }
+    }
+}
+
 void TestRelink::turnedFaceIsAnother()
 {
     const DocumentState state = steeredGrid();
@@ -371,6 +426,35 @@ void TestRelink::otherModelLosesAll()
     QVERIFY(relinked.state.constraints.rectangles[0].faces.isEmpty());
     QCOMPARE(relinked.state.scene.uvSets.size(), std::size_t(2));
     QCOMPARE(relinked.state.uvScales, state.uvScales);
+}
+
+void TestRelink::otherUnitsAndAxes_data()
+{
+    QTest::addColumn<double>("scale");
+    QTest::addColumn<int>("turn");
+    QTest::newRow("centimetres") << 100.0 << 0;
+    QTest::newRow("metres") << 0.01 << 0;
+    QTest::newRow("inches") << 1 / 0.0254 << 0;
+    QTest::newRow("z up, centimetres") << 100.0 << -1;
+}
+
+//! A program that writes other units, renumbers all and turns the model loses nothing of the map.
+void TestRelink::otherUnitsAndAxes()
+{
+    QFETCH(double, scale);
+    QFETCH(int, turn);
+    DocumentState state = steeredGrid();
+    const Polygons polygons = renumbered(polygonsOf(*state.scene.mesh), 5);
+    const Relinked plain = relinkDocument(state, sceneOf(polygons));
+    Scene moved = sceneOf(polygons);
+    moved.mesh = transfer::placed(*moved.mesh, {scale, turn});
+    const Relinked relinked = relinkDocument(state, moved);
+    QCOMPARE(relinked.report.faces, plain.report.faces);
+    QCOMPARE(relinked.report.faces.lost, 0);
+    QCOMPARE(relinked.state.scene.uvSets[0].uv, plain.state.scene.uvSets[0].uv);
+    QVERIFY(std::abs(relinked.report.placement.scale * scale - 1) < 1e-9);
+    QCOMPARE(relinked.report.placement.turn, -turn);
+    QVERIFY(relinked.report.lines().first().contains(u"other units"_s));
 }
 
 void TestRelink::emptyModel()

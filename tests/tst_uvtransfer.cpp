@@ -131,6 +131,7 @@ private Q_SLOTS:
     void onlyPartsHaveUvs();
     void farFacesAreNotMatched();
     void modelsElsewhereAreAnError();
+    void otherUnitsAndAxes();
     void objectsGiveToObjects();
     void chosenAndLockedFaces();
     void badInput_data();
@@ -396,14 +397,37 @@ void TestUvTransfer::modelsElsewhereAreAnError()
     TransferJob job;
     job.source = source.mesh;
     job.sourceUv = source.uv;
-    job.mesh = test::box(5, Vec3(200, 200, 200)); // in other units
+    job.mesh = test::box(5, Vec3(70, 70, 70)); // between all units
     job.uv = emptyLayout(*job.mesh);
     const Result<TransferredUvs> made = runTransfer(job, {});
     QVERIFY(!made);
     QVERIFY2(made.error().message.contains(QStringLiteral("do not lie in one place")) &&
                  made.error().message.contains(QStringLiteral("size 3.464")) &&
-                 made.error().message.contains(QStringLiteral("size 346.4")),
+                 made.error().message.contains(QStringLiteral("size 121.2")),
              qPrintable(made.error().message));
+}
+
+//! A source in metres gives to a model in centimetres what it gives to one in metres; it may lie on its side.
+void TestUvTransfer::otherUnitsAndAxes()
+{
+    const MappedModel source = test::mapped(test::box(4, Vec3(2, 4, 6)), test::boxMap());
+    TransferJob job;
+    job.source = source.mesh;
+    job.sourceUv = source.uv;
+    job.mesh = test::box(5, Vec3(2, 4, 6));
+    job.uv = emptyLayout(*job.mesh);
+    const Result<TransferredUvs> there = runTransfer(job, {});
+    QVERIFY(there.ok() && there->placement.isIdentity());
+    const transfer::Placement placements[] = {{100, 0}, {0.01, 0}, {100, 1}, {1, -1}};
+    for (const transfer::Placement &placement : placements) {
+        job.mesh = transfer::placed(*test::box(5, Vec3(2, 4, 6)), placement);
+        const Result<TransferredUvs> made = runTransfer(job, {});
+        QVERIFY2(made.ok(), made ? "" : qPrintable(made.error().toString()));
+        QCOMPARE(made->figures.placed, there->figures.placed);
+        QCOMPARE(made->placement.scale, placement.scale);
+        QCOMPARE(std::abs(made->placement.turn), std::abs(placement.turn)); // a box is the same both ways
+        QVERIFY(made->warnings().join(u' ').contains(placement.turn == 0 ? u"other units" : u"axis up"));
+    }
 }
 
 void TestUvTransfer::objectsGiveToObjects()

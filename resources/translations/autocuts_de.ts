@@ -1743,6 +1743,21 @@
     </message>
 </context>
 <context>
+    <name>DetailedModel</name>
+    <message>
+        <source>it was taken %1 times as large</source>
+        <translation>es wurde %1-mal so groß genommen</translation>
+    </message>
+    <message>
+        <source>its upward axis was turned</source>
+        <translation>seine Hochachse wurde gedreht</translation>
+    </message>
+    <message>
+        <source>The detailed model has other units or axes than the model: %1</source>
+        <translation>Das detaillierte Modell hat andere Einheiten oder Achsen als das Modell: %1</translation>
+    </message>
+</context>
+<context>
     <name>EnergyGain</name>
     <message>
         <source>D %1 → %2</source>
@@ -1778,10 +1793,6 @@
     <message>
         <source>OBJ holds one UV set: only &quot;%1&quot; is written</source>
         <translation>OBJ enthält einen UV-Satz: nur „%1“ wird geschrieben</translation>
-    </message>
-    <message>
-        <source>of the materials only the names are written</source>
-        <translation>von den Materialien werden nur die Namen geschrieben</translation>
     </message>
     <message>
         <source>normals and vertex colours are lost</source>
@@ -1828,14 +1839,6 @@
         <translation>Animationen gehen verloren</translation>
     </message>
     <message>
-        <source>embedded textures are lost</source>
-        <translation>eingebettete Texturen gehen verloren</translation>
-    </message>
-    <message>
-        <source>an object of several materials becomes one object for each of them</source>
-        <translation>ein Objekt mit mehreren Materialien wird zu einem Objekt für jedes von ihnen</translation>
-    </message>
-    <message>
         <source>bones and animations are lost: only FBX can hold those of this file</source>
         <translation>Knochen und Animationen gehen verloren: nur FBX kann die dieser Datei aufnehmen</translation>
     </message>
@@ -1848,24 +1851,12 @@
         <translation>Objekte, die sich ein Mesh teilen, haben in der Datei eine Map: geschrieben wird die des ersten, dessen UVs geändert wurden</translation>
     </message>
     <message>
-        <source>comments, groups, smoothing groups and material libraries of the OBJ file are lost</source>
-        <translation>Kommentare, Gruppen, Glättungsgruppen und Materialbibliotheken der OBJ-Datei gehen verloren</translation>
-    </message>
-    <message>
         <source>glTF holds triangles only: polygons are split</source>
         <translation>glTF enthält nur Dreiecke: Polygone werden geteilt</translation>
     </message>
     <message>
-        <source>the file is ASCII FBX, which Blender does not read: use glb or dae for it</source>
-        <translation>die Datei ist ASCII-FBX, das Blender nicht liest: nehmen Sie dafür glb oder dae</translation>
-    </message>
-    <message>
         <source>corners without UV get the UV 0 0</source>
         <translation>Ecken ohne UV bekommen die UV 0 0</translation>
-    </message>
-    <message>
-        <source>positions and UVs are rounded to six decimals</source>
-        <translation>Positionen und UVs werden auf sechs Nachkommastellen gerundet</translation>
     </message>
     <message>
         <source>positions and UVs are rounded to single precision</source>
@@ -1884,12 +1875,20 @@
         <translation>geänderte UVs werden auf einfache Genauigkeit gerundet</translation>
     </message>
     <message>
-        <source>comments, groups and material libraries of the OBJ file are lost</source>
-        <translation>Kommentare, Gruppen und Materialbibliotheken der OBJ-Datei gehen verloren</translation>
+        <source>pictures that are not found stay names: %1</source>
+        <translation>Bilder, die nicht gefunden werden, bleiben Namen: %1</translation>
     </message>
     <message>
-        <source>vertex colours are lost</source>
-        <translation>Vertexfarben gehen verloren</translation>
+        <source>pictures of roughness and metalness are lost: the format holds them in another way than this file</source>
+        <translation>Bilder von Rauheit und Metall gehen verloren: Das Format hält sie anders als diese Datei</translation>
+    </message>
+    <message>
+        <source>comments and groups of the OBJ file are lost</source>
+        <translation>Kommentare und Gruppen der OBJ-Datei gehen verloren</translation>
+    </message>
+    <message>
+        <source>comments, groups and smoothing groups of the OBJ file are lost</source>
+        <translation>Kommentare, Gruppen und Glättungsgruppen der OBJ-Datei gehen verloren</translation>
     </message>
 </context>
 <context>
@@ -2583,6 +2582,18 @@
         <source>%1 faces are new and have the UVs of the old model&apos;s nearest points</source>
         <translation>neue Flächen mit den UVs der nächsten Punkte des alten Modells: %1</translation>
     </message>
+    <message>
+        <source>the new model has other units: %1 of its units are one of the old model</source>
+        <translation>das neue Modell hat andere Einheiten: %1 seiner Einheiten sind eine des alten Modells</translation>
+    </message>
+    <message>
+        <source>the new model has another axis up: it was turned to be compared</source>
+        <translation>beim neuen Modell zeigt eine andere Achse nach oben: Es wurde zum Vergleich gedreht</translation>
+    </message>
+    <message>
+        <source>%1 faces are new and lie flat beside the map: unwrap them</source>
+        <translation>%1 Flächen sind neu und liegen flach neben der Karte: Wickeln Sie sie ab</translation>
+    </message>
 </context>
 <context>
     <name>SessionLock</name>
@@ -2691,6 +2702,14 @@
     <message>
         <source>triangles with hardly any area in the map: %1; Finish mends them, but lays the map out anew</source>
         <translation>Dreiecke mit kaum Flächeninhalt in der Map: %1; Fertigstellen behebt sie, ordnet die Map aber neu an</translation>
+    </message>
+    <message>
+        <source>the source has other units: it was taken %1 times as large</source>
+        <translation>die Quelle hat andere Einheiten: Sie wurde %1-mal so groß genommen</translation>
+    </message>
+    <message>
+        <source>the source has another axis up: it was turned to match</source>
+        <translation>bei der Quelle zeigt eine andere Achse nach oben: Sie wurde passend gedreht</translation>
     </message>
 </context>
 <context>
@@ -5901,6 +5920,10 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>%1. Hidden faces stay as they were</source>
         <translation>%1. Ausgeblendete Flächen bleiben, wie sie waren</translation>
+    </message>
+    <message>
+        <source>%1. %2 % of the surface have no mirror image: their cuts are free</source>
+        <translation>%1. %2 % der Oberfläche haben kein Spiegelbild: Ihre Schnitte sind frei</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include "cli/outputcheck.h"
 #include "cli/progressline.h"
 #include "commands/replay.h"
+#include "model/io/instances.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "model/io/savefile.h"
@@ -191,8 +192,9 @@ private:
         const auto scope = batchScope(mOptions, scene.value());
         if (!scope)
             return fail(scope.error());
-        MapReport report = reportOn(scene.value(), mFiles.islandFlags(), mOptions.unwrap.packing,
-                                    scope.value() ? scope.value()->faces : std::vector<bool>());
+        MapReport report =
+            reportOn(scene.value(), withInstanceStacks(scene.value(), mFiles.islandFlags()),
+                     mOptions.unwrap.packing, scope.value() ? scope.value()->faces : std::vector<bool>());
         report.input = mOptions.input;
         if (mOptions.json) {
             report.status = QStringLiteral("done");
@@ -332,13 +334,16 @@ private:
         return fail(error);
     }
 
-    int writeResults(const Scene &scene, const MadeMap &made)
+    //! Figures and pictures are those of the file that is written
+    int writeResults(const Scene &mapped, const MadeMap &made)
     {
-        sayLosses(scene);
-        if (const Result<Done> written = writeOutput(scene); !written)
+        sayLosses(mapped);
+        if (const Result<Done> written = writeOutput(mapped); !written)
             return fail(written.error());
         const PackingSettings &packing = mOptions.unwrap.packing;
-        MapReport report = reportOn(scene, mFiles.islandFlags(), packing);
+        const Scene scene = asWritten(mapped, QFileInfo(mOptions.output).suffix().toLower());
+        const std::vector<IslandFlags> flags = withInstanceStacks(scene, mFiles.islandFlags());
+        MapReport report = reportOn(scene, flags, packing);
         report.input = mOptions.input;
         report.output = mOptions.output;
         report.layout = mOptions.layout;
@@ -355,9 +360,8 @@ private:
         sayWarnings(warnings);
         report.notes += warnings;
         if (!mOptions.layout.isEmpty()) {
-            const std::vector<int> hatched = report.overlapPairs.value_or(0) > 0
-                                                 ? overlappingTriangles(scene, mFiles.islandFlags())
-                                                 : std::vector<int>();
+            const std::vector<int> hatched =
+                report.overlapPairs.value_or(0) > 0 ? overlappingTriangles(scene, flags) : std::vector<int>();
             const std::vector<bool> faces = mScope ? mScope->faces : std::vector<bool>();
             if (const Result<Done> drawn = writeLayout(mOptions, scene, hatched, faces); !drawn)
                 return failAfter({mOptions.output}, drawn.error());

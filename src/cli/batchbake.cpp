@@ -191,6 +191,8 @@ Result<BakeOutcome> bakeMaps(const CliOptions &options, const BatchFiles &files,
         outcome.warnings << high->warnings;
         job->kind = bake::SourceKind::Detailed;
         job->high = std::move(high->surface);
+        if (const QString moved = placeLike(*job->high, job->low); !moved.isEmpty())
+            outcome.warnings << moved;
         takeColors(options, high->model, *job->high, outcome.warnings);
         if (options.bake.byName) {
             const QStringList alone =

@@ -9,6 +9,7 @@
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
 #include "model/io/projectscene.h"
+#include "model/io/texturefiles.h"
 #include "model/io/uvexport.h"
 #include "model/plain/uvlayout.h"
 
@@ -262,6 +263,9 @@ Result<Done> BatchFiles::write(const Scene &scene, const CliOptions &options)
     if (isProjectPath(options.output))
         return writeSession(scene, options);
     const PackingSettings &packing = mDocument ? mDocument->packingSettings() : options.unwrap.packing;
+    if (mDocument && !mDocument->state().textureSets.empty())
+        return writeMesh(withChosenTextures(scene, mDocument->state().textureSets), options.output,
+                         packing.tileHeight());
     return writeMesh(scene, options.output, packing.tileHeight());
 }
 

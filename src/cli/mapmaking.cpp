@@ -2,6 +2,7 @@
 
 #include "cli/batchpacking.h"
 #include "cli/batchscope.h"
+#include "solver/preference/meshsymmetry.h"
 #include "solver/unwrap/finishjob.h"
 #include "solver/unwrap/lightmapjob.h"
 #include "solver/unwrap/separatejob.h"
@@ -28,6 +29,16 @@ void sayStraight(const std::optional<bool> &straight, MadeMap &outcome)
         outcome.warnings << QLatin1String(*straight ? "stopped early: this map is straightened"
                                                     : "stopped early: this map is not, or not wholly, "
                                                       "straightened");
+}
+
+//! Says how symmetric the seams are, and what of the mesh has no mirror image.
+void saySymmetry(double share, const MeshData &mesh, MadeMap &outcome)
+{
+    outcome.notes << QStringLiteral("symmetric part of the seams: %1 %").arg(100 * share, 0, 'f', 1);
+    const auto symmetry = preference::findSymmetry(mesh);
+    if (symmetry && symmetry->matchedArea < 0.999)
+        outcome.warnings << QStringLiteral("%1 % of the surface have no mirror image: their cuts are free")
+                                .arg(100 * (1 - symmetry->matchedArea), 0, 'f', 1);
 }
 
 } // namespace
@@ -64,8 +75,7 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
     if (result.symmetry == 0.0)
         outcome.warnings << QStringLiteral("the mesh is not symmetric: nor are the cuts");
     else if (result.symmetry)
-        outcome.notes
-            << QStringLiteral("symmetric part of the seams: %1 %").arg(100 * *result.symmetry, 0, 'f', 1);
+        saySymmetry(*result.symmetry, *scene.mesh, outcome);
     if (!result.withinBound)
         sayBoundMissed(result.distortion, outcome);
     return outcome;

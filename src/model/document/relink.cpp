@@ -1,5 +1,6 @@
 #include "model/document/relink.h"
 
+#include "model/document/newfaces.h"
 #include "model/plain/polygonsides.h"
 #include "model/plain/texelweights.h"
 #include "model/plain/uvlayout.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace autocuts {
@@ -28,9 +30,10 @@ class Carrier
 {
 public:
     Carrier(const DocumentState &from, Scene scene, const std::function<bool()> &stopped)
-        : mFrom(from), mBefore(*from.scene.mesh), mAfter(*scene.mesh), mMatch(matchFaces(mBefore, mAfter)),
-          mStopped(stopped)
+        : mFrom(from), mBefore(*from.scene.mesh), mAfter(*scene.mesh), mInPlace(scene.mesh),
+          mMatch(matchFaces(mBefore, mAfter)), mStopped(stopped)
     {
+        findPlacement();
         mTo.scene = std::move(scene);
         mReport.sameTopology = mMatch.sameTopology;
         std::vector<bool> known(static_cast<std::size_t>(mAfter.faceCount()), false);
@@ -65,6 +68,30 @@ public:
     }
 
 private:
+    static std::ptrdiff_t matchedOf(const FaceMatch &match)
+    {
+        return std::ranges::count_if(match.face, [](int face) { return face >= 0; });
+    }
+
+    //! Compares in other units and axes where most faces have no counterpart.
+    void findPlacement()
+    {
+        if (2 * matchedOf(mMatch) >= mBefore.faceCount() && !transfer::liesElsewhere(mAfter, mBefore))
+            return;
+        for (const transfer::Placement &placement : transfer::likelyPlacements(mAfter, mBefore)) {
+            const auto there = transfer::placed(mAfter, placement);
+            FaceMatch match = matchFaces(mBefore, *there);
+            const bool better = match.sameTopology || matchedOf(match) > matchedOf(mMatch);
+            if (!better && !(mReport.placement.isIdentity() && matchedOf(mMatch) == 0))
+                continue;
+            mMatch = std::move(match);
+            mInPlace = there;
+            mReport.placement = placement;
+            if (mMatch.sameTopology)
+                return;
+        }
+    }
+
     //! Texture sets go with the names of their materials.
     void carryTextureSets()
     {
@@ -136,26 +163,44 @@ private:
         mTo.activeUvSet = mFrom.activeUvSet;
     }
 
-    //! Gives the new faces the UVs of the old model's nearest points, in the last UV set.
+    //! Gives the new faces UVs in the last UV set: those of the nearest points of the old model where that
+    //! has faces that are gone. What is left, or would lie on other faces, goes beside the map.
     void placeNewFaces(const UvMatrix &before)
     {
         if (mReport.newFaces.isEmpty() || (mStopped && mStopped()))
             return;
         const transfer::Frame frame = transfer::frameOf(mBefore);
-        const transfer::SourceSurface surface(mBefore, before, frame);
-        if (surface.triangleCount() == 0)
+        const transfer::SourceSurface whole(mBefore, before, frame);
+        if (whole.triangleCount() == 0)
             return;
         std::vector<bool> wanted(static_cast<std::size_t>(mAfter.faceCount()), false);
         for (int face : mReport.newFaces)
             wanted[face] = true;
         UvMatrix &uv = mTo.scene.uvSets.back().uv;
-        transfer::PositionUvs found = takeByPosition(surface, mAfter, frame, uv, wanted, {mStopped, {}});
-        const auto placed = static_cast<int>(std::count(found.placed.begin(), found.placed.end(), true));
-        if (found.stopped || transfer::isApart(mReport.faces.kept + placed, mAfter.faceCount()))
+        const auto placedOf = [](const transfer::PositionUvs &uvs) {
+            return static_cast<int>(std::count(uvs.placed.begin(), uvs.placed.end(), true));
+        };
+        transfer::PositionUvs found = takeByPosition(whole, *mInPlace, frame, uv, wanted, {mStopped, {}});
+        if (found.stopped || transfer::isApart(mReport.faces.kept + placedOf(found), mAfter.faceCount()))
             return;
-        uv = std::move(found.uv);
-        if (static_cast<int>(mTo.scene.uvSets.size()) == mFrom.activeUvSet + 1)
-            mReport.placedFaces = placed;
+        // The places of faces that stay are taken.
+        UvMatrix gone = before;
+        for (int c = 0; c < mBefore.cornerCount(); ++c) {
+            if (mMatch.corner[c] >= 0)
+                gone.row(c).setConstant(std::numeric_limits<double>::quiet_NaN());
+        }
+        const transfer::SourceSurface free(mBefore, gone, frame);
+        if (free.triangleCount() > 0)
+            found = takeByPosition(free, *mInPlace, frame, uv, wanted, {mStopped, {}});
+        if (found.stopped)
+            return;
+        if (free.triangleCount() > 0)
+            uv = std::move(found.uv);
+        const int beside = layBeside(*mInPlace, uv, wanted);
+        if (static_cast<int>(mTo.scene.uvSets.size()) == mFrom.activeUvSet + 1) {
+            mReport.besideFaces = beside;
+            mReport.placedFaces = static_cast<int>(mReport.newFaces.size()) - beside;
+        }
     }
 
     void carrySeams()
@@ -257,6 +302,7 @@ private:
     const DocumentState &mFrom;
     const MeshData &mBefore;
     const MeshData &mAfter;
+    std::shared_ptr<const MeshData> mInPlace; //!< the new model where it is compared with the old one
     FaceMatch mMatch;
     const std::function<bool()> &mStopped;
     DocumentState mTo;
@@ -268,6 +314,11 @@ private:
 QStringList RelinkReport::lines() const
 {
     QStringList lines;
+    if (placement.scale != 1)
+        lines << RelinkTexts::tr("the new model has other units: %1 of its units are one of the old model")
+                     .arg(1 / placement.scale, 0, 'g', 4);
+    if (placement.turn != 0)
+        lines << RelinkTexts::tr("the new model has another axis up: it was turned to be compared");
     const auto add = [&](const Carried &carried, const QString &text) {
         if (carried.lost > 0)
             lines << text.arg(carried.lost).arg(carried.kept + carried.lost);
@@ -278,8 +329,11 @@ QStringList RelinkReport::lines() const
     if (placedFaces > 0)
         lines << RelinkTexts::tr("%1 faces are new and have the UVs of the old model's nearest points")
                      .arg(placedFaces);
-    if (newFaces.size() > placedFaces)
-        lines << RelinkTexts::tr("%1 faces are new and have no UVs").arg(newFaces.size() - placedFaces);
+    if (besideFaces > 0)
+        lines
+            << RelinkTexts::tr("%1 faces are new and lie flat beside the map: unwrap them").arg(besideFaces);
+    if (const auto bare = newFaces.size() - placedFaces - besideFaces; bare > 0)
+        lines << RelinkTexts::tr("%1 faces are new and have no UVs").arg(bare);
     add(seams, RelinkTexts::tr("%1 of %2 cut, joined, painted or straight edges are lost"));
     add(pins, RelinkTexts::tr("%1 of %2 pins are lost"));
     add(rectangleFaces, RelinkTexts::tr("%1 of %2 assignments of faces to rectangles are lost"));

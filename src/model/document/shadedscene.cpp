@@ -1,7 +1,9 @@
 #include "model/document/shadedscene.h"
 
 #include "model/plain/shadingnormals.h"
+#include "model/transfer/placement.h"
 
+#include <QCoreApplication>
 #include <QRegularExpression>
 
 #include <map>
@@ -10,6 +12,11 @@
 namespace autocuts {
 
 namespace {
+
+struct PlaceTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(DetailedModel)
+};
 
 Vec3f linearColor(QRgb color)
 {
@@ -71,6 +78,31 @@ QStringList pairObjects(ShadedSurface &low, const std::vector<QString> &lowNames
             alone << lowNames[i];
     }
     return alone;
+}
+
+QString placeLike(ShadedSurface &high, const ShadedSurface &low)
+{
+    if (!transfer::liesElsewhere(*high.mesh, *low.mesh))
+        return {};
+    const std::vector<transfer::Placement> likely = transfer::likelyPlacements(*high.mesh, *low.mesh);
+    if (likely.empty())
+        return {};
+    const transfer::Placement placement = likely.front();
+    high.mesh = transfer::placed(*high.mesh, placement);
+    const auto turn = [&placement](Vec3f &direction) {
+        direction = transfer::turnedOnly(direction.cast<double>(), placement).cast<float>();
+    };
+    for (Vec3f &normal : high.normals)
+        turn(normal);
+    for (Tangent &tangent : high.tangents)
+        turn(tangent.direction);
+    QStringList changes;
+    if (placement.scale != 1)
+        changes << PlaceTexts::tr("it was taken %1 times as large").arg(placement.scale, 0, 'g', 4);
+    if (placement.turn != 0)
+        changes << PlaceTexts::tr("its upward axis was turned");
+    return PlaceTexts::tr("The detailed model has other units or axes than the model: %1")
+        .arg(changes.join(QLatin1String(", ")));
 }
 
 } // namespace autocuts

@@ -19,4 +19,8 @@ ShadedSurface shadedSurface(const Scene &scene, double tileHeight = 1);
 QStringList pairObjects(ShadedSurface &low, const std::vector<QString> &lowNames, ShadedSurface &high,
                         const std::vector<QString> &highNames);
 
+//! Moves a detailed model onto the simple one where it has other units or another axis up, and says so; an
+//! empty text when it stays.
+QString placeLike(ShadedSurface &high, const ShadedSurface &low);
+
 } // namespace autocuts

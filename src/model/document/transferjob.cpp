@@ -183,9 +183,22 @@ Result<TransferredUvs> runTransfer(const TransferJob &input, const transfer::Tra
         if (objects[i] >= 0)
             faces = facesOfObject(*input.mesh, objects[i], std::move(faces));
         const Piece piece = pieceOf(input.mesh, input.uv, faces);
-        const UvTransfer made =
-            transferUvs({*source.mesh, source.uv, *piece.mesh, input.match, input.sourceObject >= 0},
-                        partOfControl(control, i, objects.size()));
+        const transfer::TransferControl part = partOfControl(control, i, objects.size());
+        const auto transferFrom = [&](const MeshData &mesh) {
+            return transferUvs({mesh, source.uv, *piece.mesh, input.match, input.sourceObject >= 0}, part);
+        };
+        UvTransfer made = transferFrom(*source.mesh);
+        if (made.status == UvTransfer::Status::Apart && input.sourceObject < 0) {
+            for (const transfer::Placement &placement :
+                 transfer::likelyPlacements(*source.mesh, *piece.mesh)) {
+                UvTransfer there = transferFrom(*transfer::placed(*source.mesh, placement));
+                if (there.status != UvTransfer::Status::Apart) {
+                    made = std::move(there);
+                    result.placement = placement;
+                    break;
+                }
+            }
+        }
         if (made.status == UvTransfer::Status::Stopped) {
             result.stopped = true;
             return result;
@@ -221,6 +234,11 @@ QString TransferredUvs::summary() const
 QStringList TransferredUvs::warnings() const
 {
     QStringList lines;
+    if (placement.scale != 1)
+        lines << TransferTexts::tr("the source has other units: it was taken %1 times as large")
+                     .arg(placement.scale, 0, 'g', 4);
+    if (placement.turn != 0)
+        lines << TransferTexts::tr("the source has another axis up: it was turned to match");
     if (figures.unmatched() > 0)
         lines << TransferTexts::tr("%1 of %2 faces are too far from the source, or it has no UVs there: they "
                                    "keep what they had")

@@ -4,6 +4,7 @@
 #include "model/document/result.h"
 #include "model/document/scene.h"
 #include "model/plain/islandflags.h"
+#include "model/transfer/placement.h"
 #include "model/transfer/uvtransfer.h"
 
 #include <QStringList>
@@ -33,7 +34,8 @@ struct TransferredUvs
     bool stopped = false; //!< then there is nothing else
     UvMatrix uv;          //!< one row per corner; faces that were not matched are as before
     transfer::TransferFigures figures;
-    QList<int> unmatched; //!< these faces, ascending
+    QList<int> unmatched;          //!< these faces, ascending
+    transfer::Placement placement; //!< of the source, where it has other units or axes than the model
 
     QString summary() const;      //!< what was matched, on one line
     QStringList warnings() const; //!< what is not as it should be, one line each
@@ -42,7 +44,7 @@ struct TransferredUvs
 //! From an object, every object that has some of the faces gets its UVs by itself, and the object is moved
 //! onto it where they lie apart; if it has some of the faces too, these stay as they are, and so do
 //! objects of another shape. Anything else is
-//! matched as a whole, where it lies.
+//! matched as a whole, where it lies; where that is far away, in other units or turned between y up and z up.
 Result<TransferredUvs> runTransfer(const TransferJob &input, const transfer::TransferControl &control);
 
 } // namespace autocuts

@@ -1,6 +1,7 @@
 #include "model/io/assimpmatch.h"
 
 #include "model/io/assimpreader.h"
+#include "model/io/modelunits.h"
 #include "model/io/savefile.h"
 #include "model/transfer/facematch.h"
 
@@ -17,15 +18,64 @@ namespace {
 //! precision. Chosen by hand.
 constexpr double tolerance = 2e-5;
 
+template <typename T>
+T elementOf(const std::vector<T> &list, int index)
+{
+    return index >= 0 && index < std::ssize(list) ? list[static_cast<std::size_t>(index)] : T();
+}
+
+//! Gives Assimp's materials and objects what the scene says of those with the same faces.
+void takeMaterials(Scene &assimp, const Scene &scene, const FaceMatch &match)
+{
+    std::vector<int> materials(assimp.materialNames.size(), -1);
+    std::vector<int> objects(assimp.objectNames.size(), -1);
+    for (std::size_t f = 0; f < match.face.size(); ++f) {
+        const int face = match.face[f];
+        if (face < 0)
+            continue;
+        objects[static_cast<std::size_t>(assimp.mesh->faceObject[f])] =
+            scene.mesh->faceObject[static_cast<std::size_t>(face)];
+        if (assimp.faceMaterial[f] >= 0 && !scene.faceMaterial.empty())
+            materials[static_cast<std::size_t>(assimp.faceMaterial[f])] =
+                scene.faceMaterial[static_cast<std::size_t>(face)];
+    }
+    assimp.materialColors.resize(materials.size());
+    assimp.materialTextures.resize(materials.size());
+    assimp.materialSets.resize(materials.size());
+    for (std::size_t m = 0; m < materials.size(); ++m) {
+        if (materials[m] < 0)
+            continue;
+        assimp.materialNames[m] = scene.materialNames[static_cast<std::size_t>(materials[m])];
+        assimp.materialColors[m] = elementOf(scene.materialColors, materials[m]);
+        assimp.materialTextures[m] = elementOf(scene.materialTextures, materials[m]);
+        assimp.materialSets[m] = elementOf(scene.materialSets, materials[m]);
+    }
+    for (std::size_t o = 0; o < objects.size(); ++o) {
+        if (const QString name = elementOf(scene.objectNames, objects[o]); !name.isEmpty())
+            assimp.objectNames[o] = name;
+    }
+}
+
 //! The scene of Assimp with the UV sets of another one; nothing when not all faces of that are found.
 std::optional<Scene> withUvsOf(const Scene &scene, Scene assimp)
 {
-    const FaceMatch match = matchFaces(*assimp.mesh, *scene.mesh, tolerance);
+    MeshData mesh = *scene.mesh; // only its polygons are looked at
+    mesh.positions = inUnits(mesh.positions, unitsOf(scene), {});
+    const FaceMatch match = matchFaces(*assimp.mesh, mesh, tolerance);
     const auto matched = std::count_if(match.face.begin(), match.face.end(), [](int f) { return f >= 0; });
     if (matched != scene.mesh->faceCount())
         return {};
     assimp.path = scene.path;
     assimp.format = scene.format;
+    takeMaterials(assimp, scene, match);
+    if (scene.cornerColors) {
+        CornerColors colors(static_cast<std::size_t>(assimp.mesh->cornerCount()));
+        for (std::size_t c = 0; c < match.corner.size(); ++c) {
+            if (match.corner[c] >= 0)
+                colors[c] = (*scene.cornerColors)[static_cast<std::size_t>(match.corner[c])];
+        }
+        assimp.cornerColors = std::make_shared<const CornerColors>(std::move(colors));
+    }
     assimp.uvSets.clear();
     for (const UvSet &set : scene.uvSets) {
         UvMatrix uv =
@@ -41,13 +91,14 @@ std::optional<Scene> withUvsOf(const Scene &scene, Scene assimp)
 
 } // namespace
 
-std::optional<Scene> asAssimpReads(const Scene &scene, const QByteArray &bytes, const QString &suffix)
+std::optional<Scene> asAssimpReads(const Scene &scene, const QByteArray &bytes, const QString &suffix,
+                                   const Eigen::Matrix4d &placement)
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("model.") + suffix);
     if (!folder.isValid() || !saveAtomically(path, bytes))
         return {};
-    Result<Scene> read = readWithAssimp(path, nullptr);
+    Result<Scene> read = readWithAssimp(path, nullptr, placement);
     return read ? withUvsOf(scene, std::move(read).value()) : std::nullopt;
 }
 

@@ -45,8 +45,8 @@ class MeshMaker
 public:
     MeshMaker(const Scene &scene, const MeshOptions &options)
         : mSceneIn(scene), mSoup(*scene.mesh), mNormals(options.normals), mOriginal(options.original),
-          mPiece(options.piece), mTriangulate(options.triangulate), mToFile(options.color),
-          mColors(mOriginal ? nullptr : scene.cornerColors.get())
+          mPiece(options.piece), mPlace(options.place), mTriangulate(options.triangulate),
+          mToFile(options.color), mColors(mOriginal ? nullptr : scene.cornerColors.get())
     {}
 
     aiMesh *make(const std::vector<int> &faces);
@@ -72,6 +72,7 @@ private:
     const PositionMatrix *mNormals;
     const aiMesh *mOriginal;
     const AssimpPiece &mPiece;
+    const Eigen::Matrix3d &mPlace;
     bool mTriangulate;
     float (*mToFile)(float);
     const CornerColors *mColors;                 //!< null: there are none, or the original mesh has them
@@ -229,11 +230,11 @@ void MeshMaker::fillAttributes(aiMesh &out) const
         fillColors(out);
         out.mVertices = new aiVector3D[out.mNumVertices];
         for (unsigned v = 0; v < out.mNumVertices; ++v)
-            out.mVertices[v] = toVector(mSoup.cornerPosition(mVertexCorner[v]));
+            out.mVertices[v] = toVector(mPlace * mSoup.cornerPosition(mVertexCorner[v]));
         if (mNormals) {
             out.mNormals = new aiVector3D[out.mNumVertices];
             for (unsigned v = 0; v < out.mNumVertices; ++v)
-                out.mNormals[v] = toVector(normalAt(mVertexCorner[v]));
+                out.mNormals[v] = toVector((mPlace * normalAt(mVertexCorner[v])).normalized());
         }
     }
     convertColors(out);

@@ -17,6 +17,8 @@ struct MeshOptions
     //! Makes the file's colours of vertices of those of the original mesh, or of Scene::cornerColors without
     //! one; null: they are the same.
     float (*color)(float) = nullptr;
+    //! Where positions and normals of soups go that were not read by Assimp.
+    Eigen::Matrix3d place = Eigen::Matrix3d::Identity();
 };
 
 //! Makes a mesh from the given faces of the scene with all UV sets. A vertex is split where its corners

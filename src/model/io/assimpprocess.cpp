@@ -181,8 +181,8 @@ ReaderLimits readerLimits(qint64 size)
     return {memoryBase + memoryPerByte * size, seconds, wallFactor * seconds};
 }
 
-Result<std::shared_ptr<const aiScene>> readInProcess(const QString &path, const ReaderLimits &limits,
-                                                     const std::atomic<bool> *stop)
+Result<std::shared_ptr<aiScene>> readInProcess(const QString &path, const ReaderLimits &limits,
+                                               const std::atomic<bool> *stop)
 {
     Reader reader(path, limits);
     if (!reader.started())
@@ -202,8 +202,7 @@ Result<std::shared_ptr<const aiScene>> readInProcess(const QString &path, const 
     if (!WIFEXITED(status) || WEXITSTATUS(status) != readerexit::done)
         return failure(status, output, path, limits);
     try {
-        return std::shared_ptr<const aiScene>(
-            readAssimpScene(output, static_cast<std::size_t>(limits.memory)));
+        return std::shared_ptr<aiScene>(readAssimpScene(output, static_cast<std::size_t>(limits.memory)));
     } catch (const std::runtime_error &e) {
         return unreadable(path, QString::fromUtf8(e.what()));
     }

@@ -24,7 +24,7 @@ ReaderLimits readerLimits(qint64 size);
 
 //! Reads a file. It has a root node on success. Waits; not for the GUI thread.
 //! \param stop ends the reading within 0.1 s with an Error when it becomes true; null: never
-Result<std::shared_ptr<const aiScene>> readInProcess(const QString &path, const ReaderLimits &limits,
-                                                     const std::atomic<bool> *stop);
+Result<std::shared_ptr<aiScene>> readInProcess(const QString &path, const ReaderLimits &limits,
+                                               const std::atomic<bool> *stop);
 
 } // namespace autocuts

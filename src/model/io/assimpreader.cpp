@@ -1,6 +1,7 @@
 #include "model/io/assimpreader.h"
 
 #include "model/document/materialcolor.h"
+#include "model/io/assimpplacing.h"
 #include "model/io/assimpprocess.h"
 #include "model/io/assimpscene.h"
 #include "model/io/assimptextures.h"
@@ -315,14 +316,18 @@ qint64 sizeToRead(const QString &path)
 
 } // namespace
 
-Result<Scene> readWithAssimp(const QString &path, const std::atomic<bool> *stop)
+Result<Scene> readWithAssimp(const QString &path, const std::atomic<bool> *stop,
+                             const Eigen::Matrix4d &placement)
 {
     if (const std::optional<Error> error = checkFile(path))
         return *error;
-    Result<std::shared_ptr<const aiScene>> read = readInProcess(path, readerLimits(sizeToRead(path)), stop);
+    Result<std::shared_ptr<aiScene>> read = readInProcess(path, readerLimits(sizeToRead(path)), stop);
     if (!read)
         return read.error();
     auto source = std::make_shared<AssimpSource>();
+    turnViews(*read.value());
+    if (!placement.isIdentity(0))
+        placeScene(*read.value(), placement);
     source->scene = std::move(read).value();
     Scene scene;
     scene.path = path;

@@ -14,7 +14,9 @@ namespace autocuts {
 //! saving. Each node becomes one object, since Assimp splits an object of the file by material. All UV sets
 //! are read, with v pointing up. Polygons stay polygons; points and lines are left out and mentioned in the
 //! notes.
-//! \param stop ends the reading with an Error when it becomes true; null: never
-Result<Scene> readWithAssimp(const QString &path, const std::atomic<bool> *stop);
+//! \param stop ends the reading with an Error when it becomes true; null: never \param placement of the whole
+//! scene, see placeScene()
+Result<Scene> readWithAssimp(const QString &path, const std::atomic<bool> *stop,
+                             const Eigen::Matrix4d &placement = Eigen::Matrix4d::Identity());
 
 } // namespace autocuts

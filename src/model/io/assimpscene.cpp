@@ -5,10 +5,13 @@
 #include "model/io/objsource.h"
 #include "model/plain/picture.h"
 
+#include <QUrl>
+
 #include <assimp/scene.h>
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 
 namespace autocuts {
 
@@ -47,12 +50,95 @@ void setMeshes(aiNode &node, const std::vector<unsigned> &meshes)
     std::copy(meshes.begin(), meshes.end(), node.mMeshes);
 }
 
-aiMaterial *makeMaterial(const QString &name)
+constexpr std::pair<TextureChannel, aiTextureType> textureTypes[] = {
+    {TextureChannel::BaseColor, aiTextureType_DIFFUSE},
+    {TextureChannel::Normal, aiTextureType_NORMALS},
+    {TextureChannel::Emission, aiTextureType_EMISSIVE},
+    {TextureChannel::Occlusion, aiTextureType_LIGHTMAP},
+    {TextureChannel::Height, aiTextureType_DISPLACEMENT}};
+
+//! Takes out the pictures: they are named anew.
+void removeTextures(aiMaterial &material)
+{
+    unsigned kept = 0;
+    for (unsigned p = 0; p < material.mNumProperties; ++p) {
+        aiMaterialProperty *property = material.mProperties[p];
+        if (std::string_view(property->mKey.C_Str()).starts_with("$tex."))
+            delete property;
+        else
+            material.mProperties[kept++] = property;
+    }
+    material.mNumProperties = kept;
+}
+
+//! \param from what Assimp has read of it; null: nothing \param looks null: no pictures
+aiMaterial *makeMaterial(const QString &name, int number, const aiMaterial *from, MaterialLooks *looks)
 {
     auto *material = new aiMaterial;
+    if (from)
+        aiMaterial::CopyPropertyList(material, from);
+    removeTextures(*material);
     const aiString text(name.toStdString());
     material->AddProperty(&text, AI_MATKEY_NAME);
+    if (!looks)
+        return material;
+    const Vec3 color = looks->color(number);
+    const aiColor4D diffuse(static_cast<float>(color.x()), static_cast<float>(color.y()),
+                            static_cast<float>(color.z()), 1);
+    material->AddProperty(&diffuse, 1, AI_MATKEY_COLOR_DIFFUSE);
+    const int shading = aiShadingMode_Phong;
+    material->AddProperty(&shading, 1, AI_MATKEY_SHADING_MODEL);
+    for (const auto &[channel, type] : textureTypes) {
+        const SceneTexture picture = looks->picture(number, channel).picture;
+        if (picture.isEmpty())
+            continue;
+        const aiString file(QUrl::toPercentEncoding(looks->fileOf(picture), "/:").toStdString());
+        material->AddProperty(&file, AI_MATKEY_TEXTURE(type, 0));
+    }
     return material;
+}
+
+aiMatrix4x4 toAssimpMatrix(const Eigen::Matrix4d &m)
+{
+    aiMatrix4x4 result;
+    for (unsigned row = 0; row < 4; ++row) {
+        for (unsigned column = 0; column < 4; ++column)
+            result[row][column] = static_cast<ai_real>(m(row, column));
+    }
+    return result;
+}
+
+//! True when something of the scene besides the tree names the node.
+bool isNamedElsewhere(const aiScene &scene, const aiString &name)
+{
+    for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
+        for (unsigned c = 0; c < scene.mAnimations[a]->mNumChannels; ++c) {
+            if (scene.mAnimations[a]->mChannels[c]->mNodeName == name)
+                return true;
+        }
+    }
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b) {
+            if (scene.mMeshes[m]->mBones[b]->mName == name)
+                return true;
+        }
+    }
+    const auto isNamed = [&name](const auto *object) { return object->mName == name; };
+    return std::any_of(scene.mCameras, scene.mCameras + scene.mNumCameras, isNamed) ||
+           std::any_of(scene.mLights, scene.mLights + scene.mNumLights, isNamed);
+}
+
+//! Gives the nodes of objects the names that the objects have in the program.
+void nameNodes(const Scene &scene, const AssimpSource &source, const std::vector<aiNode *> &nodes)
+{
+    for (const AssimpPiece &piece : source.pieces) {
+        if (piece.faceCount == 0)
+            continue;
+        const int object = scene.mesh->faceObject[static_cast<std::size_t>(piece.firstFace)];
+        aiNode &node = *nodes[static_cast<std::size_t>(piece.node)];
+        if (object < std::ssize(scene.objectNames) && !isNamedElsewhere(*source.scene, node.mName))
+            node.mName = scene.objectNames[static_cast<std::size_t>(object)].toStdString();
+    }
 }
 
 //! The faces of each pair of object and material; -1 means none.
@@ -94,27 +180,16 @@ bool hasSplitNodes(const AssimpSource &source)
     return std::ranges::adjacent_find(source.pieces, sameNode) != source.pieces.end();
 }
 
-//! Puts a new root without transform above the root.
-void wrapRoot(aiScene &scene)
-{
-    auto *root = new aiNode("Root");
-    root->mNumChildren = 1;
-    root->mChildren = new aiNode *[1] { scene.mRootNode };
-    scene.mRootNode->mParent = root;
-    scene.mRootNode = root;
-}
-
 } // namespace
 
 ExportOptions exportOptions(const QString &format)
 {
     ExportOptions options;
     options.triangulate = format == QLatin1String("glb") || format == QLatin1String("gltf");
-    // Assimp cannot read back Collada files with animations, and its FBX exporter crashes on embedded
-    // textures.
+    // Assimp cannot read back Collada files with animations.
     options.animations = format != QLatin1String("dae");
-    options.embeddedTextures = options.rootTransform = format != QLatin1String("fbx");
     options.linearColors = isGltfFormat(format);
+    options.units = unitsOfFormat(format);
     return options;
 }
 
@@ -154,12 +229,6 @@ ExportScene::ExportScene(const Scene &scene, const ExportOptions &options)
 void ExportScene::borrow(const aiScene &from)
 {
     mBorrowed = true;
-    mScene->mNumMaterials = from.mNumMaterials;
-    mScene->mMaterials = from.mMaterials;
-    if (mOptions.embeddedTextures) {
-        mScene->mNumTextures = from.mNumTextures;
-        mScene->mTextures = from.mTextures;
-    }
     if (mOptions.animations) {
         mScene->mNumAnimations = from.mNumAnimations;
         mScene->mAnimations = from.mAnimations;
@@ -174,6 +243,7 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
 {
     const aiScene &from = *source.scene;
     borrow(from);
+    makeMaterials(scene, &from);
     if (from.mMetaData)
         mScene->mMetaData = new aiMetadata(*from.mMetaData);
 
@@ -181,6 +251,11 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
     const auto toFile = sameColors ? nullptr : mOptions.linearColors ? linearFromSrgb : srgbFromLinear;
     std::vector<aiNode *> nodes;
     mScene->mRootNode = copyTree(*from.mRootNode, nodes);
+    // What Assimp reads is in metres, but the axes may differ.
+    const bool zUp = unitsOfFormat(scene.format).zUp;
+    if (const Eigen::Matrix4d turn = unitChange({1, zUp}, mOptions.units); !turn.isIdentity(0))
+        mScene->mRootNode->mTransformation = toAssimpMatrix(turn) * mScene->mRootNode->mTransformation;
+    nameNodes(scene, source, nodes);
     std::vector<aiMesh *> meshes;
     std::vector<std::vector<unsigned>> nodeMeshes(nodes.size());
     for (const AssimpPiece &piece : source.pieces) {
@@ -198,8 +273,22 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
         if (!nodeMeshes[n].empty())
             setMeshes(*nodes[n], nodeMeshes[n]);
     }
-    if (!mOptions.rootTransform && !mScene->mRootNode->mTransformation.IsIdentity())
-        wrapRoot(*mScene);
+}
+
+//! One material more than there are names, for faces without a material. \param from null: Assimp has read
+//! none
+void ExportScene::makeMaterials(const Scene &scene, const aiScene *from)
+{
+    const auto count = static_cast<unsigned>(scene.materialNames.size());
+    mScene->mNumMaterials = from ? std::max(count, 1U) : count + 1;
+    mScene->mMaterials = new aiMaterial *[mScene->mNumMaterials];
+    for (unsigned m = 0; m < mScene->mNumMaterials; ++m) {
+        const bool named = m < count;
+        mScene->mMaterials[m] =
+            makeMaterial(named ? scene.materialNames[m] : QStringLiteral("DefaultMaterial"),
+                         named ? static_cast<int>(m) : -1,
+                         from && m < from->mNumMaterials ? from->mMaterials[m] : nullptr, mOptions.looks);
+    }
 }
 
 void ExportScene::makePlain(const Scene &scene)
@@ -209,20 +298,15 @@ void ExportScene::makePlain(const Scene &scene)
         normals = objShading(*obj).normals;
     const bool hasNormals = normals.rows() == scene.mesh->cornerCount() && normals.allFinite();
 
-    // One material more than there are names, for faces without a material.
-    mScene->mNumMaterials = static_cast<unsigned>(scene.materialNames.size() + 1);
-    mScene->mMaterials = new aiMaterial *[mScene->mNumMaterials];
-    for (std::size_t m = 0; m < scene.materialNames.size(); ++m)
-        mScene->mMaterials[m] = makeMaterial(scene.materialNames[m]);
-    mScene->mMaterials[scene.materialNames.size()] = makeMaterial(QStringLiteral("DefaultMaterial"));
-
+    makeMaterials(scene, nullptr);
     std::vector<aiMesh *> meshes;
     std::map<int, std::vector<unsigned>> objectMeshes;
-    const MeshOptions options{hasNormals ? &normals : nullptr,
-                              nullptr,
-                              {},
-                              mOptions.triangulate,
-                              mOptions.linearColors ? nullptr : srgbFromLinear};
+    MeshOptions options{hasNormals ? &normals : nullptr,
+                        nullptr,
+                        {},
+                        mOptions.triangulate,
+                        mOptions.linearColors ? nullptr : srgbFromLinear};
+    options.place = unitChange(unitsOf(scene), mOptions.units).topLeftCorner<3, 3>();
     for (const auto &[key, faces] : facesByMaterial(scene)) {
         const auto [object, material] = key;
         aiMesh *mesh = makeExportMesh(scene, faces, options);
@@ -250,10 +334,7 @@ void ExportScene::makePlain(const Scene &scene)
 ExportScene::~ExportScene()
 {
     if (mBorrowed) {
-        mScene->mNumMaterials = mScene->mNumTextures = mScene->mNumAnimations = mScene->mNumLights =
-            mScene->mNumCameras = 0;
-        mScene->mMaterials = nullptr;
-        mScene->mTextures = nullptr;
+        mScene->mNumAnimations = mScene->mNumLights = mScene->mNumCameras = 0;
         mScene->mAnimations = nullptr;
         mScene->mLights = nullptr;
         mScene->mCameras = nullptr;

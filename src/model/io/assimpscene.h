@@ -2,6 +2,8 @@
 #pragma once
 
 #include "model/io/assimpsource.h"
+#include "model/io/materiallooks.h"
+#include "model/io/modelunits.h"
 #include "model/io/sourcecontents.h"
 
 #include <QString>
@@ -15,10 +17,9 @@ struct ExportOptions
 {
     bool triangulate = false; //!< split polygons as MeshData does; Assimp splits concave polygons badly
     bool animations = true;
-    bool embeddedTextures = true;
-    //! False: the exporter ignores the root's transform, so it is moved to a node below the root.
-    bool rootTransform = true;
-    bool linearColors = false; //!< those of vertices; otherwise they are sRGB
+    bool linearColors = false;      //!< those of vertices; otherwise they are sRGB
+    ModelUnits units;               //!< of the new file
+    MaterialLooks *looks = nullptr; //!< names the pictures of materials; null: they have none
 };
 
 //! The options for a format. \param format lower-case suffix
@@ -29,9 +30,9 @@ bool isFromAssimp(const Scene &scene);
 
 SourceContents contentsOf(const AssimpSource &source);
 
-//! A scene for Assimp's exporters. Nodes and materials belong to the Scene it was made from, which must
-//! outlive it. It owns its meshes, one per AssimpPiece; vertices are split where their corners differ in UV
-//! or normal.
+//! A scene for Assimp's exporters. Animations, cameras and lights belong to the Scene it was made from, which
+//! must outlive it. It owns its meshes, one per AssimpPiece; vertices are split where their corners differ in
+//! UV or normal.
 class ExportScene
 {
 public:
@@ -46,9 +47,10 @@ private:
     void borrow(const aiScene &from);
     void takeFromSource(const Scene &scene, const AssimpSource &source);
     void makePlain(const Scene &scene);
+    void makeMaterials(const Scene &scene, const aiScene *from);
 
     aiScene *mScene;
-    bool mBorrowed = false; //!< materials, textures, animations, cameras and lights belong to the source
+    bool mBorrowed = false; //!< animations, cameras and lights belong to the source
     ExportOptions mOptions;
 };
 

@@ -1,6 +1,9 @@
 #include "model/io/assimpwriter.h"
 
+#include "model/io/assimpgltf.h"
 #include "model/io/assimpscene.h"
+#include "model/io/gltf/gltffile.h"
+#include "model/io/gltf/gltfsource.h"
 #include "model/io/savefile.h"
 
 #include <QFileInfo>
@@ -10,24 +13,19 @@
 #include <assimp/scene.h>
 
 #include <exception>
+#include <memory>
 
 namespace autocuts {
 
 namespace {
 
-//! Assimp's id of the exporter for a suffix. Text variants are used for FBX and PLY: Assimp cannot read its
-//! own binary FBX, and its binary PLY writes colours in another type than its header declares.
+//! Assimp's id of the exporter for a suffix. PLY is written as text: its binary variant writes colours in
+//! another type than its header declares.
 const char *exporterId(const QString &suffix)
 {
-    if (suffix == QLatin1String("glb"))
-        return "glb2";
-    if (suffix == QLatin1String("gltf"))
-        return "gltf2";
     if (suffix == QLatin1String("ply"))
         return "ply";
-    if (suffix == QLatin1String("dae"))
-        return "collada";
-    return "fbxa";
+    return suffix == QLatin1String("dae") ? "collada" : "glb2";
 }
 
 QByteArrayView bytesOf(const aiExportDataBlob &blob)
@@ -37,22 +35,26 @@ QByteArrayView bytesOf(const aiExportDataBlob &blob)
 
 constexpr const char *companionBase = "autocuts-buffer";
 
-//! Embeds the buffer of a glTF file as base64. Two files cannot be replaced atomically, and the name of a
-//! buffer file would need escaping that some readers do not undo.
-QByteArray withEmbeddedBuffer(const aiExportDataBlob &main)
+//! What Assimp wrote as .glb, with what it leaves out, as the bytes of a file. The buffer of a .gltf file is
+//! inside of it: two files cannot be replaced atomically.
+QByteArray gltfBytes(const Scene &scene, const ExportScene &exported, const aiExportDataBlob &blob,
+                     const QString &path)
 {
-    QByteArray text = bytesOf(main).toByteArray();
-    const QByteArray name = QByteArray(companionBase) + ".bin";
-    text.replace('"' + name + '"', "\"data:application/octet-stream;base64," +
-                                       bytesOf(*main.next).toByteArray().toBase64() + '"');
-    return text;
+    GltfFile file{bytesOf(blob).toByteArray(), {}};
+    GltfDocument document = openGltf(file);
+    const bool binary = QFileInfo(path).suffix().toLower() == QLatin1String("glb");
+    completeGltf(document, scene, *exported.get(), path);
+    if (binary)
+        return glbBytes(std::move(document));
+    for (std::size_t b = 0; b < document.buffers.size(); ++b)
+        document.json["buffers"][b]["uri"] = dataUri(document.buffers[b]);
+    return jsonText(document.json, "{\n  \n");
 }
 
 //! Exports to a blob that belongs to the exporter; nullptr on failure.
-const aiExportDataBlob *exportBlob(Assimp::Exporter &exporter, const Scene &scene, const QString &suffix,
-                                   const ExportOptions &options)
+const aiExportDataBlob *exportBlob(Assimp::Exporter &exporter, const ExportScene &exported,
+                                   const QString &suffix)
 {
-    const ExportScene exported(scene, options);
     Assimp::ExportProperties properties;
     properties.SetPropertyString(AI_CONFIG_EXPORT_BLOB_NAME, companionBase);
     return exporter.ExportToBlob(exported.get(), exporterId(suffix), 0, &properties);
@@ -73,19 +75,29 @@ Result<Done> writeWithAssimp(const Scene &scene, const QString &path)
 {
     const QString suffix = QFileInfo(path).suffix().toLower();
     ExportOptions options = exportOptions(suffix);
+    MaterialLooks looks(scene, path);
+    if (suffix == QLatin1String("dae"))
+        options.looks = &looks;
     try {
         Assimp::Exporter exporter;
-        const aiExportDataBlob *blob = exportBlob(exporter, scene, suffix, options);
+        auto exported = std::make_unique<ExportScene>(scene, options);
+        const aiExportDataBlob *blob = exportBlob(exporter, *exported, suffix);
         if (!blob && options.animations) {
             // Some animations cannot be expressed by an exporter. Then the model is written without them.
             options.animations = false;
-            blob = exportBlob(exporter, scene, suffix, options);
+            exported = std::make_unique<ExportScene>(scene, options);
+            blob = exportBlob(exporter, *exported, suffix);
         }
         if (!blob)
             return notWritten(path, QString::fromUtf8(exporter.GetErrorString()));
-        if (blob->next)
-            return saveAtomically(path, withEmbeddedBuffer(*blob));
-        return saveAtomically(path, bytesOf(*blob));
+        if (isGltfFormat(suffix))
+            return saveAtomically(path, gltfBytes(scene, *exported, *blob, path));
+        FileSet files;
+        if (Result<Done> added = looks.addFiles(files); !added)
+            return added;
+        if (Result<Done> added = files.add(path, bytesOf(*blob)); !added)
+            return added;
+        return files.putInPlace();
     } catch (const std::exception &e) {
         return notWritten(path, QString::fromUtf8(e.what()));
     }

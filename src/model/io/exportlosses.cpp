@@ -5,6 +5,7 @@
 #include "model/io/fbxrewriter.h"
 #include "model/io/fbxtwin.h"
 #include "model/io/gltf/gltfwriter.h"
+#include "model/io/materiallooks.h"
 #include "model/io/objsource.h"
 
 #include <QCoreApplication>
@@ -32,9 +33,34 @@ void addObjLosses(QStringList &losses, const Scene &scene)
     if (scene.uvSets.size() > 1)
         losses
             << LossTexts::tr("OBJ holds one UV set: only \"%1\" is written").arg(scene.uvSets.front().name);
-    if (!scene.materialNames.empty())
-        losses << LossTexts::tr("of the materials only the names are written");
     losses << LossTexts::tr("normals and vertex colours are lost");
+}
+
+//! Pictures that the format has no place for, and those that are not there.
+QStringList pictureLosses(const Scene &scene, const QString &format)
+{
+    bool lost = false;
+    QStringList missing;
+    for (int m = 0; m < std::ssize(scene.materialNames); ++m) {
+        const TextureSet set = scene.fileSet(m);
+        const auto of = [&set](TextureChannel channel) {
+            const auto found = set.find(channel);
+            return found == set.end() ? ChannelPicture() : found->second;
+        };
+        const ChannelPicture rough = of(TextureChannel::Roughness), metal = of(TextureChannel::Metalness);
+        const bool packed = rough.component > 0 || metal.component > 0;
+        const bool together = rough.picture == metal.picture && rough.component == 1 && metal.component == 2;
+        if (!rough.picture.isEmpty() || !metal.picture.isEmpty())
+            lost = lost || (isGltfFormat(format) ? !together : packed || format == QLatin1String("dae"));
+    }
+    if (const QStringList names = MaterialLooks(scene, scene.path).missing(); !names.isEmpty())
+        missing << LossTexts::tr("pictures that are not found stay names: %1")
+                       .arg(names.join(QLatin1String(", ")));
+    if (lost)
+        missing << LossTexts::tr(
+            "pictures of roughness and metalness are lost: the format holds them in another "
+            "way than this file");
+    return missing;
 }
 
 void addPlyLosses(QStringList &losses, const Scene &scene)
@@ -71,10 +97,6 @@ QStringList contentLosses(const SourceContents &contents, const QString &format)
         losses << (options.animations
                        ? LossTexts::tr("animations are left out where the format cannot hold them")
                        : LossTexts::tr("animations are lost"));
-    if (contents.embeddedTextures && !options.embeddedTextures)
-        losses << LossTexts::tr("embedded textures are lost");
-    if (contents.splitObjects && format == QLatin1String("fbx"))
-        losses << LossTexts::tr("an object of several materials becomes one object for each of them");
     return losses;
 }
 
@@ -90,8 +112,7 @@ QStringList plainFbxLosses(const FbxSource &source)
     if (contents.hierarchy || contents.lightsOrCameras)
         losses << LossTexts::tr("the node hierarchy, lights and cameras are lost; positions are written in "
                                 "world space");
-    losses << LossTexts::tr("of the materials only the names are written")
-           << LossTexts::tr("normals and vertex colours are lost");
+    losses << LossTexts::tr("normals and vertex colours are lost");
     return losses;
 }
 
@@ -152,33 +173,26 @@ QStringList exportLosses(const Scene &scene, const QString &format)
         losses << contentLosses(contentsOf(*assimp), format);
     if (fbx)
         losses << fbxLosses(*fbx, format);
+    if (!isPly)
+        losses << pictureLosses(scene, format);
     if (isObj) {
         addObjLosses(losses, scene);
         return losses;
     }
     if (obj)
-        losses << (isFbx ? LossTexts::tr("comments, groups and material libraries of the OBJ file are lost")
-                         : LossTexts::tr("comments, groups, smoothing groups and material libraries of the "
-                                         "OBJ file are lost"));
-    if (isFbx && !assimp && !gltf) {
-        if (!scene.materialNames.empty())
-            losses << LossTexts::tr("of the materials only the names are written");
-        if (scene.cornerColors)
-            losses << LossTexts::tr("vertex colours are lost");
+        losses << (isFbx ? LossTexts::tr("comments and groups of the OBJ file are lost")
+                         : LossTexts::tr("comments, groups and smoothing groups of the OBJ file are lost"));
+    if (isFbx)
         return losses;
-    }
     if (isPly)
         addPlyLosses(losses, scene);
     if (isGltfFormat(format) && scene.mesh->report.polygons > 0)
         losses << LossTexts::tr("glTF holds triangles only: polygons are split");
-    if (isFbx)
-        losses << LossTexts::tr("the file is ASCII FBX, which Blender does not read: use glb or dae for it");
     if (scene.uvSets.size() > maxAssimpUvSets)
         losses << LossTexts::tr("UV sets after the eighth are lost");
     if (hasPartialUv(scene))
         losses << LossTexts::tr("corners without UV get the UV 0 0");
-    losses << (isFbx ? LossTexts::tr("positions and UVs are rounded to six decimals")
-                     : LossTexts::tr("positions and UVs are rounded to single precision"));
+    losses << LossTexts::tr("positions and UVs are rounded to single precision");
     return losses;
 }
 

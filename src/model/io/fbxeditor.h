@@ -15,7 +15,7 @@ struct FbxRaw
 
 //! A value of a new node. An array is one value from version 7.0 on, and a list of values before.
 using FbxNewValue = std::variant<std::int32_t, std::int64_t, double, QByteArray, std::vector<int>,
-                                 std::vector<double>, FbxRaw>;
+                                 std::vector<std::int64_t>, std::vector<float>, std::vector<double>, FbxRaw>;
 
 //! A node to be written.
 struct FbxNewNode

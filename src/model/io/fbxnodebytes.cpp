@@ -32,6 +32,10 @@ constexpr char typeOf(std::int64_t)
 {
     return 'L';
 }
+constexpr char typeOf(float)
+{
+    return 'F';
+}
 constexpr char typeOf(double)
 {
     return 'D';

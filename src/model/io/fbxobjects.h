@@ -45,9 +45,17 @@ struct FbxObjects
 
 FbxObjects readFbxObjects(const FbxTree &tree);
 
-//! For each model the transform from its geometry to the scene, in centimetres with y up, as Assimp does it:
-//! by the translations, rotations, scalings, pivots and offsets of the models and by the units and axes of
-//! the file. A child inherits the whole transform of its parent, whatever its InheritType says.
+//! How the coordinates of a file lie in the world.
+struct FbxSpace
+{
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); //!< to x to the right, y up and z to the front; exact
+    double metres = 0.01;                               //!< one unit of the file
+};
+FbxSpace fbxSpace(const FbxTree &tree);
+
+//! For each model the transform from its geometry to the scene, with y up, in the unit of the file: by the
+//! translations, rotations, scalings, pivots and offsets of the models and by the axes of the file. A child
+//! inherits the whole transform of its parent, whatever its InheritType says.
 std::vector<Eigen::Affine3d> fbxTransforms(const FbxTree &tree, const FbxObjects &objects);
 
 } // namespace autocuts

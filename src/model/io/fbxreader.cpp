@@ -299,6 +299,7 @@ Result<Scene> SceneBuilder::build()
     addNotes();
     mSource->bytes = mTree.bytes;
     mSource->version = mTree.version;
+    mSource->space = fbxSpace(mTree);
     mSource->contents = mObjects.contents;
     mSource->corners = mScene.mesh->cornerCount();
     mScene.source = mSource;

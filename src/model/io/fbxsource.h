@@ -1,8 +1,7 @@
 // The data of an FBX file that saving preserves.
 #pragma once
 
-#include "model/document/scene.h"
-#include "model/io/sourcecontents.h"
+#include "model/io/fbxobjects.h"
 
 #include <QByteArray>
 
@@ -40,6 +39,7 @@ struct FbxSource final : SceneSource
 {
     QByteArray bytes;
     int version = 0;
+    FbxSpace space;
     SourceContents contents;
     std::vector<QString> setNames; //!< of the UV sets of the scene that was read
     std::vector<FbxUse> uses;

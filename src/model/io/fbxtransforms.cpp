@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string>
 
 namespace autocuts {
 
@@ -56,7 +57,38 @@ Eigen::Affine3d geometricTransform(const FbxProperties &p)
     return result;
 }
 
+//! The settings of a file; until version 6 they are among the objects. -1: there are none.
+int settingsOf(const FbxTree &tree)
+{
+    const int settings = tree.child(0, "GlobalSettings");
+    return settings >= 0 ? settings : tree.child(tree.child(0, "Objects"), "GlobalSettings");
+}
+
 } // namespace
+
+FbxSpace fbxSpace(const FbxTree &tree)
+{
+    FbxSpace space;
+    const int settings = settingsOf(tree);
+    if (settings < 0)
+        return space;
+    const FbxProperties p(tree, settings);
+    const std::vector<double> centimetres = p.numbers("UnitScaleFactor");
+    if (!centimetres.empty() && centimetres[0] > 1e-9 && centimetres[0] < 1e9)
+        space.metres = centimetres[0] / 100;
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
+    int row = 0;
+    for (const char *axis : {"Coord", "Up", "Front"}) {
+        const std::string name = std::string(axis) + "Axis";
+        const int column = p.integer(name, row);
+        if (column >= 0 && column < 3)
+            axes(row, column) = p.integer(name + "Sign", 1) < 0 ? -1 : 1;
+        ++row;
+    }
+    if (std::abs(axes.determinant()) == 1) // no axis is named twice
+        space.axes = axes;
+    return space;
+}
 
 std::vector<Eigen::Affine3d> fbxTransforms(const FbxTree &tree, const FbxObjects &objects)
 {
@@ -65,6 +97,7 @@ std::vector<Eigen::Affine3d> fbxTransforms(const FbxTree &tree, const FbxObjects
     enum class State : std::uint8_t { New, Open, Done };
     std::vector<State> states(count, State::New);
     std::vector<std::size_t> open;
+    const Eigen::Affine3d toScene(fbxSpace(tree).axes);
     for (std::size_t m = 0; m < count; ++m) {
         // From the model up to the first one that is known, and back down. A circle ends at the root.
         std::size_t at = m;
@@ -84,7 +117,7 @@ std::vector<Eigen::Affine3d> fbxTransforms(const FbxTree &tree, const FbxObjects
             world[now] = localTransform(p);
             if (below)
                 world[now] = world[static_cast<std::size_t>(parent)] * world[now];
-            result[now] = world[now] * geometricTransform(p);
+            result[now] = toScene * world[now] * geometricTransform(p);
             states[now] = State::Done;
         }
     }

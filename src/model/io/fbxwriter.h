@@ -7,9 +7,11 @@
 
 namespace autocuts {
 
-//! A binary FBX file of version 7.4: one mesh and one model per object in world space, the materials' names,
-//! all UV sets in their order, and the normals and smoothing groups of an OBJ file, as far as there are no
-//! more than 32. Corners without UV have none; the axes are those of the scene, with y up.
-QByteArray fbxBytes(const Scene &scene);
+//! A binary FBX file of version 7.4, in metres with y up: materials with their pictures, all UV sets in their
+//! order, vertex colours, and the normals and smoothing groups of an OBJ file, as far as there are no more
+//! than 32. What Assimp has read keeps its nodes, normals, cameras, lights, bones and animations; of other
+//! scenes each object is one mesh and one model in world space. Corners without UV have none. \param path of
+//! the file, which pictures are named from
+QByteArray fbxBytes(const Scene &scene, const QString &path = {});
 
 } // namespace autocuts

@@ -2,7 +2,6 @@
 
 #include "model/io/assimpmatch.h"
 #include "model/io/assimpreader.h"
-#include "model/io/assimpscene.h"
 #include "model/io/assimpwriter.h"
 #include "model/io/collada/colladasource.h"
 #include "model/io/fbxreader.h"
@@ -64,8 +63,8 @@ Result<Done> writeAs(const Scene &scene, const QString &path)
     const FbxSource *fbx = fbxSourceOf(scene);
     if (fbx && suffix == QLatin1String("fbx"))
         return saveAtomically(path, rewriteFbx(*fbx, scene));
-    if (suffix == QLatin1String("fbx") && !isFromAssimp(scene) && !gltfSourceOf(scene))
-        return saveAtomically(path, fbxBytes(scene));
+    if (suffix == QLatin1String("fbx"))
+        return saveAtomically(path, fbxBytes(gltfSourceOf(scene) ? forAssimp(scene) : scene, path));
     if (isGltfFormat(suffix) && gltfSourceOf(scene))
         return writeGltf(scene, path);
     if (suffix == QLatin1String("dae") && colladaSourceOf(scene))

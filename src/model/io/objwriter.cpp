@@ -1,7 +1,12 @@
 #include "model/io/objwriter.h"
 
+#include "model/io/materiallooks.h"
+#include "model/io/modelunits.h"
 #include "model/io/objrewriter.h"
 #include "model/io/savefile.h"
+
+#include <QDir>
+#include <QFileInfo>
 
 #include <charconv>
 #include <cmath>
@@ -12,6 +17,12 @@
 namespace autocuts {
 
 namespace {
+
+//! Keywords of pictures, see objmaterials.
+constexpr std::pair<const char *, TextureChannel> mtlMaps[] = {
+    {"map_Kd", TextureChannel::BaseColor}, {"map_Bump", TextureChannel::Normal},
+    {"map_Pr", TextureChannel::Roughness}, {"map_Pm", TextureChannel::Metalness},
+    {"map_Ke", TextureChannel::Emission},  {"disp", TextureChannel::Height}};
 
 //! The active UV set; rows without UVs when the scene has no UV set.
 UvMatrix activeUv(const Scene &scene)
@@ -60,17 +71,64 @@ std::vector<QByteArray> objectNames(const Scene &scene)
     return names;
 }
 
-void appendPositions(QByteArray &out, const MeshData &mesh)
+void appendPositions(QByteArray &out, const PositionMatrix &positions)
 {
     char text[40];
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
+    for (Eigen::Index v = 0; v < positions.rows(); ++v) {
         out.append('v');
         for (int k = 0; k < 3; ++k) {
             out.append(' ');
-            out.append(text, std::to_chars(text, text + sizeof text, mesh.positions(v, k)).ptr - text);
+            out.append(text, std::to_chars(text, text + sizeof text, positions(v, k)).ptr - text);
         }
         out.append('\n');
     }
+}
+
+//! The first line of our libraries: they may be replaced.
+constexpr QByteArrayView libraryHead("# Materials of Autocuts\n");
+
+//! What the materials look like, by their names in plainObj().
+QByteArray materialLibrary(const Scene &scene, MaterialLooks &looks)
+{
+    QByteArray out(libraryHead.data(), libraryHead.size());
+    std::set<QByteArray> written;
+    for (int m = 0; m < std::ssize(scene.materialNames); ++m) {
+        const QByteArray name = cleanName(scene.materialNames[static_cast<std::size_t>(m)], "material");
+        if (!written.insert(name).second)
+            continue;
+        out.append("newmtl ").append(name).append("\nKd");
+        for (const double share : looks.color(m))
+            out.append(' ').append(QByteArray::number(share, 'g', 6));
+        out.append('\n');
+        for (const auto &[keyword, channel] : mtlMaps) {
+            const ChannelPicture entry = looks.picture(m, channel);
+            if (!entry.picture.isEmpty() && entry.component <= 0)
+                out.append(keyword).append(' ').append(looks.fileOf(entry.picture).toUtf8()).append('\n');
+        }
+    }
+    return out;
+}
+
+//! Beside the output, under its name unless there is a library of somebody else.
+QString placeOfLibrary(const QString &output)
+{
+    const QString stem = QFileInfo(output).absoluteDir().filePath(QFileInfo(output).completeBaseName());
+    const auto isOurs = [](const QString &path) {
+        if (!QFileInfo::exists(path))
+            return true;
+        const Result<QByteArray> there = loadFile(path, std::numeric_limits<qint64>::max());
+        return there && there->startsWith(libraryHead);
+    };
+    QString path = stem + QStringLiteral(".mtl");
+    for (int number = 2; !isOurs(path); ++number)
+        path = QStringLiteral("%1-%2.mtl").arg(stem).arg(number);
+    return path;
+}
+
+bool isObjFile(const Scene &scene)
+{
+    const auto *source = dynamic_cast<const ObjSource *>(scene.source.get());
+    return source && std::ssize(source->cornerTextureVertex) == scene.mesh->cornerCount();
 }
 
 QByteArray plainObj(const Scene &scene)
@@ -79,7 +137,7 @@ QByteArray plainObj(const Scene &scene)
     const UvMatrix uv = activeUv(scene);
     const std::vector<int> shared = sharedUvCorners(mesh, uv);
     QByteArray out;
-    appendPositions(out, mesh);
+    appendPositions(out, inUnits(mesh.positions, unitsOf(scene), unitsOfFormat(QStringLiteral("obj"))));
     std::vector<int> index(shared.size(), 0);
     int next = 1;
     for (int c = 0; c < mesh.cornerCount(); ++c) {
@@ -119,16 +177,30 @@ QByteArray plainObj(const Scene &scene)
 
 QByteArray objBytes(const Scene &scene)
 {
-    const auto *source = dynamic_cast<const ObjSource *>(scene.source.get());
-    if (!source || std::ssize(source->cornerTextureVertex) != scene.mesh->cornerCount())
+    if (!isObjFile(scene))
         return plainObj(scene);
+    const auto &source = static_cast<const ObjSource &>(*scene.source);
     const UvMatrix uv = activeUv(scene);
-    return sameUv(*source, uv) ? source->bytes : rewriteObj(*source, *scene.mesh, uv);
+    return sameUv(source, uv) ? source.bytes : rewriteObj(source, *scene.mesh, uv);
 }
 
 Result<Done> writeObj(const Scene &scene, const QString &path)
 {
-    return saveAtomically(path, objBytes(scene));
+    const QByteArray bytes = objBytes(scene);
+    if (isObjFile(scene) || scene.materialNames.empty())
+        return saveAtomically(path, bytes);
+    MaterialLooks looks(scene, path);
+    const QByteArray library = materialLibrary(scene, looks);
+    const QString libraryPath = placeOfLibrary(path);
+    FileSet files;
+    if (Result<Done> added = looks.addFiles(files); !added)
+        return added;
+    if (Result<Done> added = files.add(libraryPath, library); !added)
+        return added;
+    const QByteArray line = "mtllib " + QFileInfo(libraryPath).fileName().toUtf8() + '\n';
+    if (Result<Done> added = files.add(path, line + bytes); !added)
+        return added;
+    return files.putInPlace();
 }
 
 } // namespace autocuts

@@ -1,6 +1,8 @@
 #include "model/io/texturefiles.h"
 
 #include "model/document/documentstate.h"
+#include "model/io/meshlimits.h"
+#include "model/io/savefile.h"
 #include "model/plain/packingsettings.h"
 
 #include <QDir>
@@ -138,6 +140,35 @@ bool isChosenTexture(const DocumentState &state, int material, TextureChannel ch
         return false;
     const auto found = state.textureSets[place].find(channel);
     return found != state.textureSets[place].end() && !found->second.fromModel;
+}
+
+Scene withChosenTextures(Scene scene, const std::vector<TextureSet> &sets)
+{
+    const std::size_t materials = scene.materialNames.size();
+    const QDir folder = QFileInfo(scene.path).absoluteDir();
+    for (std::size_t place = 1; place < std::min(sets.size(), materials + 1); ++place) {
+        for (const auto &[channel, entry] : sets[place]) {
+            const QString path = texturePath(entry.picture.file, true, scene.path);
+            if (entry.fromModel || path.isEmpty() || textureTiles(path).empty())
+                continue;
+            ChannelPicture chosen = entry;
+            const QString relative = folder.relativeFilePath(QFileInfo(path).absoluteFilePath());
+            if (findTexture(relative, scene.path) == QDir::cleanPath(folder.filePath(relative))) {
+                chosen.picture = {relative, {}};
+            } else if (Result<QByteArray> content = loadFile(path, maxMeshFileSize)) {
+                chosen.picture = {QFileInfo(path).fileName(), std::move(content).value()};
+            } else {
+                continue;
+            }
+            scene.materialTextures.resize(materials);
+            scene.materialSets.resize(materials);
+            if (channel == TextureChannel::BaseColor)
+                scene.materialTextures[place - 1] = chosen.picture;
+            else
+                scene.materialSets[place - 1][channel] = chosen;
+        }
+    }
+    return scene;
 }
 
 QString texturePath(const QString &file, bool chosen, const QString &modelPath, FolderNames *folders)

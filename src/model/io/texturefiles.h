@@ -1,7 +1,7 @@
 // Finds the picture files that a model names, and the files of pictures that are one for each UDIM tile.
 #pragma once
 
-#include "model/document/texturesets.h"
+#include "model/document/scene.h"
 
 #include <QString>
 
@@ -53,6 +53,11 @@ bool hasTextures(const DocumentState &state);
 //! True when the picture of a channel is the user's own: its path is taken as it is. \param material -1: of
 //! the faces without one
 bool isChosenTexture(const DocumentState &state, int material, TextureChannel channel);
+
+//! The scene with the user's own pictures in place of those of the model's file, for writing. Pictures
+//! outside of the model's folder come along as bytes: a model must not make us read files elsewhere. Reads
+//! files.
+Scene withChosenTextures(Scene scene, const std::vector<TextureSet> &sets);
 
 //! The path of a picture, for textureTiles(). What was chosen may have moved with the model. \param chosen
 //! see isChosenTexture()

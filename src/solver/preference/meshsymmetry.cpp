@@ -13,9 +13,14 @@ namespace {
 
 //! Share of the edge length that must match under a plane of symmetry; from the second value on no other
 //! plane is tried. Chosen by hand; no measurement of their effect is recorded.
-constexpr double leastShare = 0.95, certainShare = 0.999;
-//! Distance within which two points match. Chosen by hand; no measurement of its effect is recorded.
-constexpr double tolerance = 0.1; // of the mean edge length
+constexpr double exactShare = 0.95, certainShare = 0.999;
+//! The same for models that are symmetric only in part or nearly, such as sculpts.
+constexpr double leastShare = 0.45, leastArea = 0.75;
+//! Distances within which two points match, as shares of the mean edge length: on exact models, and on others
+//! at the end, and while their plane is sought. Chosen by hand.
+constexpr double tolerance = 0.1, looseTolerance = 0.6, firstTolerance = 1.5;
+constexpr double mostReach = 0.02; // of the size of the model: the edges of coarse models are long
+constexpr int planeSteps = 8;
 
 //! Welded vertices sorted into cubes whose side is twice the tolerance.
 class PointGrid
@@ -76,11 +81,17 @@ EdgeKey keyOf(int a, int b)
     return {std::min(a, b), std::max(a, b)};
 }
 
+struct Plane
+{
+    Vec3 point, normal;
+};
+
 //! Finds the mirror image of each vertex and edge.
 class Matcher
 {
 public:
-    explicit Matcher(const MeshData &mesh) : mMesh(mesh), mGrid(mesh, radiusFor(mesh))
+    //! \param reach of the mean edge length
+    Matcher(const MeshData &mesh, double reach) : mMesh(mesh), mGrid(mesh, radiusFor(mesh, reach))
     {
         for (std::size_t e = 0; e < mesh.edgePairs.size(); ++e) {
             if (!mesh.edgePairs[e].diagonal)
@@ -110,22 +121,69 @@ public:
             matched += mMesh.edgePairs[e].length;
         }
         found.matchedShare = all > 0 ? matched / all : 0;
+        found.matchedArea = matchedAreaOf(found);
         return found;
     }
 
+    //! The plane that fits the vertices and their mirror images best; nothing with too few of them.
+    std::optional<Plane> fitted(const Plane &plane) const
+    {
+        MeshSymmetry found;
+        found.point = plane.point;
+        found.normal = plane.normal;
+        matchVertices(found);
+        std::vector<std::pair<Vec3, Vec3>> pairs; // middle and difference
+        Vec3 centre = Vec3::Zero();
+        for (int v = 0; v < mMesh.vertexCount(); ++v) {
+            const int image = found.mirrorVertex[v];
+            if (image < 0)
+                continue;
+            const Vec3 p = mMesh.positions.row(v), q = mMesh.positions.row(image);
+            pairs.emplace_back(0.5 * (p + q), p - q);
+            centre += 0.5 * (p + q);
+        }
+        if (pairs.size() < 6)
+            return std::nullopt;
+        centre /= static_cast<double>(pairs.size());
+        // The normal runs along the differences and across the middles.
+        Eigen::Matrix3d form = Eigen::Matrix3d::Zero();
+        for (const auto &[middle, difference] : pairs) {
+            const Vec3 offset = middle - centre;
+            form += difference * difference.transpose() - 4 * offset * offset.transpose();
+        }
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(form);
+        if (axes.info() != Eigen::Success)
+            return std::nullopt;
+        return Plane{centre, axes.eigenvectors().col(2).normalized()};
+    }
+
 private:
-    static double radiusFor(const MeshData &mesh)
+    static double radiusFor(const MeshData &mesh, double reach)
     {
         double sum = 0;
         for (const EdgePair &pair : mesh.edgePairs)
             sum += pair.length;
-        return std::max(tolerance * sum / std::max<double>(1, double(mesh.edgePairs.size())), 1e-300);
+        const double mean = sum / std::max<double>(1, double(mesh.edgePairs.size()));
+        return std::max(std::min(reach * mean, mostReach * mesh.report.boxDiagonal), 1e-300);
     }
 
     EdgeKey keyOfEdge(std::size_t e) const
     {
         const EdgePair &pair = mMesh.edgePairs[e];
         return keyOf(mMesh.vertexOfSoup(pair.corner[0][0]), mMesh.vertexOfSoup(pair.corner[1][0]));
+    }
+
+    double matchedAreaOf(const MeshSymmetry &found) const
+    {
+        double matched = 0;
+        for (int t = 0; t < mMesh.triangleCount(); ++t) {
+            const auto hasImage = [&](int k) {
+                return found.mirrorVertex[mMesh.vertexOfSoup(3 * t + k)] >= 0;
+            };
+            if (hasImage(0) && hasImage(1) && hasImage(2))
+                matched += mMesh.triangleArea[t];
+        }
+        return mMesh.area > 0 ? matched / mMesh.area : 0;
     }
 
     void matchVertices(MeshSymmetry &found) const
@@ -149,11 +207,6 @@ private:
     const MeshData &mMesh;
     PointGrid mGrid;
     std::map<EdgeKey, int> mEdges;
-};
-
-struct Plane
-{
-    Vec3 point, normal;
 };
 
 std::vector<Plane> candidates(const MeshData &mesh)
@@ -184,22 +237,44 @@ std::vector<Plane> candidates(const MeshData &mesh)
     return planes;
 }
 
-} // namespace
-
-std::optional<MeshSymmetry> findSymmetry(const MeshData &mesh)
+//! The plane under which most matches; nothing when that is less than the given share.
+std::optional<MeshSymmetry> bestOf(const std::vector<Plane> &planes, const Matcher &matcher, double least)
 {
-    if (mesh.edgePairs.empty() || !(mesh.area > 0))
-        return std::nullopt;
-    const Matcher matcher(mesh);
     std::optional<MeshSymmetry> best;
-    for (const Plane &plane : candidates(mesh)) {
+    for (const Plane &plane : planes) {
         MeshSymmetry found = matcher.match(plane.point, plane.normal);
-        if (found.matchedShare >= leastShare && (!best || found.matchedShare > best->matchedShare))
+        if (found.matchedShare >= least && (!best || found.matchedShare > best->matchedShare))
             best = std::move(found);
         if (best && best->matchedShare >= certainShare)
             break;
     }
     return best;
+}
+
+} // namespace
+
+std::optional<MeshSymmetry> findSymmetry(const MeshData &mesh, Exactness exactness)
+{
+    if (mesh.edgePairs.empty() || !(mesh.area > 0))
+        return std::nullopt;
+    const std::vector<Plane> planes = candidates(mesh);
+    std::optional<MeshSymmetry> exact = bestOf(planes, Matcher(mesh, tolerance), exactShare);
+    if (exact || exactness == Exactness::Exact)
+        return exact;
+    // Nearly symmetric: the plane moves until vertices and their images fit best.
+    const Matcher wide(mesh, firstTolerance), narrow(mesh, looseTolerance);
+    std::vector<Plane> fitted;
+    for (Plane plane : planes) {
+        for (int step = 0; step < planeSteps; ++step) {
+            const std::optional<Plane> next = (2 * step < planeSteps ? wide : narrow).fitted(plane);
+            if (!next || std::abs(next->normal.dot(plane.normal)) < 0.5)
+                break;
+            plane = *next;
+        }
+        fitted.push_back(plane);
+    }
+    std::optional<MeshSymmetry> best = bestOf(fitted, narrow, leastShare);
+    return best && best->matchedArea >= leastArea ? best : std::nullopt;
 }
 
 double symmetricShare(const MeshData &mesh, const MeshSymmetry &symmetry, const std::vector<bool> &cut)

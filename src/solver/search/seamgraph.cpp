@@ -36,6 +36,9 @@ std::vector<int> eliminationOrder(const SeamGraph &graph)
     return linear::eliminationRanks(pattern);
 }
 
+//! Of edges without a mirror image between vertices that have one. Chosen by hand.
+constexpr double lopsidedCost = 2;
+
 //! Stores the mirror images and makes costs and rules symmetric: an edge and its image get their mean cost,
 //! and a free edge takes the rule of its image.
 void mirrorGraph(const MeshData &mesh, const preference::MeshSymmetry &symmetry, SeamGraph &graph)
@@ -51,8 +54,15 @@ void mirrorGraph(const MeshData &mesh, const preference::MeshSymmetry &symmetry,
     const std::vector<SeamGraph::Rule> rule = graph.rule;
     for (std::size_t e = 0; e < cost.size(); ++e) {
         const int other = graph.mirror[e];
-        if (other < 0)
+        if (other < 0) {
+            // A triangle that is split the other way on the other side: better cut beside it.
+            const auto hasImage = [&](int end) {
+                return symmetry.mirrorVertex[mesh.vertexOfSoup(mesh.edgePairs[e].corner[end][0])] >= 0;
+            };
+            if (hasImage(0) && hasImage(1))
+                graph.cost[e] *= lopsidedCost;
             continue;
+        }
         graph.cost[e] = 0.5 * (cost[e] + cost[other]);
         if (rule[e] == SeamGraph::Rule::Free)
             graph.rule[e] = rule[other];

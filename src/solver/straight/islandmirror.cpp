@@ -128,7 +128,8 @@ std::vector<int> imagesWithin(const MeshData &mesh, const std::vector<int> &face
     std::vector<int> image(mesh.vertexCount(), -1);
     if (!(part.mesh->area > 0))
         return image;
-    const std::optional<preference::MeshSymmetry> symmetry = preference::findSymmetry(*part.mesh);
+    const std::optional<preference::MeshSymmetry> symmetry =
+        preference::findSymmetry(*part.mesh, preference::Exactness::Exact);
     if (!symmetry)
         return image;
     std::vector<int> whole(part.mesh->vertexCount(), -1);
@@ -148,7 +149,8 @@ std::vector<IslandMirror> mirrorsOf(const MeshData &mesh, const std::vector<Isla
                                     const JobContext &job)
 {
     const MirrorFinder finder(mesh, islands);
-    const std::optional<preference::MeshSymmetry> symmetry = preference::findSymmetry(mesh);
+    const std::optional<preference::MeshSymmetry> symmetry =
+        preference::findSymmetry(mesh, preference::Exactness::Exact);
     std::vector<IslandMirror> mirrors(islands.size());
     for (std::size_t i = 0; i < islands.size() && !job.stopped(); ++i) {
         const int island = static_cast<int>(i);

@@ -92,6 +92,8 @@ Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSetti
         return high.error();
     job.kind = bake::SourceKind::Detailed;
     job.high = shadedSurface(high->scene);
+    if (const QString moved = placeLike(*job.high, job.low); !moved.isEmpty())
+        warnings << moved;
     takeColors(high.value(), *job.high);
     if (choice.byName) {
         const QStringList alone = pairObjects(job.low, scene.objectNames, *job.high, high->scene.objectNames);

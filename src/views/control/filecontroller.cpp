@@ -8,6 +8,7 @@
 #include "model/io/meshdoctor.h"
 #include "model/io/meshfile.h"
 #include "model/io/savefile.h"
+#include "model/io/texturefiles.h"
 #include "model/samples/samples.h"
 #include "solver/metrics/uvmetrics.h"
 #include "views/control/solvercontroller.h"
@@ -398,12 +399,12 @@ void FileController::exportMesh(const QString &path)
         return;
     const bool started = mJobs.start(
         tr("Writing %1").arg(QFileInfo(path).fileName()),
-        [scene = sceneForWriting(*document), path, kept = filesToKeep(),
+        [scene = sceneForWriting(*document), sets = document->state().textureSets, path, kept = filesToKeep(),
          tileHeight = document->packingSettings().tileHeight()](JobControl &) {
             // The model itself may be written again, in its own format.
             const bool again = isSameSuffix(path, scene.path);
             const Result<Done> fine = checkOutputs({path}, kept(again));
-            return fine ? writeMesh(scene, path, tileHeight) : fine;
+            return fine ? writeMesh(withChosenTextures(scene, sets), path, tileHeight) : fine;
         },
         [this, path](const Result<Done> &written) { tellWritten(written, path); });
     if (!started)

@@ -214,7 +214,9 @@ void MapController::applyResult(const MapJobResult &result)
         }
         const bool hadMap = hasUvs(*mWorkspace.document());
         const bool changed = pushMap(result);
-        if (changed && hadMap && hasTextures(mWorkspace.document()->state()))
+        // Materials show their textures with the first UV set: those stay right while another one changes.
+        if (changed && hadMap && mWorkspace.document()->activeUvSet() == 0 &&
+            hasTextures(mWorkspace.document()->state()))
             hint =
                 tr(". The textures fit the map before: UV > Carry textures over... makes them new for this "
                    "one");

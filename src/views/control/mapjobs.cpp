@@ -5,6 +5,7 @@
 #include "solver/metrics/uvoverlaps.h"
 #include "solver/packing/islandgeometry.h"
 #include "solver/packing/packmap.h"
+#include "solver/preference/meshsymmetry.h"
 #include "solver/unwrap/finishjob.h"
 #include "solver/unwrap/lightmapjob.h"
 #include "solver/unwrap/packjob.h"
@@ -167,6 +168,16 @@ void sayStraight(bool stopped, const std::optional<bool> &straight, MapJobResult
                           : JobTexts::tr(". Stopped early: this map is not, or not wholly, straightened");
 }
 
+//! Says what of a symmetric mesh has no mirror image.
+void sayAsymmetry(const MeshData &mesh, MapJobResult &result)
+{
+    const auto symmetry = preference::findSymmetry(mesh);
+    if (symmetry && symmetry->matchedArea < 0.999)
+        result.problem = JobTexts::tr("%1. %2 % of the surface have no mirror image: their cuts are free")
+                             .arg(result.message)
+                             .arg(100 * (1 - symmetry->matchedArea), 0, 'f', 1);
+}
+
 MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
                        std::function<void(const unwrap::UnwrapResult &)> better, JobControl &control)
 {
@@ -204,6 +215,8 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
                 .arg(options.maxDistortion, 0, 'f', 4);
     else if (made.symmetry == 0.0)
         result.problem = JobTexts::tr("%1. The mesh is not symmetric: nor are the cuts").arg(result.message);
+    else if (made.symmetry)
+        sayAsymmetry(input.mesh(), result);
     return result;
 }
 

@@ -36,6 +36,8 @@ public:
     std::size_t addVertices(const Json &like, const GltfElements &elements);
     //! Adds an accessor of indices. \param like as above; a null value when there is none
     std::size_t addIndices(const Json &like, const std::vector<std::uint32_t> &indices);
+    //! Adds the bytes of a picture file. \returns the index of its buffer view
+    std::size_t addPicture(const QByteArray &content) { return addView(content, 0, 0); }
     //! Adds UVs.
     std::size_t addUvs(const Json &like, const QByteArray &floats);
 

@@ -5,6 +5,7 @@
 #include "model/io/gltf/gltfnodes.h"
 #include "model/io/gltf/gltfprimitive.h"
 #include "model/io/gltf/gltftextures.h"
+#include "model/io/gltf/gltfuvnames.h"
 #include "model/io/hardedges.h"
 #include "model/io/meshlimits.h"
 #include "model/io/savefile.h"
@@ -45,7 +46,7 @@ private:
     void addUvs(const GltfPrimitive &primitive, bool mirrored);
     void addColors(const GltfPrimitive &primitive, bool mirrored);
     void addNotes(Scene &scene) const;
-    void fill(Scene &scene);
+    void fill(Scene &scene, const GltfSource &source);
     template <typename Add>
     void eachCorner(const GltfPrimitive &primitive, bool mirrored, const Add &add);
     void checkStop(std::size_t step) const
@@ -225,13 +226,13 @@ QRgb baseColor(const Json &material)
     return linearMaterialColor(factor[0].get<double>(), factor[1].get<double>(), factor[2].get<double>());
 }
 
-void SoupBuilder::fill(Scene &scene)
+void SoupBuilder::fill(Scene &scene, const GltfSource &source)
 {
     const std::size_t corners = mCornerVertex.size();
     for (auto &[set, values] : mUvs) {
         values.resize(2 * corners, nan);
         scene.uvSets.push_back(
-            {gltfUvSetName(set),
+            {source.setNames.at(set),
              Eigen::Map<const UvMatrix>(values.data(), static_cast<Eigen::Index>(corners), 2)});
     }
     const Json &materials = member(mData.json(), "materials");
@@ -269,7 +270,8 @@ void SoupBuilder::build(Scene &scene, GltfSource &source)
         source.texcoords.push_back(set);
     source.pieces = std::move(mPieces);
     source.contents.instances = !mInstancedMeshes.empty();
-    fill(scene);
+    source.setNames = gltfUvNames(mData.json(), source.texcoords);
+    fill(scene, source);
 }
 
 bool hasElements(const Json &root, const char *array)

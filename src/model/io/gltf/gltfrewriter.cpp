@@ -1,8 +1,12 @@
 #include "model/io/gltf/gltfrewriter.h"
 
 #include "model/io/gltf/gltfappender.h"
+#include "model/io/gltf/gltflooks.h"
 #include "model/io/gltf/gltfprimitive.h"
+#include "model/io/gltf/gltftextures.h"
+#include "model/io/gltf/gltfuvnames.h"
 #include "model/io/gltf/gltfvertices.h"
+#include "model/io/materiallooks.h"
 
 #include <algorithm>
 #include <set>
@@ -57,8 +61,8 @@ void mergeAttributes(const GltfAttributes &attributes, const std::set<std::strin
 class GltfRewriter
 {
 public:
-    GltfRewriter(const GltfSource &source, const Scene &scene)
-        : mScene(scene), mFile(source.file), mOld(openGltf(mFile)), mData(mOld), mSource(source),
+    GltfRewriter(const GltfSource &source, const Scene &scene, const QString &path)
+        : mScene(scene), mPath(path), mFile(source.file), mOld(openGltf(mFile)), mData(mOld), mSource(source),
           mSets(texcoordsToWrite(source, scene))
     {}
 
@@ -92,13 +96,18 @@ private:
         return number ? element(mOld.json, "accessors", *number) : Json::object();
     }
     void forgetUnusedExtension(const char *name);
+    std::map<int, QString> setNames() const;
+    std::map<std::size_t, TextureSet> newTextures();
+    void writeUvs(const std::vector<Group> &changed);
+    void writeTextures(const std::map<std::size_t, TextureSet> &textures);
 
     const Scene &mScene;
+    QString mPath;
     GltfFile mFile;
     GltfDocument mOld, mNew;
     GltfData mData;
     const GltfSource &mSource;
-    std::map<int, const UvMatrix *> mSets;
+    std::map<int, const UvSet *> mSets;
     std::optional<GltfAppender> mAppender;
 };
 
@@ -173,7 +182,7 @@ void GltfRewriter::findChanges(Group &group) const
 {
     for (const auto &[set, uv] : mSets) {
         FileUvs uvs;
-        if (fileUvs(group, set, *uv, uvs))
+        if (fileUvs(group, set, uv->uv, uvs))
             group.changed[set] = std::move(uvs);
     }
     if (group.changed.empty())
@@ -386,9 +395,63 @@ std::optional<GltfDocument> GltfRewriter::run()
         mapCorners(group);
         changed.push_back(std::move(group));
     }
-    if (changed.empty())
+    const std::map<int, QString> names = setNames();
+    const std::map<std::size_t, TextureSet> textures = newTextures();
+    if (changed.empty() && names == mSource.setNames && textures.empty())
         return {};
     mNew = mOld;
+    if (names != mSource.setNames)
+        setGltfUvNames(mNew.json, names);
+    writeUvs(changed);
+    writeTextures(textures);
+    return std::move(mNew);
+}
+
+//! The names of all sets that the new file has.
+std::map<int, QString> GltfRewriter::setNames() const
+{
+    std::map<int, QString> names = mSource.setNames;
+    for (const auto &[number, set] : mSets)
+        names[number] = set->name;
+    return names;
+}
+
+//! The pictures of the scene that are not those of the file, by material.
+std::map<std::size_t, TextureSet> GltfRewriter::newTextures()
+{
+    std::map<std::size_t, TextureSet> result;
+    const Json &materials = member(mOld.json, "materials");
+    GltfTextures textures(mData);
+    for (std::size_t m = 0; m < std::min(materials.size(), mScene.materialNames.size()); ++m) {
+        TextureSet before = textures.setOfMaterial(materials[m]);
+        before[TextureChannel::BaseColor].picture = textures.ofMaterial(materials[m]);
+        for (const auto &[channel, entry] : mScene.fileSet(static_cast<int>(m))) {
+            if (!entry.picture.isEmpty() && entry.picture != before[channel].picture)
+                result[m][channel] = entry;
+        }
+    }
+    return result;
+}
+
+void GltfRewriter::writeTextures(const std::map<std::size_t, TextureSet> &textures)
+{
+    if (textures.empty())
+        return;
+    int texcoord = 0;
+    for (const auto &[number, set] : mSets) {
+        if (!mScene.uvSets.empty() && set == &mScene.uvSets.front())
+            texcoord = number;
+    }
+    MaterialLooks looks(mScene, mPath);
+    GltfPictures pictures(mNew, looks, mPath.endsWith(QLatin1String(".glb"), Qt::CaseInsensitive));
+    for (const auto &[material, set] : textures)
+        setGltfTextures(mNew.json["materials"][material], set, texcoord, pictures);
+}
+
+void GltfRewriter::writeUvs(const std::vector<Group> &changed)
+{
+    if (changed.empty())
+        return;
     for (const Group &group : changed)
         forget(group);
     mAppender.emplace(mNew);
@@ -396,23 +459,22 @@ std::optional<GltfDocument> GltfRewriter::run()
     for (const Group &group : changed)
         write(group);
     forgetUnusedExtension("KHR_draco_mesh_compression");
-    return std::move(mNew);
 }
 
 } // namespace
 
-std::map<int, const UvMatrix *> texcoordsToWrite(const GltfSource &source, const Scene &scene)
+std::map<int, const UvSet *> texcoordsToWrite(const GltfSource &source, const Scene &scene)
 {
-    std::map<int, const UvMatrix *> result;
-    std::vector<const UvMatrix *> others;
+    std::map<int, const UvSet *> result;
+    std::vector<const UvSet *> others;
     for (const UvSet &set : scene.uvSets) {
         const auto number = std::find_if(source.texcoords.begin(), source.texcoords.end(), [&](int n) {
-            return gltfUvSetName(n) == set.name && !result.contains(n);
+            return source.setNames.at(n) == set.name && !result.contains(n);
         });
         if (number == source.texcoords.end())
-            others.push_back(&set.uv);
+            others.push_back(&set);
         else
-            result[*number] = &set.uv;
+            result[*number] = &set;
     }
     std::vector<int> free;
     for (const bool inFile : {true, false}) {
@@ -428,9 +490,9 @@ std::map<int, const UvMatrix *> texcoordsToWrite(const GltfSource &source, const
     return result;
 }
 
-std::optional<GltfDocument> rewriteGltf(const GltfSource &source, const Scene &scene)
+std::optional<GltfDocument> rewriteGltf(const GltfSource &source, const Scene &scene, const QString &path)
 {
-    return GltfRewriter(source, scene).run();
+    return GltfRewriter(source, scene, path).run();
 }
 
 } // namespace autocuts

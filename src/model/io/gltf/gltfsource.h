@@ -5,6 +5,7 @@
 #include "model/io/gltf/gltffile.h"
 #include "model/io/sourcecontents.h"
 
+#include <map>
 #include <vector>
 
 namespace autocuts {
@@ -30,15 +31,16 @@ struct GltfContents : SourceContents
 struct GltfSource final : SceneSource
 {
     GltfFile file;
-    std::vector<GltfPiece> pieces; //!< in the order of the nodes; faces are ascending
-    std::vector<int> texcoords;    //!< the numbers of the UV sets in the file, ascending
+    std::vector<GltfPiece> pieces;   //!< in the order of the nodes; faces are ascending
+    std::vector<int> texcoords;      //!< the numbers of the UV sets in the file, ascending
+    std::map<int, QString> setNames; //!< of these
     GltfContents contents;
 };
 
 //! True for the suffixes gltf and glb, in lower case.
 bool isGltfFormat(const QString &format);
 
-//! The name of the UV set of TEXCOORD_n; they have none in the file.
+//! The name of the UV set of TEXCOORD_n where the file says none.
 QString gltfUvSetName(int texcoord);
 
 //! The glTF source of the scene's mesh, or null.

@@ -170,7 +170,7 @@ void GltfOutput::moveImages()
 
 Result<Done> GltfOutput::save(const Scene &scene)
 {
-    std::optional<GltfDocument> changed = rewriteGltf(mSource, scene);
+    std::optional<GltfDocument> changed = rewriteGltf(mSource, scene, mTo);
     mEdited = changed.has_value();
     mBefore = openGltf(mFile);
     mDocument = changed ? std::move(*changed) : mBefore;
@@ -286,7 +286,7 @@ QStringList gltfLosses(const GltfSource &source, const Scene &scene)
     if (source.contents.compressed)
         losses << QCoreApplication::translate("ExportLosses",
                                               "changed meshes are written without compression");
-    const std::map<int, const UvMatrix *> written = texcoordsToWrite(source, scene);
+    const std::map<int, const UvSet *> written = texcoordsToWrite(source, scene);
     if (written.size() < scene.uvSets.size())
         losses << QCoreApplication::translate("ExportLosses", "UV sets after the eighth are lost");
     if (std::any_of(source.texcoords.begin(), source.texcoords.end(),

@@ -1,0 +1,230 @@
+#include "model/io/assimpgltf.h"
+
+#include "model/io/gltf/gltflooks.h"
+#include "model/io/gltf/gltfsource.h"
+#include "model/io/gltf/gltfuvnames.h"
+#include "model/io/materiallooks.h"
+
+#include <assimp/material.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace autocuts {
+
+namespace {
+
+//! Blender shows a light of one watt, or a sun of one watt per square metre, as so many lumens.
+constexpr double lumensPerWatt = 683;
+
+Json numbersOf(const Vec3 &values)
+{
+    Json list = Json::array();
+    for (const double value : values)
+        list.push_back(static_cast<double>(static_cast<float>(value)));
+    return list;
+}
+
+Json materialOf(const Scene &scene, int number, const aiMaterial &exported, const MaterialLooks &looks)
+{
+    Json material = Json::object();
+    if (aiString name; exported.Get(AI_MATKEY_NAME, name) == AI_SUCCESS)
+        material["name"] = QString::fromUtf8(name.C_Str()).toStdString();
+    const TextureSet set = scene.fileSet(number);
+    const auto factor = [&](TextureChannel channel) {
+        const auto found = set.find(channel);
+        return found == set.end() ? neutralValue(channel) : found->second.factor;
+    };
+    float opacity = 1;
+    if (exported.Get(AI_MATKEY_OPACITY, opacity) != AI_SUCCESS || !(opacity >= 0 && opacity < 1))
+        opacity = 1;
+    Json color = numbersOf(looks.color(number));
+    color.push_back(opacity);
+    material["pbrMetallicRoughness"] = {{"baseColorFactor", color},
+                                        {"metallicFactor", factor(TextureChannel::Metalness)},
+                                        {"roughnessFactor", factor(TextureChannel::Roughness)}};
+    if (opacity < 1)
+        material["alphaMode"] = "BLEND";
+    return material;
+}
+
+void addMaterials(GltfDocument &document, const Scene &scene, const aiScene &exported, const QString &path)
+{
+    MaterialLooks looks(scene, path);
+    for (const char *key : {"materials", "textures", "images", "samplers"})
+        document.json.erase(key);
+    GltfPictures pictures(document, looks, path.endsWith(QLatin1String(".glb"), Qt::CaseInsensitive));
+    Json materials = Json::array();
+    for (unsigned m = 0; m < exported.mNumMaterials; ++m) {
+        const int number = m < scene.materialNames.size() ? static_cast<int>(m) : -1;
+        materials.push_back(materialOf(scene, number, *exported.mMaterials[m], looks));
+        setGltfTextures(materials.back(), scene.fileSet(number), 0, pictures);
+    }
+    document.json["materials"] = std::move(materials);
+}
+
+//! The first node of this name, or null.
+Json *nodeNamed(Json &root, const aiString &name)
+{
+    for (Json &node : root["nodes"]) {
+        if (textOf(node, "name") == name.C_Str())
+            return &node;
+    }
+    return nullptr;
+}
+
+void addCameras(Json &root, const aiScene &scene)
+{
+    root.erase("cameras");
+    for (unsigned c = 0; c < scene.mNumCameras; ++c) {
+        const aiCamera &from = *scene.mCameras[c];
+        Json *node = nodeNamed(root, from.mName);
+        if (!node)
+            continue;
+        const double aspect = from.mAspect > 0 ? from.mAspect : 16.0 / 9;
+        const double near = from.mClipPlaneNear > 0 ? from.mClipPlaneNear : 0.1;
+        Json camera{{"name", from.mName.C_Str()}};
+        if (from.mOrthographicWidth > 0) {
+            camera["type"] = "orthographic";
+            camera["orthographic"] = {{"xmag", from.mOrthographicWidth},
+                                      {"ymag", from.mOrthographicWidth / aspect},
+                                      {"znear", near},
+                                      {"zfar", std::max<double>(from.mClipPlaneFar, 2 * near)}};
+        } else {
+            const double wide =
+                from.mHorizontalFOV > 0 && from.mHorizontalFOV < 3 ? from.mHorizontalFOV : 0.7;
+            camera["type"] = "perspective";
+            camera["perspective"] = {{"aspectRatio", aspect},
+                                     {"yfov", 2 * std::atan(std::tan(wide / 2) / aspect)},
+                                     {"znear", near}};
+            if (from.mClipPlaneFar > near)
+                camera["perspective"]["zfar"] = from.mClipPlaneFar;
+        }
+        (*node)["camera"] = member(root, "cameras").size();
+        root["cameras"].push_back(std::move(camera));
+    }
+}
+
+const char *lightType(aiLightSourceType type)
+{
+    switch (type) {
+    case aiLightSource_DIRECTIONAL:
+        return "directional";
+    case aiLightSource_SPOT:
+        return "spot";
+    case aiLightSource_POINT:
+        return "point";
+    default:
+        return nullptr;
+    }
+}
+
+//! \param fromGltf the strengths are those of glTF already; other formats are taken as in watts
+void addLights(Json &root, const aiScene &scene, bool fromGltf)
+{
+    Json lights = Json::array();
+    for (unsigned l = 0; l < scene.mNumLights; ++l) {
+        const aiLight &from = *scene.mLights[l];
+        const char *type = lightType(from.mType);
+        Json *node = nodeNamed(root, from.mName);
+        if (!node || !type)
+            continue;
+        const Vec3 color(from.mColorDiffuse.r, from.mColorDiffuse.g, from.mColorDiffuse.b);
+        const double strength = color.maxCoeff();
+        const double sphere = from.mType == aiLightSource_DIRECTIONAL ? 1 : 4 * std::numbers::pi;
+        Json light{{"name", from.mName.C_Str()},
+                   {"type", type},
+                   {"color", numbersOf(strength > 0 ? Vec3(color / strength) : Vec3(Vec3::Ones()))},
+                   {"intensity", fromGltf ? strength : strength * lumensPerWatt / sphere}};
+        if (from.mType == aiLightSource_SPOT) {
+            const double outer = std::clamp<double>(from.mAngleOuterCone / 2, 0.01, std::numbers::pi / 2);
+            light["spot"] = {
+                {"innerConeAngle", std::clamp<double>(from.mAngleInnerCone / 2, 0, 0.99 * outer)},
+                {"outerConeAngle", outer}};
+        }
+        (*node)["extensions"]["KHR_lights_punctual"] = {{"light", lights.size()}};
+        lights.push_back(std::move(light));
+    }
+    if (lights.empty())
+        return;
+    root["extensions"]["KHR_lights_punctual"] = {{"lights", std::move(lights)}};
+    Json &used = root["extensionsUsed"];
+    if (std::find(used.begin(), used.end(), "KHR_lights_punctual") == used.end())
+        used.push_back("KHR_lights_punctual");
+}
+
+void lowerNumbers(Json &value, std::size_t removed)
+{
+    if (value.is_number_unsigned() && value.get<std::size_t>() > removed)
+        value = value.get<std::size_t>() - 1;
+}
+
+//! Takes out a root that only holds the others: programs would show it as an object.
+void removePlainRoot(Json &root)
+{
+    Json &scene = root["scenes"][0];
+    if (member(scene, "nodes").size() != 1)
+        return;
+    const std::size_t number = scene["nodes"][0].get<std::size_t>();
+    Json &nodes = root["nodes"];
+    for (const char *key :
+         {"mesh", "camera", "skin", "matrix", "translation", "rotation", "scale", "extensions"}) {
+        if (nodes[number].contains(key))
+            return;
+    }
+    for (const Json &animation : member(root, "animations")) {
+        for (const Json &channel : member(animation, "channels")) {
+            if (member(channel, "target").value("node", std::size_t(-1)) == number)
+                return;
+        }
+    }
+    for (const Json &skin : member(root, "skins")) {
+        const Json &joints = member(skin, "joints");
+        if (skin.value("skeleton", std::size_t(-1)) == number ||
+            std::find(joints.begin(), joints.end(), number) != joints.end())
+            return;
+    }
+    scene["nodes"] = member(nodes[number], "children");
+    nodes.erase(number);
+    const auto lowerAll = [number](Json &list) {
+        for (Json &index : list)
+            lowerNumbers(index, number);
+    };
+    lowerAll(scene["nodes"]);
+    for (Json &node : nodes) {
+        if (node.contains("children"))
+            lowerAll(node["children"]);
+    }
+    for (std::size_t s = 0; s < member(root, "skins").size(); ++s) {
+        Json &skin = root["skins"][s];
+        if (skin.contains("joints"))
+            lowerAll(skin["joints"]);
+        if (skin.contains("skeleton"))
+            lowerNumbers(skin["skeleton"], number);
+    }
+    if (!root.contains("animations"))
+        return;
+    for (Json &animation : root["animations"]) {
+        for (Json &channel : animation["channels"])
+            lowerNumbers(channel["target"]["node"], number);
+    }
+}
+
+} // namespace
+
+void completeGltf(GltfDocument &document, const Scene &scene, const aiScene &exported, const QString &path)
+{
+    addMaterials(document, scene, exported, path);
+    addCameras(document.json, exported);
+    addLights(document.json, exported, isGltfFormat(scene.format));
+    removePlainRoot(document.json);
+    std::map<int, QString> names;
+    for (const UvSet &set : scene.uvSets)
+        names[static_cast<int>(names.size())] = set.name;
+    setGltfUvNames(document.json, names);
+    document.json["asset"]["generator"] = "Autocuts";
+}
+
+} // namespace autocuts

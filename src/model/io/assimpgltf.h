@@ -1,0 +1,14 @@
+// Completes glTF files that Assimp has written: materials, cameras, lights, names of UV sets.
+#pragma once
+
+#include "model/document/scene.h"
+#include "model/io/gltf/gltffile.h"
+
+struct aiScene;
+
+namespace autocuts {
+
+//! \param exported what Assimp has written \param path of the file
+void completeGltf(GltfDocument &document, const Scene &scene, const aiScene &exported, const QString &path);
+
+} // namespace autocuts

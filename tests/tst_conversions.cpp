@@ -1,0 +1,327 @@
+// From one format to another: units, axes, colours, pictures, cameras, lights, bones and names stay.
+#include "model/document/materialcolor.h"
+#include "model/io/fbxreader.h"
+#include "model/io/fbxsource.h"
+#include "model/io/instances.h"
+#include "model/io/meshfile.h"
+#include "model/io/modelunits.h"
+#include "model/io/savefile.h"
+#include "model/io/texturefiles.h"
+
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+const QByteArray texturedObj =
+    "mtllib a.mtl\n"
+    "o Left\nv 0 0 0\nv 1 0 0\nv 1 2 0\nv 0 2 0\nv 3 0 0\nv 4 0 0\nv 4 2 1\nv 3 2 1\n"
+    "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+    "usemtl red\nf 1/1 2/2 3/3 4/4\n"
+    "o Right\nusemtl painted\nf 5/1 6/2 7/3 8/4\n";
+const QByteArray library = "newmtl red\nKd 1 0 0\nnewmtl painted\nKd 0.8 0.8 0.8\nmap_Kd tex.png\n";
+
+//! A text FBX file of one quad from 0 0 0 to 100 200 300. \param settings of axes and unit
+QByteArray quadFbx(const QByteArray &settings)
+{
+    return "; FBX 7.4.0 project file\nFBXHeaderExtension:  {\n\tFBXHeaderVersion: 1003\n\tFBXVersion: "
+           "7400\n}\n"
+           "GlobalSettings:  {\n\tVersion: 1000\n\tProperties70:  {\n" +
+           settings +
+           "\t}\n}\nObjects:  {\n"
+           "\tGeometry: 1, \"Geometry::\", \"Mesh\" {\n\t\tVertices: *12 {\n\t\t\ta: "
+           "0,0,0,100,0,0,100,200,300,0,200,300\n"
+           "\t\t}\n\t\tPolygonVertexIndex: *4 {\n\t\t\ta: 0,1,2,-4\n\t\t}\n\t\tGeometryVersion: 124\n\t}\n"
+           "\tModel: 2, \"Model::Quad\", \"Mesh\" {\n\t\tVersion: 232\n\t}\n}\n"
+           "Connections:  {\n\tC: \"OO\",2,0\n\tC: \"OO\",1,2\n}\n";
+}
+
+QByteArray integerSetting(const char *name, int value)
+{
+    return QByteArray("\t\tP: \"") + name + "\", \"int\", \"Integer\", \"\"," + QByteArray::number(value) +
+           '\n';
+}
+
+//! A Collada file with a camera, a spot light and a node named Box.
+QByteArray viewsDae()
+{
+    return "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+           "version=\"1.4.1\">\n"
+           "<asset><unit meter=\"0.01\"/><up_axis>Z_UP</up_axis></asset>\n"
+           "<library_cameras><camera "
+           "id=\"cam\"><optics><technique_common><perspective><yfov>40</yfov>\n"
+           "<znear>1</znear><zfar>500</zfar></perspective></technique_common></optics></camera></"
+           "library_cameras>\n"
+           "<library_lights><light id=\"lamp\"><technique_common><spot><color>1 0.5 "
+           "0</color><falloff_angle>60</falloff_angle></spot>\n"
+           "</technique_common></light></library_lights>\n"
+           "<library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"pa\" "
+           "count=\"9\">0 0 0 100 0 0 0 0 300</float_array>\n"
+           "<technique_common><accessor source=\"#pa\" count=\"3\" stride=\"3\"><param name=\"X\" "
+           "type=\"float\"/><param name=\"Y\" type=\"float\"/>\n"
+           "<param name=\"Z\" type=\"float\"/></accessor></technique_common></source><vertices "
+           "id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/>\n"
+           "</vertices><triangles count=\"1\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 1 "
+           "2</p></triangles></mesh></geometry>\n"
+           "</library_geometries><library_visual_scenes><visual_scene id=\"s\">\n"
+           "<node id=\"n1\" name=\"Box\"><instance_geometry url=\"#g\"/></node>\n"
+           "<node id=\"n2\" name=\"Eye\"><translate>0 -500 0</translate><instance_camera "
+           "url=\"#cam\"/></node>\n"
+           "<node id=\"n3\" name=\"Lamp\"><instance_light url=\"#lamp\"/></node>\n"
+           "</visual_scene></library_visual_scenes><scene><instance_visual_scene "
+           "url=\"#s\"/></scene></COLLADA>";
+}
+
+QJsonObject jsonOf(const QString &glb)
+{
+    const QByteArray bytes = loadFile(glb, 1 << 20).value();
+    quint32 size = 0;
+    memcpy(&size, bytes.constData() + 12, 4);
+    return QJsonDocument::fromJson(bytes.mid(20, static_cast<qsizetype>(size))).object();
+}
+
+//! The corners of the box of a mesh, in metres with y up.
+std::pair<Vec3, Vec3> worldBox(const Scene &scene)
+{
+    const PositionMatrix p = inUnits(scene.mesh->positions, unitsOf(scene), {});
+    return {p.colwise().minCoeff().transpose(), p.colwise().maxCoeff().transpose()};
+}
+
+} // namespace
+
+class TestConversions : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        mFolder = std::make_unique<QTemporaryDir>();
+        QImage image(4, 4, QImage::Format_RGB32);
+        image.fill(qRgb(0, 200, 0));
+        QVERIFY(image.save(at(u"tex.png"_s)));
+        QVERIFY(saveAtomically(at(u"a.mtl"_s), library).ok());
+        QVERIFY(saveAtomically(at(u"a.obj"_s), texturedObj).ok());
+    }
+
+    void axesAndUnitsOfFbx_data()
+    {
+        QTest::addColumn<QByteArray>("settings");
+        QTest::addColumn<double>("metres");
+        QTest::addColumn<bool>("zUp");
+        const QByteArray zUp = integerSetting("UpAxis", 2) + integerSetting("UpAxisSign", 1) +
+                               integerSetting("FrontAxis", 1) + integerSetting("FrontAxisSign", -1) +
+                               integerSetting("CoordAxis", 0) + integerSetting("CoordAxisSign", 1);
+        const QByteArray inches = "\t\tP: \"UnitScaleFactor\", \"double\", \"Number\", \"\",2.54\n";
+        QTest::newRow("nothing said") << QByteArray() << 0.01 << false;
+        QTest::newRow("z up") << zUp << 0.01 << true;
+        QTest::newRow("inches") << inches << 0.0254 << false;
+        QTest::newRow("inches, z up") << inches + zUp << 0.0254 << true;
+        QTest::newRow("one axis twice") << integerSetting("UpAxis", 0) << 0.01 << false;
+    }
+    void axesAndUnitsOfFbx()
+    {
+        QFETCH(QByteArray, settings);
+        QFETCH(double, metres);
+        QFETCH(bool, zUp);
+        QVERIFY(saveAtomically(at(u"q.fbx"_s), quadFbx(settings)).ok());
+        const Result<Scene> scene = readMesh(at(u"q.fbx"_s));
+        QVERIFY2(scene.ok(), scene ? "" : qPrintable(scene.error().toString()));
+        const Vec3 low = zUp ? Vec3(0, 0, -200) : Vec3(0, 0, 0);
+        const Vec3 high = zUp ? Vec3(100, 300, 0) : Vec3(100, 200, 300);
+        QCOMPARE(Vec3(scene->mesh->positions.colwise().minCoeff().transpose()), low);
+        QCOMPARE(Vec3(scene->mesh->positions.colwise().maxCoeff().transpose()), high);
+        for (const QString &format : {u"glb"_s, u"dae"_s, u"obj"_s, u"ply"_s}) {
+            QVERIFY(writeMesh(scene.value(), at(u"b."_s + format)).ok());
+            const Result<Scene> again = readMesh(at(u"b."_s + format));
+            QVERIFY(again.ok());
+            const auto [lowAgain, highAgain] = worldBox(again.value());
+            QVERIFY2((lowAgain - metres * low).norm() < 1e-5 && (highAgain - metres * high).norm() < 1e-5,
+                     qPrintable(format));
+        }
+        // The file itself keeps its coordinates.
+        QVERIFY(writeMesh(scene.value(), at(u"b.fbx"_s)).ok());
+        QCOMPARE(loadFile(at(u"b.fbx"_s), 1 << 20).value(), quadFbx(settings));
+    }
+
+    void everythingBecomesBinaryFbxOfTheSameSize()
+    {
+        Scene obj = readMesh(at(u"a.obj"_s)).value();
+        for (const QString &format : {u"glb"_s, u"dae"_s, u"ply"_s})
+            QVERIFY(writeMesh(obj, at(u"a."_s + format)).ok());
+        for (const QString &format : {u"obj"_s, u"glb"_s, u"dae"_s, u"ply"_s}) {
+            const Result<Scene> scene = readMesh(at(u"a."_s + format));
+            QVERIFY(writeMesh(scene.value(), at(u"b.fbx"_s)).ok());
+            QVERIFY(loadFile(at(u"b.fbx"_s), 1 << 20)->startsWith("Kaydara FBX Binary"));
+            const Result<Scene> again = readMesh(at(u"b.fbx"_s));
+            QVERIFY2(again.ok(), qPrintable(format));
+            QCOMPARE(unitsOf(again.value()).metres, 1.0);
+            const auto [low, high] = worldBox(again.value());
+            QVERIFY2((low - Vec3(0, 0, 0)).norm() < 1e-6 && (high - Vec3(4, 2, 1)).norm() < 1e-6,
+                     qPrintable(format));
+            QCOMPARE(again->mesh->report.weldedVertices, 0);
+        }
+    }
+
+    void coloursAndPicturesStay_data()
+    {
+        QTest::addColumn<QString>("format");
+        for (const char *format : {"glb", "gltf", "dae", "fbx", "obj"})
+            QTest::newRow(format) << QString::fromLatin1(format);
+    }
+    void coloursAndPicturesStay()
+    {
+        QFETCH(QString, format);
+        // Over a glb, so that each format is written from another one, with a picture inside of the file.
+        QVERIFY(writeMesh(readMesh(at(u"a.obj"_s)).value(), at(u"inside.glb"_s)).ok());
+        QVERIFY(QDir(mFolder->path()).mkdir(u"out"_s));
+        for (const QString &from : {u"a.obj"_s, u"inside.glb"_s}) {
+            if (from.endsWith(format) || (format == u"gltf"_s && from != u"a.obj"_s))
+                continue;
+            const QString path = at(u"out/b."_s + format);
+            const Scene scene = readMesh(at(from)).value();
+            QVERIFY(writeMesh(scene, path).ok());
+            const Result<Scene> again = readMesh(path);
+            QVERIFY(again.ok());
+            const int red = again->faceMaterial.front(), painted = again->faceMaterial.back();
+            QCOMPARE(again->materialNames[static_cast<std::size_t>(red)], u"red"_s);
+            QCOMPARE(again->materialNames[static_cast<std::size_t>(painted)], u"painted"_s);
+            const QRgb color = again->materialColors[static_cast<std::size_t>(red)];
+            QCOMPARE(color, qRgb(255, 0, 0));
+            const SceneTexture picture = again->fileSet(painted)[TextureChannel::BaseColor].picture;
+            const QByteArray bytes = !picture.content.isEmpty()
+                                         ? picture.content
+                                         : loadFile(findTexture(picture.file, path), 1 << 20).value();
+            QCOMPARE(QImage::fromData(bytes).pixel(0, 0), qRgb(0, 200, 0));
+            QVERIFY(again->fileSet(red)[TextureChannel::BaseColor].picture.isEmpty());
+            QCOMPARE(again->objectNames, (std::vector<QString>{u"Left"_s, u"Right"_s}));
+        }
+    }
+
+    //! A library that is not ours is never replaced.
+    void materialLibraryOfSomebodyElse()
+    {
+        QVERIFY(writeMesh(readMesh(at(u"a.obj"_s)).value(), at(u"a.glb"_s)).ok());
+        const Scene glb = readMesh(at(u"a.glb"_s)).value();
+        QVERIFY(saveAtomically(at(u"c.mtl"_s), "newmtl mine\n").ok());
+        for (int time = 0; time < 2; ++time) {
+            QVERIFY(writeMesh(glb, at(u"c.obj"_s)).ok());
+            QCOMPARE(loadFile(at(u"c.mtl"_s), 1000).value(), QByteArray("newmtl mine\n"));
+            QVERIFY(loadFile(at(u"c.obj"_s), 1 << 20)->startsWith("mtllib c-2.mtl\n"));
+        }
+    }
+
+    void camerasAndLightsStay()
+    {
+        QVERIFY(saveAtomically(at(u"v.dae"_s), viewsDae()).ok());
+        const Result<Scene> scene = readMesh(at(u"v.dae"_s));
+        QVERIFY2(scene.ok(), scene ? "" : qPrintable(scene.error().toString()));
+        QVERIFY(writeMesh(scene.value(), at(u"v.glb"_s)).ok());
+        const QJsonObject json = jsonOf(at(u"v.glb"_s));
+        const QJsonObject camera = json[u"cameras"_s].toArray().at(0).toObject()[u"perspective"_s].toObject();
+        const double yfov = camera[u"yfov"_s].toDouble();
+        const QJsonObject light =
+            json[u"extensions"_s][u"KHR_lights_punctual"_s][u"lights"_s].toArray().at(0).toObject();
+        QCOMPARE(light[u"type"_s].toString(), u"spot"_s);
+        QCOMPARE(light[u"color"_s].toArray().at(1).toDouble(), 0.5);
+        int placed = 0;
+        for (const QJsonValue &node : json[u"nodes"_s].toArray())
+            placed += node[u"camera"_s].isDouble() + node[u"extensions"_s].isObject();
+        QCOMPARE(placed, 2);
+
+        QVERIFY(writeMesh(scene.value(), at(u"v.fbx"_s)).ok());
+        const Scene fbx = readMesh(at(u"v.fbx"_s)).value();
+        QVERIFY(fbxSourceOf(fbx)->contents.lightsOrCameras);
+        const auto [low, high] = worldBox(fbx);
+        QVERIFY((high - Vec3(1, 3, 0)).norm() < 1e-6 && low.norm() < 1e-6);
+        // Assimp, which reads FBX for other formats, finds them again where they were.
+        QVERIFY(writeMesh(fbx, at(u"w.glb"_s)).ok());
+        const QJsonArray cameras = jsonOf(at(u"w.glb"_s))[u"cameras"_s].toArray();
+        QCOMPARE(cameras.size(), 1);
+        QVERIFY(std::abs(cameras.at(0)[u"perspective"_s][u"yfov"_s].toDouble() - yfov) < 1e-4);
+        const QJsonArray lights =
+            jsonOf(at(u"w.glb"_s))[u"extensions"_s][u"KHR_lights_punctual"_s][u"lights"_s].toArray();
+        QCOMPARE(lights.at(0)[u"type"_s].toString(), u"spot"_s);
+    }
+
+    //! Two objects share a mesh: the figures of their maps are those of the file, which has one map.
+    void objectsThatShareAMeshHaveOneMapInTheFile()
+    {
+        QByteArray fbx = quadFbx({});
+        fbx.replace("Connections:  {\n", "Connections:  {\n\tC: \"OO\",3,0\n\tC: \"OO\",1,3\n");
+        fbx.replace("\tModel: 2,",
+                    "\tModel: 3, \"Model::Twin\", \"Mesh\" {\n\t\tVersion: 232\n\t}\n\tModel: 2,");
+        QVERIFY(saveAtomically(at(u"q.fbx"_s), fbx).ok());
+        Scene scene = readMesh(at(u"q.fbx"_s)).value();
+        QCOMPARE(scene.mesh->faceCount(), 2);
+        UvMatrix uv(8, 2);
+        uv << 0, 0, 0.4, 0, 0.4, 0.4, 0, 0.4, 0.5, 0, 0.9, 0, 0.9, 0.4, 0.5, 0.4;
+        scene.uvSets = {{u"UVMap"_s, uv}};
+        QVERIFY(writeMesh(scene, at(u"r.fbx"_s)).ok());
+        const Scene file = readMesh(at(u"r.fbx"_s)).value();
+        const Scene said = asWritten(scene, u"fbx"_s);
+        QCOMPARE(said.uvSets[0].uv, file.uvSets[0].uv);
+        QCOMPARE(UvMatrix(said.uvSets[0].uv.topRows(4)), UvMatrix(said.uvSets[0].uv.bottomRows(4)));
+        QCOMPARE(asWritten(scene, u"obj"_s).uvSets[0].uv, uv);
+        const std::vector<IslandFlags> flags = withInstanceStacks(said, {});
+        QCOMPARE(flags.size(), std::size_t(2));
+        QVERIFY(flags[0].stack > 0);
+        QCOMPARE(flags[0].stack, flags[1].stack);
+        QVERIFY(withInstanceStacks(readMesh(at(u"a.obj"_s)).value(), {}).empty());
+    }
+
+    void namesOfUvSetsInGltf()
+    {
+        Scene scene = readMesh(at(u"a.obj"_s)).value();
+        scene.uvSets.push_back({u"Lightmap"_s, 0.5 * scene.uvSets[0].uv});
+        QVERIFY(writeMesh(scene, at(u"n.glb"_s)).ok());
+        Scene again = readMesh(at(u"n.glb"_s)).value();
+        QCOMPARE(again.uvSets.size(), std::size_t(2));
+        QCOMPARE(again.uvSets[1].name, u"Lightmap"_s);
+        // Nothing changes: the same bytes.
+        QVERIFY(writeMesh(again, at(u"m.glb"_s)).ok());
+        QCOMPARE(loadFile(at(u"m.glb"_s), 1 << 20).value(), loadFile(at(u"n.glb"_s), 1 << 20).value());
+        again.uvSets.push_back({u"Third one"_s, 2 * again.uvSets[0].uv});
+        QVERIFY(writeMesh(again, at(u"m.glb"_s)).ok());
+        const Scene third = readMesh(at(u"m.glb"_s)).value();
+        QCOMPARE(third.uvSets[1].name, u"Lightmap"_s);
+        QCOMPARE(third.uvSets[2].name, u"Third one"_s);
+    }
+
+    //! Pictures carried over to a new UV set: the file has them, and its material names the set.
+    void newPicturesInGltf()
+    {
+        QVERIFY(writeMesh(readMesh(at(u"a.obj"_s)).value(), at(u"p.glb"_s)).ok());
+        Scene scene = readMesh(at(u"p.glb"_s)).value();
+        QImage image(2, 2, QImage::Format_RGB32);
+        image.fill(qRgb(9, 8, 7));
+        QVERIFY(image.save(at(u"tex_uv2.png"_s)));
+        scene.uvSets.insert(scene.uvSets.begin(), {u"Second"_s, 0.5 * scene.uvSets[0].uv});
+        std::vector<TextureSet> sets(3);
+        sets[2][TextureChannel::BaseColor].picture = {at(u"tex_uv2.png"_s), {}};
+        const Scene chosen = withChosenTextures(scene, sets);
+        QVERIFY(writeMesh(chosen, at(u"q.glb"_s)).ok());
+        const Scene again = readMesh(at(u"q.glb"_s)).value();
+        const QByteArray bytes =
+            again.fileSet(again.faceMaterial.back())[TextureChannel::BaseColor].picture.content;
+        QCOMPARE(QImage::fromData(bytes).pixel(0, 0), qRgb(9, 8, 7));
+        const QJsonObject material = jsonOf(at(u"q.glb"_s))[u"materials"_s].toArray().at(1).toObject();
+        QCOMPARE(material[u"pbrMetallicRoughness"_s][u"baseColorTexture"_s][u"texCoord"_s].toInt(), 1);
+        QCOMPARE(again.uvSets[1].name, u"Second"_s);
+    }
+
+private:
+    QString at(const QString &name) const { return mFolder->filePath(name); }
+
+    std::unique_ptr<QTemporaryDir> mFolder;
+};
+
+QTEST_GUILESS_MAIN(TestConversions)
+#include "tst_conversions.moc"
