@@ -8,45 +8,20 @@
 #include "model/io/savefile.h"
 #include "model/plain/uvlayout.h"
 #include "support/editsupport.h"
+#include "support/filedesk.h"
 #include "support/meshbuilders.h"
-#include "support/patience.h"
-#include "views/control/filecontroller.h"
-#include "views/control/shownmap.h"
-#include "views/control/solvercontroller.h"
-#include "views/control/workspace.h"
-#include "views/ui/preferences.h"
 
 #include <QDir>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 
 using namespace autocuts;
 
 namespace {
 
-//! What a window has for files, without the window.
-struct Desk
+//! With edits.
+struct Desk : test::FileDesk
 {
-    explicit Desk(const QTemporaryDir &folder)
-        : preferences(folder.filePath(QStringLiteral("autocuts.ini"))),
-          files(workspace, solver, preferences, folder.filePath(QStringLiteral("recovery")))
-    {}
+    using FileDesk::FileDesk;
 
-    Workspace workspace;
-    ShownMap shown{workspace};
-    SolverController solver{workspace, shown};
-    Preferences preferences;
-    FileController files;
-    QSignalSpy opened{&files, &FileController::opened}, done{&files, &FileController::done},
-        failed{&files, &FileController::failed};
-
-    Document &document() { return *workspace.document(); }
-    bool rests()
-    {
-        return QTest::qWaitFor([this] { return !files.jobs().isBusy() && !files.isSaving(); },
-                               test::patience);
-    }
     void openLargeGrid() { workspace.open(std::make_unique<Document>(test::sceneOf(test::grid(200))), {}); }
     //! Cuts the edge of that number among those that are no diagonals.
     void cutAnEdge(int number = 0, quint64 gesture = 0)
@@ -528,83 +503,6 @@ private Q_SLOTS:
         QVERIFY(desk.rests());
         QCOMPARE(desk.failed.count(), 3);
         QVERIFY(!desk.workspace.document());
-    }
-
-    void picturesAndMeshesAreWritten()
-    {
-        QTemporaryDir folder;
-        Desk desk(folder);
-        desk.files.openSample(QStringLiteral("torus"));
-        LayoutOptions options;
-        options.size = 64;
-        for (const char *name : {"a.png", "a.svg"}) {
-            desk.files.exportLayout(
-                layoutPictures(*desk.workspace.document(), folder.filePath(QLatin1String(name)), {}),
-                options);
-            QVERIFY(desk.rests());
-        }
-        QCOMPARE(QImage(folder.filePath(QStringLiteral("a.png"))).size(), QSize(64, 64));
-        QVERIFY(QFileInfo(folder.filePath(QStringLiteral("a.svg"))).size() > 100);
-        desk.files.exportMesh(folder.filePath(QStringLiteral("a.xyz")));
-        QVERIFY(desk.rests());
-        QCOMPARE(desk.failed.count(), 1);
-        QCOMPARE(desk.done.count(), 2);
-    }
-
-    //! Neither the model, nor what lies beside it, nor the session, by whatever name.
-    void exportsOverwriteNothingThatWasRead()
-    {
-        QTemporaryDir folder;
-        Desk desk(folder);
-        const auto at = [&folder](const char *name) { return folder.filePath(QLatin1String(name)); };
-        const QByteArray material = "newmtl m\nKd 1 0 0\n";
-        QVERIFY(saveAtomically(at("m.mtl"), material).ok());
-        const QByteArray model = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
-                                 "usemtl m\nf 1/1 2/2 3/3\n";
-        QVERIFY(saveAtomically(at("m.obj"), model).ok());
-        desk.files.open(at("m.obj"));
-        QVERIFY(desk.rests());
-        desk.files.save(at("m.acproj"));
-        QVERIFY(desk.rests());
-        QFile session(at("m.acproj"));
-        QVERIFY(session.open(QIODevice::ReadOnly));
-        const QByteArray saved = session.readAll();
-        for (const auto &[link, target] :
-             {std::pair("to_model.svg", "m.obj"), std::pair("to_session.svg", "m.acproj"),
-              std::pair("to_material.svg", "m.mtl"), std::pair("to_model.json", "m.obj"),
-              std::pair("to_session.obj", "m.acproj"), std::pair("to_model.acproj", "m.obj"),
-              std::pair("to_material.png", "m.mtl")})
-            QVERIFY(QFile::link(at(target), at(link)));
-        LayoutOptions options;
-        options.size = 64;
-        int refused = 0;
-        for (const char *name : {"to_model.svg", "to_session.svg", "to_material.svg"}) {
-            desk.files.exportLayout(layoutPictures(desk.document(), at(name), {}), options);
-            QVERIFY(desk.rests());
-            QCOMPARE(desk.failed.count(), ++refused);
-        }
-        desk.files.exportReport(at("to_model.json"));
-        QVERIFY(desk.rests());
-        QCOMPARE(desk.failed.count(), ++refused);
-        desk.files.exportBytes(at("to_material.png"), "a picture");
-        QVERIFY(desk.rests());
-        QCOMPARE(desk.failed.count(), ++refused);
-        desk.files.exportMesh(at("to_session.obj"));
-        QVERIFY(desk.rests());
-        QCOMPARE(desk.failed.count(), ++refused);
-        desk.files.save(at("to_model.acproj"));
-        QVERIFY(desk.rests());
-        QCOMPARE(desk.failed.count(), ++refused);
-        for (const auto &[name, content] :
-             {std::pair("m.obj", model), std::pair("m.acproj", saved), std::pair("m.mtl", material)}) {
-            QFile file(at(name));
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            QCOMPARE(file.readAll(), content);
-        }
-        // The model itself may be written again.
-        desk.files.exportMesh(at("m.obj"));
-        QVERIFY(desk.rests());
-        QCOMPARE(desk.failed.count(), refused);
     }
 
     void readingCanBeCancelled()

@@ -16,7 +16,7 @@ namespace autocuts::search {
 
 //! How much work the search does. Every first map is searched in the first round, the survivors in the
 //! second, and so on. The maps of the last round are taken to the bound, and the best one is the result. The
-//! plans of the unwrap and their origin are in unwrap/mapfinder.cpp.
+//! plans of the unwrap and their origin are in unwrap/mapsearch.cpp.
 struct OptimizeEffort
 {
     struct Round

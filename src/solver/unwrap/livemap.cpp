@@ -7,6 +7,7 @@
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/mapbefore.h"
 #include "solver/unwrap/mapfinder.h"
+#include "solver/unwrap/mapsearch.h"
 #include "solver/unwrap/netstarts.h"
 
 namespace autocuts::unwrap {

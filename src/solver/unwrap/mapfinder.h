@@ -1,7 +1,7 @@
-// Finds the map of an unwrap, by the seam search and by the soup; charts are placed elsewhere.
+// Finds the map of an unwrap: by way of a coarser mesh, of one part of each kind, or as it is. Charts are
+// placed elsewhere.
 #pragma once
 
-#include "solver/search/seamoptimizer.h"
 #include "solver/unwrap/candidates.h"
 #include "solver/unwrap/readyresult.h"
 
@@ -15,11 +15,6 @@ struct FoundMap
     std::optional<double> symmetry; //!< as UnwrapResult::symmetry
     bool onlyReady = false;         //!< stopped before there was a map; the result is ready
 };
-
-//! Effort on a mesh of this size. On small meshes fewer moves suffice and more starts help more. A draft has
-//! one start; below 2,000 triangles that left the result to chance, so that it gets several there. The least
-//! share of 0.4 was chosen by hand.
-[[nodiscard]] search::OptimizeEffort effortFor(UnwrapQuality quality, int triangles);
 
 //! Takes what makes a usable map of those found on the way, see ReadyResult::prepare(). Empty: nobody wants
 //! them.

@@ -1,0 +1,308 @@
+#include "solver/unwrap/mapsearch.h"
+
+#include "solver/definite/definitemap.h"
+#include "solver/definite/relaxing.h"
+#include "solver/definite/rigidsettling.h"
+#include "solver/search/anchoring.h"
+#include "solver/search/resteering.h"
+#include "solver/unwrap/mapbefore.h"
+#include "solver/unwrap/netstarts.h"
+#include "solver/unwrap/soupchains.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace autocuts::unwrap {
+
+namespace {
+
+//! Smaller meshes get another effort. Chosen by hand, not measured.
+constexpr double fullEffortTriangles = 2000;
+
+//! Effort on a mesh of fullEffortTriangles or more. The rounds were chosen by hand; no comparison with
+//! other plans is on record. Measured for the whole unwrap in draft, standard and best: seams are 1.10, .794
+//! and .771 times as long as those of OptCuts on 14 meshes used in development (in 1/61, 1/5.4 and 1/1.9 of
+//! its CPU time), and 1.13, .854 and .834 times as long on 18 other meshes.
+search::OptimizeEffort fullEffort(UnwrapQuality quality)
+{
+    switch (quality) {
+    case UnwrapQuality::Draft:
+        return {1, {{0, 1}, {25, 1}}, 0, 0.5, 16};
+    case UnwrapQuality::Standard:
+        return {10, {{80, 5}, {200, 2}, {1300, 1}}, 10};
+    case UnwrapQuality::Best:
+        return {24, {{100, 12}, {300, 6}, {800, 3}, {2000, 1}}, 10};
+    }
+    throw std::invalid_argument("unknown quality");
+}
+
+//! Least share of the distortion in the energy, for lambda near 1. Chosen by hand.
+constexpr double smallestShare = 1e-9;
+constexpr int settleSteps = 20; // Newton steps before hard pins are reached; chosen by hand
+
+//! True when the surface has several connected components or borders, or handles. Its first cuts are not few,
+//! so that the search also starts from a map of the soup.
+bool isComplicated(const MeshData &mesh)
+{
+    const CutMesh whole(mesh, CutFlags(mesh.edgePairs.size(), false));
+    const int loops = static_cast<int>(whole.boundaryLoops().size());
+    const int edges = static_cast<int>(mesh.edgePairs.size() + mesh.boundarySides.size());
+    const int euler = whole.uvVertexCount - edges + mesh.triangleCount();
+    return whole.chartCount > 1 || loops > 1 || euler + loops < 2;
+}
+
+//! Share of the area in rigid regions from which nets are better first maps than few cuts. Chosen by hand.
+constexpr double mostlyRigid = 0.95;
+
+//! Finds the best map of one unwrap, by the seam search and by the soup.
+class MapSearch
+{
+public:
+    //! \param snapshot with the preferences in its weights
+    MapSearch(std::shared_ptr<const Soup> soup, const Snapshot &snapshot, const UnwrapOptions &options,
+              Ranking &ranking, const JobContext &job)
+        : mSoup(std::move(soup)), mSnapshot(snapshot), mOptions(options), mJob(job), mRanking(ranking),
+          mGraph(search::SeamGraph::build(mSoup, snapshot))
+    {
+        if (!snapshot.steering->pins.empty() || snapshot.settings.seams == SeamMode::Keep)
+            mBefore = steeredMapBefore(mGraph, snapshot, job);
+    }
+
+    int iterations() const { return mIterations; }
+
+    //! Nothing when there is no map. \param symmetry null: cuts need not be symmetric
+    std::optional<Candidate> find(const preference::MeshSymmetry *symmetry)
+    {
+        std::optional<Candidate> best = search(symmetry);
+        if (mJob.stopped() || !best || !isWithinBound(*best)) {
+            if (std::optional<Candidate> earlier = mRanking.best(); earlier && makeUsable(*earlier))
+                keepBetter(best, std::move(earlier));
+        }
+        if (!best && mBefore) {
+            best = measuresOf(*mBefore);
+            best->map = mBefore->map();
+        }
+        return best;
+    }
+
+private:
+    std::optional<Candidate> search(const preference::MeshSymmetry *symmetry)
+    {
+        std::optional<Candidate> best;
+        if (symmetry)
+            best = bySearch({}, symmetry);
+        if (mJob.stopped() || (best && isWithinBound(*best)))
+            return best;
+        // Only the soup can start from existing UVs.
+        if (mOptions.lambda)
+            best = bySoup(mOptions.quality);
+        else if (mSnapshot.settings.start == StartMode::ExistingUv ||
+                 (isComplicated(*mSnapshot.mesh) && !startsFromNets()) ||
+                 (mSnapshot.placesIslands() && !mBefore))
+            best = bySoup(UnwrapQuality::Draft);
+        std::optional<Candidate> searched = bySearch(best, nullptr);
+        if (mSnapshot.rigid && searched && isWithinBound(*searched))
+            best = std::move(searched); // in the map of the soup, rigid regions bend
+        else
+            keepBetter(best, std::move(searched));
+        if (mJob.stopped())
+            return best;
+        if (!best || (!mOptions.lambda && !isWithinBound(*best)))
+            keepBetter(best, bySoup(mOptions.quality));
+        else if (best->anchorFaults > 0 && mBefore)
+            keepBetter(best, bySoup(UnwrapQuality::Draft)); // it tears where pins contradict each other
+        return best;
+    }
+
+    //! The best map of the seam search. \param other a further map to start from
+    std::optional<Candidate> bySearch(const std::optional<Candidate> &other,
+                                      const preference::MeshSymmetry *symmetry)
+    {
+        search::OptimizeOptions search;
+        search.maxDistortion = mOptions.maxDistortion;
+        if (mOptions.lambda)
+            search.mu = muOf(*mOptions.lambda);
+        search.allowOverlaps = mOptions.allowOverlaps;
+        search.effort = effortFor(mOptions.quality, mSnapshot.mesh->triangleCount());
+        search.seed = mSnapshot.settings.seed;
+        search.job = mJob;
+        const bool steers = !symmetry && hasDecidedEdges();
+        const bool isBest = mOptions.quality == UnwrapQuality::Best;
+        const int searches = 1 + steers + isBest;
+        int begun = 0;
+        search.start = [&](int steps) {
+            mRanking.setTotal(searches * steps);
+            mRanking.stepDone(begun++ * steps);
+        };
+        search.progress = [&](int steps) { mRanking.stepDone(steps); };
+        if (steers) {
+            if (std::optional<SeamedMap> free = steeredFreeMap(search))
+                search.given.push_back(std::move(*free));
+        }
+        if (other)
+            search.given.push_back(other->map);
+        if (mBefore)
+            search.given.push_back(mBefore->map());
+        if (!symmetry)
+            startFromNets(search);
+        search.improved = [&](const search::CutState &state) {
+            mRanking.offer(measuresOf(state), [&] { return state.map(); });
+        };
+        const auto graph = symmetry ? search::SeamGraph::build(mSoup, mSnapshot, symmetry) : mGraph;
+        if (isBest) {
+            // Begins with the result of the standard quality, so that it is never worse.
+            search::OptimizeOptions standard = search;
+            standard.effort = effortFor(UnwrapQuality::Standard, mSnapshot.mesh->triangleCount());
+            if (std::optional<search::OptimizedMap> found = search::optimizeSeams(graph, standard)) {
+                search.given.push_back(std::move(found->map));
+                mIterations += found->iterations;
+            }
+        }
+        std::optional<search::OptimizedMap> found = search::optimizeSeams(graph, search);
+        if (!found)
+            return std::nullopt;
+        Candidate candidate;
+        candidate.anchorFaults = found->anchorFaults;
+        candidate.lambda = mOptions.lambda.value_or(found->mu / (1 + found->mu));
+        mIterations += found->iterations;
+        candidate.map =
+            definite::settleRigidRegions(graph, mSnapshot, search, std::move(found->map), found->mu);
+        return makeUsable(candidate) ? std::optional(std::move(candidate)) : std::nullopt;
+    }
+
+    //! True when nets of rigid regions are nearer to the end than maps with few cuts, and than the soup.
+    bool startsFromNets() const { return mSnapshot.rigid && mSnapshot.rigid->share >= mostlyRigid; }
+
+    //! Adds maps of nets to start from. Where most is rigid they take the place of others.
+    void startFromNets(search::OptimizeOptions &search) const
+    {
+        if (!mSnapshot.rigid)
+            return;
+        const int seeds = search.effort.seeds;
+        for (SeamedMap &net : netStarts(mGraph, mSnapshot, std::clamp(seeds, 1, 6), mJob.quiet()))
+            search.given.push_back(std::move(net));
+        if (startsFromNets() && !search.given.empty())
+            search.effort.seeds = seeds / 4;
+    }
+
+    //! Gives all charts one texel density and measures the map. \returns false when a chart overlaps itself
+    bool makeUsable(Candidate &candidate) const
+    {
+        definite::equalizeDensity(*mSoup, mSnapshot, candidate.map);
+        if (!mOptions.allowOverlaps && definite::coversItself(*mSoup, candidate.map))
+            return false;
+        candidate.measure(*mSoup, mSnapshot);
+        return true;
+    }
+
+    static Candidate measuresOf(const search::CutState &state)
+    {
+        Candidate measures;
+        measures.bounded = state.distortion;
+        measures.distortion =
+            state.graph->rigid ? state.map().distortion(*state.graph->soup) : state.distortion;
+        measures.seamLength = state.length;
+        measures.seamCost = state.cost;
+        measures.smallCharts = state.smallParts();
+        measures.anchorFaults = state.anchorFaults();
+        return measures;
+    }
+
+    //! Of a map whose rigid regions have settled: in those, the stiffness of the search counts for nothing.
+    bool isWithinBound(const Candidate &found) const { return found.distortion <= mOptions.maxDistortion; }
+
+    bool hasDecidedEdges() const
+    {
+        const std::vector<PairState> &states = mSnapshot.steering->pairState;
+        return std::any_of(states.begin(), states.end(),
+                           [](PairState state) { return state != PairState::Free; });
+    }
+
+    //! A map made without the user's cuts and joins, then changed to obey them. Joins leave few first cuts to
+    //! choose from; this map usually has shorter seams.
+    std::optional<SeamedMap> steeredFreeMap(const search::OptimizeOptions &options)
+    {
+        Snapshot free = mSnapshot;
+        free.editSteering().pairState.clear();
+        const auto graph = mGraph->steeredBy(free);
+        const std::optional<search::OptimizedMap> found = search::optimizeSeams(graph, options);
+        if (!found)
+            return std::nullopt;
+        mIterations += found->iterations;
+        const std::optional<search::CutState> state =
+            search::resteered(search::CutState::from(graph, found->map, true), mGraph, mJob.quiet());
+        return state ? std::optional(state->map()) : std::nullopt;
+    }
+
+    //! \returns nothing also when the mesh is too odd for the soup, such as one of very mixed scales
+    std::optional<Candidate> bySoup(UnwrapQuality quality)
+    {
+        UnwrapOptions how = mOptions;
+        how.quality = quality;
+        std::optional<Candidate> best;
+        try {
+            best = bestOfSoupChains(mSnapshot, how, mRanking, mJob, mIterations);
+        } catch (const std::runtime_error &) {
+            return std::nullopt;
+        }
+        if (best && mSnapshot.placesIslands()) {
+            best->anchorFaults =
+                search::settleAtAnchors(mGraph, best->map, settleSteps, !mOptions.allowOverlaps, mJob);
+            best->measure(*mSoup, mSnapshot);
+        }
+        return best;
+    }
+
+    void keepBetter(std::optional<Candidate> &best, std::optional<Candidate> found) const
+    {
+        if (!best || (found && mRanking.better(*found, *best)))
+            best = std::move(found);
+    }
+
+    const std::shared_ptr<const Soup> mSoup;
+    const Snapshot &mSnapshot;
+    const UnwrapOptions &mOptions;
+    const JobContext &mJob;
+    Ranking &mRanking;
+    const std::shared_ptr<const search::SeamGraph> mGraph; //!< without symmetry
+    //! The map before the job, steered, where pins hold islands or given seams stay.
+    std::optional<search::CutState> mBefore;
+    int mIterations = 0;
+};
+
+} // namespace
+
+search::OptimizeEffort effortFor(UnwrapQuality quality, int triangles)
+{
+    search::OptimizeEffort effort = fullEffort(quality);
+    const double share = std::clamp(std::sqrt(triangles / fullEffortTriangles), 0.4, 1.0);
+    if (quality == UnwrapQuality::Draft)
+        effort.seeds = static_cast<int>(std::lround(1 / (share * share)));
+    if (quality != UnwrapQuality::Standard)
+        return effort;
+    const auto more = [share](int count) { return static_cast<int>(std::lround(count / share)); };
+    effort.seeds = more(effort.seeds);
+    for (search::OptimizeEffort::Round &round : effort.rounds) {
+        round.moves = static_cast<int>(share * round.moves);
+        round.survivors = more(round.survivors);
+    }
+    return effort;
+}
+
+double muOf(double lambda)
+{
+    return lambda / std::max(1 - lambda, smallestShare);
+}
+
+std::optional<Candidate> searchMap(std::shared_ptr<const Soup> soup, const Snapshot &snapshot,
+                                   const UnwrapOptions &options, Ranking &ranking, const JobContext &job,
+                                   const preference::MeshSymmetry *symmetry, int &iterations)
+{
+    MapSearch search(std::move(soup), snapshot, options, ranking, job);
+    std::optional<Candidate> best = search.find(symmetry);
+    iterations += search.iterations();
+    return best;
+}
+
+} // namespace autocuts::unwrap

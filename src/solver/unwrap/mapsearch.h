@@ -1,0 +1,26 @@
+// Searches the map of one problem as it is, from few cuts, nets and the soup.
+#pragma once
+
+#include "solver/preference/meshsymmetry.h"
+#include "solver/search/seamoptimizer.h"
+#include "solver/unwrap/candidates.h"
+
+namespace autocuts::unwrap {
+
+//! Effort on a mesh of this size. On small meshes fewer moves suffice and more starts help more. A draft has
+//! one start; below 2,000 triangles that left the result to chance, so that it gets several there. The least
+//! share of 0.4 was chosen by hand.
+[[nodiscard]] search::OptimizeEffort effortFor(UnwrapQuality quality, int triangles);
+
+//! Energy that one unit of seam cost is worth. \param lambda in [0, 1]
+[[nodiscard]] double muOf(double lambda);
+
+//! Finds the best map by the seam search and by the soup. \param snapshot with the preferences in its weights
+//! \param symmetry null: cuts need not be symmetric \param iterations the Newton steps are added to it
+//! \returns nothing when there is no map
+[[nodiscard]] std::optional<Candidate> searchMap(std::shared_ptr<const Soup> soup, const Snapshot &snapshot,
+                                                 const UnwrapOptions &options, Ranking &ranking,
+                                                 const JobContext &job,
+                                                 const preference::MeshSymmetry *symmetry, int &iterations);
+
+} // namespace autocuts::unwrap
