@@ -491,7 +491,7 @@ private Q_SLOTS:
                                             {{0, 1, 4, 3}, {1, 2, 5, 4}, {6, 7, 8, 9}});
         UvMatrix uv(12, 2);
         uv << 0, 0, 1, 0, 1, 1, 0, 1, 1, 0, 1.5, 0, 1.5, 1, 1, 1, 5, 0, 8, 0, 8, 3, 5, 3;
-        equalizeTexelDensity(*mesh, findCharts(*mesh, uv), uv);
+        equalizeTexelDensity(*mesh, findCharts(*mesh, uv), uv, {}, DensityBasis::FlatParts);
         QVERIFY(std::abs((uv.row(1) - uv.row(0)).norm() - (uv.row(9) - uv.row(8)).norm()) < 1e-12);
     }
 

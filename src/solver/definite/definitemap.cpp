@@ -86,7 +86,8 @@ void equalizeDensity(const Soup &soup, const Snapshot &snapshot, SeamedMap &map)
     const MeshData &mesh = *soup.mesh;
     UvMatrix uv = cornerUv(soup, map);
     const CutMesh state(mesh, map.cut);
-    packing::equalizeTexelDensity(mesh, chartsOf(mesh, state), uv, heldCharts(snapshot, state));
+    packing::equalizeTexelDensity(mesh, chartsOf(mesh, state), uv, heldCharts(snapshot, state),
+                                  packing::DensityBasis::FlatParts);
     for (int c = 0; c < mesh.soupCornerCount(); ++c)
         cornerAt(map.x, c) = uv.row(mesh.cornerOfSoup(c)).transpose();
 }

@@ -89,11 +89,12 @@ std::vector<ChartSize> measureCharts(const MeshData &mesh, const ChartMap &chart
 }
 
 //! Ratio of the singular values of a triangle's map from the surface below which it keeps its shape, and
-//! scale beside that of the others that do. Chosen by hand.
-constexpr double keptShape = 1.01, keptScale = 1.01;
+//! scale beside that of the others that do. Rigid regions that have settled are nearer by far. Chosen by
+//! hand.
+constexpr double keptShape = 1.001, keptScale = 1.001;
 //! Share of a chart's area in triangles that keep their shape at one scale, from which these alone decide on
 //! its density. Chosen by hand; organic charts have less.
-constexpr double leastKept = 0.1;
+constexpr double leastKept = 0.2;
 
 //! True when a triangle has the same shape in the map, at any scale.
 bool keepsShape(const MeshData &mesh, int t, const std::array<Vec2, 3> &p)
@@ -196,9 +197,10 @@ void applyPlacements(const PackResult &result, const MeshData &mesh, const Chart
 }
 
 void equalizeTexelDensity(const MeshData &mesh, const ChartMap &charts, UvMatrix &uv,
-                          const std::vector<bool> &locked)
+                          const std::vector<bool> &locked, DensityBasis basis)
 {
-    const std::vector<ChartSize> sizes = decisiveSizes(mesh, charts, uv);
+    const std::vector<ChartSize> sizes =
+        basis == DensityBasis::FlatParts ? decisiveSizes(mesh, charts, uv) : measureCharts(mesh, charts, uv);
     const auto usable = [&](int i) { return sizes[i].uvArea > 0 && sizes[i].area > 0; };
     double uvArea = 0, area = 0;
     bool anyLocked = false;

@@ -18,12 +18,18 @@ std::vector<PackIsland> makePackIslands(const MeshData &mesh, const UvMatrix &uv
 void applyPlacements(const PackResult &result, const MeshData &mesh, const ChartMap &charts, UvMatrix &uv,
                      const std::vector<bool> &locked = {});
 
+//! What the density of a chart is read from.
+enum class DensityBasis {
+    Area,     //!< the whole chart: UV area / 3D area
+    FlatParts //!< what keeps its shape at one scale, where that is a good part of the chart; else the whole
+              //!< chart
+};
+
 //! Gives all charts one texel density: scales each about the middle of its box so that UV area / 3D area is
 //! equal where the texel weights of the mesh are 1, and as these want it elsewhere, with the total UV area
-//! nearly unchanged. Where a good part of a chart keeps its shape at one scale, that part decides. Locked
-//! charts keep their size and, if there are any, set the density of the others. Charts without area in 3D or
-//! UV are left alone.
+//! unchanged (by DensityBasis::FlatParts nearly so). Locked charts keep their size and, if there are any, set
+//! the density of the others. Charts without area in 3D or UV are left alone.
 void equalizeTexelDensity(const MeshData &mesh, const ChartMap &charts, UvMatrix &uv,
-                          const std::vector<bool> &locked = {});
+                          const std::vector<bool> &locked = {}, DensityBasis basis = DensityBasis::Area);
 
 } // namespace autocuts::packing

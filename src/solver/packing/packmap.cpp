@@ -1,17 +1,16 @@
 #include "solver/packing/packmap.h"
 
 #include "model/plain/udimtiles.h"
-#include "solver/packing/islandgeometry.h"
 
 namespace autocuts::packing {
 
 PackResult packMap(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &locked,
-                   const std::vector<bool> &upright, const PackOptions &settings, UvMatrix &uv,
-                   const JobContext &job)
+                   const std::vector<bool> &upright, const PackOptions &settings, DensityBasis basis,
+                   UvMatrix &uv, const JobContext &job)
 {
     UvMatrix packed = uv;
     if (!settings.keepScale)
-        equalizeTexelDensity(mesh, charts, packed, locked);
+        equalizeTexelDensity(mesh, charts, packed, locked, basis);
     std::vector<PackIsland> islands = makePackIslands(mesh, packed, charts, locked);
     for (std::size_t i = 0; i < upright.size(); ++i)
         islands[i].upright = upright[i];

@@ -3,7 +3,7 @@
 
 #include "model/plain/chart.h"
 #include "solver/base/jobcontext.h"
-#include "solver/packing/packing.h"
+#include "solver/packing/islandgeometry.h"
 
 namespace autocuts::packing {
 
@@ -11,9 +11,10 @@ namespace autocuts::packing {
 //! \param locked per chart: it keeps its place as an obstacle; empty: none
 //! \param upright per chart: it is not turned; empty: none
 //! \param uv one row per corner, UV units; changed only when the result is complete
+//! \param basis of the texel density
 PackResult packMap(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &locked,
-                   const std::vector<bool> &upright, const PackOptions &settings, UvMatrix &uv,
-                   const JobContext &job = {});
+                   const std::vector<bool> &upright, const PackOptions &settings, DensityBasis basis,
+                   UvMatrix &uv, const JobContext &job = {});
 
 //! Options for packing into the UDIM tile of the settings: 1001 is the first, ten tiles make a row.
 PackOptions tileOptions(const PackingSettings &settings);

@@ -244,8 +244,8 @@ private:
         const auto pack = [&](const JobContext &how) {
             const auto packAt = [&](bool givenScale) {
                 options.keepScale = givenScale;
-                return packing::packMap(mMesh, present.pieces, present.locked, present.upright, options, uv,
-                                        how)
+                return packing::packMap(mMesh, present.pieces, present.locked, present.upright, options,
+                                        mPack.density, uv, how)
                     .complete;
             };
             return packAt(keepsScale || scaleLater) || (scaleLater && packAt(false));

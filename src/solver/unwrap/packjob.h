@@ -5,7 +5,7 @@
 #include "model/plain/islandflags.h"
 #include "model/plain/snapshot.h"
 #include "solver/base/jobcontext.h"
-#include "solver/packing/packing.h"
+#include "solver/packing/islandgeometry.h"
 
 #include <Eigen/Geometry>
 
@@ -40,6 +40,7 @@ struct PackJob
     //! have.
     bool fillRectangles = false;
     PackHurry hurry = PackHurry::Never;
+    packing::DensityBasis density = packing::DensityBasis::FlatParts; //!< how islands get one texel density
 
     //! Packs into a box instead of tiles and rectangles.
     void packInto(const Eigen::AlignedBox2d &box);

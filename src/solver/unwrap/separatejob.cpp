@@ -40,9 +40,15 @@ SeparateResult separateMap(const Snapshot &snapshot, const PackJob &pack, const 
         result.outcome = SeparateResult::Outcome::Stopped;
     else if (separated.newSeams == 0 && !hasOverlaps(snapshot))
         result.outcome = SeparateResult::Outcome::NoOverlaps;
-    else if (!packCharts(mesh, part->wholeCharts(separated.charts), pack, result.uv,
-                         job.part(cuttingShare, 1, JobStage::Packing)))
-        result.outcome = job.stopped() ? SeparateResult::Outcome::Stopped : SeparateResult::Outcome::NoRoom;
+    else {
+        // The map may be of any kind: what is flat in it by chance is not to decide.
+        PackJob own = pack;
+        own.density = packing::DensityBasis::Area;
+        if (!packCharts(mesh, part->wholeCharts(separated.charts), own, result.uv,
+                        job.part(cuttingShare, 1, JobStage::Packing)))
+            result.outcome =
+                job.stopped() ? SeparateResult::Outcome::Stopped : SeparateResult::Outcome::NoRoom;
+    }
     return result;
 }
 
