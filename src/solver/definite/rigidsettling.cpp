@@ -24,6 +24,7 @@ bool any(const std::vector<bool> &flags)
     return std::find(flags.begin(), flags.end(), true) != flags.end();
 }
 
+//! The search with stiffer regions that are flat, see settleRigidRegions().
 class Settling
 {
 public:
