@@ -2,6 +2,7 @@
 #include "model/plain/copymatcher.h"
 #include "model/plain/texelweights.h"
 #include "solver/base/soup.h"
+#include "solver/search/seamoptimizer.h"
 #include "solver/unwrap/alikeparts.h"
 #include "solver/unwrap/unwrap.h"
 #include "support/props.h"
@@ -70,6 +71,7 @@ private Q_SLOTS:
     void whatDiffersIsNoCopy();
     void unwrapCutsCopiesAlike_data();
     void unwrapCutsCopiesAlike();
+    void theBestCopyStandsForAll();
     void aStopEndsTheComparison();
 };
 
@@ -247,6 +249,37 @@ void TestAlikeParts::unwrapCutsCopiesAlike()
     const unwrap::UnwrapResult apart = unwrap::unwrapMesh(snapshot, options);
     QVERIFY2(result.seamLength < 1.1 * apart.seamLength,
              qPrintable(QStringLiteral("%1 beside %2").arg(result.seamLength).arg(apart.seamLength)));
+}
+
+//! A live solve cuts each copy on its own; then all get the map of the best one.
+void TestAlikeParts::theBestCopyStandsForAll()
+{
+    const Model part = sphere(6, 1.5);
+    const test::MeshPtr mesh = scene(part, 4).mesh();
+    Snapshot snapshot = snapshotOf(mesh);
+    const std::optional<unwrap::AlikeParts> parts = unwrap::AlikeParts::of(snapshot);
+    QVERIFY(parts);
+    const std::shared_ptr<const Soup> soup = Soup::build(mesh);
+    snapshot.settings.alike = AlikeMode::Off;
+    search::OptimizeOptions options;
+    options.effort = {1, {{25, 1}}};
+    const auto found = search::optimizeSeams(search::SeamGraph::build(soup, snapshot), options);
+    QVERIFY(found);
+    const std::vector<double> before = seamsOfParts(*mesh, found->map.cut);
+    const SeamedMap same = parts->unified(found->map, snapshot, 0.15, options.maxDistortion);
+    QCOMPARE(same.validate(*soup), std::string());
+    const std::vector<double> after = seamsOfParts(*mesh, same.cut);
+    bool differed = false;
+    for (int copy = 2; copy <= 4; ++copy) {
+        differed = differed || std::abs(before[copy] - before[1]) > 1e-6;
+        QVERIFY(std::abs(after[copy] - after[1]) < 1e-9);
+    }
+    QVERIFY(differed);
+    QVERIFY(same.seamCost(*soup, snapshot) <= 1.05 * found->map.seamCost(*soup, snapshot));
+    QVERIFY(same.distortion(*soup) <= options.maxDistortion);
+    // With a bound that it does not meet, the map stays.
+    const SeamedMap kept = parts->unified(found->map, snapshot, 0.15, 4.0001);
+    QVERIFY(kept.distortion(*soup) <= found->map.distortion(*soup));
 }
 
 void TestAlikeParts::aStopEndsTheComparison()

@@ -183,13 +183,15 @@ private Q_SLOTS:
     {
         const auto document = test::partsDocument({{}, {{1, 0}, 2.1, 0.7}, {{2, 0}, 0, 1, true}});
         const auto copied = [&](int from, int to) {
-            return copiedCorners(document->mesh(), document->adjacency(), document->islands(), from, to);
+            return copyOf(document->mesh(), document->adjacency(), document->islands(), from, to);
         };
         std::vector<int> own(test::partCorners);
         std::iota(own.begin(), own.end(), 0);
-        QCOMPARE(copied(0, 0), own);
-        QCOMPARE(copied(0, 1), own); // the same order of corners
-        QVERIFY(copied(0, 2).empty() && copied(2, 1).empty());
+        QCOMPARE(copied(0, 0).corners, own);
+        QCOMPARE(copied(0, 1).corners, own); // the same order of corners
+        QVERIFY(!copied(0, 1).mirrored);
+        QVERIFY(copied(0, 2).mirrored && copied(2, 1).mirrored);
+        QCOMPARE(copied(0, 2).corners.size(), own.size());
     }
 
     void stacksLieOnEachOther()
@@ -198,7 +200,7 @@ private Q_SLOTS:
             test::partsDocument({{}, {{1, 0}, 2.1, 0.7}, {{2, 0}, 0, 1, true}, {{0, 1}, 1}});
         const DocumentState before = document->state();
         const auto found = StackIslands::copiesAmong(*document, {0, 1, 2, 3});
-        QCOMPARE(found.stacks, (std::vector<std::vector<int>>{{0, 1, 3}}));
+        QCOMPARE(found.stacks, (std::vector<std::vector<int>>{{0, 1, 2, 3}}));
         QCOMPARE(found.mirrored, 1);
         QCOMPARE(StackIslands::copiesAmong(*document, {3}).stacks, found.stacks);
         QVERIFY(pushCommand(StackIslands::stack(*document, found.stacks)));
@@ -206,21 +208,35 @@ private Q_SLOTS:
             return document->uv().middleRows(part * test::partCorners, test::partCorners);
         };
         QVERIFY(rows(1) == rows(0) && rows(3) == rows(0));
+        const auto area = [&](int island) {
+            double sum = 0;
+            for (const int face : document->islands().faces(island)) {
+                const int first = document->mesh().faceStart[face];
+                for (int c = first + 2; c < document->mesh().faceStart[face + 1]; ++c)
+                    sum += cross2(Vec2(document->uv().row(first)), Vec2(document->uv().row(c - 1)),
+                                  Vec2(document->uv().row(c)));
+            }
+            return sum;
+        };
+        QVERIFY(document->islands().box(2).isApprox(document->islands().box(0)));
+        QVERIFY(area(0) > 0 && area(2) < 0);
         QCOMPARE(document->islands().count(), 4);
         const auto stackOf = [&](int island) {
             return document->marks().flagsOf(document->islands().faces(island)).stack;
         };
-        QVERIFY(stackOf(0) > 0 && stackOf(1) == stackOf(0) && stackOf(3) == stackOf(0) && stackOf(2) == 0);
+        QVERIFY(stackOf(0) > 0 && stackOf(1) == stackOf(0) && stackOf(3) == stackOf(0) &&
+                stackOf(2) == stackOf(0));
         QCOMPARE(document->undoStack().count(), 1);
-        QCOMPARE(document->undoStack().undoText(), QStringLiteral("Stack 3 islands"));
+        QCOMPARE(document->undoStack().undoText(), QStringLiteral("Stack 4 islands"));
         const DocumentState stacked = document->state();
         document->undoStack().undo();
         QVERIFY(document->state() == before);
         document->undoStack().redo();
         QVERIFY(document->state() == stacked);
 
-        QVERIFY(pushCommand(StackIslands::unstack(*document, {0, 1, 3})));
-        QVERIFY(stackOf(0) == 0 && stackOf(1) == 0 && stackOf(3) == 0);
+        QVERIFY(pushCommand(StackIslands::unstack(*document, {0, 1, 2, 3})));
+        QVERIFY(stackOf(0) == 0 && stackOf(1) == 0 && stackOf(2) == 0 && stackOf(3) == 0);
+        QVERIFY(area(2) > 0);
         for (int a = 0; a < 4; ++a) {
             for (int b = 0; b < a; ++b)
                 QVERIFY(!document->islands().box(a).intersects(document->islands().box(b)));

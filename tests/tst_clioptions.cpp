@@ -226,7 +226,7 @@ private Q_SLOTS:
             << common +
                    words(
                        u"--max-distortion --seams --seams-from --lambda --init --weights --energy --solver "
-                       "--quality --flat --alike --creases --crease-strength --visibility "
+                       "--quality --for --flat --alike --creases --crease-strength --visibility "
                        "--symmetry --align --mirror --world-up --allow-overlaps --no-pack --per --density"_s);
         QTest::newRow("pack") << u"pack"_s
                               << common + words(u"--into --keep-scale --per --density --fill-tiles"_s);
@@ -293,7 +293,7 @@ private Q_SLOTS:
             QCOMPARE(given.match, standard.match);
             ++checked;
         }
-        QCOMPARE(checked, 45);
+        QCOMPARE(checked, 46);
     }
 
     void twoDashesEndTheOptions()

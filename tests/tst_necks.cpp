@@ -70,6 +70,7 @@ struct Layout
                           mesh->triangleFace[edge.triangle[1]] == 3);
         map = *seamedMapOf(*soup, uv, cut);
     }
+    std::vector<bool> aligned() const { return std::vector<bool>(soup->mesh->componentCount, true); }
     int islands() const { return CutMesh(*soup->mesh, map.cut).chartCount; }
 };
 
@@ -104,11 +105,11 @@ void TestNecks::armsBecomeIslands()
     QFETCH(int, islands);
     Layout layout(degrees);
     const std::vector<double> before = layout.map.x;
-    QCOMPARE(straight::cutNecks(*layout.soup, layout.snapshot, layout.map), islands > 3);
+    QCOMPARE(straight::cutNecks(*layout.soup, layout.snapshot, layout.aligned(), layout.map), islands > 3);
     QCOMPARE(layout.islands(), islands);
     QVERIFY(layout.map.x == before);
     QVERIFY(layout.map.validate(*layout.soup).empty());
-    QVERIFY(!straight::cutNecks(*layout.soup, layout.snapshot, layout.map));
+    QVERIFY(!straight::cutNecks(*layout.soup, layout.snapshot, layout.aligned(), layout.map));
 }
 
 void TestNecks::theHandDecides_data()
@@ -132,7 +133,7 @@ void TestNecks::theHandDecides()
     QFETCH(std::function<void(Snapshot &)>, decide);
     Layout layout(30);
     decide(layout.snapshot);
-    QVERIFY(!straight::cutNecks(*layout.soup, layout.snapshot, layout.map));
+    QVERIFY(!straight::cutNecks(*layout.soup, layout.snapshot, layout.aligned(), layout.map));
     QCOMPARE(layout.islands(), 3);
 }
 
@@ -140,7 +141,7 @@ void TestNecks::aStoppedJobCutsNothing()
 {
     Layout layout(30);
     const std::atomic<bool> stop{true};
-    QVERIFY(!straight::cutNecks(*layout.soup, layout.snapshot, layout.map, &stop));
+    QVERIFY(!straight::cutNecks(*layout.soup, layout.snapshot, layout.aligned(), layout.map, &stop));
 }
 
 //! Unwrap and a live solve at rest cut necks, and only for maps that are to be straight.

@@ -6,11 +6,13 @@
 #include "solver/preference/meshsymmetry.h"
 #include "solver/preference/openness.h"
 #include "solver/preference/seampreference.h"
+#include "solver/preference/surfacekind.h"
 #include "solver/search/seamsearch.h"
 #include "solver/search/seamseeds.h"
 #include "solver/search/tutte.h"
 #include "solver/unwrap/unwrap.h"
 #include "support/meshbuilders.h"
+#include "support/props.h"
 
 #include <Eigen/Geometry>
 
@@ -141,8 +143,43 @@ private Q_SLOTS:
         QFETCH(bool, hard);
         if (!mesh)
             QSKIP(test::noMeshes);
-        QCOMPARE(isHardSurface(*mesh), hard);
-        QCOMPARE(decided(CreaseMode::Auto, *mesh), hard ? CreaseMode::On : CreaseMode::Off);
+        const SurfaceParts parts = surfaceParts(*mesh);
+        QCOMPARE(parts.hardShare > 0.5, hard);
+        QCOMPARE(decidedForAll(CreaseMode::Auto, SurfaceKind::Auto, *mesh),
+                 hard ? CreaseMode::On : CreaseMode::Off);
+        for (const SurfaceKind kind : {SurfaceKind::Organic, SurfaceKind::HardSurface}) {
+            QCOMPARE(surfaceParts(*mesh, kind).hardShare, kind == SurfaceKind::HardSurface ? 1.0 : 0.0);
+            QCOMPARE(partsFor(CreaseMode::Auto, kind, *mesh).empty(), kind == SurfaceKind::Organic);
+        }
+        QVERIFY(partsFor(CreaseMode::Off, SurfaceKind::HardSurface, *mesh).empty());
+    }
+
+    //! A character with a box: only the box has seams along sharp edges, and runs along the axes.
+    void partsAreJudgedOneByOne()
+    {
+        using namespace test::props;
+        Model scene = sphere(8, 1);
+        scene.add(box({3, 0, 0}, {1, 2, 1}));
+        Snapshot snapshot;
+        snapshot.mesh = scene.mesh();
+        snapshot.settings.align = CreaseMode::Auto;
+        const SurfaceParts parts = surfaceParts(*snapshot.mesh);
+        QCOMPARE(parts.hard, (std::vector<bool>{false, true}));
+        QVERIFY(parts.hardShare > 0.2 && parts.hardShare < 0.8);
+        const Snapshot preferred = SeamPreference().applied(snapshot);
+        QVERIFY(preferred.aligned);
+        QCOMPARE(*preferred.aligned, parts.hard);
+        const std::vector<double> angles = dihedralAngles(*snapshot.mesh);
+        for (std::size_t e = 0; e < angles.size(); ++e) {
+            const EdgePair &pair = snapshot.mesh->edgePairs[e];
+            const bool isOnBox = snapshot.mesh->component[pair.triangle[0]] == 1;
+            if (!pair.diagonal)
+                QCOMPARE(preferred.edgeWeight(e) < 0.5, isOnBox && angles[e] > 1);
+        }
+        snapshot.settings.surface = SurfaceKind::Organic;
+        const Snapshot organic = SeamPreference().applied(snapshot);
+        QVERIFY(!organic.aligned && !organic.rigid);
+        QVERIFY(organic.steering == snapshot.steering);
     }
 
     void weightsMultiplyIntoThePaintedOnes()

@@ -66,6 +66,8 @@ private Q_SLOTS:
     void regions();
     void unwrapped_data();
     void unwrapped();
+    void alignedIslandsKeepTheirShape_data();
+    void alignedIslandsKeepTheirShape();
     void freeIsAsBefore();
     void lambdaIsThePapers();
     void stiffnessLeavesTheBound();
@@ -165,6 +167,31 @@ void TestRigid::unwrapped()
         const int count = islands(*mesh, result.cut);
         QVERIFY2(count >= least && count <= most, qPrintable(QString::number(count)));
     }
+}
+
+void TestRigid::alignedIslandsKeepTheirShape_data()
+{
+    QTest::addColumn<test::MeshPtr>("mesh");
+    QTest::newRow("bolt") << bolt().mesh();
+    QTest::newRow("bottle") << bottle().mesh();
+    QTest::newRow("stairs") << stairs(8).mesh();
+    QTest::newRow("table") << table().mesh();
+}
+
+//! What is straight on the model is made straight in the curved parts only.
+void TestRigid::alignedIslandsKeepTheirShape()
+{
+    QFETCH(const test::MeshPtr, mesh);
+    Snapshot snapshot;
+    snapshot.mesh = mesh;
+    snapshot.settings.align = CreaseMode::On;
+    unwrap::UnwrapOptions options;
+    options.quality = unwrap::UnwrapQuality::Draft;
+    options.pack = false;
+    const unwrap::UnwrapResult result = unwrap::unwrapMesh(snapshot, options);
+    QVERIFY(result.withinBound);
+    const double worst = worstOfRigid(*mesh, *regionsOf(mesh), result.uv);
+    QVERIFY2(worst < 1.02, qPrintable(QString::number(worst)));
 }
 
 //! FlatMode::Free bends a cylinder's ends into its side, with shorter seams.

@@ -3335,6 +3335,10 @@
         <translation>Form ebener Flächen ändern</translation>
     </message>
     <message>
+        <source>Change what the model is like</source>
+        <translation>Art des Modells ändern</translation>
+    </message>
+    <message>
         <source>Change cuts of alike parts</source>
         <translation>Schnitte gleicher Teile ändern</translation>
     </message>
@@ -4655,16 +4659,12 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Wählen Sie zum Verteilen drei oder mehr Inseln aus</translation>
     </message>
     <message>
-        <source>The islands are mirror images of each other: mirrored copies are not stacked</source>
-        <translation>Die Inseln sind Spiegelbilder voneinander: gespiegelte Kopien werden nicht gestapelt</translation>
-    </message>
-    <message>
         <source>No two of the islands are copies of each other</source>
         <translation>Keine zwei der Inseln sind Kopien voneinander</translation>
     </message>
     <message>
-        <source>, mirror images left out: %1</source>
-        <translation>, Spiegelbilder ausgelassen: %1</translation>
+        <source>, of them turned over, since they are mirror images: %1</source>
+        <translation>, davon umgeklappt, weil sie Spiegelbilder sind: %1</translation>
     </message>
     <message>
         <source>The islands are in no stack</source>
@@ -8646,16 +8646,16 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Nähte entlang scharfer Kanten</translation>
     </message>
     <message>
-        <source>On models with clear creases, seams rather run along them; Advanced sets how strongly</source>
-        <translation>Bei Modellen mit deutlichen Knicken verlaufen Nähte eher an ihnen entlang; wie sehr, steht unter Erweitert</translation>
+        <source>On hard surfaces, seams rather run along sharp edges; Advanced sets how strongly</source>
+        <translation>Auf harten Oberflächen verlaufen Nähte eher entlang scharfer Kanten; wie sehr, steht unter Erweitert</translation>
     </message>
     <message>
         <source>Straight and along the axes</source>
         <translation>Gerade und entlang der Achsen</translation>
     </message>
     <message>
-        <source>On models with clear creases, islands run along the axes, and what is straight on the model is straight in the map, as far as the stretch allows; seams become a little longer</source>
-        <translation>Bei Modellen mit deutlichen Knicken liegen Inseln entlang der Achsen, und was am Modell gerade ist, ist in der Map gerade, soweit die Dehnung es erlaubt; Nähte werden etwas länger</translation>
+        <source>On hard surfaces, islands run along the axes, and what is straight on the model is straight in the map, as far as the stretch allows; seams become a little longer</source>
+        <translation>Auf harten Oberflächen liegen Inseln entlang der Achsen, und was am Modell gerade ist, ist in der Map gerade, soweit die Dehnung es erlaubt; Nähte werden etwas länger</translation>
     </message>
     <message>
         <source>Mirrored maps of mirrored parts</source>
@@ -8718,12 +8718,44 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Ebene Flächen, und was sich ohne Dehnung abrollen lässt, behalten ihre Form; gedehnt wird, was gewölbt ist. Aus: Die Nähte werden kürzer, und Flächen verbiegen sich</translation>
     </message>
     <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Organic</source>
+        <translation>Organisch</translation>
+    </message>
+    <message>
+        <source>Hard surface</source>
+        <translation>Harte Oberfläche</translation>
+    </message>
+    <message>
+        <source>Recognise</source>
+        <translation>Erkennen</translation>
+    </message>
+    <message>
+        <source>Recognise (organic)</source>
+        <translation>Erkennen (organisch)</translation>
+    </message>
+    <message>
+        <source>Recognise (hard surface)</source>
+        <translation>Erkennen (harte Oberfläche)</translation>
+    </message>
+    <message>
+        <source>Recognise (%1 % hard surface)</source>
+        <translation>Erkennen (%1 % harte Oberfläche)</translation>
+    </message>
+    <message>
+        <source>What the model is like. Hard surface: flat faces with sharp edges; these keep their shape and get the seams. Organic: curved, so that the stretch may go anywhere. Recognise: each part by itself</source>
+        <translation>Wie das Modell ist. Harte Oberfläche: ebene Flächen mit scharfen Kanten; diese behalten ihre Form und bekommen die Nähte. Organisch: gekrümmt, so dass die Dehnung überall hin darf. Erkennen: jedes Teil für sich</translation>
+    </message>
+    <message>
         <source>Same cuts for alike parts</source>
         <translation>Gleiche Schnitte für gleiche Teile</translation>
     </message>
     <message>
-        <source>Where copies of parts are much of the model, parts that are copies of each other, also mirrored ones, get the same seams and islands: one of them is solved, which is faster, and the islands can be stacked. Parts that you cut or join by hand are left out</source>
-        <translation>Wo Kopien von Teilen viel vom Modell ausmachen, bekommen Teile, die Kopien voneinander sind, auch gespiegelte, dieselben Nähte und Inseln: Nur eines davon wird gelöst, was schneller ist, und die Inseln lassen sich stapeln. Teile, die Sie von Hand schneiden oder verbinden, sind ausgenommen</translation>
+        <source>Parts that are copies of each other, also mirrored ones, get the same seams and islands: one of them is solved, which is faster, and the islands can be stacked. Parts that you cut or join by hand are left out</source>
+        <translation>Teile, die Kopien voneinander sind, auch gespiegelte, bekommen dieselben Nähte und Inseln: Nur eines davon wird gelöst, was schneller ist, und die Inseln lassen sich stapeln. Teile, die Sie von Hand schneiden oder verbinden, sind ausgenommen</translation>
     </message>
 </context>
 <context>

@@ -351,6 +351,7 @@ private:
             report.iterations = *made.iterations;
         report.lambda = made.lambda;
         report.delta = made.delta;
+        report.hardSurfaceShare = made.hardShare;
         report.status = statusWord(mStop, made.boundMissed);
         report.notes += made.notes;
         report.transfer = made.transfer;

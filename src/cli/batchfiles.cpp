@@ -188,6 +188,7 @@ void BatchFiles::mergeSettings(CliOptions &options)
     merge("--energy", options.settings.energy, solve.energy);
     merge("--solver", options.settings.solver, solve.solver);
     merge("--seed", options.settings.seed, solve.seed);
+    merge("--for", options.settings.surface, solve.surface);
     merge("--flat", options.settings.flat, solve.flat);
     merge("--alike", options.settings.alike, solve.alike);
     merge("--creases", options.settings.creases, solve.creases);

@@ -126,6 +126,14 @@ std::vector<CliOption> solvingOptions()
                 {u"best"_s, unwrap::UnwrapQuality::Best}},
                u"how long to search for shorter seams"_s),
         choice(
+            group, u"--for"_s, fieldOf(&SolveSettings::surface),
+            {{u"auto"_s, SurfaceKind::Auto},
+             {u"organic"_s, SurfaceKind::Organic},
+             {u"hard-surface"_s, SurfaceKind::HardSurface}},
+            u"what the model is like: flat faces with sharp edges, which keep their shape and get the seams; "
+            "curved, so that stretch may go anywhere; auto recognises each connected part, and the report "
+            "says what was found"_s),
+        choice(
             group, u"--flat"_s, fieldOf(&SolveSettings::flat),
             {{u"rigid"_s, FlatMode::Rigid}, {u"free"_s, FlatMode::Free}},
             u"flat faces, and what unrolls without stretch, keep their shape, and the stretch that "
@@ -137,7 +145,7 @@ std::vector<CliOption> solvingOptions()
             "is faster, too; or each is cut on its own"_s),
         choice(group, u"--creases"_s, fieldOf(&SolveSettings::creases),
                {{u"off"_s, CreaseMode::Off}, {u"auto"_s, CreaseMode::Auto}, {u"on"_s, CreaseMode::On}},
-               u"put seams along sharp edges; auto does so on meshes that have creases"_s),
+               u"put seams along sharp edges; auto does so on parts that are hard surfaces"_s),
         number(group, u"--crease-strength"_s, u"X"_s, fieldOf(&SolveSettings::creaseStrength), 0, 1,
                u"part of its cost that a seam on a sharp edge saves, 0 to 1"_s),
         number(group, u"--visibility"_s, u"X"_s, fieldOf(&SolveSettings::visibility), 0, 1,
@@ -148,7 +156,7 @@ std::vector<CliOption> solvingOptions()
             group, u"--align"_s, fieldOf(&SolveSettings::align),
             {{u"off"_s, CreaseMode::Off}, {u"auto"_s, CreaseMode::Auto}, {u"on"_s, CreaseMode::On}},
             u"turn islands to the axes, and make straight in the map what is straight on the model, as far "
-            "as the bound allows; auto does so on meshes that have creases"_s),
+            "as the bound allows; auto does so on parts that are hard surfaces"_s),
         flag(group, u"--mirror"_s, fieldOf(&SolveSettings::mirrorMaps), true,
              u"make the maps of symmetric islands symmetric, and those of islands on both sides of a "
              u"symmetric "

@@ -31,6 +31,17 @@ void sayStraight(const std::optional<bool> &straight, MadeMap &outcome)
                                                       "straightened");
 }
 
+//! What the model was taken for.
+QString recognised(double hardShare)
+{
+    if (hardShare == 0 || hardShare == 1)
+        return QStringLiteral("recognised as %1 (--for says otherwise)")
+            .arg(QLatin1String(hardShare == 0 ? "organic" : "hard surface"));
+    return QStringLiteral("recognised %1 % of the surface as hard surface, the rest as organic (--for says "
+                          "otherwise)")
+        .arg(100 * hardShare, 0, 'f', 1);
+}
+
 //! Says how symmetric the seams are, and what of the mesh has no mirror image.
 void saySymmetry(double share, const MeshData &mesh, MadeMap &outcome)
 {
@@ -70,6 +81,9 @@ Result<MadeMap> MapMaking::unwrap(Scene &scene) const
         sayStraight(result.straight, outcome);
     sayGivenSeams(snapshot.value(), outcome);
     outcome.iterations = result.iterations;
+    outcome.hardShare = result.hardShare;
+    if (mOptions.settings.surface == SurfaceKind::Auto)
+        outcome.notes << recognised(result.hardShare);
     outcome.lambda = result.lambda;
     outcome.delta = result.delta;
     if (result.symmetry == 0.0)

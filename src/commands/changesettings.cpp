@@ -51,6 +51,8 @@ const char *solveText(int properties)
         return QT_TRANSLATE_NOOP("Undo Commands", "Change what is up in the map");
     case FlatProperty:
         return QT_TRANSLATE_NOOP("Undo Commands", "Change shape of flat faces");
+    case SurfaceProperty:
+        return QT_TRANSLATE_NOOP("Undo Commands", "Change what the model is like");
     case AlikeProperty:
         return QT_TRANSLATE_NOOP("Undo Commands", "Change cuts of alike parts");
     case MaxDistortionProperty:

@@ -21,9 +21,23 @@ bool isLocked(const Document &document, int island)
     return document.marks().flagsOf(document.islands().faces(island)).locked != 0;
 }
 
-std::vector<int> copied(const Document &document, int from, int to)
+IslandCopy copied(const Document &document, int from, int to)
 {
-    return copiedCorners(document.mesh(), document.adjacency(), document.islands(), from, to);
+    return copyOf(document.mesh(), document.adjacency(), document.islands(), from, to);
+}
+
+//! True when an island lies in the map as a mirror image.
+bool isMirrored(const Document &document, int island)
+{
+    double area = 0;
+    for (const int face : document.islands().faces(island)) {
+        const int first = document.mesh().faceStart[face], end = document.mesh().faceStart[face + 1];
+        for (int c = first + 2; c < end; ++c) {
+            area += cross2(Vec2(document.uv().row(first)), Vec2(document.uv().row(c - 1)),
+                           Vec2(document.uv().row(c)));
+        }
+    }
+    return area < 0;
 }
 
 void move(UvMatrix &uv, std::vector<UvPin> &pins, const Document &document, int corner, const Vec2 &place)
@@ -62,13 +76,15 @@ StackIslands::Found StackIslands::copiesAmong(const Document &document, const st
         const std::vector<int> candidates = similar(first);
         std::vector<int> stack{first}, others;
         for (int island : open) {
-            const bool alike = std::binary_search(candidates.begin(), candidates.end(), island);
-            const bool isCopy = alike && !copied(document, first, island).empty();
-            found.mirrored += alike && !isCopy;
-            if (!isCopy)
+            IslandCopy copy;
+            if (std::binary_search(candidates.begin(), candidates.end(), island))
+                copy = copied(document, first, island);
+            if (copy.corners.empty())
                 others.push_back(island);
-            else if (!isLocked(document, island))
+            else if (!isLocked(document, island)) {
                 stack.push_back(island);
+                found.mirrored += copy.mirrored;
+            }
         }
         open = std::move(others);
         if (stack.size() > 1)
@@ -85,7 +101,7 @@ std::unique_ptr<StackIslands> StackIslands::stack(Document &document,
     for (const std::vector<int> &stack : stacks) {
         for (std::size_t i = 1; i < stack.size(); ++i) {
             const std::vector<int> corners = document.islands().corners(document.mesh(), {stack[i]});
-            const std::vector<int> sources = copied(document, stack.front(), stack[i]);
+            const std::vector<int> sources = copied(document, stack.front(), stack[i]).corners;
             for (std::size_t c = 0; c < sources.size(); ++c)
                 move(uv, extras.pins, document, corners[c], document.uv().row(sources[c]).transpose());
             ++extras.count;
@@ -125,8 +141,13 @@ std::unique_ptr<StackIslands> StackIslands::unstack(Document &document, const st
                 continue;
             }
             const Vec2 way(next - box.min().x(), map.min().y() - box.min().y());
-            for (int corner : all.corners(document.mesh(), {island}))
-                move(uv, extras.pins, document, corner, Vec2(uv.row(corner).transpose() + way));
+            const bool turnsOver = isMirrored(document, island);
+            for (int corner : all.corners(document.mesh(), {island})) {
+                Vec2 place = uv.row(corner).transpose();
+                if (turnsOver)
+                    place.x() = box.min().x() + box.max().x() - place.x();
+                move(uv, extras.pins, document, corner, place + way);
+            }
             next += box.sizes().x() + gap;
             ++extras.count;
         }

@@ -16,18 +16,19 @@ public:
     {
         //! Islands that are copies of each other; the one that stays in place comes first.
         std::vector<std::vector<int>> stacks;
-        int mirrored = 0; //!< number of islands left out because they are mirror images
+        int mirrored = 0; //!< number of islands in them that will lie as mirror images
     };
 
     //! Finds stacks of copies among the islands; for a single island, all of its copies. The island of each
     //! stack that stays in place is a locked one, or else the one with the lowest number.
     static Found copiesAmong(const Document &document, const std::vector<int> &islands);
 
-    //! Moves the islands of each stack onto its first one. Other locked islands are left out.
+    //! Moves the islands of each stack onto its first one; mirrored copies are turned over for that. Other
+    //! locked islands are left out.
     static std::unique_ptr<StackIslands> stack(Document &document,
                                                const std::vector<std::vector<int>> &stacks);
     //! Removes the islands from their stacks. Islands that lie on another one of the same stack are placed in
-    //! a row beside the map. Locked islands stay.
+    //! a row beside the map, and turned over again where they are mirrored. Locked islands stay.
     static std::unique_ptr<StackIslands> unstack(Document &document, const std::vector<int> &islands);
 
     StackIslands(Document &document, std::unique_ptr<SetUvs> uvs, std::unique_ptr<SetIslandFlags> flags);

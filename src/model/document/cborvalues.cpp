@@ -234,6 +234,7 @@ QCborMap toCbor(const SolveSettings &settings)
             {"solver"_L1, static_cast<int>(settings.solver)},
             {"seed"_L1, qint64(settings.seed)},
             {"maxDistortion"_L1, settings.maxDistortion},
+            {"surface"_L1, static_cast<int>(settings.surface)},
             {"flat"_L1, static_cast<int>(settings.flat)},
             {"alike"_L1, static_cast<int>(settings.alike)},
             {"creases"_L1, static_cast<int>(settings.creases)},
@@ -268,6 +269,8 @@ SolveSettings readSolveSettings(CborReader &reader)
     });
     read("maxDistortion"_L1, settings.maxDistortion,
          [&] { return reader.number("maxDistortion"_L1, 4, SolveSettings::maxBound); });
+    read("surface"_L1, settings.surface,
+         [&] { return reader.enumerator("surface"_L1, SurfaceKind::HardSurface); });
     read("flat"_L1, settings.flat, [&] { return reader.enumerator("flat"_L1, FlatMode::Free); });
     read("alike"_L1, settings.alike, [&] { return reader.enumerator("alike"_L1, AlikeMode::SameCuts); });
     read("creases"_L1, settings.creases, [&] { return reader.enumerator("creases"_L1, CreaseMode::On); });

@@ -37,16 +37,23 @@ std::vector<int> similarIslands(const MeshData &mesh, const MeshAdjacency &adjac
     return result;
 }
 
-std::vector<int> copiedCorners(const MeshData &mesh, const MeshAdjacency &adjacency, const Islands &islands,
-                               int from, int to)
+IslandCopy copyOf(const MeshData &mesh, const MeshAdjacency &adjacency, const Islands &islands, int from,
+                  int to)
 {
     CopyMatcher matcher(mesh, adjacency, islands.ofFaces(), islands.allFaces());
-    if (!matcher.match(from, to, false, matcher.colours(from), matcher.colours(to)))
-        return {};
-    std::vector<int> result = islands.corners(mesh, {to});
-    for (int &corner : result)
+    IslandCopy copy;
+    const auto matches = [&](bool mirrored) {
+        return matcher.match(from, to, mirrored, matcher.colours(from), matcher.colours(to));
+    };
+    if (!matches(false)) {
+        copy.mirrored = true;
+        if (!matches(true))
+            return {};
+    }
+    copy.corners = islands.corners(mesh, {to});
+    for (int &corner : copy.corners)
         corner = matcher.sourceCorner(corner);
-    return result;
+    return copy;
 }
 
 } // namespace autocuts

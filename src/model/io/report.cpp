@@ -175,6 +175,7 @@ void addStableKeys(ObjectWriter &writer, const MapReport &report)
 
 void addFurtherKeys(ObjectWriter &writer, const MapReport &report)
 {
+    writer.add("hard_surface_share", report.hardSurfaceShare);
     writer.add("input", report.input);
     writer.add("output", report.output);
     writer.add("layout", report.layout);

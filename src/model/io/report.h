@@ -30,7 +30,8 @@ struct MapReport
     double seconds = unknown;
     Count iterations;
     double lambda = unknown, delta = unknown;
-    QString status; //!< "done", "bound_missed", "time_limit" or "interrupted"
+    double hardSurfaceShare = unknown; //!< of the area, in parts that the unwrap took for hard surfaces
+    QString status;                    //!< "done", "bound_missed", "time_limit" or "interrupted"
 
     // More figures of the map.
     QString input, output, layout;

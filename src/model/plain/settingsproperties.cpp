@@ -31,7 +31,7 @@ int differences(const SolveSettings &a, const SolveSettings &b)
            (a.align != b.align ? AlignProperty : 0) |
            (a.mirrorMaps != b.mirrorMaps ? MirrorMapsProperty : 0) |
            (a.worldUp != b.worldUp ? WorldUpProperty : 0) | (a.flat != b.flat ? FlatProperty : 0) |
-           (a.alike != b.alike ? AlikeProperty : 0);
+           (a.alike != b.alike ? AlikeProperty : 0) | (a.surface != b.surface ? SurfaceProperty : 0);
 }
 
 int differences(const PackingSettings &a, const PackingSettings &b)
@@ -55,6 +55,7 @@ bool isValid(const SolveSettings &settings)
            inRange(settings.creases, CreaseMode::On) && inRange(settings.creaseStrength, 1.0) &&
            inRange(settings.visibility, 1.0) && inRange(settings.align, CreaseMode::On) &&
            inRange(settings.worldUp, WorldUp::Z) && inRange(settings.flat, FlatMode::Free) &&
+           inRange(settings.surface, SurfaceKind::HardSurface) &&
            inRange(settings.alike, AlikeMode::SameCuts) && inRange(settings.seams, SeamMode::Only) &&
            inRange(settings.givenSeams.sharpAngle, 180.0);
 }

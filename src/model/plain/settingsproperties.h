@@ -28,7 +28,8 @@ enum SolveProperty {
     MirrorMapsProperty = 1 << 17,
     WorldUpProperty = 1 << 18,
     FlatProperty = 1 << 19,
-    AlikeProperty = 1 << 20
+    AlikeProperty = 1 << 20,
+    SurfaceProperty = 1 << 21
 };
 
 //! The fields of PackingSettings.

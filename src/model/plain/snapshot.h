@@ -99,6 +99,8 @@ struct Snapshot
     std::shared_ptr<const JobScope> scope; //!< null: the job may change all faces
     std::shared_ptr<const std::vector<Obstacle>> obstacles; //!< null: none
     std::shared_ptr<const RigidRegions> rigid;              //!< null: every triangle may be stretched
+    //! Per connected component: its islands are to run along the axes. Null: none of them.
+    std::shared_ptr<const std::vector<bool>> aligned;
     //! The document's state that this was made from; default when there is no document.
     StateToken token;
 

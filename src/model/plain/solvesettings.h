@@ -8,6 +8,10 @@ enum class StartMode { Rigid, Tutte, Random, ExistingUv };
 enum class SeamWeighting { Length, Count };
 enum class SolverKind { Fast, Exact };
 enum class CreaseMode { Off, Auto, On };
+//! What a model is like. Auto: each of its connected parts is recognised, see preference/surfacekind.h.
+//! HardSurface: flat faces and sharp edges; these keep their shape and get the seams. Organic: curved,
+//! however its faces look; the stretch may go anywhere.
+enum class SurfaceKind { Auto, Organic, HardSurface };
 //! Whether flat faces, and what unrolls without stretch, keep their shape in automatic maps.
 enum class FlatMode { Rigid, Free };
 //! Whether connected parts that are copies of each other, also mirrored ones, get the same seams and the same
@@ -47,18 +51,19 @@ struct SolveSettings
     unsigned seed = 1;
     //! Bound on the mean symmetric Dirichlet energy of a definite map, in (4, maxBound].
     double maxDistortion = 4.1;
+    SurfaceKind surface = SurfaceKind::Auto;
     //! Rigid: the stretch that the bound allows goes to the curved parts of the surface only.
     FlatMode flat = FlatMode::Rigid;
     AlikeMode alike = AlikeMode::SameCuts;
     // Preferences for the places of seams. All ways of cutting use them.
-    //! Prefer seams along sharp edges; Auto: on meshes that have creases.
+    //! Prefer seams along sharp edges; Auto: on parts that are hard surfaces.
     CreaseMode creases = CreaseMode::Auto;
     //! Share of its cost that a seam saves on a sharp edge, in [0, 1]; the default was chosen by hand.
     double creaseStrength = 0.8;
     double visibility = 0; //!< how strongly hidden places are preferred for seams, in [0, 1]
     bool symmetry = false; //!< symmetric seams on symmetric meshes; automatic mode only
-    //! Islands run along the axes, and what is straight on the model is straight in the map. Auto: on meshes
-    //! that have creases.
+    //! Islands run along the axes, and what is straight on the model is straight in the map. Auto: those of
+    //! parts that are hard surfaces.
     CreaseMode align = CreaseMode::Off;
     bool mirrorMaps = false;          //!< symmetric islands get symmetric maps, mirrored ones mirrored maps
     WorldUp worldUp = WorldUp::Off;   //!< islands are turned so that this direction of the model is up

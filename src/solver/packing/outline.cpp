@@ -258,7 +258,7 @@ namespace {
 
 //! Share of the border in two directions at a right angle from which an island stands upright, and by how
 //! much, in degrees, the sides may differ from these. Chosen by hand.
-constexpr double squareShare = 0.7;
+constexpr double squareShare = 0.35;
 constexpr int squareWidth = 1;
 
 //! See Outline::squareAngle.

@@ -13,13 +13,10 @@ namespace autocuts::preference {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-//! What counts as sharp and smooth (dihedral angle), the largest share of rough edges around a crease, and
-//! the shares of creases in all edges and in the sharp edges of a hard surface; see creases() and
-//! isHardSurface(). Chosen by hand; no measurement of their effect is recorded.
-constexpr double sharpAngle = 40 * degree, smoothAngle = 15 * degree;
-constexpr double roughShare = 0.2;   // largest share of the edges around a crease
-constexpr double creaseShare = 0.01; // least share of all edges
-constexpr double clearShare = 0.7;   // least share of the sharp edges
+//! What counts as smooth, and the largest share of rough edges around a crease, see creases(). Chosen by
+//! hand; no measurement of their effect is recorded.
+constexpr double smoothAngle = 15 * degree;
+constexpr double roughShare = 0.2; // of the edges around a crease
 //! The cost factor falls between these angles. Chosen by hand; no measurement of their effect is recorded.
 constexpr double rampBegin = 20 * degree, rampEnd = 60 * degree;
 constexpr double leastFactor = 1e-3; // a seam always costs something
@@ -73,20 +70,6 @@ std::vector<bool> creases(const MeshData &mesh, const std::vector<double> &angle
                     rough[a] + rough[b] <= roughShare * (all[a] + all[b] - 2 * pair.length);
     }
     return result;
-}
-
-bool isHardSurface(const MeshData &mesh)
-{
-    const std::vector<double> angles = dihedralAngles(mesh);
-    const std::vector<bool> crease = creases(mesh, angles);
-    double total = 0, sharp = 0, clear = 0;
-    for (std::size_t e = 0; e < angles.size(); ++e) {
-        const double length = mesh.edgePairs[e].diagonal ? 0 : mesh.edgePairs[e].length;
-        total += length;
-        sharp += angles[e] >= sharpAngle ? length : 0;
-        clear += crease[e] ? length : 0;
-    }
-    return clear > 0 && clear >= creaseShare * total && clear >= clearShare * sharp;
 }
 
 std::vector<double> creaseFactors(const MeshData &mesh, double strength)

@@ -1,11 +1,15 @@
-// Sharp edges and creases, and whether a mesh is a hard surface.
+// Sharp edges and creases.
 #pragma once
 
 #include "model/plain/meshdata.h"
 
+#include <numbers>
 #include <vector>
 
 namespace autocuts::preference {
+
+//! Angle between the normals of two polygons from which their edge is sharp, radians. Chosen by hand.
+inline constexpr double sharpAngle = 40 * std::numbers::pi / 180;
 
 //! Per edge pair: angle between the normals of its two polygons, radians in [0, pi]; 0 on diagonals, so that
 //! a polygon that is not planar has no sharp edge inside.
@@ -15,10 +19,6 @@ std::vector<double> dihedralAngles(const MeshData &mesh);
 //! the other edges at its ends, at most a fifth by length has an angle from 15 to 40 degrees. A rough organic
 //! surface has sharp edges but hardly any creases.
 std::vector<bool> creases(const MeshData &mesh, const std::vector<double> &angles);
-
-//! True when creases are at least 1 % of the length of all edges and at least 70 % of the length of the sharp
-//! ones.
-bool isHardSurface(const MeshData &mesh);
 
 //! Cost factor per edge pair: 1 up to 20 degrees, 1 - strength from 60 degrees on, linear in between; at
 //! least 0.001.

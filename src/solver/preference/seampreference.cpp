@@ -2,6 +2,7 @@
 
 #include "solver/preference/creases.h"
 #include "solver/preference/openness.h"
+#include "solver/preference/surfacekind.h"
 #include "solver/rigid/stiffregions.h"
 
 #include <algorithm>
@@ -15,9 +16,13 @@ namespace {
 //! of that ratio. Chosen by hand; no measurement of its effect is recorded.
 constexpr double visibilityRange = 3;
 
+//! Share of the area in hard surfaces from which a mesh that is judged as a whole is one. Chosen by hand.
+constexpr double mostlyHard = 0.5;
+
 bool sameAims(const SolveSettings &a, const SolveSettings &b)
 {
-    return a.creases == b.creases && a.creaseStrength == b.creaseStrength && a.visibility == b.visibility;
+    return a.surface == b.surface && a.creases == b.creases && a.creaseStrength == b.creaseStrength &&
+           a.visibility == b.visibility;
 }
 
 //! Scales the factors so that the dearest edge has factor 1: the balance with the distortion keeps its scale.
@@ -34,11 +39,20 @@ void normalize(const MeshData &mesh, std::vector<double> &factors)
 
 } // namespace
 
-CreaseMode decided(CreaseMode mode, const MeshData &mesh)
+std::vector<bool> partsFor(CreaseMode mode, SurfaceKind kind, const MeshData &mesh)
+{
+    if (mode == CreaseMode::Off)
+        return {};
+    std::vector<bool> parts =
+        mode == CreaseMode::On ? std::vector<bool>(mesh.componentCount, true) : surfaceParts(mesh, kind).hard;
+    return std::find(parts.begin(), parts.end(), true) != parts.end() ? parts : std::vector<bool>();
+}
+
+CreaseMode decidedForAll(CreaseMode mode, SurfaceKind kind, const MeshData &mesh)
 {
     if (mode != CreaseMode::Auto)
         return mode;
-    return isHardSurface(mesh) ? CreaseMode::On : CreaseMode::Off;
+    return surfaceParts(mesh, kind).hardShare >= mostlyHard ? CreaseMode::On : CreaseMode::Off;
 }
 
 const std::vector<double> &SeamPreference::factors(const Snapshot &snapshot, int threads)
@@ -49,8 +63,16 @@ const std::vector<double> &SeamPreference::factors(const Snapshot &snapshot, int
     mMesh = snapshot.mesh;
     mSettings = settings;
     mFactors.clear();
-    if (settings.creaseStrength > 0 && decided(settings.creases, *mMesh) == CreaseMode::On)
+    const std::vector<bool> creased = settings.creaseStrength > 0
+                                          ? partsFor(settings.creases, settings.surface, *mMesh)
+                                          : std::vector<bool>();
+    if (!creased.empty()) {
         mFactors = creaseFactors(*mMesh, settings.creaseStrength);
+        for (std::size_t e = 0; e < mFactors.size(); ++e) {
+            if (!creased[mMesh->component[mMesh->edgePairs[e].triangle[0]]])
+                mFactors[e] = 1;
+        }
+    }
     if (settings.visibility > 0) {
         const std::vector<double> openness = edgeOpenness(*mMesh, threads);
         mFactors.resize(openness.size(), 1);
@@ -64,8 +86,12 @@ const std::vector<double> &SeamPreference::factors(const Snapshot &snapshot, int
 Snapshot SeamPreference::applied(const Snapshot &snapshot, int threads)
 {
     Snapshot result = snapshot;
-    if (snapshot.settings.flat == FlatMode::Rigid &&
-        snapshot.settings.energy == DistortionEnergy::SymmetricDirichlet) {
+    const SolveSettings &settings = snapshot.settings;
+    if (std::vector<bool> aligned = partsFor(settings.align, settings.surface, *snapshot.mesh);
+        !aligned.empty())
+        result.aligned = std::make_shared<const std::vector<bool>>(std::move(aligned));
+    if (settings.flat == FlatMode::Rigid && settings.surface != SurfaceKind::Organic &&
+        settings.energy == DistortionEnergy::SymmetricDirichlet) {
         if (mRigidMesh != snapshot.mesh) {
             mRigidMesh = snapshot.mesh;
             mRigid =

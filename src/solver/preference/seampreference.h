@@ -10,8 +10,8 @@ namespace autocuts::preference {
 class SeamPreference
 {
 public:
-    //! The snapshot with the factors for creases and hidden places multiplied into the painted weights, and
-    //! with the rigid regions; unchanged when the settings ask for none of it.
+    //! The snapshot with the factors for creases and hidden places multiplied into the painted weights, with
+    //! the rigid regions and the parts to align; unchanged when the settings ask for none of it.
     Snapshot applied(const Snapshot &snapshot, int threads = 1);
 
 private:
@@ -25,8 +25,11 @@ private:
     std::shared_ptr<const RigidRegions> mRigid;
 };
 
-//! Replaces CreaseMode::Auto by On or Off, depending on whether the mesh is a hard surface; other modes are
-//! returned as they are.
-CreaseMode decided(CreaseMode mode, const MeshData &mesh);
+//! Per connected component: true where a mode applies. Auto: on hard surfaces. Empty: nowhere.
+std::vector<bool> partsFor(CreaseMode mode, SurfaceKind kind, const MeshData &mesh);
+
+//! Replaces CreaseMode::Auto by On or Off for the whole mesh: On where half of its area or more is in parts
+//! that are hard surfaces. Other modes are returned as they are.
+CreaseMode decidedForAll(CreaseMode mode, SurfaceKind kind, const MeshData &mesh);
 
 } // namespace autocuts::preference

@@ -1,6 +1,7 @@
 #include "solver/search/cutstate.h"
 
 #include "model/plain/unionfind.h"
+#include "solver/base/alignedborder.h"
 #include "solver/overlap/overlapfinder.h"
 #include "solver/search/trianglekernel.h"
 
@@ -82,6 +83,17 @@ void CutState::updateTopology()
             length += graph->length[e];
         }
     }
+    crooked = 0;
+    updateCrooked();
+}
+
+void CutState::updateCrooked()
+{
+    if (!graph->aligned)
+        return;
+    cost -= crooked;
+    crooked = alignmentCost * crookedBorder(*graph->soup, *graph->aligned, boundary, chart, chartCount(), x);
+    cost += crooked;
 }
 
 void CutState::updateEnergy()
@@ -94,6 +106,7 @@ void CutState::updateEnergy()
         energy += triangleEnergy[t];
     }
     distortion = energy;
+    updateCrooked();
     if (graph->hasPlainEnergy())
         return;
     distortion = 0;

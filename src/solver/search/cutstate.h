@@ -34,7 +34,9 @@ struct CutState
     //! Mean symmetric Dirichlet energy, 4 at an isometry, with the stiffness of rigid regions: what the bound
     //! is for.
     double distortion = 0;
-    double cost = 0;               //!< of the seams: sum of SeamGraph::cost
+    //! Of the seams: sum of SeamGraph::cost, and what the border costs that does not run along the axes.
+    double cost = 0;
+    double crooked = 0;            //!< the latter
     double length = 0;             //!< of the seams, solver units
     std::vector<int> boundary;     //!< triangle sides that are open or cut, in ascending order
     std::vector<int> chart;        //!< per triangle: its chart
@@ -77,7 +79,7 @@ struct CutState
 
     //! Recomputes everything that follows from the cut flags: boundary, charts, areas, cost and length.
     void updateTopology();
-    //! Recomputes triangleEnergy, energy and distortion from the coordinates.
+    //! Recomputes triangleEnergy, energy, distortion and the cost of crooked borders from the coordinates.
     void updateEnergy();
     //! \returns false when a chart has more than one counter-clockwise boundary loop. Such a chart overlaps
     //! itself, even when no boundary sides cross.
@@ -92,6 +94,7 @@ struct CutState
     void spreadCharts();
 
 private:
+    void updateCrooked();
     std::vector<char> chartsWithAnchors() const;
     double anchorEnergy(int t, const double *p) const;
     void addAnchorDerivatives(int t, const double *p, double *gradient, double *hessian) const;

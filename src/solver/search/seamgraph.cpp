@@ -134,6 +134,7 @@ void SeamGraph::setSteering(const Snapshot &snapshot, const preference::MeshSymm
     }
     if (symmetry)
         mirrorGraph(*soup->mesh, *symmetry, *this);
+    aligned = snapshot.aligned;
     energy = snapshot.settings.energy;
     rigid = snapshot.rigid;
     anchors = Anchors(snapshot);

@@ -39,6 +39,7 @@ struct SeamGraph
     std::vector<bool> onPlane; //!< per vertex: on the plane of symmetry; empty like mirror
     std::vector<int> rank;     //!< per vertex: position in an elimination order with little fill
     DistortionEnergy energy = DistortionEnergy::SymmetricDirichlet; //!< what maps minimise beside the cost
+    std::shared_ptr<const std::vector<bool>> aligned;               //!< see Snapshot::aligned
     //! Regions that keep their shape; null: none. Their stiffness is part of the energy, what it sets apart
     //! is always cut.
     std::shared_ptr<const RigidRegions> rigid;

@@ -1,6 +1,7 @@
 #include "solver/search/seamtrial.h"
 
 #include "model/plain/unionfind.h"
+#include "solver/base/alignedborder.h"
 #include "solver/base/cornerat.h"
 #include "solver/base/rigidfit.h"
 #include "solver/base/springladder.h"
@@ -28,6 +29,9 @@ constexpr int guardedSteps = 10; // Newton steps with contacts barred
 constexpr int pinPatch = 60;     // triangles that move when a corner is put on its pin
 //! Triangles of a chart from which its Newton steps take so long that a map between them is worth having.
 constexpr int slowChart = 2000;
+//! Opened edges from which a change is looked at as one that may part an island. One or two are tried too
+//! often.
+constexpr int partingEdges = 3;
 //! Number of chart relaxations that bar contacts from the start after one whose free result overlapped.
 constexpr int stayGuarded = 3;
 
@@ -77,6 +81,22 @@ void SeamTrial::closeLoneEdges(SeamChange &change)
     }
 }
 
+//! What a change can save at most by straighter borders, in cost: as much as it moves, and all where an
+//! island may fall into two that are turned by themselves.
+double SeamTrial::hopeOf(const SeamChange &change) const
+{
+    if (mState.crooked == 0)
+        return 0;
+    if (static_cast<int>(change.open.size()) >= partingEdges)
+        return mState.crooked;
+    double moved = 0;
+    for (const std::vector<int> *edges : {&change.open, &change.close}) {
+        for (const int e : *edges)
+            moved += mState.graph->length[e];
+    }
+    return 2 * alignmentCost * moved;
+}
+
 std::vector<int> SeamTrial::seedsOf(const SeamChange &change) const
 {
     const MeshData &mesh = *mState.graph->soup->mesh;
@@ -97,6 +117,9 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
     const int oldCharts = mState.chartCount();
     const int oldSmallParts = mState.smallParts();
     mTopologyChanged = false;
+    // What straighter borders may save is known at the end only.
+    const double crooked = mState.crooked;
+    const double hope = std::min(crooked, hopeOf(change));
     setFlags(change.open, true);
     setFlags(change.close, false);
     closeLoneEdges(change);
@@ -112,20 +135,22 @@ bool SeamTrial::attempt(const SeamChange &asked, const TrialTerms &terms)
 
     bool accepted = false;
     if (change.close.empty() ? mPatch.join(mState, mState.x) : closeGaps(change.close)) {
-        const double after = solve(change, terms, before, costGain);
+        const double after = solve(change, terms, before, costGain + hope);
         mLastGain = before - after + terms.mu * costGain;
         const bool fits = !mState.graph->hasPlainEnergy() || after <= before ||
                           mState.energy + after - before <= terms.ceiling;
-        accepted = fits && mLastGain > terms.minGain && (change.open.empty() || keepsCharts(oldSmallParts));
+        accepted = fits && mLastGain + terms.mu * hope > terms.minGain &&
+                   (change.open.empty() || keepsCharts(oldSmallParts));
     }
     if (accepted) {
         keep();
-        if (!mTopologyChanged)
+        if (!mTopologyChanged || mState.graph->aligned)
             mState.updateTopology();
         mTopologyChanged = true;
+        mLastGain += terms.mu * (crooked - mState.crooked);
         const bool fits =
             mState.graph->hasPlainEnergy() || mState.distortion <= std::max(terms.ceiling, mOldDistortion);
-        if (!fits ||
+        if (!fits || !(mLastGain > terms.minGain) ||
             (terms.guarded && (!mState.loopsAreInOrder() || mState.boundariesOverlap(mPatch.triangles())))) {
             undo();
             accepted = false;

@@ -81,6 +81,7 @@ private:
     void keep();
     void undo();
     bool keepsCharts(int oldSmallParts);
+    double hopeOf(const SeamChange &change) const;
     std::vector<int> seedsOf(const SeamChange &change) const;
 
     CutState &mState;

@@ -35,7 +35,7 @@ double Island::energy(const Positions &at) const
     for (std::size_t t = 0; t < points.size(); ++t) {
         const auto &[a, b, c] = points[t];
         const double p[6] = {at[a].x(), at[a].y(), at[b].x(), at[b].y(), at[c].x(), at[c].y()};
-        sum += weight[t] * search::triangleEnergy(p, basis[t]);
+        sum += 4 * weight[t] + stiffWeight(t) * (search::triangleEnergy(p, basis[t]) - 4);
     }
     return sum;
 }

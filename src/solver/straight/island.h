@@ -30,14 +30,17 @@ struct Island
     std::vector<std::array<int, 3>> points; //!< per triangle
     std::vector<Soup::Basis> basis;         //!< per triangle
     std::vector<double> weight;             //!< per triangle: share of the area of the mesh
+    std::vector<double> stiffness; //!< per triangle: factor on its energy above that of an isometry; empty: 1
     std::vector<Loop> loops;
     Positions position;
 
     int pointCount() const { return static_cast<int>(position.size()); }
     //! Its area on the model, solver units.
     double area() const;
-    //! Sum of the symmetric Dirichlet energy of its triangles times their weights; infinite where one is
-    //! flipped.
+    //! Factor on the derivatives of a triangle's energy.
+    double stiffWeight(std::size_t t) const { return weight[t] * (stiffness.empty() ? 1 : stiffness[t]); }
+    //! Sum of the symmetric Dirichlet energy of its triangles, with their stiffness, times their weights;
+    //! infinite where one is flipped.
     double energy(const Positions &at) const;
     //! True when it overlaps itself, or when stopped.
     bool coversItself(const Positions &at, const JobContext &job = {}) const;

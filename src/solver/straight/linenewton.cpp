@@ -289,7 +289,7 @@ bool LineNewton::assemble(const Positions &position, const Positions &shift, std
             at[i] = position[points[i / 2]][i % 2];
             moved[i] = shift[points[i / 2]][i % 2];
         }
-        search::triangleDerivatives(at, mIsland.basis[t], mIsland.weight[t], g, h);
+        search::triangleDerivatives(at, mIsland.basis[t], mIsland.stiffWeight(t), g, h);
         for (int i = 0, k = 0; i < 6; ++i) {
             gradient[i] = g[i];
             for (int j = 0; j <= i; ++j, ++k)
@@ -438,7 +438,7 @@ std::vector<double> LineNewton::costs(const Positions &position, const Positions
         double at[6], g[6], h[21];
         for (int i = 0; i < 6; ++i)
             at[i] = position[mIsland.points[t][i / 2]][i % 2];
-        search::triangleDerivatives(at, mIsland.basis[t], mIsland.weight[t], g, h);
+        search::triangleDerivatives(at, mIsland.basis[t], mIsland.stiffWeight(t), g, h);
         for (int i = 0; i < 6; ++i)
             gradient[mIsland.points[t][i / 2]][i % 2] += g[i];
     }

@@ -1,5 +1,6 @@
 #include "solver/straight/necks.h"
 
+#include "solver/base/alignedborder.h"
 #include "solver/base/parallel.h"
 #include "solver/straight/island.h"
 
@@ -7,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <queue>
@@ -23,25 +23,6 @@ constexpr double leastPart = 0.05;      //!< of an island's border, on each side
 constexpr double longest = 0.6;         //!< neck, as a share of the square root of the island's area
 constexpr double inwards = -0.17;       //!< turn of the border where a neck begins, radians
 constexpr std::size_t mostStarts = 300; //!< points at which necks of an island are looked for
-constexpr int nearAxis = 8;             //!< degrees within which a side counts as aligned
-constexpr int directions = 90;          //!< a right angle by degrees
-
-//! Length of border that is aligned when an island is turned by 0, 1, ... 89 degrees.
-using Aligned = std::array<double, directions>;
-
-double most(const Aligned &aligned)
-{
-    return *std::max_element(aligned.begin(), aligned.end());
-}
-
-void add(Aligned &aligned, const Vec2 &side)
-{
-    const double angle = std::atan2(side.y(), side.x()) * 180 / std::numbers::pi;
-    const int middle = static_cast<int>(std::floor(angle)) + 2 * directions;
-    for (int d = middle - nearAxis; d <= middle + nearAxis; ++d)
-        aligned[static_cast<std::size_t>(d % directions)] += side.norm();
-}
-
 //! A path through an island.
 struct Neck
 {
@@ -93,12 +74,10 @@ private:
     {
         const std::size_t count = loop.point.size();
         mUpTo.assign(count + 1, {});
-        mLengthUpTo.assign(count + 1, 0);
         for (std::size_t i = 0; i < count; ++i) {
             mPlace[loop.point[i]] = static_cast<int>(i);
             mUpTo[i + 1] = mUpTo[i];
-            add(mUpTo[i + 1], side(loop, i));
-            mLengthUpTo[i + 1] = mLengthUpTo[i] + side(loop, i).norm();
+            mUpTo[i + 1].add(side(loop, i), side(loop, i).norm());
         }
         std::vector<std::size_t> starts(count);
         std::iota(starts.begin(), starts.end(), 0);
@@ -147,15 +126,11 @@ private:
     void consider(int start, int end, double cost, const std::vector<std::array<int, 2>> &from)
     {
         const auto [low, high] = std::minmax(mPlace[start], mPlace[end]);
-        const double whole = mLengthUpTo.back(), part = mLengthUpTo[high] - mLengthUpTo[low];
+        const double whole = mUpTo.back().length(), part = mUpTo[high].length() - mUpTo[low].length();
         if (std::min(part, whole - part) < leastPart * whole || cost <= 0)
             return;
-        Aligned between, rest;
-        for (int d = 0; d < directions; ++d) {
-            between[d] = mUpTo[high][d] - mUpTo[low][d];
-            rest[d] = mUpTo.back()[d] - between[d];
-        }
-        const double before = most(mUpTo.back()), gain = most(between) + most(rest) - before;
+        const AlignedBorder between = mUpTo[high].without(mUpTo[low]), rest = mUpTo.back().without(between);
+        const double before = mUpTo.back().most(), gain = between.most() + rest.most() - before;
         if (gain - cost < leastGain * before || (mBest && gain / cost <= mBest->rate()))
             return;
         mBest = Neck{cost, gain, {}};
@@ -166,8 +141,7 @@ private:
     const Island &mIsland;
     std::vector<std::vector<Way>> mWays; //!< per point: along edges inside the island
     std::vector<int> mPlace;             //!< per point: place in the loop that is searched, -1: not in it
-    std::vector<Aligned> mUpTo;          //!< sums over the sides of the loop before a place
-    std::vector<double> mLengthUpTo;
+    std::vector<AlignedBorder> mUpTo;    //!< the sides of the loop before a place
     std::optional<Neck> mBest;
 };
 
@@ -185,7 +159,8 @@ std::vector<int> edgesThatMayBeCut(const Soup &soup, const Snapshot &snapshot)
 
 } // namespace
 
-bool cutNecks(const Soup &soup, const Snapshot &snapshot, SeamedMap &map, const JobContext &job)
+bool cutNecks(const Soup &soup, const Snapshot &snapshot, const std::vector<bool> &aligned, SeamedMap &map,
+              const JobContext &job)
 {
     const SolveSettings &settings = snapshot.settings;
     if (settings.seams != SeamMode::Free || settings.symmetry || settings.mirrorMaps)
@@ -201,7 +176,8 @@ bool cutNecks(const Soup &soup, const Snapshot &snapshot, SeamedMap &map, const 
         const std::vector<Island> islands = islandsOf(soup, charts, map.x);
         std::vector<std::optional<Neck>> necks(islands.size());
         parallelFor(static_cast<int>(islands.size()), job.threads(), [&](int i) {
-            if (!settled[islands[i].triangles.front()] && (held.empty() || !held[i]))
+            const int first = islands[i].triangles.front();
+            if (!settled[first] && aligned[soup.mesh->component[first]] && (held.empty() || !held[i]))
                 necks[i] = NeckFinder(soup, snapshot, charts, islands[i], edgeOfSide).best(job);
         });
         std::vector<int> order;

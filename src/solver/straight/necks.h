@@ -11,8 +11,9 @@ namespace autocuts::straight {
 //! where the border turns inwards. A neck is worth its seam when much more of the border runs along the axes
 //! once each part is turned by itself. The arms of a vehicle or a machine that unfold at odd angles become
 //! islands of their own so. No part moves. Joined edges are not cut, islands with pins stay whole, and so do
-//! all islands when the user decides the seams or wants them or the map symmetric. \returns true when
-//! something was cut
-bool cutNecks(const Soup &soup, const Snapshot &snapshot, SeamedMap &map, const JobContext &job = {});
+//! all islands when the user decides the seams or wants them or the map symmetric.
+//! \param aligned per connected component: its islands may be cut \returns true when something was cut
+bool cutNecks(const Soup &soup, const Snapshot &snapshot, const std::vector<bool> &aligned, SeamedMap &map,
+              const JobContext &job = {});
 
 } // namespace autocuts::straight

@@ -4,6 +4,7 @@
 #include "solver/base/parallel.h"
 #include "solver/definite/definitemap.h"
 #include "solver/preference/seampreference.h"
+#include "solver/search/trianglekernel.h"
 #include "solver/straight/chosenchains.h"
 #include "solver/straight/islandlevels.h"
 #include "solver/straight/islandmirror.h"
@@ -30,6 +31,34 @@ constexpr int mostStraightenings = 20;
 // The same after a stop.
 constexpr double hurriedBudget = 0.5;
 constexpr int hurriedTries = 3;
+//! How much stiffer a rigid region is than the rest, as in the search. Chosen by hand.
+constexpr double rigidStiffness = 1000;
+//! Mean energy above that of an isometry up to which a rigid region has its shape in a map: stretched by 1.6
+//! % both ways.
+constexpr double lostShape = 2e-3;
+
+//! Per triangle: true in a rigid region that has its shape in the map. Empty: there is none.
+std::vector<bool> shapesThatStay(const Soup &soup, const Snapshot &snapshot, const SeamedMap &map)
+{
+    const std::shared_ptr<const RigidRegions> regions =
+        snapshot.rigid ? snapshot.rigid : preference::SeamPreference().applied(snapshot).rigid;
+    if (!regions)
+        return {};
+    std::vector<double> energy(regions->count, 0), area(regions->count, 0);
+    for (int t = 0; t < soup.triangleCount(); ++t) {
+        if (const int r = regions->region[t]; r >= 0) {
+            const double *place = &map.x[6 * static_cast<std::size_t>(t)];
+            energy[r] += soup.weight[t] * (search::triangleEnergy(place, soup.basis[t]) - leastEnergy);
+            area[r] += soup.weight[t];
+        }
+    }
+    std::vector<bool> stays(regions->region.size());
+    for (std::size_t t = 0; t < stays.size(); ++t) {
+        const int r = regions->region[t];
+        stays[t] = r >= 0 && energy[r] <= lostShape * area[r];
+    }
+    return stays;
+}
 
 //! The levels of an island that are worth their energy: each next one costs more for each length gained.
 std::vector<Level> worthwhile(std::vector<Level> levels)
@@ -86,7 +115,13 @@ public:
                   const SeamedMap &map, StraightEffort effort)
         : mSoup(soup), mSnapshot(snapshot), mPlan(plan), mEffort(effort), mMap(map),
           mCharts(*soup->mesh, map.cut), mIslands(islandsOf(*soup, mCharts, map.x)), mLevels(mIslands.size())
-    {}
+    {
+        const std::vector<bool> stays = shapesThatStay(*soup, snapshot, map);
+        for (Island &island : mIslands) {
+            for (std::size_t i = 0; i < island.triangles.size() && !stays.empty(); ++i)
+                island.stiffness.push_back(stays[island.triangles[i]] ? rigidStiffness : 1);
+        }
+    }
 
     SeamedMap run(double maxDistortion, const JobContext &job)
     {
@@ -153,8 +188,11 @@ private:
     std::vector<Level> levelsOf(int i, const std::vector<Chain> &chosen, double most, const JobContext &job)
     {
         Island &island = mIslands[i];
+        if (!chosen.empty())
+            island.stiffness.clear(); // what users choose comes before the shape of flat faces
         std::vector<Chain> chains = chosen;
-        if (mPlan.align) {
+        const bool aligns = mPlan.aligns(mSoup->mesh->component[island.triangles.front()]);
+        if (aligns) {
             const std::vector<Chain> own = straightChains(island);
             chains.insert(chains.end(), own.begin(), own.end());
         }
@@ -162,9 +200,9 @@ private:
         if (mMirrors[i].island == i)
             levels = symmetricLevels(i, chains, most, job);
         if (levels.empty()) {
-            if (mPlan.align || !chosen.empty())
+            if (aligns || !chosen.empty())
                 turnIfValid(island, angleToAxes(island, chosen.empty() ? chains : chosen));
-            if (mEffort == StraightEffort::Full && (mPlan.align || !chains.empty()))
+            if (mEffort == StraightEffort::Full && (aligns || !chains.empty()))
                 levels = islandLevels(island, chains, {}, most, job);
             else
                 levels = {{island.energy(island.position), 0, island.position}};
@@ -275,7 +313,7 @@ private:
 StraightPlan StraightPlan::of(const Snapshot &snapshot)
 {
     const SolveSettings &settings = snapshot.settings;
-    return {preference::decided(settings.align, *snapshot.mesh) == CreaseMode::On, settings.mirrorMaps,
+    return {preference::partsFor(settings.align, settings.surface, *snapshot.mesh), settings.mirrorMaps,
             settings.worldUp, !snapshot.steering->straightLoops.empty()};
 }
 

@@ -13,14 +13,16 @@ namespace autocuts::straight {
 //! What the settings ask of a map, decided for its mesh.
 struct StraightPlan
 {
-    bool align = false;        //!< see SolveSettings::align
+    std::vector<bool> aligned; //!< per connected component, see SolveSettings::align; empty: none
     bool mirror = false;       //!< see SolveSettings::mirrorMaps
     WorldUp up = WorldUp::Off; //!< see SolveSettings::worldUp
     bool loops = false;        //!< the user has chosen edge loops
 
     static StraightPlan of(const Snapshot &snapshot);
+    bool aligns() const { return !aligned.empty(); }
+    bool aligns(int component) const { return aligns() && aligned[component]; }
     //! True when it changes shapes of islands.
-    bool deforms() const { return align || mirror || loops; }
+    bool deforms() const { return aligns() || mirror || loops; }
     bool isEmpty() const { return !deforms() && up == WorldUp::Off; }
     //! The bound for the search of seams: a part of the bound is kept for straightening.
     double searchBound(double maxDistortion) const;

@@ -94,7 +94,7 @@ AlignResult alignIslands(const AlignInput &input, const JobContext &job)
     scaleTo(onModel, charts, held, *map);
     result.before = map->distortion(*soup);
     straight::StraightPlan plan = straight::StraightPlan::of(own);
-    plan.align = true;
+    plan.aligned.assign(own.mesh->componentCount, true);
     plan.mirror = false;
     plan.up = WorldUp::Off;
     const double bound = std::max(input.maxDistortion, result.before + leastSpent);

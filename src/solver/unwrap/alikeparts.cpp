@@ -5,6 +5,7 @@
 #include "solver/base/soup.h"
 #include "solver/preference/seampreference.h"
 #include "solver/search/seamtrial.h"
+#include "solver/search/trianglekernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,8 @@ constexpr double areaTolerance = 0.15;
 constexpr double rigidPartShare = 0.95;
 //! Newton steps that relax near copies, at most. Chosen by hand.
 constexpr int nearCopySteps = 30;
+//! How much more the seams may cost where all copies get the map of one. Chosen by hand.
+constexpr double dearestUnified = 1.05;
 
 //! True when alike parts may be solved once.
 bool suits(const Snapshot &snapshot)
@@ -308,6 +311,85 @@ SeamedMap AlikeParts::expanded(const SeamedMap &map, const JobContext &job) cons
     if (mNear.mesh)
         relaxNearCopies(whole, job);
     return whole;
+}
+
+//! Per connected component of the whole mesh: the component of the part that it is a copy of.
+std::vector<int> AlikeParts::kinds() const
+{
+    std::vector<int> ofCorner(mPart.mesh->cornerCount(), -1);
+    for (int c = 0; c < mPart.mesh->soupCornerCount(); ++c)
+        ofCorner[mPart.mesh->cornerOfSoup(c)] = mPart.mesh->component[c / 3];
+    std::vector<int> kinds(mWhole->componentCount, -1);
+    for (int c = 0; c < mWhole->soupCornerCount(); ++c)
+        kinds[mWhole->component[c / 3]] = ofCorner[mSourceCorner[mWhole->cornerOfSoup(c)]];
+    return kinds;
+}
+
+//! The map of the part, with the maps of chosen copies. \param donor per component of the part: the copy
+SeamedMap AlikeParts::chosenMap(const SeamedMap &map, const std::vector<int> &kind,
+                                const std::vector<int> &donor) const
+{
+    const auto gives = [&](int triangle) {
+        const int component = mWhole->component[triangle];
+        return donor[kind[component]] == component;
+    };
+    const double unit = std::sqrt(mPart.mesh->area / mWhole->area);
+    std::vector<Vec2> place(mPart.corner.size());
+    for (int c = 0; c < mWhole->soupCornerCount(); ++c) {
+        if (!gives(c / 3))
+            continue;
+        Vec2 &own = place[mSourceCorner[mWhole->cornerOfSoup(c)]];
+        own = cornerAt(map.x, c) / unit;
+        if (mMirrored[mWhole->triangleFace[c / 3]])
+            own.x() = -own.x();
+    }
+    SeamedMap part;
+    part.x.resize(2 * static_cast<std::size_t>(mPart.mesh->soupCornerCount()));
+    for (int c = 0; c < mPart.mesh->soupCornerCount(); ++c)
+        cornerAt(part.x, c) = place[mPart.mesh->cornerOfSoup(c)];
+    part.cut.assign(mPart.mesh->edgePairs.size(), false);
+    for (std::size_t e = 0; e < map.cut.size(); ++e) {
+        if (map.cut[e] && gives(mWhole->edgePairs[e].triangle[0]) && mSourceEdge[e] >= 0)
+            part.cut[mSourceEdge[e]] = true;
+    }
+    return part;
+}
+
+SeamedMap AlikeParts::unified(const SeamedMap &map, const Snapshot &preferred, double mu, double bound,
+                              const JobContext &job) const
+{
+    const std::shared_ptr<const Soup> soup = Soup::build(mWhole);
+    const std::vector<int> kind = kinds();
+    std::vector<double> energy(mWhole->componentCount, 0), cost(mWhole->componentCount, 0);
+    for (int t = 0; t < soup->triangleCount(); ++t) {
+        const double own =
+            search::triangleEnergy(&map.x[6 * static_cast<std::size_t>(t)], soup->basis[t]) - 4;
+        energy[mWhole->component[t]] +=
+            soup->weight[t] * (preferred.rigid ? preferred.rigid->stiffness[t] : 1) * own;
+    }
+    for (std::size_t e = 0; e < map.cut.size(); ++e) {
+        if (map.cut[e])
+            cost[mWhole->component[mWhole->edgePairs[e].triangle[0]]] +=
+                preferred.edgeWeight(e) * soup->pairLength[2 * e];
+    }
+    const double most = dearestUnified * map.seamCost(*soup, preferred);
+    // The copies with the shortest seams where the bound allows them, else those with less and less stretch.
+    for (const double stretch : {0 / mu, 1 / mu, 4 / mu, 16 / mu}) {
+        std::vector<int> donor(mPart.mesh->componentCount, -1);
+        const auto score = [&](int component) { return cost[component] + stretch * energy[component]; };
+        for (int component = 0; component < mWhole->componentCount; ++component) {
+            int &best = donor[kind[component]];
+            if (best < 0 || score(component) < score(best))
+                best = component;
+        }
+        SeamedMap whole = expanded(chosenMap(map, kind, donor), job);
+        if (job.stopped())
+            break;
+        if (whole.validate(*soup).empty() && whole.seamCost(*soup, preferred) <= most &&
+            whole.distortion(*soup) <= std::max(bound, map.distortion(*soup)))
+            return whole;
+    }
+    return map;
 }
 
 //! The copied map is a little stretched on them.

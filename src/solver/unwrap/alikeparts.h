@@ -30,8 +30,20 @@ public:
     //! shape. \param map of the mesh of snapshot()
     SeamedMap expanded(const SeamedMap &map, const JobContext &job = {}) const;
 
+    //! A map of the whole mesh in which all copies of a part have the map of one of them: that with the
+    //! cheapest seams, or where that misses the bound, one with less stretch. \param preferred of the whole
+    //! mesh, with the preferences in its weights \param mu energy that one unit of seam cost is worth \param
+    //! bound on the distortion \returns the map as it was when the bound would be missed, or seams cost 5 %
+    //! more, or when stopped
+    SeamedMap unified(const SeamedMap &map, const Snapshot &preferred, double mu, double bound,
+                      const JobContext &job = {}) const;
+
 private:
     class Finder;
+
+    std::vector<int> kinds() const;
+    SeamedMap chosenMap(const SeamedMap &map, const std::vector<int> &kind,
+                        const std::vector<int> &donor) const;
 
     void relaxNearCopies(SeamedMap &map, const JobContext &job) const;
 

@@ -97,6 +97,19 @@ SeamedMap BestLiveMap::settled(const search::CutState &state, const JobContext &
     return definite::settleRigidRegions(mProblem.graph(), mProblem.problem(), search, state.map());
 }
 
+//! The map in which parts that are copies have the same islands.
+SeamedMap BestLiveMap::alike(SeamedMap map, const JobContext &job)
+{
+    if (mProblem.isSymmetric())
+        return map;
+    if (!mAlikeIsKnown) {
+        mAlike = AlikeParts::of(mProblem.part().withoutRectangles(), job);
+        mAlikeIsKnown = !job.stopped();
+    }
+    return mAlike ? mAlike->unified(map, mProblem.problem(), definite::usualMu, mOptions.maxDistortion, job)
+                  : map;
+}
+
 //! Gives the map out, unless it is not better or overlaps itself after all.
 void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContext &job,
                        straight::StraightEffort straightness)
@@ -108,13 +121,13 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     if (part.isAttached() && state.anchorFaults() > state.chartsMayMeet)
         return;
     Merit merit = meritOf(state);
-    SeamedMap map = merit.misses ? state.map() : settled(state, job);
+    SeamedMap map = merit.misses ? state.map() : alike(settled(state, job), job);
     definite::equalizeDensity(soup, mProblem.problem(), map);
     merit.misses = map.distortion(soup) > mOptions.maxDistortion;
     if (mBest && merit.misses && !mBestMerit.misses)
         return;
-    if (mProblem.plan().align && straightness == straight::StraightEffort::Full)
-        straight::cutNecks(soup, mProblem.problem(), map, job.quiet());
+    if (mProblem.plan().aligns() && straightness == straight::StraightEffort::Full)
+        straight::cutNecks(soup, mProblem.problem(), mProblem.plan().aligned, map, job.quiet());
     straight::straighten(mProblem.soup(), mProblem.problem(), mProblem.plan(), mOptions.maxDistortion, map,
                          job.quiet(), straightness);
     if (job.stopped() && straightness == straight::StraightEffort::Full)
@@ -130,6 +143,7 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     result->distortion = map.distortion(soup);
     result->withinBound = result->distortion <= mOptions.maxDistortion;
     result->token = mToken;
+    result->hardShare = mProblem.hardShare();
     result->seamLength = map.seamLength(soup);
     result->islands = CutMesh(*soup.mesh, map.cut).chartCount;
     result->cut = part.wholeCut(map.cut);

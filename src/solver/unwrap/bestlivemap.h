@@ -4,6 +4,7 @@
 #include "solver/packing/packing.h"
 #include "solver/search/cutstate.h"
 #include "solver/straight/straightening.h"
+#include "solver/unwrap/alikeparts.h"
 #include "solver/unwrap/liveplacing.h"
 #include "solver/unwrap/liveproblem.h"
 #include "solver/unwrap/rectanglefit.h"
@@ -32,6 +33,7 @@ struct LiveMapResult
     double distortion = 0; //!< mean symmetric Dirichlet energy, 4 is isometric
     double seamLength = 0; //!< seam_norm, solver units
     int islands = 0;
+    double hardShare = 0;     //!< as UnwrapResult::hardShare
     bool withinBound = false; //!< of what may change
     bool hasRoom = true;      //!< false: there is no room for all islands, some may overlap
     UnmetSteering unmet;
@@ -50,7 +52,11 @@ public:
     void reset();
     void setOptions(const LiveMapOptions &options) { mOptions = options; }
     //! The document's state that the next maps obey.
-    void setToken(const StateToken &token) { mToken = token; }
+    void setToken(const StateToken &token)
+    {
+        mToken = token;
+        mAlikeIsKnown = false;
+    }
     //! True: all islands of the next maps are packed; false: they stay in place as far as possible.
     void setPacksAfresh(bool on) { mPacksAfresh = on; }
     //! Forgets maps that were offered and not given out yet.
@@ -91,6 +97,7 @@ private:
 
     Merit meritOf(const search::CutState &state) const;
     SeamedMap settled(const search::CutState &state, const JobContext &job) const;
+    SeamedMap alike(SeamedMap map, const JobContext &job);
     void give(search::CutState state, FitEffort effort, const JobContext &job,
               straight::StraightEffort straightness = straight::StraightEffort::Turn);
 
@@ -104,6 +111,8 @@ private:
     LivePlacing mPlacing;
     std::optional<search::CutState> mBest;
     Merit mBestMerit;
+    std::optional<AlikeParts> mAlike; //!< of the problem, once it is known
+    bool mAlikeIsKnown = false;
     std::shared_ptr<const LiveMapResult> mGiven;
     std::optional<search::CutState> mWaiting;  //!< a better map that has not been given out yet
     std::optional<search::CutState> mUnfitted; //!< the map given out last, when it can be fitted better

@@ -1,5 +1,6 @@
 #include "solver/unwrap/candidates.h"
 
+#include "solver/base/alignedborder.h"
 #include "solver/search/cutstate.h"
 
 #include <algorithm>
@@ -14,6 +15,7 @@ void Candidate::measure(const Soup &soup, const Snapshot &snapshot)
     seamCost = map.seamCost(soup, snapshot);
     const MeshData &mesh = *soup.mesh;
     const CutMesh charts(mesh, map.cut);
+    seamCost += crookedCost(soup, map, charts, snapshot);
     std::vector<double> area(charts.chartCount, 0);
     for (int t = 0; t < mesh.triangleCount(); ++t)
         area[charts.chart[t]] += soup.shareOfCopy(t);

@@ -1,5 +1,6 @@
 #include "solver/unwrap/liveproblem.h"
 
+#include "solver/preference/surfacekind.h"
 #include "solver/unwrap/coarsetofine.h"
 
 #include <stdexcept>
@@ -16,6 +17,7 @@ bool LiveProblem::update(std::shared_ptr<const Snapshot> snapshot, int threads)
     mHasNewSizes = mPart && !same && part->hasOtherSizes(*mPart);
     mPart = std::move(part);
     mPlan = straight::StraightPlan::of(mPart->snapshot());
+    mHardShare = preference::surfaceParts(*mPart->snapshot().mesh, mWhole->settings.surface).hardShare;
     mProblem = mPreference.applied(mPart->withoutRectangles(), threads);
     if (!same) {
         mSoup = Soup::build(mProblem.mesh);

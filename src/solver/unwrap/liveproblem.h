@@ -31,6 +31,8 @@ public:
     const Snapshot &problem() const { return mProblem; }
     const std::shared_ptr<const Soup> &soup() const { return mSoup; }
     const std::shared_ptr<const search::SeamGraph> &graph() const { return mGraph; }
+    //! Share of the area in parts that count as hard surfaces.
+    double hardShare() const { return mHardShare; }
     //! What is to be straight.
     const straight::StraightPlan &plan() const { return mPlan; }
     //! Symmetric seams are asked for, and the part is symmetric.
@@ -46,6 +48,7 @@ private:
     bool mHasNewSizes = false;
     Snapshot mProblem;
     straight::StraightPlan mPlan;
+    double mHardShare = 0;
     std::shared_ptr<const Soup> mSoup;
     std::shared_ptr<const search::SeamGraph> mGraph;
 };

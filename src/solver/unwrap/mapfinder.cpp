@@ -235,8 +235,12 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
     }
     const std::shared_ptr<const Soup> soup = Soup::build(given.mesh);
     Snapshot snapshot = given;
-    // Decided on the mesh itself: a coarser version has sharper edges, which would look like creases.
-    snapshot.settings.creases = preference::decided(snapshot.settings.creases, *snapshot.mesh);
+    if (suitsCoarseToFine(snapshot)) {
+        // Decided on the mesh itself: a coarser version has sharper edges, which would look like creases.
+        SolveSettings &settings = snapshot.settings;
+        settings.creases = preference::decidedForAll(settings.creases, settings.surface, *snapshot.mesh);
+        settings.align = preference::decidedForAll(settings.align, settings.surface, *snapshot.mesh);
+    }
     std::optional<preference::MeshSymmetry> symmetry;
     if (snapshot.settings.symmetry)
         symmetry = preference::findSymmetry(*snapshot.mesh);

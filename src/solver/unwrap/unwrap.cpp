@@ -3,6 +3,7 @@
 #include "model/plain/uvlayout.h"
 #include "solver/base/timelimit.h"
 #include "solver/definite/seamopening.h"
+#include "solver/preference/surfacekind.h"
 #include "solver/straight/necks.h"
 #include "solver/straight/straightening.h"
 #include "solver/unwrap/coarsetofine.h"
@@ -81,8 +82,8 @@ private:
             found.measure(*soup, mPart.snapshot());
             return done;
         };
-        if (hurry != PackHurry::Always && !job.stopped() && mPlan.align)
-            straight::cutNecks(*soup, mPart.snapshot(), found.map, job.quiet());
+        if (hurry != PackHurry::Always && !job.stopped() && mPlan.aligns())
+            straight::cutNecks(*soup, mPart.snapshot(), mPlan.aligned, found.map, job.quiet());
         if (hurry == PackHurry::Always)
             return within(TimeLimit(job, timeOfShownMap).context());
         if (job.stopped())
@@ -179,6 +180,7 @@ UnwrapResult unwrapMesh(const Snapshot &snapshot, const UnwrapOptions &options, 
         result = maker.resultOf(std::move(found.best), PackHurry::WhenStopped, job.watchedBy(report));
     }
     result.iterations = found.iterations;
+    result.hardShare = preference::surfaceParts(*part->snapshot().mesh, snapshot.settings.surface).hardShare;
     result.symmetry = found.symmetry;
     result.stopped = job.stopped();
     return result;

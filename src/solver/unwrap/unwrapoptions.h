@@ -39,6 +39,8 @@ struct UnwrapResult
     bool withinBound = true; //!< false when the bound was not met
     //! No map was found but one of many near-flat patches: the job was stopped early, or the mesh is odd.
     bool onlyPatches = false;
+    double hardShare =
+        0; //!< share of the area in parts that count as hard surfaces, see preference/surfacekind.h
     //! Share of the seam length that is symmetric, 0 on a mesh that is not. Set when symmetry is asked for.
     std::optional<double> symmetry;
     //! Set when something was to be straight: false when stopped before all of that was done.

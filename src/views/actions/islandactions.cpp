@@ -201,15 +201,13 @@ void IslandActions::stack(Document &document)
         return;
     const StackIslands::Found found = StackIslands::copiesAmong(document, islands);
     if (found.stacks.empty()) {
-        Q_EMIT said(found.mirrored > 0
-                        ? tr("The islands are mirror images of each other: mirrored copies are not stacked")
-                        : tr("No two of the islands are copies of each other"));
+        Q_EMIT said(tr("No two of the islands are copies of each other"));
         return;
     }
     pushCommand(StackIslands::stack(document, found.stacks));
     QString message = document.undoStack().undoText();
     if (found.mirrored > 0)
-        message += tr(", mirror images left out: %1").arg(found.mirrored);
+        message += tr(", of them turned over, since they are mirror images: %1").arg(found.mirrored);
     Q_EMIT said(message);
 }
 

@@ -115,6 +115,7 @@ MapController::MapController(Workspace &workspace, SolverController &solver, Sho
         mJobs.abandon();
         mMeasuring.abandon();
         mFigures.reset();
+        mHardShare.reset();
         mMeasureSoon.start();
         mPrices.reset();
         Q_EMIT figuresChanged();
@@ -201,6 +202,8 @@ bool MapController::pushMap(const MapJobResult &result)
 
 void MapController::applyResult(const MapJobResult &result)
 {
+    if (result.hardShare)
+        mHardShare = result.hardShare;
     if (result.prices) {
         mPrices = result.prices;
         mPricesToken = result.token;

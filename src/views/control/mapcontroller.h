@@ -73,6 +73,8 @@ public:
 
     //! The prices of the seams of the document's current map; null when they are not known.
     const unwrap::SeamPrices *seamPrices() const;
+    //! Share of the model's area in parts that the last unwrap took for hard surfaces; nothing: unknown.
+    std::optional<double> hardShare() const { return mHardShare; }
 
     //! Bakes light into a UV set, which becomes the active one; where the choice wants a new one, it is made
     //! before. \param shown receives pictures of tiles, from coarse to fine, on another thread
@@ -177,6 +179,7 @@ private:
     JobRunner mMeasuring;
     QTimer mMeasureSoon;
     std::optional<MapFigures> mFigures;
+    std::optional<double> mHardShare;
     int mFigureChanges = 0; //!< how often stacks and texel weights changed
     std::optional<unwrap::SeamPrices> mPrices;
     StateToken mPricesToken; //!< of the state that they were made from

@@ -202,6 +202,8 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
         return result;
     }
     result.uv = made.uv;
+    if (input.snapshot.settings.surface == SurfaceKind::Auto)
+        result.hardShare = made.hardShare;
     result.message = JobTexts::tr("Unwrapped: distortion %1").arg(made.distortion, 0, 'f', 4);
     sayStraight(made.stopped, made.straight, result);
     if (!made.packed)

@@ -306,6 +306,10 @@ void SolverPanel::refresh()
     const SolveSettings settings = document() ? document()->solveSettings() : SolveSettings();
     showEnergyBalance(settings);
     mUnwrap->setSettings(settings);
+    const unwrap::LiveMapResult *live = context().solver.map().get();
+    mUnwrap->setRecognised(context().map.hardShare()                       ? context().map.hardShare()
+                           : live && settings.surface == SurfaceKind::Auto ? std::optional(live->hardShare)
+                                                                           : std::nullopt);
     mPreference->setSettings(settings);
     mSettings->setSettings(settings);
     showState();

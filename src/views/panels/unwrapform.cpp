@@ -21,7 +21,7 @@ constexpr double hiddenSeams = 0.5;
 
 UnwrapForm::UnwrapForm(QWidget *parent)
     : QWidget(parent), mUnwrap(makeButton(tr("Unwrap"), "unwrap"_L1)), mStretch(new StretchControl),
-      mUp(new QComboBox), mQuality(new QComboBox)
+      mSurface(new QComboBox), mUp(new QComboBox), mQuality(new QComboBox)
 {
     mUnwrap->setProperty("primary", true);
     mUnwrap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -38,6 +38,20 @@ UnwrapForm::UnwrapForm(QWidget *parent)
         tr("How much the map may be stretched: little stretch needs long seams. D is the mean symmetric "
            "Dirichlet energy over the surface, 4 where nothing is distorted. Also used by the live solve and "
            "Finish."));
+    mSurface->setObjectName("surface"_L1);
+    mSurface->addItem({}, int(SurfaceKind::Auto));
+    mSurface->addItem(tr("Organic"), int(SurfaceKind::Organic));
+    mSurface->addItem(tr("Hard surface"), int(SurfaceKind::HardSurface));
+    setRecognised({});
+    connect(mSurface, &QComboBox::activated, this, [this] {
+        const auto kind = SurfaceKind(mSurface->currentData().toInt());
+        Q_EMIT edited([kind](SolveSettings &settings) { settings.surface = kind; }, true);
+    });
+    addRow(form, tr("Model"), mSurface,
+           tr("What the model is like. Hard surface: flat faces with sharp edges; these keep their shape and "
+              "get "
+              "the seams. Organic: curved, so that the stretch may go anywhere. Recognise: each part by "
+              "itself"));
     mFlat = addSwitch(
         tr("Keep flat faces rigid"), "flat"_L1,
         tr("Flat faces, and what unrolls without stretch, keep their shape; the stretch goes to the curved "
@@ -46,10 +60,10 @@ UnwrapForm::UnwrapForm(QWidget *parent)
         [](SolveSettings &settings, bool on) { settings.flat = on ? FlatMode::Rigid : FlatMode::Free; });
     mAlike = addSwitch(
         tr("Same cuts for alike parts"), "alike"_L1,
-        tr("Where copies of parts are much of the model, parts that are copies of each other, also mirrored "
-           "ones, get the same seams and islands: one of "
-           "them is "
-           "solved, which is faster, and the islands can be stacked. Parts that you cut or join by hand are "
+        tr("Parts that are copies of each other, also mirrored ones, get the same seams and islands: one of "
+           "them "
+           "is solved, which is faster, and the islands can be stacked. Parts that you cut or join by hand "
+           "are "
            "left out"),
         [](SolveSettings &settings, bool on) { settings.alike = on ? AlikeMode::SameCuts : AlikeMode::Off; });
     mSymmetry =
@@ -62,12 +76,13 @@ UnwrapForm::UnwrapForm(QWidget *parent)
                         [](SolveSettings &settings, bool on) { settings.visibility = on ? hiddenSeams : 0; });
     mSharp = addSwitch(
         tr("Seams along sharp edges"), "sharp"_L1,
-        tr("On models with clear creases, seams rather run along them; Advanced sets how strongly"),
+        tr("On hard surfaces, seams rather run along sharp edges; Advanced sets how strongly"),
         [](SolveSettings &settings, bool on) { settings.creases = on ? CreaseMode::Auto : CreaseMode::Off; });
     mAlign = addSwitch(
         tr("Straight and along the axes"), "align"_L1,
-        tr("On models with clear creases, islands run along the axes, and what is straight on the model is "
-           "straight in the map, as far as the stretch allows; seams become a little longer"),
+        tr("On hard surfaces, islands run along the axes, and what is straight on the model is straight in "
+           "the "
+           "map, as far as the stretch allows; seams become a little longer"),
         [](SolveSettings &settings, bool on) { settings.align = on ? CreaseMode::Auto : CreaseMode::Off; });
     mMirror = addSwitch(tr("Mirrored maps of mirrored parts"), "mirror"_L1,
                         tr("Symmetric islands get symmetric maps, those of a left and a right part mirror "
@@ -105,10 +120,23 @@ QCheckBox *UnwrapForm::addSwitch(const QString &text, QLatin1StringView name, co
     return box;
 }
 
+void UnwrapForm::setRecognised(std::optional<double> hardShare)
+{
+    QString text = tr("Recognise");
+    if (hardShare) {
+        text = *hardShare == 0   ? tr("Recognise (organic)")
+               : *hardShare == 1 ? tr("Recognise (hard surface)")
+                                 : tr("Recognise (%1 % hard surface)").arg(100 * *hardShare, 0, 'f', 0);
+    }
+    mSurface->setItemText(mSurface->findData(int(SurfaceKind::Auto)), text);
+}
+
 void UnwrapForm::setSettings(const SolveSettings &settings)
 {
+    mSurface->setCurrentIndex(mSurface->findData(int(settings.surface)));
+    mFlat->setEnabled(settings.surface != SurfaceKind::Organic);
     mStretch->setValue(settings.maxDistortion);
-    mFlat->setChecked(settings.flat == FlatMode::Rigid);
+    mFlat->setChecked(settings.flat == FlatMode::Rigid && settings.surface != SurfaceKind::Organic);
     mAlike->setChecked(settings.alike == AlikeMode::SameCuts);
     mSymmetry->setChecked(settings.symmetry);
     mHidden->setChecked(settings.visibility > 0);

@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 
 class QCheckBox;
 class QComboBox;
@@ -28,6 +29,9 @@ public:
     QPushButton *button() const { return mUnwrap; }
     //! Shows settings without emitting signals.
     void setSettings(const SolveSettings &settings);
+    //! Shows what the last map was made for: the share of the area in parts that were recognised as hard
+    //! surfaces; nothing: unknown.
+    void setRecognised(std::optional<double> hardShare);
 
 Q_SIGNALS:
     //! \param edit applies the change to settings \param first false while a drag continues
@@ -42,7 +46,7 @@ private:
     StretchControl *mStretch;
     QCheckBox *mFlat = nullptr, *mAlike = nullptr, *mSymmetry = nullptr, *mHidden = nullptr,
               *mSharp = nullptr, *mAlign = nullptr, *mMirror = nullptr;
-    QComboBox *mUp, *mQuality;
+    QComboBox *mSurface, *mUp, *mQuality;
 };
 
 } // namespace autocuts
