@@ -117,41 +117,49 @@ private Q_SLOTS:
     void hardSurfacesAreTold_data()
     {
         QTest::addColumn<MeshPtr>("mesh");
+        QTest::addColumn<bool>("creased");
         QTest::addColumn<bool>("hard");
-        QTest::newRow("bumpycube") << sample("bumpycube") << true;
-        QTest::newRow("machine") << sample("machine") << true;
-        QTest::newRow("cube") << test::cube() << true;
-        QTest::newRow("character") << sample("character") << false;
-        QTest::newRow("torus") << sample("torus") << false;
-        QTest::newRow("sphere") << test::sphere(12, 16) << false;
-        QTest::newRow("one triangle") << test::triangle() << false;
+        QTest::newRow("bumpycube") << sample("bumpycube") << true << false;
+        QTest::newRow("machine") << sample("machine") << true << true;
+        QTest::newRow("cube") << test::cube() << true << true;
+        QTest::newRow("character") << sample("character") << false << false;
+        QTest::newRow("torus") << sample("torus") << false << false;
+        QTest::newRow("sphere") << test::sphere(12, 16) << false << false;
+        QTest::newRow("one triangle") << test::triangle() << false << false;
         const std::string folder = test::meshFolder();
         if (folder.empty()) {
-            QTest::newRow("real meshes") << MeshPtr() << false;
+            QTest::newRow("real meshes") << MeshPtr() << false << false;
             return;
         }
         for (const char *name : {"cow_param_closed", "gargoyle_i_f10000", "girl1", "octopus", "bishop_part"})
             QTest::newRow(name)
                 << readMesh(QString::fromStdString(folder + "/organic/" + name + ".obj")).value().mesh
-                << false;
+                << false << false;
         QTest::newRow("truck")
-            << readMesh(QString::fromStdString(folder + "/irregular/truck.obj")).value().mesh << true;
+            << readMesh(QString::fromStdString(folder + "/irregular/truck.obj")).value().mesh << true << true;
     }
     void hardSurfacesAreTold()
     {
         QFETCH(MeshPtr, mesh);
+        QFETCH(bool, creased);
         QFETCH(bool, hard);
         if (!mesh)
             QSKIP(test::noMeshes);
         const SurfaceParts parts = surfaceParts(*mesh);
+        QCOMPARE(parts.creasedShare > 0.5, creased);
         QCOMPARE(parts.hardShare > 0.5, hard);
-        QCOMPARE(decidedForAll(CreaseMode::Auto, SurfaceKind::Auto, *mesh),
-                 hard ? CreaseMode::On : CreaseMode::Off);
+        SolveSettings settings;
+        settings.align = CreaseMode::Auto;
+        QCOMPARE(decidedForAll(settings, *mesh).creases, creased ? CreaseMode::On : CreaseMode::Off);
+        QCOMPARE(decidedForAll(settings, *mesh).align, hard ? CreaseMode::On : CreaseMode::Off);
         for (const SurfaceKind kind : {SurfaceKind::Organic, SurfaceKind::HardSurface}) {
+            settings.surface = kind;
             QCOMPARE(surfaceParts(*mesh, kind).hardShare, kind == SurfaceKind::HardSurface ? 1.0 : 0.0);
-            QCOMPARE(partsFor(CreaseMode::Auto, kind, *mesh).empty(), kind == SurfaceKind::Organic);
+            QCOMPARE(creasedParts(settings, *mesh).empty(), kind == SurfaceKind::Organic);
+            QCOMPARE(alignedParts(settings, *mesh).empty(), kind == SurfaceKind::Organic);
         }
-        QVERIFY(partsFor(CreaseMode::Off, SurfaceKind::HardSurface, *mesh).empty());
+        settings.creases = settings.align = CreaseMode::Off;
+        QVERIFY(creasedParts(settings, *mesh).empty() && alignedParts(settings, *mesh).empty());
     }
 
     //! A character with a box: only the box has seams along sharp edges, and runs along the axes.

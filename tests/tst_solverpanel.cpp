@@ -272,6 +272,12 @@ private Q_SLOTS:
         up->setFocus();
         QTest::keyClick(up, Qt::Key_End);
         QCOMPARE(bench.settings().worldUp, WorldUp::Z);
+        auto *const surface = child<QComboBox>(bench.panel, "surface");
+        surface->setFocus();
+        QTest::keyClick(surface, Qt::Key_Down);
+        QCOMPARE(bench.settings().surface, SurfaceKind::Organic);
+        QVERIFY(test::isUpToDate(bench.panel));
+        QVERIFY(!flat->isEnabled());
         while (bench.stack().canUndo())
             bench.stack().undo();
         QVERIFY(bench.settings() == SolveSettings());

@@ -10,6 +10,7 @@
 #include "solver/unwrap/unwrap.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace autocuts {
 
@@ -34,12 +35,13 @@ void sayStraight(const std::optional<bool> &straight, MadeMap &outcome)
 //! What the model was taken for.
 QString recognised(double hardShare)
 {
-    if (hardShare == 0 || hardShare == 1)
+    const int percent = static_cast<int>(std::lround(100 * hardShare));
+    if (percent == 0 || percent == 100)
         return QStringLiteral("recognised as %1 (--for says otherwise)")
-            .arg(QLatin1String(hardShare == 0 ? "organic" : "hard surface"));
+            .arg(QLatin1String(percent == 0 ? "organic" : "hard surface"));
     return QStringLiteral("recognised %1 % of the surface as hard surface, the rest as organic (--for says "
                           "otherwise)")
-        .arg(100 * hardShare, 0, 'f', 1);
+        .arg(percent);
 }
 
 //! Says how symmetric the seams are, and what of the mesh has no mirror image.

@@ -16,8 +16,19 @@ namespace {
 //! of that ratio. Chosen by hand; no measurement of its effect is recorded.
 constexpr double visibilityRange = 3;
 
-//! Share of the area in hard surfaces from which a mesh that is judged as a whole is one. Chosen by hand.
-constexpr double mostlyHard = 0.5;
+//! Share of the area from which a mesh that is judged as a whole is like these parts. Chosen by hand.
+constexpr double mostOfIt = 0.5;
+
+//! Per connected component: true where a mode applies. Empty: nowhere.
+template <typename Recognise>
+std::vector<bool> partsFor(CreaseMode mode, const MeshData &mesh, Recognise recognise)
+{
+    if (mode == CreaseMode::Off)
+        return {};
+    std::vector<bool> parts =
+        mode == CreaseMode::On ? std::vector<bool>(mesh.componentCount, true) : recognise();
+    return std::find(parts.begin(), parts.end(), true) != parts.end() ? parts : std::vector<bool>();
+}
 
 bool sameAims(const SolveSettings &a, const SolveSettings &b)
 {
@@ -39,20 +50,28 @@ void normalize(const MeshData &mesh, std::vector<double> &factors)
 
 } // namespace
 
-std::vector<bool> partsFor(CreaseMode mode, SurfaceKind kind, const MeshData &mesh)
+std::vector<bool> creasedParts(const SolveSettings &settings, const MeshData &mesh)
 {
-    if (mode == CreaseMode::Off)
-        return {};
-    std::vector<bool> parts =
-        mode == CreaseMode::On ? std::vector<bool>(mesh.componentCount, true) : surfaceParts(mesh, kind).hard;
-    return std::find(parts.begin(), parts.end(), true) != parts.end() ? parts : std::vector<bool>();
+    return partsFor(settings.creases, mesh, [&] { return surfaceParts(mesh, settings.surface).creased; });
 }
 
-CreaseMode decidedForAll(CreaseMode mode, SurfaceKind kind, const MeshData &mesh)
+std::vector<bool> alignedParts(const SolveSettings &settings, const MeshData &mesh)
 {
-    if (mode != CreaseMode::Auto)
-        return mode;
-    return surfaceParts(mesh, kind).hardShare >= mostlyHard ? CreaseMode::On : CreaseMode::Off;
+    return partsFor(settings.align, mesh, [&] { return surfaceParts(mesh, settings.surface).hard; });
+}
+
+SolveSettings decidedForAll(SolveSettings settings, const MeshData &mesh)
+{
+    if (settings.creases != CreaseMode::Auto && settings.align != CreaseMode::Auto)
+        return settings;
+    const SurfaceParts parts = surfaceParts(mesh, settings.surface);
+    const auto decide = [](CreaseMode &mode, double share) {
+        if (mode == CreaseMode::Auto)
+            mode = share >= mostOfIt ? CreaseMode::On : CreaseMode::Off;
+    };
+    decide(settings.creases, parts.creasedShare);
+    decide(settings.align, parts.hardShare);
+    return settings;
 }
 
 const std::vector<double> &SeamPreference::factors(const Snapshot &snapshot, int threads)
@@ -63,9 +82,8 @@ const std::vector<double> &SeamPreference::factors(const Snapshot &snapshot, int
     mMesh = snapshot.mesh;
     mSettings = settings;
     mFactors.clear();
-    const std::vector<bool> creased = settings.creaseStrength > 0
-                                          ? partsFor(settings.creases, settings.surface, *mMesh)
-                                          : std::vector<bool>();
+    const std::vector<bool> creased =
+        settings.creaseStrength > 0 ? creasedParts(settings, *mMesh) : std::vector<bool>();
     if (!creased.empty()) {
         mFactors = creaseFactors(*mMesh, settings.creaseStrength);
         for (std::size_t e = 0; e < mFactors.size(); ++e) {
@@ -87,8 +105,7 @@ Snapshot SeamPreference::applied(const Snapshot &snapshot, int threads)
 {
     Snapshot result = snapshot;
     const SolveSettings &settings = snapshot.settings;
-    if (std::vector<bool> aligned = partsFor(settings.align, settings.surface, *snapshot.mesh);
-        !aligned.empty())
+    if (std::vector<bool> aligned = alignedParts(settings, *snapshot.mesh); !aligned.empty())
         result.aligned = std::make_shared<const std::vector<bool>>(std::move(aligned));
     if (settings.flat == FlatMode::Rigid && settings.surface != SurfaceKind::Organic &&
         settings.energy == DistortionEnergy::SymmetricDirichlet) {

@@ -25,11 +25,13 @@ private:
     std::shared_ptr<const RigidRegions> mRigid;
 };
 
-//! Per connected component: true where a mode applies. Auto: on hard surfaces. Empty: nowhere.
-std::vector<bool> partsFor(CreaseMode mode, SurfaceKind kind, const MeshData &mesh);
+//! Per connected component: true where seams prefer sharp edges. Empty: nowhere.
+std::vector<bool> creasedParts(const SolveSettings &settings, const MeshData &mesh);
+//! Per connected component: true where islands are to run along the axes. Empty: nowhere.
+std::vector<bool> alignedParts(const SolveSettings &settings, const MeshData &mesh);
 
-//! Replaces CreaseMode::Auto by On or Off for the whole mesh: On where half of its area or more is in parts
-//! that are hard surfaces. Other modes are returned as they are.
-CreaseMode decidedForAll(CreaseMode mode, SurfaceKind kind, const MeshData &mesh);
+//! The settings with creases and alignment decided for the mesh as a whole, in place of Auto: On where half
+//! of its area or more is in such parts, else Off.
+SolveSettings decidedForAll(SolveSettings settings, const MeshData &mesh);
 
 } // namespace autocuts::preference

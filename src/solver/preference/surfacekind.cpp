@@ -31,11 +31,12 @@ struct Sums
         flat += other.flat;
     }
     //! \param clear least share of creases in the sharp edges
-    bool isHard(double clear = clearShare) const
+    bool isCreased(double clear = clearShare) const
     {
-        const bool creased = creases > 0 && creases >= creaseShare * edges && creases >= clear * sharp;
-        return (creased && flat >= leastFlat * area) || (sharp > 0 && flat >= flatShare * area);
+        return (creases > 0 && creases >= creaseShare * edges && creases >= clear * sharp) ||
+               (sharp > 0 && flat >= flatShare * area);
     }
+    bool isFlatInPlaces() const { return flat >= leastFlat * area; }
 };
 
 } // namespace
@@ -43,8 +44,9 @@ struct Sums
 SurfaceParts surfaceParts(const MeshData &mesh, SurfaceKind kind)
 {
     SurfaceParts parts;
-    parts.hard.assign(mesh.componentCount, kind == SurfaceKind::HardSurface);
-    parts.hardShare = kind == SurfaceKind::HardSurface ? 1 : 0;
+    parts.creased.assign(mesh.componentCount, kind == SurfaceKind::HardSurface);
+    parts.hard = parts.creased;
+    parts.creasedShare = parts.hardShare = kind == SurfaceKind::HardSurface ? 1 : 0;
     if (kind != SurfaceKind::Auto)
         return parts;
     const std::vector<double> angles = dihedralAngles(mesh);
@@ -73,14 +75,18 @@ SurfaceParts surfaceParts(const MeshData &mesh, SurfaceKind kind)
     Sums whole;
     for (const Sums &own : sums)
         whole.add(own);
-    double hard = 0;
+    const double share = whole.area > 0 ? 1 / whole.area : 0;
     for (int part = 0; part < mesh.componentCount; ++part) {
+        const Sums &own = sums[part];
         // A small part has too few edges to tell, and one that nearly passes is like the rest of its model.
-        const bool follows = sums[part].area < smallShare * whole.area || sums[part].isHard(nearlyClear);
-        parts.hard[part] = sums[part].isHard() || (follows && whole.isHard());
-        hard += parts.hard[part] ? sums[part].area : 0;
+        const bool isSmall = own.area < smallShare * whole.area;
+        const bool follows = isSmall || own.isCreased(nearlyClear);
+        parts.creased[part] = own.isCreased() || (follows && whole.isCreased());
+        parts.hard[part] =
+            parts.creased[part] && (own.isFlatInPlaces() || (isSmall && whole.isFlatInPlaces()));
+        parts.creasedShare += parts.creased[part] ? share * own.area : 0;
+        parts.hardShare += parts.hard[part] ? share * own.area : 0;
     }
-    parts.hardShare = mesh.area > 0 ? hard / mesh.area : 0;
     return parts;
 }
 

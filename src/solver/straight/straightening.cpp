@@ -313,8 +313,8 @@ private:
 StraightPlan StraightPlan::of(const Snapshot &snapshot)
 {
     const SolveSettings &settings = snapshot.settings;
-    return {preference::partsFor(settings.align, settings.surface, *snapshot.mesh), settings.mirrorMaps,
-            settings.worldUp, !snapshot.steering->straightLoops.empty()};
+    return {preference::alignedParts(settings, *snapshot.mesh), settings.mirrorMaps, settings.worldUp,
+            !snapshot.steering->straightLoops.empty()};
 }
 
 double StraightPlan::searchBound(double maxDistortion) const

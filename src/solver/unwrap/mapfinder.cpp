@@ -237,9 +237,7 @@ FoundMap findMap(const Snapshot &given, const UnwrapOptions &options, Ranking &r
     Snapshot snapshot = given;
     if (suitsCoarseToFine(snapshot)) {
         // Decided on the mesh itself: a coarser version has sharper edges, which would look like creases.
-        SolveSettings &settings = snapshot.settings;
-        settings.creases = preference::decidedForAll(settings.creases, settings.surface, *snapshot.mesh);
-        settings.align = preference::decidedForAll(settings.align, settings.surface, *snapshot.mesh);
+        snapshot.settings = preference::decidedForAll(snapshot.settings, *snapshot.mesh);
     }
     std::optional<preference::MeshSymmetry> symmetry;
     if (snapshot.settings.symmetry)

@@ -8,6 +8,8 @@
 #include <QFormLayout>
 #include <QPushButton>
 
+#include <cmath>
+
 namespace autocuts {
 
 using namespace Qt::Literals::StringLiterals;
@@ -124,9 +126,10 @@ void UnwrapForm::setRecognised(std::optional<double> hardShare)
 {
     QString text = tr("Recognise");
     if (hardShare) {
-        text = *hardShare == 0   ? tr("Recognise (organic)")
-               : *hardShare == 1 ? tr("Recognise (hard surface)")
-                                 : tr("Recognise (%1 % hard surface)").arg(100 * *hardShare, 0, 'f', 0);
+        const int percent = static_cast<int>(std::lround(100 * *hardShare));
+        text = percent == 0     ? tr("Recognise (organic)")
+               : percent == 100 ? tr("Recognise (hard surface)")
+                                : tr("Recognise (%1 % hard surface)").arg(percent);
     }
     mSurface->setItemText(mSurface->findData(int(SurfaceKind::Auto)), text);
 }
