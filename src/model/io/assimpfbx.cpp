@@ -1,5 +1,7 @@
 #include "model/io/assimpfbx.h"
 
+#include "model/io/assimpmatrix.h"
+
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -15,16 +17,6 @@ constexpr double degrees = 180 / std::numbers::pi;
 constexpr double ticksPerSecond = 46186158000.0; //!< of FBX
 constexpr double filmInches = 1.259842;          //!< 32 mm
 constexpr double centimetres = 100;              //!< in a metre
-
-Eigen::Affine3d toAffine(const aiMatrix4x4 &m)
-{
-    Eigen::Matrix4d result;
-    for (unsigned row = 0; row < 4; ++row) {
-        for (unsigned column = 0; column < 4; ++column)
-            result(row, column) = m[row][column];
-    }
-    return Eigen::Affine3d(result);
-}
 
 //! Angles of a rotation in degrees: about x first, then y, then z. \param near of the many, those close to
 //! these
@@ -214,7 +206,7 @@ void FbxRig::addNode(const aiNode &node, std::int64_t parent, const Eigen::Affin
     const aiScene &scene = *mSource.scene;
     const auto number = static_cast<int>(mModels.size());
     mNumberOf.try_emplace(node.mName.C_Str(), mModels.size());
-    Eigen::Affine3d local = toAffine(node.mTransformation);
+    Eigen::Affine3d local = Eigen::Affine3d(toEigen(node.mTransformation));
     mWorld.push_back(above * local);
     const bool isRoot = &node == scene.mRootNode;
     const bool isCamera = objectOf(scene.mCameras, scene.mNumCameras, node.mName);
@@ -274,7 +266,7 @@ void FbxRig::addSkin(std::int64_t geometry, int node, const std::vector<FbxSkinP
             const auto bone = mNumberOf.find(mesh.mBones[b]->mName.C_Str());
             if (bone == mNumberOf.end())
                 continue;
-            clusters[bone->second].offset = toAffine(mesh.mBones[b]->mOffsetMatrix);
+            clusters[bone->second].offset = Eigen::Affine3d(toEigen(mesh.mBones[b]->mOffsetMatrix));
             for (unsigned w = 0; w < mesh.mBones[b]->mNumWeights; ++w) {
                 const aiVertexWeight &weight = mesh.mBones[b]->mWeights[w];
                 if (weight.mVertexId < ofVertex.size() && weight.mWeight > 0)

@@ -1,6 +1,7 @@
 #include "model/io/assimpreader.h"
 
 #include "model/document/materialcolor.h"
+#include "model/io/assimpmatrix.h"
 #include "model/io/assimpplacing.h"
 #include "model/io/assimpprocess.h"
 #include "model/io/assimpscene.h"
@@ -26,13 +27,6 @@
 namespace autocuts {
 
 namespace {
-
-Eigen::Matrix4d toMatrix(const aiMatrix4x4 &m)
-{
-    Eigen::Matrix4d result;
-    result << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4;
-    return result;
-}
 
 QString toName(const aiString &name)
 {
@@ -158,7 +152,7 @@ bool SoupBuilder::addMesh(const aiNode &node, unsigned meshIndex, const Eigen::M
 bool SoupBuilder::addNode(const aiNode &node, const Eigen::Matrix4d &parent)
 {
     ++mNodes;
-    const Eigen::Matrix4d transform = parent * toMatrix(node.mTransformation);
+    const Eigen::Matrix4d transform = parent * toEigen(node.mTransformation);
     const std::size_t firstFace = mFaceObject.size();
     for (unsigned m = 0; m < node.mNumMeshes; ++m) {
         if (!addMesh(node, node.mMeshes[m], transform))

@@ -1,5 +1,6 @@
 #include "model/io/assimpscene.h"
 
+#include "model/io/assimpmatrix.h"
 #include "model/io/assimpmesh.h"
 #include "model/io/gltf/gltfsource.h"
 #include "model/io/objsource.h"
@@ -96,16 +97,6 @@ aiMaterial *makeMaterial(const QString &name, int number, const aiMaterial *from
         material->AddProperty(&file, AI_MATKEY_TEXTURE(type, 0));
     }
     return material;
-}
-
-aiMatrix4x4 toAssimpMatrix(const Eigen::Matrix4d &m)
-{
-    aiMatrix4x4 result;
-    for (unsigned row = 0; row < 4; ++row) {
-        for (unsigned column = 0; column < 4; ++column)
-            result[row][column] = static_cast<ai_real>(m(row, column));
-    }
-    return result;
 }
 
 //! True when something of the scene besides the tree names the node.
@@ -254,7 +245,7 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
     // What Assimp reads is in metres, but the axes may differ.
     const bool zUp = unitsOfFormat(scene.format).zUp;
     if (const Eigen::Matrix4d turn = unitChange({1, zUp}, mOptions.units); !turn.isIdentity(0))
-        mScene->mRootNode->mTransformation = toAssimpMatrix(turn) * mScene->mRootNode->mTransformation;
+        mScene->mRootNode->mTransformation = toAssimp(turn) * mScene->mRootNode->mTransformation;
     nameNodes(scene, source, nodes);
     std::vector<aiMesh *> meshes;
     std::vector<std::vector<unsigned>> nodeMeshes(nodes.size());

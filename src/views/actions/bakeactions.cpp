@@ -52,10 +52,13 @@ void BakeActions::ask(const Document &document)
     if (answer == QDialog::Rejected)
         return;
     mChoice = dialog.choice();
-    if (answer == BakeDialog::Live)
+    if (answer == BakeDialog::Live) {
         showLive();
-    else
-        mContext.map.bake(mChoice);
+        return;
+    }
+    if (mChoice.isPutOn())
+        show(Pattern::Physical);
+    mContext.map.bake(mChoice);
 }
 
 void BakeActions::askCarrying(const Document &document)
@@ -74,13 +77,13 @@ void BakeActions::askCarrying(const Document &document)
 void BakeActions::showLive()
 {
     mContext.liveBake.start(mChoice, mChoice.maps.first());
-    showBaked();
+    show(Pattern::Baked);
 }
 
-void BakeActions::showBaked()
+void BakeActions::show(Pattern pattern)
 {
     ViewOptions options = mContext.view.options();
-    options.pattern = Pattern::Baked;
+    options.pattern = pattern;
     mContext.view.setOptions(options);
 }
 
@@ -100,7 +103,7 @@ void BakeActions::askLight(const Document &document)
     mLight = dialog.choice();
     mHasLight = true;
     LiveBake::Receiver shown = mContext.liveBake.receive();
-    showBaked();
+    show(Pattern::Baked);
     mContext.map.bakeLight(mLight, shown);
 }
 

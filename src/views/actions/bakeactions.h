@@ -30,7 +30,7 @@ private:
     void showLive();
     void askCarrying(const Document &document);
     void askLight(const Document &document);
-    void showBaked();
+    void show(Pattern pattern);
 
     StudioContext mContext;
     Questions &mQuestions;
