@@ -8,6 +8,7 @@
 #include "model/io/assimptextures.h"
 #include "model/io/hardedges.h"
 #include "model/io/meshlimits.h"
+#include "model/io/modelunits.h"
 
 #include <QDir>
 #include <QFile>
@@ -320,12 +321,21 @@ Result<Scene> readWithAssimp(const QString &path, const std::atomic<bool> *stop,
         return read.error();
     auto source = std::make_shared<AssimpSource>();
     turnViews(*read.value());
-    if (!placement.isIdentity(0))
-        placeScene(*read.value(), placement);
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    Eigen::Matrix4d place = placement;
+    if (suffix == QLatin1String("blend"))
+        place = unitChange({1, true}, {});
+    // There Assimp makes up the root for the axes and the unit of the file.
+    if (suffix == QLatin1String("dae") || suffix == QLatin1String("3ds")) {
+        place = place * toEigen(read.value()->mRootNode->mTransformation);
+        read.value()->mRootNode->mTransformation = {};
+    }
+    if (!place.isIdentity(0))
+        placeScene(*read.value(), place);
     source->scene = std::move(read).value();
     Scene scene;
     scene.path = path;
-    scene.format = QFileInfo(path).suffix().toLower();
+    scene.format = suffix;
     SoupBuilder builder(*source->scene, path);
     try {
         if (!builder.build(scene, *source))

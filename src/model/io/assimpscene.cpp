@@ -220,9 +220,19 @@ ExportScene::ExportScene(const Scene &scene, const ExportOptions &options)
 void ExportScene::borrow(const aiScene &from)
 {
     mBorrowed = true;
-    if (mOptions.animations) {
+    if (mOptions.animations && from.mNumAnimations > 0) {
+        mScene->mAnimations = new aiAnimation *[from.mNumAnimations];
+        for (unsigned a = 0; a < from.mNumAnimations; ++a) {
+            auto *animation = new aiAnimation;
+            // Assimp refuses animations that are called like a node.
+            animation->mName = "animation " + std::to_string(a);
+            animation->mDuration = from.mAnimations[a]->mDuration;
+            animation->mTicksPerSecond = from.mAnimations[a]->mTicksPerSecond;
+            animation->mNumChannels = from.mAnimations[a]->mNumChannels;
+            animation->mChannels = from.mAnimations[a]->mChannels;
+            mScene->mAnimations[a] = animation;
+        }
         mScene->mNumAnimations = from.mNumAnimations;
-        mScene->mAnimations = from.mAnimations;
     }
     mScene->mNumLights = from.mNumLights;
     mScene->mLights = from.mLights;
@@ -324,9 +334,12 @@ void ExportScene::makePlain(const Scene &scene)
 
 ExportScene::~ExportScene()
 {
+    for (unsigned a = 0; a < mScene->mNumAnimations; ++a) {
+        mScene->mAnimations[a]->mNumChannels = 0;
+        mScene->mAnimations[a]->mChannels = nullptr;
+    }
     if (mBorrowed) {
-        mScene->mNumAnimations = mScene->mNumLights = mScene->mNumCameras = 0;
-        mScene->mAnimations = nullptr;
+        mScene->mNumLights = mScene->mNumCameras = 0;
         mScene->mLights = nullptr;
         mScene->mCameras = nullptr;
     }

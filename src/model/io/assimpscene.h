@@ -50,7 +50,7 @@ private:
     void makeMaterials(const Scene &scene, const aiScene *from);
 
     aiScene *mScene;
-    bool mBorrowed = false; //!< animations, cameras and lights belong to the source
+    bool mBorrowed = false; //!< channels of animations, cameras and lights belong to the source
     ExportOptions mOptions;
 };
 

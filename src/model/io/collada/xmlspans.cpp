@@ -10,7 +10,7 @@ namespace autocuts {
 
 namespace {
 
-constexpr std::size_t maxDepth = 200;
+constexpr std::size_t maxXmlDepth = 200;
 constexpr std::string_view space = " \t\r\n";
 
 class XmlScanner
@@ -111,7 +111,7 @@ bool XmlScanner::readTag()
     XmlElement element;
     element.name = withoutPrefix(take(" \t\r\n/>"));
     element.whole = mText.substr(begin, 0);
-    if (element.name.empty() || mOpen.size() >= maxDepth || !readAttributes(element))
+    if (element.name.empty() || mOpen.size() >= maxXmlDepth || !readAttributes(element))
         return false;
     const bool isEmpty = mText[mAt] == '/';
     mAt += isEmpty ? 2 : 1;

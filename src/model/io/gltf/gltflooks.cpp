@@ -17,9 +17,12 @@ bool isWebPicture(const QByteArray &content)
     return content.startsWith("\x89PNG") || content.startsWith("\xff\xd8\xff");
 }
 
-QByteArray asPng(const QByteArray &content)
+//! \param suffix of the picture's name: some formats are known by nothing else
+QByteArray asPng(const QByteArray &content, const QString &suffix)
 {
-    const QImage image = QImage::fromData(content);
+    QImage image = QImage::fromData(content);
+    if (image.isNull())
+        image = QImage::fromData(content, suffix.toLatin1().constData());
     QBuffer buffer;
     return !image.isNull() && buffer.open(QIODevice::WriteOnly) && image.save(&buffer, "PNG") ? buffer.data()
                                                                                               : QByteArray();
@@ -36,7 +39,7 @@ Json GltfPictures::imageOf(const SceneTexture &picture)
     if (!inside && (content.isEmpty() || (web && !mEmbed)))
         return {{"uri", QUrl::toPercentEncoding(file, "/!$&'()*+,;=:@").toStdString()}};
     if (!web)
-        content = asPng(content);
+        content = asPng(content, pictureSuffix(content, picture.file));
     if (content.isEmpty())
         return {};
     const QString name = QFileInfo(QString(picture.file).replace(u'\\', u'/')).completeBaseName();
