@@ -5,6 +5,7 @@
 #include "views/control/carrychoice.h"
 #include "views/control/lightchoice.h"
 #include "views/control/studiocontext.h"
+#include "views/state/viewstate.h"
 
 #include <QObject>
 

@@ -66,8 +66,8 @@ BakeDialog::BakeDialog(const Document &document, const BakeChoice &last, const Q
     columns->addWidget(makeModels(last), 1);
     columns->addWidget(makePictures(last), 1);
     mFolder = named("folder", new QLineEdit(QDir::toNativeSeparators(last.folder)));
-    auto *browse = named("browseFolder", new QPushButton(tr("B&rowse...")));
-    mPutOn = named("putOn", new QCheckBox(tr("Sho&w normals, occlusion and colours on the model")));
+    auto *browse = named("browseFolder", new QPushButton(tr("Bro&wse...")));
+    mPutOn = named("putOn", new QCheckBox(tr("Show &normals, occlusion and colours on the model")));
     mPutOn->setChecked(last.putOn);
     mPutOn->setToolTip(
         tr("The pictures become textures of the materials, shown in light; this can be undone"));
@@ -107,7 +107,7 @@ QWidget *BakeDialog::makeModels(const BakeChoice &last)
 {
     auto *group = new QGroupBox(tr("Models and maps"));
     auto *browseHigh = named("browseHigh", new QPushButton(tr("&Browse...")));
-    auto *browseCage = named("browseCage", new QPushButton(tr("Br&owse...")));
+    auto *browseCage = named("browseCage", new QPushButton(tr("Brow&se...")));
     mHigh = named("high", new QLineEdit(QDir::toNativeSeparators(last.high)));
     mHigh->setPlaceholderText(tr("None: this model itself"));
     mHigh->setClearButtonEnabled(true);
@@ -116,7 +116,7 @@ QWidget *BakeDialog::makeModels(const BakeChoice &last)
         "cage", makePercent(0.01, 100, last.cage,
                             tr("How far the detailed model is looked for, outside and inside of the surface; "
                                "100 % is the diagonal of the model")));
-    mPropose = named("propose", new QPushButton(tr("&Propose")));
+    mPropose = named("propose", new QPushButton(tr("Propose")));
     mPropose->setAutoDefault(false);
     mPropose->setToolTip(tr("Measure how far the models are apart, and take that and a little more"));
     auto *cageRow = new QWidget;
@@ -208,9 +208,9 @@ QWidget *BakeDialog::makePictures(const BakeChoice &last)
     form->addRow(tr("Sam&ples per texel:"), mSamples);
     form->addRow(tr("Ra&ys per texel:"), mRays);
     form->addRow(tr("Occl&usion reaches:"), mReach);
-    form->addRow(tr("Curvature radi&us:"), mCurvature);
-    form->addRow(tr("Thic&kness limit:"), mThickness);
-    form->addRow(tr("&Colours from:"), mColors);
+    form->addRow(tr("&Curvature radius:"), mCurvature);
+    form->addRow(tr("T&hickness limit:"), mThickness);
+    form->addRow(tr("Colou&rs from:"), mColors);
     form->addRow(QString(), mGreenDown);
     form->addRow(tr("Di&lation:"), mDilation);
     form->addRow(tr("&Format:"), mFormat);
