@@ -41,6 +41,12 @@ BakeActions::BakeActions(const StudioContext &context, Questions &questions, QOb
     });
 }
 
+void BakeActions::setLight(const LightChoice &light)
+{
+    mLight = light;
+    mHasLight = true;
+}
+
 void BakeActions::ask(const Document &document)
 {
     if (mChoice.folder.isEmpty()) {

@@ -25,6 +25,9 @@ public:
     //! What was chosen last for a bake, for the session.
     const BakeChoice &choice() const { return mChoice; }
     void setChoice(const BakeChoice &choice) { mChoice = choice; }
+    //! The lights that were chosen for this document; null before.
+    const LightChoice *light() const { return mHasLight ? &mLight : nullptr; }
+    void setLight(const LightChoice &light);
 
 private:
     void ask(const Document &document);
