@@ -14,6 +14,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -337,6 +338,22 @@ private Q_SLOTS:
             QVERIFY((Vec3((*matrix)[12], (*matrix)[13], (*matrix)[14]) - Vec3(0, 7, 0)).norm() < 1e-6);
         }
         QCOMPARE(clusters, 1);
+        // Collada has no such node: there the mesh lies where it was bound, which the bone knows.
+        const Scene fbx = readMesh(at(u"r.fbx"_s)).value();
+        QVERIFY(writeMesh(fbx, at(u"s.dae"_s)).ok());
+        const QString text = QString::fromUtf8(loadFile(at(u"s.dae"_s), 1 << 20).value());
+        const QRegularExpressionMatch array =
+            QRegularExpression(u"<float_array id=\"[^\"]*positions-array\"[^>]*>([^<]*)<"_s).match(text);
+        QVERIFY(array.hasMatch());
+        const QStringList numbers = array.captured(1).split(u' ', Qt::SkipEmptyParts);
+        QCOMPARE(numbers.size(), 9);
+        Vec3 least = Vec3::Constant(1e9);
+        for (int i = 0; i < 9; ++i)
+            least[i % 3] = std::min(least[i % 3], numbers[i].toDouble());
+        QVERIFY((least - Vec3(1, 7, 0)).norm() < 1e-5);
+        const Result<Scene> again = readMesh(at(u"s.dae"_s));
+        QVERIFY(again.ok());
+        QVERIFY((worldBox(again.value()).first - worldBox(fbx).first).norm() < 1e-5);
     }
 
     //! Pictures that glTF cannot hold become others, whatever their name is needed for.

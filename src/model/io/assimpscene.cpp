@@ -8,10 +8,15 @@
 
 #include <QUrl>
 
+#include <Eigen/Geometry>
+
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 #include <string_view>
 
 namespace autocuts {
@@ -132,6 +137,56 @@ void nameNodes(const Scene &scene, const AssimpSource &source, const std::vector
     }
 }
 
+Eigen::Affine3d worldOf(const aiNode &node)
+{
+    Eigen::Affine3d world(toEigen(node.mTransformation));
+    for (const aiNode *above = node.mParent; above; above = above->mParent)
+        world = Eigen::Affine3d(toEigen(above->mTransformation)) * world;
+    return world;
+}
+
+//! Where a mesh was in the world when its bones were where they are now; nothing without bones.
+std::optional<Eigen::Affine3d> bindPlace(const aiScene &scene, const aiMesh &mesh)
+{
+    std::optional<Eigen::Affine3d> place;
+    int depth = std::numeric_limits<int>::max();
+    for (unsigned b = 0; b < mesh.mNumBones; ++b) {
+        const aiNode *node = scene.mRootNode->FindNode(mesh.mBones[b]->mName);
+        int own = 0;
+        for (const aiNode *above = node; above; above = above->mParent)
+            ++own;
+        if (!node || own >= depth)
+            continue;
+        depth = own; // the bones below may be posed
+        place = worldOf(*node) * Eigen::Affine3d(toEigen(mesh.mBones[b]->mOffsetMatrix));
+    }
+    return place && std::abs(place->linear().determinant()) > 1e-30 ? place : std::nullopt;
+}
+
+//! Moves a skinned mesh of a node to where it was bound. What bones make of it stays the same. Collada files
+//! of Assimp have no place for that of the binding, and programs take that of the mesh for it.
+void bindInWorld(const aiScene &scene, aiNode &node, const std::vector<aiMesh *> &meshes)
+{
+    const std::optional<Eigen::Affine3d> place =
+        meshes.empty() ? std::nullopt : bindPlace(scene, *meshes.front());
+    const auto isSkinned = [](const aiMesh *mesh) { return mesh->mNumBones > 0; };
+    if (!place || node.mNumChildren > 0 || !std::ranges::all_of(meshes, isSkinned))
+        return;
+    const aiMatrix4x4 there = toAssimp(place->matrix()), back = toAssimp(place->inverse().matrix());
+    const aiMatrix3x3 turn(
+        toAssimp(Eigen::Affine3d(Eigen::Matrix3d(place->linear().inverse().transpose())).matrix()));
+    for (aiMesh *mesh : meshes) {
+        for (unsigned v = 0; v < mesh->mNumVertices; ++v) {
+            mesh->mVertices[v] = there * mesh->mVertices[v];
+            if (mesh->mNormals)
+                mesh->mNormals[v] = (turn * mesh->mNormals[v]).NormalizeSafe();
+        }
+        for (unsigned b = 0; b < mesh->mNumBones; ++b)
+            mesh->mBones[b]->mOffsetMatrix = mesh->mBones[b]->mOffsetMatrix * back;
+    }
+    node.mTransformation = node.mTransformation * back;
+}
+
 //! The faces of each pair of object and material; -1 means none.
 std::map<std::pair<int, int>, std::vector<int>> facesByMaterial(const Scene &scene)
 {
@@ -179,6 +234,7 @@ ExportOptions exportOptions(const QString &format)
     options.triangulate = format == QLatin1String("glb") || format == QLatin1String("gltf");
     // Assimp cannot read back Collada files with animations.
     options.animations = format != QLatin1String("dae");
+    options.bindsInWorld = format == QLatin1String("dae");
     options.linearColors = isGltfFormat(format);
     options.units = unitsOfFormat(format);
     return options;
@@ -271,8 +327,14 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
     }
     setMeshes(*mScene, meshes);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-        if (!nodeMeshes[n].empty())
-            setMeshes(*nodes[n], nodeMeshes[n]);
+        if (nodeMeshes[n].empty())
+            continue;
+        setMeshes(*nodes[n], nodeMeshes[n]);
+        std::vector<aiMesh *> own;
+        for (const unsigned mesh : nodeMeshes[n])
+            own.push_back(meshes[mesh]);
+        if (mOptions.bindsInWorld)
+            bindInWorld(*mScene, *nodes[n], own);
     }
 }
 
