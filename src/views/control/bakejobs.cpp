@@ -84,6 +84,37 @@ std::vector<TextureSet> setsWith(const DocumentState &model, const std::map<QStr
     return sets;
 }
 
+//! What a bake did not find, one line each.
+QStringList faultsOf(const bake::BakeFigures &figures)
+{
+    // Single texels at borders are not worth a word.
+    constexpr double fewestPercent = 0.1;
+    const auto percent = [&](long long texels) { return 100 * double(texels) / double(figures.texels); };
+    QStringList faults;
+    if (percent(figures.missed) >= fewestPercent)
+        faults << JobTexts::tr(
+                      "%1 % of the texels found nothing of the detailed model: a larger cage reaches farther")
+                      .arg(percent(figures.missed), 0, 'f', 1);
+    if (percent(figures.overlapped) >= fewestPercent)
+        faults << JobTexts::tr("%1 % of the texels are shared by several faces and show the first one")
+                      .arg(percent(figures.overlapped), 0, 'f', 1);
+    return faults;
+}
+
+//! The files that a bake must not replace.
+QStringList filesToKeep(const DocumentState &model, const QString &sessionPath, const BakeChoice &choice,
+                        const QStringList &pictures)
+{
+    QStringList kept = filesOfSession(model, sessionPath, true);
+    // Colours that an earlier bake put on this model are made anew from the detailed one.
+    for (const TextureSet &set : model.textureSets) {
+        const auto color = set.find(TextureChannel::BaseColor);
+        if (!choice.high.isEmpty() && color != set.end() && pictures.contains(color->second.picture.file))
+            kept.removeAll(color->second.picture.file);
+    }
+    return kept + QStringList{choice.high, choice.cageFile};
+}
+
 PictureDepth depthOf(int bits)
 {
     return bits == 8 ? PictureDepth::Eight : bits == 16 ? PictureDepth::Sixteen : PictureDepth::Float;
@@ -203,14 +234,7 @@ MapJobResult bakeJob(const DocumentState &model, const MapInput &input, const Ba
         for (const int tile : job->tiles)
             pictures << pathOf(map, tile);
     }
-    QStringList kept = filesOfSession(model, input.sessionPath, true);
-    // Colours that an earlier bake put on this model are made anew from the detailed one.
-    for (const TextureSet &set : model.textureSets) {
-        const auto color = set.find(TextureChannel::BaseColor);
-        if (!choice.high.isEmpty() && color != set.end() && pictures.contains(color->second.picture.file))
-            kept.removeAll(color->second.picture.file);
-    }
-    const Result<Done> fine = checkOutputs(pictures, kept + QStringList{choice.high, choice.cageFile});
+    const Result<Done> fine = checkOutputs(pictures, filesToKeep(model, input.sessionPath, choice, pictures));
     if (!fine) {
         result.problem = fine.error().toString();
         return result;
@@ -248,17 +272,7 @@ MapJobResult bakeJob(const DocumentState &model, const MapInput &input, const Ba
     result.message = JobTexts::tr("Baked %n pictures into %1", nullptr, count).arg(folder);
     if (choice.isPutOn())
         result.textures = MadeTextures{model.textureSets, setsWith(model, shown, choice.greenDown)};
-    // Single texels at borders are not worth a word.
-    constexpr double fewestPercent = 0.1;
-    const auto percent = [&](long long texels) { return 100 * double(texels) / double(figures.texels); };
-    if (percent(figures.missed) >= fewestPercent)
-        warnings
-            << JobTexts::tr(
-                   "%1 % of the texels found nothing of the detailed model: a larger cage reaches farther")
-                   .arg(percent(figures.missed), 0, 'f', 1);
-    if (percent(figures.overlapped) >= fewestPercent)
-        warnings << JobTexts::tr("%1 % of the texels are shared by several faces and show the first one")
-                        .arg(percent(figures.overlapped), 0, 'f', 1);
+    warnings += faultsOf(figures);
     if (!warnings.isEmpty())
         result.problem = result.message + QStringLiteral(". ") + warnings.join(QStringLiteral(". "));
     return result;
