@@ -165,13 +165,15 @@ std::optional<Eigen::Affine3d> bindPlace(const aiScene &scene, const aiMesh &mes
 
 //! Moves a skinned mesh of a node to where it was bound. What bones make of it stays the same. Collada files
 //! of Assimp have no place for that of the binding, and programs take that of the mesh for it.
-void bindInWorld(const aiScene &scene, aiNode &node, const std::vector<aiMesh *> &meshes)
+void bindAtParent(const aiScene &scene, aiNode &node, const std::vector<aiMesh *> &meshes)
 {
-    const std::optional<Eigen::Affine3d> place =
-        meshes.empty() ? std::nullopt : bindPlace(scene, *meshes.front());
+    std::optional<Eigen::Affine3d> place = meshes.empty() ? std::nullopt : bindPlace(scene, *meshes.front());
     const auto isSkinned = [](const aiMesh *mesh) { return mesh->mNumBones > 0; };
     if (!place || node.mNumChildren > 0 || !std::ranges::all_of(meshes, isSkinned))
         return;
+    // Programs leave out the place of the node itself, but not those of the nodes above.
+    if (node.mParent)
+        place = worldOf(*node.mParent).inverse() * *place;
     const aiMatrix4x4 there = toAssimp(place->matrix()), back = toAssimp(place->inverse().matrix());
     const aiMatrix3x3 turn(
         toAssimp(Eigen::Affine3d(Eigen::Matrix3d(place->linear().inverse().transpose())).matrix()));
@@ -234,7 +236,7 @@ ExportOptions exportOptions(const QString &format)
     options.triangulate = format == QLatin1String("glb") || format == QLatin1String("gltf");
     // Assimp cannot read back Collada files with animations.
     options.animations = format != QLatin1String("dae");
-    options.bindsInWorld = format == QLatin1String("dae");
+    options.bindsAtParent = format == QLatin1String("dae");
     options.linearColors = isGltfFormat(format);
     options.units = unitsOfFormat(format);
     return options;
@@ -333,8 +335,8 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
         std::vector<aiMesh *> own;
         for (const unsigned mesh : nodeMeshes[n])
             own.push_back(meshes[mesh]);
-        if (mOptions.bindsInWorld)
-            bindInWorld(*mScene, *nodes[n], own);
+        if (mOptions.bindsAtParent)
+            bindAtParent(*mScene, *nodes[n], own);
     }
 }
 

@@ -287,7 +287,7 @@ void BakeDialog::browseFolder()
 void BakeDialog::showState()
 {
     const bool detailed = !choice().high.isEmpty();
-    for (QWidget *widget : std::initializer_list<QWidget *>{mDirection, mByName, mCageFile})
+    for (QWidget *widget : std::initializer_list<QWidget *>{mDirection, mByName, mCageFile->parentWidget()})
         widget->setEnabled(detailed);
     mCage->setEnabled(detailed && choice().cageFile.isEmpty());
     mPropose->setEnabled(mCage->isEnabled() && !mMeasuring.isBusy() && QFileInfo(choice().high).isFile());
