@@ -1,8 +1,8 @@
 #include "model/io/assimpimport.h"
 
+#include "model/io/assimpcollada.h"
 #include "model/io/assimpstream.h"
 #include "model/io/blendnames.h"
-#include "model/io/collada/colladanodes.h"
 #include "model/io/collada/xmlspans.h"
 
 #include <assimp/Importer.hpp>

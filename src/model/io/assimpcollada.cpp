@@ -1,4 +1,4 @@
-#include "model/io/collada/colladanodes.h"
+#include "model/io/assimpcollada.h"
 
 #include "model/io/collada/xmlspans.h"
 
