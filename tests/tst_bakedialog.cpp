@@ -121,6 +121,8 @@ class TestBakeDialog : public QObject
 private Q_SLOTS:
     void picturesAreBaked();
     void everyChoiceIsKept();
+    void theCageIsProposed();
+    void cagesComeFromFiles();
     void problemsAreSaid();
     void cancelEndsIt();
     void faultsAreSaid();
@@ -145,7 +147,14 @@ void TestBakeDialog::picturesAreBaked()
     QCOMPARE(session.failed.count(), 0);
     QCOMPARE(session.done.count(), 1);
     QVERIFY(session.done.last().first().toString().contains(u"3 pictures"_s));
-    QVERIFY(session.document()->state() == before); // the map is as it was
+    // The model shows them in light; the map is as it was.
+    const TextureSet shown = session.document()->state().textureSet(-1);
+    QCOMPARE(shown.size(), std::size_t(2));
+    QCOMPARE(shown.at(TextureChannel::Normal).picture.file, session.file("low_normal.png"));
+    QCOMPARE(shown.at(TextureChannel::Occlusion).picture.file, session.file("low_ao.png"));
+    QVERIFY(session.context.view.options().pattern == Pattern::Physical);
+    session.press(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(session.document()->state() == before);
     for (const char *name : {"low_normal.png", "low_ao.png", "low_height.png"}) {
         const Result<Picture> picture = readPicture(session.file(name));
         QVERIFY2(picture.ok(), name);
@@ -170,6 +179,12 @@ void TestBakeDialog::everyChoiceIsKept()
         user.find<QSpinBox>("rays")->setValue(5);
         user.find<QSpinBox>("dilation")->setValue(3);
         user.find<QDoubleSpinBox>("cage")->setValue(7);
+        user.find<QDoubleSpinBox>("reach")->setValue(40);
+        user.find<QDoubleSpinBox>("curvature")->setValue(3);
+        user.find<QDoubleSpinBox>("thickness")->setValue(50);
+        QTest::keyClick(user.find<QComboBox>("colors"), Qt::Key_End);
+        user.type("cageFile", session.low);
+        QTest::mouseClick(user.find<QCheckBox>("putOn"), Qt::LeftButton, {}, {8, 8});
         QTest::mouseClick(user.find<QCheckBox>("byName"), Qt::LeftButton, {}, {8, 8});
         QTest::mouseClick(user.find<QCheckBox>("greenDown"), Qt::LeftButton, {}, {8, 8});
         first = static_cast<BakeDialog &>(user.dialog).choice();
@@ -177,7 +192,13 @@ void TestBakeDialog::everyChoiceIsKept()
     });
     QVERIFY(session.jobsRest());
     QCOMPARE(first.maps, (QStringList{u"ao"_s, u"curvature"_s}));
-    QCOMPARE(first.samplesPerSide, 4);
+    QCOMPARE(first.samplesPerSide, 3);
+    QCOMPARE(first.reach, 0.4);
+    QCOMPARE(first.curvatureRadius, 0.03);
+    QCOMPARE(first.thicknessLimit, 0.5);
+    QCOMPARE(first.cageFile, session.low);
+    QVERIFY(first.colors == BakeChoice::Colors::Materials && !first.putOn);
+    QVERIFY(session.document()->state().textureSets.empty());
     QCOMPARE(first.rays, 5);
     QCOMPARE(first.dilation, 3);
     QCOMPARE(first.cage, 0.07);
@@ -205,6 +226,52 @@ void TestBakeDialog::everyChoiceIsKept()
         QTest::keyClick(&user.dialog, Qt::Key_Escape);
         return user.dialog.result();
     });
+}
+
+//! From the distance of both models, on another thread.
+void TestBakeDialog::theCageIsProposed()
+{
+    BakeSession session;
+    session.bake([&](const DialogUser &user) {
+        auto *propose = user.find<QPushButton>("propose");
+        auto *cage = user.find<QDoubleSpinBox>("cage");
+        [&] {
+            QVERIFY(!propose->isEnabled());
+            user.type("high", session.high);
+            QTest::mouseClick(propose, Qt::LeftButton);
+            QVERIFY(!propose->isEnabled());
+            QTRY_VERIFY_WITH_TIMEOUT(propose->isEnabled(), 60000);
+            // The corners are .01 * sqrt(3) apart, and a fifth is added.
+            QVERIFY2(std::abs(cage->value() - 0.6) < 0.02, qPrintable(QString::number(cage->value())));
+            session.write(session.high, {test::box(2, Vec3(30, 30, 30)), UvMatrix(0, 2)});
+            QTest::mouseClick(propose, Qt::LeftButton);
+            QTRY_VERIFY_WITH_TIMEOUT(propose->isEnabled(), 60000);
+            QVERIFY(user.problem().contains(u"nowhere near"_s));
+            QVERIFY(user.find<QPushButton>("bake")->isEnabled());
+        }();
+        return 0;
+    });
+}
+
+void TestBakeDialog::cagesComeFromFiles()
+{
+    BakeSession session;
+    const QString cage = session.file("cage.obj");
+    session.write(cage, {test::box(4, Vec3(2.1, 2.1, 2.1)), UvMatrix(0, 2)});
+    for (const bool fits : {true, false}) {
+        if (!fits)
+            session.write(cage, {test::box(2, Vec3(2.1, 2.1, 2.1)), UvMatrix(0, 2)});
+        session.bake([&](const DialogUser &user) {
+            user.type("high", session.high);
+            user.find<QDoubleSpinBox>("cage")->setValue(0.01); // reaches nothing
+            user.type("cageFile", cage);
+            [&] { QVERIFY(!user.find<QDoubleSpinBox>("cage")->isEnabled()); }();
+            return user.bake();
+        });
+        QVERIFY(session.jobsRest());
+        QCOMPARE(session.failed.count(), fits ? 0 : 1);
+    }
+    QVERIFY(session.failed.last().first().toString().contains(u"other faces"_s));
 }
 
 void TestBakeDialog::problemsAreSaid()

@@ -50,6 +50,8 @@ class TestCliBake : public QObject, private test::OwnFolder
 private Q_SLOTS:
     void initTestCase();
     void everyMap();
+    void otherUnits_data();
+    void otherUnits();
     void depths_data();
     void depths();
     void namesArePaired();
@@ -107,6 +109,37 @@ void TestCliBake::everyMap()
     const Result<Picture> height = readPicture(at("maps/low_height.png"));
     const double expected = 0.5 + 0.5 * 0.01 / (0.02 * std::sqrt(12.0));
     QVERIFY(std::abs(height->at(12, 51)[0] - expected) < 0.01);
+}
+
+void TestCliBake::otherUnits_data()
+{
+    QTest::addColumn<QString>("format");
+    QTest::addColumn<double>("factor");
+    QTest::newRow("a hundred times as large") << u"obj"_s << 100.0;
+    QTest::newRow("a hundredth") << u"obj"_s << 0.01;
+    QTest::newRow("a hundred times, as FBX") << u"fbx"_s << 100.0;
+    QTest::newRow("z up") << u"ply"_s << 1.0;
+}
+
+//! A detailed model in other units is found, baked as if it were in those of the model, and told.
+void TestCliBake::otherUnits()
+{
+    QFETCH(QString, format);
+    QFETCH(double, factor);
+    const QString high = at("units.") + format;
+    QVERIFY(
+        writeMesh(sceneOf({test::box(9, factor * Vec3(2.02, 2.02, 2.02)), UvMatrix(0, 2)}, u"high"_s), high)
+            .ok());
+    const test::CliRun run =
+        runInProcess({u"bake"_s, at("low.obj"), u"--high"_s, high, u"-o"_s, at("units"), u"--maps"_s,
+                      u"height"_s, u"--size"_s, u"64"_s, u"--report"_s, at("units.json")});
+    QVERIFY2(run.code == 0, qPrintable(run.err));
+    QCOMPARE(run.err.contains(u"times"_s), factor != 1);
+    const QJsonObject report = QJsonDocument::fromJson(test::readBytes(at("units.json"))).object();
+    QCOMPARE(report.value(u"texels_missed"_s).toInt(-1), 0);
+    const Result<Picture> height = readPicture(at("units/low_height.png"));
+    QVERIFY(height.ok());
+    QVERIFY(std::abs(height->at(12, 51)[0] - (0.5 + 0.5 * 0.01 / (0.02 * std::sqrt(12.0)))) < 0.01);
 }
 
 void TestCliBake::depths_data()

@@ -1,10 +1,12 @@
 // From one format to another: units, axes, colours, pictures, cameras, lights, bones and names stay.
 #include "model/document/materialcolor.h"
+#include "model/io/fbxparsing.h"
 #include "model/io/fbxreader.h"
 #include "model/io/fbxsource.h"
 #include "model/io/instances.h"
 #include "model/io/meshfile.h"
 #include "model/io/modelunits.h"
+#include "model/io/picturefiles.h"
 #include "model/io/savefile.h"
 #include "model/io/texturefiles.h"
 
@@ -12,8 +14,12 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace autocuts;
 using namespace Qt::Literals::StringLiterals;
@@ -249,6 +255,144 @@ private Q_SLOTS:
         const QJsonArray lights =
             jsonOf(at(u"w.glb"_s))[u"extensions"_s][u"KHR_lights_punctual"_s][u"lights"_s].toArray();
         QCOMPARE(lights.at(0)[u"type"_s].toString(), u"spot"_s);
+    }
+
+    //! Assimp knows nodes by their ids, and takes degrees for radians where only the height of a view is
+    //! said.
+    void namesAndViewsOfCollada()
+    {
+        QByteArray dae = viewsDae();
+        dae.replace("name=\"Eye\"", "name=\"K&#xFC;che &amp; Eye\"");
+        // An animation that is called like a node.
+        dae.replace("<library_visual_scenes>",
+                    "<library_animations><animation name=\"Box\"><source id=\"t\"><float_array id=\"ta\" "
+                    "count=\"2\">0 1</float_array><technique_common><accessor source=\"#ta\" count=\"2\"/>"
+                    "</technique_common></source><source id=\"o\"><float_array id=\"oa\" count=\"6\">0 0 0 "
+                    "100 0 0</float_array><technique_common><accessor source=\"#oa\" count=\"2\" "
+                    "stride=\"3\"/></technique_common></source><sampler id=\"m\"><input semantic=\"INPUT\" "
+                    "source=\"#t\"/><input semantic=\"OUTPUT\" source=\"#o\"/></sampler><channel "
+                    "source=\"#m\" target=\"n1/move\"/></animation></library_animations>"
+                    "<library_visual_scenes>");
+        dae.replace("name=\"Box\"><instance_geometry",
+                    "name=\"Box\"><translate sid=\"move\">0 0 0</translate><instance_geometry");
+        QVERIFY(saveAtomically(at(u"v.dae"_s), dae).ok());
+        const Result<Scene> scene = readMesh(at(u"v.dae"_s));
+        QVERIFY2(scene.ok(), scene ? "" : qPrintable(scene.error().toString()));
+        QCOMPARE(scene->objectNames, std::vector<QString>{u"Box"_s});
+        QVERIFY(writeMesh(scene.value(), at(u"v.glb"_s)).ok());
+        const QJsonObject json = jsonOf(at(u"v.glb"_s));
+        QStringList names;
+        for (const QJsonValue &node : json[u"nodes"_s].toArray())
+            names << node[u"name"_s].toString();
+        names.sort();
+        // Nothing else: the root that Assimp makes up for axes and unit is no object.
+        QCOMPARE(names, (QStringList{u"Box"_s, u"Küche & Eye"_s, u"Lamp"_s}));
+        const QJsonValue camera = json[u"cameras"_s].toArray().at(0);
+        QVERIFY(std::abs(camera[u"perspective"_s][u"yfov"_s].toDouble() - 40 * M_PI / 180) < 1e-5);
+        const QJsonArray animations = json[u"animations"_s].toArray();
+        QCOMPARE(animations.size(), 1);
+        QCOMPARE(animations.at(0)[u"name"_s].toString(), u"Box"_s);
+        const auto [low, high] = worldBox(readMesh(at(u"v.glb"_s)).value());
+        QVERIFY((high - Vec3(1, 3, 0)).norm() < 1e-6 && low.norm() < 1e-6);
+    }
+
+    //! In FBX files each bone says where its armature is, or programs put the mesh elsewhere.
+    void armaturesInFbx()
+    {
+        QByteArray dae = viewsDae();
+        dae.replace(
+            "<library_visual_scenes>",
+            "<library_controllers><controller id=\"c\"><skin source=\"#g\"><bind_shape_matrix>1 0 0 0 0 1 0 "
+            "0 0 0 1 0 0 0 0 1</bind_shape_matrix><source id=\"j\"><Name_array "
+            "id=\"ja\" count=\"1\">B</Name_array><technique_common><accessor source=\"#ja\" "
+            "count=\"1\"><param name=\"JOINT\" type=\"name\"/></accessor></technique_common></source>"
+            "<source id=\"b\"><float_array id=\"ba\" count=\"16\">1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"
+            "</float_array><technique_common><accessor source=\"#ba\" count=\"1\" stride=\"16\"><param "
+            "name=\"TRANSFORM\" type=\"float4x4\"/></accessor>"
+            "</technique_common></source><source id=\"w\"><float_array id=\"wa\" count=\"1\">1"
+            "</float_array><technique_common><accessor source=\"#wa\" count=\"1\" stride=\"1\"><param "
+            "name=\"WEIGHT\" type=\"float\"/></accessor></technique_common>"
+            "</source><joints><input semantic=\"JOINT\" source=\"#j\"/><input "
+            "semantic=\"INV_BIND_MATRIX\" source=\"#b\"/></joints><vertex_weights count=\"3\"><input "
+            "semantic=\"JOINT\" source=\"#j\" offset=\"0\"/><input semantic=\"WEIGHT\" "
+            "source=\"#w\" offset=\"1\"/><vcount>1 1 1</vcount><v>0 0 0 0 0 0</v></vertex_weights>"
+            "</skin></controller></library_controllers><library_visual_scenes>");
+        dae.replace("<node id=\"n1\" name=\"Box\"><instance_geometry url=\"#g\"/></node>",
+                    "<node id=\"a\" name=\"Rig\"><translate>0 0 700</translate><node id=\"bone\" sid=\"B\" "
+                    "name=\"Bone\" type=\"JOINT\"><translate>100 0 0</translate></node><node id=\"n1\" "
+                    "name=\"Box\"><instance_controller url=\"#c\"><skeleton>#bone</skeleton>"
+                    "</instance_controller></node></node>");
+        QVERIFY(saveAtomically(at(u"r.dae"_s), dae).ok());
+        const Result<Scene> scene = readMesh(at(u"r.dae"_s));
+        QVERIFY2(scene.ok(), scene ? "" : qPrintable(scene.error().toString()));
+        QVERIFY(writeMesh(scene.value(), at(u"r.fbx"_s)).ok());
+        const Result<FbxTree> tree = parseFbxTree(loadFile(at(u"r.fbx"_s), 1 << 20).value(), at(u"r.fbx"_s));
+        QVERIFY(tree.ok());
+        int clusters = 0;
+        const int objects = tree->child(0, "Objects");
+        for (int node = tree->child(objects, "Deformer"); node >= 0; node = tree->nextNamed(node)) {
+            const int armature = tree->child(node, "TransformAssociateModel");
+            if (tree->child(node, "TransformLink") < 0)
+                continue;
+            ++clusters;
+            const std::optional<std::vector<double>> matrix = tree->doubles(armature);
+            QVERIFY(armature >= 0 && matrix && matrix->size() == 16);
+            // Seven metres up, which is y.
+            QVERIFY((Vec3((*matrix)[12], (*matrix)[13], (*matrix)[14]) - Vec3(0, 7, 0)).norm() < 1e-6);
+        }
+        QCOMPARE(clusters, 1);
+        // Collada has no such node: there the mesh lies where it was bound, which the bone knows, in
+        // the coordinates of what is above it.
+        const Scene fbx = readMesh(at(u"r.fbx"_s)).value();
+        QVERIFY(writeMesh(fbx, at(u"s.dae"_s)).ok());
+        const QString text = QString::fromUtf8(loadFile(at(u"s.dae"_s), 1 << 20).value());
+        const QRegularExpressionMatch array =
+            QRegularExpression(u"<float_array id=\"[^\"]*positions-array\"[^>]*>([^<]*)<"_s).match(text);
+        QVERIFY(array.hasMatch());
+        const QStringList numbers = array.captured(1).split(u' ', Qt::SkipEmptyParts);
+        QCOMPARE(numbers.size(), 9);
+        Vec3 least = Vec3::Constant(1e9);
+        for (int i = 0; i < 9; ++i)
+            least[i % 3] = std::min(least[i % 3], numbers[i].toDouble());
+        QVERIFY((least - Vec3(100, 0, 0)).norm() < 1e-3);
+        const Result<Scene> again = readMesh(at(u"s.dae"_s));
+        QVERIFY(again.ok());
+        QVERIFY((worldBox(again.value()).first - worldBox(fbx).first).norm() < 1e-5);
+    }
+
+    //! Pictures that glTF cannot hold become others, whatever their name is needed for.
+    void targaPicturesInGltf()
+    {
+        Picture green(4, 4, 3, 0);
+        for (std::size_t i = 1; i < green.values.size(); i += 3)
+            green.values[i] = 1;
+        QVERIFY(writePicture(green, at(u"tex.tga"_s), PictureDepth::Eight).ok());
+        QVERIFY(saveAtomically(at(u"a.mtl"_s), QByteArray(library).replace("tex.png", "tex.tga")).ok());
+        QVERIFY(writeMesh(readMesh(at(u"a.obj"_s)).value(), at(u"t.glb"_s)).ok());
+        const Scene again = readMesh(at(u"t.glb"_s)).value();
+        const QByteArray bytes =
+            again.fileSet(again.faceMaterial.back())[TextureChannel::BaseColor].picture.content;
+        QCOMPARE(QImage::fromData(bytes).pixel(0, 0), qRgb(0, 255, 0));
+        QVERIFY(bytes.startsWith("\x89PNG"));
+    }
+
+    //! "Cube" and "Cube.001" begin alike, and z is up.
+    void objectsOfBlendFiles()
+    {
+        const QString path = u"/usr/share/assimp/models/BLEND/CubeHierarchy_248.blend"_s;
+        if (!QFile::exists(path))
+            QSKIP("Debian's package assimp-testmodels is not there");
+        const Result<Scene> scene = readMesh(path);
+        QVERIFY2(scene.ok(), scene ? "" : qPrintable(scene.error().toString()));
+        std::vector<QString> names = scene->objectNames;
+        std::sort(names.begin(), names.end());
+        const std::vector<QString> expected{u"Cube"_s,     u"Cube.001"_s, u"Cube.002"_s, u"Cube.003"_s,
+                                            u"Cube.004"_s, u"Cube.005"_s, u"Cube.006"_s, u"Cube.007"_s,
+                                            u"Cube.008"_s, u"Cube1"_s,    u"Plane"_s};
+        QCOMPARE(names, expected);
+        // The plane lies below, the cubes are piled up over it.
+        const auto [low, high] = worldBox(scene.value());
+        QVERIFY(std::abs(low.y() + 0.784) < 1e-3 && std::abs(high.y() - 12.0002) < 1e-3);
     }
 
     //! Two objects share a mesh: the figures of their maps are those of the file, which has one map.

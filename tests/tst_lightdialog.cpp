@@ -329,6 +329,17 @@ void TestLightDialog::everyChoiceIsKept()
         [&] { QVERIFY(user.choice() == first); }();
         return user.cancel();
     });
+    // Also through the session, in another run of the program.
+    const QString saved = session.file("kept.acproj");
+    session.context.files.save(saved);
+    QVERIFY(session.jobsRest());
+    LightSession later;
+    later.context.files.open(saved);
+    QVERIFY(later.jobsRest());
+    later.ask([&](const DialogUser &user) {
+        [&] { QVERIFY(user.choice() == first); }();
+        return user.cancel();
+    });
 }
 
 void TestLightDialog::problemsAreSaid()

@@ -3488,10 +3488,6 @@
         <translation>&amp;Durchsuchen...</translation>
     </message>
     <message>
-        <source>B&amp;rowse...</source>
-        <translation>Durch&amp;suchen...</translation>
-    </message>
-    <message>
         <source>None: this model itself</source>
         <translation>Keines: dieses Modell selbst</translation>
     </message>
@@ -3630,6 +3626,118 @@
     <message>
         <source>Si&amp;ze:</source>
         <translation>Gr&amp;öße:</translation>
+    </message>
+    <message>
+        <source>Bro&amp;wse...</source>
+        <translation>Durch&amp;suchen...</translation>
+    </message>
+    <message>
+        <source>Show &amp;normals, occlusion and colours on the model</source>
+        <translation>Normalen, Verdeckung und Farben am Modell &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>The pictures become textures of the materials, shown in light; this can be undone</source>
+        <translation>Die Bilder werden Texturen der Materialien und im Licht gezeigt; das lässt sich rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Models and maps</source>
+        <translation>Modelle und Karten</translation>
+    </message>
+    <message>
+        <source>Brow&amp;se...</source>
+        <translation>Dur&amp;chsuchen...</translation>
+    </message>
+    <message>
+        <source>Propose</source>
+        <translation>Vorschlagen</translation>
+    </message>
+    <message>
+        <source>Measure how far the models are apart, and take that and a little more</source>
+        <translation>Misst, wie weit die Modelle auseinander sind, und nimmt das und etwas mehr</translation>
+    </message>
+    <message>
+        <source>None: by distance</source>
+        <translation>Keine: nach dem Abstand</translation>
+    </message>
+    <message>
+        <source>This model with its vertices moved outwards; rays run from there through the surface</source>
+        <translation>Dieses Modell mit nach außen verschobenen Punkten; von dort laufen Strahlen durch die Oberfläche</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ge file:</source>
+        <translation>Käfi&amp;g-Datei:</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>What is farther away casts no occlusion; 100 % is the diagonal of the model</source>
+        <translation>Was weiter weg ist, verdeckt nichts; 100 % ist die Diagonale des Modells</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Size of what shows as curvature; 100 % is the diagonal of the model</source>
+        <translation>Größe dessen, was als Krümmung erscheint; 100 % ist die Diagonale des Modells</translation>
+    </message>
+    <message>
+        <source>Thickness that is white; 100 % is the diagonal of the model</source>
+        <translation>Dicke, die weiß ist; 100 % ist die Diagonale des Modells</translation>
+    </message>
+    <message>
+        <source>What the model has</source>
+        <translation>Was das Modell hat</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Texturen</translation>
+    </message>
+    <message>
+        <source>Vertex colours</source>
+        <translation>Vertexfarben</translation>
+    </message>
+    <message>
+        <source>Colours of materials</source>
+        <translation>Farben der Materialien</translation>
+    </message>
+    <message>
+        <source>Where the colours of the map of colours come from</source>
+        <translation>Woher die Farben der Farbkarte kommen</translation>
+    </message>
+    <message>
+        <source>Occl&amp;usion reaches:</source>
+        <translation>&amp;Verdeckung reicht:</translation>
+    </message>
+    <message>
+        <source>&amp;Curvature radius:</source>
+        <translation>Radius d&amp;er Krümmung:</translation>
+    </message>
+    <message>
+        <source>T&amp;hickness limit:</source>
+        <translation>&amp;Höchste Dicke:</translation>
+    </message>
+    <message>
+        <source>Colou&amp;rs from:</source>
+        <translation>&amp;Woher die Farben:</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Käfig</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Wird gemessen</translation>
+    </message>
+    <message>
+        <source>Measuring how far the models are apart...</source>
+        <translation>Misst, wie weit die Modelle auseinander sind...</translation>
+    </message>
+    <message>
+        <source>There is no such cage.</source>
+        <translation>Diesen Käfig gibt es nicht.</translation>
     </message>
 </context>
 <context>
@@ -5924,6 +6032,26 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>%1. %2 % of the surface have no mirror image: their cuts are free</source>
         <translation>%1. %2 % der Oberfläche haben kein Spiegelbild: Ihre Schnitte sind frei</translation>
+    </message>
+    <message>
+        <source>the cage has other faces than the model</source>
+        <translation>der Käfig hat andere Flächen als das Modell</translation>
+    </message>
+    <message>
+        <source>Make it by moving the vertices of the model</source>
+        <translation>Entsteht, wenn die Punkte des Modells verschoben werden</translation>
+    </message>
+    <message>
+        <source>The model has no colours of the chosen kind: those of its materials are baked</source>
+        <translation>Das Modell hat keine Farben der gewählten Art: die seiner Materialien werden gebacken</translation>
+    </message>
+    <message>
+        <source>the detailed model is nowhere near this one</source>
+        <translation>das detaillierte Modell ist nirgends in der Nähe von diesem</translation>
+    </message>
+    <message>
+        <source>Choose the model that belongs to this one</source>
+        <translation>Wählen Sie das Modell, das zu diesem gehört</translation>
     </message>
 </context>
 <context>

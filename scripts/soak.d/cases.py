@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import bakes
+import conversions
 import filefaults
 import mutations
 import oddmeshes
@@ -239,6 +240,42 @@ class Cases:
             return faults[0] in attempt()[0]
 
         return Finding(faults[0], arguments, run, source, None if interrupt else again, faults[1:])
+
+    def chain(self, rng, name, before, words):
+        """Converts a file over some formats to OBJ. Returns faults and the last run."""
+        names = ["step%d.%s" % (k, rng.choice(conversions.FORMATS)) for k in range(rng.randint(1, 3))] + ["end.obj"]
+        for source, target in zip([name, *names], names):
+            run = self.program.run(["convert", source, "-o", target])
+            faults = self.program.faults(run)
+            if faults or run.code != 0:
+                return faults or ["exit code %d of a conversion" % run.code], run, names
+        after = conversions.figures((self.folder / names[-1]).read_bytes())
+        return ["%s changed by a conversion" % w for w in conversions.differences(before, after, words)], run, names
+
+    def chained(self, rng, name, data, before, words):
+        source, state = self.write(name, data), rng.getstate()
+        faults, run, names = self.chain(rng, name, before(data), words)
+        if not faults:
+            return None
+
+        def again(other):
+            rng.setstate(state)
+            source.write_bytes(other)
+            return faults[0] in self.chain(rng, name, before(other), words)[0]
+
+        return Finding(faults[0], ["convert", name, "-o", names[0]], run, source, again,
+                       faults[1:] + ["over " + ", ".join(names)])
+
+    def conversion(self, rng):
+        """Over several formats and back: places, sizes, UVs, names and materials stay."""
+        self.write("in.mtl", conversions.library(rng))
+        return self.chained(rng, "in.obj", conversions.obj(rng), conversions.figures,
+                            ["box", "area", "triangles", "UVs", "area of UVs", "objects", "materials"])
+
+    def units(self, rng):
+        """Files in other units and with other axes have their true size and stand upright in other formats."""
+        name, data, metres = conversions.in_units(rng)
+        return self.chained(rng, name, data, lambda _: conversions.figures(metres), ["box", "area", "triangles"])
 
     def large_output(self, rng):
         """(arguments, output, its bytes before, its bytes after success)"""

@@ -1,5 +1,7 @@
 #include "model/io/assimpfbx.h"
 
+#include "model/io/assimpmatrix.h"
+
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -15,16 +17,6 @@ constexpr double degrees = 180 / std::numbers::pi;
 constexpr double ticksPerSecond = 46186158000.0; //!< of FBX
 constexpr double filmInches = 1.259842;          //!< 32 mm
 constexpr double centimetres = 100;              //!< in a metre
-
-Eigen::Affine3d toAffine(const aiMatrix4x4 &m)
-{
-    Eigen::Matrix4d result;
-    for (unsigned row = 0; row < 4; ++row) {
-        for (unsigned column = 0; column < 4; ++column)
-            result(row, column) = m[row][column];
-    }
-    return Eigen::Affine3d(result);
-}
 
 //! Angles of a rotation in degrees: about x first, then y, then z. \param near of the many, those close to
 //! these
@@ -208,25 +200,32 @@ void FbxRig::addView(const aiNode &node, std::int64_t model)
     }
 }
 
-void FbxRig::addNode(const aiNode &node, std::int64_t parent, const Eigen::Affine3d &above,
-                     const std::map<int, QString> &names)
+FbxRig::FbxRig(FbxNewObjects &objects, const AssimpSource &source, bool fromGltf)
+    : mObjects(objects), mSource(source), mFromGltf(fromGltf), mBones(boneNames(*source.scene))
+{}
+
+void FbxRig::addNode(const aiNode &node, const Above &above, const std::map<int, QString> &names)
 {
     const aiScene &scene = *mSource.scene;
     const auto number = static_cast<int>(mModels.size());
     mNumberOf.try_emplace(node.mName.C_Str(), mModels.size());
-    Eigen::Affine3d local = toAffine(node.mTransformation);
-    mWorld.push_back(above * local);
+    Eigen::Affine3d local = Eigen::Affine3d(toEigen(node.mTransformation));
+    mWorld.push_back(above.world * local);
     const bool isRoot = &node == scene.mRootNode;
     const bool isCamera = objectOf(scene.mCameras, scene.mNumCameras, node.mName);
     const bool isLight = objectOf(scene.mLights, scene.mNumLights, node.mName);
     const auto object = names.find(number);
     const QByteArray kind = object != names.end() ? "Mesh" : isCamera ? "Camera" : isLight ? "Light" : "Null";
-    std::int64_t id = parent;
+    // Programs take what is above the first bone for the armature, and all below it for bones.
+    const bool isBone = kind == "Null" && (above.armature || mBones.contains(node.mName.C_Str()));
+    const std::optional<Eigen::Affine3d> armature = above.armature ? above.armature
+                                                    : isBone       ? std::optional(above.world)
+                                                                   : std::nullopt;
+    mArmature.push_back(armature.value_or(Eigen::Affine3d::Identity()));
+    std::int64_t id = above.model;
     // A root without anything is the scene itself.
     if (!isRoot || object != names.end() || !local.matrix().isIdentity(0)) {
-        QByteArray written = kind;
-        if (kind == "Null" && boneNames(scene).contains(node.mName.C_Str()))
-            written = "LimbNode";
+        const QByteArray written = isBone ? QByteArray("LimbNode") : kind;
         if (isCamera || isLight) {
             mTurns[node.mName.C_Str()] = turnOf(isCamera);
             local.linear() = local.linear() * turnOf(isCamera);
@@ -234,7 +233,7 @@ void FbxRig::addNode(const aiNode &node, std::int64_t parent, const Eigen::Affin
         id = addFbxModel(mObjects,
                          object != names.end() ? object->second : QString::fromUtf8(node.mName.C_Str()),
                          written, local);
-        mObjects.connect(id, parent);
+        mObjects.connect(id, above.model);
         if (written == "LimbNode") {
             const std::int64_t bone =
                 mObjects.add("NodeAttribute", QString::fromUtf8(node.mName.C_Str()), "LimbNode",
@@ -244,14 +243,14 @@ void FbxRig::addNode(const aiNode &node, std::int64_t parent, const Eigen::Affin
         addView(node, id);
     }
     mModels.push_back(id);
-    const Eigen::Affine3d world = mWorld.back();
+    const Above below{id, mWorld.back(), armature};
     for (unsigned c = 0; c < node.mNumChildren; ++c)
-        addNode(*node.mChildren[c], id, world, names);
+        addNode(*node.mChildren[c], below, names);
 }
 
 void FbxRig::addNodes(const std::map<int, QString> &names)
 {
-    addNode(*mSource.scene->mRootNode, 0, Eigen::Affine3d::Identity(), names);
+    addNode(*mSource.scene->mRootNode, {}, names);
 }
 
 void FbxRig::addSkin(std::int64_t geometry, int node, const std::vector<FbxSkinPoint> &points)
@@ -274,7 +273,7 @@ void FbxRig::addSkin(std::int64_t geometry, int node, const std::vector<FbxSkinP
             const auto bone = mNumberOf.find(mesh.mBones[b]->mName.C_Str());
             if (bone == mNumberOf.end())
                 continue;
-            clusters[bone->second].offset = toAffine(mesh.mBones[b]->mOffsetMatrix);
+            clusters[bone->second].offset = Eigen::Affine3d(toEigen(mesh.mBones[b]->mOffsetMatrix));
             for (unsigned w = 0; w < mesh.mBones[b]->mNumWeights; ++w) {
                 const aiVertexWeight &weight = mesh.mBones[b]->mWeights[w];
                 if (weight.mVertexId < ofVertex.size() && weight.mWeight > 0)
@@ -304,7 +303,7 @@ void FbxRig::addSkin(std::int64_t geometry, int node, const std::vector<FbxSkinP
             "Deformer", {}, "Cluster",
             {fbxLeaf("Version", std::int32_t(100)), fbxLeaf("Indexes", std::move(cluster.points)),
              fbxLeaf("Weights", std::move(cluster.weights)), matrixNode("Transform", cluster.offset),
-             matrixNode("TransformLink", bind)});
+             matrixNode("TransformLink", bind), matrixNode("TransformAssociateModel", mArmature[bone])});
         mObjects.connect(id, skin);
         mObjects.connect(mModels[bone], id);
     }

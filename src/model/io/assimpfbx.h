@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 
 struct aiNode;
@@ -40,9 +42,7 @@ class FbxRig final
 {
 public:
     //! \param fromGltf lights have the strengths of glTF
-    FbxRig(FbxNewObjects &objects, const AssimpSource &source, bool fromGltf)
-        : mObjects(objects), mSource(source), mFromGltf(fromGltf)
-    {}
+    FbxRig(FbxNewObjects &objects, const AssimpSource &source, bool fromGltf);
 
     //! Writes all nodes. \param name of those with an object, by the node's number in depth-first order
     void addNodes(const std::map<int, QString> &names);
@@ -53,8 +53,14 @@ public:
     void addAnimations();
 
 private:
-    void addNode(const aiNode &node, std::int64_t parent, const Eigen::Affine3d &above,
-                 const std::map<int, QString> &names);
+    //! What a node is below.
+    struct Above
+    {
+        std::int64_t model = 0;
+        Eigen::Affine3d world = Eigen::Affine3d::Identity();
+        std::optional<Eigen::Affine3d> armature; //!< where the skeleton is that the node belongs to
+    };
+    void addNode(const aiNode &node, const Above &above, const std::map<int, QString> &names);
     void addView(const aiNode &node, std::int64_t model);
     void addCurves(const aiNode &node, std::int64_t layer, const char *property, const char *label,
                    const std::vector<std::int64_t> &times, const std::vector<Vec3> &values);
@@ -64,6 +70,8 @@ private:
     bool mFromGltf;
     std::vector<std::int64_t> mModels;
     std::vector<Eigen::Affine3d> mWorld;
+    std::vector<Eigen::Affine3d> mArmature; //!< of bones
+    std::set<std::string> mBones;
     std::map<std::string, std::size_t> mNumberOf; //!< of the first node of each name
     std::map<std::string, Eigen::Matrix3d>
         mTurns; //!< of cameras and lights: from Assimp's axes to those of FBX

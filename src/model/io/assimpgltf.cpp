@@ -1,5 +1,6 @@
 #include "model/io/assimpgltf.h"
 
+#include "model/io/assimpsource.h"
 #include "model/io/gltf/gltflooks.h"
 #include "model/io/gltf/gltfsource.h"
 #include "model/io/gltf/gltfuvnames.h"
@@ -212,6 +213,19 @@ void removePlainRoot(Json &root)
     }
 }
 
+//! ExportScene has given them names of its own.
+void nameAnimations(Json &root, const Scene &scene)
+{
+    const auto *source = dynamic_cast<const AssimpSource *>(scene.source.get());
+    if (!source || !root.contains("animations"))
+        return;
+    Json &animations = root["animations"];
+    for (std::size_t a = 0; a < animations.size() && a < source->scene->mNumAnimations; ++a) {
+        const aiString &name = source->scene->mAnimations[a]->mName;
+        animations[a]["name"] = name.length > 0 ? name.C_Str() : "animation";
+    }
+}
+
 } // namespace
 
 void completeGltf(GltfDocument &document, const Scene &scene, const aiScene &exported, const QString &path)
@@ -219,6 +233,7 @@ void completeGltf(GltfDocument &document, const Scene &scene, const aiScene &exp
     addMaterials(document, scene, exported, path);
     addCameras(document.json, exported);
     addLights(document.json, exported, isGltfFormat(scene.format));
+    nameAnimations(document.json, scene);
     removePlainRoot(document.json);
     std::map<int, QString> names;
     for (const UvSet &set : scene.uvSets)

@@ -1,6 +1,9 @@
 #include "model/io/assimpimport.h"
 
+#include "model/io/assimpcollada.h"
 #include "model/io/assimpstream.h"
+#include "model/io/blendnames.h"
+#include "model/io/collada/xmlspans.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
@@ -11,6 +14,7 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <string_view>
 
@@ -18,33 +22,14 @@ namespace autocuts {
 
 namespace {
 
-bool isCollada(const std::string &path)
+//! In lower case.
+std::string suffixOf(const std::string &path)
 {
     const std::size_t dot = path.rfind('.');
     std::string suffix = dot == std::string::npos ? std::string() : path.substr(dot + 1);
     for (char &c : suffix)
         c = static_cast<char>(c | 0x20);
-    return suffix == "dae";
-}
-
-void appendUtf8(std::string &text, char32_t c)
-{
-    const auto add = [&text](char32_t byte) { text.push_back(static_cast<char>(byte)); };
-    if (c < 0x80) {
-        add(c);
-    } else if (c < 0x800) {
-        add(0xC0 | c >> 6);
-        add(0x80 | (c & 0x3F));
-    } else if (c < 0x10000) {
-        add(0xE0 | c >> 12);
-        add(0x80 | (c >> 6 & 0x3F));
-        add(0x80 | (c & 0x3F));
-    } else {
-        add(0xF0 | c >> 18);
-        add(0x80 | (c >> 12 & 0x3F));
-        add(0x80 | (c >> 6 & 0x3F));
-        add(0x80 | (c & 0x3F));
-    }
+    return suffix;
 }
 
 //! \param high place of the high byte in each pair: 0 or 1
@@ -104,6 +89,38 @@ std::string contentOf(const std::string &path)
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+//! The objects of a .blend file get their names back.
+void nameBack(aiNode &node, const std::map<std::string, std::string> &names)
+{
+    if (const auto name = names.find(node.mName.C_Str()); name != names.end())
+        node.mName = name->second;
+    for (unsigned c = 0; c < node.mNumChildren; ++c)
+        nameBack(*node.mChildren[c], names);
+}
+
+//! The scene of a .blend file, or null. It belongs to the importer.
+const aiScene *importedBlend(Assimp::Importer &importer, const std::string &path)
+{
+    const BlendObjects objects = withDistinctNames(contentOf(path));
+    importer.ReadFileFromMemory(objects.bytes.data(), objects.bytes.size(), 0, "blend");
+    std::map<std::string, std::string> names;
+    for (std::size_t n = 0; n < objects.names.size(); ++n)
+        names[blendName(n)] = objects.names[n];
+    aiScene *scene = const_cast<aiScene *>(importer.GetScene());
+    if (!scene || !scene->mRootNode)
+        return nullptr;
+    const auto nameBackAll = [&names](auto *const *list, unsigned count) {
+        for (unsigned n = 0; n < count; ++n) {
+            if (const auto name = names.find(list[n]->mName.C_Str()); name != names.end())
+                list[n]->mName = name->second;
+        }
+    };
+    nameBack(*scene->mRootNode, names);
+    nameBackAll(scene->mCameras, scene->mNumCameras);
+    nameBackAll(scene->mLights, scene->mNumLights);
+    return scene;
+}
+
 //! The scene with its root, or null. It belongs to the importer.
 const aiScene *imported(Assimp::Importer &importer, const std::string &path, std::string &error)
 {
@@ -111,10 +128,11 @@ const aiScene *imported(Assimp::Importer &importer, const std::string &path, std
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     // Without this, Assimp makes up a mesh for files that have none.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-    const aiScene *scene = importer.ReadFile(path, 0);
+    const bool isBlend = suffixOf(path) == "blend";
+    const aiScene *scene = isBlend ? importedBlend(importer, path) : importer.ReadFile(path, 0);
     if (!scene)
         error = importer.GetErrorString();
-    if (!scene && isCollada(path)) {
+    if (!scene && suffixOf(path) == "dae") {
         // What Assimp cannot read by itself: UTF-16, and white space before numbers.
         const std::string xml = withoutLeadingSpace(asUtf8(contentOf(path)));
         scene = importer.ReadFileFromMemory(xml.data(), xml.size(), 0, "dae");
@@ -147,6 +165,8 @@ void importWithAssimp(const std::string &path, std::FILE *out, void (*finish)(in
         if (imported(importer, path, error)) {
             const std::unique_ptr<aiScene> scene(importer.GetOrphanedScene());
             dropChannelsWithoutNode(*scene);
+            if (suffixOf(path) == "dae")
+                completeColladaNodes(*scene, asUtf8(contentOf(path)));
             writeAssimpScene(*scene, out);
             finish(readerexit::done);
         }

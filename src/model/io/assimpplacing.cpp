@@ -1,5 +1,7 @@
 #include "model/io/assimpplacing.h"
 
+#include "model/io/assimpmatrix.h"
+
 #include <Eigen/Geometry>
 
 #include <assimp/scene.h>
@@ -10,16 +12,6 @@
 namespace autocuts {
 
 namespace {
-
-aiMatrix4x4 toAssimp(const Eigen::Matrix4d &m)
-{
-    aiMatrix4x4 result;
-    for (unsigned row = 0; row < 4; ++row) {
-        for (unsigned column = 0; column < 4; ++column)
-            result[row][column] = static_cast<ai_real>(m(row, column));
-    }
-    return result;
-}
 
 template <typename Change>
 void changeChannels(aiScene &scene, const aiNode &node, const Change &change)

@@ -1,12 +1,14 @@
 #include "model/io/assimpreader.h"
 
 #include "model/document/materialcolor.h"
+#include "model/io/assimpmatrix.h"
 #include "model/io/assimpplacing.h"
 #include "model/io/assimpprocess.h"
 #include "model/io/assimpscene.h"
 #include "model/io/assimptextures.h"
 #include "model/io/hardedges.h"
 #include "model/io/meshlimits.h"
+#include "model/io/modelunits.h"
 
 #include <QDir>
 #include <QFile>
@@ -26,13 +28,6 @@
 namespace autocuts {
 
 namespace {
-
-Eigen::Matrix4d toMatrix(const aiMatrix4x4 &m)
-{
-    Eigen::Matrix4d result;
-    result << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4;
-    return result;
-}
 
 QString toName(const aiString &name)
 {
@@ -158,7 +153,7 @@ bool SoupBuilder::addMesh(const aiNode &node, unsigned meshIndex, const Eigen::M
 bool SoupBuilder::addNode(const aiNode &node, const Eigen::Matrix4d &parent)
 {
     ++mNodes;
-    const Eigen::Matrix4d transform = parent * toMatrix(node.mTransformation);
+    const Eigen::Matrix4d transform = parent * toEigen(node.mTransformation);
     const std::size_t firstFace = mFaceObject.size();
     for (unsigned m = 0; m < node.mNumMeshes; ++m) {
         if (!addMesh(node, node.mMeshes[m], transform))
@@ -326,12 +321,21 @@ Result<Scene> readWithAssimp(const QString &path, const std::atomic<bool> *stop,
         return read.error();
     auto source = std::make_shared<AssimpSource>();
     turnViews(*read.value());
-    if (!placement.isIdentity(0))
-        placeScene(*read.value(), placement);
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    Eigen::Matrix4d place = placement;
+    if (suffix == QLatin1String("blend"))
+        place = unitChange({1, true}, {});
+    // There Assimp makes up the root for the axes and the unit of the file.
+    if (suffix == QLatin1String("dae") || suffix == QLatin1String("3ds")) {
+        place = place * toEigen(read.value()->mRootNode->mTransformation);
+        read.value()->mRootNode->mTransformation = {};
+    }
+    if (!place.isIdentity(0))
+        placeScene(*read.value(), place);
     source->scene = std::move(read).value();
     Scene scene;
     scene.path = path;
-    scene.format = QFileInfo(path).suffix().toLower();
+    scene.format = suffix;
     SoupBuilder builder(*source->scene, path);
     try {
         if (!builder.build(scene, *source))

@@ -1,5 +1,6 @@
 #include "model/io/assimpscene.h"
 
+#include "model/io/assimpmatrix.h"
 #include "model/io/assimpmesh.h"
 #include "model/io/gltf/gltfsource.h"
 #include "model/io/objsource.h"
@@ -7,10 +8,15 @@
 
 #include <QUrl>
 
+#include <Eigen/Geometry>
+
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 #include <string_view>
 
 namespace autocuts {
@@ -98,16 +104,6 @@ aiMaterial *makeMaterial(const QString &name, int number, const aiMaterial *from
     return material;
 }
 
-aiMatrix4x4 toAssimpMatrix(const Eigen::Matrix4d &m)
-{
-    aiMatrix4x4 result;
-    for (unsigned row = 0; row < 4; ++row) {
-        for (unsigned column = 0; column < 4; ++column)
-            result[row][column] = static_cast<ai_real>(m(row, column));
-    }
-    return result;
-}
-
 //! True when something of the scene besides the tree names the node.
 bool isNamedElsewhere(const aiScene &scene, const aiString &name)
 {
@@ -139,6 +135,58 @@ void nameNodes(const Scene &scene, const AssimpSource &source, const std::vector
         if (object < std::ssize(scene.objectNames) && !isNamedElsewhere(*source.scene, node.mName))
             node.mName = scene.objectNames[static_cast<std::size_t>(object)].toStdString();
     }
+}
+
+Eigen::Affine3d worldOf(const aiNode &node)
+{
+    Eigen::Affine3d world(toEigen(node.mTransformation));
+    for (const aiNode *above = node.mParent; above; above = above->mParent)
+        world = Eigen::Affine3d(toEigen(above->mTransformation)) * world;
+    return world;
+}
+
+//! Where a mesh was in the world when its bones were where they are now; nothing without bones.
+std::optional<Eigen::Affine3d> bindPlace(const aiScene &scene, const aiMesh &mesh)
+{
+    std::optional<Eigen::Affine3d> place;
+    int depth = std::numeric_limits<int>::max();
+    for (unsigned b = 0; b < mesh.mNumBones; ++b) {
+        const aiNode *node = scene.mRootNode->FindNode(mesh.mBones[b]->mName);
+        int own = 0;
+        for (const aiNode *above = node; above; above = above->mParent)
+            ++own;
+        if (!node || own >= depth)
+            continue;
+        depth = own; // the bones below may be posed
+        place = worldOf(*node) * Eigen::Affine3d(toEigen(mesh.mBones[b]->mOffsetMatrix));
+    }
+    return place && std::abs(place->linear().determinant()) > 1e-30 ? place : std::nullopt;
+}
+
+//! Moves a skinned mesh of a node to where it was bound. What bones make of it stays the same. Collada files
+//! of Assimp have no place for that of the binding, and programs take that of the mesh for it.
+void bindAtParent(const aiScene &scene, aiNode &node, const std::vector<aiMesh *> &meshes)
+{
+    std::optional<Eigen::Affine3d> place = meshes.empty() ? std::nullopt : bindPlace(scene, *meshes.front());
+    const auto isSkinned = [](const aiMesh *mesh) { return mesh->mNumBones > 0; };
+    if (!place || node.mNumChildren > 0 || !std::ranges::all_of(meshes, isSkinned))
+        return;
+    // Programs leave out the place of the node itself, but not those of the nodes above.
+    if (node.mParent)
+        place = worldOf(*node.mParent).inverse() * *place;
+    const aiMatrix4x4 there = toAssimp(place->matrix()), back = toAssimp(place->inverse().matrix());
+    const aiMatrix3x3 turn(
+        toAssimp(Eigen::Affine3d(Eigen::Matrix3d(place->linear().inverse().transpose())).matrix()));
+    for (aiMesh *mesh : meshes) {
+        for (unsigned v = 0; v < mesh->mNumVertices; ++v) {
+            mesh->mVertices[v] = there * mesh->mVertices[v];
+            if (mesh->mNormals)
+                mesh->mNormals[v] = (turn * mesh->mNormals[v]).NormalizeSafe();
+        }
+        for (unsigned b = 0; b < mesh->mNumBones; ++b)
+            mesh->mBones[b]->mOffsetMatrix = mesh->mBones[b]->mOffsetMatrix * back;
+    }
+    node.mTransformation = node.mTransformation * back;
 }
 
 //! The faces of each pair of object and material; -1 means none.
@@ -188,6 +236,7 @@ ExportOptions exportOptions(const QString &format)
     options.triangulate = format == QLatin1String("glb") || format == QLatin1String("gltf");
     // Assimp cannot read back Collada files with animations.
     options.animations = format != QLatin1String("dae");
+    options.bindsAtParent = format == QLatin1String("dae");
     options.linearColors = isGltfFormat(format);
     options.units = unitsOfFormat(format);
     return options;
@@ -229,9 +278,19 @@ ExportScene::ExportScene(const Scene &scene, const ExportOptions &options)
 void ExportScene::borrow(const aiScene &from)
 {
     mBorrowed = true;
-    if (mOptions.animations) {
+    if (mOptions.animations && from.mNumAnimations > 0) {
+        mScene->mAnimations = new aiAnimation *[from.mNumAnimations];
+        for (unsigned a = 0; a < from.mNumAnimations; ++a) {
+            auto *animation = new aiAnimation;
+            // Assimp refuses animations that are called like a node.
+            animation->mName = "animation " + std::to_string(a);
+            animation->mDuration = from.mAnimations[a]->mDuration;
+            animation->mTicksPerSecond = from.mAnimations[a]->mTicksPerSecond;
+            animation->mNumChannels = from.mAnimations[a]->mNumChannels;
+            animation->mChannels = from.mAnimations[a]->mChannels;
+            mScene->mAnimations[a] = animation;
+        }
         mScene->mNumAnimations = from.mNumAnimations;
-        mScene->mAnimations = from.mAnimations;
     }
     mScene->mNumLights = from.mNumLights;
     mScene->mLights = from.mLights;
@@ -254,7 +313,7 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
     // What Assimp reads is in metres, but the axes may differ.
     const bool zUp = unitsOfFormat(scene.format).zUp;
     if (const Eigen::Matrix4d turn = unitChange({1, zUp}, mOptions.units); !turn.isIdentity(0))
-        mScene->mRootNode->mTransformation = toAssimpMatrix(turn) * mScene->mRootNode->mTransformation;
+        mScene->mRootNode->mTransformation = toAssimp(turn) * mScene->mRootNode->mTransformation;
     nameNodes(scene, source, nodes);
     std::vector<aiMesh *> meshes;
     std::vector<std::vector<unsigned>> nodeMeshes(nodes.size());
@@ -270,8 +329,14 @@ void ExportScene::takeFromSource(const Scene &scene, const AssimpSource &source)
     }
     setMeshes(*mScene, meshes);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-        if (!nodeMeshes[n].empty())
-            setMeshes(*nodes[n], nodeMeshes[n]);
+        if (nodeMeshes[n].empty())
+            continue;
+        setMeshes(*nodes[n], nodeMeshes[n]);
+        std::vector<aiMesh *> own;
+        for (const unsigned mesh : nodeMeshes[n])
+            own.push_back(meshes[mesh]);
+        if (mOptions.bindsAtParent)
+            bindAtParent(*mScene, *nodes[n], own);
     }
 }
 
@@ -333,9 +398,12 @@ void ExportScene::makePlain(const Scene &scene)
 
 ExportScene::~ExportScene()
 {
+    for (unsigned a = 0; a < mScene->mNumAnimations; ++a) {
+        mScene->mAnimations[a]->mNumChannels = 0;
+        mScene->mAnimations[a]->mChannels = nullptr;
+    }
     if (mBorrowed) {
-        mScene->mNumAnimations = mScene->mNumLights = mScene->mNumCameras = 0;
-        mScene->mAnimations = nullptr;
+        mScene->mNumLights = mScene->mNumCameras = 0;
         mScene->mLights = nullptr;
         mScene->mCameras = nullptr;
     }

@@ -18,6 +18,7 @@ struct ExportOptions
     bool triangulate = false; //!< split polygons as MeshData does; Assimp splits concave polygons badly
     bool animations = true;
     bool linearColors = false;      //!< those of vertices; otherwise they are sRGB
+    bool bindsAtParent = false;     //!< skinned meshes lie where they were bound to their bones
     ModelUnits units;               //!< of the new file
     MaterialLooks *looks = nullptr; //!< names the pictures of materials; null: they have none
 };
@@ -50,7 +51,7 @@ private:
     void makeMaterials(const Scene &scene, const aiScene *from);
 
     aiScene *mScene;
-    bool mBorrowed = false; //!< animations, cameras and lights belong to the source
+    bool mBorrowed = false; //!< channels of animations, cameras and lights belong to the source
     ExportOptions mOptions;
 };
 

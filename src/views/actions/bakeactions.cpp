@@ -41,6 +41,12 @@ BakeActions::BakeActions(const StudioContext &context, Questions &questions, QOb
     });
 }
 
+void BakeActions::setLight(const LightChoice &light)
+{
+    mLight = light;
+    mHasLight = true;
+}
+
 void BakeActions::ask(const Document &document)
 {
     if (mChoice.folder.isEmpty()) {
@@ -52,10 +58,13 @@ void BakeActions::ask(const Document &document)
     if (answer == QDialog::Rejected)
         return;
     mChoice = dialog.choice();
-    if (answer == BakeDialog::Live)
+    if (answer == BakeDialog::Live) {
         showLive();
-    else
-        mContext.map.bake(mChoice);
+        return;
+    }
+    if (mChoice.isPutOn())
+        show(Pattern::Physical);
+    mContext.map.bake(mChoice);
 }
 
 void BakeActions::askCarrying(const Document &document)
@@ -74,13 +83,13 @@ void BakeActions::askCarrying(const Document &document)
 void BakeActions::showLive()
 {
     mContext.liveBake.start(mChoice, mChoice.maps.first());
-    showBaked();
+    show(Pattern::Baked);
 }
 
-void BakeActions::showBaked()
+void BakeActions::show(Pattern pattern)
 {
     ViewOptions options = mContext.view.options();
-    options.pattern = Pattern::Baked;
+    options.pattern = pattern;
     mContext.view.setOptions(options);
 }
 
@@ -100,7 +109,7 @@ void BakeActions::askLight(const Document &document)
     mLight = dialog.choice();
     mHasLight = true;
     LiveBake::Receiver shown = mContext.liveBake.receive();
-    showBaked();
+    show(Pattern::Baked);
     mContext.map.bakeLight(mLight, shown);
 }
 

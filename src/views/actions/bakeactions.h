@@ -5,6 +5,7 @@
 #include "views/control/carrychoice.h"
 #include "views/control/lightchoice.h"
 #include "views/control/studiocontext.h"
+#include "views/state/viewstate.h"
 
 #include <QObject>
 
@@ -24,13 +25,16 @@ public:
     //! What was chosen last for a bake, for the session.
     const BakeChoice &choice() const { return mChoice; }
     void setChoice(const BakeChoice &choice) { mChoice = choice; }
+    //! The lights that were chosen for this document; null before.
+    const LightChoice *light() const { return mHasLight ? &mLight : nullptr; }
+    void setLight(const LightChoice &light);
 
 private:
     void ask(const Document &document);
     void showLive();
     void askCarrying(const Document &document);
     void askLight(const Document &document);
-    void showBaked();
+    void show(Pattern pattern);
 
     StudioContext mContext;
     Questions &mQuestions;

@@ -46,12 +46,17 @@ void visitChoices(Choice &choice, Visit visit)
     visit("samplesPerSide", choice.samplesPerSide);
     visit("rays", choice.rays);
     visit("cage", choice.cage);
+    visit("cageFile", choice.cageFile);
+    visit("reach", choice.reach);
+    visit("curvatureRadius", choice.curvatureRadius);
+    visit("thicknessLimit", choice.thicknessLimit);
     visit("byName", choice.byName);
     visit("greenDown", choice.greenDown);
     visit("dilation", choice.dilation);
     visit("suffix", choice.suffix);
     visit("bits", choice.bits);
     visit("folder", choice.folder);
+    visit("putOn", choice.putOn);
 }
 
 const MapTitle *titleOf(const QString &name)
@@ -73,6 +78,7 @@ QCborMap BakeChoice::toCbor() const
     QCborMap map;
     visitChoices(*this, [&map](const char *key, const auto &value) { map[QLatin1StringView(key)] = value; });
     map[QLatin1StringView("direction")] = static_cast<int>(direction);
+    map[QLatin1StringView("colors")] = static_cast<int>(colors);
     map[QLatin1StringView("maps")] = QCborArray::fromStringList(maps);
     return map;
 }
@@ -86,9 +92,15 @@ BakeChoice BakeChoice::fromCbor(const QCborMap &map)
             value = read.value<Value>();
     });
     choice.direction = static_cast<Direction>(map.value(QLatin1StringView("direction")).toInteger());
+    choice.colors = static_cast<Colors>(map.value(QLatin1StringView("colors")).toInteger());
     if (const QCborValue maps = map.value(QLatin1StringView("maps")); maps.isArray())
         choice.maps = maps.toVariant().toStringList();
     return choice;
+}
+
+bool BakeChoice::isPutOn() const
+{
+    return putOn && std::ranges::any_of(maps, isTextureOfMaterials);
 }
 
 QStringList bakeMapNames()
@@ -109,6 +121,12 @@ QString bakeMapTip(const QString &name)
 {
     const MapTitle *map = titleOf(name);
     return map ? translated(map->tip) : QString();
+}
+
+bool isTextureOfMaterials(const QString &name)
+{
+    return name == QLatin1StringView("normal") || name == QLatin1StringView("ao") ||
+           name == QLatin1StringView("color");
 }
 
 } // namespace autocuts

@@ -11,6 +11,7 @@ namespace autocuts {
 struct BakeChoice
 {
     enum class Direction { Smoothed, Shading, Corrected };
+    enum class Colors { Auto, Textures, Vertices, Materials }; //!< see ColorSource
 
     QString high; //!< file of the detailed model; empty: the model itself
     QStringList maps{QStringLiteral("normal"), QStringLiteral("ao")}; //!< names as in options: "normal"
@@ -18,14 +19,21 @@ struct BakeChoice
     int samplesPerSide = 2; //!< of each texel
     int rays = 64;          //!< per texel
     double cage = 0.02;     //!< share of the diagonal of the model's bounding box
+    QString cageFile;       //!< in place of the distance; empty: none
     Direction direction = Direction::Smoothed;
+    double reach = 0; //!< of rays to what occludes, as a share of the diagonal; 0: everything does
+    double curvatureRadius = 0.01, thicknessLimit = 0.25; //!< shares of the diagonal
+    Colors colors = Colors::Auto;
     bool byName = false;    //!< objects see those of the same name only
     bool greenDown = false; //!< normals for DirectX
     int dilation = 16;      //!< texels
     QString suffix = QStringLiteral("png");
     int bits = 8;
-    QString folder; //!< for the pictures
+    QString folder;    //!< for the pictures
+    bool putOn = true; //!< normals, occlusion and colours become textures of the model
 
+    //! True when the model gets at least one texture of it.
+    bool isPutOn() const;
     bool operator==(const BakeChoice &) const = default;
     //! For the session. The dialog takes nothing from it that cannot be chosen there.
     QCborMap toCbor() const;
@@ -37,5 +45,7 @@ QStringList bakeMapNames();
 //! Translated; empty where the title says all. \param name one of bakeMapNames()
 QString bakeMapTitle(const QString &name);
 QString bakeMapTip(const QString &name);
+//! True for maps that materials have a place for. \param name one of bakeMapNames()
+bool isTextureOfMaterials(const QString &name);
 
 } // namespace autocuts

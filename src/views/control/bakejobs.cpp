@@ -7,6 +7,8 @@
 #include "model/io/projectfile.h"
 #include "model/io/transfersource.h"
 #include "model/plain/udimtiles.h"
+#include "model/transfer/surfacedistance.h"
+#include "views/control/cageproposal.h"
 #include "views/control/jobtexts.h"
 
 #include <QCoreApplication>
@@ -15,6 +17,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <string>
 
 namespace autocuts {
 
@@ -35,6 +40,79 @@ Result<DocumentState> readDetailed(const QString &path, const std::atomic<bool> 
         return project.error();
     warnings << lossesOf(path, project->warnings);
     return std::move(project->state);
+}
+
+//! Takes the positions of a cage from a file.
+Result<Done> readCage(const QString &path, const MeshData &low, const std::atomic<bool> &stop,
+                      bake::CageSettings &cage, QStringList &warnings)
+{
+    const Result<DocumentState> read = readDetailed(path, stop, warnings);
+    if (!read)
+        return read.error();
+    const MeshData &mesh = *read->scene.mesh;
+    if (mesh.faceStart != low.faceStart || mesh.cornerVertex != low.cornerVertex)
+        return Error{JobTexts::tr("the cage has other faces than the model"), path, 0,
+                     JobTexts::tr("Make it by moving the vertices of the model")};
+    cage.positions = mesh.positions;
+    return Done{};
+}
+
+//! The texture sets of the model with the pictures that were baked.
+std::vector<TextureSet> setsWith(const DocumentState &model, const std::map<QString, QString> &pictures,
+                                 bool greenDown)
+{
+    std::vector<TextureSet> sets = model.textureSets;
+    std::set<int> materials(model.scene.faceMaterial.begin(), model.scene.faceMaterial.end());
+    if (materials.empty())
+        materials.insert(-1);
+    constexpr std::pair<const char *, TextureChannel> channels[]{{"normal", TextureChannel::Normal},
+                                                                 {"ao", TextureChannel::Occlusion},
+                                                                 {"color", TextureChannel::BaseColor}};
+    for (const int material : materials) {
+        const auto place = static_cast<std::size_t>(material + 1);
+        sets.resize(std::max(sets.size(), place + 1));
+        for (const auto &[name, channel] : channels) {
+            const auto picture = pictures.find(QLatin1StringView(name));
+            if (picture == pictures.end())
+                continue;
+            ChannelPicture fresh;
+            fresh.picture.file = picture->second;
+            fresh.flipped = greenDown && channel == TextureChannel::Normal;
+            sets[place][channel] = fresh;
+        }
+    }
+    return sets;
+}
+
+//! What a bake did not find, one line each.
+QStringList faultsOf(const bake::BakeFigures &figures)
+{
+    // Single texels at borders are not worth a word.
+    constexpr double fewestPercent = 0.1;
+    const auto percent = [&](long long texels) { return 100 * double(texels) / double(figures.texels); };
+    QStringList faults;
+    if (percent(figures.missed) >= fewestPercent)
+        faults << JobTexts::tr(
+                      "%1 % of the texels found nothing of the detailed model: a larger cage reaches farther")
+                      .arg(percent(figures.missed), 0, 'f', 1);
+    if (percent(figures.overlapped) >= fewestPercent)
+        faults << JobTexts::tr("%1 % of the texels are shared by several faces and show the first one")
+                      .arg(percent(figures.overlapped), 0, 'f', 1);
+    return faults;
+}
+
+//! The files that a bake must not replace.
+QStringList filesToKeep(const DocumentState &model, const QString &sessionPath, const BakeChoice &choice,
+                        const QStringList &pictures)
+{
+    QStringList kept = filesOfSession(model, sessionPath, true);
+    // Colours that an earlier bake put on this model are made anew from the detailed one.
+    for (const TextureSet &set : model.textureSets) {
+        const auto color = set.find(TextureChannel::BaseColor);
+        if (!choice.high.isEmpty() && color != set.end() && pictures.contains(color->second.picture.file))
+            kept.removeAll(color->second.picture.file);
+    }
+    return kept + QStringList{choice.high, choice.cageFile};
 }
 
 PictureDepth depthOf(int bits)
@@ -60,6 +138,9 @@ Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSetti
                          : packing.height();
     job.settings.grid.perSide = choice.samplesPerSide;
     job.settings.rays.rays = choice.rays;
+    job.settings.rays.reach = choice.reach;
+    job.settings.rays.curvatureRadius = choice.curvatureRadius;
+    job.settings.rays.thicknessLimit = choice.thicknessLimit;
     job.settings.cage.distance = choice.cage;
     job.settings.cage.direction = static_cast<bake::CageDirection>(choice.direction);
     job.margin = choice.dilation;
@@ -77,8 +158,13 @@ Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSetti
     }
     const auto takeColors = [&](const DocumentState &source, ShadedSurface &surface) {
         QStringList missing;
+        bool plain = false;
         if (choice.maps.contains(QLatin1StringView(bake::nameOf(bake::MapKind::Color))))
-            addColors(source, ColorSource::Auto, surface, missing);
+            plain = !addColors(source, static_cast<ColorSource>(choice.colors), surface, missing);
+        if (plain)
+            warnings << JobTexts::tr(
+                "The model has no colours of the chosen kind: those of its materials are "
+                "baked");
         if (!missing.isEmpty())
             warnings
                 << JobTexts::tr("Textures that cannot be read: %1").arg(missing.join(QStringLiteral(", ")));
@@ -95,6 +181,11 @@ Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSetti
     if (const QString moved = placeLike(*job.high, job.low); !moved.isEmpty())
         warnings << moved;
     takeColors(high.value(), *job.high);
+    if (!choice.cageFile.isEmpty()) {
+        const Result<Done> cage = readCage(choice.cageFile, *scene.mesh, stop, job.settings.cage, warnings);
+        if (!cage)
+            return cage.error();
+    }
     if (choice.byName) {
         const QStringList alone = pairObjects(job.low, scene.objectNames, *job.high, high->scene.objectNames);
         if (!alone.isEmpty())
@@ -102,6 +193,25 @@ Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSetti
                             .arg(alone.join(QStringLiteral(", ")));
     }
     return job;
+}
+
+Result<double> proposedCage(const DocumentState &model, const QString &high, const std::atomic<bool> &stop)
+{
+    QStringList warnings;
+    const Result<DocumentState> read = readDetailed(high, stop, warnings);
+    if (!read)
+        return read.error();
+    const ShadedSurface low = shadedSurface(model.scene);
+    ShadedSurface detailed = shadedSurface(read->scene);
+    placeLike(detailed, low);
+    const double size = low.mesh->report.boxDiagonal;
+    constexpr double farthest = 0.1, least = 0.001, room = 1.2; // chosen by hand
+    const std::optional<double> distance =
+        transfer::surfaceDistance(*low.mesh, *detailed.mesh, farthest * size, stop);
+    if (!distance || !(size > 0))
+        return Error{JobTexts::tr("the detailed model is nowhere near this one"), high, 0,
+                     JobTexts::tr("Choose the model that belongs to this one")};
+    return std::max(least, room * *distance / size);
 }
 
 MapJobResult bakeJob(const DocumentState &model, const MapInput &input, const BakeChoice &choice,
@@ -124,16 +234,18 @@ MapJobResult bakeJob(const DocumentState &model, const MapInput &input, const Ba
         for (const int tile : job->tiles)
             pictures << pathOf(map, tile);
     }
-    const Result<Done> fine =
-        checkOutputs(pictures, filesOfSession(model, input.sessionPath, true) + QStringList{choice.high});
+    const Result<Done> fine = checkOutputs(pictures, filesToKeep(model, input.sessionPath, choice, pictures));
     if (!fine) {
         result.problem = fine.error().toString();
         return result;
     }
     FileSet written;
+    std::map<QString, QString> shown; // a picture of each map, by its name
     const auto sink = [&](std::size_t map, int tile, const Picture &picture) {
-        const Result<Done> added =
-            addPicture(picture, pathOf(job->settings.maps[map], tile), depthOf(choice.bits), written);
+        const QString path = pathOf(job->settings.maps[map], tile);
+        const Result<Done> added = addPicture(picture, path, depthOf(choice.bits), written);
+        shown.try_emplace(QString::fromStdString(std::string(bake::nameOf(job->settings.maps[map].kind))),
+                          path);
         if (!added)
             result.problem = added.error().toString();
         return added.ok();
@@ -158,17 +270,9 @@ MapJobResult bakeJob(const DocumentState &model, const MapInput &input, const Ba
         return result;
     }
     result.message = JobTexts::tr("Baked %n pictures into %1", nullptr, count).arg(folder);
-    // Single texels at borders are not worth a word.
-    constexpr double fewestPercent = 0.1;
-    const auto percent = [&](long long texels) { return 100 * double(texels) / double(figures.texels); };
-    if (percent(figures.missed) >= fewestPercent)
-        warnings
-            << JobTexts::tr(
-                   "%1 % of the texels found nothing of the detailed model: a larger cage reaches farther")
-                   .arg(percent(figures.missed), 0, 'f', 1);
-    if (percent(figures.overlapped) >= fewestPercent)
-        warnings << JobTexts::tr("%1 % of the texels are shared by several faces and show the first one")
-                        .arg(percent(figures.overlapped), 0, 'f', 1);
+    if (choice.isPutOn())
+        result.textures = MadeTextures{model.textureSets, setsWith(model, shown, choice.greenDown)};
+    warnings += faultsOf(figures);
     if (!warnings.isEmpty())
         result.problem = result.message + QStringLiteral(". ") + warnings.join(QStringLiteral(". "));
     return result;

@@ -4,6 +4,7 @@
 #include "commands/replacemodel.h"
 #include "model/document/makesnapshot.h"
 #include "model/io/fileclashes.h"
+#include "model/io/instances.h"
 #include "model/io/mapreport.h"
 #include "model/io/meshdoctor.h"
 #include "model/io/meshfile.h"
@@ -460,15 +461,16 @@ void FileController::exportReport(const QString &path)
          packing = document->packingSettings(), kept = filesToKeep()](JobControl &job) -> Result<Done> {
             if (Result<Done> fine = checkOutputs({path}, kept(false)); !fine)
                 return fine;
+            const Scene file = asWritten(scene, scene.format);
             metrics::UvMetricsOptions options;
             options.textureSize = packing.textureSize;
             options.tileHeight = packing.tileHeight();
-            options.faceFlags = flags;
+            options.faceFlags = withInstanceStacks(file, flags);
             options.job = &job.stop();
             std::optional<metrics::UvMetrics> figures;
-            if (scene.hasUv())
-                figures = metrics::measureUv(*scene.mesh, scene.uvSets.front().uv, options);
-            MapReport report = mapReport(scene, figures ? &*figures : nullptr, packing);
+            if (file.hasUv())
+                figures = metrics::measureUv(*file.mesh, file.uvSets.front().uv, options);
+            MapReport report = mapReport(file, figures ? &*figures : nullptr, packing);
             report.input = scene.path;
             report.status = QStringLiteral("done");
             return saveAtomically(path, reportJson(report));

@@ -4,6 +4,7 @@
 #include "model/io/litscene.h"
 #include "model/plain/lightplan.h"
 
+#include <QCborMap>
 #include <QString>
 
 namespace autocuts {
@@ -28,6 +29,9 @@ struct LightChoice
     int bits = 8;
 
     bool operator==(const LightChoice &) const = default;
+    //! For the session. The dialog takes nothing from it that cannot be chosen there.
+    QCborMap toCbor() const;
+    static LightChoice fromCbor(const QCborMap &map);
 };
 
 } // namespace autocuts

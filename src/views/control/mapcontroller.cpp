@@ -4,6 +4,7 @@
 #include "commands/edituvsets.h"
 #include "commands/newmap.h"
 #include "model/document/makesnapshot.h"
+#include "model/io/instances.h"
 #include "model/io/texturefiles.h"
 #include "solver/metrics/uvoverlaps.h"
 #include "solver/overlap/overlapseparation.h"
@@ -536,10 +537,14 @@ void MapController::measure()
         return;
     const auto mesh = document->weightedMesh();
     const PackingSettings packing = document->packingSettings();
+    DocumentState model = document->uvSets().empty() ? document->state() : activeFirst(*document);
     mMeasuring.start(
         tr("Measuring"),
-        [mesh, uv = document->uv(), flags = document->marks().faceFlags, packing](JobControl &control) {
-            return measured(*mesh, uv, flags, packing, control);
+        [mesh, uv = document->uv(), model = std::move(model), packing](JobControl &control) {
+            // Objects that share a mesh have one map in the file, and lie on each other there on purpose.
+            const Scene file = asWritten(model.scene, model.scene.format);
+            return measured(*mesh, file.hasUv() ? file.uvSets.front().uv : uv,
+                            withInstanceStacks(file, model.marks.faceFlags), packing, control);
         },
         [this, token = document->token(), figureChanges = mFigureChanges](MapFigures figures) {
             mFigures = std::move(figures);

@@ -1,6 +1,7 @@
 #include "views/dialogs/bakedialog.h"
 
 #include "model/document/document.h"
+#include "views/control/cageproposal.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
 
@@ -11,6 +12,7 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -18,6 +20,7 @@
 #include <QSpinBox>
 
 #include <algorithm>
+#include <cmath>
 
 namespace autocuts {
 
@@ -31,114 +34,187 @@ constexpr int nameRole = Qt::UserRole;
 constexpr std::pair<const char *, int> formats[]{{"png", 8}, {"png", 16}, {"tif", 16},
                                                  {"tga", 8}, {"exr", 16}, {"exr", 32}};
 
+template <class Widget>
+Widget *named(const char *name, Widget *widget)
+{
+    widget->setObjectName(QLatin1StringView(name));
+    return widget;
+}
+
+//! \param value a share
+QDoubleSpinBox *makePercent(double low, double high, double value, const QString &tip)
+{
+    auto *box = new QDoubleSpinBox;
+    box->setRange(low, high);
+    box->setDecimals(2);
+    box->setSuffix(BakeDialog::tr(" %"));
+    box->setValue(100 * value);
+    box->setToolTip(tip);
+    return box;
+}
+
 } // namespace
 
 BakeDialog::BakeDialog(const Document &document, const BakeChoice &last, const QStringList &filters,
                        Questions &questions)
-    : QDialog(questions.window()), mHasUv(document.uv().array().isFinite().any()),
+    : QDialog(questions.window()), mModel(document.state()), mHasUv(document.uv().array().isFinite().any()),
       mTextureSize(document.packingSettings().textureSize), mQuestions(questions), mFilters(filters),
-      mHigh(new QLineEdit), mFolder(new QLineEdit), mMaps(new QListWidget), mSamples(new QComboBox),
-      mDirection(new QComboBox), mFormat(new QComboBox), mWidth(new QSpinBox), mRays(new QSpinBox),
-      mDilation(new QSpinBox), mCage(new QDoubleSpinBox),
-      mByName(new QCheckBox(tr("&Objects see those of the same name only"))),
-      mGreenDown(new QCheckBox(tr("Green points &down (DirectX)"))), mProblem(new QLabel)
+      mMaps(named("maps", new QListWidget)), mProblem(named("problem", new QLabel))
 {
     setWindowTitle(tr("Bake"));
-    auto *browseHigh = new QPushButton(tr("&Browse...")), *browseFolder = new QPushButton(tr("B&rowse..."));
-    mHigh->setText(QDir::toNativeSeparators(last.high));
+    auto *columns = new QHBoxLayout;
+    columns->addWidget(makeModels(last), 1);
+    columns->addWidget(makePictures(last), 1);
+    mFolder = named("folder", new QLineEdit(QDir::toNativeSeparators(last.folder)));
+    auto *browse = named("browseFolder", new QPushButton(tr("Bro&wse...")));
+    mPutOn = named("putOn", new QCheckBox(tr("Show &normals, occlusion and colours on the model")));
+    mPutOn->setChecked(last.putOn);
+    mPutOn->setToolTip(
+        tr("The pictures become textures of the materials, shown in light; this can be undone"));
+    auto *files = new QFormLayout;
+    files->addRow(tr("Fold&er:"), pathRow(mFolder, browse));
+    files->addRow(QString(), mPutOn);
+    mProblem->setWordWrap(true);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    mBake = buttons->addButton(tr("Ba&ke"), QDialogButtonBox::AcceptRole);
+    mBake->setObjectName("bake"_L1);
+    mBake->setDefault(true);
+    mLive = buttons->addButton(tr("Show li&ve"), QDialogButtonBox::ActionRole);
+    mLive->setObjectName("live"_L1);
+    mLive->setAutoDefault(false);
+    mLive->setToolTip(
+        tr("Show the first chosen map in both views, also while the UVs change; no files are written"));
+    auto *layout = new QVBoxLayout(this);
+    layout->addLayout(columns);
+    layout->addLayout(files);
+    layout->addWidget(mProblem);
+    layout->addWidget(buttons);
+    connect(mLive, &QPushButton::clicked, this, [this] { done(Live); });
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(browse, &QPushButton::clicked, this, &BakeDialog::browseFolder);
+    connect(&mMeasuring, &JobRunner::busyChanged, this, &BakeDialog::showState);
+    connect(mMaps, &QListWidget::itemChanged, this, &BakeDialog::showState);
+    for (QLineEdit *edit : {mHigh, mCageFile, mFolder})
+        connect(edit, &QLineEdit::textChanged, this, [this] {
+            mMeasured.clear();
+            showState();
+        });
+    showState();
+}
+
+QWidget *BakeDialog::makeModels(const BakeChoice &last)
+{
+    auto *group = new QGroupBox(tr("Models and maps"));
+    auto *browseHigh = named("browseHigh", new QPushButton(tr("&Browse...")));
+    auto *browseCage = named("browseCage", new QPushButton(tr("Brow&se...")));
+    mHigh = named("high", new QLineEdit(QDir::toNativeSeparators(last.high)));
     mHigh->setPlaceholderText(tr("None: this model itself"));
     mHigh->setClearButtonEnabled(true);
-    mHigh->setMinimumWidth(320);
-    mFolder->setText(QDir::toNativeSeparators(last.folder));
+    mHigh->setMinimumWidth(220);
+    mCage = named(
+        "cage", makePercent(0.01, 100, last.cage,
+                            tr("How far the detailed model is looked for, outside and inside of the surface; "
+                               "100 % is the diagonal of the model")));
+    mPropose = named("propose", new QPushButton(tr("Propose")));
+    mPropose->setAutoDefault(false);
+    mPropose->setToolTip(tr("Measure how far the models are apart, and take that and a little more"));
+    auto *cageRow = new QWidget;
+    auto *cage = new QHBoxLayout(cageRow);
+    cage->setContentsMargins(0, 0, 0, 0);
+    cage->addWidget(mCage, 1);
+    cage->addWidget(mPropose);
+    cageRow->setFocusProxy(mCage);
+    mCageFile = named("cageFile", new QLineEdit(QDir::toNativeSeparators(last.cageFile)));
+    mCageFile->setPlaceholderText(tr("None: by distance"));
+    mCageFile->setClearButtonEnabled(true);
+    mCageFile->setToolTip(
+        tr("This model with its vertices moved outwards; rays run from there through the surface"));
+    mDirection = named("direction", new QComboBox);
+    mDirection->addItem(tr("Smooth: no gaps at edges"), int(BakeChoice::Direction::Smoothed));
+    mDirection->addItem(tr("Along the shading normals"), int(BakeChoice::Direction::Shading));
+    mDirection->addItem(tr("Smooth at edges, straight elsewhere"), int(BakeChoice::Direction::Corrected));
+    mDirection->setCurrentIndex(std::max(0, mDirection->findData(int(last.direction))));
+    mDirection->setToolTip(tr("In which direction the detailed model is looked for"));
+    mByName = named("byName", new QCheckBox(tr("&Objects see those of the same name only")));
+    mByName->setChecked(last.byName);
+    mByName->setToolTip(tr("Endings such as _low and _high do not count"));
     addMaps(last.maps);
+    auto *form = new QFormLayout(group);
+    form->addRow(tr("De&tailed model:"), pathRow(mHigh, browseHigh));
+    form->addRow(tr("C&age:"), cageRow);
+    form->addRow(tr("Ca&ge file:"), pathRow(mCageFile, browseCage));
+    form->addRow(tr("D&irection:"), mDirection);
+    form->addRow(QString(), mByName);
+    form->addRow(tr("&Maps:"), mMaps);
+    connect(browseHigh, &QPushButton::clicked, this, &BakeDialog::browseDetailed);
+    connect(browseCage, &QPushButton::clicked, this, &BakeDialog::browseCage);
+    connect(mPropose, &QPushButton::clicked, this, &BakeDialog::proposeCage);
+    return group;
+}
+
+QWidget *BakeDialog::makePictures(const BakeChoice &last)
+{
+    auto *group = new QGroupBox(tr("Pictures"));
+    mWidth = named("width", new QSpinBox);
     mWidth->setRange(PreferenceLimits::minTextureSize, PackingSettings::maxTextureSize);
     mWidth->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     mWidth->setValue(last.width > 0 ? last.width : mTextureSize);
     mWidth->setSuffix(tr(" px"));
     mWidth->setToolTip(tr("Width of the pictures; at first that of the texture in the Packing panel, whose "
                           "proportions they have"));
-    for (const int perSide : {1, 2, 4, 8})
+    mSamples = named("samples", new QComboBox);
+    for (const int perSide : {1, 2, 3, 4, 6, 8})
         mSamples->addItem(QString::number(perSide * perSide), perSide);
     mSamples->setCurrentIndex(std::max(0, mSamples->findData(last.samplesPerSide)));
     mSamples->setToolTip(tr("Places in each texel that are baked and averaged"));
+    mRays = named("rays", new QSpinBox);
     mRays->setRange(1, 65536);
     mRays->setValue(last.rays);
     mRays->setToolTip(tr("For occlusion, bent normals, curvature and thickness, in each texel"));
-    mCage->setRange(0.01, 100);
-    mCage->setDecimals(2);
-    mCage->setSuffix(tr(" %"));
-    mCage->setValue(100 * last.cage);
-    mCage->setToolTip(
-        tr("How far the detailed model is looked for, outside and inside of the surface; 100 % is the "
-           "diagonal of the model"));
-    mDirection->addItem(tr("Smooth: no gaps at edges"), int(BakeChoice::Direction::Smoothed));
-    mDirection->addItem(tr("Along the shading normals"), int(BakeChoice::Direction::Shading));
-    mDirection->addItem(tr("Smooth at edges, straight elsewhere"), int(BakeChoice::Direction::Corrected));
-    mDirection->setCurrentIndex(std::max(0, mDirection->findData(int(last.direction))));
-    mDirection->setToolTip(tr("In which direction the detailed model is looked for"));
-    mByName->setChecked(last.byName);
-    mByName->setToolTip(tr("Endings such as _low and _high do not count"));
+    mReach =
+        named("reach",
+              makePercent(0, 1e6, last.reach,
+                          tr("What is farther away casts no occlusion; 100 % is the diagonal of the model")));
+    mReach->setSpecialValueText(tr("All"));
+    mCurvature = named(
+        "curvature", makePercent(0.01, 100, last.curvatureRadius,
+                                 tr("Size of what shows as curvature; 100 % is the diagonal of the model")));
+    mThickness =
+        named("thickness", makePercent(0.01, 1000, last.thicknessLimit,
+                                       tr("Thickness that is white; 100 % is the diagonal of the model")));
+    mColors = named("colors", new QComboBox);
+    mColors->addItem(tr("What the model has"), int(BakeChoice::Colors::Auto));
+    mColors->addItem(tr("Textures"), int(BakeChoice::Colors::Textures));
+    mColors->addItem(tr("Vertex colours"), int(BakeChoice::Colors::Vertices));
+    mColors->addItem(tr("Colours of materials"), int(BakeChoice::Colors::Materials));
+    mColors->setCurrentIndex(std::max(0, mColors->findData(int(last.colors))));
+    mColors->setToolTip(tr("Where the colours of the map of colours come from"));
+    mGreenDown = named("greenDown", new QCheckBox(tr("Green points &down (DirectX)")));
     mGreenDown->setChecked(last.greenDown);
+    mDilation = named("dilation", new QSpinBox);
     mDilation->setRange(0, 1024);
     mDilation->setValue(last.dilation);
     mDilation->setSuffix(tr(" px"));
     mDilation->setToolTip(tr("Texels around islands that are filled with the nearest value"));
+    mFormat = named("format", new QComboBox);
     for (const auto &[suffix, bits] : formats) {
         mFormat->addItem(tr("%1, %2 bits").arg(QString::fromLatin1(suffix).toUpper()).arg(bits));
         if (last.suffix == QLatin1StringView(suffix) && last.bits == bits)
             mFormat->setCurrentIndex(mFormat->count() - 1);
     }
-    mProblem->setWordWrap(true);
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    mBake = buttons->addButton(tr("Ba&ke"), QDialogButtonBox::AcceptRole);
-    mBake->setDefault(true);
-    mLive = buttons->addButton(tr("Show li&ve"), QDialogButtonBox::ActionRole);
-    mLive->setAutoDefault(false);
-    mLive->setToolTip(
-        tr("Show the first chosen map in both views, also while the UVs change; no files are written"));
-    connect(mLive, &QPushButton::clicked, this, [this] { done(Live); });
-    auto *form = new QFormLayout(this);
-    form->addRow(tr("De&tailed model:"), pathRow(mHigh, browseHigh));
-    form->addRow(tr("&Maps:"), mMaps);
+    auto *form = new QFormLayout(group);
     form->addRow(tr("Si&ze:"), mWidth);
     form->addRow(tr("Sam&ples per texel:"), mSamples);
     form->addRow(tr("Ra&ys per texel:"), mRays);
-    form->addRow(tr("C&age:"), mCage);
-    form->addRow(tr("D&irection:"), mDirection);
-    form->addRow(QString(), mByName);
+    form->addRow(tr("Occl&usion reaches:"), mReach);
+    form->addRow(tr("&Curvature radius:"), mCurvature);
+    form->addRow(tr("T&hickness limit:"), mThickness);
+    form->addRow(tr("Colou&rs from:"), mColors);
     form->addRow(QString(), mGreenDown);
     form->addRow(tr("Di&lation:"), mDilation);
     form->addRow(tr("&Format:"), mFormat);
-    form->addRow(tr("Fold&er:"), pathRow(mFolder, browseFolder));
-    form->addRow(QString(), mProblem);
-    form->addRow(buttons);
-    for (const auto &[widget, name] :
-         std::initializer_list<std::pair<QWidget *, const char *>>{{mHigh, "high"},
-                                                                   {browseHigh, "browseHigh"},
-                                                                   {mMaps, "maps"},
-                                                                   {mWidth, "width"},
-                                                                   {mSamples, "samples"},
-                                                                   {mRays, "rays"},
-                                                                   {mCage, "cage"},
-                                                                   {mDirection, "direction"},
-                                                                   {mByName, "byName"},
-                                                                   {mGreenDown, "greenDown"},
-                                                                   {mDilation, "dilation"},
-                                                                   {mFormat, "format"},
-                                                                   {mFolder, "folder"},
-                                                                   {browseFolder, "browseFolder"},
-                                                                   {mProblem, "problem"},
-                                                                   {mBake, "bake"},
-                                                                   {mLive, "live"}})
-        widget->setObjectName(QLatin1StringView(name));
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(browseHigh, &QPushButton::clicked, this, &BakeDialog::browseDetailed);
-    connect(browseFolder, &QPushButton::clicked, this, &BakeDialog::browseFolder);
-    connect(mMaps, &QListWidget::itemChanged, this, &BakeDialog::showState);
-    for (QLineEdit *edit : {mHigh, mFolder})
-        connect(edit, &QLineEdit::textChanged, this, &BakeDialog::showState);
-    showState();
+    return group;
 }
 
 QWidget *BakeDialog::pathRow(QLineEdit *edit, QPushButton *browse)
@@ -169,8 +245,36 @@ void BakeDialog::addMaps(const QStringList &chosen)
 void BakeDialog::browseDetailed()
 {
     const QString path = mQuestions.fileToOpen(tr("Detailed model"), choice().high, mFilters);
+    if (path.isEmpty())
+        return;
+    mHigh->setText(QDir::toNativeSeparators(path));
+    proposeCage();
+}
+
+void BakeDialog::browseCage()
+{
+    const QString path = mQuestions.fileToOpen(tr("Cage"), choice().cageFile, mFilters);
     if (!path.isEmpty())
-        mHigh->setText(QDir::toNativeSeparators(path));
+        mCageFile->setText(QDir::toNativeSeparators(path));
+}
+
+void BakeDialog::proposeCage()
+{
+    mMeasured.clear();
+    mMeasuring.abandon(); // of a model that was chosen before
+    mMeasuring.start(
+        tr("Measuring"),
+        [model = mModel, high = choice().high](JobControl &job) {
+            return proposedCage(model, high, job.stop());
+        },
+        [this](const Result<double> &cage) {
+            if (cage)
+                mCage->setValue(std::ceil(1e4 * cage.value()) / 100);
+            else
+                mMeasured = cage.error().toString();
+            showState();
+        });
+    showState();
 }
 
 void BakeDialog::browseFolder()
@@ -183,11 +287,16 @@ void BakeDialog::browseFolder()
 void BakeDialog::showState()
 {
     const bool detailed = !choice().high.isEmpty();
-    for (QWidget *widget : std::initializer_list<QWidget *>{mCage, mDirection, mByName})
+    for (QWidget *widget : std::initializer_list<QWidget *>{mDirection, mByName, mCageFile->parentWidget()})
         widget->setEnabled(detailed);
+    mCage->setEnabled(detailed && choice().cageFile.isEmpty());
+    mPropose->setEnabled(mCage->isEnabled() && !mMeasuring.isBusy() && QFileInfo(choice().high).isFile());
     const QString source = sourceProblem(), target = targetProblem();
-    mProblem->setText(source.isEmpty() ? target : source);
-    mBake->setEnabled(mProblem->text().isEmpty());
+    const QString problem = source.isEmpty() ? target : source;
+    mProblem->setText(!problem.isEmpty()    ? problem
+                      : mMeasuring.isBusy() ? tr("Measuring how far the models are apart...")
+                                            : mMeasured);
+    mBake->setEnabled(problem.isEmpty());
     mLive->setEnabled(source.isEmpty());
 }
 
@@ -196,6 +305,8 @@ QString BakeDialog::sourceProblem() const
     const BakeChoice chosen = choice();
     if (!chosen.high.isEmpty() && !QFileInfo(chosen.high).isFile())
         return tr("There is no such detailed model.");
+    if (!chosen.high.isEmpty() && !chosen.cageFile.isEmpty() && !QFileInfo(chosen.cageFile).isFile())
+        return tr("There is no such cage.");
     return chosen.maps.isEmpty() ? tr("Choose at least one map.") : QString();
 }
 
@@ -222,6 +333,11 @@ BakeChoice BakeDialog::choice() const
     choice.samplesPerSide = mSamples->currentData().toInt();
     choice.rays = mRays->value();
     choice.cage = mCage->value() / 100;
+    choice.cageFile = QDir::fromNativeSeparators(mCageFile->text().trimmed());
+    choice.reach = mReach->value() / 100;
+    choice.curvatureRadius = mCurvature->value() / 100;
+    choice.thicknessLimit = mThickness->value() / 100;
+    choice.colors = BakeChoice::Colors(mColors->currentData().toInt());
     choice.direction = BakeChoice::Direction(mDirection->currentData().toInt());
     choice.byName = mByName->isChecked();
     choice.greenDown = mGreenDown->isChecked();
@@ -230,6 +346,7 @@ BakeChoice BakeDialog::choice() const
     choice.suffix = QString::fromLatin1(suffix);
     choice.bits = bits;
     choice.folder = QDir::fromNativeSeparators(mFolder->text().trimmed());
+    choice.putOn = mPutOn->isChecked();
     return choice;
 }
 

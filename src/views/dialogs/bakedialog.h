@@ -1,7 +1,9 @@
 // The dialog that asks what is to be baked.
 #pragma once
 
+#include "model/document/documentstate.h"
 #include "views/control/bakechoice.h"
+#include "views/control/jobrunner.h"
 
 #include <QDialog>
 
@@ -35,26 +37,33 @@ public:
     BakeChoice choice() const;
 
 private:
+    QWidget *makeModels(const BakeChoice &last);
+    QWidget *makePictures(const BakeChoice &last);
     QWidget *pathRow(QLineEdit *edit, QPushButton *browse);
     void addMaps(const QStringList &chosen);
     void browseDetailed();
+    void browseCage();
     void browseFolder();
+    void proposeCage();
     void showState();
     QString sourceProblem() const;
     QString targetProblem() const;
 
+    DocumentState mModel;
     bool mHasUv;
     int mTextureSize; //!< of the document
     Questions &mQuestions;
     QStringList mFilters;
-    QLineEdit *mHigh, *mFolder;
+    QLineEdit *mHigh, *mCageFile, *mFolder;
     QListWidget *mMaps;
-    QComboBox *mSamples, *mDirection, *mFormat;
+    QComboBox *mSamples, *mDirection, *mColors, *mFormat;
     QSpinBox *mWidth, *mRays, *mDilation;
-    QDoubleSpinBox *mCage;
-    QCheckBox *mByName, *mGreenDown;
+    QDoubleSpinBox *mCage, *mReach, *mCurvature, *mThickness;
+    QCheckBox *mByName, *mGreenDown, *mPutOn;
     QLabel *mProblem;
-    QPushButton *mBake, *mLive;
+    QPushButton *mPropose, *mBake, *mLive;
+    QString mMeasured; //!< why no cage is proposed
+    JobRunner mMeasuring{JobRunner::OnCancel::LetGo};
 };
 
 } // namespace autocuts

@@ -406,6 +406,8 @@ void MainWindow::showOpened()
         showFoundTextures();
     if (const QCborValue bake = saved.value(QStringLiteral("bake")); bake.isMap())
         mStudioActions->bake().setChoice(BakeChoice::fromCbor(bake.toMap()));
+    if (const QCborValue light = saved.value(QStringLiteral("light")); light.isMap())
+        mStudioActions->bake().setLight(LightChoice::fromCbor(light.toMap()));
     mAwaitsMap = !hasUvs(*mWorkspace.document());
     mMeshView->restoreViewState(saved.value(QStringLiteral("mesh")).toMap());
     mUvView->restoreViewState(saved.value(QStringLiteral("uv")).toMap());
@@ -455,6 +457,8 @@ QByteArray MainWindow::viewStateBytes() const
     map[QStringLiteral("mesh")] = mMeshView->viewState();
     map[QStringLiteral("uv")] = mUvView->viewState();
     map[QStringLiteral("bake")] = mStudioActions->bake().choice().toCbor();
+    if (const LightChoice *light = mStudioActions->bake().light())
+        map[QStringLiteral("light")] = light->toCbor();
     return map.toCborValue().toCbor();
 }
 

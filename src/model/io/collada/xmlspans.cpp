@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdint>
 #include <functional>
 
 namespace autocuts {
 
 namespace {
 
-constexpr std::size_t maxDepth = 200;
+constexpr std::size_t maxXmlDepth = 200;
 constexpr std::string_view space = " \t\r\n";
 
 class XmlScanner
@@ -109,7 +111,7 @@ bool XmlScanner::readTag()
     XmlElement element;
     element.name = withoutPrefix(take(" \t\r\n/>"));
     element.whole = mText.substr(begin, 0);
-    if (element.name.empty() || mOpen.size() >= maxDepth || !readAttributes(element))
+    if (element.name.empty() || mOpen.size() >= maxXmlDepth || !readAttributes(element))
         return false;
     const bool isEmpty = mText[mAt] == '/';
     mAt += isEmpty ? 2 : 1;
@@ -141,7 +143,44 @@ std::optional<XmlElement> XmlScanner::run()
     return mOpen.empty() ? std::move(mRoot) : std::nullopt;
 }
 
+//! Appends the character that a text begins with the number of, as in &#xFC;. \returns the length of that; 0
+//! when it is none
+std::size_t characterOf(std::string_view text, std::string &result)
+{
+    const std::size_t end = text.find(';');
+    if (!text.starts_with("&#") || end == std::string_view::npos)
+        return 0;
+    const bool hex = text[2] == 'x';
+    std::uint32_t c = 0;
+    const char *begin = text.data() + (hex ? 3 : 2);
+    const auto [stop, error] = std::from_chars(begin, text.data() + end, c, hex ? 16 : 10);
+    if (error != std::errc() || stop != text.data() + end || c == 0 || c > 0x10FFFF)
+        return 0;
+    appendUtf8(result, c);
+    return end + 1;
+}
+
 } // namespace
+
+void appendUtf8(std::string &text, char32_t c)
+{
+    const auto add = [&text](char32_t byte) { text.push_back(static_cast<char>(byte)); };
+    if (c < 0x80) {
+        add(c);
+    } else if (c < 0x800) {
+        add(0xC0 | c >> 6);
+        add(0x80 | (c & 0x3F));
+    } else if (c < 0x10000) {
+        add(0xE0 | c >> 12);
+        add(0x80 | (c >> 6 & 0x3F));
+        add(0x80 | (c & 0x3F));
+    } else {
+        add(0xF0 | c >> 18);
+        add(0x80 | (c >> 12 & 0x3F));
+        add(0x80 | (c >> 6 & 0x3F));
+        add(0x80 | (c & 0x3F));
+    }
+}
 
 std::string_view XmlElement::attribute(std::string_view key) const
 {
@@ -168,6 +207,10 @@ std::string resolved(std::string_view value)
         {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}}};
     std::string result;
     while (!value.empty()) {
+        if (const std::size_t length = characterOf(value, result); length > 0) {
+            value.remove_prefix(length);
+            continue;
+        }
         const auto entity = std::find_if(entities.begin(), entities.end(),
                                          [&](const auto &e) { return value.starts_with(e.first); });
         result += entity == entities.end() ? value.front() : entity->second;

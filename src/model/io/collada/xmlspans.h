@@ -33,7 +33,11 @@ struct XmlElement
 //! well formed or nested more than 200 elements deep. \param text must outlive the result
 std::optional<XmlElement> xmlSpans(std::string_view text);
 
-//! The value of an attribute, with the entities that XML names (&amp; and so on) resolved.
+//! Appends a character in UTF-8.
+void appendUtf8(std::string &text, char32_t c);
+
+//! The value of an attribute, with the entities that XML names (&amp; and so on), and numbers of characters,
+//! resolved.
 std::string resolved(std::string_view value);
 
 //! Replaces a part of a text.

@@ -2,11 +2,15 @@
 
 #include "model/io/gltf/gltfappender.h"
 #include "model/io/materiallooks.h"
+#include "model/io/picturefiles.h"
 
 #include <QBuffer>
 #include <QFileInfo>
 #include <QImage>
 #include <QUrl>
+
+#include <algorithm>
+#include <span>
 
 namespace autocuts {
 
@@ -17,12 +21,33 @@ bool isWebPicture(const QByteArray &content)
     return content.startsWith("\x89PNG") || content.startsWith("\xff\xd8\xff");
 }
 
-QByteArray asPng(const QByteArray &content)
+//! Empty when the picture cannot be read. \param name of its file: some formats are known by nothing else
+QByteArray asPng(const QByteArray &content, const QString &name)
 {
-    const QImage image = QImage::fromData(content);
-    QBuffer buffer;
-    return !image.isNull() && buffer.open(QIODevice::WriteOnly) && image.save(&buffer, "PNG") ? buffer.data()
-                                                                                              : QByteArray();
+    const Result<DecodedPicture> decoded = decodePicture(content, name);
+    if (!decoded)
+        return {};
+    const Picture &picture = decoded->picture;
+    const bool linear = decoded->depth == PictureDepth::Float;
+    const auto byteOf = [](float value) {
+        return static_cast<int>(255 * std::clamp(value, 0.0F, 1.0F) + 0.5F);
+    };
+    QImage image(picture.width, picture.height, QImage::Format_ARGB32);
+    for (int y = 0; y < picture.height; ++y) {
+        auto *line = reinterpret_cast<QRgb *>(image.scanLine(y));
+        for (int x = 0; x < picture.width; ++x) {
+            const std::span<const float> texel = picture.at(x, y);
+            const bool colored = texel.size() >= 3, hasAlpha = texel.size() % 2 == 0;
+            const auto color = [&](std::size_t k) {
+                const float value = texel[colored ? k : 0];
+                return byteOf(linear ? srgbFromLinear(value) : value);
+            };
+            line[x] = qRgba(color(0), color(1), color(2), hasAlpha ? byteOf(texel.back()) : 255);
+        }
+    }
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    return buffer.open(QIODevice::WriteOnly) && image.save(&buffer, "PNG") ? bytes : QByteArray();
 }
 
 } // namespace
@@ -36,7 +61,7 @@ Json GltfPictures::imageOf(const SceneTexture &picture)
     if (!inside && (content.isEmpty() || (web && !mEmbed)))
         return {{"uri", QUrl::toPercentEncoding(file, "/!$&'()*+,;=:@").toStdString()}};
     if (!web)
-        content = asPng(content);
+        content = asPng(content, picture.file);
     if (content.isEmpty())
         return {};
     const QString name = QFileInfo(QString(picture.file).replace(u'\\', u'/')).completeBaseName();

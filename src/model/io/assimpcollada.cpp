@@ -1,0 +1,150 @@
+#include "model/io/assimpcollada.h"
+
+#include "model/io/collada/xmlspans.h"
+
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace autocuts {
+
+namespace {
+
+//! Calls use() with an element and all that are inside of it.
+template <typename Use>
+void eachElement(const XmlElement &element, const Use &use)
+{
+    use(element);
+    for (const XmlElement &child : element.children)
+        eachElement(child, use);
+}
+
+//! The number that an element of this name holds, 0 without one.
+double numberIn(const XmlElement &parent, std::string_view name)
+{
+    const XmlElement *element = parent.child(name);
+    if (!element)
+        return 0;
+    std::string_view word = element->content;
+    word.remove_prefix(std::min(word.find_first_not_of(" \t\r\n"), word.size()));
+    double value = 0;
+    const bool read = std::from_chars(word.data(), word.data() + word.size(), value).ec == std::errc();
+    return read ? value : 0;
+}
+
+void setView(aiCamera &camera, const XmlElement &perspective)
+{
+    const auto halfTangent = [&](std::string_view name) {
+        const double angle = numberIn(perspective, name);
+        return angle > 0 && angle < 180 ? std::tan(angle * std::numbers::pi / 360) : 0;
+    };
+    const double wide = halfTangent("xfov"), high = halfTangent("yfov");
+    double aspect = numberIn(perspective, "aspect_ratio");
+    if (!(aspect > 0))
+        aspect = wide > 0 && high > 0 ? wide / high : 16.0 / 9;
+    const double tangent = wide > 0 ? wide : aspect * high;
+    if (!(tangent > 0))
+        return;
+    camera.mAspect = static_cast<float>(aspect);
+    camera.mHorizontalFOV = static_cast<float>(2 * std::atan(tangent));
+}
+
+//! Renames nodes and all that names them.
+class NodeNames
+{
+public:
+    NodeNames(aiScene &scene, const std::map<std::string, std::string> &names) : mNames(names)
+    {
+        collect(*scene.mRootNode);
+        apply(*scene.mRootNode);
+        for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+            for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b)
+                apply(scene.mMeshes[m]->mBones[b]->mName);
+        }
+        for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
+            for (unsigned c = 0; c < scene.mAnimations[a]->mNumChannels; ++c)
+                apply(scene.mAnimations[a]->mChannels[c]->mNodeName);
+        }
+        for (unsigned c = 0; c < scene.mNumCameras; ++c)
+            apply(scene.mCameras[c]->mName);
+        for (unsigned l = 0; l < scene.mNumLights; ++l)
+            apply(scene.mLights[l]->mName);
+    }
+
+private:
+    void collect(const aiNode &node)
+    {
+        const std::string id = node.mName.C_Str();
+        const auto name = mNames.find(id);
+        std::string wanted = name == mNames.end() ? id : name->second;
+        if (const auto [place, isNew] = mNew.try_emplace(id); isNew) {
+            // Names of their own, since bones and animations find nodes by them.
+            place->second = wanted;
+            for (int number = 2; !mTaken.insert(place->second).second; ++number)
+                place->second = wanted + '_' + std::to_string(number);
+        }
+        for (unsigned c = 0; c < node.mNumChildren; ++c)
+            collect(*node.mChildren[c]);
+    }
+
+    void apply(aiNode &node)
+    {
+        apply(node.mName);
+        for (unsigned c = 0; c < node.mNumChildren; ++c)
+            apply(*node.mChildren[c]);
+    }
+
+    void apply(aiString &name) const
+    {
+        if (const auto found = mNew.find(name.C_Str()); found != mNew.end())
+            name = found->second;
+    }
+
+    const std::map<std::string, std::string> &mNames; //!< by id
+    std::map<std::string, std::string> mNew;
+    std::set<std::string> mTaken;
+};
+
+} // namespace
+
+void completeColladaNodes(aiScene &scene, std::string_view text)
+{
+    const std::optional<XmlElement> root = xmlSpans(text);
+    if (!root || !scene.mRootNode)
+        return;
+    std::map<std::string, std::string> names;
+    std::map<std::string, const XmlElement *, std::less<>> perspectives; // by the id of a camera
+    eachElement(*root, [&](const XmlElement &element) {
+        if (element.name == "camera") {
+            eachElement(element, [&](const XmlElement &inside) {
+                if (inside.name == "perspective")
+                    perspectives[resolved(element.attribute("id"))] = &inside;
+            });
+        } else if (element.name == "node" && !element.attribute("name").empty()) {
+            for (const char *key : {"sid", "id"}) {
+                if (const std::string id = resolved(element.attribute(key)); !id.empty())
+                    names[id] = resolved(element.attribute("name"));
+            }
+        }
+    });
+    eachElement(*root, [&](const XmlElement &element) {
+        const XmlElement *use = element.name == "node" ? element.child("instance_camera") : nullptr;
+        const std::string url = use ? resolved(use->attribute("url")) : std::string();
+        const auto view = url.starts_with('#') ? perspectives.find(url.substr(1)) : perspectives.end();
+        const std::string id = resolved(element.attribute("id"));
+        for (unsigned c = 0; view != perspectives.end() && c < scene.mNumCameras; ++c) {
+            if (scene.mCameras[c]->mName == aiString(id))
+                setView(*scene.mCameras[c], *view->second);
+        }
+    });
+    NodeNames(scene, names);
+}
+
+} // namespace autocuts
