@@ -10,6 +10,7 @@
 #include "solver/preference/seampreference.h"
 #include "solver/straight/straightening.h"
 #include "solver/unwrap/freepart.h"
+#include "solver/unwrap/keptscale.h"
 #include "solver/unwrap/mapbefore.h"
 #include "solver/unwrap/rectanglefit.h"
 
@@ -53,11 +54,17 @@ void place(const FinishInput &input, const ChartMap &charts, bool stays, const J
            FinishResult &result)
 {
     PackJob pack = steeredPackJob(input.snapshot, input.packing);
-    pack.keepScaleIfPossible = stays;
+    pack.options.keepScale = false; // where there is no room, all islands become smaller
+    const bool hadMap = input.snapshot.uv != nullptr;
+    pack.keepScaleIfPossible = stays || hadMap;
+    if (hadMap)
+        pack.density = packing::DensityBasis::Given;
     const MeshData &mesh = *input.snapshot.mesh;
     if (liesFree(mesh, charts, pack, result.uv, job))
         return;
-    const bool packed = packCharts(mesh, charts, pack, result.uv, job.part(0, 1, JobStage::Packing));
+    const JobContext packing = job.part(0, 1, JobStage::Packing);
+    const bool packed = hadMap ? packMisplaced(mesh, charts, pack, result.uv, packing)
+                               : packCharts(mesh, charts, pack, result.uv, packing);
     result.noRoom = !packed && !job.stopped();
 }
 
@@ -163,6 +170,9 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     result.uv = part->wholeUv(uv);
     result.distortion = found->map.distortion(*soup);
     const ChartMap charts = part->wholeCharts(chartsOf(*own.mesh, CutMesh(*own.mesh, found->map.cut)));
+    if (input.snapshot.uv)
+        keepScales(input.snapshot, charts, steeredPackJob(input.snapshot, input.packing),
+                   input.snapshot.uvScale, result.uv);
     place(input, charts, !part->isWhole() || input.snapshot.placesIslands(), job, result);
     result.unmet = unmetSteering(input.snapshot, result.uv);
     if (!input.live)

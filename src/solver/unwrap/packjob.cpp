@@ -223,6 +223,7 @@ private:
             number[piece] = present.pieces.count++;
             present.locked.push_back(locked[piece]);
             present.upright.push_back(mRigid.upright[piece]);
+            present.aligned.push_back(mRigid.aligned[piece]);
         }
         for (const int piece : mRigid.pieces.faceChart)
             present.pieces.faceChart.push_back(piece < 0 ? -1 : number[piece]);
@@ -244,9 +245,7 @@ private:
         const auto pack = [&](const JobContext &how) {
             const auto packAt = [&](bool givenScale) {
                 options.keepScale = givenScale;
-                return packing::packMap(mMesh, present.pieces, present.locked, present.upright, options,
-                                        mPack.density, uv, how)
-                    .complete;
+                return packing::packMap(mMesh, present, options, mPack.density, uv, how).complete;
             };
             return packAt(keepsScale || scaleLater) || (scaleLater && packAt(false));
         };
@@ -322,6 +321,23 @@ bool packCharts(const MeshData &mesh, const ChartMap &charts, const PackJob &pac
                 const JobContext &job)
 {
     return BinPacker(mesh, charts, pack).run(uv, job);
+}
+
+bool packMisplaced(const MeshData &mesh, const ChartMap &charts, const PackJob &pack, UvMatrix &uv,
+                   const JobContext &job)
+{
+    const std::vector<bool> misplaced = misplacedFaces(mesh, charts, pack, uv, job);
+    if (std::ranges::find(misplaced, true) == misplaced.end())
+        return true;
+    PackJob around = pack;
+    around.stays.resize(misplaced.size());
+    for (std::size_t face = 0; face < misplaced.size(); ++face)
+        around.stays[face] = around.stays[face] || !misplaced[face];
+    around.options.keepScale = true;
+    PackJob unturned = around;
+    unturned.options.rotation = PackRotation::None;
+    return packCharts(mesh, charts, unturned, uv, job) || packCharts(mesh, charts, around, uv, job) ||
+           packCharts(mesh, charts, pack, uv, job);
 }
 
 std::vector<bool> misplacedFaces(const MeshData &mesh, const ChartMap &charts, const PackJob &pack,

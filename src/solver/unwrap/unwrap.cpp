@@ -8,6 +8,7 @@
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/freepart.h"
 #include "solver/unwrap/keptorientation.h"
+#include "solver/unwrap/keptscale.h"
 #include "solver/unwrap/mapfinder.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/rectanglefit.h"
@@ -21,6 +22,7 @@ namespace autocuts::unwrap {
 namespace {
 
 // Time for straightening, chosen by hand: after a stop, and for a map that is shown while the search goes on.
+constexpr double sameSize = 1e-6; // islands of sizes that differ by this share are equally large
 constexpr auto timeAfterStop = std::chrono::milliseconds(100);
 constexpr auto timeOfShownMap = std::chrono::milliseconds(400);
 
@@ -109,9 +111,19 @@ private:
             pack.keepScaleIfPossible = stays;
             pack.fillRectangles = onlyRectangles(pack);
             pack.hurry = hurry;
+            const bool keepsScale = settings.keepScale && mSnapshot.uv;
+            pack.options.keepScale = false; // where there is no room, all islands become smaller
+            if (keepsScale) {
+                keepScales(mSnapshot, charts, pack, stays ? own.uvScale : 1, result.uv);
+                pack.keepScaleIfPossible = true;
+                pack.density = packing::DensityBasis::Given;
+            }
             if (mSnapshot.uv && mPlan.isEmpty())
                 keepOrientations(*mSnapshot.mesh, charts, pack, *mSnapshot.uv, result.uv);
+            const double size = layoutScale(*mSnapshot.mesh, result.uv);
             result.packed = packCharts(*mSnapshot.mesh, charts, pack, result.uv, job);
+            result.madeSmaller =
+                keepsScale && layoutScale(*mSnapshot.mesh, result.uv) < (1 - sameSize) * size;
         }
         if (!result.packed && !stays)
             fitFirstTile(result.uv, mOptions.packing.tileHeight());

@@ -75,11 +75,12 @@ struct MapJobResult
 {
     StateToken token; //!< token of the state that the job was given
     UvEdit edit = UvEdit::Pack;
-    UvMatrix uv;              //!< per corner, texture space; without rows, the map is not changed
-    QString message;          //!< what was done
-    QString problem;          //!< what could not be done
-    Selection problemItems{}; //!< what the problem is about
-    std::optional<int> count; //!< number for the text in the history
+    UvMatrix uv;                //!< per corner, texture space; without rows, the map is not changed
+    QString message;            //!< what was done
+    QString problem;            //!< what could not be done
+    Selection problemItems{};   //!< what the problem is about
+    std::optional<int> count;   //!< number for the text in the history
+    std::vector<int> aligned{}; //!< faces of islands that count as aligned to the axes from now on
     std::optional<unwrap::SeamPrices> prices{};
     //! Of a rip or a stitch; then the map is not a whole new one.
     std::optional<MapSeamEdit> seams{};

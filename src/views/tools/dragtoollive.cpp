@@ -21,14 +21,17 @@ constexpr double pullWeight = 100, stayWeight = 0.1;
 void DragTool::pull(const Vec2 &way)
 {
     std::vector<Pin> pulls;
+    std::vector<int> dragged;
     for (int corner : mReach.corners) {
         const Vec2 place = mUv.row(corner);
-        if (mReach.weight[corner] == 1)
+        if (mReach.weight[corner] == 1) {
             pulls.push_back({corner, place + way, false, pullWeight});
-        else if (mReach.weight[corner] == 0)
+            dragged.push_back(corner);
+        } else if (mReach.weight[corner] == 0) {
             pulls.push_back({corner, place, false, stayWeight});
+        }
     }
-    context().solver.setPulls(std::move(pulls));
+    context().solver.setPulls(std::move(pulls), std::move(dragged));
 }
 
 void DragTool::keepSeams()
