@@ -174,7 +174,7 @@ private:
                 return which + u" went to tile %1"_s.arg(now[part].tile);
             if (isLocked(part) && rowsOf(after, part) != rowsOf(uv(), part))
                 return which + u" is locked and moved"_s;
-            if (!sizes && std::abs(now[part].scale / before[part].scale - 1) > 1e-3)
+            if (!sizes && std::abs(now[part].scale / before[part].scale - 1) > 1e-2)
                 return which + u" changed its scale by %1"_s.arg(now[part].scale / before[part].scale);
             if (!turns &&
                 std::abs(std::remainder(now[part].angle - before[part].angle, 2 * std::numbers::pi)) > 1e-3)

@@ -2,6 +2,7 @@
 
 #include "model/plain/uvlayout.h"
 #include "solver/base/timelimit.h"
+#include "solver/definite/definitemap.h"
 #include "solver/definite/refinedmap.h"
 #include "solver/definite/seamopening.h"
 #include "solver/homotopy/liveschedule.h"
@@ -164,6 +165,8 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     if (!found)
         return result;
     straighten(soup, part->snapshot(), plan, input.maxDistortion, found->map, job, result);
+    if (input.snapshot.uv)
+        definite::equalizeDensity(*soup, own, found->map);
     fitToRectangles(*part, soup, found->map, job);
     UvMatrix uv = own.uvScale * cornerUv(*soup, found->map);
     definite::openCuts(own, uv);
@@ -172,7 +175,7 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     const ChartMap charts = part->wholeCharts(chartsOf(*own.mesh, CutMesh(*own.mesh, found->map.cut)));
     if (input.snapshot.uv)
         keepScales(input.snapshot, charts, steeredPackJob(input.snapshot, input.packing),
-                   input.snapshot.uvScale, result.uv);
+                   part->unit() * layoutScale(*own.mesh, uv), result.uv);
     place(input, charts, !part->isWhole() || input.snapshot.placesIslands(), job, result);
     result.unmet = unmetSteering(input.snapshot, result.uv);
     if (!input.live)

@@ -85,7 +85,8 @@ void LivePlacing::takeFrom(const FreePart &part, const UvMatrix &uv)
 
 namespace {
 
-//! Per face: length in texture space of one solver unit, from the areas of its chart.
+//! Per face: length in texture space of one solver unit, from the areas of its chart. The shape counts as if
+//! it had the area of the model.
 std::vector<double> scalesOf(const MeshData &mesh, const ChartMap &charts, const UvMatrix &shape,
                              const UvMatrix &placed)
 {
@@ -101,9 +102,10 @@ std::vector<double> scalesOf(const MeshData &mesh, const ChartMap &charts, const
         inShape[chart] += area(shape);
         inTexture[chart] += area(placed);
     }
+    const double unit = layoutScale(mesh, shape);
     std::vector<double> scales;
     for (const int chart : charts.faceChart) // without area, not a number
-        scales.push_back(chart < 0 ? std::nan("") : std::sqrt(inTexture[chart] / inShape[chart]));
+        scales.push_back(chart < 0 ? std::nan("") : unit * std::sqrt(inTexture[chart] / inShape[chart]));
     return scales;
 }
 
@@ -220,10 +222,9 @@ UvMatrix LivePlacing::placeAgain(const Snapshot &snapshot, const FreePart &part,
                                  const std::vector<bool> &held, std::vector<double> scales)
 {
     const MeshData &mesh = *part.snapshot().mesh;
-    for (std::size_t chart = 0; chart < scales.size(); ++chart) {
-        if (!held.empty() && held[chart])
-            scales[chart] = part.snapshot().uvScale;
-    }
+    const double unit = layoutScale(mesh, shape); // 1 where it has the area of the model
+    for (std::size_t chart = 0; chart < scales.size(); ++chart)
+        scales[chart] = !held.empty() && held[chart] ? part.snapshot().uvScale : scales[chart] / unit;
     UvMatrix scaled = shape;
     for (int face = 0; face < mesh.faceCount(); ++face) {
         for (int c = mesh.faceStart[face]; charts.faceChart[face] >= 0 && c < mesh.faceStart[face + 1]; ++c)

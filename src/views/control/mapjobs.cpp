@@ -124,6 +124,11 @@ QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, 
         selection.mode = SelectionMode::Vertices;
         selection.corners = QList<int>(unmet.pins.begin(), unmet.pins.end());
     }
+    if (!unmet.bent.empty()) {
+        items << JobTexts::tr("edges kept straight, which are bent: %1").arg(unmet.bent.size());
+        selection.mode = SelectionMode::Edges;
+        selection.edges = QList<int>(unmet.bent.begin(), unmet.bent.end());
+    }
     selection.normalize(*snapshot.mesh);
     return JobTexts::tr(
                "Not obeyed, because something else contradicts it or it would turn triangles over: %1")
