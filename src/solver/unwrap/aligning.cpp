@@ -18,6 +18,7 @@ namespace {
 
 //! How much distortion straightening may add where the map is near the bound or above it. Chosen by hand.
 constexpr double leastSpent = 0.05;
+constexpr double sameScale = 1e-6; // maps of sizes that differ by this share are equally large
 
 //! Per chart: its area in the map.
 std::vector<double> mapAreas(const CutMesh &charts, const SeamedMap &map)
@@ -99,8 +100,10 @@ void moveAside(const AlignInput &input, const ChartMap &charts, const JobContext
             return;
     }
     others.options.keepScale = false;
-    result.madeSmaller = packCharts(mesh, charts, others, result.uv, job);
-    result.noRoom = !result.madeSmaller;
+    others.keepScaleIfPossible = true;
+    const double size = layoutScale(mesh, result.uv);
+    result.noRoom = !packCharts(mesh, charts, others, result.uv, job);
+    result.madeSmaller = layoutScale(mesh, result.uv) < (1 - sameScale) * size;
 }
 
 } // namespace

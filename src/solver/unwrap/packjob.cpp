@@ -245,7 +245,13 @@ private:
         const auto pack = [&](const JobContext &how) {
             const auto packAt = [&](bool givenScale) {
                 options.keepScale = givenScale;
-                return packing::packMap(mMesh, present, options, mPack.density, uv, how).complete;
+                const packing::PackResult packed =
+                    packing::packMap(mMesh, present, options, mPack.density, uv, how);
+                // Where there was no room by chance, islands that keep their densities do not grow.
+                if (packed.complete && !givenScale && scaleLater && packed.scale > 1 &&
+                    mPack.density == packing::DensityBasis::Given)
+                    scalePieces(present, 1 / packed.scale, uv);
+                return packed.complete;
             };
             return packAt(keepsScale || scaleLater) || (scaleLater && packAt(false));
         };
@@ -260,6 +266,26 @@ private:
         const bool many = present.pieces.count > mostHurriedPieces;
         options.effort = many ? 0 : std::min(options.effort, packing::hurriedEffort);
         return pack(always ? job : job.unstoppable());
+    }
+
+    //! Scales the pieces that may move about the middles of their boxes.
+    void scalePieces(const RigidPieces &pieces, double factor, UvMatrix &uv) const
+    {
+        std::vector<Eigen::AlignedBox2d> boxes(pieces.pieces.count);
+        const auto visit = [&](const auto &visitor) {
+            for (int face = 0; face < mMesh.faceCount(); ++face) {
+                const int piece = pieces.pieces.faceChart[face];
+                if (piece < 0 || pieces.locked[piece])
+                    continue;
+                for (int c = mMesh.faceStart[face]; c < mMesh.faceStart[face + 1]; ++c)
+                    visitor(piece, c);
+            }
+        };
+        visit([&](int piece, int c) { boxes[piece].extend(Vec2(uv.row(c))); });
+        visit([&](int piece, int c) {
+            const Vec2 middle = boxes[piece].center();
+            uv.row(c) = middle + factor * (Vec2(uv.row(c)) - middle);
+        });
     }
 
     const MeshData &mMesh;
