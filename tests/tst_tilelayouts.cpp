@@ -266,9 +266,11 @@ private Q_SLOTS:
             const std::vector<bool> faces = facesOfTile(tiles, tile);
             const double was = densityOf(mesh, *before.snapshot.uv, faces),
                          is = densityOf(mesh, after, faces);
-            if (name == u"live"_s || name == u"finish"_s)
-                QVERIFY2(std::abs(is / was - 1) < 0.02,
-                         qPrintable(u"%1: %2, %3"_s.arg(tile).arg(was).arg(is)));
+            const QByteArray text = u"%1: %2, %3"_s.arg(tile).arg(was).arg(is).toUtf8();
+            if (name == u"live"_s)
+                QVERIFY2(std::abs(is / was - 1) < 0.02, text.constData());
+            else if (name == u"finish"_s) // other charts may need more room
+                QVERIFY2(is / was < 1.02 && is / was > 0.85, text.constData());
         }
         // Nothing is stretched by the tiles having densities of their own.
         metrics::UvMetricsOptions options;

@@ -21,7 +21,8 @@ using namespace Qt::Literals::StringLiterals;
 namespace {
 
 constexpr int parts = 14;
-constexpr double leastGap = 4; //!< texels
+constexpr double leastGap = 4;       //!< texels
+constexpr double leastChange = 0.03; //!< of a scale, see densityGroups()
 
 //! How a part lies in the map.
 struct Place
@@ -177,7 +178,7 @@ private:
                 return which + u" went to tile %1"_s.arg(now[part].tile);
             if (isLocked(part) && rowsOf(after, part) != rowsOf(uv(), part))
                 return which + u" is locked and moved"_s;
-            if (!sizes && std::abs(now[part].scale / before[part].scale - 1) > 1e-2)
+            if (!sizes && std::abs(now[part].scale / before[part].scale - 1) > leastChange)
                 return which + u" changed its scale by %1"_s.arg(now[part].scale / before[part].scale);
             if (!turns &&
                 std::abs(std::remainder(now[part].angle - before[part].angle, 2 * std::numbers::pi)) > 1e-3)
@@ -199,7 +200,7 @@ private:
         if (made.saysItFailed || made.uv.rows() == 0)
             return {};
         const bool keeps = name == u"live"_s || name == u"finish"_s;
-        QString wrong = changed(made.uv, !keeps, !(keeps && !crowded && !sticksOut(uv())));
+        QString wrong = changed(made.uv, !keeps, !(name == u"live"_s && !crowded && !sticksOut(uv())));
         if (wrong.isEmpty() && name == u"pack"_s && sticksOut(made.uv))
             wrong = u"an island reaches over the border"_s;
         setUv(made.uv);

@@ -12,7 +12,7 @@ namespace {
 
 //! Largest difference in a group. Chosen by hand: islands of a tile that were packed differ by up to 2 %
 //! where they have curved parts.
-constexpr double tolerance = 0.05;
+constexpr double tolerance = 0.025;
 
 struct Areas
 {

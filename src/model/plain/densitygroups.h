@@ -9,7 +9,7 @@
 namespace autocuts {
 
 //! The islands of a map by texel density. Tiles may differ, and the user may scale islands: the islands of a
-//! tile whose density differs by less than 5 % from the median one of the tile are a group, and every other
+//! tile whose density differs by less than 2.5 % from the median one of the tile are a group, and every other
 //! island is one by itself. Without tiles, see TileLayout::hasTiles, all islands count as of one.
 struct DensityGroups
 {
