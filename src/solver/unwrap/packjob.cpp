@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace autocuts::unwrap {
 
@@ -362,8 +363,18 @@ bool packMisplaced(const MeshData &mesh, const ChartMap &charts, const PackJob &
     around.options.keepScale = true;
     PackJob unturned = around;
     unturned.options.rotation = PackRotation::None;
-    return packCharts(mesh, charts, unturned, uv, job) || packCharts(mesh, charts, around, uv, job) ||
-           packCharts(mesh, charts, pack, uv, job);
+    if (packCharts(mesh, charts, unturned, uv, job) || packCharts(mesh, charts, around, uv, job))
+        return true;
+    std::set<int> tiles; // the others stay as they are
+    for (std::size_t face = 0; face < pack.tiles.size(); ++face) {
+        if (misplaced[face])
+            tiles.insert(pack.tiles[face]);
+    }
+    PackJob again = pack;
+    again.stays.resize(misplaced.size());
+    for (std::size_t face = 0; face < pack.tiles.size(); ++face)
+        again.stays[face] = again.stays[face] || !tiles.contains(pack.tiles[face]);
+    return packCharts(mesh, charts, again, uv, job);
 }
 
 std::vector<bool> misplacedFaces(const MeshData &mesh, const ChartMap &charts, const PackJob &pack,

@@ -61,7 +61,7 @@ struct PackJob
                               const JobContext &job = {});
 
 //! Packs the islands that are not where they belong around the others, at their size and, as long as there is
-//! room, without turning them; where there is none, all islands that may move.
+//! room, without turning them; where there is none, all islands of their tiles that may move.
 //! \returns as packCharts()
 [[nodiscard]] bool packMisplaced(const MeshData &mesh, const ChartMap &charts, const PackJob &pack,
                                  UvMatrix &uv, const JobContext &job = {});
