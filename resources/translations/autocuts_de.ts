@@ -1687,6 +1687,14 @@
         <source>Give the views all room, and bring the panels back</source>
         <translation>Den Ansichten allen Platz geben, und die Bereiche zurückholen</translation>
     </message>
+    <message>
+        <source>&amp;Send to a tile...</source>
+        <translation>In eine Kachel &amp;senden ...</translation>
+    </message>
+    <message>
+        <source>Move the selected islands into a UDIM tile, to the same place in it</source>
+        <translation>Die ausgewählten Inseln in eine UDIM-Kachel verschieben, an denselben Ort darin</translation>
+    </message>
 </context>
 <context>
     <name>Brush</name>
@@ -2121,6 +2129,18 @@
         <source>Texel densities differ.</source>
         <translation>Die Texeldichten sind verschieden.</translation>
     </message>
+    <message>
+        <source>island %1 (of %2)</source>
+        <translation>Insel %1 (von %2)</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 weitere</translation>
+    </message>
+    <message>
+        <source>Not in one tile as a whole: %1.</source>
+        <translation>Nicht ganz in einer Kachel: %1.</translation>
+    </message>
 </context>
 <context>
     <name>MapOverlays</name>
@@ -2131,6 +2151,10 @@
     <message>
         <source>S%1</source>
         <translation>S%1</translation>
+    </message>
+    <message>
+        <source>%1: of %2</source>
+        <translation>%1: von %2</translation>
     </message>
 </context>
 <context>
@@ -4778,6 +4802,26 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>The islands are in no stack</source>
         <translation>Die Inseln sind in keinem Stapel</translation>
     </message>
+    <message>
+        <source>Send to a tile</source>
+        <translation>In eine Kachel senden</translation>
+    </message>
+    <message>
+        <source>The selected islands keep their place in the tile, their scale and direction.</source>
+        <translation>Die ausgewählten Inseln behalten ihren Ort in der Kachel, ihre Größe und Richtung.</translation>
+    </message>
+    <message>
+        <source>&amp;Tile:</source>
+        <translation>&amp;Kachel:</translation>
+    </message>
+    <message>
+        <source>&amp;Send</source>
+        <translation>&amp;Senden</translation>
+    </message>
+    <message>
+        <source>Islands sent to tile %1: %2</source>
+        <translation>In Kachel %1 gesendete Inseln: %2</translation>
+    </message>
 </context>
 <context>
     <name>autocuts::IslandPanel</name>
@@ -5695,10 +5739,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Nähte werden gekürzt, bisher %1, D %2</translation>
     </message>
     <message>
-        <source>The islands do not fit at their size: switch off &quot;Keep scale&quot; or use a smaller margin</source>
-        <translation>Die Inseln passen in ihrer Größe nicht hinein: schalten Sie „Größe der Inseln behalten“ aus oder nehmen Sie einen kleineren Abstand</translation>
-    </message>
-    <message>
         <source>There is no room for the margins: use a smaller margin or a larger texture</source>
         <translation>Für die Abstände ist kein Platz: nehmen Sie einen kleineren Abstand oder eine größere Textur</translation>
     </message>
@@ -5898,13 +5938,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <source>Map for lightmaps, edges cut: %1</source>
         <translation>Map für Lightmaps, geschnittene Kanten: %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n faces are not baked: they have no UVs, or their islands cross the border of a tile</source>
-        <translation>
-            <numerusform>%n Fläche wird nicht gebacken: Sie hat keine UVs, oder ihre Insel liegt über dem Rand einer Kachel</numerusform>
-            <numerusform>%n Flächen werden nicht gebacken: Sie haben keine UVs, oder ihre Inseln liegen über dem Rand einer Kachel</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No object of the detailed model belongs to: %1</source>
         <translation>Kein Objekt des detaillierten Modells gehört zu: %1</translation>
@@ -6052,6 +6085,25 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source>Choose the model that belongs to this one</source>
         <translation>Wählen Sie das Modell, das zu diesem gehört</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces are not baked as a whole: they have no UVs, or their islands reach over the border of their tile</source>
+        <translation>
+            <numerusform>%n Fläche wird nicht ganz gebacken: sie hat keine UVs, oder ihre Insel reicht über den Rand ihrer Kachel</numerusform>
+            <numerusform>%n Flächen werden nicht ganz gebacken: sie haben keine UVs, oder ihre Inseln reichen über den Rand ihrer Kachel</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. There was no room at their size: all islands of the tile are smaller now</source>
+        <translation>%1. In ihrer Größe war kein Platz: alle Inseln der Kachel sind jetzt kleiner</translation>
+    </message>
+    <message>
+        <source>The islands do not fit at their size: switch off &quot;Keep each island&apos;s scale&quot; or use a smaller margin</source>
+        <translation>Die Inseln passen in ihrer Größe nicht hinein: „Größe jeder Insel behalten“ ausschalten oder einen kleineren Abstand wählen</translation>
+    </message>
+    <message>
+        <source>%1. There is no room for the islands at their scale: all of a tile are smaller now</source>
+        <translation>%1. In ihrer Größe ist für die Inseln kein Platz: alle einer Kachel sind jetzt kleiner</translation>
     </message>
 </context>
 <context>
@@ -6363,14 +6415,6 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>Wie lange nach einer besseren Anordnung gesucht wird, in Sekunden eines Prozessorkerns</translation>
     </message>
     <message>
-        <source>Keep the size of the islands</source>
-        <translation>Größe der Inseln behalten</translation>
-    </message>
-    <message>
-        <source>Off: all islands get the same texel density, as large as there is room</source>
-        <translation>Aus: alle Inseln bekommen dieselbe Texeldichte, so groß, wie Platz ist</translation>
-    </message>
-    <message>
         <source>Pack</source>
         <translation>Packen</translation>
     </message>
@@ -6455,12 +6499,20 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
         <translation>px je Einheit</translation>
     </message>
     <message>
-        <source>The UDIM tiles in which islands lie as a whole: how many, what share of the tile they cover, and their texel density</source>
-        <translation>Die UDIM-Kacheln, in denen Inseln als Ganzes liegen: wie viele, welchen Anteil der Kachel sie bedecken, und ihre Texeldichte</translation>
-    </message>
-    <message>
         <source>in other tiles</source>
         <translation>in anderen Kacheln</translation>
+    </message>
+    <message>
+        <source>Keep each island&apos;s scale</source>
+        <translation>Größe jeder Insel behalten</translation>
+    </message>
+    <message>
+        <source>Every job leaves the islands the texel density that they have. Off: Pack, Unwrap and Separate give all islands of a tile the same one, as large as there is room</source>
+        <translation>Jede Aufgabe lässt den Inseln die Texeldichte, die sie haben. Aus: Packen, Abwickeln und Trennen geben allen Inseln einer Kachel dieselbe, so groß, wie Platz ist</translation>
+    </message>
+    <message>
+        <source>The UDIM tiles to which islands belong: how many, what share of the tile they cover, and their texel density</source>
+        <translation>Die UDIM-Kacheln, zu denen Inseln gehören: wie viele, welchen Teil der Kachel sie bedecken, und ihre Texeldichte</translation>
     </message>
 </context>
 <context>

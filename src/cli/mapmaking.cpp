@@ -338,6 +338,8 @@ QStringList MapMaking::unmetText(const unwrap::UnmetSteering &unmet) const
                      .arg(numbers(unmet.pins));
     if (!unmet.joins.empty())
         lines << QStringLiteral("joined edges that had to stay open: %1").arg(numbers(unmet.joins));
+    if (!unmet.bent.empty())
+        lines << QStringLiteral("edges kept straight that are bent: %1").arg(numbers(unmet.bent));
     if (!unmet.missingSeams.empty())
         lines << QStringLiteral("seams that are not given and were needed: the edges %1")
                      .arg(numbers(unmet.missingSeams));

@@ -52,6 +52,19 @@ Scene sceneOfPart(const Scene &scene, const MeshPart &part)
     return some;
 }
 
+//! Names islands that reach over the border of their tile.
+QString offTileText(const std::vector<MapReport::OffTile> &islands)
+{
+    constexpr std::size_t mostNamed = 8;
+    QStringList names;
+    for (std::size_t i = 0; i < std::min(mostNamed, islands.size()); ++i)
+        names << QStringLiteral("%1 (of %2)").arg(islands[i].island).arg(islands[i].tile);
+    if (islands.size() > mostNamed)
+        names << QStringLiteral("...");
+    return counted(static_cast<qint64>(islands.size()), "island does", "islands do") +
+           QStringLiteral(" not lie in one UDIM tile as a whole: ") + names.join(QStringLiteral(", "));
+}
+
 } // namespace
 
 MapReport reportOn(const Scene &scene, const std::vector<IslandFlags> &faceFlags,
@@ -89,7 +102,9 @@ QStringList mapProblems(const MapReport &report)
     const qint64 overlaps = report.overlappingTriangles.value_or(0);
     if (overlaps > 0)
         problems << counted(overlaps, "triangle overlaps", "triangles overlap");
-    if (report.inTiles == false)
+    if (!report.offTile.empty())
+        problems << offTileText(report.offTile);
+    else if (report.inTiles == false)
         problems << QStringLiteral("the UVs leave the unit square, and do not lie in UDIM tiles");
     if (overlaps == 0 && report.minGutterTexels < fewestGutterTexels)
         problems << QStringLiteral("islands come as close as %1 texels at a texture size of %2")
@@ -126,6 +141,9 @@ QString reportTable(const MapReport &r)
     line("seam_length", shortNumber(r.seamLength), QStringLiteral("in the units of the model"));
     line("seam_norm", shortNumber(r.seamNorm), QStringLiteral("the same for a model of area pi"));
     line("sym_dirichlet", shortNumber(r.symDirichlet), QStringLiteral("mean distortion, 4 is none"));
+    if (std::abs(r.symDirichletTiles - r.symDirichlet) > 1e-6 * r.symDirichlet)
+        line("sym_dirichlet_tiles", shortNumber(r.symDirichletTiles),
+             QStringLiteral("the same with each tile and island at the density that it has"));
     line("sym_dirichlet_max", shortNumber(r.symDirichletMax), QStringLiteral("of the worst triangle"));
     if (const qint64 weighted = r.texelDensityWeights.value_or(0); weighted > 0)
         line("texel_density_weights", QString::number(weighted),

@@ -1,8 +1,22 @@
 #include "commands/islandtransform.h"
 
+#include <algorithm>
 #include <map>
 
 namespace autocuts {
+
+namespace {
+
+//! True when lines along the axes stay such lines.
+bool keepsAxes(const Eigen::Affine2d &transform)
+{
+    constexpr double tolerance = 1e-9;
+    const Eigen::Matrix2d sizes = transform.linear().cwiseAbs();
+    const double least = tolerance * sizes.maxCoeff();
+    return std::max(sizes(0, 1), sizes(1, 0)) <= least || std::max(sizes(0, 0), sizes(1, 1)) <= least;
+}
+
+} // namespace
 
 IslandTransform::IslandTransform(Document &document, UvEdit edit, const std::vector<int> &islands)
     : mDocument(document), mEdit(edit), mGesture(document.undoStack().newGesture())
@@ -16,6 +30,9 @@ IslandTransform::IslandTransform(Document &document, UvEdit edit, const std::vec
         mOwner.insert(mOwner.end(), corners.size(), static_cast<int>(mIslands.size()));
         mIslands.push_back(island);
     }
+    const auto isAligned = [](const IslandFlags &flags) { return flags.aligned != 0; };
+    if (std::ranges::any_of(document.marks().faceFlags, isAligned))
+        mFlags = document.marks().faceFlags;
     mStart = document.uv()(mCorners, Eigen::all);
     for (std::size_t i = 0; i < mCorners.size(); ++i) {
         if (const UvPin *pin = document.constraints().pin(mCorners[i])) {
@@ -52,6 +69,11 @@ IslandTransform::command(const std::function<Eigen::Affine2d(int island)> &trans
     extras.pins = mPins;
     for (std::size_t i = 0; i < mPins.size(); ++i)
         extras.pins[i].position = moved(mPinOwner[i], mPins[i].position);
+    extras.flags = mFlags;
+    for (std::size_t i = 0; !mFlags.empty() && i < mIslands.size(); ++i) {
+        for (const int face : mDocument.islands().faces(mIslands[i]))
+            extras.flags[face].aligned = keepsAxes(transforms[i]) ? mFlags[face].aligned : 0;
+    }
     auto command = std::make_unique<SetUvs>(mDocument, mEdit, uv, extras);
     command->setGesture(mGesture);
     return command;

@@ -10,7 +10,8 @@ namespace autocuts {
 
 //! Stores the islands at the beginning of a gesture and computes each step from there. Rounding errors
 //! therefore do not accumulate, and a gesture that returns to its start leaves no entry. Locked islands are
-//! not moved; pins on other islands move with them.
+//! not moved; pins on other islands move with them. Islands that are turned by anything but right angles do
+//! not count as aligned any more.
 class IslandTransform
 {
 public:
@@ -38,6 +39,7 @@ private:
     UvMatrix mStart;          //!< one row per item of mCorners
     std::vector<UvPin> mPins; //!< as they were at the beginning
     std::vector<int> mPinOwner;
+    std::vector<IslandFlags> mFlags; //!< of all faces at the beginning; empty when no island is aligned
 };
 
 //! The command that moves pieces with their islands and pins. Locked pieces are not moved.

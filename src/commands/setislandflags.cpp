@@ -45,6 +45,7 @@ IslandFlags edited(IslandFlags flags, SetIslandFlags::Edit edit, std::int32_t nu
     case SetIslandFlags::Edit::KeepOrientation:
     case SetIslandFlags::Edit::FreeOrientation:
         flags.upright = edit == SetIslandFlags::Edit::KeepOrientation;
+        flags.aligned = flags.upright != 0 ? flags.aligned : 0;
         break;
     }
     return flags;

@@ -20,11 +20,15 @@ SetUvs::SetUvs(Document &document, UvEdit edit, const UvMatrix &uv, const UvEdit
 {
     if (!std::isfinite(mScaleAfter) || mScaleAfter <= 0)
         mScaleAfter = mScaleBefore;
+    const std::vector<IslandFlags> &flags = document.marks().faceFlags;
+    if (extras.flags.size() == flags.size())
+        mFlags = XorDelta::between<IslandFlags>(
+            flags.data(), IndexRanges::all(static_cast<int>(flags.size())), extras.flags);
 }
 
 bool SetUvs::hasAnyChanges() const
 {
-    return !mDelta.isEmpty() || mScaleBefore != mScaleAfter || !mPins.isEmpty();
+    return !mDelta.isEmpty() || mScaleBefore != mScaleAfter || !mPins.isEmpty() || !mFlags.isEmpty();
 }
 
 void SetUvs::toggleUvs()
@@ -32,9 +36,16 @@ void SetUvs::toggleUvs()
     setUvs(mUvSet, mDelta.indices(), toggledRows(mDelta, document().uvSets()[mUvSet].uv));
 }
 
+void SetUvs::toggleFlags()
+{
+    if (!mFlags.isEmpty())
+        setFaceFlags(mFlags.indices(), mFlags.applied(document().marks().faceFlags.data()));
+}
+
 void SetUvs::apply()
 {
     toggleUvs();
+    toggleFlags();
     setUvScale(mUvSet, mScaleAfter);
     for (const auto &change : mPins.changes())
         setPin(change.key, change.after);
@@ -43,6 +54,7 @@ void SetUvs::apply()
 void SetUvs::revert()
 {
     toggleUvs();
+    toggleFlags();
     setUvScale(mUvSet, mScaleBefore);
     for (const auto &change : mPins.changes())
         setPin(change.key, change.before);
@@ -56,6 +68,7 @@ bool SetUvs::absorb(const DocumentCommand &newer)
     mDelta.combine(other.mDelta);
     mScaleAfter = other.mScaleAfter;
     mPins.combine(other.mPins);
+    mFlags.combine(other.mFlags);
     mCount = other.mCount;
     return true;
 }
@@ -133,18 +146,20 @@ QString SetUvs::label() const
 
 qint64 SetUvs::payloadBytes() const
 {
-    return mDelta.byteCount() + mPins.count() * qint64(sizeof(PinChanges::Change));
+    return mDelta.byteCount() + mFlags.byteCount() + mPins.count() * qint64(sizeof(PinChanges::Change));
 }
 
 void SetUvs::clearPayload()
 {
     mDelta = XorDelta(uvRowSize);
     mPins.clear();
+    mFlags = XorDelta(sizeof(IslandFlags));
 }
 
 void SetUvs::compact()
 {
     mDelta.pack(document().undoStack().pool(), document().adjacency().cornersByVertex());
+    mFlags.pack(document().undoStack().pool());
 }
 
 void SetUvs::writePayload(QCborMap &map) const
@@ -155,6 +170,11 @@ void SetUvs::writePayload(QCborMap &map) const
     map["scale"_L1] = mScaleAfter;
     map["pins"_L1] = pinsToCbor(mPins);
     mDelta.write(map, document().adjacency().cornersByVertex());
+    if (mFlags.isEmpty())
+        return;
+    QCborMap flags;
+    mFlags.write(flags);
+    map["flags"_L1] = flags;
 }
 
 Result<std::unique_ptr<DocumentCommand>> SetUvs::fromCbor(Document &document, CborReader &reader)
@@ -167,11 +187,20 @@ Result<std::unique_ptr<DocumentCommand>> SetUvs::fromCbor(Document &document, Cb
     extras.pins = readPins(reader, "pins"_L1, document.mesh());
     XorDelta delta = readUvDelta(reader, document, document.uv());
     const auto pinned = [&](const UvPin &pin) { return document.constraints().pin(pin.corner) != nullptr; };
+    XorDelta flags(sizeof(IslandFlags));
+    if (reader.contains("flags"_L1)) {
+        CborReader own(reader.map("flags"_L1));
+        flags = XorDelta::read(own, sizeof(IslandFlags), document.mesh().faceCount());
+        if (own.failed() || !std::ranges::all_of(flags.applied(document.marks().faceFlags.data()),
+                                                 [](const IslandFlags &f) { return isValid(f); }))
+            return damagedCommand();
+    }
     if (reader.failed() || uvSet != document.activeUvSet() ||
         !std::all_of(extras.pins.begin(), extras.pins.end(), pinned))
         return damagedCommand();
     auto command = std::make_unique<SetUvs>(document, edit, document.uv(), extras);
     command->mDelta = std::move(delta);
+    command->mFlags = std::move(flags);
     return std::unique_ptr<DocumentCommand>(std::move(command));
 }
 

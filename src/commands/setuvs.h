@@ -44,10 +44,13 @@ struct UvEditExtras
     int count = 0;                //!< number of islands or vertices, for the text in the history
     std::optional<double> scale;  //!< new scale of the UV set (DocumentState::uvScales), if it changes
     std::vector<UvPin> pins = {}; //!< new pins at corners that have a pin
+    //! New flags of all faces; empty: they stay. An edit that turns islands may take IslandFlags::aligned
+    //! away.
+    std::vector<IslandFlags> flags = {};
 };
 
-//! Sets UVs of the active UV set, and optionally its scale and the pins that move with the UVs. Commands of
-//! one drag or one solver run merge; only the difference from the start is stored.
+//! Sets UVs of the active UV set, and optionally its scale, the pins that move with the UVs and flags.
+//! Commands of one drag or one solver run merge; only the difference from the start is stored.
 class SetUvs final : public DocumentCommand
 {
 public:
@@ -72,6 +75,7 @@ protected:
 
 private:
     void toggleUvs();
+    void toggleFlags();
 
     UvEdit mEdit;
     int mUvSet;
@@ -79,6 +83,7 @@ private:
     XorDelta mDelta; //!< over the rows of the UV set
     double mScaleBefore, mScaleAfter;
     PinChanges mPins;
+    XorDelta mFlags{sizeof(IslandFlags)}; //!< over IslandMarks::faceFlags
 };
 
 } // namespace autocuts

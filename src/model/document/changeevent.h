@@ -101,7 +101,7 @@ struct RectangleEvent final : ChangeEvent
 //! Flags of faces changed.
 struct IslandFlagEvent final : ChangeEvent
 {
-    enum Property { Locked = 1, Stack = 2, Group = 4, Upright = 8 };
+    enum Property { Locked = 1, Stack = 2, Group = 4, Upright = 8, Aligned = 16 };
 
     IslandFlagEvent(int mask, IndexRanges changedFaces)
         : ChangeEvent(Type::IslandFlag), properties(mask), faces(std::move(changedFaces))

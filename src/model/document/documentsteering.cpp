@@ -113,7 +113,8 @@ void Document::setFaceFlags(const IndexRanges &faces, std::span<const IslandFlag
         properties |= (before.locked != after.locked ? IslandFlagEvent::Locked : 0) |
                       (before.stack != after.stack ? IslandFlagEvent::Stack : 0) |
                       (before.group != after.group ? IslandFlagEvent::Group : 0) |
-                      (before.upright != after.upright ? IslandFlagEvent::Upright : 0);
+                      (before.upright != after.upright ? IslandFlagEvent::Upright : 0) |
+                      (before.aligned != after.aligned ? IslandFlagEvent::Aligned : 0);
     });
     IndexRanges changedFaces = assign(mState.marks.faceFlags, faces, values);
     if (!changedFaces.isEmpty())

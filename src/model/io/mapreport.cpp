@@ -48,7 +48,10 @@ MapReport reportOf(const metrics::UvMetrics &m)
     r.minGutter = m.minGutter;
     r.borderGutterTexels = m.borderGutterTexels;
     r.inUnitSquare = m.inUnitSquare;
+    r.symDirichletTiles = m.tileDirichlet;
     r.inTiles = m.inTiles;
+    for (const auto &[chart, tile] : m.chartsOffTile)
+        r.offTile.push_back({chart + 1, tile});
     return r;
 }
 

@@ -131,12 +131,13 @@ bool readConstraints(CborReader &reader, DocumentState &state)
 }
 
 //! Stores the faces with flags in "faces", three numbers for each in "flags", those that keep their
-//! orientation in "upright", and the hidden faces in "hidden" when there are any.
+//! orientation in "upright", those that were aligned to the axes in "aligned", and the hidden faces in
+//! "hidden" when there are any.
 QCborMap marksMap(const DocumentState &state)
 {
     const IslandMarks &marks = state.marks;
     std::vector<int> faces, flags;
-    QList<int> upright;
+    QList<int> upright, aligned;
     for (std::size_t f = 0; f < marks.faceFlags.size(); ++f) {
         const IslandFlags &face = marks.faceFlags[f];
         if (face == IslandFlags())
@@ -145,6 +146,8 @@ QCborMap marksMap(const DocumentState &state)
         flags.insert(flags.end(), {face.locked, face.stack, face.group});
         if (face.upright != 0)
             upright.append(static_cast<int>(f));
+        if (face.aligned != 0)
+            aligned.append(static_cast<int>(f));
     }
     QCborArray tags;
     for (const IslandTag &tag : marks.tags)
@@ -153,6 +156,8 @@ QCborMap marksMap(const DocumentState &state)
                  {"flags"_L1, packedArray(flags)},
                  {"upright"_L1, packedIntegers(upright)},
                  {"tags"_L1, tags}};
+    if (!aligned.isEmpty())
+        map["aligned"_L1] = packedIntegers(aligned);
     if (!state.hiddenFaces.isEmpty())
         map["hidden"_L1] = packedIntegers(state.hiddenFaces);
     return map;
@@ -181,6 +186,10 @@ bool readMarks(CborReader &reader, DocumentState &state)
     if (reader.contains("upright"_L1)) {
         for (const int face : reader.indexSet("upright"_L1, mesh.faceCount()))
             marks.faceFlags[static_cast<std::size_t>(face)].upright = 1;
+    }
+    if (reader.contains("aligned"_L1)) {
+        for (const int face : reader.indexSet("aligned"_L1, mesh.faceCount()))
+            marks.faceFlags[static_cast<std::size_t>(face)].aligned = 1;
     }
     for (const QCborMap &map : reader.maps("tags"_L1)) {
         CborReader tag(map);

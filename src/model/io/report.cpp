@@ -153,6 +153,18 @@ QByteArray tilesJson(const std::vector<MapReport::Tile> &tiles)
     return tiles.empty() ? QByteArray("[]") : text + "\n  ]";
 }
 
+QByteArray offTileJson(const std::vector<MapReport::OffTile> &islands)
+{
+    QByteArray text = "[";
+    for (const MapReport::OffTile &own : islands) {
+        ObjectWriter writer(2);
+        writer.add("island", own.island);
+        writer.add("tile", own.tile);
+        text += (text.size() > 1 ? ",\n    " : "\n    ") + writer.finish();
+    }
+    return islands.empty() ? QByteArray("[]") : text + "\n  ]";
+}
+
 void addStableKeys(ObjectWriter &writer, const MapReport &report)
 {
     writer.add("triangles", report.triangles);
@@ -194,6 +206,7 @@ void addFurtherKeys(ObjectWriter &writer, const MapReport &report)
     writer.add("stacked_pairs", report.stackedPairs);
     writer.add("sym_dirichlet_p99", report.symDirichletP99);
     writer.add("sym_dirichlet_infinite", report.symDirichletInfinite);
+    writer.add("sym_dirichlet_tiles", report.symDirichletTiles);
     writer.add("sym_dirichlet_scale", report.symDirichletScale);
     writer.add("l2_stretch", report.l2Stretch);
     writer.add("angle_distortion", report.angleDistortion);
@@ -218,6 +231,7 @@ QByteArray reportJson(const MapReport &report)
     writer.addRaw("objects", partsJson(report.objects));
     writer.addRaw("materials", partsJson(report.materials));
     writer.addRaw("tiles", tilesJson(report.tiles));
+    writer.addRaw("islands_off_tile", offTileJson(report.offTile));
     writer.addRaw("mesh", meshJson(report.mesh));
     writer.addRaw("transfer", transferJson(report.transfer));
     writer.addRaw("notes", listJson(report.notes));

@@ -42,6 +42,7 @@ struct MapReport
     Count texelDensityWeights; //!< faces with a painted texel weight; distortion is relative to these
     Count facesWithoutUvArea;  //!< faces with area on the model that have a triangle without area in the map
     double symDirichletP99 = unknown, symDirichletScale = unknown;
+    double symDirichletTiles = unknown; //!< each tile, and each island of a density of its own, at its scale
     double l2Stretch = unknown, angleDistortion = unknown, areaDistortion = unknown;
     double texelDensitySpread = unknown, axisAlignedShare = unknown, packingBox = unknown,
            minGutter = unknown;
@@ -67,7 +68,14 @@ struct MapReport
         double texelDensity = unknown;      //!< texels per unit of the model
         double packingEfficiency = unknown; //!< the part of the tile that its islands take
     };
-    std::vector<Tile> tiles;                           //!< in which islands lie as a whole, ascending
+    std::vector<Tile> tiles; //!< to which islands belong, ascending
+    //! An island of a layout of tiles that does not lie in its tile as a whole.
+    struct OffTile
+    {
+        int island = 0; //!< from 1 on
+        int tile = 0;   //!< to which it belongs
+    };
+    std::vector<OffTile> offTile;
     std::optional<bool> inTiles;                       //!< every island lies in a tile
     std::optional<transfer::TransferFigures> transfer; //!< of the command that makes maps this way
 

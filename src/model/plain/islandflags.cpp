@@ -26,7 +26,8 @@ std::int32_t mostFrequent(const std::map<std::int32_t, int> &faceCount)
 
 bool isValid(const IslandFlags &flags)
 {
-    return (flags.locked & ~1) == 0 && (flags.upright & ~1) == 0 && flags.stack >= 0 && flags.group >= 0;
+    return (flags.locked & ~1) == 0 && (flags.upright & ~1) == 0 && (flags.aligned & ~1) == 0 &&
+           flags.stack >= 0 && flags.group >= 0;
 }
 
 IslandFlags flagsOf(const std::vector<IslandFlags> &faceFlags, const std::vector<int> &faces)
@@ -36,6 +37,7 @@ IslandFlags flagsOf(const std::vector<IslandFlags> &faceFlags, const std::vector
     for (int face : faces) {
         flags.locked = std::max(flags.locked, faceFlags[face].locked);
         flags.upright = std::max(flags.upright, faceFlags[face].upright);
+        flags.aligned = std::max(flags.aligned, faceFlags[face].aligned);
         ++stacks[faceFlags[face].stack];
         ++groups[faceFlags[face].group];
     }

@@ -7,13 +7,16 @@
 namespace autocuts {
 
 //! The flags of one face. The flags of an island follow from those of its faces, see flagsOf(). Journals hold
-//! the bytes: `locked` and `upright` are the halves of what was one number.
+//! the bytes: `locked`, `upright` and `aligned` are parts of what was one number, the lowest byte first.
 struct IslandFlags
 {
-    std::int16_t locked = 0;  //!< 0 or 1; locked islands are not moved by packing or by tools
-    std::int16_t upright = 0; //!< 0 or 1; packing does not turn islands that keep their orientation
-    std::int32_t stack = 0;   //!< number of a stack: its islands lie on top of each other; 0 for none
-    std::int32_t group = 0;   //!< number of a group: its islands move together; 0 for none
+    std::int16_t locked = 0; //!< 0 or 1; locked islands are not moved by packing or by tools
+    std::int8_t upright = 0; //!< 0 or 1; packing does not turn islands that keep their orientation
+    //! 0 or 1; the island was aligned to the axes by the user and not turned since: packing turns it by right
+    //! angles only
+    std::int8_t aligned = 0;
+    std::int32_t stack = 0; //!< number of a stack: its islands lie on top of each other; 0 for none
+    std::int32_t group = 0; //!< number of a group: its islands move together; 0 for none
 
     bool operator==(const IslandFlags &) const = default;
 };

@@ -43,7 +43,7 @@ RigidPieces rigidPieces(const ChartMap &charts, const std::vector<IslandFlags> &
 {
     const auto chartFaces = charts.faces();
     const auto [label, count] = pieceLabels(chartFaces, faceFlags);
-    RigidPieces result{charts, std::vector<bool>(count), std::vector<bool>(count)};
+    RigidPieces result{charts, std::vector<bool>(count), std::vector<bool>(count), std::vector<bool>(count)};
     result.pieces.count = count;
     for (int &chart : result.pieces.faceChart)
         chart = chart < 0 ? chart : label[chart];
@@ -54,6 +54,8 @@ RigidPieces rigidPieces(const ChartMap &charts, const std::vector<IslandFlags> &
             result.locked[label[c]] = true;
         if (flags.upright != 0)
             result.upright[label[c]] = true;
+        if (flags.aligned != 0)
+            result.aligned[label[c]] = true;
         if (!movable.empty() &&
             std::any_of(chartFaces[c].begin(), chartFaces[c].end(), [&](int face) { return movable[face]; }))
             moves[label[c]] = true;

@@ -14,6 +14,7 @@ struct RigidPieces
     ChartMap pieces;
     std::vector<bool> locked;  //!< per piece: it keeps its place, and others are packed around it
     std::vector<bool> upright; //!< per piece: it is not turned
+    std::vector<bool> aligned; //!< per piece: it is turned by right angles only
 };
 
 //! Unites the charts into pieces.

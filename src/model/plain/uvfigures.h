@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace autocuts::metrics {
@@ -16,7 +17,7 @@ inline constexpr double missingFigure = std::numeric_limits<double>::quiet_NaN()
 struct TileFigures
 {
     int tile = 0;                   //!< its number, 1001 and more
-    int faces = 0, charts = 0;      //!< of the charts that lie in it
+    int faces = 0, charts = 0;      //!< of the charts that belong to it
     double density = missingFigure; //!< length in UV units of a unit of the model, by the areas
     double efficiency = 0;          //!< the part of the tile that its charts take
 };
@@ -53,6 +54,9 @@ struct UvMetrics
     double flippedUvAreaRatio = 0;
 
     double symDirichlet = missingFigure; //!< area-weighted mean at the scale that minimises it; 4 = isometric
+    //! The same where tiles, and islands that were scaled, keep the density that they have: each of the
+    //! groups of densityGroups() at the scale that suits it.
+    double tileDirichlet = missingFigure;
     double symDirichletMax = missingFigure, symDirichletP99 = missingFigure;
     double symDirichletScale = missingFigure; //!< that scale: UVs multiplied by it have the size of the mesh
     int symDirichletInfinite = 0;             //!< collapsed triangles, left out of all distortion means
@@ -82,7 +86,9 @@ struct UvMetrics
     double borderGutter = missingFigure;    //!< smallest distance of a chart to the border of its tile
     double borderGutterTexels = missingFigure;
 
-    std::vector<TileFigures> tiles; //!< the tiles in which charts lie as a whole, ascending
+    std::vector<TileFigures> tiles; //!< the tiles to which charts belong, ascending; see udimtiles.h
+    //! Charts of a layout that is made of tiles of which a part lies outside of their tile, and that tile.
+    std::vector<std::pair<int, int>> chartsOffTile;
 
     //! Per chart, numbered as by findCharts(): symDirichlet of the chart alone, at the scale that suits it.
     std::vector<double> chartSymDirichlet;

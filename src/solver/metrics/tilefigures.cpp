@@ -55,7 +55,8 @@ std::map<int, TileSums> sumsOf(const MeshData &mesh, const UvMatrix &uv, const C
 void measureTiles(const MeshData &mesh, const UvMatrix &uv, const ChartMap &charts, double tileHeight,
                   UvMetrics &metrics)
 {
-    const std::vector<int> tiles = islandTiles(mesh, charts, uv, tileHeight);
+    const TileLayout layout = findTiles(mesh, charts, uv, tileHeight);
+    const std::vector<int> tiles = layout.ofFaces(charts);
     double toBorder = std::numeric_limits<double>::infinity();
     for (const auto &[tile, sum] : sumsOf(mesh, uv, charts, tiles, tileHeight)) {
         TileFigures figures{tile, sum.faces, static_cast<int>(sum.charts.size())};
@@ -65,9 +66,12 @@ void measureTiles(const MeshData &mesh, const UvMatrix &uv, const ChartMap &char
         metrics.tiles.push_back(figures);
         toBorder = std::min(toBorder, sum.toBorder);
     }
-    metrics.inTiles = !metrics.tiles.empty();
-    for (int face = 0; metrics.inTiles && face < mesh.faceCount(); ++face)
-        metrics.inTiles = charts.faceChart[face] < 0 || tiles[face] > 0;
+    for (int chart = 0; chart < charts.count; ++chart) {
+        if (layout.hasTiles && layout.sticksOut[chart])
+            metrics.chartsOffTile.emplace_back(chart, layout.tile[chart]);
+    }
+    const auto off = std::count(layout.sticksOut.begin(), layout.sticksOut.end(), true);
+    metrics.inTiles = charts.count > 0 && off == 0;
     if (!metrics.inTiles)
         return;
     metrics.packingUnit = metrics.uvArea / (tileHeight * static_cast<double>(metrics.tiles.size()));

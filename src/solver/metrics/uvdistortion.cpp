@@ -61,9 +61,33 @@ struct DistortionSums
         backward += area3d * map.inverse;
         area += area3d;
     }
+    void add(const DistortionSums &other)
+    {
+        forward += other.forward;
+        backward += other.backward;
+        area += other.area;
+    }
     //! The mean symmetric Dirichlet energy at the scale that minimises it.
     double least() const { return area > 0 ? 2 * std::sqrt(forward * backward) / area : missingFigure; }
 };
+
+//! The mean of the energies of groups of charts, each at the scale that minimises it.
+double leastOfGroups(const std::vector<DistortionSums> &charts, const DensityGroups &groups)
+{
+    std::vector<DistortionSums> sums(groups.density.size());
+    for (std::size_t chart = 0; chart < charts.size(); ++chart) {
+        if (const int group = groups.ofChart[chart]; group >= 0)
+            sums[group].add(charts[chart]);
+    }
+    double energy = 0, area = 0;
+    for (const DistortionSums &sum : sums) {
+        if (sum.area > 0) {
+            energy += sum.area * sum.least();
+            area += sum.area;
+        }
+    }
+    return area > 0 ? energy / area : missingFigure;
+}
 
 //! Total areas of the triangles that have both UVs and area in 3D.
 struct Totals
@@ -116,7 +140,7 @@ double nearestRank99(std::vector<double> values)
 } // namespace
 
 void measureDistortion(const MeshData &mesh, const UvMatrix &uv, const UvTriangles &triangles,
-                       UvMetrics &metrics)
+                       const DensityGroups &groups, UvMetrics &metrics)
 {
     countFlips(triangles, metrics);
     const Totals totals = validTotals(triangles);
@@ -157,6 +181,7 @@ void measureDistortion(const MeshData &mesh, const UvMatrix &uv, const UvTriangl
     metrics.symDirichletInfiniteAreaRatio = totals.area3d > 0 ? infiniteArea / totals.area3d : 0;
     for (const DistortionSums &chart : charts)
         metrics.chartSymDirichlet.push_back(chart.least());
+    metrics.tileDirichlet = leastOfGroups(charts, groups);
     if (!(all.area > 0))
         return;
 

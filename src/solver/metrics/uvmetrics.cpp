@@ -1,6 +1,7 @@
 #include "solver/metrics/uvmetrics.h"
 
 #include "model/plain/chart.h"
+#include "model/plain/densitygroups.h"
 #include "model/plain/rigidpieces.h"
 #include "solver/metrics/tilefigures.h"
 #include "solver/metrics/uvdistortion.h"
@@ -143,7 +144,8 @@ UvMetrics measureUv(const MeshData &mesh, const UvMatrix &uv, const UvMetricsOpt
     measureEdges(mesh, topology, metrics);
     measureAlignment(uv, topology, metrics);
     measureCharts(triangles, metrics);
-    measureDistortion(mesh, uv, triangles, metrics);
+    measureDistortion(mesh, uv, triangles, densityGroups(mesh, topology.charts, uv, options.tileHeight),
+                      metrics);
     measurePacking(topology, options, metrics);
     measureTiles(mesh, uv, topology.charts, options.tileHeight, metrics);
     metrics.borderGutterTexels = metrics.borderGutter * options.textureSize;

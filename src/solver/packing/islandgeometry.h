@@ -20,9 +20,10 @@ void applyPlacements(const PackResult &result, const MeshData &mesh, const Chart
 
 //! What the density of a chart is read from.
 enum class DensityBasis {
-    Area,     //!< the whole chart: UV area / 3D area
-    FlatParts //!< what keeps its shape at one scale, where that is a good part of the chart; else the whole
-              //!< chart
+    Area,      //!< the whole chart: UV area / 3D area
+    FlatParts, //!< what keeps its shape at one scale, where that is a good part of the chart; else the whole
+               //!< chart
+    Given      //!< nothing: charts keep the densities that they have in relation to each other
 };
 
 //! Gives all charts one texel density: scales each about the middle of its box so that UV area / 3D area is

@@ -46,6 +46,7 @@ struct PackProblem
     double gutter = 0;                               //!< least distance between two islands, UV units
     PackRotation rotation = PackRotation::Free;
     std::vector<char> upright; //!< per island: it is not turned; empty: none
+    std::vector<char> aligned; //!< per island: it is turned by right angles only; empty: none
 
     int count() const { return static_cast<int>(outlines.size()); }
     Vec2 size() const { return upper - lower; }
@@ -57,6 +58,8 @@ struct PackProblem
     {
         if (!upright.empty() && upright[island])
             return 1;
+        if (!aligned.empty() && aligned[island])
+            return directionsOf(rotation) % 4 == 0 ? 4 : directionsOf(rotation);
         return standsSquare(island) ? 4 : directionsOf(rotation);
     }
     bool turnsFreely(int island) const { return directions(island) == 0; }

@@ -85,6 +85,9 @@ PackProblem makeProblem(const std::vector<PackIsland> &islands, const PackOption
         problem.outlines.push_back(makeOutline(island, problem.unit));
         problem.locked.push_back(island.locked);
         problem.upright.push_back(island.upright);
+        problem.aligned.push_back(island.aligned);
+        if (island.aligned)
+            problem.outlines.back().squareAngle.reset(); // it stands as the user wants it
         problem.given.push_back({0, problem.outlines.back().centre});
     }
     freeLongIslands(settings, problem);

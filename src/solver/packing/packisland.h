@@ -16,6 +16,7 @@ struct PackIsland
     std::vector<std::array<int, 2>> boundary;  //!< boundary edges, indices into points
     bool locked = false;                       //!< keeps its place and size as an obstacle for the others
     bool upright = false;                      //!< is not turned
+    bool aligned = false;                      //!< is turned by right angles only
 };
 
 } // namespace autocuts::packing

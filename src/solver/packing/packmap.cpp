@@ -4,19 +4,20 @@
 
 namespace autocuts::packing {
 
-PackResult packMap(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &locked,
-                   const std::vector<bool> &upright, const PackOptions &settings, DensityBasis basis,
-                   UvMatrix &uv, const JobContext &job)
+PackResult packMap(const MeshData &mesh, const RigidPieces &pieces, const PackOptions &settings,
+                   DensityBasis basis, UvMatrix &uv, const JobContext &job)
 {
     UvMatrix packed = uv;
-    if (!settings.keepScale)
-        equalizeTexelDensity(mesh, charts, packed, locked, basis);
-    std::vector<PackIsland> islands = makePackIslands(mesh, packed, charts, locked);
-    for (std::size_t i = 0; i < upright.size(); ++i)
-        islands[i].upright = upright[i];
+    if (!settings.keepScale && basis != DensityBasis::Given)
+        equalizeTexelDensity(mesh, pieces.pieces, packed, pieces.locked, basis);
+    std::vector<PackIsland> islands = makePackIslands(mesh, packed, pieces.pieces, pieces.locked);
+    for (std::size_t i = 0; i < islands.size(); ++i) {
+        islands[i].upright = pieces.upright[i];
+        islands[i].aligned = pieces.aligned[i];
+    }
     const PackResult result = packIslands(islands, settings, job);
     if (result.complete) {
-        applyPlacements(result, mesh, charts, packed, locked);
+        applyPlacements(result, mesh, pieces.pieces, packed, pieces.locked);
         uv = std::move(packed);
     }
     return result;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace autocuts::unwrap {
 
@@ -17,6 +18,7 @@ namespace {
 
 //! How much distortion straightening may add where the map is near the bound or above it. Chosen by hand.
 constexpr double leastSpent = 0.05;
+constexpr double sameScale = 1e-6; // maps of sizes that differ by this share are equally large
 
 //! Per chart: its area in the map.
 std::vector<double> mapAreas(const CutMesh &charts, const SeamedMap &map)
@@ -44,26 +46,64 @@ void scaleTo(const std::vector<double> &area, const CutMesh &charts, const std::
         cornerAt(map.x, static_cast<int>(c)) *= factor[charts.chart[c / 3]];
 }
 
+//! A job that packs islands, those that were aligned turned by right angles only.
+PackJob packJobOf(const Snapshot &snapshot, const AlignInput &input)
+{
+    PackJob pack = steeredPackJob(snapshot, input.packing);
+    pack.faceFlags.resize(snapshot.mesh->faceCount());
+    for (std::size_t face = 0; face < pack.faceFlags.size(); ++face) {
+        if (input.snapshot.scope->faces[face])
+            pack.faceFlags[face].aligned = 1;
+    }
+    pack.density = packing::DensityBasis::Given;
+    pack.options.keepScale = true;
+    return pack;
+}
+
+//! The faces that belong to the tiles of some faces; all where the layout is not made of tiles.
+std::vector<bool> facesOfTiles(const PackJob &pack, const std::vector<bool> &faces)
+{
+    if (pack.tiles.empty())
+        return std::vector<bool>(faces.size(), true);
+    std::set<int> tiles;
+    for (std::size_t face = 0; face < faces.size(); ++face) {
+        if (faces[face])
+            tiles.insert(pack.tiles[face]);
+    }
+    std::vector<bool> result;
+    for (const int tile : pack.tiles)
+        result.push_back(tiles.contains(tile));
+    return result;
+}
+
 //! Moves islands aside, at their size, that lie on others now and did not before. Where there is no room for
-//! them, a whole map is packed anew, which gives all of them one size.
+//! them, those of the scope are packed, then all of their tiles, and at last these at a smaller scale.
 void moveAside(const AlignInput &input, const ChartMap &charts, const JobContext &job, AlignResult &result)
 {
     const MeshData &mesh = *input.snapshot.mesh;
-    PackJob pack = steeredPackJob(input.snapshot, input.packing);
-    pack.options.keepScale = true;
+    PackJob pack = packJobOf(input.snapshot, input);
     std::vector<bool> now = misplacedFaces(mesh, charts, pack, result.uv, job);
     const std::vector<bool> before = misplacedFaces(mesh, charts, pack, *input.snapshot.uv, job);
     for (std::size_t face = 0; face < now.size(); ++face)
         now[face] = now[face] && !before[face];
     if (job.stopped() || std::find(now.begin(), now.end(), true) == now.end())
         return;
+    Snapshot everywhere = input.snapshot;
+    everywhere.scope = nullptr;
+    PackJob others = packJobOf(everywhere, input);
+    others.movable = facesOfTiles(others, now);
     pack.movable = std::move(now);
-    if (packCharts(mesh, charts, pack, result.uv, job) || job.stopped())
-        return;
-    const std::vector<bool> &scope = input.snapshot.scope->faces;
-    const bool isWhole = std::find(scope.begin(), scope.end(), false) == scope.end();
-    result.noRoom =
-        !isWhole || !packCharts(mesh, charts, steeredPackJob(input.snapshot, input.packing), result.uv, job);
+    PackJob own = pack;
+    own.movable = input.snapshot.scope->faces;
+    for (const PackJob *way : {&pack, &own, &others}) {
+        if (packCharts(mesh, charts, *way, result.uv, job) || job.stopped())
+            return;
+    }
+    others.options.keepScale = false;
+    others.keepScaleIfPossible = true;
+    const double size = layoutScale(mesh, result.uv);
+    result.noRoom = !packCharts(mesh, charts, others, result.uv, job);
+    result.madeSmaller = layoutScale(mesh, result.uv) < (1 - sameScale) * size;
 }
 
 } // namespace

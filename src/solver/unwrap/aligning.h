@@ -21,7 +21,8 @@ struct AlignResult
     double after = 0;         //!< the same of the result
     bool nothingFree = false; //!< locks or pins leave nothing to change
     bool flipped = false;     //!< nothing was done because triangles of the islands are flipped
-    bool noRoom = false;      //!< islands lie on others now, because there is no room for them at their size
+    bool madeSmaller = false; //!< the islands of some tiles were packed anew, all smaller, to make room
+    bool noRoom = false;      //!< islands lie on others now, because there is no room for them
 };
 
 //! Turns the islands of the scope to the axes and makes straight what is straight on the model, as far as the

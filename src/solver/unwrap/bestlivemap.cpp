@@ -147,15 +147,16 @@ void BestLiveMap::give(search::CutState state, FitEffort effort, const JobContex
     result->seamLength = map.seamLength(soup);
     result->islands = CutMesh(*soup.mesh, map.cut).chartCount;
     result->cut = part.wholeCut(map.cut);
-    result->uv = mPlacing.place(whole, part, soup, map, mOptions.packing, mPacksAfresh,
+    result->uv = mPlacing.place(whole, part, soup, map, mOptions.packing, mPacksAfresh, mOptions.dragged,
                                 mProblem.plan().rotation(PackRotation::Free));
     result->hasRoom = mPlacing.hadRoom();
     result->unmet = unmetSteering(whole, result->uv);
     if (!part.isWhole()) {
         metrics::UvMetricsOptions figures;
         figures.overlaps = figures.gutter = false;
+        figures.tileHeight = whole.tileHeight;
         const metrics::UvMetrics all = metrics::measureUv(*whole.mesh, result->uv, figures);
-        result->distortion = all.symDirichlet;
+        result->distortion = all.tileDirichlet;
         result->seamLength = all.seamNorm;
         result->islands = all.charts;
     }

@@ -22,6 +22,7 @@ struct LiveMapOptions
 {
     double maxDistortion = 4.1; //!< bound on the mean symmetric Dirichlet energy, > 4
     packing::PackOptions packing;
+    std::vector<int> dragged{}; //!< soup corners of islands that the user drags, see LivePlacing
 };
 
 //! A map without flipped triangles or overlaps (but for islands that the user holds in one place).

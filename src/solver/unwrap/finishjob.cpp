@@ -2,6 +2,7 @@
 
 #include "model/plain/uvlayout.h"
 #include "solver/base/timelimit.h"
+#include "solver/definite/definitemap.h"
 #include "solver/definite/refinedmap.h"
 #include "solver/definite/seamopening.h"
 #include "solver/homotopy/liveschedule.h"
@@ -10,6 +11,7 @@
 #include "solver/preference/seampreference.h"
 #include "solver/straight/straightening.h"
 #include "solver/unwrap/freepart.h"
+#include "solver/unwrap/keptscale.h"
 #include "solver/unwrap/mapbefore.h"
 #include "solver/unwrap/rectanglefit.h"
 
@@ -53,11 +55,17 @@ void place(const FinishInput &input, const ChartMap &charts, bool stays, const J
            FinishResult &result)
 {
     PackJob pack = steeredPackJob(input.snapshot, input.packing);
-    pack.keepScaleIfPossible = stays;
+    pack.options.keepScale = false; // where there is no room, all islands become smaller
+    const bool hadMap = input.snapshot.uv != nullptr;
+    pack.keepScaleIfPossible = stays || hadMap;
+    if (hadMap)
+        pack.density = packing::DensityBasis::Given;
     const MeshData &mesh = *input.snapshot.mesh;
     if (liesFree(mesh, charts, pack, result.uv, job))
         return;
-    const bool packed = packCharts(mesh, charts, pack, result.uv, job.part(0, 1, JobStage::Packing));
+    const JobContext packing = job.part(0, 1, JobStage::Packing);
+    const bool packed = hadMap ? packMisplaced(mesh, charts, pack, result.uv, packing)
+                               : packCharts(mesh, charts, pack, result.uv, packing);
     result.noRoom = !packed && !job.stopped();
 }
 
@@ -157,12 +165,17 @@ FinishResult finishMap(const FinishInput &input, const JobContext &job)
     if (!found)
         return result;
     straighten(soup, part->snapshot(), plan, input.maxDistortion, found->map, job, result);
+    if (input.snapshot.uv)
+        definite::equalizeDensity(*soup, own, found->map);
     fitToRectangles(*part, soup, found->map, job);
     UvMatrix uv = own.uvScale * cornerUv(*soup, found->map);
     definite::openCuts(own, uv);
     result.uv = part->wholeUv(uv);
     result.distortion = found->map.distortion(*soup);
     const ChartMap charts = part->wholeCharts(chartsOf(*own.mesh, CutMesh(*own.mesh, found->map.cut)));
+    if (input.snapshot.uv)
+        keepScales(input.snapshot, charts, steeredPackJob(input.snapshot, input.packing),
+                   part->unit() * layoutScale(*own.mesh, uv), result.uv);
     place(input, charts, !part->isWhole() || input.snapshot.placesIslands(), job, result);
     result.unmet = unmetSteering(input.snapshot, result.uv);
     if (!input.live)

@@ -224,10 +224,10 @@ void FreePart::cutImpliedSeams()
 {
     const MeshData &mesh = *mSnapshot.mesh;
     std::vector<std::vector<int>> places(mesh.faceCount()); // tile and rectangles of each face
-    if (mSnapshot.keepTiles && mSnapshot.uv) {
-        const std::vector<int> tiles = udimTiles(mesh, *mSnapshot.uv, mSnapshot.tileHeight);
+    if (mWhole.keepTiles && mWhole.uv) {
+        const std::vector<int> tiles = udimTiles(*mWhole.mesh, *mWhole.uv, mWhole.tileHeight);
         for (int face = 0; face < mesh.faceCount(); ++face)
-            places[face].push_back(-tiles[face]);
+            places[face].push_back(-tiles[isWhole() ? face : mPart.face[face]]);
     }
     const std::vector<UvRectangle> &boxes = mSnapshot.steering->rectangles;
     for (std::size_t i = 0; i < boxes.size(); ++i) {

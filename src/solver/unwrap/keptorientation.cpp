@@ -16,7 +16,8 @@ bool isKept(const PackJob &pack, const std::vector<int> &faces)
 {
     const IslandFlags flags = flagsOf(pack.faceFlags, faces);
     const auto stays = [&](int face) { return !pack.stays.empty() && pack.stays[face]; };
-    return flags.upright != 0 && flags.locked == 0 && std::none_of(faces.begin(), faces.end(), stays);
+    return flags.upright + flags.aligned != 0 && flags.locked == 0 &&
+           std::none_of(faces.begin(), faces.end(), stays);
 }
 
 } // namespace
@@ -25,7 +26,7 @@ void keepOrientations(const MeshData &mesh, const ChartMap &charts, const PackJo
                       const UvMatrix &before, UvMatrix &uv)
 {
     if (std::none_of(pack.faceFlags.begin(), pack.faceFlags.end(),
-                     [](const IslandFlags &flags) { return flags.upright != 0; }))
+                     [](const IslandFlags &flags) { return flags.upright + flags.aligned != 0; }))
         return;
     for (const std::vector<int> &faces : charts.faces()) {
         if (!isKept(pack, faces))

@@ -1,8 +1,10 @@
 #include "solver/unwrap/liveplacing.h"
 
+#include "model/plain/uvlayout.h"
 #include "solver/base/cornerat.h"
 #include "solver/base/rigidfit.h"
 #include "solver/definite/seamopening.h"
+#include "solver/unwrap/keptscale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,17 +53,82 @@ void growIntoRectangles(const MeshData &mesh, const ChartMap &charts, PackJob pa
 
 void LivePlacing::beginWith(const FreePart &part)
 {
-    const Snapshot &own = part.snapshot();
     mBefore.reset();
-    if (own.uv)
-        mBefore = Before{own.mesh, *own.uv, findCharts(*own.mesh, *own.uv), own.uvScale};
+    if (part.snapshot().uv)
+        takeFrom(part, *part.snapshot().uv);
+}
+
+void LivePlacing::reset()
+{
+    mBefore.reset();
+    mPutByHand.clear();
+    mBeforeDrag.clear();
+    mDrags = false;
 }
 
 void LivePlacing::returnTo(const FreePart &part, const UvMatrix &uv)
 {
-    const MeshData &mesh = *part.snapshot().mesh;
-    const double scale = mBefore ? mBefore->scale : part.snapshot().uvScale;
-    mBefore = Before{part.snapshot().mesh, uv, findCharts(mesh, uv), scale};
+    mPutByHand = mBeforeDrag;
+    mDrags = false;
+    takeFrom(part, uv);
+}
+
+//! Places the next map in relation to this one.
+void LivePlacing::takeFrom(const FreePart &part, const UvMatrix &uv)
+{
+    const Snapshot &own = part.snapshot();
+    ChartMap charts = findCharts(*own.mesh, uv);
+    const double scale = own.placesIslands() ? own.uvScale : layoutScale(*own.mesh, uv);
+    std::vector<double> scales = faceScales(*own.mesh, charts, uv, scale, own.tileHeight);
+    mBefore = Before{own.mesh, uv, std::move(charts), std::move(scales)};
+}
+
+namespace {
+
+//! Per face: length in texture space of one solver unit, from the areas of its chart. The shape counts as if
+//! it had the area of the model.
+std::vector<double> scalesOf(const MeshData &mesh, const ChartMap &charts, const UvMatrix &shape,
+                             const UvMatrix &placed)
+{
+    std::vector<double> inShape(charts.count, 0), inTexture(charts.count, 0);
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const int chart = charts.faceChart[mesh.triangleFace[t]];
+        if (chart < 0)
+            continue;
+        const auto &[a, b, c] = mesh.triangles[t];
+        const auto area = [&](const UvMatrix &uv) {
+            return cross2(Vec2(uv.row(a)), Vec2(uv.row(b)), Vec2(uv.row(c)));
+        };
+        inShape[chart] += area(shape);
+        inTexture[chart] += area(placed);
+    }
+    const double unit = layoutScale(mesh, shape);
+    std::vector<double> scales;
+    for (const int chart : charts.faceChart) // without area, not a number
+        scales.push_back(chart < 0 ? std::nan("") : unit * std::sqrt(inTexture[chart] / inShape[chart]));
+    return scales;
+}
+
+} // namespace
+
+//! Notes which islands the user drags. \param charts of the whole map
+void LivePlacing::noteDrags(const MeshData &mesh, const ChartMap &charts, const std::vector<int> &corners)
+{
+    std::vector<bool> dragged(charts.count, false);
+    const bool drags = !corners.empty();
+    for (const int corner : corners) {
+        if (const int chart = charts.faceChart[mesh.triangleFace[corner / 3]]; chart >= 0)
+            dragged[chart] = true;
+    }
+    if (drags && !mDrags)
+        mBeforeDrag = mPutByHand;
+    mDrags = drags;
+    if (drags)
+        mPutByHand.resize(charts.faceChart.size());
+    for (std::size_t face = 0; drags && face < mPutByHand.size(); ++face) {
+        if (const int chart = charts.faceChart[face]; chart >= 0 && dragged[chart])
+            mPutByHand[face] = true;
+    }
 }
 
 //! Moves every chart that is not held onto the place of the old chart that it has most in common with.
@@ -104,7 +171,7 @@ UvMatrix LivePlacing::atOldPlaces(const MeshData &mesh, const ChartMap &charts, 
 
 UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, const Soup &soup,
                             const SeamedMap &map, const packing::PackOptions &options, bool afresh,
-                            PackRotation turns)
+                            const std::vector<int> &dragged, PackRotation turns)
 {
     const Snapshot own = part.withoutRectangles();
     // True when some islands are where they belong, so that the scale is given.
@@ -123,31 +190,52 @@ UvMatrix LivePlacing::place(const Snapshot &snapshot, const FreePart &part, cons
     pack.options.keepScale = false;
     pack.keepScaleIfPossible = stays || mBefore;
     pack.hurry = PackHurry::WhenStopped;
-    const ChartMap whole = part.wholeCharts(charts);
-    UvMatrix uv;
+    noteDrags(*snapshot.mesh, part.wholeCharts(charts), dragged);
+    for (std::size_t face = 0; face < mPutByHand.size(); ++face)
+        pack.stays[face] = pack.stays[face] || mPutByHand[face];
     mHadRoom = true;
-    if (!mBefore) {
-        uv = part.wholeUv((stays ? own.uvScale : 1) * shape);
-        mHadRoom = packCharts(*snapshot.mesh, whole, pack, uv);
+    const std::vector<bool> held = heldCharts(own, state);
+    std::vector<double> given;
+    UvMatrix uv;
+    if (mBefore) {
+        pack.density = packing::DensityBasis::Given;
+        given = chartScales(mesh, charts, mBefore->scale, own.uvScale);
+        uv = placeAgain(snapshot, part, charts, shape, std::move(pack), turns, held, given);
     } else {
-        const double scale = stays ? own.uvScale : mBefore->scale;
-        uv = part.wholeUv(atOldPlaces(mesh, charts, heldCharts(own, state), scale * shape, turns));
-        const std::vector<bool> misplaced = misplacedFaces(*snapshot.mesh, whole, pack, uv);
-        if (std::find(misplaced.begin(), misplaced.end(), true) != misplaced.end()) {
-            PackJob around = pack;
-            for (std::size_t face = 0; face < misplaced.size(); ++face)
-                around.stays[face] = around.stays[face] || !misplaced[face];
-            around.options.keepScale = true;
-            if (!packCharts(*snapshot.mesh, whole, around, uv))
-                mHadRoom = packCharts(*snapshot.mesh, whole, pack, uv);
-        } else if (onlyRectangles(pack)) {
-            growIntoRectangles(*snapshot.mesh, whole, pack, uv);
-        }
+        uv = part.wholeUv((stays ? own.uvScale : 1) * shape);
+        mHadRoom = packCharts(*snapshot.mesh, part.wholeCharts(charts), pack, uv);
     }
-    Before before{own.mesh, part.partUv(uv), charts, own.uvScale};
-    if (!stays)
-        before.scale = std::sqrt(areaOf(mesh, before.uv) / areaOf(mesh, shape));
-    mBefore = std::move(before);
+    UvMatrix partUv = part.partUv(uv);
+    std::vector<double> scales = scalesOf(mesh, charts, shape, partUv);
+    // What pins hold gets its scale back when they let go.
+    for (std::size_t face = 0; face < scales.size() && !held.empty() && !given.empty(); ++face) {
+        if (const int chart = charts.faceChart[face]; chart >= 0 && held[chart])
+            scales[face] = given[chart];
+    }
+    mBefore = Before{own.mesh, std::move(partUv), charts, std::move(scales)};
+    return uv;
+}
+
+//! Places a map in relation to the one before. \param shape per corner, solver units \param scales per chart
+UvMatrix LivePlacing::placeAgain(const Snapshot &snapshot, const FreePart &part, const ChartMap &charts,
+                                 const UvMatrix &shape, PackJob pack, PackRotation turns,
+                                 const std::vector<bool> &held, std::vector<double> scales)
+{
+    const MeshData &mesh = *part.snapshot().mesh;
+    const double unit = layoutScale(mesh, shape); // 1 where it has the area of the model
+    for (std::size_t chart = 0; chart < scales.size(); ++chart)
+        scales[chart] = !held.empty() && held[chart] ? part.snapshot().uvScale : scales[chart] / unit;
+    UvMatrix scaled = shape;
+    for (int face = 0; face < mesh.faceCount(); ++face) {
+        for (int c = mesh.faceStart[face]; charts.faceChart[face] >= 0 && c < mesh.faceStart[face + 1]; ++c)
+            scaled.row(c) *= scales[charts.faceChart[face]];
+    }
+    UvMatrix uv = part.wholeUv(atOldPlaces(mesh, charts, held, scaled, turns));
+    const ChartMap whole = part.wholeCharts(charts);
+    if (onlyRectangles(pack) && liesFree(*snapshot.mesh, whole, pack, uv))
+        growIntoRectangles(*snapshot.mesh, whole, pack, uv);
+    else
+        mHadRoom = packMisplaced(*snapshot.mesh, whole, pack, uv);
     return uv;
 }
 

@@ -9,22 +9,26 @@
 
 namespace autocuts::unwrap {
 
-//! Places one map after the other. A chart goes to where its triangles were in the map before, at the same
-//! texel density. Charts that leave their bin or overlap another one are packed into the room that is left;
-//! all charts are packed where there is none.
+//! Places one map after the other. A chart goes to where its triangles were in the map before, at the texel
+//! density that its island or tile had there. Charts that leave their bin or overlap another one are packed
+//! into the room that is left; all charts are packed where there is none. Islands that the user has dragged
+//! stay where they were put, and the others make room.
 class LivePlacing
 {
 public:
     //! Forgets the map before; the next one is placed in relation to the part's own map, if it has one.
-    void reset() { mBefore.reset(); }
-    //! Places the next map in relation to this one, which was placed before. \param uv per corner of the part
+    void reset();
+    //! Places the next map in relation to this one, which was placed before the last drag.
+    //! \param uv per corner of the part
     void returnTo(const FreePart &part, const UvMatrix &uv);
     //! \param map of the part, solver units
     //! \param afresh pack all charts as large as they fit, unless the steering gives the scale
+    //! \param dragged soup corners of the whole mesh that the user drags; their islands stay there
     //! \param turns how charts may be turned to where they were
     //! \returns the whole map, one row per corner in texture space; see hadRoom()
     UvMatrix place(const Snapshot &snapshot, const FreePart &part, const Soup &soup, const SeamedMap &map,
-                   const packing::PackOptions &options, bool afresh, PackRotation turns = PackRotation::Free);
+                   const packing::PackOptions &options, bool afresh, const std::vector<int> &dragged = {},
+                   PackRotation turns = PackRotation::Free);
 
     //! False when there was no room for all charts of the last map, so that some may overlap.
     bool hadRoom() const { return mHadRoom; }
@@ -35,13 +39,22 @@ private:
         std::shared_ptr<const MeshData> mesh; //!< of the part
         UvMatrix uv;                          //!< per corner of the part, texture space
         ChartMap charts;
-        double scale = 1; //!< length in texture space of one solver unit of the part
+        std::vector<double> scale; //!< per face: length in texture space of one solver unit of the part
     };
     void beginWith(const FreePart &part);
+    void takeFrom(const FreePart &part, const UvMatrix &uv);
+    UvMatrix placeAgain(const Snapshot &snapshot, const FreePart &part, const ChartMap &charts,
+                        const UvMatrix &shape, PackJob pack, PackRotation turns,
+                        const std::vector<bool> &held, std::vector<double> scales);
     UvMatrix atOldPlaces(const MeshData &mesh, const ChartMap &charts, const std::vector<bool> &held,
                          const UvMatrix &uv, PackRotation turns) const;
 
+    void noteDrags(const MeshData &mesh, const ChartMap &charts, const std::vector<int> &corners);
+
     std::optional<Before> mBefore;
+    std::vector<bool> mPutByHand;  //!< per face of the whole mesh; empty: none
+    std::vector<bool> mBeforeDrag; //!< the same before the drag that goes on or was the last one
+    bool mDrags = false;
     bool mHadRoom = true;
 };
 

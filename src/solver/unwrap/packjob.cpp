@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace autocuts::unwrap {
 
@@ -223,6 +224,7 @@ private:
             number[piece] = present.pieces.count++;
             present.locked.push_back(locked[piece]);
             present.upright.push_back(mRigid.upright[piece]);
+            present.aligned.push_back(mRigid.aligned[piece]);
         }
         for (const int piece : mRigid.pieces.faceChart)
             present.pieces.faceChart.push_back(piece < 0 ? -1 : number[piece]);
@@ -244,9 +246,13 @@ private:
         const auto pack = [&](const JobContext &how) {
             const auto packAt = [&](bool givenScale) {
                 options.keepScale = givenScale;
-                return packing::packMap(mMesh, present.pieces, present.locked, present.upright, options,
-                                        mPack.density, uv, how)
-                    .complete;
+                const packing::PackResult packed =
+                    packing::packMap(mMesh, present, options, mPack.density, uv, how);
+                // Where there was no room by chance, islands that keep their densities do not grow.
+                if (packed.complete && !givenScale && scaleLater && packed.scale > 1 &&
+                    mPack.density == packing::DensityBasis::Given)
+                    scalePieces(present, 1 / packed.scale, uv);
+                return packed.complete;
             };
             return packAt(keepsScale || scaleLater) || (scaleLater && packAt(false));
         };
@@ -261,6 +267,26 @@ private:
         const bool many = present.pieces.count > mostHurriedPieces;
         options.effort = many ? 0 : std::min(options.effort, packing::hurriedEffort);
         return pack(always ? job : job.unstoppable());
+    }
+
+    //! Scales the pieces that may move about the middles of their boxes.
+    void scalePieces(const RigidPieces &pieces, double factor, UvMatrix &uv) const
+    {
+        std::vector<Eigen::AlignedBox2d> boxes(pieces.pieces.count);
+        const auto visit = [&](const auto &visitor) {
+            for (int face = 0; face < mMesh.faceCount(); ++face) {
+                const int piece = pieces.pieces.faceChart[face];
+                if (piece < 0 || pieces.locked[piece])
+                    continue;
+                for (int c = mMesh.faceStart[face]; c < mMesh.faceStart[face + 1]; ++c)
+                    visitor(piece, c);
+            }
+        };
+        visit([&](int piece, int c) { boxes[piece].extend(Vec2(uv.row(c))); });
+        visit([&](int piece, int c) {
+            const Vec2 middle = boxes[piece].center();
+            uv.row(c) = middle + factor * (Vec2(uv.row(c)) - middle);
+        });
     }
 
     const MeshData &mMesh;
@@ -322,6 +348,33 @@ bool packCharts(const MeshData &mesh, const ChartMap &charts, const PackJob &pac
                 const JobContext &job)
 {
     return BinPacker(mesh, charts, pack).run(uv, job);
+}
+
+bool packMisplaced(const MeshData &mesh, const ChartMap &charts, const PackJob &pack, UvMatrix &uv,
+                   const JobContext &job)
+{
+    const std::vector<bool> misplaced = misplacedFaces(mesh, charts, pack, uv, job);
+    if (std::ranges::find(misplaced, true) == misplaced.end())
+        return true;
+    PackJob around = pack;
+    around.stays.resize(misplaced.size());
+    for (std::size_t face = 0; face < misplaced.size(); ++face)
+        around.stays[face] = around.stays[face] || !misplaced[face];
+    around.options.keepScale = true;
+    PackJob unturned = around;
+    unturned.options.rotation = PackRotation::None;
+    if (packCharts(mesh, charts, unturned, uv, job) || packCharts(mesh, charts, around, uv, job))
+        return true;
+    std::set<int> tiles; // the others stay as they are
+    for (std::size_t face = 0; face < pack.tiles.size(); ++face) {
+        if (misplaced[face])
+            tiles.insert(pack.tiles[face]);
+    }
+    PackJob again = pack;
+    again.stays.resize(misplaced.size());
+    for (std::size_t face = 0; face < pack.tiles.size(); ++face)
+        again.stays[face] = again.stays[face] || !tiles.contains(pack.tiles[face]);
+    return packCharts(mesh, charts, again, uv, job);
 }
 
 std::vector<bool> misplacedFaces(const MeshData &mesh, const ChartMap &charts, const PackJob &pack,

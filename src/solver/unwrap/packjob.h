@@ -60,6 +60,12 @@ struct PackJob
 [[nodiscard]] bool packCharts(const MeshData &mesh, const ChartMap &charts, const PackJob &pack, UvMatrix &uv,
                               const JobContext &job = {});
 
+//! Packs the islands that are not where they belong around the others, at their size and, as long as there is
+//! room, without turning them; where there is none, all islands of their tiles that may move.
+//! \returns as packCharts()
+[[nodiscard]] bool packMisplaced(const MeshData &mesh, const ChartMap &charts, const PackJob &pack,
+                                 UvMatrix &uv, const JobContext &job = {});
+
 //! Per face: true where an island that may move lies outside of its rectangle, tile or bin, or on an island
 //! that stays or is larger.
 [[nodiscard]] std::vector<bool> misplacedFaces(const MeshData &mesh, const ChartMap &charts,

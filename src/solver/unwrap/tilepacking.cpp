@@ -94,6 +94,7 @@ public:
         mIslands = packing::makePackIslands(mesh, mUv, mRigid.pieces, mRigid.locked);
         for (int piece = 0; piece < mRigid.pieces.count; ++piece) {
             mIslands[piece].upright = mRigid.upright[piece];
+            mIslands[piece].aligned = mRigid.aligned[piece];
             if (!mRigid.locked[piece])
                 mLeft.push_back(piece);
         }

@@ -17,9 +17,17 @@ struct UnmetSteering
     //! Edge pairs that are seams although they are not given and only given ones may be: without them a chart
     //! is not a disk, or cannot be laid flat without overlapping itself.
     std::vector<int> missingSeams;
+    std::vector<int> bent; //!< edge pairs of edge loops that the user wants straight, in islands without pins
 
-    bool empty() const { return pins.empty() && joins.empty() && rectangles.empty() && missingSeams.empty(); }
+    bool empty() const
+    {
+        return pins.empty() && joins.empty() && rectangles.empty() && missingSeams.empty() && bent.empty();
+    }
 };
+
+//! The edges of Steering::straightLoops that are not on one line with the others of their loop in an island.
+//! \param uv per corner, in any unit
+[[nodiscard]] std::vector<int> bentEdges(const Snapshot &snapshot, const UvMatrix &uv);
 
 //! \param uv per corner, texture space. Faces outside the scope are not looked at
 [[nodiscard]] UnmetSteering unmetSteering(const Snapshot &snapshot, const UvMatrix &uv);

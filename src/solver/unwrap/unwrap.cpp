@@ -2,18 +2,22 @@
 
 #include "model/plain/uvlayout.h"
 #include "solver/base/timelimit.h"
+#include "solver/definite/refinedmap.h"
 #include "solver/definite/seamopening.h"
 #include "solver/preference/surfacekind.h"
+#include "solver/preference/seampreference.h"
 #include "solver/straight/necks.h"
 #include "solver/straight/straightening.h"
 #include "solver/unwrap/coarsetofine.h"
 #include "solver/unwrap/freepart.h"
 #include "solver/unwrap/keptorientation.h"
+#include "solver/unwrap/keptscale.h"
 #include "solver/unwrap/mapfinder.h"
 #include "solver/unwrap/packjob.h"
 #include "solver/unwrap/rectanglefit.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <stdexcept>
 
@@ -22,6 +26,9 @@ namespace autocuts::unwrap {
 namespace {
 
 // Time for straightening, chosen by hand: after a stop, and for a map that is shown while the search goes on.
+constexpr double sameSize = 1e-6; // islands of sizes that differ by this share are equally large
+//! Shares of the bound that the search may use where chosen lines are bent, one after the other: by hand.
+constexpr std::array boundShares{1.0, 0.8, 0.5};
 constexpr auto timeAfterStop = std::chrono::milliseconds(100);
 constexpr auto timeOfShownMap = std::chrono::milliseconds(400);
 
@@ -51,6 +58,8 @@ public:
         UnwrapResult result;
         const std::shared_ptr<const Soup> soup = Soup::build(mPart.snapshot().mesh);
         result.straight = straighten(soup, found, hurry, job);
+        if (mPlan.loops && hurry == PackHurry::WhenStopped)
+            makeRoomForLines(soup, found, job);
         result.cut = mPart.wholeCut(found.map.cut);
         result.distortion = found.distortion;
         result.seamLength = found.seamLength;
@@ -91,6 +100,39 @@ private:
         return within(job);
     }
 
+    //! Searches on from a map in which chosen lines are bent, for seams that leave more of the bound for
+    //! them. The map stays when none are found.
+    void makeRoomForLines(const std::shared_ptr<const Soup> &soup, Candidate &found,
+                          const JobContext &job) const
+    {
+        const Snapshot &own = mPart.snapshot();
+        const auto bent = [&](const SeamedMap &map) { return bentEdges(own, cornerUv(*soup, map)).size(); };
+        std::size_t least = found.onlyPatches || mOptions.lambda ? 0 : bent(found.map);
+        if (least == 0 || job.stopped())
+            return;
+        const Snapshot problem =
+            preference::SeamPreference().applied(mPart.withoutRectangles(), job.threads());
+        const auto graph = search::SeamGraph::build(soup, problem);
+        for (const double share : boundShares) {
+            const double bound = 4 + share * (mPlan.searchBound(mOptions.maxDistortion) - 4);
+            Candidate next = found;
+            next.map = definite::refineMap(graph, problem, {found.map, found.anchorFaults}, found.map.x,
+                                           bound, job.quiet())
+                           .map;
+            const bool done =
+                straight::straighten(soup, own, mPlan, mOptions.maxDistortion, next.map, job.quiet());
+            next.measure(*soup, own);
+            if (job.stopped() || !done || next.distortion > mOptions.maxDistortion)
+                continue;
+            if (const std::size_t rest = bent(next.map); rest < least) {
+                least = rest;
+                found = std::move(next);
+            }
+            if (least == 0)
+                return;
+        }
+    }
+
     //! Places the islands. Sets result.uv and result.packed.
     void place(const Soup &soup, const SeamedMap &map, PackHurry hurry, const JobContext &job,
                UnwrapResult &result) const
@@ -110,9 +152,19 @@ private:
             pack.keepScaleIfPossible = stays;
             pack.fillRectangles = onlyRectangles(pack);
             pack.hurry = hurry;
+            const bool keepsScale = settings.keepScale && mSnapshot.uv;
+            pack.options.keepScale = false; // where there is no room, all islands become smaller
+            if (keepsScale) {
+                keepScales(mSnapshot, charts, pack, mPart.unit() * layoutScale(*own.mesh, uv), result.uv);
+                pack.keepScaleIfPossible = true;
+                pack.density = packing::DensityBasis::Given;
+            }
             if (mSnapshot.uv && mPlan.isEmpty())
                 keepOrientations(*mSnapshot.mesh, charts, pack, *mSnapshot.uv, result.uv);
+            const double size = layoutScale(*mSnapshot.mesh, result.uv);
             result.packed = packCharts(*mSnapshot.mesh, charts, pack, result.uv, job);
+            result.madeSmaller =
+                keepsScale && layoutScale(*mSnapshot.mesh, result.uv) < (1 - sameSize) * size;
         }
         if (!result.packed && !stays)
             fitFirstTile(result.uv, mOptions.packing.tileHeight());

@@ -46,6 +46,7 @@ struct UnwrapResult
     //! Set when something was to be straight: false when stopped before all of that was done.
     std::optional<bool> straight;
     bool packed = false;      //!< false when packing was not asked for or there is no room
+    bool madeSmaller = false; //!< islands should keep their scale, and there was no room for them
     bool nothingFree = false; //!< locks or the scope leave nothing to change: uv is the map before the job
     UnmetSteering unmet;
 };

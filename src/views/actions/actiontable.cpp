@@ -217,6 +217,10 @@ constexpr std::array uvTable{
                                  "Pack the selected islands into the free room of the tiles in which the "
                                  "others lie, at their texel density; what does not fit gets new tiles"),
                NeedsIdleMap | NeedsSelection},
+    ActionInfo{
+        "uv.sendToTile", "UV/Pack into tiles", QT_TRANSLATE_NOOP("Actions", "&Send to a tile..."), "", "",
+        QT_TRANSLATE_NOOP("Actions", "Move the selected islands into a UDIM tile, to the same place in it"),
+        NeedsIslands},
     ActionInfo{"uv.packSelection", "UV", QT_TRANSLATE_NOOP("Actions", "Pack &selection"), "pack-selection",
                "Shift+P", QT_TRANSLATE_NOOP("Actions", "Arrange the selected islands around the others"),
                NeedsIdleMap | NeedsSelection},

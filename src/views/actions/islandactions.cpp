@@ -2,12 +2,14 @@
 
 #include "commands/islandtransform.h"
 #include "commands/stackislands.h"
+#include "model/plain/udimtiles.h"
 #include "views/actions/actionregistry.h"
 #include "views/control/islandfigures.h"
 #include "views/control/mapcontroller.h"
 #include "views/control/solvercontroller.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/densitydialog.h"
+#include "views/dialogs/numberdialog.h"
 #include "views/dialogs/scatterdialog.h"
 #include "views/selecting/movableislands.h"
 #include "views/selecting/selecting.h"
@@ -225,6 +227,7 @@ void IslandActions::unstack(Document &document)
 void IslandActions::connectDialogs()
 {
     onTriggered("uv.scatter", [this](Document &document) { askScatter(document); });
+    onTriggered("uv.sendToTile", [this](Document &document) { askTile(document); });
     onTriggered("uv.packDensity", [this](Document &document) { askPackDensity(document); });
     onTriggered("uv.densitySet", [this](Document &document) { askDensity(document); });
 }
@@ -238,6 +241,36 @@ void IslandActions::askScatter(Document &document)
     const Pieces pieces = islandPieces(document.islands(), document.marks(), selectedIslands(document));
     if (pushCommand(movePieces(document, UvEdit::Scatter, pieces, scatteredPieces(pieces, mRanges))))
         Q_EMIT said(document.undoStack().undoText());
+}
+
+//! Moves the selected islands into a tile, to the same place in it.
+void IslandActions::askTile(Document &document)
+{
+    NumberDialog dialog({tr("Send to a tile"),
+                         tr("The selected islands keep their place in the tile, their scale and direction."),
+                         tr("&Tile:"),
+                         {},
+                         tr("&Send"),
+                         double(mTile),
+                         PackingSettings::firstTile,
+                         PackingSettings::lastTile,
+                         0},
+                        mQuestions.window());
+    if (mQuestions.run(dialog) != QDialog::Accepted)
+        return;
+    mTile = static_cast<int>(dialog.number());
+    const double height = document.packingSettings().tileHeight();
+    const TileLayout layout =
+        findTiles(document.mesh(), findCharts(document.mesh(), document.uv()), document.uv(), height);
+    const Pieces pieces = islandPieces(document.islands(), document.marks(), selectedIslands(document));
+    Transforms transforms;
+    for (const IslandPiece &piece : pieces) {
+        const int tile = layout.tile[piece.islands.front()];
+        const Vec2 from = (tile > 0 ? udimTile(tile, height) : tileAt(piece.box.center(), height)).min();
+        transforms.emplace_back(Eigen::Translation2d(udimTile(mTile, height).min() - from));
+    }
+    if (pushCommand(movePieces(document, UvEdit::Move, pieces, transforms)))
+        Q_EMIT said(tr("Islands sent to tile %1: %2").arg(mTile).arg(pieces.size()));
 }
 
 //! Of the selected islands, or of all when none are selected.

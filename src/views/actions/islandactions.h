@@ -46,10 +46,12 @@ private:
     void askScatter(Document &document);
     void askDensity(Document &document);
     void askPackDensity(Document &document);
+    void askTile(Document &document);
 
     StudioContext mContext;
     Questions &mQuestions;
-    ScatterRanges mRanges; //!< the values last chosen in the dialog
+    ScatterRanges mRanges;                      //!< the values last chosen in the dialog
+    int mTile = PackingSettings::firstTile + 1; //!< the same
 };
 
 } // namespace autocuts

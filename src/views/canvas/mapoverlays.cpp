@@ -1,6 +1,7 @@
 #include "views/canvas/mapoverlays.h"
 
 #include "model/document/document.h"
+#include "model/plain/udimtiles.h"
 #include "views/canvas/mapgrid.h"
 #include "views/ui/icons.h"
 
@@ -102,6 +103,17 @@ void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &color
     }
 }
 
+void drawTilesInUse(QPainter &painter, const ViewColors &colors, const MapCamera &camera, double tileHeight,
+                    const std::vector<int> &tiles)
+{
+    painter.setPen(QPen(colors.text, 1.4));
+    painter.setBrush(Qt::NoBrush);
+    for (const int tile : tiles) {
+        const Eigen::AlignedBox2d box = udimTile(tile, tileHeight);
+        painter.drawRect(QRectF(camera.toScreen(box.min()), camera.toScreen(box.max())).normalized());
+    }
+}
+
 void drawRulers(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,
                 int textureSize)
 {
@@ -188,6 +200,25 @@ void drawIslandMarks(QPainter &painter, const QRect &view, const ViewColors &col
         }
         painter.setPen(colors.text);
         painter.drawText(label.adjusted(room, 0, 0, 0), Qt::AlignCenter, text);
+    }
+}
+
+void drawOffTile(QPainter &painter, const ViewColors &colors, const Document &document,
+                 const MapCamera &camera, const std::vector<std::pair<int, int>> &islands)
+{
+    const QFontMetricsF metrics = painter.fontMetrics();
+    for (const auto &[island, tile] : islands) {
+        const Eigen::AlignedBox2d &box = document.islands().box(island);
+        const QRectF frame = QRectF(camera.toScreen(box.min()), camera.toScreen(box.max())).normalized();
+        painter.setPen(QPen(colors.overlap, 1.6, Qt::DashLine));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(frame.adjusted(-3, -3, 3, 3));
+        const QString text = MapOverlays::tr("%1: of %2").arg(island + 1).arg(tile);
+        const QRectF label(frame.left() - 3, frame.bottom() + 4, metrics.horizontalAdvance(text) + 6,
+                           metrics.height() + 2);
+        painter.fillRect(label, colors.panel);
+        painter.setPen(colors.overlap);
+        painter.drawText(label, Qt::AlignCenter, text);
     }
 }
 

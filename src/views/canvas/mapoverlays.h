@@ -7,6 +7,7 @@
 
 #include <QRect>
 
+#include <utility>
 #include <vector>
 
 class QPainter;
@@ -21,6 +22,9 @@ inline constexpr int rulerSize = 18;
 //! Draws the UDIM numbers of the visible tiles that are large enough, where the view does not cut them.
 void drawTileNames(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,
                    double tileHeight);
+//! Draws the sides of the tiles in use. \param tiles their numbers
+void drawTilesInUse(QPainter &painter, const ViewColors &colors, const MapCamera &camera, double tileHeight,
+                    const std::vector<int> &tiles);
 //! Draws rulers at the upper and left side, in texels from the corner of tile 1001. Numbers that the view
 //! would cut are left out.
 void drawRulers(QPainter &painter, const QRect &view, const ViewColors &colors, const MapCamera &camera,
@@ -33,6 +37,10 @@ void drawRectangles(QPainter &painter, const std::vector<LayoutRectangle> &recta
 //! of those that are large enough on the screen.
 void drawIslandMarks(QPainter &painter, const QRect &view, const ViewColors &colors, const Document &document,
                      const MapCamera &camera, bool marks, bool numbers);
+//! Frames the islands that do not lie in their tile as a whole, and names them and the tile.
+//! \param islands see UvMetrics::chartsOffTile
+void drawOffTile(QPainter &painter, const ViewColors &colors, const Document &document,
+                 const MapCamera &camera, const std::vector<std::pair<int, int>> &islands);
 //! Draws the 2D cursor, a ring with a cross.
 void drawCursor(QPainter &painter, const ViewColors &colors, const QPointF &place);
 

@@ -216,6 +216,8 @@ void UvView::drawOverlay(QPainter &painter)
     const PackingSettings texture = packing();
     if (options.grid)
         drawTileNames(painter, rect(), colors, mCamera, texture.tileHeight());
+    if (options.grid && document && studio().map.figuresAreFresh() && !studio().shownMap.isLive())
+        drawTilesInUse(painter, colors, mCamera, texture.tileHeight(), tilesInUse());
     if (document && options.steering)
         drawRectangles(painter, document->constraints().rectangles, mCamera);
     if (document && content().uvBox().isEmpty()) {
@@ -235,6 +237,8 @@ void UvView::drawOverlay(QPainter &painter)
     if (document && (options.islandMarks || options.islandNumbers) && !studio().shownMap.isLive())
         drawIslandMarks(painter, rect(), colors, *document, mCamera, options.islandMarks,
                         options.islandNumbers);
+    if (document && options.problems && studio().map.figuresAreFresh() && !studio().shownMap.isLive())
+        drawOffTile(painter, colors, *document, mCamera, studio().map.figures()->metrics.chartsOffTile);
     if (document && studio().view.tools().pivot == Pivot::Cursor)
         drawCursor(painter, colors, mCamera.toScreen(studio().view.tools().cursor));
     if (document) {
@@ -244,6 +248,15 @@ void UvView::drawOverlay(QPainter &painter)
             drawStraightLegend(painter, rect(), colors);
         drawHoverCorner(painter, *this);
     }
+}
+
+//! More than one, of the map that was measured last; otherwise none.
+std::vector<int> UvView::tilesInUse() const
+{
+    std::vector<int> tiles;
+    for (const metrics::TileFigures &tile : studio().map.figures()->metrics.tiles)
+        tiles.push_back(tile.tile);
+    return tiles.size() > 1 ? tiles : std::vector<int>();
 }
 
 void UvView::navigate(Navigation navigation, const QPointF &pixels, const QPointF &start)

@@ -152,8 +152,8 @@ Result<bake::BakeJob> makeBakeJob(const DocumentState &model, const PackingSetti
         job.tiles = tiles.numbers;
         if (tiles.facesOutside > 0)
             warnings << JobTexts::tr(
-                "%n faces are not baked: they have no UVs, or their islands cross the border "
-                "of a tile",
+                "%n faces are not baked as a whole: they have no UVs, or their islands reach over the "
+                "border of their tile",
                 nullptr, tiles.facesOutside);
     }
     const auto takeColors = [&](const DocumentState &source, ShadedSurface &surface) {

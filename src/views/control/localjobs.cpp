@@ -282,6 +282,8 @@ MapJobResult alignJob(const MapInput &input, const QList<int> &faces, JobControl
     const unwrap::AlignResult made = unwrap::alignIslands(
         align, {&control.stop(), 1, [&](const JobProgress &done) { control.setProgress(done.fraction); }});
     result.uv = made.uv;
+    if (made.uv.rows() > 0)
+        result.aligned = islands;
     if (made.nothingFree)
         result.problem = JobTexts::tr("Islands with pins and stacked or grouped ones are not aligned");
     else if (made.flipped)
@@ -293,6 +295,10 @@ MapJobResult alignJob(const MapInput &input, const QList<int> &faces, JobControl
                              .arg(charts.size())
                              .arg(made.before, 0, 'f', 4)
                              .arg(made.after, 0, 'f', 4);
+    if (made.madeSmaller)
+        result.problem =
+            JobTexts::tr("%1. There was no room at their size: all islands of the tile are smaller now")
+                .arg(result.message);
     if (made.noRoom)
         tellNewOverlaps(input, control, result);
     return result;

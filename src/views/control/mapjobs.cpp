@@ -70,7 +70,8 @@ int packedCharts(const ChartMap &charts, const std::vector<bool> &movable)
 QString noRoom(const PackingSettings &packing)
 {
     return packing.keepScale
-               ? JobTexts::tr("The islands do not fit at their size: switch off \"Keep scale\" or use a "
+               ? JobTexts::tr("The islands do not fit at their size: switch off \"Keep each island's scale\" "
+                              "or use a "
                               "smaller margin")
                : JobTexts::tr("There is no room for the margins: use a smaller margin or a larger texture");
 }
@@ -122,6 +123,11 @@ QString unmetText(const Snapshot &snapshot, const unwrap::UnmetSteering &unmet, 
         items << JobTexts::tr("hard pins: %1").arg(unmet.pins.size());
         selection.mode = SelectionMode::Vertices;
         selection.corners = QList<int>(unmet.pins.begin(), unmet.pins.end());
+    }
+    if (!unmet.bent.empty()) {
+        items << JobTexts::tr("edges kept straight, which are bent: %1").arg(unmet.bent.size());
+        selection.mode = SelectionMode::Edges;
+        selection.edges = QList<int>(unmet.bent.begin(), unmet.bent.end());
     }
     selection.normalize(*snapshot.mesh);
     return JobTexts::tr(
@@ -186,7 +192,6 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
     options.better = std::move(better);
     options.maxDistortion = input.snapshot.settings.maxDistortion;
     options.packing = packing::tileOptions(input.packing);
-    options.packing.keepScale = false;
     const unwrap::UnwrapResult made =
         unwrap::unwrapMesh(input.snapshot, options, contextOf(control, options.maxDistortion));
     MapJobResult result;
@@ -208,6 +213,10 @@ MapJobResult unwrapJob(const MapInput &input, unwrap::UnwrapQuality quality,
     sayStraight(made.stopped, made.straight, result);
     if (!made.packed)
         result.problem = noRoom(input.packing);
+    else if (made.madeSmaller)
+        result.problem =
+            JobTexts::tr("%1. There is no room for the islands at their scale: all of a tile are smaller now")
+                .arg(result.message);
     else if (!made.unmet.empty())
         showUnmet(input, made.unmet, result);
     else if (!made.withinBound)
@@ -394,6 +403,7 @@ MapJobResult separated(const MapInput &input, const unwrap::SeparateResult &made
 MapJobResult separateJob(const MapInput &input, overlap::SeparationMethod method, JobControl &control)
 {
     const unwrap::PackJob pack = unwrap::steeredPackJob(input.snapshot, packing::tileOptions(input.packing));
+    // With "keep scale" in the settings the islands keep their sizes.
     return separated(input, unwrap::separateMap(input.snapshot, pack, contextOf(control), method));
 }
 

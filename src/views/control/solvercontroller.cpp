@@ -104,7 +104,7 @@ void SolverController::whenPaused(std::function<void()> then)
         then();
 }
 
-void SolverController::setPulls(std::vector<Pin> pulls)
+void SolverController::setPulls(std::vector<Pin> pulls, std::vector<int> dragged)
 {
     if (!mRunning || (pulls.empty() && mPulls.empty()))
         return;
@@ -113,6 +113,7 @@ void SolverController::setPulls(std::vector<Pin> pulls)
         mMapBeforePulls = mDisplay.map();
     }
     mPulls = std::move(pulls);
+    mDragged = std::move(dragged);
     mSendSoon.start();
 }
 
@@ -278,6 +279,7 @@ unwrap::LiveMapOptions SolverController::mapOptions() const
     unwrap::LiveMapOptions options;
     options.maxDistortion = document.solveSettings().maxDistortion;
     options.packing = packing::tileOptions(document.packingSettings());
+    options.dragged = mDragged;
     return options;
 }
 
@@ -289,6 +291,7 @@ void SolverController::setRunning(bool running, bool pausing)
     mPausing = pausing;
     if (!mRunning && !mPulls.empty()) {
         mPulls.clear();
+        mDragged.clear();
         mSendSoon.start(); // a run that continues later continues without them
     }
     Q_EMIT stateChanged();

@@ -82,7 +82,8 @@ public:
     //! document. The run does not stop by itself until an empty list removes them. When the run ends, they
     //! are removed as well.
     //! \param pulls soft pins, targets in texture space
-    void setPulls(std::vector<Pin> pulls);
+    //! \param dragged soup corners that the user drags: their islands stay where they are put
+    void setPulls(std::vector<Pin> pulls, std::vector<int> dragged = {});
     //! Removes the pulls and restores the map from before them.
     void cancelPulls();
 
@@ -146,6 +147,7 @@ private:
     std::optional<StateToken> mToken;
     std::vector<std::function<void()>> mWhenPaused;
     std::vector<Pin> mPulls;
+    std::vector<int> mDragged; //!< soup corners, see setPulls()
     std::shared_ptr<const live::SolveResult> mBeforePulls;
     std::shared_ptr<const unwrap::LiveMapResult> mMapBeforePulls;
     std::shared_ptr<const JobScope> mScope; //!< what the solve may change; null: all faces

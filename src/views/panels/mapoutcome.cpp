@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 
 namespace autocuts {
@@ -36,6 +37,18 @@ double distortionOfShapes(const Document &document, const metrics::UvMetrics &m)
     return area > 0 ? sum / area : m.symDirichlet;
 }
 
+//! Names islands, and the tiles to which they belong.
+QString offTileText(const std::vector<std::pair<int, int>> &islands)
+{
+    constexpr std::size_t mostNamed = 4;
+    QStringList names;
+    for (std::size_t i = 0; i < std::min(mostNamed, islands.size()); ++i)
+        names << OutcomeTexts::tr("island %1 (of %2)").arg(islands[i].first + 1).arg(islands[i].second);
+    if (islands.size() > mostNamed)
+        names << OutcomeTexts::tr("%1 more").arg(islands.size() - mostNamed);
+    return names.join(QStringLiteral(", "));
+}
+
 } // namespace
 
 MapOutcome outcomeOf(const Document &document, const MapFigures &figures, double bound)
@@ -45,7 +58,7 @@ MapOutcome outcomeOf(const Document &document, const MapFigures &figures, double
         return {OutcomeTexts::tr("No map yet"), "uv.unwrap"};
     const QString what =
         figureLine(OutcomeTexts::tr("D %1, seams %2, islands: %3")
-                       .arg(fixedText(m.symDirichlet, 3), fixedText(m.seamNorm, 2), countText(m.charts)));
+                       .arg(fixedText(m.tileDirichlet, 3), fixedText(m.seamNorm, 2), countText(m.charts)));
     const auto outcome = [&](const char *verdict, const char *next) {
         return MapOutcome{what + QStringLiteral(". ") + OutcomeTexts::tr(verdict), next};
     };
@@ -56,9 +69,13 @@ MapOutcome outcomeOf(const Document &document, const MapFigures &figures, double
     if (m.symDirichlet > bound) {
         if (distortionOfShapes(document, m) > bound)
             return outcome(QT_TRANSLATE_NOOP("MapOutcome", "More stretch than allowed."), "uv.unwrap");
-        if (m.tiles.size() < 2)
+        if (m.tiles.size() < 2 && !document.packingSettings().keepScale)
             return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Texel densities differ."), "uv.density");
     }
+    if (!m.chartsOffTile.empty())
+        return {what + QStringLiteral(". ") +
+                    OutcomeTexts::tr("Not in one tile as a whole: %1.").arg(offTileText(m.chartsOffTile)),
+                "uv.pack"};
     if (m.minGutterTexels < fewestGutterTexels || m.uvMin.minCoeff() < -tolerance)
         return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Not packed."), "uv.pack");
     return outcome(QT_TRANSLATE_NOOP("MapOutcome", "Ready."), "file.exportMesh");

@@ -158,9 +158,11 @@ void PackPanel::addPlacingRows(QFormLayout *form)
     addRow(form, tr("Effort"), mEffort,
            tr("How long to search for a better arrangement, in seconds of one processor core"));
 
-    mKeepScale = new QCheckBox(tr("Keep the size of the islands"));
+    mKeepScale = new QCheckBox(tr("Keep each island's scale"));
     mKeepScale->setObjectName("keepScale"_L1);
-    mKeepScale->setToolTip(tr("Off: all islands get the same texel density, as large as there is room"));
+    mKeepScale->setToolTip(
+        tr("Every job leaves the islands the texel density that they have. Off: Pack, Unwrap and "
+           "Separate give all islands of a tile the same one, as large as there is room"));
     connect(mKeepScale, &QCheckBox::clicked, this,
             [this](bool keep) { changePackingSettings([keep](PackingSettings &s) { s.keepScale = keep; }); });
     form->addRow(QString(), mKeepScale);
@@ -205,8 +207,8 @@ QWidget *PackPanel::makeTiles()
     mTiles->setObjectName("tiles"_L1);
     mTiles->setAccessibleName(tr("Tiles in use"));
     mTiles->setHeaderLabels({tr("Tile"), tr("Islands"), tr("Efficiency"), tr("px per unit")});
-    mTiles->setToolTip(tr("The UDIM tiles in which islands lie as a whole: how many, what share of the tile "
-                          "they cover, and their texel density"));
+    mTiles->setToolTip(tr("The UDIM tiles to which islands belong: how many, what share of the tile they "
+                          "cover, and their texel density"));
     mTiles->setRootIsDecorated(false);
     mTiles->setUniformRowHeights(true);
     mTiles->setSelectionMode(QAbstractItemView::NoSelection);

@@ -290,7 +290,7 @@ void StatusBar::showMapFigures()
     if (!figures || figures->metrics.charts == 0)
         return;
     const metrics::UvMetrics &metrics = figures->metrics;
-    mFigures->setFigure(Distortion, fixedText(metrics.symDirichlet, 4));
+    mFigures->setFigure(Distortion, fixedText(metrics.tileDirichlet, 4));
     mFigures->setFigure(SeamLength, fixedText(metrics.seamNorm, 3));
     mFigures->setFigure(Islands, countText(metrics.charts));
     mFigures->setFigure(Flips, countText(metrics.flipped), metrics.flipped > 0);

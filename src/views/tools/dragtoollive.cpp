@@ -6,6 +6,7 @@
 #include "views/tools/dragtool.h"
 
 #include <algorithm>
+#include <set>
 
 namespace autocuts {
 
@@ -17,18 +18,31 @@ constexpr double pullWeight = 100, stayWeight = 0.1;
 
 } // namespace
 
-//! Pulls the dragged corners, and holds the corners outside the circle in their places.
+//! Pulls the dragged corners, and holds the corners of their islands outside the circle in their places.
+//! Other islands stay by themselves, each at its own scale.
 void DragTool::pull(const Vec2 &way)
 {
     std::vector<Pin> pulls;
+    std::vector<int> dragged;
+    const Document &document = *context().workspace.document();
+    const auto islandOf = [&](int corner) {
+        return document.islands().islandOfFace(document.mesh().triangleFace[corner / 3]);
+    };
+    std::set<int> islands;
+    for (const int corner : mReach.corners) {
+        if (mReach.weight[corner] == 1)
+            islands.insert(islandOf(corner));
+    }
     for (int corner : mReach.corners) {
         const Vec2 place = mUv.row(corner);
-        if (mReach.weight[corner] == 1)
+        if (mReach.weight[corner] == 1) {
             pulls.push_back({corner, place + way, false, pullWeight});
-        else if (mReach.weight[corner] == 0)
+            dragged.push_back(corner);
+        } else if (mReach.weight[corner] == 0 && islands.contains(islandOf(corner))) {
             pulls.push_back({corner, place, false, stayWeight});
+        }
     }
-    context().solver.setPulls(std::move(pulls));
+    context().solver.setPulls(std::move(pulls), std::move(dragged));
 }
 
 void DragTool::keepSeams()
