@@ -225,7 +225,7 @@ void FbxRig::addNode(const aiNode &node, std::int64_t parent, const Eigen::Affin
     // A root without anything is the scene itself.
     if (!isRoot || object != names.end() || !local.matrix().isIdentity(0)) {
         QByteArray written = kind;
-        if (kind == "Null" && boneNames(scene).contains(node.mName.C_Str()))
+        if (kind == "Null" && mBones.contains(node.mName.C_Str()))
             written = "LimbNode";
         if (isCamera || isLight) {
             mTurns[node.mName.C_Str()] = turnOf(isCamera);
@@ -251,6 +251,7 @@ void FbxRig::addNode(const aiNode &node, std::int64_t parent, const Eigen::Affin
 
 void FbxRig::addNodes(const std::map<int, QString> &names)
 {
+    mBones = boneNames(*mSource.scene);
     addNode(*mSource.scene->mRootNode, 0, Eigen::Affine3d::Identity(), names);
 }
 

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <map>
+#include <set>
 #include <string>
 
 struct aiNode;
@@ -62,6 +63,7 @@ private:
     FbxNewObjects &mObjects;
     const AssimpSource &mSource;
     bool mFromGltf;
+    std::set<std::string> mBones; //!< names of nodes
     std::vector<std::int64_t> mModels;
     std::vector<Eigen::Affine3d> mWorld;
     std::map<std::string, std::size_t> mNumberOf; //!< of the first node of each name
