@@ -2,10 +2,9 @@
 
 #include "model/io/gltf/gltfappender.h"
 #include "model/io/materiallooks.h"
+#include "model/io/picturefiles.h"
 
-#include <QBuffer>
 #include <QFileInfo>
-#include <QImage>
 #include <QUrl>
 
 namespace autocuts {
@@ -17,12 +16,15 @@ bool isWebPicture(const QByteArray &content)
     return content.startsWith("\x89PNG") || content.startsWith("\xff\xd8\xff");
 }
 
-QByteArray asPng(const QByteArray &content)
+//! Empty when the picture cannot be read, or has values that PNG files cannot hold.
+QByteArray asPng(const QByteArray &content, const QString &name)
 {
-    const QImage image = QImage::fromData(content);
-    QBuffer buffer;
-    return !image.isNull() && buffer.open(QIODevice::WriteOnly) && image.save(&buffer, "PNG") ? buffer.data()
-                                                                                              : QByteArray();
+    const Result<DecodedPicture> decoded = decodePicture(content, name);
+    if (!decoded || decoded->depth == PictureDepth::Float)
+        return {};
+    const Result<QByteArray> bytes =
+        encodePicture(decoded->picture, QStringLiteral("picture.png"), decoded->depth);
+    return bytes ? bytes.value() : QByteArray();
 }
 
 } // namespace
@@ -36,7 +38,7 @@ Json GltfPictures::imageOf(const SceneTexture &picture)
     if (!inside && (content.isEmpty() || (web && !mEmbed)))
         return {{"uri", QUrl::toPercentEncoding(file, "/!$&'()*+,;=:@").toStdString()}};
     if (!web)
-        content = asPng(content);
+        content = asPng(content, picture.file);
     if (content.isEmpty())
         return {};
     const QString name = QFileInfo(QString(picture.file).replace(u'\\', u'/')).completeBaseName();
