@@ -54,6 +54,9 @@ LayoutPanel::LayoutPanel(const StudioContext &context, QWidget *parent)
     layout->addStretch();
     connect(&context.workspace, &Workspace::documentReplaced, this, [this] {
         mTransform.reset();
+        // What is shown while no island is selected is of the model before.
+        for (QDoubleSpinBox *field : {mPosition[0], mPosition[1], mSize[0], mSize[1]})
+            field->clear();
         refreshSoon();
     });
     connect(&context.workspace, &Workspace::selectionChanged, this, [this] {
