@@ -3,6 +3,7 @@
 #include "commands/edittextures.h"
 #include "model/io/meshfile.h"
 #include "model/io/picturefiles.h"
+#include "support/damagedsessions.h"
 #include "support/mappedmodels.h"
 #include "support/studiosession.h"
 #include "views/canvas/meshview.h"
@@ -126,6 +127,7 @@ private Q_SLOTS:
     void problemsAreSaid();
     void cancelEndsIt();
     void faultsAreSaid();
+    void whatADamagedSessionLostIsSaid();
     void everyMapHasATitle();
     void liveBakesFollowTheMap();
     void liveColorsGoAlong();
@@ -341,6 +343,24 @@ void TestBakeDialog::faultsAreSaid()
     session.bake([&](const DialogUser &user) { return user.bake(); });
     QVERIFY(session.jobsRest());
     QVERIFY(session.failed.last().first().toString().contains(u"larger cage"_s));
+}
+
+//! The detailed model is a session without its painted densities, which no bake needs: still it is said.
+void TestBakeDialog::whatADamagedSessionLostIsSaid()
+{
+    BakeSession session;
+    const QString hurt = session.file("hurt.acproj");
+    QVERIFY(test::writeDamaged(session.document()->state().scene, hurt, "texelWeights"));
+    session.bake([&](const DialogUser &user) {
+        user.type("high", hurt);
+        return user.bake();
+    });
+    QVERIFY(session.jobsRest());
+    QVERIFY(QFile::exists(session.file("low_normal.png")));
+    QCOMPARE(session.failed.count(), 1);
+    const QString said = session.failed.last().first().toString();
+    QVERIFY2(said.contains(u"Baked"_s) && said.contains(u"hurt.acproj: the painted texel density: damaged"_s),
+             qPrintable(said));
 }
 
 void TestBakeDialog::everyMapHasATitle()

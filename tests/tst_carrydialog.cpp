@@ -2,6 +2,7 @@
 #include "commands/setuvs.h"
 #include "model/io/meshfile.h"
 #include "model/io/picturefiles.h"
+#include "support/damagedsessions.h"
 #include "support/mappedmodels.h"
 #include "support/studiosession.h"
 #include "views/control/filecontroller.h"
@@ -152,6 +153,7 @@ private Q_SLOTS:
     void otherSources();
     void formatsAndSizes();
     void problemsAreSaid();
+    void whatADamagedSessionLostIsSaid();
     void filesAreReplacedOnlyWhenAsked();
     void cancelWritesNothing();
     void anEditedMapGetsNoTextures();
@@ -246,6 +248,27 @@ void TestCarryDialog::otherSources()
                           ofFile = readPicture(session.at("box_BaseColor_uv3.png"));
     QVERIFY(ofSet.ok() && ofFile.ok());
     QVERIFY(ofSet->values == ofFile->values);
+}
+
+void TestCarryDialog::whatADamagedSessionLostIsSaid()
+{
+    CarrySession session;
+    const Scene before = session.document()->state().scene;
+    session.turn();
+    for (const auto &[part, pictures, said] :
+         {std::tuple("texelWeights", u"2 pictures"_s, u"hurt.acproj: the painted texel density: damaged"_s),
+          std::tuple("uv.0", u"no UVs"_s, u"hurt.acproj: the UV sets: damaged"_s)}) {
+        QVERIFY(test::writeDamaged(before, session.at("hurt.acproj"), part));
+        session.failed.clear();
+        QVERIFY(session.carriedBy([&](const DialogUser &user) {
+            user.choose("from", 1); // there is no other UV set
+            user.type("file", session.at("hurt.acproj"));
+            return user.carry();
+        }));
+        QVERIFY2(session.said().contains(pictures) && session.said().contains(said),
+                 qPrintable(session.said()));
+        session.press(Qt::Key_Z, Qt::ControlModifier);
+    }
 }
 
 void TestCarryDialog::formatsAndSizes()

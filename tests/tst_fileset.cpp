@@ -1,15 +1,32 @@
 // Files that are written together: all new, or all as they were.
 #include "model/io/savefile.h"
+#include "model/io/setjournal.h"
 #include "support/cliruns.h"
 
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QProcess>
 #include <QTest>
+
+#include <csignal>
 
 #include <sys/resource.h>
 
 using namespace autocuts;
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+//! Replaces two files of the folder and makes a third one, as one set.
+bool replaceThree(const QDir &folder)
+{
+    FileSet set;
+    return set.add(folder.filePath(u"a"_s), "new").ok() && set.add(folder.filePath(u"b"_s), "new").ok() &&
+           set.add(folder.filePath(u"c"_s), "new").ok() && set.putInPlace().ok();
+}
+
+} // namespace
 
 class TestFileSet : public QObject, private test::OwnFolder
 {
@@ -94,6 +111,107 @@ private Q_SLOTS:
         QCOMPARE(QFile::permissions(real), before);
     }
 
+    //! The program is run again and killed at each of its calls on files. Who looks into the folder then
+    //! finds all files old or all new, and nothing else; and is told when something was left to be done.
+    void aKilledProgramLeavesNoMixture()
+    {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+        QSKIP("sanitizers have to be the first library");
+#endif
+        const QString folder = at("work");
+        int calls = 0, mixed = 0, allNew = 0, told = 0;
+        for (int call = 0; call <= calls; ++call) {
+            QVERIFY(QDir(folder).removeRecursively() && QDir().mkpath(folder));
+            file("work/a", "old");
+            file("work/c", "old");
+            QFile::remove(at("calls.log"));
+            QProcess process;
+            QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+            for (const auto &[name, value] :
+                 {std::pair(u"REPLACE_IN"_s, folder),
+                  std::pair(u"LD_PRELOAD"_s, QStringLiteral(FAILING_CALLS)),
+                  std::pair(u"FAILING_FOLDER"_s, folder), std::pair(u"FAILING_LOG"_s, at("calls.log")),
+                  std::pair(u"FAILING_CALL"_s, QString::number(call)),
+                  std::pair(u"FAILING_WITH"_s, u"kill"_s)})
+                environment.insert(name, value);
+            process.setProcessEnvironment(environment);
+            process.start(QCoreApplication::applicationFilePath(), {});
+            QVERIFY(process.waitForFinished());
+            if (call == 0)
+                calls = int(test::readBytes(at("calls.log")).count('\n'));
+            else
+                QCOMPARE(process.exitCode(), SIGKILL);
+            const auto contents = [&] {
+                return test::readBytes(at("work/a")) + ' ' + test::readBytes(at("work/b")) + ' ' +
+                       test::readBytes(at("work/c"));
+            };
+            const QByteArray before = contents();
+            mixed += before != "old  old" && before != "new new new" ? 1 : 0;
+            const QStringList lines = endBrokenSets({at("work/a")});
+            const QByteArray after = contents();
+            const bool isOld = after == "old  old";
+            QVERIFY2(isOld ? before == after : after == "new new new", after.constData());
+            QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Hidden).size(), isOld ? 2 : 3);
+            QVERIFY(lines.size() <= 1 && (before == after || !lines.isEmpty()));
+            QVERIFY(lines.isEmpty() || lines.first().contains(isOld ? u"as they were"_s : u"new ones"_s));
+            allNew += isOld ? 0 : 1;
+            told += int(lines.size());
+        }
+        QVERIFY(calls > 15);
+        QVERIFY(mixed > 0 && allNew > 2 && told > mixed);
+    }
+
+    //! What a program is at work on stays, and so do notes that name files elsewhere.
+    void onlyBrokenSetsAreEnded()
+    {
+        file("a", "old");
+        SetJournal journal;
+        QCOMPARE(journal.begin({at("a"), at("b")}), 0);
+        const QString fresh = journal.newName(at("b"));
+        QVERIFY(test::writeBytes(fresh, "new"));
+        QCOMPARE(endBrokenSets({mFolder.path()}), QStringList());
+        QVERIFY(QFileInfo::exists(fresh) && !QFileInfo::exists(at("b")));
+        journal.end();
+        QVERIFY(QDir(mFolder.path()).mkpath(u"work"_s));
+        file("a.12345678.new", "new");
+        file("work/.autocuts-12345678.set", R"([{"name": "../a", "before": ""}])");
+        QCOMPARE(endBrokenSets({at("work")}), QStringList());
+        QCOMPARE(test::readBytes(at("a")), QByteArray("old"));
+        QVERIFY(QFileInfo::exists(at("a.12345678.new")));
+    }
+
+    //! A file that was changed after the program was killed is not replaced, and it is said where the new one
+    //! is.
+    void aChangedFileStays()
+    {
+        file("a", "changed");
+        file("a.12345678.new", "new");
+        file(".autocuts-12345678.set", R"([{"name": "a", "before": "3 1 1 1"}])");
+        for (int time = 0; time < 2; ++time) {
+            const QStringList lines = endBrokenSets({at("a")});
+            QCOMPARE(lines.size(), 1);
+            QVERIFY2(lines.first().contains(u"12345678.new"_s), qPrintable(lines.first()));
+            QCOMPARE(test::readBytes(at("a")), QByteArray("changed"));
+            QCOMPARE(test::readBytes(at("a.12345678.new")), QByteArray("new"));
+        }
+        QVERIFY(QFile::remove(at("a.12345678.new")));
+        QCOMPARE(endBrokenSets({at("a")}), QStringList());
+        QCOMPARE(files(), QStringList{u"a"_s});
+    }
+
+    //! Two buffers of a model may be the same file.
+    void theLastBytesOfATargetCount()
+    {
+        FileSet set;
+        for (const char *bytes : {"first", "second"}) {
+            QVERIFY(set.add(at("a"), bytes).ok());
+            QVERIFY(set.add(at("b"), bytes).ok());
+        }
+        QVERIFY(set.putInPlace().ok());
+        QCOMPARE(test::readBytes(at("a")), QByteArray("second"));
+        QCOMPARE(files().size(), 2);
+    }
+
     //! A new file is as readable as one that any other program makes.
     void aNewFileHasUsualPermissions()
     {
@@ -120,5 +238,13 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFileSet)
+int main(int argc, char *argv[])
+{
+    if (qEnvironmentVariableIsSet("REPLACE_IN"))
+        return replaceThree(QDir(qEnvironmentVariable("REPLACE_IN"))) ? 0 : 1;
+    QCoreApplication application(argc, argv);
+    TestFileSet test;
+    return QTest::qExec(&test, argc, argv);
+}
+
 #include "tst_fileset.moc"

@@ -95,6 +95,19 @@ private Q_SLOTS:
         QTRY_VERIFY(!bench.field("width")->isEnabled());
     }
 
+    void anotherModelTakesTheNumbersAway()
+    {
+        LayoutBench bench;
+        QCOMPARE(bench.shown("width"), 3.0);
+        bench.workspace.open(test::layoutDocument(test::grid(2)), {});
+        QTRY_VERIFY(bench.panel.isUpToDate());
+        for (const char *name : {"positionU", "positionV", "width", "height"})
+            QCOMPARE(bench.field(name)->text(), QString());
+        bench.select({0});
+        QVERIFY(bench.shown("width") > 0);
+        QVERIFY(!bench.field("width")->text().isEmpty());
+    }
+
     void typedNumbersMoveScaleAndTurn()
     {
         LayoutBench bench;

@@ -13,6 +13,7 @@
 
 #include <QFile>
 #include <QImage>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -314,6 +315,17 @@ private Q_SLOTS:
         const auto picture = readPicture(path(u"window.exr"_s));
         QVERIFY(picture.ok());
         QCOMPARE(picture->values, (std::vector<float>{0, 0, 0, 0, 0, 0, 1, 2, 0, 0, 5, 6, 0, 0, 0, 0}));
+    }
+
+    //! Qt printed a warning about its own call.
+    void aFileShorterThanTheEndOfATga()
+    {
+        QTest::failOnWarning(QRegularExpression(u".*"_s));
+        for (const QString &name : {u"short.tga"_s, u"short.png"_s}) {
+            const Result<DecodedPicture> made = decodePicture(QByteArray(20, '\7'), name);
+            QVERIFY(!made);
+            QVERIFY(made.error().toString().contains(name));
+        }
     }
 
     void damagedFiles_data()

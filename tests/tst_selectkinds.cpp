@@ -71,6 +71,10 @@ private Q_SLOTS:
         row("no material", FaceLikeness::Material, {6}, {6});
         row("corners", FaceLikeness::Corners, {6}, {5, 6});
         row("quads", FaceLikeness::Corners, {0}, {0, 1, 2, 3, 4});
+        row("shapes", FaceLikeness::Shape, {1}, {1, 2});
+        row("shapes of two", FaceLikeness::Shape, {0, 3}, {0, 3, 4});
+        row("mirrored or turned shapes", FaceLikeness::Shape, {6}, {5, 6});
+        row("areas in no map", FaceLikeness::AreaInMap, {1}, {1});
         row("nothing", FaceLikeness::Area, {}, {});
     }
 
@@ -88,8 +92,8 @@ private Q_SLOTS:
         const Document document(test::sceneOf(test::dirty()));
         QList<int> all(document.mesh().faceCount());
         std::iota(all.begin(), all.end(), 0);
-        for (const auto likeness :
-             {FaceLikeness::Area, FaceLikeness::Normal, FaceLikeness::Material, FaceLikeness::Corners})
+        for (const auto likeness : {FaceLikeness::Area, FaceLikeness::Normal, FaceLikeness::Material,
+                                    FaceLikeness::Corners, FaceLikeness::Shape, FaceLikeness::AreaInMap})
             QCOMPARE(similarFaces(document, all, likeness), all);
     }
 

@@ -3,6 +3,7 @@
 #include "commands/setuvs.h"
 #include "model/io/meshfile.h"
 #include "model/plain/uvlayout.h"
+#include "support/damagedsessions.h"
 #include "support/mappedmodels.h"
 #include "support/studiosession.h"
 #include "views/control/filecontroller.h"
@@ -131,6 +132,8 @@ private Q_SLOTS:
     void anObjectGivesToTheOthers();
     void onlyTheSelectedFaces();
     void whatCannotBeDoneIsSaid();
+    void whatADamagedSessionLostIsSaid_data();
+    void whatADamagedSessionLostIsSaid();
     void lockedIslandsStay();
     void aLiveSolveIsPaused();
     void aJobIsCancelled();
@@ -260,6 +263,32 @@ void TestTransferDialog::onlyTheSelectedFaces()
     // All of the source is far larger than the four faces; they are matched all the same.
     QVERIFY(uv.topRows(12).allFinite());
     QVERIFY(!uv.bottomRows(uv.rows() - 12).array().isFinite().any());
+}
+
+void TestTransferDialog::whatADamagedSessionLostIsSaid_data()
+{
+    QTest::addColumn<QByteArray>("part");
+    QTest::addColumn<bool>("gives");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("densities") << QByteArray("texelWeights") << true
+                               << u"hurt.acproj: the painted texel density: damaged"_s;
+    QTest::newRow("the map") << QByteArray("uv.0") << false << u"hurt.acproj: the UV sets: damaged"_s;
+}
+
+void TestTransferDialog::whatADamagedSessionLostIsSaid()
+{
+    QFETCH(const QByteArray, part);
+    QFETCH(const bool, gives);
+    QFETCH(const QString, said);
+    TransferSession studio;
+    const Result<Scene> mapped = readMesh(studio.mapped);
+    QVERIFY(mapped.ok());
+    const QString hurt = studio.folder.filePath(u"hurt.acproj"_s);
+    QVERIFY(test::writeDamaged(mapped.value(), hurt, part.constData()));
+    studio.transferFrom(hurt);
+    QCOMPARE(studio.hasExpectedMap(), gives);
+    QCOMPARE(studio.failed.count(), 1);
+    QVERIFY2(studio.failed[0][0].toString().contains(said), qPrintable(studio.failed[0][0].toString()));
 }
 
 void TestTransferDialog::whatCannotBeDoneIsSaid()

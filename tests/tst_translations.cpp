@@ -356,10 +356,10 @@ private Q_SLOTS:
             }
             return int(QDialog::Rejected);
         };
-        const char *const ids[] = {"edit.preferences", "file.exportMesh", "file.exportLayout",
-                                   "view.preview",     "uv.texelWeight",  "uv.scatter",
-                                   "uv.densitySet",    "select.sharp",    "select.small",
-                                   "help.about",       "help.shortcuts",  "help.findAction"};
+        const char *const ids[] = {
+            "edit.preferences", "file.exportMesh", "file.exportLayout", "view.preview", "uv.texelWeight",
+            "uv.scatter",       "uv.densitySet",   "select.sharp",      "select.small", "select.flat",
+            "help.about",       "help.shortcuts",  "help.findAction"};
         for (const char *id : ids) {
             studio.action("select.all")->trigger();
             studio.action(id)->trigger();

@@ -1,11 +1,13 @@
 // Two windows at one session: neither replaces what the other has saved without asking.
 #include "commands/changesettings.h"
 #include "model/io/projectfile.h"
+#include "model/io/savefile.h"
 #include "model/io/sessionlock.h"
 #include "support/studiosession.h"
 #include "views/actions/actionregistry.h"
 #include "views/control/filecontroller.h"
 #include "views/control/workspace.h"
+#include "views/panels/noticebar.h"
 
 #include <QAction>
 #include <QFile>
@@ -258,6 +260,25 @@ private Q_SLOTS:
         studio.context.files.open(path);
         QVERIFY(studio.jobsRest());
         QCOMPARE(studio.context.workspace.notes(), QStringList());
+    }
+
+    //! Pictures of which a killed program had replaced none, beside the model that is opened.
+    void whatAKilledProgramLeftIsEndedAndSaid()
+    {
+        const QTemporaryDir folder;
+        const auto write = [&folder](const QString &name, const QByteArray &bytes) {
+            return saveAtomically(folder.filePath(name), bytes).ok();
+        };
+        QVERIFY(write(QStringLiteral("model.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+        QVERIFY(write(QStringLiteral("ao.png.12345678.new"), "new"));
+        QVERIFY(
+            write(QStringLiteral(".autocuts-12345678.set"), R"([{"name":"ao.png","before":"-1 0 0 0"}])"));
+        StudioSession studio;
+        studio.context.files.open(folder.filePath(QStringLiteral("model.obj")));
+        QVERIFY(studio.jobsRest());
+        QVERIFY(QFile::exists(folder.filePath(QStringLiteral("ao.png"))));
+        const QString said = studio.window.findChild<NoticeBar *>()->message();
+        QVERIFY2(said.contains(QStringLiteral("ao.png")), qPrintable(said));
     }
 };
 

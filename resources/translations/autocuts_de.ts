@@ -1695,6 +1695,94 @@
         <source>Move the selected islands into a UDIM tile, to the same place in it</source>
         <translation>Die ausgewählten Inseln in eine UDIM-Kachel verschieben, an denselben Ort darin</translation>
     </message>
+    <message>
+        <source>Of the same &amp;shape</source>
+        <translation>Von gleicher &amp;Form</translation>
+    </message>
+    <message>
+        <source>Select the faces with sides and angles like those of a selected one, at any size, turned or mirrored</source>
+        <translation>Die Flächen auswählen, deren Seiten und Winkel denen einer ausgewählten gleichen, in jeder Größe, gedreht oder gespiegelt</translation>
+    </message>
+    <message>
+        <source>Of the same area in the ma&amp;p</source>
+        <translation>Von gleichem &amp;Inhalt in der Map</translation>
+    </message>
+    <message>
+        <source>Select the faces that take as much of the texture as a selected one, within a tenth</source>
+        <translation>Die Flächen auswählen, die bis auf ein Zehntel so viel von der Textur einnehmen wie eine ausgewählte</translation>
+    </message>
+    <message>
+        <source>&amp;Flat with the selection...</source>
+        <translation>Eben mit der A&amp;uswahl...</translation>
+    </message>
+    <message>
+        <source>Select the connected faces between which the model is bent by no more than an angle</source>
+        <translation>Die verbundenen Flächen auswählen, zwischen denen das Modell nicht mehr als um einen Winkel geknickt ist</translation>
+    </message>
+    <message>
+        <source>Of the same &amp;length</source>
+        <translation>Von gleicher &amp;Länge</translation>
+    </message>
+    <message>
+        <source>Select the edges that are as long on the model as a selected one, within a tenth</source>
+        <translation>Die Kanten auswählen, die bis auf ein Zehntel auf dem Modell so lang sind wie eine ausgewählte</translation>
+    </message>
+    <message>
+        <source>Of the same length in the &amp;map</source>
+        <translation>Von gleicher Länge in der &amp;Map</translation>
+    </message>
+    <message>
+        <source>Select the edges that are as long in the map as a selected one, within a tenth</source>
+        <translation>Die Kanten auswählen, die bis auf ein Zehntel in der Map so lang sind wie eine ausgewählte</translation>
+    </message>
+    <message>
+        <source>Of the same &amp;direction in the map</source>
+        <translation>Von gleicher &amp;Richtung in der Map</translation>
+    </message>
+    <message>
+        <source>Select the edges that run in the map as a selected one does, within 10 degrees</source>
+        <translation>Die Kanten auswählen, die in der Map bis auf 10 Grad so laufen wie eine ausgewählte</translation>
+    </message>
+    <message>
+        <source>Edge &amp;ring</source>
+        <translation>Kanten&amp;ring</translation>
+    </message>
+    <message>
+        <source>Select the edges that lie across quads from the selected ones, and so on</source>
+        <translation>Die Kanten auswählen, die den ausgewählten in Vierecken gegenüberliegen, und so weiter</translation>
+    </message>
+    <message>
+        <source>Strip of &amp;faces</source>
+        <translation>&amp;Flächenstreifen</translation>
+    </message>
+    <message>
+        <source>Select the rows of quads through the selected faces: in the direction of two neighbours, or in both</source>
+        <translation>Die Reihen von Vierecken durch die ausgewählten Flächen auswählen: in der Richtung zweier Nachbarn, oder in beiden</translation>
+    </message>
+    <message>
+        <source>&amp;Every second one</source>
+        <translation>&amp;Jedes zweite</translation>
+    </message>
+    <message>
+        <source>Keep every second element of the selection: a checkerboard of faces, every second edge of a loop</source>
+        <translation>Jedes zweite Element der Auswahl behalten: Flächen wie auf einem Schachbrett, jede zweite Kante einer Schleife</translation>
+    </message>
+    <message>
+        <source>&amp;Grow along rows</source>
+        <translation>In Reihen &amp;erweitern</translation>
+    </message>
+    <message>
+        <source>Add one element at both ends of each row of selected ones</source>
+        <translation>An beiden Enden jeder Reihe ausgewählter Elemente eines hinzunehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Shrink along rows</source>
+        <translation>In Reihen &amp;verkleinern</translation>
+    </message>
+    <message>
+        <source>Take away the elements at both ends of each row of selected ones</source>
+        <translation>Die Elemente an beiden Enden jeder Reihe ausgewählter wegnehmen</translation>
+    </message>
 </context>
 <context>
     <name>Brush</name>
@@ -2013,6 +2101,22 @@
         <source>; these files are replaced already: %1</source>
         <translation>; diese Dateien sind schon ersetzt: %1</translation>
     </message>
+    <message>
+        <source>A program ended before it replaced these files, which are as they were: %1 (in %2)</source>
+        <translation>Ein Programm endete, bevor es diese Dateien ersetzt hat. Sie sind, wie sie waren: %1 (in %2)</translation>
+    </message>
+    <message>
+        <source>A program ended while it replaced files together, and %1 was changed since. What was to be written is in files that end with %2: rename or remove them (in %3)</source>
+        <translation>Ein Programm endete, während es zusammengehörende Dateien ersetzte, und %1 wurde seitdem geändert. Was geschrieben werden sollte, steht in Dateien, die auf %2 enden: benennen Sie sie um oder löschen Sie sie (in %3)</translation>
+    </message>
+    <message>
+        <source>A program ended while it replaced files together, and the rest of them cannot be replaced: %1 (in %2). Check the permissions of the folder</source>
+        <translation>Ein Programm endete, während es zusammengehörende Dateien ersetzte, und die übrigen lassen sich nicht ersetzen: %1 (in %2). Prüfen Sie die Rechte des Ordners</translation>
+    </message>
+    <message>
+        <source>A program ended while it replaced files together. All of them are the new ones now: %1 (in %2)</source>
+        <translation>Ein Programm endete, während es zusammengehörende Dateien ersetzte. Jetzt sind alle die neuen: %1 (in %2)</translation>
+    </message>
 </context>
 <context>
     <name>IslandTool</name>
@@ -2266,6 +2370,14 @@
     <message>
         <source>So&amp;lver</source>
         <translation>Solve&amp;r</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Reihen</translation>
+    </message>
+    <message>
+        <source>Similar edges</source>
+        <translation>Ähnliche Kanten</translation>
     </message>
 </context>
 <context>
@@ -7785,6 +7897,14 @@ Die Inseln allein füllen %2 Kacheln; mit dem Platz zwischen ihnen brauchen sie 
     <message>
         <source> %</source>
         <translation> %</translation>
+    </message>
+    <message>
+        <source>Flat with the selection</source>
+        <translation>Eben mit der Auswahl</translation>
+    </message>
+    <message>
+        <source>Select the connected faces between which the model is bent by no more than this angle.</source>
+        <translation>Die verbundenen Flächen auswählen, zwischen denen das Modell nicht mehr als um diesen Winkel geknickt ist.</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@
 #include "model/io/projectfile.h"
 #include "model/io/savefile.h"
 #include "model/io/sessionlock.h"
+#include "model/io/setjournal.h"
 #include "model/samples/samples.h"
 
 #include <QCoreApplication>
@@ -60,6 +61,7 @@ public:
 
     int run()
     {
+        sayWarnings(endBrokenSets(namedFiles(mOptions)));
         const int code = runCommand();
         mOut << Qt::flush;
         if (code == 0 && mOut.status() != QTextStream::Ok)

@@ -9,6 +9,7 @@
 #include <QUtf8StringView>
 
 #include <algorithm>
+#include <array>
 #include <clocale>
 #include <csignal>
 #include <cstdlib>
@@ -28,19 +29,32 @@ extern "C" void interrupt(int signal)
     stopSource.request(autocuts::StopReason::Interrupted);
 }
 
-//! OpenBLAS starts a thread for each core before main(). Where the address space is limited, each of them may
-//! try for ever to map its buffer. The program uses none of them, so it begins again without them.
-void beginWithoutBlasThreads(char *arguments[])
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+//! OpenBLAS starts a thread for each core when it is loaded. Where the address space is limited, it ends the
+//! program when it cannot, or tries for ever to map a buffer for each of them. The program uses none of them,
+//! so it begins again without them, before any library begins to work: nothing but system calls works here.
+void beginWithoutBlasThreads(int, char *arguments[], char *environment[])
 {
-    constexpr const char *name = "OPENBLAS_NUM_THREADS";
+    constexpr const char *none = "OPENBLAS_NUM_THREADS=1";
+    constexpr std::size_t most = 4096;
     rlimit space{};
     if (getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY)
         return;
-    if (const char *threads = std::getenv(name); threads && std::strcmp(threads, "1") == 0)
-        return;
-    setenv(name, "1", 1);
-    execv("/proc/self/exe", arguments);
+    std::array<char *, most + 2> changed{};
+    std::size_t count = 0;
+    for (; *environment && count < most; ++environment) {
+        if (std::strcmp(*environment, none) == 0)
+            return;
+        if (std::strncmp(*environment, none, std::strlen(none) - 1) != 0)
+            changed[count++] = *environment;
+    }
+    changed[count] = const_cast<char *>(none);
+    execve("/proc/self/exe", arguments, changed.data());
 }
+
+using BeforeLibraries = void (*)(int, char *[], char *[]);
+[[gnu::section(".preinit_array"), gnu::used]] const BeforeLibraries first = beginWithoutBlasThreads;
+#endif
 
 //! Selects a UTF-8 locale when there is none, as in cron jobs and containers: Qt needs one for file names and
 //! otherwise prints a warning.
@@ -75,7 +89,6 @@ int ended(int code, QTextStream &out, QTextStream &err)
 
 int main(int argc, char *argv[])
 {
-    beginWithoutBlasThreads(argv);
     ensureUtf8Locale();
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("autocuts-cli"));

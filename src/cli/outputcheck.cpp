@@ -63,6 +63,12 @@ bool isRewritten(const CliOptions &options)
 
 } // namespace
 
+QStringList namedFiles(const CliOptions &options)
+{
+    const QString input = options.command == Command::Sample ? QString() : options.input;
+    return QStringList{input, options.output, options.layout, options.report} + otherInputs(options);
+}
+
 Result<Done> checkTargets(const CliOptions &options)
 {
     const bool picturesInFolder = options.command == Command::Bake || carriesTextures(options);

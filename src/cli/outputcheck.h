@@ -9,6 +9,9 @@ namespace autocuts {
 //! Checks the folders and names of the outputs that the options name.
 Result<Done> checkTargets(const CliOptions &options);
 
+//! All files and folders that the options name.
+QStringList namedFiles(const CliOptions &options);
+
 //! An Error when an output is a file that the model was read from, or another output. The file of the input
 //! may be written again as a model of its own format. \param pictures that a bake makes
 Result<Done> checkClashes(const CliOptions &options, const DocumentState &model,

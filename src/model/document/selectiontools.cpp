@@ -76,15 +76,6 @@ int straightestEdge(const MeshData &mesh, const MeshAdjacency &adjacency, int ed
     return next;
 }
 
-int nextInLoop(const MeshData &mesh, const MeshAdjacency &adjacency, int edge, int vertex)
-{
-    if (adjacency.isBoundary(edge))
-        return nextOnBoundary(adjacency, edge, vertex);
-    if (betweenTriangles(mesh, adjacency, edge))
-        return straightestEdge(mesh, adjacency, edge, vertex);
-    return oppositeEdge(adjacency, edge, vertex);
-}
-
 template <typename Container>
 QList<int> toList(const Container &values)
 {
@@ -143,6 +134,15 @@ bool hasNeighbour(const MeshAdjacency &adjacency, const std::vector<bool> &selec
 }
 
 } // namespace
+
+int nextInLoop(const MeshData &mesh, const MeshAdjacency &adjacency, int edge, int vertex)
+{
+    if (adjacency.isBoundary(edge))
+        return nextOnBoundary(adjacency, edge, vertex);
+    if (betweenTriangles(mesh, adjacency, edge))
+        return straightestEdge(mesh, adjacency, edge, vertex);
+    return oppositeEdge(adjacency, edge, vertex);
+}
 
 std::vector<int> edgeLoop(const MeshData &mesh, const MeshAdjacency &adjacency, int edge)
 {

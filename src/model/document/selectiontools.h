@@ -12,6 +12,9 @@ namespace autocuts {
 
 class Islands;
 
+//! The edge that goes on in the loop of an edge behind one of its vertices; -1 when it ends there.
+int nextInLoop(const MeshData &mesh, const MeshAdjacency &adjacency, int edge, int vertex);
+
 //! The edge loop through an edge. Between quads and larger polygons it continues straight at inner vertices
 //! with four edges and ends elsewhere. Between triangles it follows the straightest continuation and ends
 //! where that turns by more than 60 degrees. Along a boundary it follows the boundary. \pre edge is not a

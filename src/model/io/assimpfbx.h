@@ -70,8 +70,8 @@ private:
     bool mFromGltf;
     std::vector<std::int64_t> mModels;
     std::vector<Eigen::Affine3d> mWorld;
-    std::vector<Eigen::Affine3d> mArmature; //!< of bones
-    std::set<std::string> mBones;
+    std::vector<Eigen::Affine3d> mArmature;       //!< of bones
+    std::set<std::string> mBones;                 //!< names of nodes
     std::map<std::string, std::size_t> mNumberOf; //!< of the first node of each name
     std::map<std::string, Eigen::Matrix3d>
         mTurns; //!< of cameras and lights: from Assimp's axes to those of FBX

@@ -17,6 +17,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 
 namespace autocuts {
@@ -104,35 +105,36 @@ aiMaterial *makeMaterial(const QString &name, int number, const aiMaterial *from
     return material;
 }
 
-//! True when something of the scene besides the tree names the node.
-bool isNamedElsewhere(const aiScene &scene, const aiString &name)
+//! The names of nodes that something besides the tree uses.
+std::set<std::string_view> namesUsedElsewhere(const aiScene &scene)
 {
+    std::set<std::string_view> names;
+    const auto add = [&names](const aiString &name) { names.insert({name.data, name.length}); };
     for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
-        for (unsigned c = 0; c < scene.mAnimations[a]->mNumChannels; ++c) {
-            if (scene.mAnimations[a]->mChannels[c]->mNodeName == name)
-                return true;
-        }
+        for (unsigned c = 0; c < scene.mAnimations[a]->mNumChannels; ++c)
+            add(scene.mAnimations[a]->mChannels[c]->mNodeName);
     }
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-        for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b) {
-            if (scene.mMeshes[m]->mBones[b]->mName == name)
-                return true;
-        }
+        for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b)
+            add(scene.mMeshes[m]->mBones[b]->mName);
     }
-    const auto isNamed = [&name](const auto *object) { return object->mName == name; };
-    return std::any_of(scene.mCameras, scene.mCameras + scene.mNumCameras, isNamed) ||
-           std::any_of(scene.mLights, scene.mLights + scene.mNumLights, isNamed);
+    for (unsigned c = 0; c < scene.mNumCameras; ++c)
+        add(scene.mCameras[c]->mName);
+    for (unsigned l = 0; l < scene.mNumLights; ++l)
+        add(scene.mLights[l]->mName);
+    return names;
 }
 
 //! Gives the nodes of objects the names that the objects have in the program.
 void nameNodes(const Scene &scene, const AssimpSource &source, const std::vector<aiNode *> &nodes)
 {
+    const std::set<std::string_view> kept = namesUsedElsewhere(*source.scene);
     for (const AssimpPiece &piece : source.pieces) {
         if (piece.faceCount == 0)
             continue;
         const int object = scene.mesh->faceObject[static_cast<std::size_t>(piece.firstFace)];
         aiNode &node = *nodes[static_cast<std::size_t>(piece.node)];
-        if (object < std::ssize(scene.objectNames) && !isNamedElsewhere(*source.scene, node.mName))
+        if (object < std::ssize(scene.objectNames) && !kept.contains({node.mName.data, node.mName.length}))
             node.mName = scene.objectNames[static_cast<std::size_t>(object)].toStdString();
     }
 }

@@ -108,6 +108,10 @@ DecodedPicture fromImage(QImage image)
 
 Result<DecodedPicture> readByQt(const QByteArray &bytes, const QString &path)
 {
+    // Qt looks for the end of a TGA file in all files, and prints a warning where they are shorter.
+    constexpr qsizetype endOfTga = 26;
+    if (bytes.size() < endOfTga)
+        return brokenPicture(path);
     QImageReader::setAllocationLimit(std::max(QImageReader::allocationLimit(), allocationLimit));
     QBuffer buffer;
     buffer.setData(bytes);
@@ -278,7 +282,7 @@ Result<Picture> readPicture(const QString &path)
     return std::move(decoded.value().picture);
 }
 
-Result<Done> addPicture(const Picture &picture, const QString &path, PictureDepth depth, FileSet &files)
+Result<QByteArray> encodePicture(const Picture &picture, const QString &path, PictureDepth depth)
 {
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (const auto checked = checkDepth(suffix, depth, path); !checked)
@@ -286,13 +290,16 @@ Result<Done> addPicture(const Picture &picture, const QString &path, PictureDept
     if (picture.isEmpty())
         return Error{PictureTexts::tr("the picture has no pixels"), path, 0, {}};
     try {
-        const Result<QByteArray> bytes = encode(picture, path, suffix, depth);
-        if (!bytes)
-            return bytes.error();
-        return files.add(path, bytes.value());
+        return encode(picture, path, suffix, depth);
     } catch (const std::bad_alloc &) {
         return noMemory(path);
     }
+}
+
+Result<Done> addPicture(const Picture &picture, const QString &path, PictureDepth depth, FileSet &files)
+{
+    const Result<QByteArray> bytes = encodePicture(picture, path, depth);
+    return bytes ? files.add(path, bytes.value()) : Result<Done>(bytes.error());
 }
 
 Result<Done> writePicture(const Picture &picture, const QString &path, PictureDepth depth)

@@ -35,6 +35,9 @@ Result<DecodedPicture> decodePicture(const QByteArray &bytes, const QString &pat
 //! The bytes of a regular file, for decodePicture().
 Result<QByteArray> loadPictureFile(const QString &path);
 
+//! The bytes of a picture's file, see addPicture().
+Result<QByteArray> encodePicture(const Picture &picture, const QString &path, PictureDepth depth);
+
 //! Adds a picture to files that are written together, in the format of the suffix: png, tif, tiff (8 and 16
 //! bits), jpg, jpeg, tga (8 bits), exr (Sixteen: half, Float: float). Whole numbers are rounded and clamped
 //! to 0 to 1, NaN becomes 0; alpha is lost in JPEG. Errors: a suffix that is unknown or cannot hold the

@@ -1,10 +1,13 @@
 #include "model/io/savefile.h"
 
+#include "model/io/setjournal.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QTemporaryFile>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <memory>
@@ -164,26 +167,51 @@ Result<Done> FileSet::add(const QString &path, QByteArrayView bytes)
     if (!written || !reachesDisk(file->handle()))
         return writeError(path, *file, errno);
     setUsualPermissions(*file, target);
-    mFiles.push_back({path, target.absoluteFilePath(), std::move(file), {}, {}, false});
+    Pending pending{path, target.absoluteFilePath(), std::move(file), {}, {}, false};
+    const auto again = std::ranges::find(mFiles, pending.target, &Pending::target);
+    if (again == mFiles.end())
+        mFiles.push_back(std::move(pending));
+    else
+        *again = std::move(pending);
+    return Done{};
+}
+
+//! Gives the new files names beside their targets, and the old ones second names.
+Result<Done> FileSet::prepare(const SetJournal &journal)
+{
+    for (Pending &pending : mFiles) {
+        errno = 0;
+        if (mFiles.size() == 1)
+            pending.written = pending.file->fileName(); // a file without a name gets one here
+        else if (pending.written = journal.newName(pending.target); !pending.file->rename(pending.written))
+            pending.written.clear();
+        if (!QFileInfo::exists(pending.written))
+            return writeError(pending.path, *pending.file, errno);
+        pending.isNew = !QFileInfo::exists(pending.target);
+        if (pending.isNew || &pending == &mFiles.back()) // nothing can fail after the last one
+            continue;
+        const QString backup = journal.oldName(pending.target);
+        std::error_code problem;
+        std::filesystem::create_hard_link(native(pending.target), native(backup), problem);
+        if (!problem)
+            pending.backup = backup;
+    }
     return Done{};
 }
 
 Result<Done> FileSet::putInPlace()
 {
-    std::error_code problem;
-    for (Pending &pending : mFiles) {
-        errno = 0;
-        pending.written = pending.file->fileName(); // a file without a name gets one here
-        if (!QFileInfo::exists(pending.written))
-            return undo(0, writeError(pending.path, *pending.file, errno));
-        pending.isNew = !QFileInfo::exists(pending.target);
-        if (pending.isNew || &pending == &mFiles.back()) // nothing can fail after the last one
-            continue;
-        const QString backup = pending.written + u".old"_s;
-        std::filesystem::create_hard_link(native(pending.target), native(backup), problem);
-        if (!problem)
-            pending.backup = backup;
+    SetJournal journal;
+    if (mFiles.size() > 1) {
+        QStringList targets;
+        for (const Pending &pending : mFiles)
+            targets << pending.target;
+        if (const int error = journal.begin(targets))
+            return writeError(mFiles.front().path, error, qt_error_string(error));
     }
+    if (const Result<Done> prepared = prepare(journal); !prepared)
+        return undo(0, prepared.error());
+    std::error_code problem;
     for (std::size_t i = 0; i < mFiles.size(); ++i) {
         std::filesystem::rename(native(mFiles[i].written), native(mFiles[i].target), problem);
         if (problem)
@@ -198,12 +226,12 @@ Result<Done> FileSet::putInPlace()
 }
 
 //! Puts the old files back. \param replaced how many targets have been replaced already
-Error FileSet::undo(std::size_t replaced, Error error) const
+Error FileSet::undo(std::size_t replaced, Error error)
 {
     QStringList changed;
     std::error_code problem;
     for (std::size_t i = 0; i < mFiles.size(); ++i) {
-        const Pending &pending = mFiles[i];
+        Pending &pending = mFiles[i];
         problem.clear();
         if (!pending.backup.isEmpty() && i < replaced)
             std::filesystem::rename(native(pending.backup), native(pending.target), problem);
@@ -213,6 +241,8 @@ Error FileSet::undo(std::size_t replaced, Error error) const
             std::filesystem::remove(native(pending.target), problem);
         if (i < replaced && (problem || (pending.backup.isEmpty() && !pending.isNew)))
             changed << QFileInfo(pending.path).fileName();
+        if (i >= replaced)
+            pending.file->remove();
     }
     if (!changed.isEmpty())
         error.message += ErrorTexts::tr("; these files are replaced already: %1").arg(changed.join(u", "_s));

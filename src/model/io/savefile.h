@@ -12,11 +12,14 @@
 
 namespace autocuts {
 
+class SetJournal;
+
 //! Files that belong together, such as the pictures of a bake. Each is written to a temporary file beside its
 //! target; then all of them replace their targets. After an error, and when the set is deleted before that,
 //! all targets are as they were and no temporary file is left. Where the file system has files without a name
 //! (most of Linux), a killed program leaves none either, unless it is killed while the targets are replaced:
-//! then NAME.XXXXXX and, of old files, NAME.XXXXXX.old.
+//! then a SetJournal lets the next program that looks into the folder make all of them new, or leave all as
+//! they were. Of a single file NAME.XXXXXX may be left.
 class FileSet
 {
 public:
@@ -26,7 +29,7 @@ public:
     FileSet &operator=(const FileSet &) = delete;
 
     //! Writes the bytes to disk. The target is what a symbolic link leads to. Errors: missing folder, no
-    //! permission, not a regular file, disk full.
+    //! permission, not a regular file, disk full. Of bytes for the same target the last ones count.
     Result<Done> add(const QString &path, QByteArrayView bytes);
     //! Replaces the targets in the order of add(). When that fails for one of them, those before it get back
     //! what they were. Where the file system has no hard links they cannot, and the Error names them.
@@ -36,7 +39,8 @@ public:
 
 private:
     struct Pending;
-    Error undo(std::size_t replaced, Error error) const;
+    Result<Done> prepare(const SetJournal &journal);
+    Error undo(std::size_t replaced, Error error);
 
     std::vector<Pending> mFiles;
 };

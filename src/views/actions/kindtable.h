@@ -30,6 +30,57 @@ inline constexpr std::array kindTable{
                QT_TRANSLATE_NOOP("Actions", "Select the faces with as many corners as a selected one: all "
                                             "triangles, or all quads"),
                NeedsSelection},
+    ActionInfo{"select.similarShape", "Select/Similar faces",
+               QT_TRANSLATE_NOOP("Actions", "Of the same &shape"), "similar", "",
+               QT_TRANSLATE_NOOP("Actions", "Select the faces with sides and angles like those of a selected "
+                                            "one, at any size, turned or mirrored"),
+               NeedsSelection},
+    ActionInfo{"select.similarAreaInMap", "Select/Similar faces",
+               QT_TRANSLATE_NOOP("Actions", "Of the same area in the ma&p"), "similar", "",
+               QT_TRANSLATE_NOOP("Actions", "Select the faces that take as much of the texture as a selected "
+                                            "one, within a tenth"),
+               NeedsSelection | NeedsUvs},
+    ActionInfo{"select.flat", "Select/Similar faces",
+               QT_TRANSLATE_NOOP("Actions", "&Flat with the selection..."), "linked", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Select the connected faces between which the model is bent by no "
+                                 "more than an angle"),
+               NeedsSelection},
+    ActionInfo{"select.similarLength", "Select/Similar edges",
+               QT_TRANSLATE_NOOP("Actions", "Of the same &length"), "similar", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Select the edges that are as long on the model as a selected one, "
+                                 "within a tenth"),
+               NeedsSelectedEdges},
+    ActionInfo{"select.similarLengthInMap", "Select/Similar edges",
+               QT_TRANSLATE_NOOP("Actions", "Of the same length in the &map"), "similar", "",
+               QT_TRANSLATE_NOOP("Actions", "Select the edges that are as long in the map as a selected one, "
+                                            "within a tenth"),
+               NeedsSelectedEdges | NeedsUvs},
+    ActionInfo{"select.similarDirection", "Select/Similar edges",
+               QT_TRANSLATE_NOOP("Actions", "Of the same &direction in the map"), "similar", "",
+               QT_TRANSLATE_NOOP("Actions", "Select the edges that run in the map as a selected one does, "
+                                            "within 10 degrees"),
+               NeedsSelectedEdges | NeedsUvs},
+    ActionInfo{"select.ring", "Select/Rows", QT_TRANSLATE_NOOP("Actions", "Edge &ring"), "loop", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Select the edges that lie across quads from the selected ones, and so on"),
+               NeedsSelectedEdges},
+    ActionInfo{"select.strip", "Select/Rows", QT_TRANSLATE_NOOP("Actions", "Strip of &faces"), "loop", "",
+               QT_TRANSLATE_NOOP("Actions", "Select the rows of quads through the selected faces: in the "
+                                            "direction of two neighbours, or in both"),
+               NeedsSelectedFaces},
+    ActionInfo{"select.everySecond", "Select/Rows", QT_TRANSLATE_NOOP("Actions", "&Every second one"), "", "",
+               QT_TRANSLATE_NOOP("Actions", "Keep every second element of the selection: a checkerboard of "
+                                            "faces, every second edge of a loop"),
+               NeedsSelection},
+    ActionInfo{"select.growAlong", "Select/Rows", QT_TRANSLATE_NOOP("Actions", "&Grow along rows"), "grow",
+               "", QT_TRANSLATE_NOOP("Actions", "Add one element at both ends of each row of selected ones"),
+               NeedsSelection},
+    ActionInfo{
+        "select.shrinkAlong", "Select/Rows", QT_TRANSLATE_NOOP("Actions", "&Shrink along rows"), "shrink", "",
+        QT_TRANSLATE_NOOP("Actions", "Take away the elements at both ends of each row of selected ones"),
+        NeedsSelection},
     ActionInfo{
         "select.sharp", "Select/Edges", QT_TRANSLATE_NOOP("Actions", "&Sharp edges..."), "mode-edges",
         "Ctrl+Alt+S",

@@ -27,6 +27,8 @@ constexpr std::array menuTitles{
     MenuTitle{"Edit", QT_TRANSLATE_NOOP("Menus", "&Edit")},
     MenuTitle{"Select", QT_TRANSLATE_NOOP("Menus", "&Select")},
     MenuTitle{"Select/Similar faces", QT_TRANSLATE_NOOP("Menus", "Simila&r faces")},
+    MenuTitle{"Select/Similar edges", QT_TRANSLATE_NOOP("Menus", "Similar edges")},
+    MenuTitle{"Select/Rows", QT_TRANSLATE_NOOP("Menus", "Rows")},
     MenuTitle{"Select/Edges", QT_TRANSLATE_NOOP("Menus", "Edges &by kind")},
     MenuTitle{"Select/Islands", QT_TRANSLATE_NOOP("Menus", "Islands b&y figures")},
     MenuTitle{"UV", QT_TRANSLATE_NOOP("Menus", "&UV")},

@@ -6,9 +6,11 @@
 #include "views/control/mapcontroller.h"
 #include "views/control/workspace.h"
 #include "views/dialogs/numberdialog.h"
+#include "views/selecting/alongloops.h"
 #include "views/selecting/edgekinds.h"
 #include "views/selecting/islandkinds.h"
 #include "views/selecting/selecting.h"
+#include "views/selecting/similaredges.h"
 #include "views/selecting/similarfaces.h"
 #include "views/ui/questions.h"
 
@@ -23,10 +25,14 @@ constexpr Choice<SelectionMode> modes[] = {{"select.vertices", SelectionMode::Ve
                                            {"select.faces", SelectionMode::Faces},
                                            {"select.islands", SelectionMode::Islands}};
 
-constexpr Choice<FaceLikeness> likenesses[] = {{"select.similarArea", FaceLikeness::Area},
-                                               {"select.similarNormal", FaceLikeness::Normal},
-                                               {"select.similarMaterial", FaceLikeness::Material},
-                                               {"select.similarCorners", FaceLikeness::Corners}};
+constexpr Choice<FaceLikeness> likenesses[] = {
+    {"select.similarArea", FaceLikeness::Area},         {"select.similarNormal", FaceLikeness::Normal},
+    {"select.similarMaterial", FaceLikeness::Material}, {"select.similarCorners", FaceLikeness::Corners},
+    {"select.similarShape", FaceLikeness::Shape},       {"select.similarAreaInMap", FaceLikeness::AreaInMap}};
+
+constexpr Choice<EdgeLikeness> edgeLikenesses[] = {{"select.similarLength", EdgeLikeness::Length},
+                                                   {"select.similarLengthInMap", EdgeLikeness::LengthInMap},
+                                                   {"select.similarDirection", EdgeLikeness::DirectionInMap}};
 
 Selection selectionOfEdges(const QList<int> &edges)
 {
@@ -116,12 +122,37 @@ void SelectActions::connectWays()
         connectChange(id, [likeness = value](D d, S s) {
             return selectionOf(d, similarFaces(d, facesOf(d, s), likeness), s.mode);
         });
+    connectChange("select.ring", [](D d, S s) { return ringsOf(d, s); });
+    connectChange("select.strip", [](D d, S s) { return stripsOf(d, s); });
+    connectChange("select.everySecond", [](D d, S s) { return everySecond(d, s); });
+    connectChange("select.growAlong", [](D d, S s) { return grownAlong(d, s); });
+    connectChange("select.shrinkAlong", [](D d, S s) { return shrunkAlong(d, s); });
+    connectAsked(
+        "select.flat", mFlatAngle,
+        [](D) {
+            return NumberQuestion{
+                tr("Flat with the selection"),
+                tr("Select the connected faces between which the model is bent by no more than "
+                   "this angle."),
+                tr("&Angle:"),
+                tr("\u00b0"),
+                tr("&Select"),
+                0,
+                0,
+                180,
+                1};
+        },
+        [](D d, S s, double angle) { return selectionOf(d, flatFaces(d, facesOf(d, s), angle), s.mode); });
 }
 
 void SelectActions::connectEdgeKinds()
 {
     using S = const Selection &;
     using D = const Document &;
+    for (const auto &[id, value] : edgeLikenesses)
+        connectChange(id, [likeness = value](D d, S s) {
+            return selectionOfEdges(similarEdges(d, s.edges, likeness));
+        });
     connectChange("select.border", [](D d, S) { return selectionOfEdges(borderEdges(d)); });
     connectChange("select.seams", [](D d, S) { return selectionOfEdges(seamEdges(d)); });
     connectChange("select.outline", [](D d, S s) { return selectionOfEdges(outlineEdges(d, s.faces)); });

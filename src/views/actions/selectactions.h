@@ -37,7 +37,7 @@ private:
     StudioContext mContext;
     Questions &mQuestions;
     // The numbers that were used last: degrees, texels and percent. The first ones were chosen by hand.
-    double mSharpAngle = 30, mSmallIsland = 16, mDensityTolerance = 20;
+    double mSharpAngle = 30, mFlatAngle = 10, mSmallIsland = 16, mDensityTolerance = 20;
 };
 
 } // namespace autocuts

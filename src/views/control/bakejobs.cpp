@@ -5,6 +5,7 @@
 #include "model/io/fileclashes.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
+#include "model/io/setjournal.h"
 #include "model/io/transfersource.h"
 #include "model/plain/udimtiles.h"
 #include "model/transfer/surfacedistance.h"
@@ -218,7 +219,7 @@ MapJobResult bakeJob(const DocumentState &model, const MapInput &input, const Ba
                      JobControl &control)
 {
     MapJobResult result;
-    QStringList warnings;
+    QStringList warnings = endBrokenSets({choice.folder, choice.high});
     const Result<bake::BakeJob> job = makeBakeJob(model, input.packing, choice, control.stop(), warnings);
     if (!job) {
         result.problem =

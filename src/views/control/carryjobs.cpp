@@ -7,6 +7,7 @@
 #include "model/io/fileclashes.h"
 #include "model/io/meshfile.h"
 #include "model/io/projectfile.h"
+#include "model/io/setjournal.h"
 #include "model/io/transfersource.h"
 #include "model/plain/udimtiles.h"
 #include "model/plain/uvlayout.h"
@@ -115,6 +116,7 @@ MapJobResult carryJob(const CarryInput &input, const QString &sessionPath, const
     const double tileHeight = input.state.packingSettings.tileHeight();
     const Scene scene = withSet(input.state, input.state.activeUvSet);
     QStringList losses;
+    const QStringList ended = endBrokenSets({choice.folder, choice.file});
     const Result<Scene> before = sourceScene(input, choice, control.stop(), losses);
     if (control.stop())
         return failed(cancelled);
@@ -164,7 +166,8 @@ MapJobResult carryJob(const CarryInput &input, const QString &sessionPath, const
     result.message =
         JobTexts::tr("Carried %n pictures over into %1", nullptr, static_cast<int>(carried->files.size()))
             .arg(QDir::toNativeSeparators(choice.folder));
-    const QStringList warnings = losses + warningsOf(plan, carried.value(), figures, tiles.facesOutside);
+    const QStringList warnings =
+        ended + losses + warningsOf(plan, carried.value(), figures, tiles.facesOutside);
     if (!warnings.isEmpty())
         result.problem = result.message + QStringLiteral(". ") + warnings.join(QStringLiteral(". "));
     return result;

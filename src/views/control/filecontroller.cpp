@@ -9,6 +9,7 @@
 #include "model/io/meshdoctor.h"
 #include "model/io/meshfile.h"
 #include "model/io/savefile.h"
+#include "model/io/setjournal.h"
 #include "model/io/texturefiles.h"
 #include "model/samples/samples.h"
 #include "solver/metrics/uvmetrics.h"
@@ -62,7 +63,22 @@ struct Opened
     Result<Scene> scene = Error{};
     bool isProject = false;
     SessionFile file;
+    QStringList notes; //!< on files beside it
 };
+
+//! The result of writing files.
+struct Written
+{
+    Result<Done> result;
+    QStringList notes; //!< on files beside them
+};
+
+//! Writes files on the thread of a job, after what a program that was killed has left beside them is ended.
+Written writeBeside(const QString &path, const std::function<Result<Done>()> &write)
+{
+    QStringList notes = endBrokenSets({path});
+    return {write(), std::move(notes)};
+}
 
 bool isSameSuffix(const QString &a, const QString &b)
 {
@@ -133,6 +149,7 @@ void FileController::open(const QString &path)
         tr("Opening %1").arg(QFileInfo(path).fileName()),
         [full, thread = thread()](JobControl &job) {
             Opened opened;
+            opened.notes = endBrokenSets({full});
             opened.isProject = isProjectPath(full);
             if (opened.isProject) {
                 opened.file = SessionFile::at(full);
@@ -144,6 +161,7 @@ void FileController::open(const QString &path)
         [this, full](Opened opened) {
             const bool ok = opened.isProject ? opened.project.ok() : opened.scene.ok();
             if (!ok) {
+                tellNotes(opened.notes);
                 Q_EMIT failed(opened.isProject ? opened.project.error() : opened.scene.error());
                 return;
             }
@@ -154,6 +172,7 @@ void FileController::open(const QString &path)
                 adoptProject(std::move(opened.project).value(), full, nullptr);
             } else
                 adopt(std::move(opened.scene).value());
+            tellNotes(opened.notes); // another model takes away what was told before
         });
     if (!started)
         tellBusy(full);
@@ -404,10 +423,15 @@ void FileController::exportMesh(const QString &path)
          tileHeight = document->packingSettings().tileHeight()](JobControl &) {
             // The model itself may be written again, in its own format.
             const bool again = isSameSuffix(path, scene.path);
-            const Result<Done> fine = checkOutputs({path}, kept(again));
-            return fine ? writeMesh(withChosenTextures(scene, sets), path, tileHeight) : fine;
+            return writeBeside(path, [&] {
+                const Result<Done> fine = checkOutputs({path}, kept(again));
+                return fine ? writeMesh(withChosenTextures(scene, sets), path, tileHeight) : fine;
+            });
         },
-        [this, path](const Result<Done> &written) { tellWritten(written, path); });
+        [this, path](const Written &written) {
+            tellNotes(written.notes);
+            tellWritten(written.result, path);
+        });
     if (!started)
         tellBusy(path);
 }
@@ -435,10 +459,14 @@ void FileController::exportLayout(const std::vector<LayoutPicture> &pictures, co
             QStringList paths;
             for (const LayoutPicture &picture : pictures)
                 paths << picture.path;
-            const Result<Done> fine = checkOutputs(paths, kept(false));
-            return fine ? writeLayoutPictures(pictures, *mesh, uv, options, &job.stop()) : fine;
+            return writeBeside(paths.front(), [&] {
+                const Result<Done> fine = checkOutputs(paths, kept(false));
+                return fine ? writeLayoutPictures(pictures, *mesh, uv, options, &job.stop()) : fine;
+            });
         },
-        [this, path, count = int(pictures.size())](const Result<Done> &written) {
+        [this, path, count = int(pictures.size())](const Written &made) {
+            tellNotes(made.notes);
+            const Result<Done> &written = made.result;
             if (written && count > 1)
                 Q_EMIT done(tr("Wrote %1 and %2 more").arg(QFileInfo(path).fileName()).arg(count - 1));
             else
@@ -498,6 +526,12 @@ void FileController::exportBytes(const QString &path, const QByteArray &bytes)
 void FileController::tellBusy(const QString &path)
 {
     Q_EMIT failed(Error{tr("Another file is being read or written"), path, 0, tr("Wait or cancel it first")});
+}
+
+void FileController::tellNotes(const QStringList &notes)
+{
+    if (!notes.isEmpty())
+        Q_EMIT noticed(notes.join(QStringLiteral(". ")), {});
 }
 
 void FileController::tellWritten(const Result<Done> &written, const QString &path)

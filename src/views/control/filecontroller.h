@@ -113,6 +113,7 @@ private:
     void beginAutosave(const RecoverableSession *continued);
     void applyPreferences();
     void tellBusy(const QString &path);
+    void tellNotes(const QStringList &notes);
     void tellWritten(const Result<Done> &written, const QString &path);
     void adoptRelinked(const Result<Relinked> &linked, const StateToken &token);
     void saveForRecovery(const QString &path, const Autosave::Saved &saved);

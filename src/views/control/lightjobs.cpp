@@ -1,6 +1,7 @@
 #include "views/control/lightjobs.h"
 
 #include "model/io/fileclashes.h"
+#include "model/io/setjournal.h"
 #include "solver/bake/lightjob.h"
 #include "views/control/jobtexts.h"
 
@@ -89,6 +90,7 @@ MapJobResult lightBakeJob(const DocumentState &model, int textureSet, const MapI
         result.problem = fine.error().toString();
         return result;
     }
+    const QStringList ended = endBrokenSets({choice.path});
     FileSet written;
     double bright = 0;
     const auto sink = [&](int tile, bake::LightBakeResult &baked) {
@@ -122,10 +124,11 @@ MapJobResult lightBakeJob(const DocumentState &model, int textureSet, const MapI
         return result;
     }
     result.message = JobTexts::tr("Baked light into %1").arg(files);
+    QStringList warnings = ended;
     if (!missing.isEmpty())
-        result.problem =
-            result.message + QStringLiteral(". ") +
-            JobTexts::tr("Textures that cannot be read: %1").arg(missing.join(QStringLiteral(", ")));
+        warnings << JobTexts::tr("Textures that cannot be read: %1").arg(missing.join(QStringLiteral(", ")));
+    if (!warnings.isEmpty())
+        result.problem = result.message + QStringLiteral(". ") + warnings.join(QStringLiteral(". "));
     // Single texels, as beside a lamp, are not worth a word.
     constexpr double fewest = 0.01;
     if (bright >= fewest)

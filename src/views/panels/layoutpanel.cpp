@@ -287,15 +287,21 @@ void LayoutPanel::refresh()
 void LayoutPanel::showNumbers()
 {
     MovableIslands islands;
-    if (document() && !context().shownMap.isLive() && !context().map.jobs().isBusy())
+    const bool rests = document() && !context().shownMap.isLive() && !context().map.jobs().isBusy();
+    if (rests)
         islands = movableIslands(*document(), context().view.tools());
     for (QWidget *field :
          std::initializer_list<QWidget *>{mPosition[0], mPosition[1], mSize[0], mSize[1], mTurn})
         field->setEnabled(!islands.isEmpty());
     if (!mGesture.isActive())
         mTurn->setValue(0);
-    if (islands.isEmpty())
+    if (islands.isEmpty()) {
+        for (QDoubleSpinBox *field : {mPosition[0], mPosition[1], mSize[0], mSize[1]}) {
+            if (rests || !document()) // what they show is of islands that are not selected any more
+                field->clear();
+        }
         return;
+    }
     for (const int axis : {0, 1}) {
         mPosition[axis]->setValue(reference(islands)[axis] * unit()[axis]);
         mSize[axis]->setValue(islands.box.sizes()[axis] * unit()[axis]);

@@ -5,11 +5,13 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <numbers>
 #include <set>
+#include <vector>
 
 namespace autocuts {
 
@@ -17,6 +19,7 @@ namespace {
 
 // Chosen by hand.
 constexpr double largestAreaFactor = 1.1;
+constexpr double largestSideFactor = 1.1;
 constexpr double largestAngle = 10 * std::numbers::pi / 180;
 
 double areaOf(const MeshData &mesh, int face)
@@ -41,38 +44,143 @@ Vec3 normalOf(const MeshData &mesh, int face)
     return sum.stableNormalized();
 }
 
+double areaInMap(const Document &document, int face)
+{
+    const UvMatrix &uv = document.uv();
+    double area = 0;
+    for (const int t : document.mesh().trianglesOf(face)) {
+        const auto &[a, b, c] = document.mesh().triangles[t];
+        const Vec2 u = uv.row(b) - uv.row(a), v = uv.row(c) - uv.row(a);
+        area += std::abs(u.x() * v.y() - u.y() * v.x()) / 2;
+    }
+    return area;
+}
+
 //! Areas of faces, to be compared with others.
+template <bool inMap>
 class Areas
 {
 public:
-    Areas(const MeshData &mesh, const QList<int> &faces) : mMesh(mesh)
+    Areas(const Document &document, const QList<int> &faces) : mDocument(document)
     {
-        for (int face : faces)
-            mAreas.push_back(areaOf(mesh, face));
+        for (int face : faces) {
+            if (const double area = of(face); std::isfinite(area))
+                mAreas.push_back(area);
+        }
         std::sort(mAreas.begin(), mAreas.end());
     }
 
     bool areLike(int face) const
     {
-        const double area = areaOf(mMesh, face);
+        const double area = of(face);
         const auto least = std::lower_bound(mAreas.begin(), mAreas.end(), area / largestAreaFactor);
         return least != mAreas.end() && *least <= area * largestAreaFactor;
     }
 
 private:
-    const MeshData &mMesh;
+    double of(int face) const { return inMap ? areaInMap(mDocument, face) : areaOf(mDocument.mesh(), face); }
+
+    const Document &mDocument;
     std::vector<double> mAreas; //!< ascending
+};
+
+//! Shapes of faces, those of about the same longest and shortest side in one cell.
+class Shapes
+{
+public:
+    Shapes(const Document &document, const QList<int> &faces) : mMesh(document.mesh())
+    {
+        for (int face : faces) {
+            const Shape shape = shapeOf(face);
+            std::vector<Shape> &known = mCells[cellOf(shape)];
+            if (std::ranges::find(known, shape) == known.end())
+                known.push_back(shape);
+        }
+    }
+
+    bool areLike(int face) const
+    {
+        const Shape shape = shapeOf(face);
+        const Cell middle = cellOf(shape);
+        for (int i = 0; i < 9; ++i) {
+            const auto found = mCells.find({middle[0], middle[1] + i % 3 - 1, middle[2] + i / 3 - 1});
+            if (found != mCells.end() &&
+                std::ranges::any_of(found->second, [&](const Shape &other) { return fits(shape, other); }))
+                return true;
+        }
+        return false;
+    }
+
+private:
+    //! A corner: the share of the next side in the length of all sides, and the angle.
+    using Shape = std::vector<std::array<double, 2>>;
+    using Cell = std::array<int, 3>;
+
+    Shape shapeOf(int face) const
+    {
+        const int first = mMesh.faceStart[face], count = mMesh.faceStart[face + 1] - first;
+        const auto at = [&](int corner) { return mMesh.cornerPosition(first + (corner + count) % count); };
+        double whole = 0;
+        for (int k = 0; k < count; ++k)
+            whole += (at(k + 1) - at(k)).norm();
+        Shape shape;
+        for (int k = 0; k < count; ++k) {
+            const Vec3 next = at(k + 1) - at(k), before = at(k - 1) - at(k);
+            shape.push_back({whole > 0 ? next.norm() / whole : 0,
+                             std::atan2(next.cross(before).norm(), next.dot(before))});
+        }
+        return shape;
+    }
+
+    static Cell cellOf(const Shape &shape)
+    {
+        const auto [least, most] =
+            std::ranges::minmax(shape, {}, [](const auto &corner) { return corner[0]; });
+        constexpr double tiny = 1e-6;
+        const auto cell = [](double share) {
+            return static_cast<int>(std::floor(std::log(share + tiny) / std::log(largestSideFactor)));
+        };
+        return {static_cast<int>(shape.size()), cell(least[0]), cell(most[0])};
+    }
+
+    static bool fits(const Shape &a, const Shape &b)
+    {
+        const int count = static_cast<int>(a.size());
+        for (int shift = 0; shift < count; ++shift) {
+            if (fitsAt(a, b, shift, false) || fitsAt(a, b, shift, true))
+                return true;
+        }
+        return false;
+    }
+
+    //! True when corner k of the one is corner shift + k, or mirrored shift - k, of the other.
+    static bool fitsAt(const Shape &a, const Shape &b, int shift, bool mirrored)
+    {
+        const int count = static_cast<int>(a.size());
+        for (int k = 0; k < count; ++k) {
+            const int corner = (mirrored ? shift - k + count : shift + k) % count;
+            const int side = mirrored ? (corner + count - 1) % count : corner;
+            const double one = a[k][0], other = b[side][0];
+            if (std::abs(a[k][1] - b[corner][1]) > largestAngle ||
+                std::max(one, other) > largestSideFactor * std::min(one, other))
+                return false;
+        }
+        return true;
+    }
+
+    const MeshData &mMesh;
+    std::map<Cell, std::vector<Shape>> mCells;
 };
 
 //! Normals of faces in cells, so that only near ones are compared.
 class Normals
 {
 public:
-    Normals(const MeshData &mesh, const QList<int> &faces) : mMesh(mesh)
+    Normals(const Document &document, const QList<int> &faces) : mMesh(document.mesh())
     {
         std::set<Cell> seen; // normals that are almost the same are kept once
         for (int face : faces) {
-            const Vec3 normal = normalOf(mesh, face);
+            const Vec3 normal = normalOf(mMesh, face);
             if (seen.insert(cellOf(normal, fine)).second)
                 mCells[cellOf(normal, coarse)].push_back(normal);
         }
@@ -125,12 +233,12 @@ QList<int> withNumbersOf(int faceCount, const QList<int> &faces, NumberOf number
 
 //! The faces that are like the given ones, and these: rounding must not leave one of them out.
 template <class Figures>
-QList<int> withFiguresLike(const MeshData &mesh, const QList<int> &faces)
+QList<int> withFiguresLike(const Document &document, const QList<int> &faces)
 {
-    const Figures figures(mesh, faces);
+    const Figures figures(document, faces);
     QList<int> alike;
-    for (int face = 0; face < mesh.faceCount(); ++face) {
-        if (figures.areLike(face))
+    for (int face = 0; face < document.mesh().faceCount(); ++face) {
+        if (!std::binary_search(faces.begin(), faces.end(), face) && figures.areLike(face))
             alike.append(face);
     }
     QList<int> result;
@@ -146,9 +254,13 @@ QList<int> similarFaces(const Document &document, const QList<int> &faces, FaceL
     const std::vector<int> &materials = document.state().scene.faceMaterial;
     switch (likeness) {
     case FaceLikeness::Area:
-        return withFiguresLike<Areas>(mesh, faces);
+        return withFiguresLike<Areas<false>>(document, faces);
+    case FaceLikeness::AreaInMap:
+        return withFiguresLike<Areas<true>>(document, faces);
+    case FaceLikeness::Shape:
+        return withFiguresLike<Shapes>(document, faces);
     case FaceLikeness::Normal:
-        return withFiguresLike<Normals>(mesh, faces);
+        return withFiguresLike<Normals>(document, faces);
     case FaceLikeness::Material:
         return withNumbersOf(mesh.faceCount(), faces, [&](int face) {
             return materials.empty() ? -1 : materials[static_cast<std::size_t>(face)];

@@ -12,7 +12,9 @@ enum class FaceLikeness {
     Area,     //!< 3D areas that differ by at most a tenth
     Normal,   //!< normals that differ by at most 10 degrees
     Material, //!< the same material, or none
-    Corners   //!< the same number of corners
+    Corners,  //!< the same number of corners
+    Shape, //!< sides and angles, at any size, turned or mirrored, that differ by at most a tenth, 10 degrees
+    AreaInMap //!< areas in the map that differ by at most a tenth
 };
 
 //! The faces that are like at least one of the given faces, and the given faces; strictly ascending.

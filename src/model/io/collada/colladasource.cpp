@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <unordered_map>
 
 namespace autocuts {
 
@@ -105,22 +106,26 @@ bool PlaceFinder::fits(const AssimpPiece &piece, const ColladaGeometry &geometry
 std::vector<ColladaPlace> PlaceFinder::run()
 {
     std::vector<ColladaPlace> places;
+    std::unordered_map<std::string_view, std::size_t> named; // the first geometry of each id or name
+    for (std::size_t g = 0; g < mFile.geometries.size(); ++g) {
+        named.try_emplace(mFile.geometries[g].id, g);
+        named.try_emplace(mFile.geometries[g].name, g);
+    }
     for (std::size_t p = 0; p < mSource.pieces.size(); ++p) {
         const AssimpPiece &piece = mSource.pieces[p];
         const std::string name = pieceName(mSource, piece);
-        const auto geometry =
-            std::find_if(mFile.geometries.begin(), mFile.geometries.end(),
-                         [&](const ColladaGeometry &g) { return g.id == name || g.name == name; });
-        if (geometry == mFile.geometries.end())
+        const auto found = named.find(name);
+        if (found == named.end())
             return {};
-        const auto number = static_cast<std::size_t>(geometry - mFile.geometries.begin());
+        const std::size_t number = found->second;
+        const ColladaGeometry &geometry = mFile.geometries[number];
         // Pieces of one node follow the order of the primitives.
         const bool goesOn =
             p > 0 && mSource.pieces[p - 1].node == piece.node && places.back().geometry == number;
         std::size_t primitive = goesOn ? places.back().primitive + 1 : 0;
-        while (primitive < geometry->primitives.size() && !fits(piece, *geometry, primitive))
+        while (primitive < geometry.primitives.size() && !fits(piece, geometry, primitive))
             ++primitive;
-        if (primitive == geometry->primitives.size())
+        if (primitive == geometry.primitives.size())
             return {};
         places.push_back({number, primitive});
     }

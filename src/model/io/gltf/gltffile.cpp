@@ -3,6 +3,7 @@
 #include <QtEndian>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace autocuts {
@@ -13,6 +14,8 @@ constexpr quint32 glbMagic = 0x46546C67, jsonChunk = 0x4E4F534A, binaryChunk = 0
 constexpr qsizetype headerSize = 12, chunkHeaderSize = 8;
 //! Arrays and objects within each other. Extensions nest some ten deep.
 constexpr int maxDepth = 200;
+//! Of one object. The file format needs some twenty; what programs add may be more.
+constexpr int maxMembers = 20'000;
 //! Wider indents are not copied.
 constexpr qsizetype maxIndent = 8;
 
@@ -68,20 +71,64 @@ GlbParts partsOfGlb(const QByteArray &file)
     return parts;
 }
 
+//! The characters of a text; they end with an exception when a job is to stop. A callback of the parser would
+//! do that as well, but makes it look at all neighbours of each object that ends.
+class WatchedCharacter
+{
+public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char *;
+    using reference = char;
+
+    WatchedCharacter(const char *at, const std::atomic<bool> *stop) : mAt(at), mStop(stop) {}
+    char operator*() const { return *mAt; }
+    WatchedCharacter &operator++()
+    {
+        ++mAt;
+        if (mStop && *mStop)
+            throw GltfStopped();
+        return *this;
+    }
+    bool operator==(const WatchedCharacter &other) const { return mAt == other.mAt; }
+
+private:
+    const char *mAt;
+    const std::atomic<bool> *mStop;
+};
+
+//! Refuses text that would take a parsed document to its limits: what is nested too deeply, and objects with
+//! so many members that looking for equal names would take minutes.
+void checkShape(QByteArrayView text)
+{
+    std::vector<int> members; // of the objects and arrays around
+    bool inString = false;
+    for (const char *at = text.begin(); at != text.end(); ++at) {
+        if (*at == '"')
+            inString = !inString;
+        else if (inString)
+            at += *at == '\\' && at + 1 != text.end() ? 1 : 0;
+        else if (*at == '{' || *at == '[')
+            members.push_back(0);
+        else if ((*at == '}' || *at == ']') && !members.empty())
+            members.pop_back();
+        else if (*at == ':' && !members.empty() && ++members.back() > maxMembers)
+            throw GltfError("an object of its JSON has more than " + std::to_string(maxMembers) + " members");
+        if (std::ssize(members) > maxDepth)
+            throw GltfError("its JSON is nested too deeply");
+    }
+}
+
 Json parsedJson(const QByteArray &text, const std::atomic<bool> *stop)
 {
     // Some programs fill up the chunk with zeros.
     const char *end = text.end();
     while (end != text.begin() && end[-1] == '\0')
         --end;
-    const auto check = [stop](int depth, Json::parse_event_t, const Json &) {
-        if (stop && *stop)
-            throw GltfStopped();
-        if (depth > maxDepth)
-            throw GltfError("its JSON is nested too deeply");
-        return true;
-    };
-    Json json = Json::parse(text.begin(), end, check, false);
+    checkShape({text.begin(), end});
+    Json json =
+        Json::parse(WatchedCharacter(text.begin(), stop), WatchedCharacter(end, stop), nullptr, false);
     if (json.is_discarded() || !json.is_object())
         throw GltfError("its JSON is damaged or cut off");
     return json;
