@@ -3,6 +3,7 @@
 #include "model/document/document.h"
 #include "views/ui/preferences.h"
 #include "views/ui/questions.h"
+#include "views/ui/reasons.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -184,11 +185,11 @@ void BakeDialog::showState()
 {
     const bool detailed = !choice().high.isEmpty();
     for (QWidget *widget : std::initializer_list<QWidget *>{mCage, mDirection, mByName})
-        widget->setEnabled(detailed);
+        enableOrSay(widget, detailed, tr("Choose a detailed model first"));
     const QString source = sourceProblem(), target = targetProblem();
     mProblem->setText(source.isEmpty() ? target : source);
-    mBake->setEnabled(mProblem->text().isEmpty());
-    mLive->setEnabled(source.isEmpty());
+    disableFor(mProblem->text(), mBake);
+    disableFor(source, mLive);
 }
 
 QString BakeDialog::sourceProblem() const
