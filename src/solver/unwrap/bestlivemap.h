@@ -34,6 +34,9 @@ struct LiveMapResult
     int islands = 0;
     bool withinBound = false; //!< of what may change
     bool hasRoom = true;      //!< false: there is no room for all islands, some may overlap
+    //! Share of the area that has a mirror image, 0 where it is not symmetric. Set when symmetric seams are
+    //! asked for.
+    std::optional<double> mirroredArea;
     UnmetSteering unmet;
 };
 
