@@ -363,7 +363,8 @@ void DragTool::reset()
     mGaps.clear();
     mClosed.clear();
     mTorn.clear();
-    setStrained(false);
+    mStrained = false;
+    Q_EMIT hintChanged();
     Q_EMIT overlayChanged();
 }
 
